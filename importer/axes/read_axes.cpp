@@ -1,0 +1,1 @@
+#include "importer/axes/axis_calibration.h"

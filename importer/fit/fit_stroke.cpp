@@ -1,0 +1,1 @@
+#include "importer/fit/fit_stroke.h"

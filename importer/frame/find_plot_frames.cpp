@@ -1,0 +1,1 @@
+#include "importer/frame/plot_frame.h"

@@ -1,0 +1,1 @@
+#include "importer/importer.h"

@@ -1,0 +1,1 @@
+#include "importer/log/force_log.h"

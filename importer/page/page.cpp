@@ -1,0 +1,1 @@
+#include "importer/page/page.h"

@@ -1,0 +1,1 @@
+#include "importer/strokes/stroke_pair.h"

@@ -1,0 +1,1 @@
+#include "importer/trace/curve_trace.h"

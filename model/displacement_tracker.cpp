@@ -1,0 +1,1 @@
+#include "model/displacement_tracker.h"

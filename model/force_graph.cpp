@@ -1,0 +1,1 @@
+#include "model/force_graph.h"

@@ -1,0 +1,1 @@
+#include "model/stroke_curve.h"

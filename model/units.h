@@ -1,0 +1,26 @@
+#pragma once
+// The one place where forces and lengths change their unit. Inside Detent: newton and millimetre, as double.
+
+#include <optional>
+#include <string_view>
+
+namespace detent {
+
+enum class ForceUnit { newton, millinewton, centinewton, gramForce, kilogramForce, ounceForce, poundForce };
+enum class LengthUnit { millimetre, centimetre, micrometre, inch, mil };
+
+/// Newtons in one unit (exact where the definition is: 1 gf = 0.00980665 N, 1 lbf = 4.4482216152605 N).
+double newtonsPer(ForceUnit unit);
+/// Millimetres in one unit (1 in = 25.4 mm).
+double millimetresPer(LengthUnit unit);
+
+/// "cN", "gf", "mm", "µm" ...: the symbol we print.
+std::string_view symbolOf(ForceUnit unit);
+std::string_view symbolOf(LengthUnit unit);
+
+/// From a symbol or word as printed or typed: "gf", "g", "gram", "cN", "mN", "N", "ozf", "oz", "lbf", "kgf"...;
+/// case matters only where it must ("mN" and "MN"). nullopt if it names no known unit.
+std::optional<ForceUnit> forceUnitFrom(std::string_view text);
+std::optional<LengthUnit> lengthUnitFrom(std::string_view text);
+
+}  // namespace detent
