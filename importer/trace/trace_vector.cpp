@@ -1,0 +1,1 @@
+#include "importer/trace/trace_vector.h"
