@@ -6,6 +6,7 @@
 //                strokes/stroke_pair.h -> fit/fit_stroke.h; log/force_log.h for CSV; overlay/overlay.h draws it all back.
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,24 +23,28 @@ enum class Quality { draft, standard, precise };
 
 /// What the user settled by hand; everything else is found. Given values are kept while the rest is recomputed.
 struct ImportHints {
-  std::optional<std::vector<Point>> frame;   ///< 2 (opposite) or 4 corners, page units
+  std::vector<Point> frame;                  ///< empty, 2 (opposite) or 4 corners (tl, tr, br, bl), page units
   AxisHints axes;
   TraceHints trace;                          ///< masks here in page units
   StrokeHints strokes;
-  std::optional<double> dpi;
+  std::optional<double> dpi;                 ///< render documents at this resolution; (0, 1200]
+
+  bool operator==(const ImportHints&) const = default;
 };
 
+/// Which graph, how carefully, and what is already settled.
 struct ImportRequest {
   std::string path;
   std::optional<int> page;                   ///< from 1
-  std::optional<int> graph;                  ///< from 1 on its page
+  std::optional<int> graph;                  ///< from 1 on its page, reading order
   Quality quality = Quality::standard;
   ImportHints hints;
   PageLimits limits;
   bool wantOverlay = false;
 };
 
-/// Below this confidence an import says notCertain (exit 5) and what to pass. Set from the corpus (docs/decisions).
+/// Below this confidence an import says notCertain (exit 5) and what to pass. Set from the corpus
+/// (docs/decisions/0801-confidence.md).
 inline constexpr double confidenceBar = 0.5;
 
 /// One graph of a document, as `--list` prints it.
@@ -52,11 +57,20 @@ struct ListedGraph {
   double confidence = 0;
 };
 
+/// What an import looked at, for drawing it back over the page. Shared, never changed.
+struct GraphEvidence {
+  PageView view;
+  PlotFrame frame;
+  AxesFound axes;
+  std::vector<CurveTrace> traces;
+};
+
 struct StrokeReport {
   FitSummary fit;
   double rms_px = 0;                         ///< orthogonal, of the traced points to the fitted curve; 0 for force logs
 };
 
+/// Everything an import found. Usable as it stands: anything not certain enough came back as a Failure instead.
 struct ImportReport {
   Button button;
   StrokePair strokes;                        ///< as traced, before the fit
@@ -68,10 +82,38 @@ struct ImportReport {
   Quality quality = Quality::standard;
   std::map<std::string, double> seconds;     ///< per step
   std::vector<std::string> warnings;
+  std::shared_ptr<const GraphEvidence> evidence;  ///< null for force logs
   std::optional<Raster> overlay;             ///< if asked for
   std::string brief() const;                 ///< one line for people
 };
 
+/// An open input that is imported again and again while hints change: a step is recomputed only if something it
+/// depends on changed (STYLE 8). One thread at a time; `Progress::cancelled` may be asked from it.
+class ImportSession {
+ public:
+  static Result<ImportSession> open(const std::string& path, const PageLimits& limits = {});
+
+  int pageCount() const;
+  bool isForceLog() const;
+  /// Pages are read once and kept.
+  Result<const Page*> page(int number, const Progress& progress = {});
+  /// Graphs of one page (or of all, without a number), reading order.
+  Result<std::vector<ListedGraph>> list(std::optional<int> page = {}, Quality quality = Quality::standard,
+                                        const ImportHints& hints = {}, const Progress& progress = {});
+  /// `path` and `limits` of the request are those of the session.
+  Result<ImportReport> import(const ImportRequest& request, const Progress& progress = {});
+
+  ImportSession(ImportSession&&) noexcept;
+  ImportSession& operator=(ImportSession&&) noexcept;
+  ~ImportSession();
+
+ private:
+  struct Impl;
+  explicit ImportSession(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+/// One import from start to end. Failure codes as DESIGN.md's exit codes.
 Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress = {});
 Result<std::vector<ListedGraph>> listGraphs(const ImportRequest& request, const Progress& progress = {});
 

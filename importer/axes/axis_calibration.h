@@ -47,6 +47,8 @@ struct AxisHints {
   std::optional<double> xMin, xMax, yMin, yMax;  ///< values at the frame's edges, in xUnit/yUnit
   std::optional<LengthUnit> xUnit;
   std::optional<ForceUnit> yUnit;
+
+  bool operator==(const AxisHints&) const = default;
 };
 
 /// A word or number seen on the page: from its own text where it has text, else OCR.

@@ -21,6 +21,8 @@ struct StrokePair {
 
 struct StrokeHints {
   bool swap = false;
+
+  bool operator==(const StrokeHints&) const = default;
 };
 
 /// Failure noForceGraph: nothing that could be a press; notCertain: more curves than two, or press and release that cannot be told apart.

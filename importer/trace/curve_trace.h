@@ -24,6 +24,8 @@ struct CurveTrace {
 struct TraceHints {
   std::optional<Rgb> pressColor, releaseColor;
   std::vector<Box> masks_px;        ///< regions to ignore, view pixels
+
+  bool operator==(const TraceHints&) const = default;
 };
 
 struct TraceOptions {
