@@ -31,10 +31,15 @@ struct FrameCandidate {
   Box pageBox;               ///< the frame itself in page units
   Box regionBox;             ///< frame with tick labels, titles and legend, in page units
   int quarterTurns = 0;      ///< clockwise turns that make it upright
+  std::vector<Point> givenCorners;  ///< tl, tr, br, bl in page units if the user gave the frame, else empty
 };
 
 /// All frames that could hold a force graph, reading order (top to bottom, left to right). Empty is an answer, not an error.
 std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Document& document, const Progress& progress = {});
+
+/// The frame a user gave: 2 opposite corners or 4 (tl, tr, br, bl), page units. Confidence 1, decided by `given`.
+/// Failure wrongUsage: other counts, corners outside the page, no area.
+Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& corners, const Page& page);
 
 /// Sub-pixel frame, gridlines and ticks in the candidate's view.
 Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page, const FrameCandidate& candidate,
