@@ -1,9 +1,11 @@
 #pragma once
 // Front door of the importer.
-// In:  a picture, a PDF or SVG page, or a force meter's CSV, and whatever the user decided by hand (ImportRequest).
-// Out: a Button, its strokes as traced, and what was found with which confidence (ImportReport); or a Failure.
-// Reading order: page/page.h -> frame/plot_frame.h -> axes/axis_calibration.h -> trace/curve_trace.h ->
-//                strokes/stroke_pair.h -> fit/fit_stroke.h; log/force_log.h for CSV; overlay/overlay.h draws it all back.
+// In:  a picture, a PDF or SVG page, or a force meter's CSV, and whatever the user decided by hand
+// (ImportRequest). Out: a Button, its strokes as traced, and what was found with which confidence
+// (ImportReport); or a Failure. Reading order: page/page.h -> frame/plot_frame.h -> axes/axis_calibration.h
+// -> trace/curve_trace.h ->
+//                strokes/stroke_pair.h -> fit/fit_stroke.h; log/force_log.h for CSV; overlay/overlay.h draws
+//                it all back.
 
 #include <map>
 #include <memory>
@@ -14,20 +16,20 @@
 #include "importer/fit/fit_stroke.h"
 #include "importer/log/force_log.h"
 #include "importer/page/page.h"
+#include "importer/quality.h"
 #include "importer/strokes/stroke_pair.h"
 #include "model/button.h"
 
 namespace detent::importer {
 
-enum class Quality { draft, standard, precise };
-
-/// What the user settled by hand; everything else is found. Given values are kept while the rest is recomputed.
+/// What the user settled by hand; everything else is found. Given values are kept while the rest is
+/// recomputed.
 struct ImportHints {
-  std::vector<Point> frame;                  ///< empty, 2 (opposite) or 4 corners (tl, tr, br, bl), page units
+  std::vector<Point> frame;  ///< empty, 2 (opposite) or 4 corners (tl, tr, br, bl), page units
   AxisHints axes;
-  TraceHints trace;                          ///< masks here in page units
+  TraceHints trace;  ///< masks here in page units
   StrokeHints strokes;
-  std::optional<double> dpi;                 ///< render documents at this resolution; (0, 1200]
+  std::optional<double> dpi;  ///< render documents at this resolution; (0, 1200]
 
   bool operator==(const ImportHints&) const = default;
 };
@@ -35,8 +37,8 @@ struct ImportHints {
 /// Which graph, how carefully, and what is already settled.
 struct ImportRequest {
   std::string path;
-  std::optional<int> page;                   ///< from 1
-  std::optional<int> graph;                  ///< from 1 on its page, reading order
+  std::optional<int> page;   ///< from 1
+  std::optional<int> graph;  ///< from 1 on its page, reading order
   Quality quality = Quality::standard;
   ImportHints hints;
   PageLimits limits;
@@ -51,7 +53,7 @@ inline constexpr double confidenceBar = 0.5;
 struct ListedGraph {
   int page = 1, graph = 1;
   PageUnit unit = PageUnit::pixel;
-  Box frame;                                 ///< page units
+  Box frame;  ///< page units
   int quarterTurns = 0;
   AxisReading x, y;
   double confidence = 0;
@@ -67,28 +69,29 @@ struct GraphEvidence {
 
 struct StrokeReport {
   FitSummary fit;
-  double rms_px = 0;                         ///< orthogonal, of the traced points to the fitted curve; 0 for force logs
+  double rms_px = 0;  ///< orthogonal, of the traced points to the fitted curve; 0 for force logs
 };
 
-/// Everything an import found. Usable as it stands: anything not certain enough came back as a Failure instead.
+/// Everything an import found. Usable as it stands: anything not certain enough came back as a Failure
+/// instead.
 struct ImportReport {
   Button button;
-  StrokePair strokes;                        ///< as traced, before the fit
+  StrokePair strokes;  ///< as traced, before the fit
   int page = 1, graph = 1;
-  std::optional<AxisReading> x, y;           ///< empty for force logs
+  std::optional<AxisReading> x, y;  ///< empty for force logs
   StrokeReport press;
   std::optional<StrokeReport> release;
   double confidence = 0;
   Quality quality = Quality::standard;
-  std::map<std::string, double> seconds;     ///< per step
+  std::map<std::string, double> seconds;  ///< per step
   std::vector<std::string> warnings;
   std::shared_ptr<const GraphEvidence> evidence;  ///< null for force logs
-  std::optional<Raster> overlay;             ///< if asked for
-  std::string brief() const;                 ///< one line for people
+  std::optional<Raster> overlay;                  ///< if asked for
+  std::string brief() const;                      ///< one line for people
 };
 
-/// An open input that is imported again and again while hints change: a step is recomputed only if something it
-/// depends on changed (STYLE 8). One thread at a time; `Progress::cancelled` may be asked from it.
+/// An open input that is imported again and again while hints change: a step is recomputed only if something
+/// it depends on changed (STYLE 8). One thread at a time; `Progress::cancelled` may be asked from it.
 class ImportSession {
  public:
   static Result<ImportSession> open(const std::string& path, const PageLimits& limits = {});
@@ -101,7 +104,7 @@ class ImportSession {
   Result<std::vector<ListedGraph>> list(std::optional<int> page = {}, Quality quality = Quality::standard,
                                         const ImportHints& hints = {}, const Progress& progress = {});
   /// `path` and `limits` of the request are those of the session.
-  Result<ImportReport> import(const ImportRequest& request, const Progress& progress = {});
+  Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress = {});
 
   ImportSession(ImportSession&&) noexcept;
   ImportSession& operator=(ImportSession&&) noexcept;

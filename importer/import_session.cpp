@@ -1,0 +1,483 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+
+#include "importer/importer.h"
+#include "importer/locate_graphs.h"
+#include "importer/overlay/overlay.h"
+#include "model/check.h"
+
+namespace detent::importer {
+namespace {
+
+/// Adds the time of a scope to a step's sum.
+class StepClock {
+ public:
+  StepClock(std::map<std::string, double>& seconds, const char* step)
+      : seconds_(seconds), step_(step), start_(std::chrono::steady_clock::now()) {}
+  ~StepClock() {
+    seconds_[step_] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+  StepClock(const StepClock&) = delete;
+  StepClock& operator=(const StepClock&) = delete;
+
+ private:
+  std::map<std::string, double>& seconds_;
+  const char* step_;
+  std::chrono::steady_clock::time_point start_;
+};
+
+bool hasSuffix(const std::string& path, std::string_view suffix) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == suffix;
+}
+
+std::string numbered(const char* what, int n) { return std::string(what) + " " + std::to_string(n); }
+
+/// What decides which graphs a page has and how their axes read.
+struct LocateKey {
+  ViewOptions view;
+  AxisHints axes;
+  std::vector<Point> frame;
+  bool operator==(const LocateKey&) const = default;
+};
+
+ViewOptions viewOptionsFor(const QualitySettings& settings, const ImportHints& hints) {
+  ViewOptions view = settings.view;
+  if (hints.dpi) {  // a given resolution is exact: nothing widens or caps it
+    view.maxScale_px_per_unit = *hints.dpi / 72.0;
+    view.minFrameWidth_px = 16384;
+  }
+  return view;
+}
+
+/// Masks are given on the page; tracing works in the view.
+TraceHints inView(TraceHints hints, const PageView& view) {
+  const Affine toView = view.viewToPage.inverse();
+  for (Box& mask : hints.masks_px) {
+    const Point a = toView({mask.x0, mask.y0}), b = toView({mask.x1, mask.y1});
+    mask = {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+  }
+  return hints;
+}
+
+PointNoise noiseOf(const StrokePoints& stroke, const LocatedGraph& graph, const QualitySettings& settings) {
+  const AxisCalibration& calibration = graph.axes.calibration.value;
+  double noise_px = settings.traceNoise_px;
+  if (stroke.fromVector) {
+    const Box frame = graph.frame.value.box();
+    noise_px = settings.vectorNoise_share * std::sqrt(frame.width() * frame.height());
+  }
+  return {noise_px * calibration.mmPerPx(), noise_px * calibration.newtonPerPx()};
+}
+
+FitOptions fitOptionsFor(PointNoise noise, const QualitySettings& settings) {
+  FitOptions options;
+  options.noise = noise;
+  options.maxPieces = settings.maxPieces;
+  options.maxPoints = settings.maxFitPoints;
+  options.tolerance = settings.fitTolerance;
+  return options;
+}
+
+/// A button's axes start at the force-free key: a trace that begins a hair left of 0 mm is calibration noise.
+std::vector<CurvePoint> clampedToPress(std::vector<CurvePoint> points) {
+  for (CurvePoint& p : points) p.displacement_mm = std::max(p.displacement_mm, 0.0);
+  return points;
+}
+
+struct FittedStrokes {
+  FittedStroke press;
+  std::optional<FittedStroke> release;
+};
+
+Result<FittedStrokes> fitBoth(const StrokePair& strokes, const FitOptions& press, const FitOptions& release) {
+  auto fittedPress = fitStroke(clampedToPress(strokes.press.points), Stroke::press, press);
+  if (!fittedPress) return fittedPress.failure();
+  FittedStrokes fitted{std::move(fittedPress).value(), {}};
+  if (strokes.release) {
+    auto fittedRelease = fitStroke(clampedToPress(strokes.release->points), Stroke::release, release);
+    if (!fittedRelease) return fittedRelease.failure();
+    fitted.release = std::move(fittedRelease).value();
+  }
+  return fitted;
+}
+
+Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted, Provenance provenance) {
+  std::optional<StrokeCurve> release;
+  if (fitted.release) release = fitted.release->curve;
+  auto graph = ForceGraph::fromCurves(fitted.press.curve, std::move(release));
+  if (!graph) return graph.failure();
+  std::vector<ButtonState> states;
+  states.push_back({"", std::move(graph).value(), {}, {}, {}});
+  return Button::fromStates(name, std::move(states), std::move(provenance));
+}
+
+AxisProvenance provenanceOf(const AxisReading& axis, DecidedBy by) {
+  return {axis.unit, axis.min, axis.max, axis.residual_px, by};
+}
+
+std::vector<std::string> givenByHand(const ImportHints& hints) {
+  std::vector<std::string> given;
+  if (!hints.frame.empty()) given.emplace_back("--frame");
+  if (hints.axes.xMin || hints.axes.xMax) given.emplace_back("--x-axis");
+  if (hints.axes.yMin || hints.axes.yMax) given.emplace_back("--y-axis");
+  if (hints.axes.xUnit) given.emplace_back("--x-unit " + std::string(symbolOf(*hints.axes.xUnit)));
+  if (hints.axes.yUnit) given.emplace_back("--y-unit " + std::string(symbolOf(*hints.axes.yUnit)));
+  if (hints.trace.pressColor) given.emplace_back("--press-color");
+  if (hints.trace.releaseColor) given.emplace_back("--release-color");
+  if (!hints.trace.masks_px.empty()) given.emplace_back("--mask");
+  if (hints.strokes.swap) given.emplace_back("--swap-strokes");
+  if (hints.dpi) given.emplace_back("--dpi");
+  return given;
+}
+
+const char* nameOf(Quality quality) {
+  switch (quality) {
+    case Quality::draft:
+      return "draft";
+    case Quality::standard:
+      return "standard";
+    case Quality::precise:
+      return "precise";
+  }
+  return "";
+}
+
+/// Rms of the orthogonal residuals in view pixels: the fit's sigmas, undone.
+double rmsPx(const FitSummary& fit, const PointNoise& noise, const AxisCalibration& calibration) {
+  return fit.rmsSigma * noise.sigma_mm / calibration.mmPerPx();
+}
+
+}  // namespace
+
+struct ImportSession::Impl {
+  std::string path;
+  PageLimits limits;
+  std::optional<Document> document;  // empty: a force log
+  std::map<int, Page> pages;
+
+  struct PageGraphs {
+    LocateKey key;
+    LocatedPage located;
+  };
+  std::map<int, PageGraphs> graphs;
+
+  // The last graph's tracing and strokes, kept while only later hints change.
+  struct Traced {
+    int page = 0, graph = 0;
+    LocateKey key;
+    TraceHints hints;
+    double spacing_px = 0;
+    std::vector<CurveTrace> traces;
+  };
+  std::optional<Traced> traced;
+
+  std::string name() const { return std::filesystem::path(path).filename().string(); }
+  std::string stem() const { return std::filesystem::path(path).stem().string(); }
+
+  Failure failure(FailureCode code, std::string place, std::string problem, std::string remedy) const {
+    return {code, name(), std::move(place), std::move(problem), std::move(remedy)};
+  }
+
+  Result<const Page*> page(int number, const Progress& progress) {
+    if (const auto kept = pages.find(number); kept != pages.end()) return &kept->second;
+    if (number < 1 || number > document->pageCount()) {
+      return failure(FailureCode::wrongUsage, numbered("page", number), "there is no such page",
+                     "Pass --page 1 to " + std::to_string(document->pageCount()));
+    }
+    auto read = document->page(number, progress);
+    if (!read) return read.failure();
+    return &pages.emplace(number, std::move(read).value()).first->second;
+  }
+
+  Result<const LocatedPage*> located(int number, const LocateKey& key, const Progress& progress) {
+    if (const auto kept = graphs.find(number); kept != graphs.end() && kept->second.key == key) {
+      return &kept->second.located;
+    }
+    auto onPage = page(number, progress);
+    if (!onPage) return onPage.failure();
+    auto found = locateGraphs(*document, **onPage, {key.view, key.axes, key.frame}, progress);
+    if (!found) return found.failure();
+    return &graphs.insert_or_assign(number, PageGraphs{key, std::move(found).value()}).first->second.located;
+  }
+
+  struct Choice {
+    int page = 1, graph = 1;
+    const LocatedGraph* located = nullptr;
+    std::vector<std::string> warnings;
+  };
+
+  /// The graph asked for, or the most certain one of the document.
+  Result<Choice> choose(const ImportRequest& request, const LocateKey& key, const Progress& progress) {
+    Choice best;
+    std::optional<Failure> bestRejection;
+    int graphCount = 0;
+    const int first = request.page.value_or(1), last = request.page.value_or(document->pageCount());
+    for (int number = first; number <= last; ++number) {
+      auto onPage = located(number, key, progress);
+      if (!onPage) {
+        if (request.page || document->pageCount() == 1 || progress.isCancelled()) return onPage.failure();
+        best.warnings.push_back(onPage.failure().sentence());  // one broken page costs that page only
+        continue;
+      }
+      const auto& found = (*onPage)->graphs;
+      if ((*onPage)->bestRejection && !bestRejection) bestRejection = (*onPage)->bestRejection;
+      graphCount += static_cast<int>(found.size());
+      for (int i = 0; i < static_cast<int>(found.size()); ++i) {
+        if (request.graph && *request.graph != i + 1) continue;
+        const LocatedGraph& graph = found[static_cast<std::size_t>(i)];
+        if (!best.located || graph.confidence() > best.located->confidence()) {
+          best.page = number, best.graph = i + 1, best.located = &graph;
+        }
+      }
+    }
+    if (!best.located) return nothingFound(request, graphCount, bestRejection);
+    if (graphCount > 1 && !request.graph) {
+      best.warnings.push_back(std::to_string(graphCount) +
+                              " graphs found; this is the most certain one (page " +
+                              std::to_string(best.page) + ", graph " + std::to_string(best.graph) +
+                              "). --list shows all, --page and --graph choose, --all imports each");
+    }
+    return best;
+  }
+
+  Failure nothingFound(const ImportRequest& request, int graphCount,
+                       const std::optional<Failure>& rejection) const {
+    if (request.graph && graphCount > 0) {
+      return failure(FailureCode::wrongUsage, numbered("graph", *request.graph), "there is no such graph",
+                     "--list shows the graphs that were found");
+    }
+    if (rejection) return *rejection;
+    return failure(
+        FailureCode::noForceGraph, request.page ? numbered("page", *request.page) : "",
+        "no force graph found",
+        "If there is one, pass its corners with --frame X0,Y0,X1,Y1, and --page if the document has several");
+  }
+
+  Result<const std::vector<CurveTrace>*> traces(const Choice& choice, const LocateKey& key,
+                                                const TraceHints& hints, const TraceOptions& options,
+                                                const Progress& progress) {
+    if (traced && traced->page == choice.page && traced->graph == choice.graph && traced->key == key &&
+        traced->hints == hints && traced->spacing_px == options.pointSpacing_px) {
+      return &traced->traces;
+    }
+    const LocatedGraph& graph = *choice.located;
+    auto found =
+        traceCurves(graph.view, graph.frame.value, graph.axes, inView(hints, graph.view), options, progress);
+    if (!found) return found.failure();
+    traced = Traced{choice.page, choice.graph, key, hints, options.pointSpacing_px, std::move(found).value()};
+    return &traced->traces;
+  }
+
+  Failure placed(Failure f, const Choice& choice) const {
+    if (f.subject.empty()) f.subject = name();
+    if (f.place.empty()) {
+      f.place = document->pageCount() > 1
+                    ? numbered("page", choice.page) + ", " + numbered("graph", choice.graph)
+                    : numbered("graph", choice.graph);
+    }
+    return f;
+  }
+
+  Result<ImportReport> importPlot(const ImportRequest& request, const Progress& progress);
+  Result<ImportReport> importLog(const ImportRequest& request, const Progress& progress);
+};
+
+Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& request, const Progress& progress) {
+  const QualitySettings settings = settingsFor(request.quality);
+  const LocateKey key{viewOptionsFor(settings, request.hints), request.hints.axes, request.hints.frame};
+  std::map<std::string, double> seconds;
+  const auto step = [&](double fraction, std::string_view what) {
+    if (progress.report) progress.report(fraction, what);
+  };
+
+  step(0.05, "finding graphs and reading axes");
+  auto choice = [&] {
+    StepClock clock(seconds, "locate");
+    return choose(request, key, progress);
+  }();
+  if (!choice) return choice.failure();
+  const LocatedGraph& graph = *choice->located;
+
+  step(0.5, "tracing curves");
+  auto curves = [&] {
+    StepClock clock(seconds, "trace");
+    return traces(*choice, key, request.hints.trace, settings.trace, progress);
+  }();
+  if (!curves) return placed(curves.failure(), *choice);
+
+  step(0.7, "telling press from release");
+  auto strokes = [&] {
+    StepClock clock(seconds, "strokes");
+    return separateStrokes(**curves, graph.axes, graph.frame.value, request.hints.strokes);
+  }();
+  if (!strokes) return placed(strokes.failure(), *choice);
+
+  step(0.8, "fitting");
+  const StrokePair& pair = strokes->value;
+  const PointNoise pressNoise = noiseOf(pair.press, graph, settings);
+  const PointNoise releaseNoise = pair.release ? noiseOf(*pair.release, graph, settings) : pressNoise;
+  auto fitted = [&] {
+    StepClock clock(seconds, "fit");
+    return fitBoth(pair, fitOptionsFor(pressNoise, settings), fitOptionsFor(releaseNoise, settings));
+  }();
+  if (!fitted) return placed(fitted.failure(), *choice);
+  if (progress.isCancelled()) return failure(FailureCode::wrongUsage, "", "cancelled", "");
+
+  const AxisCalibration& calibration = graph.axes.calibration.value;
+  const double confidence = std::min(graph.confidence(), strokes->confidence);
+  if (confidence < confidenceBar) {
+    const bool axesDoubted = graph.confidence() <= strokes->confidence;
+    return placed(
+        failure(FailureCode::notCertain, "",
+                axesDoubted ? "the axes are not certain (" + graph.axes.calibration.evidence + ")"
+                            : "the curves are not certain (" + strokes->evidence + ")",
+                axesDoubted ? "Pass --x-axis MIN:MAX and --y-axis MIN:MAX (values at the frame's edges), or "
+                              "--frame if the frame was missed"
+                            : "Pass --press-color and --release-color, or --mask over what is no curve"),
+        *choice);
+  }
+
+  Provenance provenance;
+  provenance.sourceFile = name();
+  provenance.sourceSha256 = document->sha256();
+  provenance.page = choice->page, provenance.graph = choice->graph;
+  const Box frame = graph.candidate.value.pageBox;
+  provenance.frame = {frame.x0, frame.y0, frame.x1, frame.y1};
+  const AxisHints& axes = request.hints.axes;
+  provenance.xAxis =
+      provenanceOf(calibration.x, axes.xMin && axes.xMax ? DecidedBy::given : DecidedBy::found);
+  provenance.yAxis =
+      provenanceOf(calibration.y, axes.yMin && axes.yMax ? DecidedBy::given : DecidedBy::found);
+  provenance.quality = nameOf(request.quality);
+  provenance.pressRms_px = rmsPx(fitted->press.summary, pressNoise, calibration);
+  if (fitted->release) provenance.releaseRms_px = rmsPx(fitted->release->summary, releaseNoise, calibration);
+  provenance.confidence = confidence;
+  provenance.given = givenByHand(request.hints);
+  provenance.warnings = choice->warnings;
+  provenance.warnings.insert(provenance.warnings.end(), graph.axes.warnings.begin(),
+                             graph.axes.warnings.end());
+
+  auto button = buttonFrom(stem(), *fitted, provenance);
+  if (!button) return placed(button.failure(), *choice);
+  ImportReport report{.button = std::move(button).value()};
+  report.strokes = pair;
+  report.page = choice->page, report.graph = choice->graph;
+  report.x = calibration.x, report.y = calibration.y;
+  report.press = {fitted->press.summary, provenance.pressRms_px};
+  if (fitted->release) report.release = StrokeReport{fitted->release->summary, provenance.releaseRms_px};
+  report.confidence = confidence;
+  report.quality = request.quality;
+  report.warnings = provenance.warnings;
+  report.evidence = std::make_shared<const GraphEvidence>(
+      GraphEvidence{graph.view, graph.frame.value, graph.axes, **curves});
+  if (request.wantOverlay) {
+    StepClock clock(seconds, "overlay");
+    report.overlay = drawOverlay(*report.evidence, report.strokes, report.button);
+  }
+  report.seconds = std::move(seconds);
+  step(1, "done");
+  return report;
+}
+
+Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request, const Progress& progress) {
+  std::map<std::string, double> seconds;
+  auto log = [&] {
+    StepClock clock(seconds, "read");
+    return readForceLog(
+        path, {request.hints.axes.xUnit, request.hints.axes.yUnit, request.hints.strokes.swap}, progress);
+  }();
+  if (!log) return log.failure();
+  const QualitySettings settings = settingsFor(request.quality);
+  const FitOptions options = fitOptionsFor({log->noise_mm, log->noise_N}, settings);
+  auto fitted = [&] {
+    StepClock clock(seconds, "fit");
+    return fitBoth(log->strokes, options, options);
+  }();
+  if (!fitted) {
+    Failure f = fitted.failure();
+    f.subject = name();
+    return f;
+  }
+  Provenance provenance;
+  provenance.sourceFile = name();
+  provenance.quality = nameOf(request.quality);
+  provenance.confidence = 1;
+  provenance.given = givenByHand(request.hints);
+  provenance.warnings = log->warnings;
+  auto button = buttonFrom(stem(), *fitted, provenance);
+  if (!button) return button.failure();
+  ImportReport report{.button = std::move(button).value()};
+  report.strokes = std::move(log->strokes);
+  report.press = {fitted->press.summary, 0};
+  if (fitted->release) report.release = StrokeReport{fitted->release->summary, 0};
+  report.confidence = 1;
+  report.quality = request.quality;
+  report.warnings = provenance.warnings;
+  report.seconds = std::move(seconds);
+  return report;
+}
+
+ImportSession::ImportSession(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+ImportSession::ImportSession(ImportSession&&) noexcept = default;
+ImportSession& ImportSession::operator=(ImportSession&&) noexcept = default;
+ImportSession::~ImportSession() = default;
+
+Result<ImportSession> ImportSession::open(const std::string& path, const PageLimits& limits) {
+  auto impl = std::make_unique<Impl>();
+  impl->path = path;
+  impl->limits = limits;
+  if (!hasSuffix(path, ".csv")) {
+    auto document = Document::open(path, limits);
+    if (!document) return document.failure();
+    impl->document = std::move(document).value();
+  }
+  return ImportSession(std::move(impl));
+}
+
+int ImportSession::pageCount() const { return impl_->document ? impl_->document->pageCount() : 0; }
+bool ImportSession::isForceLog() const { return !impl_->document; }
+
+Result<const Page*> ImportSession::page(int number, const Progress& progress) {
+  if (isForceLog()) {
+    return impl_->failure(FailureCode::wrongUsage, "", "a force log has no pages",
+                          "Import it without --page");
+  }
+  return impl_->page(number, progress);
+}
+
+Result<std::vector<ListedGraph>> ImportSession::list(std::optional<int> page, Quality quality,
+                                                     const ImportHints& hints, const Progress& progress) {
+  if (isForceLog()) {
+    return impl_->failure(FailureCode::wrongUsage, "", "a force log has no pages to list",
+                          "Import it without --list");
+  }
+  const LocateKey key{viewOptionsFor(settingsFor(quality), hints), hints.axes, hints.frame};
+  std::vector<ListedGraph> listed;
+  const int first = page.value_or(1), last = page.value_or(pageCount());
+  for (int number = first; number <= last; ++number) {
+    if (progress.report) progress.report(double(number - first) / (last - first + 1), "finding graphs");
+    auto located = impl_->located(number, key, progress);
+    if (!located) return located.failure();
+    int graphNumber = 0;
+    for (const LocatedGraph& graph : (*located)->graphs) {
+      const AxisCalibration& calibration = graph.axes.calibration.value;
+      listed.push_back({number, ++graphNumber, impl_->pages.at(number).unit, graph.candidate.value.pageBox,
+                        graph.candidate.value.quarterTurns, calibration.x, calibration.y,
+                        graph.confidence()});
+    }
+    // A long document's pages are not all kept: only what was found on them.
+    if (!page) impl_->pages.erase(number);
+  }
+  return listed;
+}
+
+Result<ImportReport> ImportSession::importGraph(const ImportRequest& request, const Progress& progress) {
+  return isForceLog() ? impl_->importLog(request, progress) : impl_->importPlot(request, progress);
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,38 @@
+#pragma once
+// Pages -> graphs that stand on two calibrated axes: frame and axes steps run over every candidate of a page.
+
+#include <vector>
+
+#include "importer/axes/axis_calibration.h"
+#include "importer/frame/plot_frame.h"
+#include "importer/page/page.h"
+
+namespace detent::importer {
+
+/// A graph with everything the tracing needs.
+struct LocatedGraph {
+  Found<FrameCandidate> candidate;
+  PageView view;
+  Found<PlotFrame> frame;
+  AxesFound axes;
+  /// Sure that this is a force graph read with the right axes; 0..1.
+  double confidence() const;
+};
+
+/// What came of one page: graphs in reading order, and why the best rejected candidate was rejected.
+struct LocatedPage {
+  std::vector<LocatedGraph> graphs;
+  std::optional<Failure> bestRejection;
+};
+
+struct LocateOptions {
+  ViewOptions view;
+  AxisHints axes;
+  std::vector<Point> frameCorners;  ///< empty, 2 or 4, page units: the frame is given
+};
+
+/// A candidate whose axes cannot be read is no force graph, unless its frame was given by hand.
+Result<LocatedPage> locateGraphs(const Document& document, const Page& page, const LocateOptions& options,
+                                 const Progress& progress = {});
+
+}  // namespace detent::importer

@@ -1,0 +1,32 @@
+// detent-import: from a plot, a datasheet page or a force meter's log to a button. Parses, calls the front
+// door, prints.
+
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "importer/program/arguments.h"
+#include "importer/program/run.h"
+
+namespace {
+
+std::atomic<bool> interrupted{false};
+
+void onInterrupt(int) { interrupted = true; }
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGINT, onInterrupt);
+  std::signal(SIGTERM, onInterrupt);
+  try {
+    const auto parsed = detent::importer::parseArguments(argc, argv);
+    if (!parsed.arguments) return parsed.exitCode;
+    return detent::importer::run(*parsed.arguments, [] { return interrupted.load(); });
+  } catch (const std::exception& fault) {
+    std::fprintf(stderr, "detent-import: internal fault: %s. Please report it with the input file.\n",
+                 fault.what());
+    return 1;
+  }
+}

@@ -1,0 +1,13 @@
+#pragma once
+// Pixels to a PNG file's bytes.
+
+#include <string>
+
+#include "importer/page/raster.h"
+
+namespace detent::importer {
+
+/// `picture` must not be empty (checked).
+std::string pngBytes(const Raster& picture);
+
+}  // namespace detent::importer

@@ -1,0 +1,15 @@
+#pragma once
+// The result drawn back over the page, so that a look says whether the import is right.
+
+#include "importer/strokes/stroke_pair.h"
+#include "model/button.h"
+
+namespace detent::importer {
+
+struct GraphEvidence;
+
+/// Frame, ticks with the values read, traced points, fitted curves and tactile points over the (paled) view,
+/// enlarged so that one curve pixel is visible. Any thread.
+Raster drawOverlay(const GraphEvidence& evidence, const StrokePair& strokes, const Button& button);
+
+}  // namespace detent::importer

@@ -1,0 +1,214 @@
+#include "importer/program/arguments.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+namespace detent::importer {
+namespace {
+
+/// Numbers between separators, e.g. "0:4" or "10,20,300,200".
+std::optional<std::vector<double>> numbersIn(const std::string& text, char separator) {
+  std::vector<double> numbers;
+  const char* at = text.data();
+  const char* const end = text.data() + text.size();
+  while (true) {
+    double value = 0;
+    const auto [after, error] = std::from_chars(at, end, value);
+    if (error != std::errc() || !std::isfinite(value)) return {};
+    numbers.push_back(value);
+    if (after == end) return numbers;
+    if (*after != separator) return {};
+    at = after + 1;
+  }
+}
+
+CLI::ValidationError wrong(const char* option, const std::string& text, const char* expected) {
+  return {option, "'" + text + "' is not " + expected};
+}
+
+void parseAxis(const char* option, const std::string& text, std::optional<double>& min,
+               std::optional<double>& max) {
+  const auto numbers = numbersIn(text, ':');
+  if (!numbers || numbers->size() != 2 || (*numbers)[0] == (*numbers)[1]) {
+    throw wrong(option, text, "MIN:MAX, the two different values at the plot frame's edges, e.g. 0:4.5");
+  }
+  min = (*numbers)[0], max = (*numbers)[1];
+}
+
+std::vector<Point> parseCorners(const std::string& text) {
+  const auto n = numbersIn(text, ',');
+  if (!n || (n->size() != 4 && n->size() != 8)) {
+    throw wrong("--frame", text,
+                "X0,Y0,X1,Y1 (two opposite corners) or eight numbers (tl,tr,br,bl), in page units");
+  }
+  std::vector<Point> corners;
+  for (std::size_t i = 0; i < n->size(); i += 2) corners.push_back({(*n)[i], (*n)[i + 1]});
+  return corners;
+}
+
+Box parseBox(const std::string& text) {
+  const auto n = numbersIn(text, ',');
+  if (!n || n->size() != 4) throw wrong("--mask", text, "X0,Y0,X1,Y1 in page units");
+  return {std::min((*n)[0], (*n)[2]), std::min((*n)[1], (*n)[3]), std::max((*n)[0], (*n)[2]),
+          std::max((*n)[1], (*n)[3])};
+}
+
+Rgb parseColor(const char* option, const std::string& text) {
+  const std::string digits = !text.empty() && text[0] == '#' ? text.substr(1) : text;
+  unsigned value = 0;
+  const auto [after, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value, 16);
+  if (digits.size() != 6 || error != std::errc() || after != digits.data() + 6) {
+    throw wrong(option, text, "a colour like #2a6099");
+  }
+  return {static_cast<std::uint8_t>(value >> 16), static_cast<std::uint8_t>(value >> 8 & 255),
+          static_cast<std::uint8_t>(value & 255)};
+}
+
+const std::map<std::string, Quality> qualities = {
+    {"draft", Quality::draft}, {"standard", Quality::standard}, {"precise", Quality::precise}};
+
+/// Texts as typed, before they become values.
+struct RawOptions {
+  std::string frame, xAxis, yAxis, xUnit, yUnit, pressColor, releaseColor;
+  std::vector<std::string> masks;
+  int page = 0, graph = 0;
+  double dpi = 0;
+};
+
+void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
+  app.add_option("INPUT", a.inputs, "png, jpg, bmp, tiff, webp, pdf, svg, or a force meter's csv")
+      ->required();
+  app.add_option("--page", raw.page, "page, from 1 (default: the page of the most certain graph)")
+      ->check(CLI::Range(1, 1000000));
+  app.add_option("--graph", raw.graph,
+                 "graph on its page in reading order, from 1 (default: the most certain)")
+      ->check(CLI::Range(1, 10000));
+  app.add_flag("--all", a.all, "import every graph; page and graph number go into the output names");
+  app.add_flag("--list", a.list, "only list the graphs found: page, graph, box, axes, units, confidence");
+  app.add_option("--quality", a.request.quality,
+                 "draft, standard or precise (default: standard); see docs/bench-importer.md")
+      ->transform(CLI::CheckedTransformer(qualities, CLI::ignore_case));
+  app.add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
+}
+
+void addOutputs(CLI::App& app, Arguments& a) {
+  app.add_option("-o,--output", a.buttonPath, "button file to write (*.button.json)");
+  app.add_option("--csv", a.csvPath, "fitted graph to write: stroke,displacement_mm,force_N");
+  app.add_option("--trace-csv", a.tracePath, "traced points before the fit, same columns");
+  app.add_option("--overlay", a.overlayPath, "picture to write: what was found, drawn over the page (png)");
+}
+
+void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
+  auto* group = app.add_option_group("By hand",
+                                     "Every automatic decision can be given instead. Page units: pixels of a "
+                                     "picture, points (1/72 in) of a document, origin top left");
+  group->add_option("--frame", raw.frame,
+                    "plot frame: X0,Y0,X1,Y1 or four corners as eight numbers, page units");
+  group->add_option("--x-axis", raw.xAxis, "MIN:MAX at the frame's left and right edge, in the x unit");
+  group->add_option("--y-axis", raw.yAxis, "MIN:MAX at the frame's bottom and top edge, in the y unit");
+  group->add_option("--x-unit", raw.xUnit, "mm, cm, um, in or mil");
+  group->add_option("--y-unit", raw.yUnit, "N, mN, cN, gf, kgf, ozf or lbf");
+  group->add_option("--press-color", raw.pressColor, "colour of the press curve, #rrggbb");
+  group->add_option("--release-color", raw.releaseColor, "colour of the release curve, #rrggbb");
+  group->add_option("--mask", raw.masks, "X0,Y0,X1,Y1 to ignore, page units; may be given several times")
+      ->take_all()
+      ->allow_extra_args(false);
+  group->add_option("--dpi", raw.dpi, "render documents at this resolution (default: by --quality)")
+      ->check(CLI::Range(10.0, 1200.0));
+  group->add_flag("--swap-strokes", a.request.hints.strokes.swap, "press and release the other way round");
+}
+
+void addBatch(CLI::App& app, Arguments& a) {
+  auto* group = app.add_option_group("Batch", "Many inputs, each in a process of its own");
+  group->add_flag("--batch", a.batch, "import every graph of every INPUT into --out-dir");
+  group->add_option("--out-dir", a.outDir, "folder for results and report.jsonl (made if missing)");
+  group->add_option("--jobs", a.batchOptions.jobs, "processes at once (default: one per core)")
+      ->check(CLI::Range(1, 1024));
+  group->add_flag("--resume", a.resume, "skip inputs that report.jsonl already has");
+  group->add_option("--time-limit", a.batchOptions.timeLimit_s, "seconds per input")
+      ->check(CLI::Range(0.1, 86400.0))
+      ->capture_default_str();
+  group->add_option("--memory-limit", a.batchOptions.memoryLimit_MB, "MB of address space per input")
+      ->check(CLI::Range(64.0, 1e6))
+      ->capture_default_str();
+}
+
+void addLimits(CLI::App& app, PageLimits& limits) {
+  auto* group = app.add_option_group("Limits", "Against hostile input");
+  group->add_option("--max-megapixels", limits.maxMegapixels, "of a picture or a render")
+      ->check(CLI::Range(0.01, 10000.0))
+      ->capture_default_str();
+  group->add_option("--max-pages", limits.maxPages, "of a document")
+      ->check(CLI::Range(1, 1000000))
+      ->capture_default_str();
+  group->add_option("--max-file-megabytes", limits.maxFileMegabytes, "of the input file")
+      ->check(CLI::Range(0.001, 1e6))
+      ->capture_default_str();
+}
+
+void settle(const RawOptions& raw, Arguments& a) {
+  ImportHints& hints = a.request.hints;
+  if (raw.page > 0) a.request.page = raw.page;
+  if (raw.graph > 0) a.request.graph = raw.graph;
+  if (raw.dpi > 0) hints.dpi = raw.dpi;
+  if (!raw.frame.empty()) hints.frame = parseCorners(raw.frame);
+  if (!raw.xAxis.empty()) parseAxis("--x-axis", raw.xAxis, hints.axes.xMin, hints.axes.xMax);
+  if (!raw.yAxis.empty()) parseAxis("--y-axis", raw.yAxis, hints.axes.yMin, hints.axes.yMax);
+  if (!raw.xUnit.empty()) {
+    hints.axes.xUnit = lengthUnitFrom(raw.xUnit);
+    if (!hints.axes.xUnit) throw wrong("--x-unit", raw.xUnit, "a unit of length (mm, cm, um, in, mil)");
+  }
+  if (!raw.yUnit.empty()) {
+    hints.axes.yUnit = forceUnitFrom(raw.yUnit);
+    if (!hints.axes.yUnit)
+      throw wrong("--y-unit", raw.yUnit, "a unit of force (N, mN, cN, gf, kgf, ozf, lbf)");
+  }
+  if (!raw.pressColor.empty()) hints.trace.pressColor = parseColor("--press-color", raw.pressColor);
+  if (!raw.releaseColor.empty()) hints.trace.releaseColor = parseColor("--release-color", raw.releaseColor);
+  for (const std::string& mask : raw.masks) hints.trace.masks_px.push_back(parseBox(mask));
+
+  if (a.batch && a.outDir.empty())
+    throw CLI::ValidationError("--batch", "needs --out-dir DIR for its results");
+  if (!a.batch && a.inputs.size() != 1) {
+    throw CLI::ValidationError("INPUT", "one input at a time; pass --batch with --out-dir DIR for several");
+  }
+  if (a.batch && (a.list || !a.buttonPath.empty() || !a.csvPath.empty() || !a.tracePath.empty() ||
+                  !a.overlayPath.empty())) {
+    throw CLI::ValidationError(
+        "--batch", "writes into --out-dir and goes without --list, -o, --csv, --trace-csv, --overlay");
+  }
+  a.request.wantOverlay = !a.overlayPath.empty();
+}
+
+}  // namespace
+
+Parsed parseArguments(int argc, char** argv) {
+  CLI::App app{
+      "Reads the force graph of a push button from a plot, a datasheet page or a force meter's log.\n"
+      "With no hints it finds everything itself. Displacement in mm, force in N in everything it writes.\n"
+      "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph found,\n"
+      "5 found but not certain enough (says what to pass), 130 interrupted."};
+  app.name("detent-import");
+  Arguments arguments;
+  RawOptions raw;
+  addInputs(app, arguments, raw);
+  addOutputs(app, arguments);
+  addHints(app, raw, arguments);
+  addBatch(app, arguments);
+  addLimits(app, arguments.request.limits);
+  try {
+    app.parse(argc, argv);
+    settle(raw, arguments);
+  } catch (const CLI::ParseError& stop) {
+    const bool wanted = stop.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help
+    app.exit(stop, std::cout, std::cerr);
+    return {{}, wanted ? 0 : static_cast<int>(FailureCode::wrongUsage)};
+  }
+  return {std::move(arguments), 0};
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,35 @@
+#pragma once
+// The command line of detent-import (DESIGN.md, "Fixed contracts").
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "importer/batch/batch.h"
+#include "importer/importer.h"
+
+namespace detent::importer {
+
+struct Arguments {
+  std::vector<std::string> inputs;  ///< one, or many with `batch`
+  ImportRequest request;            ///< path empty; page, graph, quality, hints, limits
+  bool list = false;
+  bool all = false;
+  bool json = false;
+  std::string buttonPath, csvPath, tracePath, overlayPath;  ///< empty: not asked for
+
+  bool batch = false;
+  bool resume = false;
+  std::string outDir;
+  BatchOptions batchOptions;
+};
+
+/// `arguments` is empty where the program should end at once with `exitCode` (help, version, wrong usage).
+struct Parsed {
+  std::optional<Arguments> arguments;
+  int exitCode = 0;
+};
+
+Parsed parseArguments(int argc, char** argv);
+
+}  // namespace detent::importer

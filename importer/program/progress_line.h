@@ -1,0 +1,22 @@
+#pragma once
+// One line on a terminal that says how far the work is; silent where stderr is no terminal.
+
+#include <string_view>
+
+namespace detent::importer {
+
+class ProgressLine {
+ public:
+  ProgressLine();
+  ~ProgressLine();  ///< wipes the line
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  void show(double fraction, std::string_view what);
+
+ private:
+  bool onTerminal_;
+  bool shown_ = false;
+};
+
+}  // namespace detent::importer

@@ -1,0 +1,21 @@
+#pragma once
+// Reports as JSON, in the shape DESIGN.md fixes for scripts.
+
+#include <string>
+#include <vector>
+
+#include "importer/importer.h"
+
+namespace detent::importer {
+
+/// One object, one line. `input` as the user wrote it; `outputs` are the files written.
+std::string reportJson(const ImportReport& report, const std::string& input,
+                       const std::vector<std::string>& outputs);
+std::string failureJson(const Failure& failure, const std::string& input);
+/// {"graphs":[...]}: `frame_pt` for documents, `frame_px` for pictures.
+std::string listJson(const std::vector<ListedGraph>& graphs);
+
+/// `stroke,displacement_mm,force_N`: traced points before the fit, in the order travelled.
+std::string traceCsv(const StrokePair& strokes);
+
+}  // namespace detent::importer

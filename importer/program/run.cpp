@@ -1,0 +1,298 @@
+#include "importer/program/run.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <new>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "importer/overlay/encode_png.h"
+#include "importer/program/progress_line.h"
+#include "importer/program/report_json.h"
+#include "importer/program/staged_outputs.h"
+#include "model/file/button_file.h"
+#include "model/file/csv_file.h"
+
+namespace detent::importer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int interruptedExitCode = 130;  // the shell's convention for SIGINT
+
+/// Where one import's results go; empty paths are not wanted.
+struct OutputPaths {
+  std::string button, csv, trace, overlay;
+};
+
+/// "plot.button.json" -> "plot-p2-g1.button.json": one name per graph.
+std::string withGraphNumber(const std::string& path, int page, int graph) {
+  if (path.empty()) return path;
+  const fs::path whole(path);
+  const std::string name = whole.filename().string();
+  const std::size_t dot = name.find('.', 1);
+  const std::string tag = "-p" + std::to_string(page) + "-g" + std::to_string(graph);
+  const std::string tagged =
+      dot == std::string::npos ? name + tag : name.substr(0, dot) + tag + name.substr(dot);
+  return (whole.parent_path() / tagged).string();
+}
+
+OutputPaths numbered(const OutputPaths& paths, int page, int graph) {
+  return {withGraphNumber(paths.button, page, graph), withGraphNumber(paths.csv, page, graph),
+          withGraphNumber(paths.trace, page, graph), withGraphNumber(paths.overlay, page, graph)};
+}
+
+Result<std::vector<std::string>> writeOutputs(const ImportReport& report, const OutputPaths& paths) {
+  StagedOutputs outputs;
+  const auto stage = [&](const std::string& path, const auto& bytes) -> Result<Done> {
+    if (path.empty()) return Done{};
+    return outputs.stage(path, bytes());
+  };
+  const ForceGraph& graph = report.button.states().front().graph;
+  if (auto done = stage(paths.button, [&] { return buttonJson(report.button); }); !done)
+    return done.failure();
+  if (auto done = stage(paths.csv, [&] { return graphCsv(graph); }); !done) return done.failure();
+  if (auto done = stage(paths.trace, [&] { return traceCsv(report.strokes); }); !done) return done.failure();
+  if (!paths.overlay.empty() && report.overlay) {
+    if (auto done = stage(paths.overlay, [&] { return pngBytes(*report.overlay); }); !done)
+      return done.failure();
+  }
+  if (auto done = outputs.commit(); !done) return done.failure();
+  return outputs.paths();
+}
+
+/// One graph of an open input: import, write, say so. `lines` gets one JSON line.
+int importOne(ImportSession& session, const ImportRequest& request, const OutputPaths& paths,
+              const Progress& progress, std::string& lines, std::string& text) {
+  auto report = session.importGraph(request, progress);
+  Result<std::vector<std::string>> written = std::vector<std::string>{};
+  if (report) written = writeOutputs(*report, paths);
+  if (!report || !written) {
+    const Failure& failure = report ? written.failure() : report.failure();
+    lines += failureJson(failure, request.path) + "\n";
+    text += failure.sentence() + "\n";
+    return failure.exitCode();
+  }
+  lines += reportJson(*report, request.path, *written) + "\n";
+  text += report->brief() + "\n";
+  for (const std::string& warning : report->warnings) text += "warning: " + warning + "\n";
+  for (const std::string& path : *written) text += "wrote " + path + "\n";
+  return 0;
+}
+
+/// Every graph of an input. The exit code is 0 if each came through, else the first failure's.
+int importAll(const ImportRequest& request, const OutputPaths& paths, const Progress& progress,
+              std::string& lines, std::string& text) {
+  const auto refused = [&](const Failure& failure) {
+    lines += failureJson(failure, request.path) + "\n";
+    text += failure.sentence() + "\n";
+    return failure.exitCode();
+  };
+  auto session = ImportSession::open(request.path, request.limits);
+  if (!session) return refused(session.failure());
+  if (session->isForceLog()) return importOne(*session, request, paths, progress, lines, text);
+
+  auto listed = session->list(request.page, request.quality, request.hints, progress);
+  if (!listed) return refused(listed.failure());
+  if (listed->empty())
+    return importOne(*session, request, paths, progress, lines, text);  // says why there is none
+  int exitCode = 0;
+  for (const ListedGraph& graph : *listed) {
+    ImportRequest one = request;
+    one.page = graph.page, one.graph = graph.graph;
+    const OutputPaths onePaths = listed->size() == 1 ? paths : numbered(paths, graph.page, graph.graph);
+    const int code = importOne(*session, one, onePaths, progress, lines, text);
+    if (exitCode == 0) exitCode = code;
+  }
+  return exitCode;
+}
+
+void print(const Arguments& a, const std::string& json, const std::string& text, int exitCode) {
+  if (a.json) std::fputs(json.c_str(), stdout);
+  std::fputs(text.c_str(), a.json || exitCode != 0 ? stderr : stdout);
+}
+
+int runImport(const Arguments& a, const Progress& progress) {
+  ImportRequest request = a.request;
+  request.path = a.inputs.front();
+  const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath};
+  std::string lines, text;
+  int exitCode = 0;
+  if (a.all) {
+    exitCode = importAll(request, paths, progress, lines, text);
+    std::string graphs;  // several results are still one object
+    for (const char c : lines) graphs += c == '\n' ? ',' : c;
+    if (!graphs.empty()) graphs.pop_back();
+    lines = "{\"imports\":[" + graphs + "]}\n";
+  } else {
+    auto session = ImportSession::open(request.path, request.limits);
+    if (session) {
+      exitCode = importOne(*session, request, paths, progress, lines, text);
+    } else {
+      lines = failureJson(session.failure(), request.path) + "\n";
+      text = session.failure().sentence() + "\n";
+      exitCode = session.failure().exitCode();
+    }
+  }
+  print(a, lines, text, exitCode);
+  return exitCode;
+}
+
+std::string listText(const std::vector<ListedGraph>& graphs) {
+  std::string text;
+  for (const ListedGraph& g : graphs) {
+    char row[320];
+    std::snprintf(
+        row, sizeof row,
+        "page %d graph %d  box %.1f,%.1f,%.1f,%.1f %s  x %.6g..%.6g %s  y %.6g..%.6g %s  confidence %.2f\n",
+        g.page, g.graph, g.frame.x0, g.frame.y0, g.frame.x1, g.frame.y1,
+        g.unit == PageUnit::point ? "pt" : "px", g.x.min, g.x.max, g.x.unit.c_str(), g.y.min, g.y.max,
+        g.y.unit.c_str(), g.confidence);
+    text += row;
+  }
+  return text;
+}
+
+int runList(const Arguments& a, const Progress& progress) {
+  ImportRequest request = a.request;
+  request.path = a.inputs.front();
+  auto graphs = listGraphs(request, progress);
+  if (!graphs) {
+    print(a, failureJson(graphs.failure(), request.path) + "\n", graphs.failure().sentence() + "\n",
+          graphs.failure().exitCode());
+    return graphs.failure().exitCode();
+  }
+  const int exitCode = graphs->empty() ? static_cast<int>(FailureCode::noForceGraph) : 0;
+  const std::string text = graphs->empty()
+                               ? Failure{FailureCode::noForceGraph, request.path, "", "no force graph found",
+                                         "If there is one, import it with --frame X0,Y0,X1,Y1"}
+                                         .sentence() +
+                                     "\n"
+                               : listText(*graphs);
+  print(a, listJson(*graphs) + "\n", a.json && exitCode == 0 ? "" : text, exitCode);
+  return exitCode;
+}
+
+/// A result name per input that no other input has: the file's stem, with as many parent folders as it takes.
+std::map<std::string, std::string> uniqueStems(const std::vector<std::string>& inputs) {
+  std::map<std::string, std::string> stems;
+  std::set<std::string> taken;
+  const auto clashes = [&](const std::string& stem) {
+    return std::count_if(inputs.begin(), inputs.end(), [&](const std::string& other) {
+             return fs::path(other).stem().string() == stem;
+           }) > 1;
+  };
+  for (const std::string& input : inputs) {
+    const fs::path path = fs::absolute(input).lexically_normal();
+    std::string stem = path.stem().string();
+    if (clashes(stem)) stem = path.parent_path().filename().string() + "-" + stem;
+    std::string unique = stem;
+    for (int n = 2; !taken.insert(unique).second; ++n) unique = stem + "-" + std::to_string(n);
+    stems[input] = unique;
+  }
+  return stems;
+}
+
+/// Inputs that a kept report already answers.
+std::set<std::string> alreadyReported(const std::string& reportPath) {
+  std::set<std::string> inputs;
+  std::ifstream report(reportPath);
+  for (std::string line; std::getline(report, line);) {
+    const auto json = nlohmann::json::parse(line, nullptr, false);
+    if (json.is_object() && json.contains("input") && json["input"].is_string()) inputs.insert(json["input"]);
+  }
+  return inputs;
+}
+
+/// In the child: a fault that reaches here costs this input only.
+int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths, std::string& lines) {
+  ImportRequest request = a.request;
+  request.path = input;
+  request.wantOverlay = true;
+  std::string text;
+  try {
+    return importAll(request, paths, {}, lines, text);
+  } catch (const std::bad_alloc&) {
+    const Failure tooLarge{
+        FailureCode::unreadableInput, input, "", "needs more memory than the limit",
+        "Pass a larger --memory-limit, or a smaller --max-megapixels to refuse such inputs early"};
+    lines = failureJson(tooLarge, input) + "\n";
+    return tooLarge.exitCode();
+  }
+}
+
+int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
+  std::error_code error;
+  fs::create_directories(a.outDir, error);
+  const fs::path folder(a.outDir);
+  const std::string reportPath = (folder / "report.jsonl").string();
+  std::vector<std::string> inputs;
+  const std::set<std::string> done = a.resume ? alreadyReported(reportPath) : std::set<std::string>{};
+  std::set<std::string> seen;
+  for (const std::string& input : a.inputs) {
+    if (!done.count(input) && seen.insert(input).second) inputs.push_back(input);
+  }
+  const auto stems = uniqueStems(a.inputs);
+  std::ofstream report(reportPath, a.resume ? std::ios::app : std::ios::trunc);
+  if (!report) {
+    std::fprintf(stderr, "%s: cannot be written. Pass an --out-dir that can be made or written to.\n",
+                 reportPath.c_str());
+    return static_cast<int>(FailureCode::wrongUsage);
+  }
+
+  ProgressLine line;
+  std::size_t handled = 0, failed = 0;
+  const auto handle = [&](const std::string& input, std::string& lines) {
+    const std::string base = (folder / stems.at(input)).string();
+    return handleInput(
+        a, input, {base + ".button.json", base + ".csv", base + ".trace.csv", base + ".overlay.png"}, lines);
+  };
+  const auto finished = [&](const InputOutcome& outcome) {
+    std::string lines = outcome.reportLines;
+    if (!outcome.death.empty()) {
+      const auto code = static_cast<FailureCode>(outcome.exitCode);
+      lines = failureJson({code, outcome.input, "", outcome.death, "Import it alone to see how far it comes"},
+                          outcome.input) +
+              "\n";
+    }
+    report << lines << std::flush;
+    ++handled;
+    if (outcome.exitCode != 0) {
+      ++failed;
+      std::fprintf(stderr, "exit %d: %s\n", outcome.exitCode, outcome.input.c_str());
+    }
+    line.show(double(handled) / double(inputs.size()), outcome.input);
+  };
+  auto ran = runIsolated(inputs, a.batchOptions, handle, finished, cancelled);
+  if (!ran) {
+    std::fprintf(stderr, "%s\n", ran.failure().sentence().c_str());
+    return cancelled() ? interruptedExitCode : ran.failure().exitCode();
+  }
+  std::fprintf(a.json ? stderr : stdout, "%zu inputs handled, %zu failed, %zu already done; report: %s\n",
+               handled, failed, done.size(), reportPath.c_str());
+  if (a.json) {
+    const nlohmann::json summary{{"handled", handled}, {"failed", failed}, {"report", reportPath}};
+    std::fprintf(stdout, "%s\n", summary.dump().c_str());
+  }
+  return 0;
+}
+
+}  // namespace
+
+int run(const Arguments& arguments, const std::function<bool()>& cancelled) {
+  if (arguments.batch) return runBatch(arguments, cancelled);
+  int exitCode = 0;
+  {
+    ProgressLine line;
+    Progress progress;
+    progress.report = [&](double fraction, std::string_view what) { line.show(fraction, what); };
+    progress.cancelled = cancelled;
+    exitCode = arguments.list ? runList(arguments, progress) : runImport(arguments, progress);
+  }
+  return cancelled() ? interruptedExitCode : exitCode;
+}
+
+}  // namespace detent::importer

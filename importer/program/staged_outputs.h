@@ -1,0 +1,37 @@
+#pragma once
+// Output files that appear all together or not at all (DESIGN.md: nothing is left behind or half
+// overwritten).
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/result.h"
+
+namespace detent::importer {
+
+/// Collects a run's output files beside their places; `commit` puts them there. What is not committed is
+/// removed.
+class StagedOutputs {
+ public:
+  StagedOutputs() = default;
+  StagedOutputs(const StagedOutputs&) = delete;
+  StagedOutputs& operator=(const StagedOutputs&) = delete;
+  ~StagedOutputs();
+
+  /// Failure wrongUsage: the folder does not exist, cannot be written to, or the disk is full.
+  Result<Done> stage(const std::string& path, std::string_view bytes);
+  Result<Done> commit();
+
+  /// Final paths of everything staged so far.
+  std::vector<std::string> paths() const;
+
+ private:
+  struct File {
+    std::filesystem::path staged, final;
+  };
+  std::vector<File> files_;
+};
+
+}  // namespace detent::importer
