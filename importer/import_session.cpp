@@ -364,7 +364,7 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
 
   auto button = buttonFrom(stem(), *fitted, provenance);
   if (!button) return placed(button.failure(), *choice);
-  ImportReport report{.button = std::move(button).value()};
+  ImportReport report(std::move(button).value());
   report.strokes = pair;
   report.page = choice->page, report.graph = choice->graph;
   report.x = calibration.x, report.y = calibration.y;
@@ -411,7 +411,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   provenance.warnings = log->warnings;
   auto button = buttonFrom(stem(), *fitted, provenance);
   if (!button) return button.failure();
-  ImportReport report{.button = std::move(button).value()};
+  ImportReport report(std::move(button).value());
   report.strokes = std::move(log->strokes);
   report.press = {fitted->press.summary, 0};
   if (fitted->release) report.release = StrokeReport{fitted->release->summary, 0};

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "importer/fit/fit_stroke.h"
@@ -75,6 +76,8 @@ struct StrokeReport {
 /// Everything an import found. Usable as it stands: anything not certain enough came back as a Failure
 /// instead.
 struct ImportReport {
+  explicit ImportReport(Button imported) : button(std::move(imported)) {}
+
   Button button;
   StrokePair strokes;  ///< as traced, before the fit
   int page = 1, graph = 1;

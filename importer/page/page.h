@@ -81,6 +81,8 @@ struct PageLimits {
 struct ViewOptions {
   double minFrameWidth_px = 1000;   ///< a rendered region is drawn so that it is about this wide; (0, 16384]
   double maxScale_px_per_unit = 16;
+
+  bool operator==(const ViewOptions&) const = default;
 };
 
 /// An open file. Pages are read on demand. One thread at a time.

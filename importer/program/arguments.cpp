@@ -27,7 +27,7 @@ std::optional<std::vector<double>> numbersIn(const std::string& text, char separ
 }
 
 CLI::ValidationError wrong(const char* option, const std::string& text, const char* expected) {
-  return {option, "'" + text + "' is not " + expected};
+  return CLI::ValidationError(option, "'" + text + "' is not " + expected);
 }
 
 void parseAxis(const char* option, const std::string& text, std::optional<double>& min,
