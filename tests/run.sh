@@ -1,0 +1,62 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds everything (preset release) and runs all tests.
+#
+#   tests/run.sh [--again] [CTEST-OPTIONS...]
+#
+# Where all tests passed and nothing has changed since (sources, build, packages, corpus), it says so and stops;
+# --again or CI=true runs them regardless. Further words go to ctest, e.g. -R trace.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+again=${CI:-}
+ctest_options=()
+for argument in "$@"; do
+  case "$argument" in
+    --again) again=yes ;;
+    -h | --help) sed -n '2,7s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    *) ctest_options+=("$argument") ;;
+  esac
+done
+
+build=build/release
+started=$SECONDS
+./install-dependencies.sh test
+cmake --preset release --log-level=WARNING >/dev/null
+cmake --build --preset release --parallel "$(nproc)"
+
+# Everything a test's outcome may depend on, by size and time of change.
+fingerprint() {
+  {
+    find . -type f -not -path './build/*' -not -path './.git/*' -not -path './samples/out/*' -printf '%p %s %T@\n' | sort
+    find $build -type f -perm -u+x -printf '%p %s %T@\n' | sort
+    stat -c '%n %s %Y' /var/lib/dpkg/status 2>/dev/null
+    corpus=${DETENT_CORPUS:-../shared/corpus}
+    stat -c '%n %Y' "$corpus" "$corpus"/* 2>/dev/null
+  } | sha256sum
+}
+
+stamp=$build/all-tests-passed
+now=$(fingerprint)
+if [[ -z $again && ${#ctest_options[@]} -eq 0 && -f $stamp && $(head -n 1 "$stamp") == "$now" ]]; then
+  sed -n '2s/$/ Nothing has changed since; --again runs them once more./p' "$stamp"
+  exit 0
+fi
+
+log=$build/tests.log
+status=0
+ctest --preset release --parallel 2 "${ctest_options[@]}" | tee "$log" || status=$?
+passed=$(grep -cE 'Test +#[0-9]+: .* Passed ' "$log" || true)
+skipped=$(grep -cE 'Test +#[0-9]+: .*\*\*\*Skipped ' "$log" || true)
+if ((status)); then
+  echo "tests/run.sh: tests failed; their output stands above and in $log."
+  exit 1
+fi
+if ((passed == 0)); then
+  echo "tests/run.sh: no test ran."
+  exit 1
+fi
+closing="All tests passed: $passed ran, $skipped skipped, $((SECONDS - started)) s."
+if ((${#ctest_options[@]} == 0)); then
+  printf '%s\n' "$now" "All tests passed ($(date '+%F %T')): $passed ran, $skipped skipped." >"$stamp"
+fi
+echo "$closing"
