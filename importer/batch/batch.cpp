@@ -63,6 +63,7 @@ std::optional<Child> startChild(std::size_t index, const std::string& input, con
   if (pid == 0) {
     close(ends[0]);
     std::signal(SIGINT, SIG_IGN);  // the parent decides what an interrupt ends
+    for (const int fault : {SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV}) std::signal(fault, SIG_DFL);
     limitMemory(options.memoryLimit_MB);
     std::string lines;
     const int code = handle(input, lines);
