@@ -20,11 +20,11 @@ struct DampingPoint {
 
 /// One state of a button (momentary: the only one; self-locking: unlocked, locked).
 struct ButtonState {
-  std::string name;                          ///< "", "unlocked", "locked"; unique in the button
+  std::string name;  ///< "", "unlocked", "locked"; unique in the button
   ForceGraph graph;
-  std::optional<double> operatingPoint_mm;   ///< where the contact closes on the press stroke
-  std::optional<double> resetPoint_mm;       ///< where it opens on the release stroke
-  std::vector<DampingPoint> damping;         ///< empty: no damping is modelled, none is computed; linear in between
+  std::optional<double> operatingPoint_mm;  ///< where the contact closes on the press stroke
+  std::optional<double> resetPoint_mm;      ///< where it opens on the release stroke
+  std::vector<DampingPoint> damping;  ///< empty: no damping is modelled, none is computed; linear in between
   friend bool operator==(const ButtonState&, const ButtonState&) = default;
 };
 
@@ -33,30 +33,30 @@ enum class DecidedBy { found, given };
 
 /// One calibrated axis as it stood on the page.
 struct AxisProvenance {
-  std::string unit;             ///< as printed: "cN", "gf", "mm"
-  double min = 0, max = 0;      ///< values at the plot frame's edges, in `unit`
-  double residual_px = 0;       ///< rms distance of ticks from the calibration
+  std::string unit;         ///< as printed: "cN", "gf", "mm"
+  double min = 0, max = 0;  ///< values at the plot frame's edges, in `unit`
+  double residual_px = 0;   ///< rms distance of ticks from the calibration
   DecidedBy by = DecidedBy::found;
   friend bool operator==(const AxisProvenance&, const AxisProvenance&) = default;
 };
 
 /// Where an imported button came from; kept in the file.
 struct Provenance {
-  std::string sourceFile;       ///< name without folder
-  std::string sourceSha256;     ///< hex
+  std::string sourceFile;    ///< name without folder
+  std::string sourceSha256;  ///< hex
   int page = 1, graph = 1;
-  std::vector<double> frame;    ///< x0,y0,x1,y1 in page units (px or pt), empty for a force log
+  std::vector<double> frame;  ///< x0,y0,x1,y1 in page units (px or pt), empty for a force log
   std::optional<AxisProvenance> xAxis, yAxis;
-  std::string quality;          ///< draft, standard, precise
+  std::string quality;  ///< draft, standard, precise
   double pressRms_px = 0, releaseRms_px = 0;
-  double confidence = 0;        ///< 0..1
-  std::vector<std::string> given;    ///< options given by hand, e.g. "--y-unit gf"
+  double confidence = 0;           ///< 0..1
+  std::vector<std::string> given;  ///< options given by hand, e.g. "--y-unit gf"
   std::vector<std::string> warnings;
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 
-/// A button. Rules: one state (momentary) or two (self-locking, alternating at each actuation); state names unique;
-/// operating and reset points inside the travel; damping by increasing displacement, finite, >= 0.
+/// A button. Rules: one state (momentary) or two (self-locking, alternating at each actuation); state names
+/// unique; operating and reset points inside the travel; damping by increasing displacement, finite, >= 0.
 /// Immutable value; any thread.
 class Button {
  public:

@@ -1,5 +1,6 @@
 #pragma once
-// Our own bugs: a check that stays on in release (STYLE 7). Never for the world's faults, never in the audio callback.
+// Our own bugs: a check that stays on in release (STYLE 7). Never for the world's faults, never in the audio
+// callback.
 
 namespace detent {
 

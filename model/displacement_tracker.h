@@ -1,6 +1,6 @@
 #pragma once
-// The reverse function, force -> displacement, with memory: a jump makes it multi-valued, so the answer depends on
-// the way one came (Kim & Lee 2013, Figure 2b).
+// The reverse function, force -> displacement, with memory: a jump makes it multi-valued, so the answer
+// depends on the way one came (Kim & Lee 2013, Figure 2b).
 
 #include <cstdint>
 
@@ -16,11 +16,12 @@ struct TrackedPosition {
 };
 
 struct TrackerSettings {
-  double hysteresis_N = 0;  ///< force must turn back this far before the stroke changes; >= 0, at least one sensor LSB
+  double hysteresis_N =
+      0;  ///< force must turn back this far before the stroke changes; >= 0, at least one sensor LSB
 };
 
-/// Follows a force signal along a graph: on the press curve while force rises, on the release curve after it has turned
-/// back by the hysteresis, never backwards within one stroke, through a jump at its tactile point.
+/// Follows a force signal along a graph: on the press curve while force rises, on the release curve after it
+/// has turned back by the hysteresis, never backwards within one stroke, through a jump at its tactile point.
 /// Not finite forces are counted and ignored. Any thread; one owner.
 class DisplacementTracker {
  public:

@@ -22,7 +22,9 @@ class ForceGraph {
   const StrokeCurve& press() const { return press_; }
   const std::optional<StrokeCurve>& release() const { return release_; }
   /// The curve a stroke is felt on: release falls back to press where none is known.
-  const StrokeCurve& curve(Stroke stroke) const { return stroke == Stroke::release && release_ ? *release_ : press_; }
+  const StrokeCurve& curve(Stroke stroke) const {
+    return stroke == Stroke::release && release_ ? *release_ : press_;
+  }
 
   /// Full travel: the largest displacement of the press curve.
   double travel_mm() const { return press_.end_mm(); }

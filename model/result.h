@@ -11,21 +11,21 @@ namespace detent {
 
 /// Why something could not be done. The numbers are the programs' exit codes (DESIGN.md).
 enum class FailureCode {
-  internalFault = 1,   ///< a bug of ours, caught
-  wrongUsage = 2,      ///< a call or argument that cannot mean anything
-  unreadableInput = 3, ///< the input is missing, broken, too large, or not what it says it is
-  noForceGraph = 4,    ///< readable, but no force graph stands in it
-  notCertain = 5,      ///< found, but not certain enough; `remedy` says what to pass
-  deviceTrouble = 6    ///< a device is missing, busy or lost
+  internalFault = 1,    ///< a bug of ours, caught
+  wrongUsage = 2,       ///< a call or argument that cannot mean anything
+  unreadableInput = 3,  ///< the input is missing, broken, too large, or not what it says it is
+  noForceGraph = 4,     ///< readable, but no force graph stands in it
+  notCertain = 5,       ///< found, but not certain enough; `remedy` says what to pass
+  deviceTrouble = 6     ///< a device is missing, busy or lost
 };
 
 /// One fault of the world, in the three parts every message has. Plain value, any thread.
 struct Failure {
   FailureCode code = FailureCode::internalFault;
-  std::string subject; ///< the file or value: "plot.png", "press curve"
-  std::string place;   ///< where in it: "page 3", "knot 4", "line 17"; may be empty
-  std::string problem; ///< what is wrong, with the offending value
-  std::string remedy;  ///< what to do next
+  std::string subject;  ///< the file or value: "plot.png", "press curve"
+  std::string place;    ///< where in it: "page 3", "knot 4", "line 17"; may be empty
+  std::string problem;  ///< what is wrong, with the offending value
+  std::string remedy;   ///< what to do next
 
   /// "SUBJECT, PLACE: PROBLEM. REMEDY." in one line.
   std::string sentence() const;

@@ -9,16 +9,17 @@
 namespace detent {
 
 enum class SectionKind {
-  slope,    ///< displacement follows force continuously
-  jump,     ///< from a tactile point to where the force regains it (press), or falls below it again (release)
-  bottomOut ///< the wall at the end of the travel
+  slope,  ///< displacement follows force continuously
+  jump,   ///< from a tactile point to where the force regains it (press), or falls below it again (release)
+  bottomOut  ///< the wall at the end of the travel
 };
 
-/// Press: a local maximum of the press curve. Release: a local minimum of the release curve (Kim & Lee, "Tactile point").
+/// Press: a local maximum of the press curve. Release: a local minimum of the release curve (Kim & Lee,
+/// "Tactile point").
 struct TactilePoint {
   double displacement_mm = 0;
   double force_N = 0;
-  double prominence_N = 0; ///< how far the force must turn back before it is passed again
+  double prominence_N = 0;  ///< how far the force must turn back before it is passed again
 };
 
 /// One stretch of a stroke, in the order travelled (release: from_mm > to_mm).
@@ -30,15 +31,20 @@ struct Section {
 
 /// What counts as a tactile point and as a bottom-out. Defaults hold for keyboards and tact switches alike.
 struct SectionSettings {
-  double minProminence_N = 0;           ///< absolute bar; >= 0
-  double minProminenceOfSpan = 0.03;    ///< bar as a share of the stroke's force range below the bottom-out; in [0, 1)
-  double bottomOutSlopeRatio = 8;       ///< the last stretch is a wall if steeper than this × the stroke's mean slope; > 1
+  double minProminence_N = 0;  ///< absolute bar; >= 0
+  double minProminenceOfSpan =
+      0.03;  ///< bar as a share of the stroke's force range below the bottom-out; in [0, 1)
+  double bottomOutSlopeRatio =
+      8;  ///< the last stretch is a wall if steeper than this × the stroke's mean slope; > 1
 };
 
-std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings = {});
+std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke,
+                                        const SectionSettings& settings = {});
 
-/// Sections in the order travelled; they touch and cover the whole stroke. A wall at the *start* of a press is slope.
-std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings = {});
+/// Sections in the order travelled; they touch and cover the whole stroke. A wall at the *start* of a press
+/// is slope.
+std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke,
+                                const SectionSettings& settings = {});
 
 /// Area between the curve and the horizontal through the jump's tactile point (N·mm = mJ, >= 0):
 /// the paper's measure of a jump's strength ("Jump Feedback Generation"). 0 for a degenerate jump.

@@ -18,8 +18,8 @@ double millimetresPer(LengthUnit unit);
 std::string_view symbolOf(ForceUnit unit);
 std::string_view symbolOf(LengthUnit unit);
 
-/// From a symbol or word as printed or typed: "gf", "g", "gram", "cN", "mN", "N", "ozf", "oz", "lbf", "kgf"...;
-/// case matters only where it must ("mN" and "MN"). nullopt if it names no known unit.
+/// From a symbol or word as printed or typed: "gf", "g", "gram", "cN", "mN", "N", "ozf", "oz", "lbf",
+/// "kgf"...; case matters only where it must ("mN" and "MN"). nullopt if it names no known unit.
 std::optional<ForceUnit> forceUnitFrom(std::string_view text);
 std::optional<LengthUnit> lengthUnitFrom(std::string_view text);
 
