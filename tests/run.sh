@@ -42,21 +42,23 @@ if [[ -z $again && ${#ctest_options[@]} -eq 0 && -f $stamp && $(head -n 1 "$stam
   exit 0
 fi
 
-log=$build/tests.log
 status=0
-ctest --preset release --parallel 2 "${ctest_options[@]}" | tee "$log" || status=$?
-passed=$(grep -cE 'Test +#[0-9]+: .* Passed ' "$log" || true)
-skipped=$(grep -cE 'Test +#[0-9]+: .*\*\*\*Skipped ' "$log" || true)
+ctest --preset release --parallel 2 "${ctest_options[@]}" || status=$?
+log=$build/Testing/Temporary/LastTest.log
 if ((status)); then
-  echo "tests/run.sh: tests failed; their output stands above and in $log."
+  echo "tests/run.sh: tests failed; their output stands above, all output in $log."
   exit 1
 fi
+count() { grep -acE "$1" "$log" || true; }
+passed=$(count '^Test Passed\.$')
+skipped=$(count '^SKIPPED')
 if ((passed == 0)); then
   echo "tests/run.sh: no test ran."
   exit 1
 fi
-closing="All tests passed: $passed ran, $skipped skipped, $((SECONDS - started)) s."
+grep -aE '^SKIPPED' "$log" | sort | uniq -c | sed 's/^ *\([0-9]*\) /  \1 x /' || true
+closing="All tests passed: $passed programs, $skipped checks skipped."
 if ((${#ctest_options[@]} == 0)); then
-  printf '%s\n' "$now" "All tests passed ($(date '+%F %T')): $passed ran, $skipped skipped." >"$stamp"
+  printf '%s\n' "$now" "$closing ($(date '+%F %T'))" >"$stamp"
 fi
-echo "$closing"
+echo "$closing $((SECONDS - started)) s in all."
