@@ -1,0 +1,204 @@
+#include "importer/callouts/callouts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+namespace detent::importer {
+namespace {
+
+/// A callout's text with the box of all its words.
+struct Phrase {
+  CalloutKind kind;
+  Box box;
+  std::string text;
+};
+
+std::string lowered(const std::string& text) {
+  std::string out = text;
+  for (char& c : out) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 128) c = static_cast<char>(std::tolower(byte));
+  }
+  return out;
+}
+
+bool holds(const std::string& text, std::string_view word) { return text.find(word) != std::string::npos; }
+
+/// Reset first: "Rückschaltpunkt" holds "schaltpunkt".
+std::optional<CalloutKind> kindOf(const std::string& text) {
+  static constexpr std::array<std::string_view, 6> resetWords{"reset",       "rückschalt", "ruckschalt",
+                                                              "rueckschalt", "复位",       "リセット"};
+  static constexpr std::array<std::string_view, 6> operatingWords{"operating",   "operation", "actuation",
+                                                                  "schaltpunkt", "动作",      "作動"};
+  const std::string low = lowered(text);
+  for (const auto word : resetWords) {
+    if (holds(low, word)) return CalloutKind::resetPoint;
+  }
+  for (const auto word : operatingWords) {
+    if (holds(low, word)) return CalloutKind::operatingPoint;
+  }
+  return {};
+}
+
+Box unionOf(const Box& a, const Box& b) {
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+/// Words of one line that stand a space apart belong together: the leader may start at any of them.
+Box lineAround(const SeenText& word, const std::vector<SeenText>& texts) {
+  Box line = word.box;
+  for (bool grown = true; grown;) {
+    grown = false;
+    for (const SeenText& other : texts) {
+      const double height = line.height();
+      const bool sameLine = std::abs((other.box.y0 + other.box.y1) - (line.y0 + line.y1)) < height;
+      const bool near = other.box.x0 < line.x1 + 0.8 * height && other.box.x1 > line.x0 - 0.8 * height;
+      const Box whole = unionOf(line, other.box);
+      if (sameLine && near && whole.width() > line.width() + 0.5) line = whole, grown = true;
+    }
+  }
+  return line;
+}
+
+std::vector<Phrase> phrasesInside(const AxesFound& axes, const Box& frame) {
+  std::vector<Phrase> phrases;
+  for (const SeenText& text : axes.texts) {
+    const Point middle{(text.box.x0 + text.box.x1) / 2, (text.box.y0 + text.box.y1) / 2};
+    const auto kind = kindOf(text.utf8);
+    if (kind && frame.contains(middle)) phrases.push_back({*kind, lineAround(text, axes.texts), text.utf8});
+  }
+  return phrases;
+}
+
+/// Ink or paper, per pixel: how far a pixel is from the plot's most frequent colour.
+class InkTest {
+ public:
+  InkTest(const Raster& raster, const Box& frame) : raster_(raster), paper_(mostFrequent(raster, frame)) {}
+
+  /// A pixel of ink within one pixel of the point.
+  bool near(Point p) const {
+    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        if (at(x + dx, y + dy)) return true;
+      }
+    }
+    return false;
+  }
+  bool at(int x, int y) const {
+    if (x < 0 || y < 0 || x >= raster_.width_px || y >= raster_.height_px) return false;
+    const std::uint8_t* rgb = raster_.at(x, y);
+    constexpr int inkDistance = 70;  // of 255: half-covered thin lines count, paper noise does not
+    return std::max({std::abs(rgb[0] - paper_.r), std::abs(rgb[1] - paper_.g), std::abs(rgb[2] - paper_.b)}) >
+           inkDistance;
+  }
+
+ private:
+  static Rgb mostFrequent(const Raster& raster, const Box& frame) {
+    std::vector<int> counts(4096, 0);  // 4 bits per channel
+    const int x1 = std::min(raster.width_px, static_cast<int>(frame.x1)),
+              y1 = std::min(raster.height_px, static_cast<int>(frame.y1));
+    for (int y = std::max(0, static_cast<int>(frame.y0)); y < y1; y += 2) {
+      for (int x = std::max(0, static_cast<int>(frame.x0)); x < x1; x += 2) {
+        const std::uint8_t* rgb = raster.at(x, y);
+        ++counts[static_cast<std::size_t>((rgb[0] >> 4) << 8 | (rgb[1] >> 4) << 4 | rgb[2] >> 4)];
+      }
+    }
+    const auto best = static_cast<unsigned>(std::max_element(counts.begin(), counts.end()) - counts.begin());
+    const auto channel = [](unsigned four) { return static_cast<std::uint8_t>(four * 17); };
+    return {channel(best >> 8), channel(best >> 4 & 15), channel(best & 15)};
+  }
+
+  const Raster& raster_;
+  Rgb paper_;
+};
+
+/// Share of the straight line between two points that is a thin stroke of ink: ink on it, none beside it.
+/// 0..1.
+double leaderShare(const InkTest& ink, Point from, Point to) {
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
+  constexpr double arrowhead_px = 8, side_px = 4.5;
+  const double start =
+      std::min(arrowhead_px, length / 3);  // dots and arrowheads sit where the leader meets the curve
+  int on = 0, clean = 0, samples = 0;
+  for (double s = start; s <= length - 1; s += 1) {
+    const Point p{from.x + s * along.x, from.y + s * along.y};
+    ++samples;
+    if (!ink.near(p)) continue;
+    ++on;
+    const Point left{p.x - side_px * along.y, p.y + side_px * along.x};
+    const Point right{p.x + side_px * along.y, p.y - side_px * along.x};
+    const auto hit = [&](Point q) {
+      return ink.at(static_cast<int>(std::lround(q.x)), static_cast<int>(std::lround(q.y)));
+    };
+    clean += !hit(left) || !hit(right);
+  }
+  if (samples == 0 || on < 0.9 * samples) return 0;  // leaders have no gaps
+  return double(clean) / samples;
+}
+
+/// Points around a text from which a leader may start.
+std::vector<Point> anchorsAround(const Box& box) {
+  const double gap = 0.25 * box.height();
+  const Box b{box.x0 - gap, box.y0 - gap, box.x1 + gap, box.y1 + gap};
+  std::vector<Point> anchors;
+  const double step = std::max(2.0, 0.2 * box.height());
+  for (double x = b.x0; x <= b.x1; x += step) anchors.push_back({x, b.y0}), anchors.push_back({x, b.y1});
+  for (double y = b.y0; y <= b.y1; y += step) anchors.push_back({b.x0, y}), anchors.push_back({b.x1, y});
+  return anchors;
+}
+
+/// Gridlines and ticks are no leaders.
+bool axisParallel(Point a, Point b) {
+  const double dx = std::abs(a.x - b.x), dy = std::abs(a.y - b.y);
+  return std::min(dx, dy) < 0.06 * std::max(dx, dy);
+}
+
+std::optional<Callout> follow(const Phrase& phrase, const InkTest& ink, const StrokePoints& stroke) {
+  const std::vector<Point> anchors = anchorsAround(phrase.box);
+  const double height = phrase.box.height();
+  std::optional<Callout> best;
+  double bestScore = 0;
+  for (std::size_t i = 0; i < stroke.points_px.size(); i += 2) {
+    const Point target = stroke.points_px[i];
+    for (const Point& anchor : anchors) {
+      const double length = std::hypot(anchor.x - target.x, anchor.y - target.y);
+      if (length < 0.8 * height || length > 14 * height || axisParallel(anchor, target)) continue;
+      const double share = leaderShare(ink, target, anchor);
+      const double score =
+          share + 0.002 * length / height;  // of equals the longest: the whole leader, not its end
+      if (share < 0.8 || score <= bestScore) continue;
+      bestScore = score;
+      best = Callout{phrase.kind, stroke.points[i], target, share, phrase.text};
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
+                                  const StrokePair& strokes) {
+  const std::vector<Phrase> phrases = phrasesInside(axes, frame.box());
+  if (phrases.empty()) return {};
+  const InkTest ink(view.raster, frame.box());
+  std::vector<Callout> callouts;
+  for (const CalloutKind kind : {CalloutKind::operatingPoint, CalloutKind::resetPoint}) {
+    std::optional<Callout> surest;
+    for (const Phrase& phrase : phrases) {
+      if (phrase.kind != kind) continue;
+      if (kind == CalloutKind::resetPoint && !strokes.release) continue;
+      const auto found =
+          follow(phrase, ink, kind == CalloutKind::resetPoint ? *strokes.release : strokes.press);
+      if (found && (!surest || found->confidence > surest->confidence)) surest = found;
+    }
+    if (surest) callouts.push_back(*surest);
+  }
+  return callouts;
+}
+
+}  // namespace detent::importer

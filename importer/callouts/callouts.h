@@ -1,0 +1,31 @@
+#pragma once
+// "Operating point" and "reset point" as datasheets call them out: a text in the plot and a leader line to
+// the curve.
+
+#include <string>
+#include <vector>
+
+#include "importer/strokes/stroke_pair.h"
+
+namespace detent::importer {
+
+enum class CalloutKind {
+  operatingPoint,  ///< where the contact closes, on the press stroke
+  resetPoint       ///< where it opens, on the release stroke
+};
+
+/// One callout that was followed to its curve.
+struct Callout {
+  CalloutKind kind = CalloutKind::operatingPoint;
+  CurvePoint at;          ///< mm, N, on the traced stroke
+  Point at_px;            ///< the same in view pixels
+  double confidence = 0;  ///< share of the leader that is a thin line of ink, 0..1
+  std::string text;
+};
+
+/// Callouts whose leader was found; at most one of each kind (the surest). A text without a leader gives
+/// none: where it stands says nothing about where it points.
+std::vector<Callout> readCallouts(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
+                                  const StrokePair& strokes);
+
+}  // namespace detent::importer

@@ -1,0 +1,245 @@
+#include "importer/specs/printed_spec.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <regex>
+#include <string_view>
+
+#include "model/sections.h"
+#include "model/units.h"
+
+namespace detent::importer {
+namespace {
+
+struct Word {
+  std::string_view word;
+  SpecQuantity quantity;
+};
+
+// Words as datasheets print them, lower case, without spaces. Longer ones first: "pressurepointforce" is not
+// "force".
+constexpr std::array phrases{Word{"pressurepointforce", SpecQuantity::tactileForce},
+                             Word{"tactileforce", SpecQuantity::tactileForce},
+                             Word{"druckpunktkraft", SpecQuantity::tactileForce},
+                             Word{"触感力", SpecQuantity::tactileForce},
+                             Word{"totaltravelforce", SpecQuantity::endForce},
+                             Word{"endforce", SpecQuantity::endForce},
+                             Word{"endkraft", SpecQuantity::endForce},
+                             Word{"totaltravel", SpecQuantity::totalTravel},
+                             Word{"fulltravel", SpecQuantity::totalTravel},
+                             Word{"actuatortravel", SpecQuantity::totalTravel},
+                             Word{"totalstroke", SpecQuantity::totalTravel},
+                             Word{"fullstroke", SpecQuantity::totalTravel},
+                             Word{"gesamtweg", SpecQuantity::totalTravel},
+                             Word{"总行程", SpecQuantity::totalTravel},
+                             Word{"全行程", SpecQuantity::totalTravel},
+                             Word{"全ストローク", SpecQuantity::totalTravel},
+                             Word{"pretravel", SpecQuantity::preTravel},
+                             Word{"pre-travel", SpecQuantity::preTravel},
+                             Word{"operatingtravel", SpecQuantity::preTravel},
+                             Word{"vorlaufweg", SpecQuantity::preTravel},
+                             Word{"schaltweg", SpecQuantity::preTravel},
+                             Word{"导通行程", SpecQuantity::preTravel},
+                             Word{"动作行程", SpecQuantity::preTravel},
+                             Word{"operatingforce", SpecQuantity::operatingForce},
+                             Word{"operationforce", SpecQuantity::operatingForce},
+                             Word{"actuationforce", SpecQuantity::operatingForce},
+                             Word{"schaltkraft", SpecQuantity::operatingForce},
+                             Word{"操作力", SpecQuantity::operatingForce},
+                             Word{"动作力", SpecQuantity::operatingForce}};
+
+// Abbreviations count only where the row starts with them: "OF" is also a word.
+constexpr std::array abbreviations{Word{"tt", SpecQuantity::totalTravel}, Word{"pt", SpecQuantity::preTravel},
+                                   Word{"of", SpecQuantity::operatingForce},
+                                   Word{"tf", SpecQuantity::tactileForce}};
+
+bool isForce(SpecQuantity quantity) {
+  return quantity == SpecQuantity::operatingForce || quantity == SpecQuantity::tactileForce ||
+         quantity == SpecQuantity::endForce;
+}
+
+/// ASCII lower case without spaces; other UTF-8 untouched.
+std::string squeezed(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte == ' ' || byte == '\t') continue;
+    out += byte < 128 ? static_cast<char>(std::tolower(byte)) : c;
+  }
+  return out;
+}
+
+std::optional<SpecQuantity> quantityNamedIn(const std::string& row) {
+  const std::string text = squeezed(row);
+  for (const Word& phrase : phrases) {
+    if (text.find(phrase.word) != std::string::npos) return phrase.quantity;
+  }
+  for (const Word& abbreviation : abbreviations) {
+    if (text.rfind(abbreviation.word, 0) != 0) continue;
+    const std::string_view rest = std::string_view(text).substr(abbreviation.word.size());
+    if (rest.rfind("(", 0) == 0 || rest.rfind("\xEF\xBC\x88", 0) == 0)
+      return abbreviation.quantity;  // full-width (
+  }
+  return {};
+}
+
+double numberFrom(std::string text) {
+  std::replace(text.begin(), text.end(), ',', '.');
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+/// The unit of a quantity's kind that the row prints, as a factor to mm or N.
+std::optional<double> factorIn(const std::string& row, SpecQuantity quantity) {
+  static const std::regex unitWord(R"((^|[^A-Za-z])(mm|cN|mN|gf|g|N|ozf?|in|inch)(?![A-Za-z]))");
+  for (std::sregex_iterator it(row.begin(), row.end(), unitWord), end; it != end; ++it) {
+    const std::string symbol = (*it)[2];
+    if (isForce(quantity)) {
+      if (const auto unit = forceUnitFrom(symbol)) return newtonsPer(*unit);
+    } else if (const auto unit = lengthUnitFrom(symbol)) {
+      return millimetresPer(*unit);
+    }
+  }
+  return {};
+}
+
+/// "55 ± 25", "4.0 -0.4", "30 cN min.", "3.5": nominal and bounds, in the printed unit.
+std::optional<PrintedSpec> valuesIn(const std::string& row) {
+  static const std::string number = R"((\d+(?:[.,]\d+)?))";
+  static const std::regex plusMinus(number + R"(\s*(?:±|\+/-|\+-)\s*)" + number);
+  static const std::regex minusOnly(number + R"(\s*(?:-|–|−)\s*)" + number);
+  static const std::regex single(number);
+  PrintedSpec spec;
+  std::smatch found;
+  if (std::regex_search(row, found, plusMinus)) {
+    spec.nominal = numberFrom(found[1]);
+    spec.smallest = spec.nominal - numberFrom(found[2]);
+    spec.largest = spec.nominal + numberFrom(found[2]);
+    return spec;
+  }
+  if (std::regex_search(row, found, minusOnly)) {  // "4.0 -0.4" is 3.6 to 4.0, "3.5-4.1" a range
+    const double first = numberFrom(found[1]), second = numberFrom(found[2]);
+    spec.nominal = first;
+    spec.smallest = second < first ? first - second : first;
+    spec.largest = std::max(first, second);
+    return spec;
+  }
+  if (!std::regex_search(row, found, single)) return {};
+  spec.nominal = numberFrom(found[1]);
+  const std::string text = squeezed(row);
+  if (text.find("min") != std::string::npos) spec.smallest = spec.nominal;
+  if (text.find("max") != std::string::npos) spec.largest = spec.nominal;
+  return spec;
+}
+
+/// Text boxes at one height, left to right, as one row.
+std::vector<std::string> rowsOf(const Page& page) {
+  std::vector<const TextBox*> boxes;
+  for (const TextBox& box : page.texts) {
+    if (std::abs(box.angle_deg) < 1 && !box.utf8.empty()) boxes.push_back(&box);
+  }
+  const auto middle = [](const TextBox* b) { return (b->box.y0 + b->box.y1) / 2; };
+  std::stable_sort(boxes.begin(), boxes.end(),
+                   [&](const TextBox* a, const TextBox* b) { return middle(a) < middle(b); });
+  std::vector<std::string> rows;
+  for (std::size_t i = 0; i < boxes.size();) {
+    std::size_t end = i + 1;
+    while (end < boxes.size() && middle(boxes[end]) - middle(boxes[i]) < 0.4 * boxes[i]->box.height()) ++end;
+    std::stable_sort(boxes.begin() + static_cast<std::ptrdiff_t>(i),
+                     boxes.begin() + static_cast<std::ptrdiff_t>(end),
+                     [](const TextBox* a, const TextBox* b) { return a->box.x0 < b->box.x0; });
+    std::string row;
+    for (; i < end; ++i) row += (row.empty() ? "" : " ") + boxes[i]->utf8;
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+const char* nameOf(SpecQuantity quantity) {
+  switch (quantity) {
+    case SpecQuantity::totalTravel:
+      return "total travel";
+    case SpecQuantity::preTravel:
+      return "pretravel";
+    case SpecQuantity::operatingForce:
+      return "operating force";
+    case SpecQuantity::tactileForce:
+      return "tactile force";
+    case SpecQuantity::endForce:
+      return "end force";
+  }
+  return "";
+}
+
+/// The value the graph shows for a quantity, if it shows one.
+std::optional<double> readValue(SpecQuantity quantity, const ButtonState& state) {
+  const StrokeCurve& press = state.graph.press();
+  switch (quantity) {
+    case SpecQuantity::totalTravel:
+      return state.graph.travel_mm();
+    case SpecQuantity::preTravel:
+      return state.operatingPoint_mm;
+    case SpecQuantity::operatingForce:
+      return state.operatingPoint_mm ? std::optional(press.force_N(*state.operatingPoint_mm)) : std::nullopt;
+    case SpecQuantity::tactileForce: {
+      const auto points = tactilePoints(press, Stroke::press);
+      return points.empty() ? std::nullopt : std::optional(points.front().force_N);
+    }
+    case SpecQuantity::endForce:
+      return press.knots().back().force_N;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string SpecCheck::sentence() const {
+  const bool force = isForce(spec.quantity);
+  char numbers[96];
+  std::snprintf(numbers, sizeof numbers, "%.4g %s read, %.4g %s printed", read, force ? "N" : "mm",
+                spec.nominal, force ? "N" : "mm");
+  return std::string(agrees ? "agrees with the page: " : "differs from the page: ") + nameOf(spec.quantity) +
+         " " + numbers + " (page " + std::to_string(spec.page) + ": \"" + spec.text + "\")";
+}
+
+std::vector<PrintedSpec> readPrintedSpecs(const Page& page) {
+  std::vector<PrintedSpec> specs;
+  for (const std::string& row : rowsOf(page)) {
+    if (row.size() > 300) continue;  // running text, not a row of a table
+    const auto quantity = quantityNamedIn(row);
+    if (!quantity) continue;
+    const auto factor = factorIn(row, *quantity);
+    auto spec = valuesIn(row);
+    if (!factor || !spec || spec->nominal <= 0) continue;
+    spec->quantity = *quantity;
+    spec->nominal *= *factor;
+    if (spec->smallest) *spec->smallest *= *factor;
+    if (spec->largest) *spec->largest *= *factor;
+    spec->text = row;
+    spec->page = page.number;
+    specs.push_back(std::move(*spec));
+  }
+  return specs;
+}
+
+std::vector<SpecCheck> checkAgainst(const std::vector<PrintedSpec>& specs, const Button& button) {
+  // A graph is drawn, not measured: reading it cannot be better than a percent or so.
+  constexpr double readingShare = 0.015, bareShare = 0.03;
+  std::vector<SpecCheck> checks;
+  for (const PrintedSpec& spec : specs) {
+    const auto read = readValue(spec.quantity, button.states().front());
+    if (!read) continue;
+    const bool toleranced = spec.smallest || spec.largest;
+    const double slack = (toleranced ? readingShare : bareShare) * spec.nominal;
+    const double smallest = toleranced ? spec.smallest.value_or(-HUGE_VAL) : spec.nominal;
+    const double largest = toleranced ? spec.largest.value_or(HUGE_VAL) : spec.nominal;
+    checks.push_back({spec, *read, *read >= smallest - slack && *read <= largest + slack});
+  }
+  return checks;
+}
+
+}  // namespace detent::importer

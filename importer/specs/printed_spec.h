@@ -1,0 +1,40 @@
+#pragma once
+// What the page says in words: "Pressure point force 55 ± 25 cN", "Pretravel 2 ± 0.6 mm", "总行程 4.0±0.4
+// mm". Read from the document's own text, then held against the imported graph.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "importer/page/page.h"
+#include "model/button.h"
+
+namespace detent::importer {
+
+enum class SpecQuantity { totalTravel, preTravel, operatingForce, tactileForce, endForce };
+
+/// One printed value with its tolerance, in mm or N. "min." leaves `largest` open, "max." `smallest`.
+struct PrintedSpec {
+  SpecQuantity quantity = SpecQuantity::totalTravel;
+  double nominal = 0;
+  std::optional<double> smallest, largest;
+  std::string text;  ///< the row as printed
+  int page = 1;
+};
+
+/// A printed value beside the one that was read from the graph.
+struct SpecCheck {
+  PrintedSpec spec;
+  double read = 0;      ///< mm or N
+  bool agrees = false;  ///< inside the tolerance, or within 3 % of the nominal where none is printed
+  std::string sentence() const;
+};
+
+/// All specs of a page; rows are put together from text boxes at one height. Values without a unit are left
+/// out.
+std::vector<PrintedSpec> readPrintedSpecs(const Page& page);
+
+/// Compares what the button has; specs of quantities it has not (no operating point known) give no check.
+std::vector<SpecCheck> checkAgainst(const std::vector<PrintedSpec>& specs, const Button& button);
+
+}  // namespace detent::importer
