@@ -1,1 +1,186 @@
 #include "importer/page/page.h"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <new>
+#include <optional>
+#include <system_error>
+
+#include "importer/page/page_source.h"
+#include "importer/page/picture_header.h"
+#include "importer/page/sha256.h"
+#include "model/check.h"
+
+namespace detent::importer {
+
+struct Document::Impl {
+  SourceFile file;
+  std::unique_ptr<PageSource> source;
+};
+
+Failure unreadable(const std::string& name, const std::string& place, const std::string& problem,
+                   const std::string& remedy) {
+  return {FailureCode::unreadableInput, name, place, problem, remedy};
+}
+
+namespace {
+
+constexpr const char* knownTypes = "Pass a PNG, JPEG, BMP, TIFF, WebP, PDF, SVG or CSV file";
+
+std::string megabytes(double bytes) {
+  const std::string text = std::to_string(bytes / (1024 * 1024));
+  return text.substr(0, text.find('.') + 2) + " MB";
+}
+
+std::optional<Failure> tooLarge(const std::string& name, double bytes, const PageLimits& limits) {
+  if (bytes <= limits.maxFileMegabytes * 1024 * 1024) return std::nullopt;
+  return unreadable(name, "",
+                    "the file has " + megabytes(bytes) + ", more than the limit of " +
+                        megabytes(limits.maxFileMegabytes * 1024 * 1024),
+                    "Pass a smaller file or raise the limit");
+}
+
+Result<std::shared_ptr<const Bytes>> readFile(const std::string& path, const std::string& name,
+                                              const PageLimits& limits) {
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status))
+    return unreadable(name, "", "there is no such file", "Check the path " + path);
+  if (std::filesystem::is_directory(status))
+    return unreadable(name, "", "this is a folder, not a file", "Pass one of the files in it");
+  if (!std::filesystem::is_regular_file(status))
+    return unreadable(name, "", "this is not a regular file", "Save its content to a file and pass that");
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return unreadable(name, "", "the file cannot be opened", "Check that you may read " + path);
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (error) return unreadable(name, "", "the file's size cannot be read", "Check that you may read " + path);
+  if (auto failure = tooLarge(name, static_cast<double>(size), limits)) return *failure;
+  auto bytes = std::make_shared<Bytes>(static_cast<std::size_t>(size));
+  in.read(reinterpret_cast<char*>(bytes->data()), static_cast<std::streamsize>(size));
+  if (in.gcount() != static_cast<std::streamsize>(size))
+    return unreadable(name, "byte " + std::to_string(in.gcount()), "the file could not be read to its end",
+                      "Copy the file to a local disk and pass the copy");
+  return std::shared_ptr<const Bytes>(std::move(bytes));
+}
+
+bool looksLikeText(const Bytes& bytes) {
+  const std::size_t n = std::min<std::size_t>(bytes.size(), 4096);
+  for (std::size_t i = 0; i < n; ++i)
+    if (bytes[i] < 9 || (bytes[i] > 13 && bytes[i] < 32 && bytes[i] != 27) || bytes[i] == 127) return false;
+  return true;
+}
+
+/// Pictures of one format under another's name are read as what they are (browsers save them so); a picture
+/// that calls itself a document, or the reverse, is refused: the name says what the sender meant to give.
+bool contradicts(FileKind promised, FileKind actual) {
+  if (promised == FileKind::unknown || promised == actual) return false;
+  return !(isPicture(promised) && isPicture(actual));
+}
+
+std::optional<Failure> wrongKind(const SourceFile& file, FileKind actual) {
+  const FileKind promised = kindOfName(file.name);
+  if (actual == FileKind::unknown) {
+    const std::string content =
+        looksLikeText(*file.bytes) ? "the content is plain text" : "the content is of no known type";
+    const std::string name =
+        promised == FileKind::unknown ? "" : ", although the name promises a " + kindName(promised);
+    return unreadable(file.name, "first bytes", content + name, knownTypes);
+  }
+  if (contradicts(promised, actual))
+    return unreadable(
+        file.name, "first bytes",
+        "the content is a " + kindName(actual) + ", although the name promises a " + kindName(promised),
+        "Check that this is the file you mean, and give it the name that fits its content");
+  return std::nullopt;
+}
+
+OpenedSource openSource(const SourceFile& file) {
+  if (file.bytes->empty())
+    return unreadable(file.name, "", "the file is empty (0 bytes)", "Copy or download the file again");
+  const FileKind kind = sniffFileKind(*file.bytes);
+  if (auto failure = wrongKind(file, kind)) return *failure;
+  if (kind == FileKind::pdf) return openPdfSource(file);
+  if (kind == FileKind::svg) return openSvgSource(file);
+  return openPictureSource(file);
+}
+
+Failure outOfMemory(const std::string& name) {
+  return unreadable(name, "", "reading it needs more memory than there is",
+                    "Scale the picture down or crop it to the graph");
+}
+
+bool finite(const Box& box) {
+  return std::isfinite(box.x0) && std::isfinite(box.y0) && std::isfinite(box.x1) && std::isfinite(box.y1);
+}
+
+}  // namespace
+
+Document::Document(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Document::Document(Document&&) noexcept = default;
+Document& Document::operator=(Document&&) noexcept = default;
+Document::~Document() = default;
+
+Result<Document> Document::open(const std::string& path, const PageLimits& limits) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  try {
+    auto bytes = readFile(path, name.empty() ? path : name, limits);
+    if (!bytes) return bytes.failure();
+    auto impl = std::make_unique<Impl>(Impl{{std::move(*bytes), name, limits}, nullptr});
+    auto source = openSource(impl->file);
+    if (!source) return source.failure();
+    impl->source = std::move(source.value());
+    return Document(std::move(impl));
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(name);
+  }
+}
+
+Result<Document> Document::fromBytes(std::vector<unsigned char> bytes, const std::string& name,
+                                     const PageLimits& limits) {
+  if (auto failure = tooLarge(name, static_cast<double>(bytes.size()), limits)) return *failure;
+  try {
+    auto impl = std::make_unique<Impl>(
+        Impl{{std::make_shared<const Bytes>(std::move(bytes)), name, limits}, nullptr});
+    auto source = openSource(impl->file);
+    if (!source) return source.failure();
+    impl->source = std::move(source.value());
+    return Document(std::move(impl));
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(name);
+  }
+}
+
+int Document::pageCount() const { return impl_->source->pageCount(); }
+
+Result<Page> Document::page(int number, const Progress& progress) const {
+  if (number < 1 || number > pageCount())
+    return Failure{FailureCode::wrongUsage, name(), "", "there is no page " + std::to_string(number),
+                   "Pages count from 1 to " + std::to_string(pageCount())};
+  try {
+    return impl_->source->page(number, progress);
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(name());
+  }
+}
+
+Result<PageView> Document::view(const Page& page, const Box& region, int quarterTurns,
+                                const ViewOptions& options) const {
+  DETENT_CHECK(quarterTurns >= 0 && quarterTurns <= 3, "quarter turns are 0 to 3");
+  DETENT_CHECK(page.number >= 1 && page.number <= pageCount(),
+               "a view is made of a page of its own document");
+  if (!finite(region) || region.x1 < region.x0 || region.y1 < region.y0)
+    return Failure{FailureCode::wrongUsage, name(), "", "the region is not a box",
+                   "Give left, top, right, bottom"};
+  try {
+    return impl_->source->view(page, region, quarterTurns, options);
+  } catch (const std::bad_alloc&) {
+    return outOfMemory(name());
+  }
+}
+
+const std::string& Document::name() const { return impl_->file.name; }
+
+std::string Document::sha256() const { return sha256Hex(*impl_->file.bytes); }
+
+}  // namespace detent::importer

@@ -1,0 +1,25 @@
+#pragma once
+// Native pixels of a region, turned upright. Private to importer/page.
+
+#include <optional>
+
+#include "importer/page/page.h"
+
+namespace detent::importer {
+
+/// Whole pixels: left, top inclusive; width and height > 0.
+struct PixelRect {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// The pixels that a region (in pixel-centre coordinates, where pixel i covers i-0.5 .. i+0.5) touches,
+/// clipped to the raster; nothing if it touches none.
+std::optional<PixelRect> touchedPixels(const Box& region, int width_px, int height_px);
+
+/// Copy of a rectangle, turned clockwise by quarterTurns * 90°. `rect` lies inside the raster (checked).
+Raster turnedCrop(const Raster& raster, const PixelRect& rect, int quarterTurns);
+
+/// Map from the turned crop's pixels back to the raster's.
+Affine turnedCropToRaster(const PixelRect& rect, int quarterTurns);
+
+}  // namespace detent::importer

@@ -1,0 +1,19 @@
+// Built where DETENT_WITH_MUPDF is off: PDF and SVG are named, and refused.
+
+#include "importer/page/page_source.h"
+
+namespace detent::importer {
+namespace {
+
+Failure absent(const SourceFile& file, const std::string& kind) {
+  return unreadable(
+      file.name, "", "this build reads no " + kind + " files (it was made without MuPDF)",
+      "Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 dpi and pass that");
+}
+
+}  // namespace
+
+OpenedSource openPdfSource(const SourceFile& file) { return absent(file, "PDF"); }
+OpenedSource openSvgSource(const SourceFile& file) { return absent(file, "SVG"); }
+
+}  // namespace detent::importer

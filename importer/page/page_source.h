@@ -1,0 +1,46 @@
+#pragma once
+// What a Document stands on: pictures on one side, PDF and SVG on the other. Private to importer/page.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "importer/page/page.h"
+
+namespace detent::importer {
+
+using Bytes = std::vector<unsigned char>;
+
+/// One opened file. Shares the bytes with its Document; answers as the functions of Document of the same
+/// name, which have already checked page numbers and regions (number in 1..pageCount(), region finite, turns
+/// 0..3).
+class PageSource {
+ public:
+  virtual ~PageSource() = default;
+  virtual int pageCount() const = 0;
+  virtual Result<Page> page(int number, const Progress& progress) = 0;
+  virtual Result<PageView> view(const Page& page, const Box& region, int quarterTurns,
+                                const ViewOptions& options) = 0;
+};
+
+/// What openers are given.
+struct SourceFile {
+  std::shared_ptr<const Bytes> bytes;
+  std::string name;
+  PageLimits limits;
+};
+
+using OpenedSource = Result<std::unique_ptr<PageSource>>;
+
+/// png, jpg, bmp, tiff, webp.
+OpenedSource openPictureSource(const SourceFile& file);
+/// pdf.
+OpenedSource openPdfSource(const SourceFile& file);
+/// svg.
+OpenedSource openSvgSource(const SourceFile& file);
+
+/// unreadableInput about this file.
+Failure unreadable(const std::string& name, const std::string& place, const std::string& problem,
+                   const std::string& remedy);
+
+}  // namespace detent::importer

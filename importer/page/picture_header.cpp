@@ -1,0 +1,405 @@
+#include "importer/page/picture_header.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <set>
+#include <string_view>
+
+namespace detent::importer {
+namespace {
+
+/// Bounds-checked reading of integers; what lies outside reads as 0 and is remembered.
+class ByteReader {
+ public:
+  ByteReader(std::span<const unsigned char> bytes, bool bigEndian) : bytes_(bytes), bigEndian_(bigEndian) {}
+
+  std::uint64_t number(std::size_t at, std::size_t size) const {
+    if (at > bytes_.size() || size > bytes_.size() - at) {
+      overrun_ = true;
+      return 0;
+    }
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < size; ++i)
+      value = value << 8 | bytes_[bigEndian_ ? at + i : at + size - 1 - i];
+    return value;
+  }
+  std::uint32_t u8(std::size_t at) const { return static_cast<std::uint32_t>(number(at, 1)); }
+  std::uint32_t u16(std::size_t at) const { return static_cast<std::uint32_t>(number(at, 2)); }
+  std::uint32_t u32(std::size_t at) const { return static_cast<std::uint32_t>(number(at, 4)); }
+  std::uint64_t u64(std::size_t at) const { return number(at, 8); }
+  std::size_t size() const { return bytes_.size(); }
+  bool overrun() const { return overrun_; }
+  bool has(std::size_t at, std::string_view text) const {
+    return at <= bytes_.size() && text.size() <= bytes_.size() - at &&
+           std::memcmp(bytes_.data() + at, text.data(), text.size()) == 0;
+  }
+  std::span<const unsigned char> part(std::size_t at, std::size_t size) const {
+    if (at >= bytes_.size()) return {};
+    return bytes_.subspan(at, std::min(size, bytes_.size() - at));
+  }
+
+ private:
+  std::span<const unsigned char> bytes_;
+  bool bigEndian_;
+  mutable bool overrun_ = false;
+};
+
+constexpr double mmPerInch = 25.4;
+
+std::optional<double> plausibleDpi(double dpi) {
+  if (std::isfinite(dpi) && dpi >= 10 && dpi <= 10000) return dpi;
+  return std::nullopt;
+}
+
+// ---- TIFF directories; also the form of EXIF
+// ------------------------------------------------------------------------
+
+struct TiffDirectory {
+  long long width_px = 0, height_px = 0;
+  int orientation = 1;
+  double resolution = 0;
+  int resolutionUnit = 2;
+  std::uint64_t next = 0;
+  bool readable = false;
+};
+
+/// The 8-byte form of entries and offsets is BigTIFF's.
+class TiffReader {
+ public:
+  explicit TiffReader(std::span<const unsigned char> bytes)
+      : in_(bytes, bytes.size() > 1 && bytes[0] == 'M'), big_(in_.u16(2) == 43) {}
+
+  bool isTiff() const {
+    return (in_.has(0, "II") || in_.has(0, "MM")) && (in_.u16(2) == 42 || in_.u16(2) == 43);
+  }
+  std::uint64_t firstDirectory() const { return big_ ? in_.u64(8) : in_.u32(4); }
+
+  TiffDirectory directory(std::uint64_t offset) const {
+    TiffDirectory dir;
+    if (offset < 8 || offset >= in_.size()) return dir;
+    const std::size_t at = static_cast<std::size_t>(offset);
+    const std::uint64_t entries = big_ ? in_.u64(at) : in_.u16(at);
+    const std::size_t headSize = big_ ? 8 : 2, entrySize = big_ ? 20 : 12;
+    if (entries > 4096 || at + headSize + static_cast<std::size_t>(entries) * entrySize > in_.size())
+      return dir;
+    for (std::size_t i = 0; i < entries; ++i) readEntry(at + headSize + i * entrySize, dir);
+    const std::size_t nextAt = at + headSize + static_cast<std::size_t>(entries) * entrySize;
+    // EXIF blocks may end without the next offset; then there is none.
+    if (nextAt + (big_ ? 8 : 4) <= in_.size()) dir.next = big_ ? in_.u64(nextAt) : in_.u32(nextAt);
+    dir.readable = true;
+    return dir;
+  }
+
+ private:
+  void readEntry(std::size_t at, TiffDirectory& dir) const {
+    const std::uint32_t tag = in_.u16(at), type = in_.u16(at + 2);
+    const std::size_t valueAt = at + (big_ ? 12 : 8);
+    const auto integer = [&] {
+      return static_cast<long long>(type == 3 ? in_.u16(valueAt) : in_.u32(valueAt));
+    };
+    switch (tag) {
+      case 0x100:
+        dir.width_px = integer();
+        break;
+      case 0x101:
+        dir.height_px = integer();
+        break;
+      case 0x112:
+        dir.orientation = static_cast<int>(std::clamp(integer(), 1LL, 8LL));
+        break;
+      case 0x128:
+        dir.resolutionUnit = static_cast<int>(integer());
+        break;
+      case 0x11a:
+        dir.resolution = rational(valueAt);
+        break;
+      default:
+        break;
+    }
+  }
+
+  double rational(std::size_t valueAt) const {
+    const std::size_t at = big_ ? valueAt : static_cast<std::size_t>(in_.u32(valueAt));
+    if (at + 8 > in_.size() || in_.u32(at + 4) == 0) return 0;
+    return static_cast<double>(in_.u32(at)) / in_.u32(at + 4);
+  }
+
+  ByteReader in_;
+  bool big_;
+};
+
+std::optional<double> dpiOf(const TiffDirectory& dir) {
+  if (dir.resolutionUnit == 2) return plausibleDpi(dir.resolution);
+  if (dir.resolutionUnit == 3) return plausibleDpi(dir.resolution * mmPerInch / 10);
+  return std::nullopt;
+}
+
+/// EXIF is a TIFF file without pixels; `header` gets what its first directory says.
+void applyExif(std::span<const unsigned char> exif, PictureHeader& header) {
+  constexpr std::string_view prefix("Exif\0\0", 6);
+  if (exif.size() > 6 && std::memcmp(exif.data(), prefix.data(), 6) == 0) exif = exif.subspan(6);
+  const TiffReader reader(exif);
+  if (!reader.isTiff()) return;
+  const TiffDirectory dir = reader.directory(reader.firstDirectory());
+  if (!dir.readable) return;
+  header.orientation = dir.orientation;
+  if (!header.dpi) header.dpi = dpiOf(dir);
+}
+
+std::vector<PictureHeader> tiffHeaders(std::span<const unsigned char> bytes, int maxPictures) {
+  const TiffReader reader(bytes);
+  std::vector<PictureHeader> headers;
+  std::set<std::uint64_t> seen;  // a directory list that bites its own tail ends there
+  for (std::uint64_t at = reader.firstDirectory();
+       at != 0 && static_cast<int>(headers.size()) < maxPictures;) {
+    if (!seen.insert(at).second) break;
+    const TiffDirectory dir = reader.directory(at);
+    if (!dir.readable) break;
+    PictureHeader header;
+    header.width_px = dir.width_px;
+    header.height_px = dir.height_px;
+    header.orientation = dir.orientation;
+    header.decoderTurns = true;
+    header.dpi = dpiOf(dir);
+    header.directoryOffset = static_cast<std::size_t>(at);
+    headers.push_back(header);
+    at = dir.next;
+  }
+  return headers;
+}
+
+// ---- the other formats
+// ----------------------------------------------------------------------------------------------
+
+std::optional<Rgb> pngTransparentColor(const ByteReader& in, std::size_t at, std::uint32_t size,
+                                       std::uint32_t colorType, std::uint32_t bitDepth) {
+  const auto byte = [&](std::size_t offset) {
+    const std::uint32_t value = in.u16(at + offset);
+    if (bitDepth == 16) return static_cast<std::uint8_t>((value * 255 + 32767) / 65535);
+    return static_cast<std::uint8_t>(value * 255 / ((1U << bitDepth) - 1));
+  };
+  if (colorType == 0 && size == 2) return Rgb{byte(0), byte(0), byte(0)};
+  if (colorType == 2 && size == 6) return Rgb{byte(0), byte(2), byte(4)};
+  return std::nullopt;
+}
+
+PictureHeader pngHeader(std::span<const unsigned char> bytes) {
+  const ByteReader in(bytes, true);
+  PictureHeader header;
+  std::uint32_t colorType = 0, bitDepth = 8;
+  header.complete = false;
+  for (std::size_t at = 8; at + 12 <= in.size();) {
+    const std::uint32_t size = in.u32(at);
+    const std::size_t data = at + 8;
+    if (size > in.size() - data - 4) break;
+    if (in.has(at + 4, "IHDR") && size >= 13) {
+      header.width_px = in.u32(data);
+      header.height_px = in.u32(data + 4);
+      bitDepth = std::clamp(in.u8(data + 8), 1U, 16U);
+      colorType = in.u8(data + 9);
+    } else if (in.has(at + 4, "pHYs") && size >= 9 && in.u8(data + 8) == 1) {
+      header.dpi = plausibleDpi(in.u32(data) * mmPerInch / 1000);
+    } else if (in.has(at + 4, "eXIf")) {
+      applyExif(in.part(data, size), header);
+    } else if (in.has(at + 4, "tRNS")) {
+      header.transparentColor = pngTransparentColor(in, data, size, colorType, bitDepth);
+    } else if (in.has(at + 4, "IEND")) {
+      header.complete = true;
+      break;
+    }
+    at = data + size + 4;
+  }
+  return header;
+}
+
+/// Where the compressed scan that begins at `at` ends: at the next marker that is no restart and no stuffed
+/// 0xFF.
+std::size_t endOfScan(const ByteReader& in, std::size_t at) {
+  for (; at + 1 < in.size(); ++at) {
+    if (in.u8(at) != 0xff) continue;
+    const std::uint32_t marker = in.u8(at + 1);
+    if (marker != 0 && marker != 0xff && !(marker >= 0xd0 && marker <= 0xd7)) return at;
+  }
+  return in.size();
+}
+
+PictureHeader jpegHeader(std::span<const unsigned char> bytes) {
+  const ByteReader in(bytes, true);
+  PictureHeader header;
+  header.complete = false;
+  for (std::size_t at = 2; at + 1 < in.size();) {
+    if (in.u8(at) != 0xff) {  // garbage between segments is skipped, as decoders do
+      ++at;
+      continue;
+    }
+    const std::uint32_t marker = in.u8(at + 1);
+    if (marker == 0xff || marker == 0x01 || (marker >= 0xd0 && marker <= 0xd8)) {
+      at += marker == 0xff ? 1 : 2;
+      continue;
+    }
+    if (marker == 0xd9) {
+      header.complete = header.width_px > 0;
+      break;
+    }
+    const std::size_t size = in.u16(at + 2), data = at + 4;
+    if (size < 2 || at + 2 + size > in.size()) break;
+    const bool isFrame =
+        marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+    if (isFrame) {
+      header.height_px = in.u16(data + 1);
+      header.width_px = in.u16(data + 3);
+    } else if (marker == 0xe0 && in.has(data, std::string_view("JFIF\0", 5))) {
+      const double density = in.u16(data + 8);
+      if (in.u8(data + 7) == 1) header.dpi = plausibleDpi(density);
+      if (in.u8(data + 7) == 2) header.dpi = plausibleDpi(density * mmPerInch / 10);
+    } else if (marker == 0xe1 && in.has(data, std::string_view("Exif\0\0", 6))) {
+      applyExif(in.part(data, size - 2), header);
+    }
+    at += 2 + size;
+    if (marker == 0xda) at = endOfScan(in, at);
+  }
+  return header;
+}
+
+PictureHeader bmpHeader(std::span<const unsigned char> bytes) {
+  const ByteReader in(bytes, false);
+  PictureHeader header;
+  const std::uint32_t pixelsAt = in.u32(10), infoSize = in.u32(14);
+  if (infoSize == 12) {
+    header.width_px = in.u16(18);
+    header.height_px = in.u16(20);
+    return header;
+  }
+  header.width_px = static_cast<std::int32_t>(in.u32(18));
+  header.height_px = std::abs(static_cast<long long>(static_cast<std::int32_t>(in.u32(22))));
+  const std::uint32_t bitsPerPixel = in.u16(28), compression = in.u32(30);
+  header.dpi = plausibleDpi(in.u32(38) * mmPerInch / 1000);
+  if ((compression == 0 || compression == 3) && header.width_px > 0 && header.width_px < (1LL << 31)) {
+    const long long rowBytes = (header.width_px * bitsPerPixel + 31) / 32 * 4;
+    const long long available = static_cast<long long>(in.size()) - static_cast<long long>(pixelsAt);
+    header.complete = rowBytes == 0 || available / rowBytes >= header.height_px;
+  }
+  return header;
+}
+
+PictureHeader webpHeader(std::span<const unsigned char> bytes) {
+  const ByteReader in(bytes, false);
+  PictureHeader header;
+  header.complete = static_cast<std::uint64_t>(in.u32(4)) + 8 <= in.size();
+  for (std::size_t at = 12; at + 8 <= in.size();) {
+    const std::size_t size = in.u32(at + 4), data = at + 8;
+    if (in.has(at, "VP8X")) {
+      header.width_px = (in.u32(data + 4) & 0xffffff) + 1LL;
+      header.height_px = (in.u32(data + 6) >> 8) + 1LL;
+    } else if (in.has(at, "VP8L") && header.width_px == 0) {
+      const std::uint32_t packed = in.u32(data + 1);
+      header.width_px = (packed & 0x3fff) + 1LL;
+      header.height_px = (packed >> 14 & 0x3fff) + 1LL;
+    } else if (in.has(at, "VP8 ") && header.width_px == 0) {
+      header.width_px = in.u16(data + 6) & 0x3fff;
+      header.height_px = in.u16(data + 8) & 0x3fff;
+    } else if (in.has(at, "EXIF")) {
+      applyExif(in.part(data, size), header);
+    }
+    if (size > in.size() - data) break;
+    at = data + size + size % 2;
+  }
+  if (in.overrun()) header.complete = false;
+  return header;
+}
+
+bool looksLikeSvg(std::span<const unsigned char> bytes) {
+  // The root element may follow an XML declaration, a comment and a document type with entities.
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()),
+                              std::min<std::size_t>(bytes.size(), 65536));
+  const std::size_t first = text.find_first_not_of("\xef\xbb\xbf \t\r\n");
+  if (first == std::string_view::npos || text[first] != '<') return false;
+  for (std::size_t at = text.find("<svg"); at != std::string_view::npos; at = text.find("<svg", at + 1)) {
+    const char after = at + 4 < text.size() ? text[at + 4] : '>';
+    if (std::isspace(static_cast<unsigned char>(after)) || after == '>' || after == '/') return true;
+  }
+  return text.find("<svg:svg") != std::string_view::npos;
+}
+
+}  // namespace
+
+FileKind sniffFileKind(std::span<const unsigned char> bytes) {
+  const ByteReader in(bytes, true);
+  if (in.has(0, std::string_view("\x89PNG\r\n\x1a\n", 8))) return FileKind::png;
+  if (in.has(0, "\xff\xd8\xff")) return FileKind::jpeg;
+  if (TiffReader(bytes).isTiff()) return FileKind::tiff;
+  if (in.has(0, "RIFF") && in.has(8, "WEBP")) return FileKind::webp;
+  if (in.has(0, "BM") && bytes.size() >= 26 && ByteReader(bytes, false).u32(14) <= 124) return FileKind::bmp;
+  // PDF readers accept junk before the header within the first kilobyte (ISO 32000-1, annex H.3.4.1).
+  const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
+                              std::min<std::size_t>(bytes.size(), 1024));
+  if (head.find("%PDF-") != std::string_view::npos) return FileKind::pdf;
+  if (looksLikeSvg(bytes)) return FileKind::svg;
+  return FileKind::unknown;
+}
+
+std::string kindName(FileKind kind) {
+  switch (kind) {
+    case FileKind::png:
+      return "PNG picture";
+    case FileKind::jpeg:
+      return "JPEG picture";
+    case FileKind::bmp:
+      return "BMP picture";
+    case FileKind::tiff:
+      return "TIFF picture";
+    case FileKind::webp:
+      return "WebP picture";
+    case FileKind::pdf:
+      return "PDF document";
+    case FileKind::svg:
+      return "SVG drawing";
+    case FileKind::unknown:
+      break;
+  }
+  return "file of unknown type";
+}
+
+FileKind kindOfName(const std::string& name) {
+  const std::size_t dot = name.find_last_of('.');
+  if (dot == std::string::npos) return FileKind::unknown;
+  std::string extension = name.substr(dot + 1);
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (extension == "png") return FileKind::png;
+  if (extension == "jpg" || extension == "jpeg" || extension == "jpe") return FileKind::jpeg;
+  if (extension == "bmp" || extension == "dib") return FileKind::bmp;
+  if (extension == "tif" || extension == "tiff") return FileKind::tiff;
+  if (extension == "webp") return FileKind::webp;
+  if (extension == "pdf") return FileKind::pdf;
+  if (extension == "svg") return FileKind::svg;
+  return FileKind::unknown;
+}
+
+bool isPicture(FileKind kind) {
+  return kind == FileKind::png || kind == FileKind::jpeg || kind == FileKind::bmp || kind == FileKind::tiff ||
+         kind == FileKind::webp;
+}
+
+std::vector<PictureHeader> readPictureHeaders(std::span<const unsigned char> bytes, FileKind kind,
+                                              int maxPictures) {
+  switch (kind) {
+    case FileKind::png:
+      return {pngHeader(bytes)};
+    case FileKind::jpeg:
+      return {jpegHeader(bytes)};
+    case FileKind::bmp:
+      return {bmpHeader(bytes)};
+    case FileKind::webp:
+      return {webpHeader(bytes)};
+    case FileKind::tiff:
+      return tiffHeaders(bytes, maxPictures);
+    default:
+      return {};
+  }
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,42 @@
+#pragma once
+// What a picture file says about itself before a single pixel is decoded. Private to importer/page.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "importer/page/raster.h"
+
+namespace detent::importer {
+
+enum class FileKind { unknown, png, jpeg, bmp, tiff, webp, pdf, svg };
+
+/// By content, never by name. Any bytes.
+FileKind sniffFileKind(std::span<const unsigned char> bytes);
+
+/// "PNG picture", "PDF document", ...
+std::string kindName(FileKind kind);
+
+/// The kind that a file name's extension promises; unknown if it promises nothing we know.
+FileKind kindOfName(const std::string& name);
+
+bool isPicture(FileKind kind);
+
+/// One picture of the file (TIFF may hold several). Sizes as stored, before any orientation.
+struct PictureHeader {
+  long long width_px = 0, height_px = 0;
+  int orientation = 1;                  ///< EXIF, 1..8
+  std::optional<double> dpi;            ///< the horizontal one
+  bool complete = true;                 ///< false: the file ends before its own end mark or before its pixels
+  bool decoderTurns = false;            ///< the decoder applies the orientation itself
+  std::optional<Rgb> transparentColor;  ///< PNG colour key of pictures without alpha channel (8-bit values)
+  std::size_t directoryOffset = 0;      ///< TIFF: where this picture's directory stands
+};
+
+/// All pictures of the file, first one first; empty if the header cannot be understood. At most
+/// `maxPictures`.
+std::vector<PictureHeader> readPictureHeaders(std::span<const unsigned char> bytes, FileKind kind,
+                                              int maxPictures);
+
+}  // namespace detent::importer

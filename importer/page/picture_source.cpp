@@ -1,0 +1,94 @@
+// Pictures: the page is the picture, a view is a crop of its own pixels.
+
+#include "importer/page/crop.h"
+#include "importer/page/decode_picture.h"
+#include "importer/page/page_source.h"
+
+namespace detent::importer {
+namespace {
+
+class PictureSource : public PageSource {
+ public:
+  PictureSource(SourceFile file, FileKind kind, std::vector<PictureHeader> headers)
+      : file_(std::move(file)), kind_(kind), headers_(std::move(headers)) {}
+
+  int pageCount() const override { return static_cast<int>(headers_.size()); }
+
+  Result<Page> page(int number, const Progress&) override {
+    const PictureHeader& header = headers_[static_cast<std::size_t>(number - 1)];
+    std::optional<Raster> raster = decodePicture(*file_.bytes, kind_, header);
+    if (!raster)
+      return unreadable(file_.name, placeOf(number),
+                        "the " + kindName(kind_) + " is damaged and cannot be decoded",
+                        "Save or export the picture again and pass the new file");
+    Page page;
+    page.source = file_.name;
+    page.number = number;
+    page.count = pageCount();
+    page.unit = PageUnit::pixel;
+    page.width = raster->width_px;
+    page.height = raster->height_px;
+    page.dpi = header.dpi;
+    page.overview = std::move(*raster);
+    return page;
+  }
+
+  Result<PageView> view(const Page& page, const Box& region, int quarterTurns, const ViewOptions&) override {
+    const auto rect = touchedPixels(region, page.overview.width_px, page.overview.height_px);
+    if (!rect)
+      return Failure{FailureCode::wrongUsage, file_.name, placeOf(page.number),
+                     "the region lies outside the picture",
+                     "Give a region inside " + std::to_string(page.overview.width_px) + " x " +
+                         std::to_string(page.overview.height_px) + " pixels"};
+    PageView view;
+    view.raster = turnedCrop(page.overview, *rect, quarterTurns);
+    view.viewToPage = turnedCropToRaster(*rect, quarterTurns);
+    view.nativePixels = true;
+    return view;
+  }
+
+ private:
+  std::string placeOf(int number) const {
+    return pageCount() > 1 ? "page " + std::to_string(number) : std::string();
+  }
+
+  SourceFile file_;
+  FileKind kind_;
+  std::vector<PictureHeader> headers_;
+};
+
+std::string megapixels(double pixels) {
+  std::string text = std::to_string(pixels / 1e6);
+  return text.substr(0, text.find('.') + 2);
+}
+
+std::optional<Failure> refusal(const SourceFile& file, FileKind kind, const PictureHeader& header) {
+  if (header.width_px <= 0 || header.height_px <= 0)
+    return unreadable(file.name, "header",
+                      "the " + kindName(kind) + " states no size or is cut off before it",
+                      "Save or export the picture again and pass the new file");
+  const double pixels = static_cast<double>(header.width_px) * static_cast<double>(header.height_px);
+  if (pixels > file.limits.maxMegapixels * 1e6)
+    return unreadable(file.name, "header",
+                      "the picture claims " + std::to_string(header.width_px) + " x " +
+                          std::to_string(header.height_px) + " pixels, which is more than the limit of " +
+                          megapixels(file.limits.maxMegapixels * 1e6) + " megapixels",
+                      "Scale the picture down, crop it to the graph, or raise the limit");
+  if (!header.complete)
+    return unreadable(file.name, "end of file", "the " + kindName(kind) + " is truncated",
+                      "Copy or download the file again");
+  return std::nullopt;
+}
+
+}  // namespace
+
+OpenedSource openPictureSource(const SourceFile& file) {
+  const FileKind kind = sniffFileKind(*file.bytes);
+  std::vector<PictureHeader> headers = readPictureHeaders(*file.bytes, kind, file.limits.maxPages);
+  if (headers.empty()) headers.emplace_back();
+  for (const PictureHeader& header : headers)
+    if (auto failure = refusal(file, kind, header)) return *failure;
+  return OpenedSource(std::make_unique<PictureSource>(file, kind, std::move(headers)));
+}
+
+}  // namespace detent::importer

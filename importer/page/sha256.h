@@ -1,0 +1,12 @@
+#pragma once
+// Fingerprint of an input file, for provenance.
+
+#include <span>
+#include <string>
+
+namespace detent::importer {
+
+/// SHA-256 (FIPS 180-4) of the bytes, 64 lower-case hexadecimal digits. Any thread.
+std::string sha256Hex(std::span<const unsigned char> bytes);
+
+}  // namespace detent::importer
