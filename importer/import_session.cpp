@@ -106,13 +106,25 @@ Result<FittedStrokes> fitBoth(const StrokePair& strokes, const FitOptions& press
   return fitted;
 }
 
-Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted, Provenance provenance) {
+/// The callout of a kind, pulled onto the stroke's travel (a leader may end on the wall's outer edge).
+std::optional<double> calloutAt(const std::vector<Callout>& callouts, CalloutKind kind,
+                                const StrokeCurve& curve) {
+  for (const Callout& callout : callouts) {
+    if (callout.kind == kind) return std::clamp(callout.at.displacement_mm, curve.start_mm(), curve.end_mm());
+  }
+  return {};
+}
+
+Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted,
+                          const std::vector<Callout>& callouts, Provenance provenance) {
   std::optional<StrokeCurve> release;
   if (fitted.release) release = fitted.release->curve;
   auto graph = ForceGraph::fromCurves(fitted.press.curve, std::move(release));
   if (!graph) return graph.failure();
+  const auto operating_mm = calloutAt(callouts, CalloutKind::operatingPoint, graph->press());
+  const auto reset_mm = calloutAt(callouts, CalloutKind::resetPoint, graph->curve(Stroke::release));
   std::vector<ButtonState> states;
-  states.push_back({"", std::move(graph).value(), {}, {}, {}});
+  states.push_back({"", std::move(graph).value(), operating_mm, reset_mm, {}});
   return Button::fromStates(name, std::move(states), std::move(provenance));
 }
 
@@ -159,6 +171,7 @@ struct ImportSession::Impl {
   PageLimits limits;
   std::optional<Document> document;  // empty: a force log
   std::map<int, Page> pages;
+  std::map<int, std::vector<PrintedSpec>> specs;  // of every page read so far
 
   struct PageGraphs {
     LocateKey key;
@@ -191,7 +204,14 @@ struct ImportSession::Impl {
     }
     auto read = document->page(number, progress);
     if (!read) return read.failure();
+    specs.emplace(number, readPrintedSpecs(*read));
     return &pages.emplace(number, std::move(read).value()).first->second;
+  }
+
+  std::vector<PrintedSpec> printedSpecs() const {
+    std::vector<PrintedSpec> all;
+    for (const auto& onPage : specs) all.insert(all.end(), onPage.second.begin(), onPage.second.end());
+    return all;
   }
 
   Result<const LocatedPage*> located(int number, const LocateKey& key, const Progress& progress) {
@@ -328,6 +348,11 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   if (!fitted) return placed(fitted.failure(), *choice);
   if (progress.isCancelled()) return failure(FailureCode::wrongUsage, "", "cancelled", "");
 
+  const auto callouts = [&] {
+    StepClock clock(seconds, "callouts");
+    return readCallouts(graph.view, graph.frame.value, graph.axes, pair);
+  }();
+
   const AxisCalibration& calibration = graph.axes.calibration.value;
   const double confidence = std::min(graph.confidence(), strokes->confidence);
   if (confidence < confidenceBar) {
@@ -362,7 +387,7 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   provenance.warnings.insert(provenance.warnings.end(), graph.axes.warnings.begin(),
                              graph.axes.warnings.end());
 
-  auto button = buttonFrom(stem(), *fitted, provenance);
+  auto button = buttonFrom(stem(), *fitted, callouts, provenance);
   if (!button) return placed(button.failure(), *choice);
   ImportReport report(std::move(button).value());
   report.strokes = pair;
@@ -370,9 +395,14 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   report.x = calibration.x, report.y = calibration.y;
   report.press = {fitted->press.summary, provenance.pressRms_px};
   if (fitted->release) report.release = StrokeReport{fitted->release->summary, provenance.releaseRms_px};
+  report.callouts = callouts;
+  report.specChecks = checkAgainst(printedSpecs(), report.button);
   report.confidence = confidence;
   report.quality = request.quality;
   report.warnings = provenance.warnings;
+  for (const SpecCheck& check : report.specChecks) {
+    if (!check.agrees) report.warnings.push_back(check.sentence());
+  }
   report.evidence = std::make_shared<const GraphEvidence>(
       GraphEvidence{graph.view, graph.frame.value, graph.axes, **curves});
   if (request.wantOverlay) {
@@ -409,7 +439,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   provenance.confidence = 1;
   provenance.given = givenByHand(request.hints);
   provenance.warnings = log->warnings;
-  auto button = buttonFrom(stem(), *fitted, provenance);
+  auto button = buttonFrom(stem(), *fitted, {}, provenance);
   if (!button) return button.failure();
   ImportReport report(std::move(button).value());
   report.strokes = std::move(log->strokes);

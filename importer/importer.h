@@ -1,11 +1,13 @@
 #pragma once
 // Front door of the importer.
-// In:  a picture, a PDF or SVG page, or a force meter's CSV, and whatever the user decided by hand
+//
+// In:  a picture, a PDF or SVG page, or a force meter's CSV, and what the user decided by hand
 // (ImportRequest). Out: a Button, its strokes as traced, and what was found with which confidence
-// (ImportReport); or a Failure. Reading order: page/page.h -> frame/plot_frame.h -> axes/axis_calibration.h
-// -> trace/curve_trace.h ->
-//                strokes/stroke_pair.h -> fit/fit_stroke.h; log/force_log.h for CSV; overlay/overlay.h draws
-//                it all back.
+// (ImportReport); or a Failure.
+//
+// Reading order: page/page.h, frame/plot_frame.h, axes/axis_calibration.h, trace/curve_trace.h,
+// strokes/stroke_pair.h, callouts/callouts.h, fit/fit_stroke.h; specs/printed_spec.h checks against the
+// page's own words, log/force_log.h reads CSV, overlay/overlay.h draws it all back.
 
 #include <map>
 #include <memory>
@@ -14,10 +16,12 @@
 #include <utility>
 #include <vector>
 
+#include "importer/callouts/callouts.h"
 #include "importer/fit/fit_stroke.h"
 #include "importer/log/force_log.h"
 #include "importer/page/page.h"
 #include "importer/quality.h"
+#include "importer/specs/printed_spec.h"
 #include "importer/strokes/stroke_pair.h"
 #include "model/button.h"
 
@@ -84,6 +88,8 @@ struct ImportReport {
   std::optional<AxisReading> x, y;  ///< empty for force logs
   StrokeReport press;
   std::optional<StrokeReport> release;
+  std::vector<Callout> callouts;      ///< operating and reset points that the page points at
+  std::vector<SpecCheck> specChecks;  ///< what the page says in words, beside what was read
   double confidence = 0;
   Quality quality = Quality::standard;
   std::map<std::string, double> seconds;  ///< per step

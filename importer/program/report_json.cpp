@@ -54,6 +54,18 @@ Json strokeJson(const StrokeReport& stroke) {
   return {{"pieces", stroke.fit.pieces}, {"rms_px", stroke.rms_px}, {"tactile_points", std::move(points)}};
 }
 
+Json checksJson(const std::vector<SpecCheck>& checks) {
+  Json all = Json::array();
+  for (const SpecCheck& check : checks) {
+    all.push_back({{"agrees", check.agrees},
+                   {"read", check.read},
+                   {"printed", check.spec.nominal},
+                   {"page", check.spec.page},
+                   {"text", check.spec.text}});
+  }
+  return all;
+}
+
 /// Text from a page may be anything; JSON must stay valid.
 std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
 
@@ -82,6 +94,7 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   json["confidence"] = report.confidence;
   json["seconds"] = report.seconds;
   json["warnings"] = report.warnings;
+  if (!report.specChecks.empty()) json["printed_values"] = checksJson(report.specChecks);
   json["outputs"] = outputs;
   return dumped(json);
 }
