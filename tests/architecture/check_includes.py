@@ -144,7 +144,9 @@ class Checker:
         elif include.quoted and self.is_generated(file, include.target):
             return
         elif include.quoted and include.target not in self.known:
-            yield fault("form", f"\"{include.target}\" is no file of this project, counted from the top level")
+            there = "is not tracked by git yet: add it" if (self.root / include.target).is_file() else (
+                "is no file of this project, counted from the top level")
+            yield fault("form", f"\"{include.target}\" {there}")
         elif include.quoted and not include.target.endswith(HEADERS):
             yield fault("headers only", f"\"{include.target}\" is not a header: only headers are included")
 
