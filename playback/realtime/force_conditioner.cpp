@@ -1,0 +1,54 @@
+#include "playback/realtime/force_conditioner.h"
+
+#include <cmath>
+
+namespace detent::playback {
+
+ConditionerVerdict ForceConditioner::judge(double time_s, double value) {
+  if (!std::isfinite(value) || !std::isfinite(time_s)) {
+    ++counts_.notFinite;
+    return ConditionerVerdict::reject;
+  }
+  if (value < settings_.lowest || value > settings_.highest) {
+    ++counts_.outOfRange;
+    return ConditionerVerdict::reject;
+  }
+  if (!any_) return accept(time_s, value, true);
+  const double elapsed_s = time_s - lastTime_s_;
+  if (!(elapsed_s > 0)) {
+    ++counts_.outOfOrder;
+    return ConditionerVerdict::reject;
+  }
+  if (elapsed_s > settings_.silentAfter_s) {
+    ++counts_.gaps;
+    return accept(time_s, value, true);
+  }
+  const double step = std::fabs(value - lastValue_);
+  if (step <= settings_.fastest_per_s * elapsed_s) return accept(time_s, value, false);
+  const bool confirmed = suspected_ && std::fabs(value - suspect_) <= settings_.confirmBand * step;
+  if (confirmed) {
+    --counts_.glitches;  // the suspect was a reading after all
+    return accept(time_s, value, false);
+  }
+  ++counts_.glitches;
+  suspected_ = true;
+  suspect_ = value;
+  return ConditionerVerdict::reject;
+}
+
+ConditionerVerdict ForceConditioner::accept(double time_s, double value, bool resumed) {
+  if (!any_ || value != lastValue_ || resumed || value <= settings_.stuckAbove) sameSince_s_ = time_s;
+  stuck_ = time_s - sameSince_s_ > settings_.stuckAfter_s;
+  any_ = true;
+  suspected_ = false;
+  lastTime_s_ = time_s;
+  lastValue_ = value;
+  ++counts_.accepted;
+  return resumed ? ConditionerVerdict::resume : ConditionerVerdict::accept;
+}
+
+bool ForceConditioner::silent(double now_s) const {
+  return !any_ || now_s - lastTime_s_ > settings_.silentAfter_s;
+}
+
+}  // namespace detent::playback

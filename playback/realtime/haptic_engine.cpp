@@ -1,0 +1,361 @@
+#include "playback/realtime/haptic_engine.h"
+
+#include <cmath>
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double gainRamp_s = 0.01;
+
+// Times that are whole samples but for rounding (0.01 s at 48 kHz) stay whole.
+constexpr double frameRounding = 1e-6;
+
+std::int64_t wholeFrame(double time_frames) {
+  return static_cast<std::int64_t>(std::ceil(time_frames - frameRounding));
+}
+
+EventKind kindOf(CrossingKind kind) {
+  switch (kind) {
+    case CrossingKind::grain:
+      return EventKind::grain;
+    case CrossingKind::pressJump:
+      return EventKind::pressJump;
+    case CrossingKind::releaseJump:
+      return EventKind::releaseJump;
+    case CrossingKind::bottomOut:
+      return EventKind::bottomOut;
+    case CrossingKind::contactClosed:
+      return EventKind::contactClosed;
+    case CrossingKind::contactOpened:
+      break;
+  }
+  return EventKind::contactOpened;
+}
+
+}  // namespace
+
+HapticEngine::HapticEngine(double sampleRate_Hz) : sampleRate_Hz_(sampleRate_Hz) {
+  if (!(sampleRate_Hz_ >= lowestSampleRate_Hz)) sampleRate_Hz_ = lowestSampleRate_Hz;
+  if (sampleRate_Hz_ > highestSampleRate_Hz) sampleRate_Hz_ = highestSampleRate_Hz;
+}
+
+void HapticEngine::use(const HapticProgram* program) {
+  const double force_N = tracker_.position().force_N;
+  program_ = program;
+  counts_.suppressed = tracker_.suppressed();
+  tracker_.use(program);
+  // What was still to come belongs to the old program.
+  pendingCount_ = 0;
+  lastScheduled_ = now_;
+  nextBurstFrame_ = now_;
+  for (Biquad& section : equalizer_) section.reset();
+  equalizerCount_ = 0;
+  lowPassOnSlope_ = lowPassOnAll_ = false;
+  if (program == nullptr) return;
+  tracker_.placeAtForce(force_N);
+  lowPass_.setCoefficients(lowPass(sampleRate_Hz_, program->lowPass.cutoff_Hz, program->lowPass.order));
+  lowPassOnSlope_ = program->lowPass.placement == LowPassPlacement::slopeOnly;
+  lowPassOnAll_ = program->lowPass.placement == LowPassPlacement::wholeChain;
+  for (std::size_t i = 0; i < program->equalizerBandCount && i < maxEqualizerBands; ++i) {
+    const EqualizerBand& band = program->equalizer[i];
+    equalizer_[equalizerCount_].setCoefficients(
+        peaking(sampleRate_Hz_, band.frequency_Hz, band.q, band.gain_dB));
+    ++equalizerCount_;
+  }
+  limiter_.configure(program->limiterCeiling, program->limiterRelease_s * sampleRate_Hz_);
+  stealFade_frames_ = static_cast<std::int64_t>(program->stealFade_s * sampleRate_Hz_);
+  programGain_ = program->gain;
+}
+
+void HapticEngine::setGain(double gain) {
+  gainTarget_ = gain > 0 ? gain : 0;
+  gainStep_ = (gainTarget_ - gain_) / (gainRamp_s * sampleRate_Hz_);
+}
+
+std::int64_t HapticEngine::inputFrame(const EngineInput& input) const {
+  const std::int64_t frame = wholeFrame(input.time_frames);
+  return frame > now_ ? frame : now_;
+}
+
+bool HapticEngine::push(const EngineInput& input) {
+  if (inputCount_ == inputCapacity) {
+    ++counts_.droppedInputs;
+    return false;
+  }
+  inputs_[(inputHead_ + inputCount_++) % inputCapacity] = input;
+  return true;
+}
+
+void HapticEngine::applyDueInputs() {
+  while (inputCount_ > 0 && inputFrame(inputs_[inputHead_]) <= now_) {
+    const EngineInput input = inputs_[inputHead_];
+    inputHead_ = (inputHead_ + 1) % inputCapacity;
+    --inputCount_;
+    apply(input);
+  }
+}
+
+void HapticEngine::apply(const EngineInput& input) {
+  ++counts_.inputs;
+  if (program_ == nullptr || !std::isfinite(input.value)) return;
+  const double time = input.time_frames;
+  if (input.kind == InputKind::resync) {
+    tracker_.placeAtForce(input.value);
+  } else {
+    const double longest = program_->longestInterval_s * sampleRate_Hz_;
+    double from = hasLastInput_ ? lastInput_frames_ : time - longest;
+    if (from < time - longest) from = time - longest;
+    if (from > time) from = time;
+    schedule(input.kind == InputKind::force ? tracker_.updateForce(input.value)
+                                            : tracker_.updateDisplacement(input.value),
+             from, time);
+    counts_.suppressed = tracker_.suppressed();
+  }
+  hasLastInput_ = true;
+  lastInput_frames_ = time;
+}
+
+void HapticEngine::schedule(const Crossings& crossings, double from_frames, double to_frames) {
+  if (program_->placement == EventPlacement::atOnce) {
+    for (std::size_t i = 0; i < crossings.count; ++i) {
+      scheduleOne(crossings.items[i], static_cast<double>(now_));
+    }
+    return;
+  }
+  const double delay = bufferDelay_frames_ + program_->interpolationDelay_s * sampleRate_Hz_;
+  for (std::size_t i = 0; i < crossings.count; ++i) {
+    const Crossing& c = crossings.items[i];
+    scheduleOne(c, from_frames + (to_frames - from_frames) * c.fraction + delay);
+  }
+}
+
+void HapticEngine::scheduleOne(const Crossing& crossing, double time_frames) {
+  Pending p;
+  p.frame = wholeFrame(time_frames);
+  if (p.frame < now_) {
+    ++counts_.late;
+    p.frame = now_;
+  }
+  // Events of one finger stay in the order travelled even where sensor time was uneven.
+  if (p.frame < lastScheduled_) p.frame = lastScheduled_;
+  lastScheduled_ = p.frame;
+  p.event.kind = kindOf(crossing.kind);
+  p.event.state = crossing.state;
+  p.event.jump = crossing.jump;
+  p.event.count = crossing.count;
+  p.event.displacement_mm = crossing.displacement_mm;
+  const StateProgram& state = program_->states[crossing.state];
+  switch (crossing.kind) {
+    case CrossingKind::grain:
+      p.burst = program_->grain;
+      break;
+    case CrossingKind::pressJump:
+      p.burst = state.press.jumps[crossing.jump].burst;
+      break;
+    case CrossingKind::releaseJump:
+      p.burst = state.release.jumps[crossing.jump].burst;
+      break;
+    case CrossingKind::bottomOut:
+      p.burst = program_->bottomOut;
+      break;
+    default:
+      break;
+  }
+  if (p.event.kind != EventKind::grain && p.burst.amplitude > 0) {
+    if (p.frame < nextBurstFrame_) p.frame = nextBurstFrame_;
+    nextBurstFrame_ = p.frame + wholeFrame(program_->burstSpacing_s * sampleRate_Hz_);
+  }
+  insert(p);
+}
+
+void HapticEngine::trigger(double time_frames, const Burst& burst) {
+  Pending p;
+  p.frame = wholeFrame(time_frames);
+  if (p.frame < now_) {
+    if (program_ != nullptr && program_->placement == EventPlacement::timeStamped) ++counts_.late;
+    p.frame = now_;
+  }
+  p.event.kind = EventKind::trigger;
+  p.burst = burst;
+  insert(p);
+}
+
+void HapticEngine::triggerGrain(double time_frames) {
+  if (program_ == nullptr) return;
+  Pending p;
+  p.frame = wholeFrame(time_frames);
+  if (p.frame < now_) p.frame = now_;
+  p.event.kind = EventKind::grain;
+  p.event.displacement_mm = tracker_.position().displacement_mm;
+  p.burst = program_->grain;
+  insert(p);
+}
+
+// Sorted by frame; equal frames keep the order of arrival. Nearly always an append.
+void HapticEngine::insert(const Pending& pending) {
+  if (pendingCount_ == pendingCapacity) {
+    const Pending oldest = pending_[pendingHead_];
+    pendingHead_ = (pendingHead_ + 1) % pendingCapacity;
+    --pendingCount_;
+    ++counts_.hastened;
+    play(oldest);
+  }
+  std::size_t i = pendingCount_++;
+  for (; i > 0; --i) {
+    const Pending& before = pending_[(pendingHead_ + i - 1) % pendingCapacity];
+    if (before.frame <= pending.frame) break;
+    pending_[(pendingHead_ + i) % pendingCapacity] = before;
+  }
+  pending_[(pendingHead_ + i) % pendingCapacity] = pending;
+}
+
+void HapticEngine::playDue() {
+  while (pendingCount_ > 0 && pending_[pendingHead_].frame <= now_) {
+    const Pending due = pending_[pendingHead_];
+    pendingHead_ = (pendingHead_ + 1) % pendingCapacity;
+    --pendingCount_;
+    play(due);
+  }
+}
+
+void HapticEngine::play(const Pending& pending) {
+  EngineEvent event = pending.event;
+  event.frame = now_;
+  switch (event.kind) {
+    case EventKind::grain:
+      counts_.grains += event.count;
+      // "If a new grain signal comes during playing the previous signal, the new one is played immediately."
+      grain_.start(pending.burst, sampleRate_Hz_);
+      break;
+    case EventKind::pressJump:
+      ++counts_.pressJumps;
+      startBurst(pending.burst);
+      break;
+    case EventKind::releaseJump:
+      ++counts_.releaseJumps;
+      startBurst(pending.burst);
+      break;
+    case EventKind::bottomOut:
+      ++counts_.bottomOuts;
+      startBurst(pending.burst);
+      break;
+    case EventKind::trigger:
+      ++counts_.triggers;
+      startBurst(pending.burst);
+      break;
+    case EventKind::contactClosed:
+    case EventKind::contactOpened:
+      break;
+  }
+  report(event);
+}
+
+void HapticEngine::startBurst(const Burst& burst) {
+  if (!(burst.amplitude > 0) || !(burst.duration_s > 0)) return;
+  std::size_t playing = 0;
+  Voice *oldest = nullptr, *free = nullptr, *mostFaded = nullptr;
+  for (Voice& v : voices_) {
+    if (!v.active()) {
+      free = &v;
+    } else if (v.fading()) {
+      if (mostFaded == nullptr || v.fadeLevel() < mostFaded->fadeLevel()) mostFaded = &v;
+    } else {
+      ++playing;
+      if (oldest == nullptr || v.age() > oldest->age()) oldest = &v;
+    }
+  }
+  if (playing >= playingVoices) {
+    oldest->fadeOut(stealFade_frames_);
+    ++counts_.stolenVoices;
+  }
+  // Only more steals within one fade than there are spare voices end here; the one nearest to silence gives
+  // way.
+  if (free == nullptr) free = mostFaded != nullptr ? mostFaded : oldest;
+  free->start(burst, sampleRate_Hz_);
+}
+
+void HapticEngine::report(const EngineEvent& event) {
+  if (reportCount_ == reportCapacity) {
+    reportHead_ = (reportHead_ + 1) % reportCapacity;
+    --reportCount_;
+    ++counts_.droppedEvents;
+  }
+  reports_[(reportHead_ + reportCount_++) % reportCapacity] = event;
+}
+
+bool HapticEngine::nextEvent(EngineEvent& event) {
+  if (reportCount_ == 0) return false;
+  event = reports_[reportHead_];
+  reportHead_ = (reportHead_ + 1) % reportCapacity;
+  --reportCount_;
+  return true;
+}
+
+float HapticEngine::takePeak() {
+  const float peak = peak_;
+  peak_ = 0;
+  return peak;
+}
+
+bool HapticEngine::silent() const {
+  if (grain_.active() || !limiter_.idle() || gain_ != gainTarget_) return false;
+  if ((lowPassOnSlope_ || lowPassOnAll_) && !lowPass_.silent()) return false;
+  for (std::size_t i = 0; i < equalizerCount_; ++i) {
+    if (!equalizer_[i].silent()) return false;
+  }
+  for (const Voice& v : voices_) {
+    if (v.active()) return false;
+  }
+  return true;
+}
+
+bool HapticEngine::idle() const { return silent() && pendingCount_ == 0 && inputCount_ == 0; }
+
+void HapticEngine::render(float* out, std::size_t count) {
+  const std::int64_t end = now_ + static_cast<std::int64_t>(count);
+  while (now_ < end) {
+    applyDueInputs();
+    playDue();
+    std::int64_t until = end;
+    if (inputCount_ > 0 && inputFrame(inputs_[inputHead_]) < until) until = inputFrame(inputs_[inputHead_]);
+    if (pendingCount_ > 0 && pending_[pendingHead_].frame < until) until = pending_[pendingHead_].frame;
+    const auto n = static_cast<std::size_t>(until - now_);
+    if (silent()) {
+      for (std::size_t i = 0; i < n; ++i) out[i] = 0;
+      now_ += static_cast<std::int64_t>(n);
+      out += n;
+      continue;
+    }
+    const std::size_t step = n < span ? n : span;
+    renderSpan(out, step);
+    now_ += static_cast<std::int64_t>(step);
+    out += step;
+  }
+}
+
+void HapticEngine::renderSpan(float* out, std::size_t count) {
+  double* bus = bus_.data();
+  for (std::size_t i = 0; i < count; ++i) bus[i] = 0;
+  if (grain_.active()) grain_.addTo(bus, count);
+  if (lowPassOnSlope_) lowPass_.process(bus, count);
+  for (Voice& v : voices_) {
+    if (v.active()) v.addTo(bus, count);
+  }
+  if (lowPassOnAll_) lowPass_.process(bus, count);
+  for (std::size_t i = 0; i < equalizerCount_; ++i) equalizer_[i].process(bus, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (gain_ != gainTarget_) {
+      gain_ += gainStep_;
+      if ((gainStep_ >= 0) == (gain_ >= gainTarget_)) gain_ = gainTarget_;
+    }
+    bus[i] *= gain_ * programGain_;
+  }
+  limiter_.process(bus, out, count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const float level = out[i] < 0 ? -out[i] : out[i];
+    if (level > peak_) peak_ = level;
+  }
+}
+
+}  // namespace detent::playback

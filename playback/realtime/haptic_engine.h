@@ -1,0 +1,177 @@
+#pragma once
+// The engine that runs in the audio callback: readings in, samples out. Sound is a function of (program,
+// inputs, sample index) and of nothing else: no clock, no allocation, no lock, no file, no throw, no unseeded
+// chance. The live path and the offline render call this same class.
+//
+// Reading order: haptic_program.h (what is played), stroke_tracker.h (readings -> crossings), voice.h,
+// biquad.h, limiter.h (crossings -> samples), this file (when), live_session.h (the bridge to other threads).
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "playback/realtime/biquad.h"
+#include "playback/realtime/haptic_program.h"
+#include "playback/realtime/limiter.h"
+#include "playback/realtime/stroke_tracker.h"
+#include "playback/realtime/voice.h"
+
+namespace detent::playback {
+
+enum class InputKind : std::uint8_t {
+  force,         ///< value in N
+  displacement,  ///< value in mm
+  resync         ///< value in N: the sensor is back; take the position without any sound
+};
+
+/// One conditioned reading on the engine's own time line.
+struct EngineInput {
+  InputKind kind = InputKind::force;
+  double time_frames = 0;  ///< when it was read, in samples since the engine started; never decreasing
+  double value = 0;
+};
+
+/// What an EngineEvent reports.
+enum class EventKind : std::uint8_t {
+  grain,
+  pressJump,
+  releaseJump,
+  bottomOut,
+  contactClosed,
+  contactOpened,
+  trigger
+};
+
+/// One thing that was felt, for displays and logs.
+struct EngineEvent {
+  EventKind kind = EventKind::grain;
+  std::uint8_t state = 0;
+  std::uint16_t jump = 0;
+  std::uint32_t count = 1;  ///< grains merged into it
+  std::int64_t frame = 0;   ///< sample at which it sounds
+  double displacement_mm = 0;
+};
+
+/// Running totals; all since the engine started.
+struct EngineCounts {
+  std::uint64_t inputs = 0;
+  std::uint64_t grains = 0;  ///< grain positions crossed and played (merged ones counted singly)
+  std::uint64_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0, triggers = 0;
+  std::uint64_t suppressed = 0;     ///< chatter: met while not armed
+  std::uint64_t late = 0;           ///< events whose place had already been rendered; played at once
+  std::uint64_t droppedInputs = 0;  ///< input ring full (flooding); the next reading carries the position on
+  std::uint64_t hastened = 0;       ///< events played early because the event ring was full
+  std::uint64_t stolenVoices = 0;
+  std::uint64_t droppedEvents = 0;  ///< reports nobody fetched
+};
+
+/// A large fixed-size object: make it once, outside the callback, and keep it in place.
+class HapticEngine {
+ public:
+  static constexpr double lowestSampleRate_Hz = 8000;
+  static constexpr double highestSampleRate_Hz = 192000;
+
+  /// Rates outside the limits are moved to them.
+  explicit HapticEngine(double sampleRate_Hz);
+  HapticEngine(const HapticEngine&) = delete;
+  HapticEngine& operator=(const HapticEngine&) = delete;
+
+  double sampleRate_Hz() const { return sampleRate_Hz_; }
+  std::int64_t frame() const { return now_; }
+
+  /// Plays another program from the next sample on; `program` must outlive its use (nullptr: silence).
+  /// Sounding voices finish; a pressed finger is taken over without a sound. Callback thread or before the
+  /// stream starts.
+  void use(const HapticProgram* program);
+  const HapticProgram* program() const { return program_; }
+
+  /// Extra constant delay of time-stamped events, in samples: the live path's buffer. Default 0. Callback
+  /// thread.
+  void setBufferDelay(double frames) { bufferDelay_frames_ = frames > 0 ? frames : 0; }
+
+  /// Click-free change of the output gain (10 ms ramp), >= 0. Callback thread.
+  void setGain(double gain);
+
+  /// Takes a reading; it is applied at its own time, or at once if that has passed. False: ring full,
+  /// counted.
+  bool push(const EngineInput& input);
+
+  /// Plays a burst that another program asked for (signal messages). Order of calls is free.
+  void trigger(double time_frames, const Burst& burst);
+  /// Plays one grain of the current program.
+  void triggerGrain(double time_frames);
+
+  /// Writes `count` samples, each within [-1, 1]. Any count; the result does not depend on how it is cut into
+  /// calls.
+  void render(float* out, std::size_t count);
+
+  /// Next report, oldest first; false when there is none.
+  bool nextEvent(EngineEvent& event);
+
+  const EngineCounts& counts() const { return counts_; }
+  const StrokePosition& position() const { return tracker_.position(); }
+  /// Largest |sample| since the last call.
+  float takePeak();
+  /// Nothing sounds and nothing is waiting.
+  bool idle() const;
+
+ private:
+  struct Pending {
+    std::int64_t frame;
+    EngineEvent event;
+    Burst burst;
+  };
+  static constexpr std::size_t inputCapacity = 4096;  // powers of two
+  static constexpr std::size_t pendingCapacity = 4096;
+  static constexpr std::size_t reportCapacity = 4096;
+  static constexpr std::size_t playingVoices = 12;
+  static constexpr std::size_t voiceCount = 24;  // the rest fade out
+  static constexpr std::size_t span = 256;
+
+  void applyDueInputs();
+  void apply(const EngineInput& input);
+  void schedule(const Crossings& crossings, double from_frames, double to_frames);
+  void scheduleOne(const Crossing& crossing, double time_frames);
+  void insert(const Pending& pending);
+  void playDue();
+  void play(const Pending& pending);
+  void startBurst(const Burst& burst);
+  void report(const EngineEvent& event);
+  void renderSpan(float* out, std::size_t count);
+  bool silent() const;
+  std::int64_t inputFrame(const EngineInput& input) const;
+
+  double sampleRate_Hz_;
+  const HapticProgram* program_ = nullptr;
+  std::int64_t now_ = 0;
+  double bufferDelay_frames_ = 0;
+
+  StrokeTracker tracker_;
+  bool hasLastInput_ = false;
+  double lastInput_frames_ = 0;
+  std::int64_t lastScheduled_ = 0;
+  std::int64_t nextBurstFrame_ = 0;
+
+  std::array<EngineInput, inputCapacity> inputs_;
+  std::size_t inputHead_ = 0, inputCount_ = 0;
+  std::array<Pending, pendingCapacity> pending_;
+  std::size_t pendingHead_ = 0, pendingCount_ = 0;
+  std::array<EngineEvent, reportCapacity> reports_;
+  std::size_t reportHead_ = 0, reportCount_ = 0;
+
+  Voice grain_;
+  std::array<Voice, voiceCount> voices_;
+  Biquad lowPass_;
+  bool lowPassOnSlope_ = false, lowPassOnAll_ = false;
+  std::array<Biquad, maxEqualizerBands> equalizer_;
+  std::size_t equalizerCount_ = 0;
+  double programGain_ = 1;
+  double gain_ = 1, gainTarget_ = 1, gainStep_ = 0;
+  Limiter limiter_;
+  std::int64_t stealFade_frames_ = 1;
+  float peak_ = 0;
+  EngineCounts counts_;
+  std::array<double, span> bus_;
+};
+
+}  // namespace detent::playback

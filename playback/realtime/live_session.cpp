@@ -1,0 +1,158 @@
+#include "playback/realtime/live_session.h"
+
+#include <array>
+
+#include <readerwriterqueue/readerwriterqueue.h>
+
+#include "playback/realtime/stream_clock.h"
+
+namespace detent::playback {
+
+namespace {
+constexpr std::size_t commandCapacity = 4096;
+constexpr std::size_t reportCapacity = 8192;
+constexpr double statusInterval_s = 0.02;
+}  // namespace
+
+/// What the callback and the other threads share, and the callback's own book-keeping.
+struct LiveSession::State {
+  explicit State(double sampleRate_Hz) : engine(sampleRate_Hz), clock(engine.sampleRate_Hz()) {}
+
+  HapticEngine engine;
+  StreamClock clock;
+  double lastInput_frames = 0;
+  std::int64_t lastStatusFrame = 0;
+  SessionStatus status;
+  std::array<const HapticProgram*, 16> retired{};  // not reported yet
+  std::size_t retiredCount = 0;
+  std::array<moodycamel::ReaderWriterQueue<SessionCommand>, laneCount> lanes{
+      moodycamel::ReaderWriterQueue<SessionCommand>(commandCapacity),
+      moodycamel::ReaderWriterQueue<SessionCommand>(commandCapacity),
+      moodycamel::ReaderWriterQueue<SessionCommand>(commandCapacity),
+      moodycamel::ReaderWriterQueue<SessionCommand>(commandCapacity)};
+  moodycamel::ReaderWriterQueue<SessionReport> reports{reportCapacity};
+};
+
+LiveSession::LiveSession(double sampleRate_Hz) : state_(std::make_unique<State>(sampleRate_Hz)) {}
+LiveSession::~LiveSession() = default;
+
+double LiveSession::sampleRate_Hz() const { return state_->engine.sampleRate_Hz(); }
+
+bool LiveSession::send(Lane lane, const SessionCommand& command) {
+  return state_->lanes[static_cast<std::size_t>(lane)].try_enqueue(command);
+}
+
+bool LiveSession::receive(SessionReport& report) { return state_->reports.try_dequeue(report); }
+
+void LiveSession::process(float* out, std::size_t count, double entry_s) {
+  State& s = *state_;
+  s.clock.onCallback(entry_s, s.engine.frame(), static_cast<std::int64_t>(count));
+  s.engine.setBufferDelay(static_cast<double>(count));
+  s.status.blockFrames = static_cast<std::uint32_t>(count);
+  SessionCommand command;
+  for (auto& lane : s.lanes) {
+    while (lane.try_dequeue(command)) handle(command, count);
+  }
+  s.engine.render(out, count);
+  publish();
+}
+
+double LiveSession::frameOf(const SessionCommand& command) const {
+  const State& s = *state_;
+  const auto now = static_cast<double>(s.engine.frame());
+  switch (command.timeBase) {
+    case TimeBase::now:
+      return now;
+    case TimeBase::clock: {
+      // Never ahead of this block: what was read before the callback has happened.
+      const double frame = s.clock.frameAt(command.time);
+      return frame < now ? frame : now;
+    }
+    case TimeBase::streamFrames:
+      break;
+  }
+  return command.time;
+}
+
+void LiveSession::handle(const SessionCommand& command, std::size_t count) {
+  State& s = *state_;
+  HapticEngine& engine = s.engine;
+  switch (command.kind) {
+    case CommandKind::force:
+    case CommandKind::displacement:
+    case CommandKind::resync: {
+      EngineInput input;
+      input.kind = command.kind == CommandKind::force          ? InputKind::force
+                   : command.kind == CommandKind::displacement ? InputKind::displacement
+                                                               : InputKind::resync;
+      input.value = command.value;
+      input.time_frames = frameOf(command);
+      if (input.time_frames < s.lastInput_frames) input.time_frames = s.lastInput_frames;
+      s.lastInput_frames = input.time_frames;
+      engine.push(input);
+      break;
+    }
+    case CommandKind::burst:
+    case CommandKind::grain: {
+      const bool stamped = engine.program() != nullptr &&
+                           engine.program()->placement == EventPlacement::timeStamped &&
+                           command.timeBase == TimeBase::clock;
+      const double frame = command.timeBase == TimeBase::streamFrames ? command.time
+                           : stamped ? s.clock.frameAt(command.time) + static_cast<double>(count)
+                                     : static_cast<double>(engine.frame());
+      if (command.kind == CommandKind::burst) {
+        engine.trigger(frame, command.burst);
+      } else {
+        engine.triggerGrain(frame);
+      }
+      break;
+    }
+    case CommandKind::program: {
+      const HapticProgram* old = engine.program();
+      engine.use(command.program);
+      if (old == nullptr) break;
+      if (s.retiredCount < s.retired.size()) s.retired[s.retiredCount++] = old;
+      break;
+    }
+    case CommandKind::gain:
+      engine.setGain(command.value);
+      break;
+  }
+}
+
+void LiveSession::account(double spent_s, std::size_t count, bool xrun) {
+  SessionStatus& status = state_->status;
+  const double share = count > 0 ? spent_s * sampleRate_Hz() / static_cast<double>(count) : 0;
+  if (share > status.load) status.load = share;
+  ++status.callbacks;
+  status.meanLoad += (share - status.meanLoad) / static_cast<double>(status.callbacks);
+  if (xrun) ++status.xruns;
+}
+
+void LiveSession::publish() {
+  State& s = *state_;
+  SessionReport report;
+  report.kind = ReportKind::retired;
+  while (s.retiredCount > 0) {
+    report.retired = s.retired[s.retiredCount - 1];
+    if (!s.reports.try_enqueue(report)) break;  // a program must come home: try again next block
+    --s.retiredCount;
+  }
+  report.kind = ReportKind::event;
+  while (s.engine.nextEvent(report.event)) {
+    if (!s.reports.try_enqueue(report)) ++s.status.droppedReports;
+  }
+  const std::int64_t now = s.engine.frame();
+  if (static_cast<double>(now - s.lastStatusFrame) < statusInterval_s * sampleRate_Hz()) return;
+  s.lastStatusFrame = now;
+  s.status.frame = now;
+  s.status.position = s.engine.position();
+  s.status.peak = s.engine.takePeak();
+  s.status.counts = s.engine.counts();
+  report.kind = ReportKind::status;
+  report.status = s.status;
+  if (!s.reports.try_enqueue(report)) ++s.status.droppedReports;
+  s.status.load = 0;
+}
+
+}  // namespace detent::playback

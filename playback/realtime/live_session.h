@@ -1,0 +1,92 @@
+#pragma once
+// The only bridge between the audio callback and the rest: bounded queues of plain messages, one producer
+// each. The callback owns the engine; other threads own everything that has to be allocated or freed.
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "playback/realtime/haptic_engine.h"
+
+namespace detent::playback {
+
+/// Who sends. Each lane has exactly one producer thread at a time.
+enum class Lane : std::uint8_t { control, sensor, network, trace };
+inline constexpr std::size_t laneCount = 4;
+
+enum class TimeBase : std::uint8_t {
+  now,          ///< as soon as possible
+  clock,        ///< seconds on the clock the callback is called with
+  streamFrames  ///< samples since the stream started (recorded traces: the live sound equals the offline
+                ///< render)
+};
+
+enum class CommandKind : std::uint8_t { force, displacement, resync, burst, grain, program, gain };
+
+/// One message to the callback. Plain value.
+struct SessionCommand {
+  CommandKind kind = CommandKind::force;
+  TimeBase timeBase = TimeBase::now;
+  double time = 0;
+  double value = 0;                        ///< N, mm, or gain
+  Burst burst;                             ///< for burst
+  const HapticProgram* program = nullptr;  ///< for program; must live until it comes back as retired
+};
+
+/// How the stream is doing; sent about 50 times a second.
+struct SessionStatus {
+  std::int64_t frame = 0;
+  StrokePosition position;
+  float peak = 0;   ///< largest |sample| since the status before
+  double load = 0;  ///< largest share of a block's time spent in the callback since the status before
+  double meanLoad = 0;
+  std::uint32_t blockFrames = 0;
+  std::uint64_t xruns = 0;
+  std::uint64_t callbacks = 0;
+  std::uint64_t droppedReports = 0;
+  EngineCounts counts;
+};
+
+enum class ReportKind : std::uint8_t { event, status, retired };
+
+/// One message from the callback.
+struct SessionReport {
+  ReportKind kind = ReportKind::event;
+  EngineEvent event;
+  SessionStatus status;
+  const HapticProgram* retired = nullptr;  ///< no longer read by the callback; may be freed
+};
+
+/// One stream's engine and its queues. Construct and destroy outside the callback.
+class LiveSession {
+ public:
+  explicit LiveSession(double sampleRate_Hz);
+  ~LiveSession();
+  LiveSession(const LiveSession&) = delete;
+  LiveSession& operator=(const LiveSession&) = delete;
+
+  double sampleRate_Hz() const;
+
+  /// The lane's producer thread. False: queue full, message not taken (never allocates, never blocks).
+  bool send(Lane lane, const SessionCommand& command);
+
+  /// The one consumer thread. False: nothing there.
+  bool receive(SessionReport& report);
+
+  /// Callback thread: handles what arrived, renders `count` samples. `entry_s`: the callback's entry on the
+  /// clock that time-stamped messages use.
+  void process(float* out, std::size_t count, double entry_s);
+
+  /// Callback thread, after process: what the block cost, and whether the device reported an xrun.
+  void account(double spent_s, std::size_t count, bool xrun);
+
+ private:
+  struct State;
+  void handle(const SessionCommand& command, std::size_t count);
+  double frameOf(const SessionCommand& command) const;
+  void publish();
+
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace detent::playback
