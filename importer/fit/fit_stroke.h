@@ -1,6 +1,11 @@
 #pragma once
 // Step 6: from dense points of one stroke to a StrokeCurve with as few pieces as the evidence supports.
+// In:  points in the order travelled (a traced line, a force meter's log), the noise of the points,
+// FitOptions. Out: the curve and a FitSummary; or a Failure. Reading order: stroke_samples.h (order,
+// thinning, yardstick) -> segment_stroke.h (first knots) ->
+//                knot_chain.h (the curve being fitted) -> solve_chain.h (Ceres) -> choose_knots.h (evidence).
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -10,22 +15,40 @@
 namespace detent::importer {
 
 /// Noise of the points along each axis: the yardstick of the orthogonal distance.
+/// Traced lines: about 0.3 px in mm and in N. Force logs: the estimates of ForceLog.
 struct PointNoise {
   double sigma_mm = 0;  ///< > 0
   double sigma_N = 0;   ///< > 0
 };
 
-enum class PieceCriterion { bic, fixed };
+/// How the number of pieces is found.
+enum class PieceCriterion {
+  bic,   ///< chi-square + parameters * ln(points), both counted in independent points (residuals are
+         ///< correlated)
+  fixed  ///< exactly FitOptions::pieces, or fewer where the points are too few
+};
+
+/// How much work a fit may spend; the importer's quality levels map onto it one to one.
+enum class FitEffort { draft, standard, precise };
 
 struct FitOptions {
-  PointNoise noise;                 ///< required
+  PointNoise noise;  ///< required
   PieceCriterion criterion = PieceCriterion::bic;
-  int pieces = 0;                   ///< for `fixed`: how many; >= 1
-  int maxPieces = 64;               ///< 1..2000
-  double robustScale = 3;           ///< residuals beyond this many sigmas count linearly; > 0
-  double tolerance = 1e-8;          ///< relative cost change that ends the solver; (0, 1e-2]; finer ones are derived from it
-  int maxPoints = 2000;             ///< longer strokes are thinned to this many by arc length before fitting; >= 4
+  int pieces = 0;          ///< for `fixed`: how many; >= 1
+  int maxPieces = 64;      ///< 1..2000
+  double robustScale = 3;  ///< residuals beyond this many sigmas count linearly; > 0
+  double tolerance =
+      1e-8;  ///< relative cost change that ends the solver; (0, 1e-2]; finer ones are derived from it
+  int maxPoints = 2000;  ///< longer strokes are thinned to this many by arc length before fitting; >= 4
+  double resolutionOfSpan =
+      5e-4;  ///< deviations below this share of an axis' span are not modelled; in [0, 0.1]
+  double correlationPoints = 0;  ///< points that share one error; 0: estimated from the residuals; else >= 1
+  int candidateKnots = 200;      ///< places at which the first segmentation may put a knot; 8..2000
+  int evidenceRounds = 2;        ///< rounds of taking out, adding and rounding off knots; 0..20
 };
+
+/// Settings of the three levels (figures: docs/decisions/0200-fit-knots.md).
+FitOptions fitOptionsFor(FitEffort effort, PointNoise noise);
 
 /// A tactile point with standard errors from the covariance of the fit.
 struct FittedTactilePoint {
@@ -34,19 +57,24 @@ struct FittedTactilePoint {
   double sigma_N = 0;
 };
 
-enum class FitOutcome { converged, iterationLimit, tooFewPoints };
+enum class FitOutcome {
+  converged,
+  iterationLimit,  ///< usable; the solver stopped before its tolerance
+  tooFewPoints     ///< the points alone do not determine a fit: they are joined by straight pieces
+};
 
 struct FitSummary {
   FitOutcome outcome = FitOutcome::converged;
   int pieces = 0;
-  int points = 0;
-  double rmsSigma = 0;              ///< rms orthogonal residual in sigmas
+  int points = 0;       ///< points used, after thinning
+  double rmsSigma = 0;  ///< rms orthogonal residual in sigmas
   double maxSigma = 0;
+  double correlationPoints = 1;  ///< points that share one error, >= 1; standard errors take it into account
   double bic = 0;
   double seconds = 0;
   std::vector<FittedTactilePoint> tactilePoints;
-  std::string brief() const;        ///< one line
-  bool usable() const { return outcome != FitOutcome::tooFewPoints; }
+  std::string brief() const;  ///< one line
+  bool usable() const { return true; }
 };
 
 struct FittedStroke {
@@ -54,7 +82,11 @@ struct FittedStroke {
   FitSummary summary;
 };
 
-/// Points in the order travelled. Deterministic. Failure unreadableInput: fewer than 2 distinct points, not finite, no travel.
-Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke stroke, const FitOptions& options);
+/// Points in the order travelled (press: towards larger displacement; release: back). Points given the other
+/// way round are turned. Every piece of the curve is monotone; extrema stand at knots; the ends of the curve
+/// are the ends of the points. Deterministic. Any thread. Failure unreadableInput: fewer than 2 distinct
+/// points, not finite, no travel, points that run to and fro; wrongUsage: options outside their ranges.
+Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke stroke,
+                               const FitOptions& options);
 
 }  // namespace detent::importer

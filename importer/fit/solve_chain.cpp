@@ -1,0 +1,298 @@
+#include "importer/fit/solve_chain.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include <ceres/ceres.h>
+
+namespace detent::importer {
+namespace {
+
+/// Huber's loss as a residual: r inside the scale, growing with the root of |r| outside.
+struct RobustResidual {
+  double value = 0, derivative = 1;
+};
+
+RobustResidual robust(double r, double scale) {
+  const double size = std::abs(r);
+  if (size <= scale) return {r, 1};
+  const double value = std::sqrt(scale * (2 * size - scale));
+  return {std::copysign(value, r), scale / value};
+}
+
+struct AssignedPoint {
+  SigmaPoint point;
+  double t = 0;
+};
+
+/// Residuals of the points nearest to one piece. A point may slip to the piece before or after while knots
+/// move, so the parameter blocks are the (up to) four knots of these pieces.
+class PieceResiduals final : public ceres::CostFunction {
+ public:
+  PieceResiduals(const KnotChain& chain, std::size_t piece, std::vector<AssignedPoint> points,
+                 double robustScale)
+      : points_(std::move(points)), robustScale_(robustScale), firstKnot_(piece == 0 ? 0 : piece - 1) {
+    const std::size_t lastKnot = std::min(chain.size() - 1, piece + 2);
+    own_ = piece - firstKnot_;
+    for (std::size_t k = firstKnot_; k <= lastKnot; ++k) {
+      joints_.push_back(chain[k].joint);
+      mutable_parameter_block_sizes()->push_back(4);
+    }
+    set_num_residuals(static_cast<int>(points_.size()));
+  }
+
+  std::size_t firstKnot() const { return firstKnot_; }
+  std::size_t knotCount() const { return joints_.size(); }
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    KnotChain knots(joints_.size());
+    for (std::size_t k = 0; k < knots.size(); ++k) {
+      std::copy_n(parameters[k], 4, knots[k].at.begin());
+      knots[k].joint = joints_[k];
+    }
+    const std::vector<ChainPiece> pieces = piecesOf(knots);
+    if (jacobians)
+      for (std::size_t k = 0; k < knots.size(); ++k)
+        if (jacobians[k]) std::fill_n(jacobians[k], 4 * points_.size(), 0.0);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+      const Footpoint foot = nearest(pieces, points_[i]);
+      const RobustResidual r =
+          robust(signedResidual(pieces[foot.piece], points_[i].point, foot.t), robustScale_);
+      residuals[i] = r.value;
+      if (!std::isfinite(r.value)) return false;
+      if (jacobians) addJacobian(pieces[foot.piece], foot, i, r.derivative, jacobians);
+    }
+    return true;
+  }
+
+ private:
+  Footpoint nearest(const std::vector<ChainPiece>& pieces, const AssignedPoint& assigned) const {
+    Footpoint best = nearestFrom(pieces[own_], assigned.point, assigned.t);
+    best.piece = own_;
+    if (best.t <= 0 && own_ > 0) {
+      const Footpoint other = nearestFrom(pieces[own_ - 1], assigned.point, 1);
+      if (other.squaredDistance < best.squaredDistance) best = {own_ - 1, other.t, other.squaredDistance};
+    } else if (best.t >= 1 && own_ + 1 < pieces.size()) {
+      const Footpoint other = nearestFrom(pieces[own_ + 1], assigned.point, 0);
+      if (other.squaredDistance < best.squaredDistance) best = {own_ + 1, other.t, other.squaredDistance};
+    }
+    return best;
+  }
+
+  /// The footpoint moves along the curve only, so to first order the distance changes by the curve's own
+  /// movement along the line of sight (envelope theorem).
+  void addJacobian(const ChainPiece& piece, const Footpoint& foot, std::size_t row, double derivative,
+                   double** jacobians) const {
+    const SigmaPoint& p = points_[row].point;
+    const double t = foot.t, du = p.u - piece.u(t), dv = p.v - piece.v(t), tangent = piece.dv(t);
+    const double distance = std::hypot(du, dv), side = dv * piece.h - du * tangent >= 0 ? 1 : -1;
+    double nu = 0, nv = 0;  // unit vector from the curve to the point, turned to the positive side
+    if (distance > 1e-9) {
+      nu = side * du / distance, nv = side * dv / distance;
+    } else {
+      const double speed = std::hypot(piece.h, tangent);
+      if (!(speed > 0)) return;
+      nu = -tangent / speed, nv = piece.h / speed;
+    }
+    const double scale = -derivative * p.weight;
+    const double t2 = t * t, t3 = t2 * t;
+    const double overD = 3 * t2 - 2 * t3, overA = t - 2 * t2 + t3, overB = t3 - t2;
+    // How v at t follows the secant, the two ends and the slopes, with the limits of the tangents taken into
+    // account.
+    const double perD = overD + overA * piece.aPerD + overB * piece.bPerD;
+    const double slopeA = piece.aFree && piece.h > 0 ? piece.a / piece.h : 0;
+    const double slopeB = piece.bFree && piece.h > 0 ? piece.b / piece.h : 0;
+    const double perH = overA * slopeA + overB * slopeB;
+    const std::size_t from = foot.piece, to = foot.piece + 1;
+    if (double* j = jacobians[from]) {
+      j += 4 * row;
+      j[0] += scale * (nu * (1 - t) - nv * perH);
+      j[1] += scale * nv * (1 - perD);
+      if (piece.aFree && joints_[from] != JointKind::flat)
+        j[joints_[from] == JointKind::corner ? 3 : 2] += scale * nv * overA * piece.h;
+    }
+    if (double* j = jacobians[to]) {
+      j += 4 * row;
+      j[0] += scale * (nu * t + nv * perH);
+      j[1] += scale * nv * perD;
+      if (piece.bFree && joints_[to] != JointKind::flat) j[2] += scale * nv * overB * piece.h;
+    }
+  }
+
+  std::vector<AssignedPoint> points_;
+  double robustScale_;
+  std::size_t firstKnot_;
+  std::size_t own_ = 0;
+  std::vector<JointKind> joints_;
+};
+
+/// Holds a knot near its place where the points say nothing about it: a smooth joint may slide along a
+/// straight line, a short piece may hold no points.
+class WeakPlace final : public ceres::SizedCostFunction<2, 4> {
+ public:
+  WeakPlace(const ChainKnot& knot, double reachU, double reachV)
+      : u_(knot.u()), v_(knot.v()), perU_(0.1 / reachU), perV_(0.1 / reachV) {}
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    residuals[0] = (parameters[0][0] - u_) * perU_;
+    residuals[1] = (parameters[0][1] - v_) * perV_;
+    if (jacobians && jacobians[0]) {
+      std::fill_n(jacobians[0], 8, 0.0);
+      jacobians[0][0] = perU_;
+      jacobians[0][5] = perV_;
+    }
+    return true;
+  }
+
+ private:
+  double u_, v_, perU_, perV_;
+};
+
+bool isSteep(const ChainKnot& a, const ChainKnot& b) {
+  return std::abs(b.v() - a.v()) > std::abs(b.u() - a.u());
+}
+
+/// Which of a knot's four parameters stay as they are.
+std::vector<int> heldParameters(const KnotChain& chain, std::size_t knot) {
+  std::vector<int> held;
+  const bool first = knot == 0, last = knot + 1 == chain.size();
+  if (first || last) {
+    const bool steep = first ? isSteep(chain[0], chain[1]) : isSteep(chain[knot - 1], chain[knot]);
+    held.push_back(steep ? 1 : 0);
+  }
+  if (chain[knot].joint != JointKind::corner || first || last) held.push_back(3);
+  if (chain[knot].joint == JointKind::flat) held.insert(held.end() - 1, 2);
+  return held;
+}
+
+/// A solver problem over one association of points and pieces.
+class ChainProblem {
+ public:
+  ChainProblem(KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRange range,
+               const SolveSettings& settings)
+      : chain_(chain), range_(range) {
+    const std::vector<Footpoint> feet = footpointsOn(chain, points);
+    std::vector<std::vector<AssignedPoint>> perPiece(chain.size() - 1);
+    for (std::size_t i = 0; i < points.size(); ++i) perPiece[feet[i].piece].push_back({points[i], feet[i].t});
+    // Pieces one further than the range touches: their points may slip over.
+    const std::size_t fromPiece = range.from < 2 ? 0 : range.from - 2;
+    const std::size_t toPiece = std::min(chain.size() - 1, range.to + 1);
+    ceres::Problem::Options options;
+    options.disable_all_safety_checks = true;
+    problem_ = std::make_unique<ceres::Problem>(options);
+    for (std::size_t piece = fromPiece; piece < toPiece; ++piece)
+      if (!perPiece[piece].empty()) addPiece(piece, std::move(perPiece[piece]), settings.robustScale);
+    for (std::size_t k = 0; k < chain.size(); ++k) {
+      if (!problem_->HasParameterBlock(chain[k].at.data())) continue;
+      if (k >= range.from && k < range.to)
+        free(k);
+      else
+        problem_->SetParameterBlockConstant(chain[k].at.data());
+    }
+  }
+
+  ceres::Problem& problem() { return *problem_; }
+
+ private:
+  void addPiece(std::size_t piece, std::vector<AssignedPoint> points, double robustScale) {
+    auto residuals = std::make_unique<PieceResiduals>(chain_, piece, std::move(points), robustScale);
+    std::vector<double*> blocks;
+    for (std::size_t k = 0; k < residuals->knotCount(); ++k)
+      blocks.push_back(chain_[residuals->firstKnot() + k].at.data());
+    problem_->AddResidualBlock(residuals.release(), nullptr, blocks);
+  }
+
+  void free(std::size_t k) {
+    double* block = chain_[k].at.data();
+    const ChainKnot& here = chain_[k];
+    const std::vector<int> held = heldParameters(chain_, k);
+    if (!held.empty()) problem_->SetManifold(block, new ceres::SubsetManifold(4, held));
+    constexpr double endReach = 10;  // sigmas an end in a wall may shift
+    double reachU = endReach, reachV = endReach;
+    if (k > 0) {
+      const ChainKnot& before = chain_[k - 1];
+      problem_->SetParameterLowerBound(block, 0, before.u() + 0.5 * (here.u() - before.u()));
+      reachU = std::min(reachU, here.u() - before.u());
+      reachV = std::min(reachV, std::abs(here.v() - before.v()));
+    } else {
+      problem_->SetParameterLowerBound(block, 0, here.u() - endReach);
+    }
+    if (k + 1 < chain_.size()) {
+      const ChainKnot& after = chain_[k + 1];
+      problem_->SetParameterUpperBound(block, 0, here.u() + 0.5 * (after.u() - here.u()));
+      reachU = std::min(reachU, after.u() - here.u());
+      reachV = std::min(reachV, std::abs(after.v() - here.v()));
+    } else {
+      problem_->SetParameterUpperBound(block, 0, here.u() + endReach);
+    }
+    problem_->AddResidualBlock(new WeakPlace(here, std::max(1.0, reachU), std::max(1.0, reachV)), nullptr,
+                               block);
+  }
+
+  KnotChain& chain_;
+  KnotRange range_;
+  std::unique_ptr<ceres::Problem> problem_;
+};
+
+}  // namespace
+
+double chiSquareOf(const KnotChain& chain, const std::vector<SigmaPoint>& points, double robustScale) {
+  const std::vector<Footpoint> feet = footpointsOn(chain, points);
+  double sum = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double r = robust(points[i].weight * std::sqrt(feet[i].squaredDistance), robustScale).value;
+    sum += r * r;
+  }
+  return sum;
+}
+
+SolveReport solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRange range,
+                       const SolveSettings& settings) {
+  SolveReport report;
+  for (int round = 0; round < settings.associations; ++round) {
+    ChainProblem problem(chain, points, range, settings);
+    ceres::Solver::Options options;
+    options.linear_solver_type =
+        range.to - range.from > 8 ? ceres::SPARSE_NORMAL_CHOLESKY : ceres::DENSE_NORMAL_CHOLESKY;
+    options.max_num_iterations = settings.maxIterations;
+    options.function_tolerance = settings.tolerance;
+    options.gradient_tolerance = 1e-4 * settings.tolerance;
+    options.parameter_tolerance = settings.tolerance;
+    options.num_threads = 1;
+    options.logging_type = ceres::SILENT;
+    ceres::Solver::Summary summary;
+    ceres::Solve(options, &problem.problem(), &summary);
+    report.chiSquare = 2 * summary.final_cost;
+    report.converged = summary.termination_type == ceres::CONVERGENCE;
+  }
+  return report;
+}
+
+std::vector<std::optional<KnotSigma>> knotSigmas(const KnotChain& chain,
+                                                 const std::vector<SigmaPoint>& points,
+                                                 const std::vector<std::size_t>& knots,
+                                                 const SolveSettings& settings) {
+  std::vector<std::optional<KnotSigma>> sigmas(knots.size());
+  if (knots.empty()) return sigmas;
+  KnotChain copy = chain;
+  ChainProblem problem(copy, points, {0, copy.size()}, settings);
+  ceres::Covariance::Options options;
+  options.algorithm_type = ceres::DENSE_SVD;
+  options.null_space_rank = -1;
+  options.num_threads = 1;
+  ceres::Covariance covariance(options);
+  std::vector<std::pair<const double*, const double*>> blocks;
+  for (std::size_t k : knots)
+    if (problem.problem().HasParameterBlock(copy[k].at.data()))
+      blocks.emplace_back(copy[k].at.data(), copy[k].at.data());
+  if (blocks.size() != knots.size() || !covariance.Compute(blocks, &problem.problem())) return sigmas;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    double block[16];
+    if (!covariance.GetCovarianceBlock(blocks[i].first, blocks[i].second, block)) continue;
+    if (std::isfinite(block[0]) && std::isfinite(block[5]))
+      sigmas[i] = KnotSigma{std::sqrt(std::max(0.0, block[0])), std::sqrt(std::max(0.0, block[5]))};
+  }
+  return sigmas;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,47 @@
+#pragma once
+// Ceres on a chain of knots: least robust orthogonal distance with analytic Jacobians.
+
+#include <optional>
+
+#include "importer/fit/knot_chain.h"
+
+namespace detent::importer {
+
+struct SolveSettings {
+  double robustScale = 3;   ///< sigmas; residuals beyond it count linearly (Huber)
+  double tolerance = 1e-8;  ///< relative cost change
+  int maxIterations = 30;   ///< per association of points and pieces
+  int associations = 2;     ///< how often points are assigned to pieces anew; >= 1
+};
+
+/// Knots [from, to) may move; the others, and what lies outside the pieces that touch them, stay as they are.
+struct KnotRange {
+  std::size_t from = 0, to = 0;
+};
+
+struct SolveReport {
+  double chiSquare = 0;   ///< robust, over all points the range touches
+  bool converged = true;  ///< false: iteration limit
+};
+
+/// Moves the knots in `range`. Displacements keep their order: a knot may go half the way to its neighbours
+/// per association, so a wall that would lean back ends exactly vertical. Ends keep the points' ends: an end
+/// in a wall keeps its force, any other end its displacement.
+SolveReport solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRange range,
+                       const SolveSettings& settings);
+
+/// Robust chi-square of all points on the chain as it stands.
+double chiSquareOf(const KnotChain& chain, const std::vector<SigmaPoint>& points, double robustScale);
+
+struct KnotSigma {
+  double u = 0, v = 0;  ///< standard errors for independent residuals of 1 sigma
+};
+
+/// Standard errors of knots' places from the covariance of the whole fit (all other knots free).
+/// nullopt where the points do not determine them.
+std::vector<std::optional<KnotSigma>> knotSigmas(const KnotChain& chain,
+                                                 const std::vector<SigmaPoint>& points,
+                                                 const std::vector<std::size_t>& knots,
+                                                 const SolveSettings& settings);
+
+}  // namespace detent::importer

@@ -1,0 +1,158 @@
+#include "importer/fit/stroke_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace detent::importer {
+namespace {
+
+std::string nameOf(Stroke stroke) { return stroke == Stroke::press ? "press stroke" : "release stroke"; }
+
+Failure unreadable(Stroke stroke, std::string place, std::string problem, std::string remedy) {
+  return {FailureCode::unreadableInput, nameOf(stroke), std::move(place), std::move(problem),
+          std::move(remedy)};
+}
+
+struct Extent {
+  double minX, maxX, minF, maxF;
+  double travel() const { return maxX - minX; }
+  double forceSpan() const { return maxF - minF; }
+};
+
+Extent extentOf(const std::vector<CurvePoint>& points) {
+  Extent e{points[0].displacement_mm, points[0].displacement_mm, points[0].force_N, points[0].force_N};
+  for (const CurvePoint& p : points) {
+    e.minX = std::min(e.minX, p.displacement_mm);
+    e.maxX = std::max(e.maxX, p.displacement_mm);
+    e.minF = std::min(e.minF, p.force_N);
+    e.maxF = std::max(e.maxF, p.force_N);
+  }
+  return e;
+}
+
+/// Largest way back against the direction of travel: 0 for a clean stroke, near the travel for a
+/// there-and-back run.
+double greatestSetback(const std::vector<SigmaPoint>& points) {
+  double furthest = points.front().u, setback = 0;
+  for (const SigmaPoint& p : points) {
+    furthest = std::max(furthest, p.u);
+    setback = std::max(setback, furthest - p.u);
+  }
+  return setback;
+}
+
+std::vector<SigmaPoint> withoutRepeats(const std::vector<SigmaPoint>& points) {
+  std::vector<SigmaPoint> kept;
+  kept.reserve(points.size());
+  for (const SigmaPoint& p : points) {
+    if (!kept.empty() && kept.back().u == p.u && kept.back().v == p.v) continue;
+    kept.push_back(p);
+  }
+  return kept;
+}
+
+/// Weight of a mean of `count` points: their noise averages out, what lies below the resolution does not.
+double weightOfMean(double count, double noiseShare) {
+  return 1 / std::sqrt(noiseShare / count + (1 - noiseShare));
+}
+
+/// Means over equal numbers of points; bounds the work and tames noise before arc length is measured.
+std::vector<SigmaPoint> blockMeans(const std::vector<SigmaPoint>& points, std::size_t maxCount,
+                                   double noiseShare) {
+  if (points.size() <= maxCount) return points;
+  const std::size_t inner = points.size() - 2, bins = maxCount - 2;
+  std::vector<SigmaPoint> means{points.front()};
+  for (std::size_t b = 0; b < bins; ++b) {
+    const std::size_t from = 1 + b * inner / bins, to = 1 + (b + 1) * inner / bins;
+    SigmaPoint mean{0, 0, 1};
+    for (std::size_t i = from; i < to; ++i) {
+      mean.u += points[i].u;
+      mean.v += points[i].v;
+    }
+    const double count = static_cast<double>(to - from);
+    means.push_back({mean.u / count, mean.v / count, weightOfMean(count, noiseShare)});
+  }
+  means.push_back(points.back());
+  return means;
+}
+
+/// Means over equal lengths of arc (each axis in shares of its span), so that a steep wall keeps its points.
+std::vector<SigmaPoint> arcMeans(const std::vector<SigmaPoint>& points, std::size_t maxCount, double spanU,
+                                 double spanV, double noiseShare) {
+  if (points.size() <= maxCount) return points;
+  const double toU = spanU > 0 ? 1 / spanU : 0, toV = spanV > 0 ? 1 / spanV : 0;
+  std::vector<double> arc(points.size(), 0.0);
+  for (std::size_t i = 1; i < points.size(); ++i)
+    arc[i] =
+        arc[i - 1] + std::hypot((points[i].u - points[i - 1].u) * toU, (points[i].v - points[i - 1].v) * toV);
+  const double bins = static_cast<double>(maxCount - 2);
+  std::vector<SigmaPoint> means{points.front()};
+  double u = 0, v = 0, sumSquaredWeight = 0;
+  long bin = 0;
+  const auto flush = [&] {
+    if (sumSquaredWeight > 0)
+      means.push_back(
+          {u / sumSquaredWeight, v / sumSquaredWeight, weightOfMean(sumSquaredWeight, noiseShare)});
+    u = v = sumSquaredWeight = 0;
+  };
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const long here = static_cast<long>(std::min(bins - 1, std::floor(arc[i] / arc.back() * bins)));
+    if (here != bin) flush();
+    bin = here;
+    const double w = points[i].weight * points[i].weight;
+    u += w * points[i].u;
+    v += w * points[i].v;
+    sumSquaredWeight += w;
+  }
+  flush();
+  means.push_back(points.back());
+  return means;
+}
+
+}  // namespace
+
+Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& points, Stroke stroke,
+                                     const FitOptions& options) {
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!std::isfinite(points[i].displacement_mm) || !std::isfinite(points[i].force_N))
+      return unreadable(stroke, "point " + std::to_string(i + 1),
+                        "displacement or force is not a finite number",
+                        "Leave such points out before fitting");
+  if (points.size() < 2)
+    return unreadable(stroke, "", "it has " + std::to_string(points.size()) + " point(s)",
+                      "Give at least two points with different displacements");
+  const Extent extent = extentOf(points);
+  const double travel = extent.travel(), forceSpan = extent.forceSpan();
+  if (!(travel > 0))
+    return unreadable(stroke, "", "all points have the same displacement, so there is no travel",
+                      "Check the displacement axis or column");
+  if (!std::isfinite(travel) || !std::isfinite(forceSpan))
+    return unreadable(stroke, "", "the points span more than a number can hold",
+                      "Check the units of the axes");
+
+  StrokeSamples samples;
+  const bool turned = points.back().displacement_mm < points.front().displacement_mm;
+  samples.origin = turned ? points.back() : points.front();
+  const double floor_mm = options.resolutionOfSpan * travel, floor_N = options.resolutionOfSpan * forceSpan;
+  samples.mmPerU = std::hypot(options.noise.sigma_mm, floor_mm);
+  samples.newtonsPerV = std::hypot(options.noise.sigma_N, floor_N);
+  const double noiseShare = std::max(std::pow(options.noise.sigma_mm / samples.mmPerU, 2),
+                                     std::pow(options.noise.sigma_N / samples.newtonsPerV, 2));
+  samples.points.reserve(points.size());
+  for (const CurvePoint& p : points)
+    samples.points.push_back({samples.u(p.displacement_mm), samples.v(p.force_N), 1});
+  if (turned) std::reverse(samples.points.begin(), samples.points.end());
+
+  const double spanU = travel / samples.mmPerU, spanV = forceSpan / samples.newtonsPerV;
+  const double advance = samples.points.back().u - samples.points.front().u;
+  if (!(advance > 0) || greatestSetback(samples.points) > std::max(0.25 * spanU, 8.0))
+    return unreadable(stroke, "", "its points run to and fro in displacement",
+                      "Split press and release before fitting, each in the order travelled");
+  const std::size_t maxCount = static_cast<std::size_t>(options.maxPoints);
+  samples.points = withoutRepeats(samples.points);
+  samples.points = blockMeans(samples.points, 8 * maxCount, noiseShare);
+  samples.points = arcMeans(samples.points, maxCount, spanU, spanV, noiseShare);
+  return samples;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,33 @@
+#pragma once
+// The points of one stroke made ready: by increasing displacement, thinned, in units of their noise.
+
+#include <vector>
+
+#include "importer/fit/fit_stroke.h"
+
+namespace detent::importer {
+
+/// One point in sigmas: u along displacement, v along force, origin at the stroke's first point.
+struct SigmaPoint {
+  double u = 0, v = 0;
+  double weight = 1;  ///< 1/sigma in these units; > 1 where several points were averaged into this one
+};
+
+/// Points of a stroke and the way back to mm and N.
+struct StrokeSamples {
+  std::vector<SigmaPoint> points;  ///< >= 2, from the least to the greatest displacement; neighbours differ
+  CurvePoint origin;               ///< of u and v
+  double mmPerU = 1, newtonsPerV = 1;
+
+  double u(double displacement_mm) const { return (displacement_mm - origin.displacement_mm) / mmPerU; }
+  double v(double force_N) const { return (force_N - origin.force_N) / newtonsPerV; }
+  double displacement_mm(double u) const { return origin.displacement_mm + u * mmPerU; }
+  double force_N(double v) const { return origin.force_N + v * newtonsPerV; }
+};
+
+/// Checks, orders and thins. The first and the last point stay as they are; points between are averaged along
+/// equal lengths of arc where there are more than `options.maxPoints`. Failures as fitStroke.
+Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& points, Stroke stroke,
+                                     const FitOptions& options);
+
+}  // namespace detent::importer
