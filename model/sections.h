@@ -19,7 +19,8 @@ enum class SectionKind {
 struct TactilePoint {
   double displacement_mm = 0;
   double force_N = 0;
-  double prominence_N = 0;  ///< how far the force must turn back before it is passed again
+  double prominence_N =
+      0;  ///< how far the force turns back, on the shallower side, before it is passed again
 };
 
 /// One stretch of a stroke, in the order travelled (release: from_mm > to_mm).
@@ -38,11 +39,30 @@ struct SectionSettings {
       8;  ///< the last stretch is a wall if steeper than this × the stroke's mean slope; > 1
 };
 
+/// Where the bottom-out begins.
+struct BottomOut {
+  double displacement_mm = 0;  ///< foot of the wall; the end of the travel where the curve has no wall
+  double force_N = 0;          ///< force there
+  bool wall = false;  ///< the curve itself rises like a wall (CHERRY's graphs often end before it does)
+};
+
+/// The wall lies in the last half of the travel, runs to its end, gains at least `minProminenceOfSpan` of the
+/// force range below it, and is steeper than `bottomOutSlopeRatio` times the mean slope (force range /
+/// travel) below it. A rounded foot belongs to it from where the slope passes that bar. Without such a
+/// stretch: the end of the travel
+/// ("a bottom-out occurs when the displacement reaches its maximum travel", Kim & Lee).
+BottomOut bottomOutOf(const StrokeCurve& curve, const SectionSettings& settings = {});
+
+/// Tactile points in the order travelled (release: from large to small displacement). Points on the
+/// bottom-out are none.
 std::vector<TactilePoint> tactilePoints(const StrokeCurve& curve, Stroke stroke,
                                         const SectionSettings& settings = {});
 
 /// Sections in the order travelled; they touch and cover the whole stroke. A wall at the *start* of a press
-/// is slope.
+/// is slope. A press ends with a bottomOut section, of zero length where the curve has no wall; a release
+/// begins with one only where it has a wall. A jump whose force is never regained runs to the end of the
+/// stroke: on release that is the complete release. Tactile points inside an earlier jump begin no jump of
+/// their own: force never reaches them.
 std::vector<Section> sectionsOf(const StrokeCurve& curve, Stroke stroke,
                                 const SectionSettings& settings = {});
 
