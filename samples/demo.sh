@@ -48,16 +48,19 @@ result_name() {
   taken[$result]=yes
 }
 
-# One row from the JSON of an import; forces in N, displacements in mm, one decimal of the standard error.
+# One row from the JSON of an import, its cells separated by an invisible character.
 row='
-  def fixed($digits): . * pow(10; $digits) | round / pow(10; $digits);
-  def axis: if . then "\(.min | fixed(3)) to \(.max | fixed(3)) \(.unit)" else "force meter" end;
-  def points: if . == null then "none drawn"
+  def rounded($digits): . * pow(10; $digits) | round / pow(10; $digits) | tostring;
+  def fixed($digits): (. * pow(10; $digits) | round) as $whole
+    | ($whole | fabs | tostring | if length <= $digits then "0" * ($digits + 1 - length) + . else . end)
+    | (if $whole < 0 then "-" else "" end) + .[:-$digits] + "." + .[-$digits:];
+  def axis: if . then "\(.min | rounded(3)) to \(.max | rounded(3)) \(.unit)" else "force meter" end;
+  def points: if . == null then "not drawn"
               elif (.tactile_points | length) == 0 then "none"
               else [.tactile_points[] | "\(.displacement_mm | fixed(2)) mm \(.force_N | fixed(3)) N"] | join(", ") end;
-  [ (.x_axis | axis), (if .y_axis then .y_axis | axis else "" end), "\(.travel_mm | fixed(2)) mm",
-    (.press | points), (.release | points), "\((.press.pieces + (.release.pieces // 0)))",
-    "\([.press.rms_px, (.release.rms_px // 0)] | max | fixed(2)) px" ] | join("\u001f")'
+  [ (.x_axis | axis), (.y_axis | axis), "\(.travel_mm | fixed(2)) mm", (.press | points), (.release | points),
+    "\(.press.pieces + (.release.pieces // 0))",
+    (if .x_axis then "\([.press.rms_px, (.release.rms_px // 0)] | max | fixed(2)) px" else "-" end) ] | join("\u001f")'
 
 layout='%-28s %-17s %-17s %-8s %-33s %-33s %6s %8s %7s\n'
 mkdir -p "$out"
