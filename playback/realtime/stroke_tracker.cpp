@@ -77,7 +77,9 @@ const Crossings& StrokeTracker::updateForce(double force_N) {
   if (!position_.releasing) {
     if (force_N > extreme_N_) extreme_N_ = force_N;
     const bool turned = force_N < extreme_N_ - program_->hysteresis_N;
-    if (turned || (atRest && position_.displacement_mm > state().start_mm)) turn(true, force_N);
+    const bool down = position_.displacement_mm > state().start_mm;
+    if (atRest && !down) return crossings_;  // nobody presses, whatever a curve without force would say
+    if (turned || atRest) turn(true, force_N);
   } else {
     // Not below 0: an offset of the sensor must not use up the hysteresis of the next press.
     if (force_N < extreme_N_) extreme_N_ = force_N > 0 ? force_N : 0;

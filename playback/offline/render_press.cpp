@@ -1,0 +1,122 @@
+#include "playback/offline/render_press.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double lookForSilence_s = 0.01;
+constexpr double longestRender_s = 7 * 24 * 3600.0;
+
+ConditionerSettings conditionerFor(PressTrace::Quantity quantity) {
+  ConditionerSettings settings;
+  if (quantity == PressTrace::Quantity::displacement_mm) {
+    // A trace in mm is what somebody recorded or drew: any finite, ordered value is meant.
+    settings.lowest = -1e9;
+    settings.highest = 1e9;
+    settings.fastest_per_s = 1e12;
+  }
+  // A drawn trace may have two readings a second apart; only a live sensor falls silent.
+  settings.silentAfter_s = 1e12;
+  return settings;
+}
+
+/// The readings that survive conditioning, on the engine's time line.
+std::vector<EngineInput> conditioned(const PressTrace& trace, const RenderSettings& settings, double origin_s,
+                                     ConditionerCounts& counts) {
+  ForceConditioner conditioner(conditionerFor(trace.quantity));
+  std::vector<EngineInput> inputs;
+  inputs.reserve(trace.readings.size());
+  for (const PressReading& r : trace.readings) {
+    if (conditioner.judge(r.time_s, r.value) == ConditionerVerdict::reject) continue;
+    EngineInput input;
+    input.kind = trace.quantity == PressTrace::Quantity::force_N ? InputKind::force : InputKind::displacement;
+    input.time_frames = (r.time_s - origin_s) * settings.sampleRate_Hz;
+    input.value = r.value;
+    inputs.push_back(input);
+  }
+  counts = conditioner.counts();
+  return inputs;
+}
+
+Result<Done> check(const PressTrace& trace, const RenderSettings& s) {
+  const auto wrong = [](const char* what, double value, const char* range) {
+    return Failure{FailureCode::wrongUsage, "render", what, std::to_string(value) + " lies outside " + range,
+                   "Give a value inside"};
+  };
+  if (!(s.sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz &&
+        s.sampleRate_Hz <= HapticEngine::highestSampleRate_Hz)) {
+    return wrong("sample rate in Hz", s.sampleRate_Hz, "[8000, 192000]");
+  }
+  if (s.block < 1 || s.block > 8192) return wrong("block", static_cast<double>(s.block), "[1, 8192]");
+  if (!(s.tail_s >= 0 && s.tail_s <= 60)) return wrong("tail in s", s.tail_s, "[0, 60]");
+  if (trace.readings.empty()) {
+    return Failure{FailureCode::wrongUsage, "press trace", "", "holds no reading", "Give at least one"};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace& trace,
+                                  const RenderSettings& settings, const SampleSink& sink) {
+  if (Result<Done> ok = check(trace, settings); !ok) return ok.failure();
+  const auto began = std::chrono::steady_clock::now();
+  RenderSummary summary;
+  const double origin_s = std::min(0.0, trace.readings.front().time_s);
+  const std::vector<EngineInput> inputs = conditioned(trace, settings, origin_s, summary.sensor);
+  const double last_frames = inputs.empty() ? 0 : inputs.back().time_frames;
+  if (last_frames > longestRender_s * settings.sampleRate_Hz) {
+    return Failure{FailureCode::wrongUsage, "press trace", "", "longer than a week", "Cut it into parts"};
+  }
+  const auto end = static_cast<std::int64_t>(std::ceil(last_frames));
+  const auto latest = end + static_cast<std::int64_t>(settings.tail_s * settings.sampleRate_Hz);
+
+  const auto engine = std::make_unique<HapticEngine>(settings.sampleRate_Hz);
+  engine->use(&program);
+  std::vector<float> block(settings.block);
+  std::size_t next = 0;
+  EngineEvent event;
+  // After the last reading the sound ends at the first of fixed places where nothing sounds any more: where
+  // it ends must not depend on the block.
+  const auto lookEvery = static_cast<std::int64_t>(settings.sampleRate_Hz * lookForSilence_s);
+  std::int64_t look = end + 1;
+  while (engine->frame() < latest) {
+    if (engine->frame() == look) {
+      if (engine->idle()) break;
+      look += lookEvery;
+    }
+    const std::int64_t stop = std::min(look, latest);
+    const auto count = static_cast<std::size_t>(
+        std::min<std::int64_t>(static_cast<std::int64_t>(settings.block), stop - engine->frame()));
+    const auto until = static_cast<double>(engine->frame() + static_cast<std::int64_t>(count));
+    while (next < inputs.size() && inputs[next].time_frames < until && engine->push(inputs[next])) ++next;
+    engine->render(block.data(), count);
+    while (engine->nextEvent(event)) summary.events.push_back(event);
+    for (std::size_t i = 0; i < count; ++i) summary.peak = std::max(summary.peak, std::fabs(block[i]));
+    if (!sink(block.data(), count)) break;
+  }
+  summary.duration_s = static_cast<double>(engine->frame()) / settings.sampleRate_Hz;
+  summary.counts = engine->counts();
+  summary.computing_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return summary;
+}
+
+Result<RenderedPress> renderPress(const HapticProgram& program, const PressTrace& trace,
+                                  const RenderSettings& settings) {
+  RenderedPress rendered;
+  Result<RenderSummary> summary =
+      renderPress(program, trace, settings, [&](const float* samples, std::size_t count) {
+        rendered.samples.insert(rendered.samples.end(), samples, samples + count);
+        return true;
+      });
+  if (!summary) return summary.failure();
+  rendered.summary = std::move(*summary);
+  return rendered;
+}
+
+}  // namespace detent::playback

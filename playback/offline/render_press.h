@@ -1,0 +1,74 @@
+#pragma once
+// Renders a press without a device: the same engine as the live path, driven by a list of readings.
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/result.h"
+#include "playback/realtime/force_conditioner.h"
+#include "playback/realtime/haptic_engine.h"
+#include "playback/realtime/haptic_program.h"
+
+namespace detent::playback {
+
+/// One reading of a recorded or designed press.
+struct PressReading {
+  double time_s = 0;
+  double value = 0;  ///< N or mm
+};
+
+/// A press over time; readings in any state of health (render_press conditions them like a live sensor's).
+struct PressTrace {
+  enum class Quantity { force_N, displacement_mm };
+  Quantity quantity = Quantity::force_N;
+  std::vector<PressReading> readings;
+};
+
+/// Reads `time_s,force_N` or `time_s,displacement_mm` (header required; LF or CRLF; blank lines and lines
+/// starting with # are skipped; "nan" is a reading a sensor may send). Failure names the line.
+Result<PressTrace> readPressTrace(const std::filesystem::path& file);
+/// The same from text; `name` for messages.
+Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name);
+
+struct RenderSettings {
+  double sampleRate_Hz = 48000;  ///< 8000..192000
+  std::size_t block = 4096;      ///< samples per engine call, 1..8192; does not change the result
+  double tail_s = 0.5;           ///< at most this much after the last reading; ends early when all is silent
+};
+
+struct RenderSummary {
+  double duration_s = 0;
+  double computing_s = 0;
+  float peak = 0;
+  EngineCounts counts;
+  ConditionerCounts sensor;
+  std::vector<EngineEvent> events;
+
+  double timesRealTime() const { return computing_s > 0 ? duration_s / computing_s : 0; }
+};
+
+/// Where rendered blocks go; false stops the render.
+using SampleSink = std::function<bool(const float* samples, std::size_t count)>;
+
+/// Renders the whole trace through `sink`. Time 0 of the sound is time 0 of the trace, or its first reading
+/// if that is earlier. Failure: wrongUsage for settings outside their ranges or a trace without readings.
+Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace& trace,
+                                  const RenderSettings& settings, const SampleSink& sink);
+
+/// The same into memory.
+struct RenderedPress {
+  std::vector<float> samples;
+  RenderSummary summary;
+};
+Result<RenderedPress> renderPress(const HapticProgram& program, const PressTrace& trace,
+                                  const RenderSettings& settings);
+
+/// The same into a mono float WAV, or FLAC (24 bit: FLAC has no float) by the file's ending. Written beside
+/// the target and renamed, so that the target is never half written. Failure: wrongUsage for another ending,
+/// unreadableInput where the file cannot be written.
+Result<RenderSummary> renderPressToFile(const HapticProgram& program, const PressTrace& trace,
+                                        const RenderSettings& settings, const std::filesystem::path& file);
+
+}  // namespace detent::playback

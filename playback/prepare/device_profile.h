@@ -1,0 +1,37 @@
+#pragma once
+// What is known about one vibrating device and its sensor: measured by `detent-play sweep` and `calibrate`,
+// kept in a text file (study/profile_file.h, docs/device-profile.md), used when a button is prepared for it.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "playback/realtime/haptic_program.h"
+#include "playback/realtime/sensor_calibration.h"
+
+namespace detent::playback {
+
+/// A peak of the frequency response.
+struct Resonance {
+  double frequency_Hz = 0;
+  double q = 1;
+  double gain_dB = 0;  ///< above the median of the response
+};
+
+/// The round trip from sensor to vibration, as the paper states its own (51.12 ms, N = 50, SD 1.65).
+struct MeasuredLatency {
+  std::size_t n = 0;
+  double mean_s = 0, sd_s = 0, p95_s = 0;
+};
+
+/// Plain value. An empty profile is a perfect device: flat response, gain 1, newtons from the sensor.
+struct DeviceProfile {
+  std::string name;
+  double gain = 1;                       ///< > 0, <= 10; applied before the limiter
+  std::vector<Resonance> resonances;     ///< strongest first
+  std::vector<EqualizerBand> equalizer;  ///< at most maxEqualizerBands
+  SensorCalibration sensor;
+  std::optional<MeasuredLatency> latency;
+};
+
+}  // namespace detent::playback

@@ -1,0 +1,77 @@
+#pragma once
+// Every rule of the paper as a named setting; the defaults are the paper's where it gives a number. "K&L" is
+// Kim & Lee, "Haptic Feedback Design for a Virtual Button Along Force-Displacement Curves", UIST 2013; the
+// section follows.
+
+#include "model/sections.h"
+#include "playback/realtime/haptic_program.h"
+
+namespace detent::playback {
+
+/// What is felt. K&L, Conclusion: "A shortcoming of the current study is the lack of comparison with a base
+/// case, e.g., the case of click-only feedback."
+enum class FeedbackMode {
+  full,       ///< slopes, jumps, bottom-out
+  clickOnly,  ///< jumps and bottom-out
+  slopeOnly,  ///< grains only
+  off         ///< nothing sounds; the position is still followed
+};
+
+/// Where the frequency of the jumps comes from.
+enum class JumpFrequencySource {
+  paper,   ///< pressJumpFrequency_Hz and releaseJumpFrequency_Hz
+  profile  ///< the profile's resonance nearest to pressJumpFrequency_Hz; release in the same ratio as the two
+           ///< settings
+};
+
+struct PlaybackSettings {
+  FeedbackMode mode = FeedbackMode::full;
+
+  // Slope. K&L, "Slope Feedback Generation".
+  double grainsPerMm =
+      20;  ///< "distributed ... evenly along the displacement range (20 grains/mm)"; [0, 1000]
+  double grainFrequency_Hz =
+      150;  ///< "a 150Hz sinusoidal wave with an inverted saw-tooth envelope"; (0, 2000]
+  double grainDuration_s =
+      0.020;  ///< not given by K&L. 3 cycles: PseudoBend (UIST 2019) uses 3, HapticButton 5; (0, 1]
+  double grainAmplitude = 0.5;  ///< not given by K&L, only that jumps are clearly stronger; [0, 1]
+  LowPassPlacement lowPassPlacement = LowPassPlacement::slopeOnly;  ///< docs/decisions/0700
+  double lowPassCutoff_Hz = 150;  ///< "a low-pass filter with cutoff frequency of 150Hz"; (0, 20000]
+  unsigned lowPassOrder = 2;      ///< not given by K&L; 1 or 2 (0700)
+
+  // Jump. K&L, "Jump Feedback Generation".
+  double jumpDurationPerTravel_s_per_mm =
+      0.020;                      ///< "duration ... proportional to the change of displacement"; > 0
+  double shortestJump_s = 0.005;  ///< 2 cycles of 390 Hz: shorter bursts carry no pitch and vanish; > 0
+  double longestJump_s = 0.150;   ///< >= shortestJump_s, <= 1
+  double jumpAmplitudePerArea_per_mJ =
+      4;                      ///< "amplitude ... proportional to the area"; full scale at 0.25 mJ; > 0
+  double faintestJump = 0.1;  ///< a tactile point is never silent; [0, 1]
+  JumpFrequencySource jumpFrequencySource = JumpFrequencySource::paper;
+  double pressJumpFrequency_Hz = 390;  ///< "the resonant frequency of the device, which is 390Hz"; (0, 2000]
+  double releaseJumpFrequency_Hz = 410;  ///< "a slightly higher frequency (410Hz)"; (0, 2000]
+
+  // Bottom-out. K&L, "Bottom-out Feedback Generation".
+  double bottomOutFrequency_Hz = 200;  ///< "a 200Hz sinusoidal burst"; (0, 2000]
+  double bottomOutDuration_s =
+      0.030;  ///< "with an increasing 30ms saw-tooth envelope"; rounded to half cycles; (0, 1]
+  double bottomOutAmplitude = 0.7;  ///< not given by K&L; [0, 1]
+
+  // Following the finger.
+  SectionSettings sections;       ///< what counts as a tactile point (model/sections.h)
+  double hysteresis_N = 0.02;     ///< at least 1 count of the sensor (10 bit over 12 N: 0.0117 N); (0, 10]
+  double hysteresis_mm = 0.01;    ///< for displacement inputs; (0, 1]
+  double rearmDistance_mm = 0.1;  ///< back from a tactile point before it can fire again; at most half the
+                                  ///< way from the stroke's start to it; [0, 10]
+
+  // Time.
+  EventPlacement placement = EventPlacement::timeStamped;  ///< docs/decisions/0701
+  double sensorPeriod_s = 1.0 / 425;  ///< "at a refresh rate of 425Hz" (Apparatus); (0, 0.25]
+  double burstSpacing_s = 0.005;      ///< two taps closer than about 5 ms are felt as one; [0, 0.1]
+
+  // Output.
+  double limiterCeiling = 1;  ///< (0, 1]
+  bool equalize = true;       ///< use the profile's equalizer
+};
+
+}  // namespace detent::playback

@@ -1,0 +1,372 @@
+#include "playback/prepare/prepare_program.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "playback/prepare/stroke_table.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double highestFrequency_Hz = 2000;
+
+/// One bound of one setting.
+struct Bound {
+  const char* name;
+  double value, low, high;
+  bool lowIncluded;
+};
+
+Result<Done> checkBounds(const char* subject, std::initializer_list<Bound> bounds) {
+  for (const Bound& b : bounds) {
+    const bool inside = b.value <= b.high && (b.lowIncluded ? b.value >= b.low : b.value > b.low);
+    if (inside) continue;  // false for a NaN
+    char problem[160];
+    std::snprintf(problem, sizeof problem, "%g lies outside %s%g, %g]", b.value, b.lowIncluded ? "[" : "(",
+                  b.low, b.high);
+    return Failure{FailureCode::wrongUsage, subject, b.name, problem, "Give a value inside"};
+  }
+  return Done{};
+}
+
+std::string formatted(const char* format, double a, double b = 0) {
+  char text[200];
+  std::snprintf(text, sizeof text, format, a, b);
+  return text;
+}
+
+/// Everything of one stroke that a table is built from.
+struct StrokePlan {
+  const StrokeCurve& curve;
+  Stroke stroke;
+  std::vector<Section> sections;
+};
+
+class Preparation {
+ public:
+  Preparation(const Button& button, const DeviceProfile& profile, const PlaybackSettings& settings)
+      : button_(button), profile_(profile), settings_(settings) {}
+
+  PreparedProgram run() {
+    HapticProgram& p = prepared_.program;
+    setName();
+    setHysteresis();
+    setChain();
+    p.stateCount = static_cast<std::uint32_t>(std::min(button_.states().size(), maxStates));
+    for (std::size_t i = 0; i < p.stateCount; ++i) prepareState(button_.states()[i], p.states[i]);
+    return std::move(prepared_);
+  }
+
+ private:
+  bool clicks() const {
+    return settings_.mode == FeedbackMode::full || settings_.mode == FeedbackMode::clickOnly;
+  }
+  bool slopes() const {
+    return settings_.mode == FeedbackMode::full || settings_.mode == FeedbackMode::slopeOnly;
+  }
+  void warn(std::string text) { prepared_.summary.warnings.push_back(std::move(text)); }
+
+  void setName() {
+    auto& name = prepared_.program.name;
+    std::size_t length = std::min(button_.name().size(), name.size() - 1);
+    // Never cut a UTF-8 letter in two.
+    const auto continues = [&](std::size_t i) {
+      return (static_cast<unsigned char>(button_.name()[i]) & 0xC0) == 0x80;
+    };
+    while (length > 0 && length < button_.name().size() && continues(length)) --length;
+    std::copy_n(button_.name().begin(), length, name.begin());
+  }
+
+  void setHysteresis() {
+    double strongest_N = 0;
+    for (const ButtonState& state : button_.states()) {
+      const auto [low, high] = state.graph.press().forceRange_N();
+      strongest_N = std::max({strongest_N, std::fabs(low), std::fabs(high)});
+    }
+    HapticProgram& p = prepared_.program;
+    p.hysteresis_N = settings_.hysteresis_N;
+    if (strongest_N > 0 && p.hysteresis_N > strongest_N / 10) {
+      p.hysteresis_N = strongest_N / 10;
+      warn(
+          formatted("the button's %.3g N are little for a hysteresis of %.3g N; a tenth of its force is used",
+                    strongest_N, settings_.hysteresis_N));
+    }
+    p.restForce_N = p.hysteresis_N / 4;
+    p.hysteresis_mm = settings_.hysteresis_mm;
+  }
+
+  void setChain() {
+    HapticProgram& p = prepared_.program;
+    const PlaybackSettings& s = settings_;
+    p.grainsPerMm = slopes() ? s.grainsPerMm : 0;
+    p.grain = {s.grainFrequency_Hz, s.grainDuration_s, s.grainAmplitude, Envelope::falling};
+    // Whole half-cycles: the rising envelope ends at its loudest, so it must end in a zero of the sine.
+    const double halfCycles = std::max(1.0, std::round(2 * s.bottomOutFrequency_Hz * s.bottomOutDuration_s));
+    p.bottomOut = {s.bottomOutFrequency_Hz, halfCycles / (2 * s.bottomOutFrequency_Hz), s.bottomOutAmplitude,
+                   Envelope::rising};
+    p.lowPass = {s.lowPassPlacement, s.lowPassCutoff_Hz, s.lowPassOrder};
+    if (s.equalize) {
+      p.equalizerBandCount = static_cast<std::uint32_t>(profile_.equalizer.size());
+      std::copy(profile_.equalizer.begin(), profile_.equalizer.end(), p.equalizer.begin());
+    }
+    p.limiterCeiling = s.limiterCeiling;
+    p.placement = s.placement;
+    p.interpolationDelay_s = s.sensorPeriod_s;
+    p.longestInterval_s = std::max(4 * s.sensorPeriod_s, 0.02);
+    p.burstSpacing_s = s.burstSpacing_s;
+    p.gain = profile_.gain;
+    setJumpFrequencies();
+  }
+
+  void setJumpFrequencies() {
+    press_Hz_ = settings_.pressJumpFrequency_Hz;
+    release_Hz_ = settings_.releaseJumpFrequency_Hz;
+    if (settings_.jumpFrequencySource == JumpFrequencySource::paper) return;
+    if (profile_.resonances.empty()) {
+      warn(formatted("the profile has no resonance; jumps use %g and %g Hz", press_Hz_, release_Hz_));
+      return;
+    }
+    const double wanted = press_Hz_;
+    const auto nearest = std::min_element(
+        profile_.resonances.begin(), profile_.resonances.end(), [&](const Resonance& a, const Resonance& b) {
+          return std::fabs(std::log(a.frequency_Hz / wanted)) < std::fabs(std::log(b.frequency_Hz / wanted));
+        });
+    release_Hz_ *= nearest->frequency_Hz / wanted;
+    press_Hz_ = nearest->frequency_Hz;
+  }
+
+  void prepareState(const ButtonState& from, StateProgram& to) {
+    to.start_mm = from.graph.press().start_mm();
+    to.end_mm = from.graph.press().end_mm();
+    const StrokePlan press{from.graph.press(), Stroke::press,
+                           sectionsOf(from.graph.press(), Stroke::press, settings_.sections)};
+    const StrokeCurve& releaseCurve = from.graph.curve(Stroke::release);
+    const StrokePlan release{releaseCurve, Stroke::release,
+                             sectionsOf(releaseCurve, Stroke::release, settings_.sections)};
+    setContact(from, press, to);
+    setBottomOut(press, to);
+    prepareStroke(press, to, to.press);
+    prepareStroke(release, to, to.release);
+    prepared_.summary.pressJumps += to.press.jumpCount;
+    prepared_.summary.releaseJumps += to.release.jumpCount;
+    prepared_.summary.bottomOuts += to.hasBottomOut ? 1 : 0;
+    if (&to == &prepared_.program.states[0]) {
+      for (std::size_t i = 0; i < to.press.slopeCount; ++i) {
+        const GrainRange& r = to.press.slopes[i];
+        if (r.last >= r.first) prepared_.summary.grains += static_cast<std::size_t>(r.last - r.first + 1);
+      }
+    }
+  }
+
+  void setContact(const ButtonState& from, const StrokePlan& press, StateProgram& to) {
+    to.hasOperatingPoint = from.operatingPoint_mm.has_value() || button_.selfLocking();
+    if (!to.hasOperatingPoint) return;
+    // A self-locking button without a stated operating point acts where its last jump ends, else at the
+    // bottom.
+    double acts_mm = to.end_mm;
+    for (const Section& s : press.sections) {
+      if (s.kind == SectionKind::jump) acts_mm = s.to_mm;
+    }
+    to.operating_mm = std::clamp(from.operatingPoint_mm.value_or(acts_mm), to.start_mm, to.end_mm);
+    // Arriving at a place takes some way to it.
+    if (to.operating_mm <= to.start_mm) to.operating_mm = std::nextafter(to.start_mm, to.end_mm);
+    to.hasResetPoint = true;
+    to.reset_mm = std::clamp(from.resetPoint_mm.value_or(to.operating_mm), to.start_mm, to.end_mm);
+    if (to.reset_mm >= to.end_mm) to.reset_mm = std::nextafter(to.end_mm, to.start_mm);
+  }
+
+  void setBottomOut(const StrokePlan& press, StateProgram& to) {
+    if (!clicks()) return;
+    for (const Section& s : press.sections) {
+      if (s.kind != SectionKind::bottomOut) continue;
+      to.hasBottomOut = true;
+      to.bottomOut_mm = s.from_mm > to.start_mm ? s.from_mm : to.end_mm;
+      to.bottomOutRearm_mm = to.bottomOut_mm - rearmDistance(to.bottomOut_mm - to.start_mm);
+    }
+  }
+
+  double rearmDistance(double way_mm) const { return std::min(settings_.rearmDistance_mm, way_mm / 2); }
+
+  void prepareStroke(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
+    if (slopes()) addSlopes(plan, state, table);
+    if (clicks()) addJumps(plan, state, table);
+    std::vector<double> kept;
+    for (const Section& s : plan.sections) {
+      kept.push_back(s.from_mm);
+      kept.push_back(s.to_mm);
+    }
+    if (kept.size() > maxTablePoints / 4) kept.resize(maxTablePoints / 4);
+    // A release ends where the finger no longer pushes, even if the printed curve ends at or below no force.
+    const double lowest_N =
+        plan.stroke == Stroke::release ? prepared_.program.restForce_N : -ForceGraph::maxForce_N;
+    const TableFit fit = fitTable(plan.curve, state.start_mm, state.end_mm, lowest_N, kept);
+    std::copy(fit.points.begin(), fit.points.end(), table.points.begin());
+    table.pointCount = static_cast<std::uint32_t>(fit.points.size());
+    prepared_.summary.tablePoints += fit.points.size();
+    prepared_.summary.tableError_N = std::max(prepared_.summary.tableError_N, fit.error_N);
+  }
+
+  // Grains stand on one grid over the whole travel ("evenly along the displacement range"); a slope owns the
+  // grid places within it. What lies outside a release curve's own range belongs to its nearest slope.
+  void addSlopes(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
+    const auto cell = [&](double x_mm) {
+      return static_cast<std::int64_t>(std::floor((x_mm - state.start_mm) * settings_.grainsPerMm + 1e-9));
+    };
+    std::vector<GrainRange> ranges;
+    for (std::size_t i = 0; i < plan.sections.size(); ++i) {
+      const Section& s = plan.sections[i];
+      if (s.kind != SectionKind::slope) continue;
+      double low = std::max(std::min(s.from_mm, s.to_mm), state.start_mm);
+      double high = std::min(std::max(s.from_mm, s.to_mm), state.end_mm);
+      const bool first = i == 0, last = i + 1 == plan.sections.size();
+      const bool press = plan.stroke == Stroke::press;
+      if (press ? first : last) low = state.start_mm;
+      if (press ? last : first) high = state.end_mm;
+      if (high > low) ranges.push_back({cell(low) + 1, cell(high)});
+    }
+    std::sort(ranges.begin(), ranges.end(),
+              [](const GrainRange& a, const GrainRange& b) { return a.first < b.first; });
+    for (const GrainRange& range : ranges) {
+      if (table.slopeCount > 0 && table.slopes[table.slopeCount - 1].last + 1 >= range.first) {
+        table.slopes[table.slopeCount - 1].last =
+            std::max(table.slopes[table.slopeCount - 1].last, range.last);
+      } else if (table.slopeCount < maxSlopes) {
+        table.slopes[table.slopeCount++] = range;
+      }
+    }
+    if (ranges.size() > maxSlopes) warn("more slopes than a program holds; the last ones are silent");
+  }
+
+  void addJumps(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
+    struct Candidate {
+      Section section;
+      double area_mJ;
+    };
+    std::vector<Candidate> found;
+    for (const Section& s : plan.sections) {
+      if (s.kind == SectionKind::jump) found.push_back({s, jumpArea_mJ(plan.curve, s)});
+    }
+    if (found.size() > maxJumps) {
+      warn(formatted("%g jumps on one stroke; the %g strongest are kept", static_cast<double>(found.size()),
+                     static_cast<double>(maxJumps)));
+      std::vector<Candidate> byArea = found;
+      std::nth_element(byArea.begin(), byArea.begin() + maxJumps, byArea.end(),
+                       [](const Candidate& a, const Candidate& b) { return a.area_mJ > b.area_mJ; });
+      const double bar = byArea[maxJumps].area_mJ;
+      std::erase_if(found, [&](const Candidate& c) { return c.area_mJ <= bar; });
+    }
+    for (const Candidate& c : found)
+      table.jumps[table.jumpCount++] = jumpEntry(c.section, c.area_mJ, plan, state);
+  }
+
+  JumpEntry jumpEntry(const Section& section, double area_mJ, const StrokePlan& plan,
+                      const StateProgram& state) {
+    const PlaybackSettings& s = settings_;
+    const bool press = plan.stroke == Stroke::press;
+    JumpEntry entry;
+    entry.from_mm = std::clamp(section.from_mm, state.start_mm, state.end_mm);
+    entry.to_mm = std::clamp(section.to_mm, state.start_mm, state.end_mm);
+    entry.rearm_mm = press ? entry.from_mm - rearmDistance(entry.from_mm - state.start_mm)
+                           : entry.from_mm + rearmDistance(state.end_mm - entry.from_mm);
+    entry.burst.frequency_Hz = press ? press_Hz_ : release_Hz_;
+    entry.burst.duration_s =
+        std::clamp(s.jumpDurationPerTravel_s_per_mm * std::fabs(section.to_mm - section.from_mm),
+                   s.shortestJump_s, s.longestJump_s);
+    const double wanted = s.jumpAmplitudePerArea_per_mJ * area_mJ;
+    if (wanted > 1) {
+      warn(formatted(
+          "the jump at %.4g mm asks for %.3g times full scale and gets 1; lower the jump amplitude per area",
+          section.from_mm, wanted));
+    }
+    entry.burst.amplitude = std::clamp(wanted, s.faintestJump, 1.0);
+    entry.burst.envelope = Envelope::falling;
+    return entry;
+  }
+
+  const Button& button_;
+  const DeviceProfile& profile_;
+  const PlaybackSettings& settings_;
+  PreparedProgram prepared_;
+  double press_Hz_ = 0, release_Hz_ = 0;
+};
+
+}  // namespace
+
+std::string PrepareSummary::line() const {
+  char text[240];
+  std::snprintf(text, sizeof text,
+                "%zu grains, %zu press jump%s, %zu release jump%s, %s; table %zu points, error %.2g N",
+                grains, pressJumps, pressJumps == 1 ? "" : "s", releaseJumps, releaseJumps == 1 ? "" : "s",
+                bottomOuts > 0 ? "bottom-out" : "no bottom-out", tablePoints, tableError_N);
+  return text;
+}
+
+Result<Done> checkSettings(const PlaybackSettings& s) {
+  const Result<Done> bounds =
+      checkBounds("playback setting",
+                  {{"grainsPerMm", s.grainsPerMm, 0, 1000, true},
+                   {"grainFrequency_Hz", s.grainFrequency_Hz, 0, highestFrequency_Hz, false},
+                   {"grainDuration_s", s.grainDuration_s, 0, 1, false},
+                   {"grainAmplitude", s.grainAmplitude, 0, 1, true},
+                   {"lowPassCutoff_Hz", s.lowPassCutoff_Hz, 0, 20000, false},
+                   {"lowPassOrder", static_cast<double>(s.lowPassOrder), 1, 2, true},
+                   {"jumpDurationPerTravel_s_per_mm", s.jumpDurationPerTravel_s_per_mm, 0, 1000, false},
+                   {"longestJump_s", s.longestJump_s, 0, 1, false},
+                   {"shortestJump_s", s.shortestJump_s, 0, s.longestJump_s, false},
+                   {"jumpAmplitudePerArea_per_mJ", s.jumpAmplitudePerArea_per_mJ, 0, 1e9, false},
+                   {"faintestJump", s.faintestJump, 0, 1, true},
+                   {"pressJumpFrequency_Hz", s.pressJumpFrequency_Hz, 0, highestFrequency_Hz, false},
+                   {"releaseJumpFrequency_Hz", s.releaseJumpFrequency_Hz, 0, highestFrequency_Hz, false},
+                   {"bottomOutFrequency_Hz", s.bottomOutFrequency_Hz, 0, highestFrequency_Hz, false},
+                   {"bottomOutDuration_s", s.bottomOutDuration_s, 0, 1, false},
+                   {"bottomOutAmplitude", s.bottomOutAmplitude, 0, 1, true},
+                   {"hysteresis_N", s.hysteresis_N, 0, 10, false},
+                   {"hysteresis_mm", s.hysteresis_mm, 0, 1, false},
+                   {"rearmDistance_mm", s.rearmDistance_mm, 0, 10, true},
+                   {"sensorPeriod_s", s.sensorPeriod_s, 0, 0.25, false},
+                   {"burstSpacing_s", s.burstSpacing_s, 0, 0.1, true},
+                   {"limiterCeiling", s.limiterCeiling, 0, 1, false},
+                   {"sections.minProminence_N", s.sections.minProminence_N, 0, 1e7, true},
+                   {"sections.minProminenceOfSpan", s.sections.minProminenceOfSpan, 0, 0.999999, true},
+                   {"sections.bottomOutSlopeRatio", s.sections.bottomOutSlopeRatio, 1, 1e12, false}});
+  return bounds;
+}
+
+Result<Done> checkProfile(const DeviceProfile& profile) {
+  if (Result<Done> gain = checkBounds("device profile", {{"gain", profile.gain, 0, 10, false}}); !gain)
+    return gain;
+  if (profile.equalizer.size() > maxEqualizerBands) {
+    return Failure{
+        FailureCode::wrongUsage, "device profile", "equalizer",
+        std::to_string(profile.equalizer.size()) + " bands, at most " + std::to_string(maxEqualizerBands),
+        "Keep the strongest bands"};
+  }
+  for (const EqualizerBand& band : profile.equalizer) {
+    if (Result<Done> ok =
+            checkBounds("device profile", {{"equalizer frequency_Hz", band.frequency_Hz, 0, 96000, false},
+                                           {"equalizer q", band.q, 0, 1000, false},
+                                           {"equalizer gain_dB", band.gain_dB, -60, 24, true}});
+        !ok) {
+      return ok;
+    }
+  }
+  for (const Resonance& r : profile.resonances) {
+    if (Result<Done> ok = checkBounds(
+            "device profile", {{"resonance frequency_Hz", r.frequency_Hz, 0, highestFrequency_Hz, false}});
+        !ok) {
+      return ok;
+    }
+  }
+  return Done{};
+}
+
+Result<PreparedProgram> prepareProgram(const Button& button, const DeviceProfile& profile,
+                                       const PlaybackSettings& settings) {
+  if (Result<Done> ok = checkSettings(settings); !ok) return ok.failure();
+  if (Result<Done> ok = checkProfile(profile); !ok) return ok.failure();
+  return Preparation(button, profile, settings).run();
+}
+
+}  // namespace detent::playback

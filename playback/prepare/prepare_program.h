@@ -1,0 +1,41 @@
+#pragma once
+// From a button, a device and settings to what the callback plays. Only what the button has is prepared: no
+// jump entry for a linear button, no second state for a momentary one, no equalizer for a flat device.
+
+#include <string>
+#include <vector>
+
+#include "model/button.h"
+#include "model/result.h"
+#include "playback/prepare/device_profile.h"
+#include "playback/prepare/playback_settings.h"
+#include "playback/realtime/haptic_program.h"
+
+namespace detent::playback {
+
+/// What was prepared, for a one-line report and for doubts.
+struct PrepareSummary {
+  std::size_t grains = 0;  ///< grain positions of the first state's press stroke
+  std::size_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0;  ///< over all states
+  std::size_t tablePoints = 0;
+  double tableError_N = 0;  ///< largest distance of a table from its curve
+  std::vector<std::string> warnings;
+
+  /// "54 grains, 1 press jump, 1 release jump, bottom-out; table 212 points, error 0.0001 N".
+  std::string line() const;
+};
+
+struct PreparedProgram {
+  HapticProgram program;
+  PrepareSummary summary;
+};
+
+/// Failure: wrongUsage naming the setting or profile value that is out of its range. Any thread; allocates.
+Result<PreparedProgram> prepareProgram(const Button& button, const DeviceProfile& profile,
+                                       const PlaybackSettings& settings);
+
+/// The range checks of prepareProgram alone.
+Result<Done> checkSettings(const PlaybackSettings& settings);
+Result<Done> checkProfile(const DeviceProfile& profile);
+
+}  // namespace detent::playback

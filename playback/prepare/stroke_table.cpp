@@ -1,0 +1,114 @@
+#include "playback/prepare/stroke_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <queue>
+
+#include "model/check.h"
+
+namespace detent::playback {
+
+namespace {
+
+// Places at which the table is compared with the curve: at least this many over the travel, and every knot.
+constexpr std::size_t looks = 4096;
+
+// A table closer than this share of the force range is good enough; more vertices would only cost cache.
+constexpr double enoughOfRange = 1e-5;
+
+/// The curve at all places looked at; walls appear as two samples of one displacement.
+std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, double to_mm, double lowest_N,
+                                      const std::vector<double>& kept_mm) {
+  std::vector<double> places;
+  for (std::size_t i = 0; i <= looks; ++i) {
+    places.push_back(i == looks
+                         ? to_mm
+                         : from_mm + (to_mm - from_mm) * static_cast<double>(i) / static_cast<double>(looks));
+  }
+  for (const Knot& knot : curve.knots()) places.push_back(knot.displacement_mm);
+  places.insert(places.end(), kept_mm.begin(), kept_mm.end());
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+
+  std::vector<TablePoint> samples;
+  const auto put = [&](double x, double force) { samples.push_back({x, std::max(force, lowest_N)}); };
+  for (double x : places) {
+    if (x < from_mm || x > to_mm) continue;
+    const double before = curve.forceBefore_N(x), after = curve.force_N(x);
+    if (before != after) put(x, before);
+    put(x, after);
+  }
+  return samples;
+}
+
+/// A run of samples between two chosen vertices, and the sample in it farthest from their chord.
+struct Gap {
+  std::size_t from = 0, to = 0, worst = 0;
+  double error_N = 0;
+  bool operator<(const Gap& other) const {
+    return error_N != other.error_N ? error_N < other.error_N : from > other.from;
+  }
+};
+
+Gap measure(const std::vector<TablePoint>& s, std::size_t from, std::size_t to) {
+  Gap gap{from, to, from, 0};
+  const double span = s[to].displacement_mm - s[from].displacement_mm;
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double share = span > 0 ? (s[i].displacement_mm - s[from].displacement_mm) / span : 0;
+    const double error =
+        std::fabs(s[from].force_N + share * (s[to].force_N - s[from].force_N) - s[i].force_N);
+    if (error > gap.error_N) {
+      gap.error_N = error;
+      gap.worst = i;
+    }
+  }
+  return gap;
+}
+
+/// Samples that must be vertices: the ends, what the caller keeps, and both sides of the largest walls.
+std::vector<std::size_t> fixedVertices(const std::vector<TablePoint>& s, const std::vector<double>& kept_mm) {
+  std::vector<std::size_t> fixed{0, s.size() - 1};
+  for (double x : kept_mm) {
+    const auto at = [&](const TablePoint& p, double v) { return p.displacement_mm < v; };
+    auto it = std::lower_bound(s.begin(), s.end(), x, at);
+    for (; it != s.end() && it->displacement_mm == x; ++it) {
+      fixed.push_back(static_cast<std::size_t>(it - s.begin()));
+    }
+  }
+  std::sort(fixed.begin(), fixed.end());
+  fixed.erase(std::unique(fixed.begin(), fixed.end()), fixed.end());
+  return fixed;
+}
+
+}  // namespace
+
+TableFit fitTable(const StrokeCurve& curve, double from_mm, double to_mm, double lowest_N,
+                  const std::vector<double>& kept_mm) {
+  DETENT_CHECK(from_mm < to_mm, "a table covers some travel");
+  DETENT_CHECK(kept_mm.size() <= maxTablePoints / 4, "kept places leave room for the curve");
+  const std::vector<TablePoint> samples = sampleDensely(curve, from_mm, to_mm, lowest_N, kept_mm);
+  const auto [low, high] =
+      std::minmax_element(samples.begin(), samples.end(),
+                          [](const TablePoint& a, const TablePoint& b) { return a.force_N < b.force_N; });
+  const double enough_N = enoughOfRange * (high->force_N - low->force_N);
+
+  // Always split the worst gap at its worst sample (greedy Ramer-Douglas-Peucker with a budget).
+  std::vector<std::size_t> chosen = fixedVertices(samples, kept_mm);
+  std::priority_queue<Gap> gaps;
+  for (std::size_t i = 1; i < chosen.size(); ++i) gaps.push(measure(samples, chosen[i - 1], chosen[i]));
+  while (chosen.size() < maxTablePoints && !gaps.empty() && gaps.top().error_N > enough_N) {
+    const Gap worst = gaps.top();
+    gaps.pop();
+    chosen.push_back(worst.worst);
+    gaps.push(measure(samples, worst.from, worst.worst));
+    gaps.push(measure(samples, worst.worst, worst.to));
+  }
+  std::sort(chosen.begin(), chosen.end());
+
+  TableFit fit;
+  fit.error_N = gaps.empty() ? 0 : gaps.top().error_N;
+  for (std::size_t i : chosen) fit.points.push_back(samples[i]);
+  return fit;
+}
+
+}  // namespace detent::playback
