@@ -2,8 +2,270 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace detent::importer {
+namespace {
+
+constexpr std::size_t reach = 3;  // knots to each side that adapt to a change
+
+using Index = std::ptrdiff_t;
+
+/// The chain with its points sorted by the piece they lie on.
+class Workpiece {
+ public:
+  Workpiece(KnotChain& chain, const std::vector<SigmaPoint>& points, const SolveSettings& settings)
+      : chain_(chain), points_(points), settings_(settings) {
+    assign();
+  }
+
+  const KnotChain& chain() const { return chain_; }
+  double chiSquareOfPiece(std::size_t piece) const { return pieceChiSquare_[piece]; }
+
+  /// Points on one piece in their order.
+  std::vector<std::size_t> pointsOfPiece(std::size_t piece) const {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < feet_.size(); ++i)
+      if (feet_[i].piece == piece) found.push_back(i);
+    return found;
+  }
+  const Footpoint& foot(std::size_t point) const { return feet_[point]; }
+  const SigmaPoint& point(std::size_t i) const { return points_[i]; }
+
+  /// A trial: knots [from, to] of the chain replaced by `trial`, whose outermost knots stay unless they are
+  /// ends.
+  struct Trial {
+    std::size_t from = 0, to = 0;
+    KnotChain knots;
+    double gain = -std::numeric_limits<double>::infinity();  ///< fall of chi-square
+  };
+
+  /// The knots around `knot`, for a change to be made in them; `at` is the knot's index in the trial.
+  Trial around(std::size_t knot, std::size_t& at) const {
+    Trial trial;
+    trial.from = knot > reach ? knot - reach : 0;
+    trial.to = std::min(chain_.size() - 1, knot + reach);
+    trial.knots.assign(chain_.begin() + static_cast<Index>(trial.from),
+                       chain_.begin() + static_cast<Index>(trial.to) + 1);
+    at = knot - trial.from;
+    return trial;
+  }
+
+  /// Solves the trial on the points of its pieces.
+  void judge(Trial& trial) const {
+    std::vector<SigmaPoint> nearby;
+    double before = 0;
+    for (std::size_t piece = trial.from; piece < trial.to; ++piece) before += pieceChiSquare_[piece];
+    for (std::size_t i = 0; i < feet_.size(); ++i)
+      if (feet_[i].piece >= trial.from && feet_[i].piece < trial.to) nearby.push_back(points_[i]);
+    if (nearby.empty()) {
+      trial.gain = 0;
+      return;
+    }
+    const std::size_t first = trial.from == 0 ? 0 : 1;
+    const std::size_t last = trial.to + 1 == chain_.size() ? trial.knots.size() : trial.knots.size() - 1;
+    solveChain(trial.knots, nearby, {first, last}, settings_);
+    trial.gain = before - chiSquareOf(trial.knots, nearby, settings_.robustScale);
+  }
+
+  void accept(const Trial& trial) {
+    chain_.erase(chain_.begin() + static_cast<Index>(trial.from),
+                 chain_.begin() + static_cast<Index>(trial.to) + 1);
+    chain_.insert(chain_.begin() + static_cast<Index>(trial.from), trial.knots.begin(), trial.knots.end());
+    assign();
+  }
+
+  /// Chi-square of the points around a knot if it were gone and no other moved: how much is at stake.
+  double chiSquareWithout(std::size_t knot) const {
+    ChainPiece merged(chain_[knot - 1], chain_[knot + 1]);
+    double sum = 0;
+    for (std::size_t i = 0; i < feet_.size(); ++i) {
+      if (feet_[i].piece + 1 != knot && feet_[i].piece != knot) continue;
+      const double r = points_[i].weight * std::sqrt(nearestOn(merged, points_[i]).squaredDistance);
+      sum += std::min(r * r, 2 * settings_.robustScale * r);
+    }
+    return sum;
+  }
+
+ private:
+  void assign() {
+    feet_ = footpointsOn(chain_, points_);
+    pieceChiSquare_.assign(chain_.size() - 1, 0.0);
+    for (std::size_t i = 0; i < feet_.size(); ++i) {
+      const double r = points_[i].weight * std::sqrt(feet_[i].squaredDistance), k = settings_.robustScale;
+      pieceChiSquare_[feet_[i].piece] += r <= k ? r * r : k * (2 * r - k);
+    }
+  }
+
+  KnotChain& chain_;
+  const std::vector<SigmaPoint>& points_;
+  SolveSettings settings_;
+  std::vector<Footpoint> feet_;
+  std::vector<double> pieceChiSquare_;
+};
+
+bool isExtremum(const KnotChain& chain, std::size_t k) {
+  return (chain[k].v() - chain[k - 1].v()) * (chain[k + 1].v() - chain[k].v()) < 0;
+}
+
+/// A smooth joint at an extremum has slope 0, and only there is it an extremum by itself.
+void settleJoints(KnotChain& chain) {
+  for (std::size_t k = 1; k + 1 < chain.size(); ++k)
+    if (chain[k].joint == JointKind::smooth && isExtremum(chain, k)) {
+      chain[k].joint = JointKind::flat;
+      chain[k].at[2] = chain[k].at[3] = 0;
+    }
+}
+
+double secant(const ChainKnot& a, const ChainKnot& b) {
+  const double h = std::max(b.u() - a.u(), 1e-6);
+  return (b.v() - a.v()) / h;
+}
+
+ChainKnot cornerOf(const KnotChain& chain, std::size_t k) {
+  ChainKnot knot = chain[k];
+  const double before = secant(chain[k - 1], chain[k]), after = secant(chain[k], chain[k + 1]);
+  // A held slope says nothing about its side; the secant is the neutral start.
+  knot.at[2] = knot.slopeBefore() * before > 0 ? knot.slopeBefore() : before;
+  knot.at[3] = chain[k].slopeAfter() * after > 0 ? chain[k].slopeAfter() : after;
+  knot.joint = JointKind::corner;
+  return knot;
+}
+
+ChainKnot smoothOf(const KnotChain& chain, std::size_t k) {
+  ChainKnot knot = chain[k];
+  const double before = secant(chain[k - 1], chain[k]), after = secant(chain[k], chain[k + 1]);
+  const double slope =
+      before * after <= 0 ? 0 : std::copysign(std::min(std::abs(before), std::abs(after)), before);
+  knot.joint = before * after < 0 ? JointKind::flat : JointKind::smooth;
+  knot.at[2] = knot.at[3] = slope;
+  return knot;
+}
+
+/// Knots in the order of what their removal puts at stake, dearest last; those beyond `limit` are left out.
+std::vector<std::size_t> removable(const Workpiece& work, double limit) {
+  std::vector<std::pair<double, std::size_t>> stakes;
+  for (std::size_t k = 1; k + 1 < work.chain().size(); ++k) {
+    const double stake = work.chiSquareWithout(k) - work.chiSquareOfPiece(k - 1) - work.chiSquareOfPiece(k);
+    if (stake < limit) stakes.emplace_back(stake, k);
+  }
+  std::sort(stakes.begin(), stakes.end());
+  std::vector<std::size_t> knots;
+  for (const auto& [stake, k] : stakes) knots.push_back(k);
+  return knots;
+}
+
+Workpiece::Trial withoutKnot(const Workpiece& work, std::size_t knot) {
+  std::size_t at = 0;
+  Workpiece::Trial trial = work.around(knot, at);
+  trial.knots.erase(trial.knots.begin() + static_cast<Index>(at));
+  work.judge(trial);
+  return trial;
+}
+
+Workpiece::Trial withJoint(const Workpiece& work, std::size_t knot, const ChainKnot& replacement) {
+  std::size_t at = 0;
+  Workpiece::Trial trial = work.around(knot, at);
+  trial.knots[at] = replacement;
+  work.judge(trial);
+  return trial;
+}
+
+/// A new knot on a piece where its residuals, averaged over a few neighbours, are largest.
+bool withNewKnot(const Workpiece& work, std::size_t piece, Workpiece::Trial& trial) {
+  const std::vector<std::size_t> members = work.pointsOfPiece(piece);
+  if (members.size() < 4) return false;
+  const ChainPiece shape(work.chain()[piece], work.chain()[piece + 1]);
+  std::vector<double> sums{0};
+  for (std::size_t i : members)
+    sums.push_back(sums.back() + signedResidual(shape, work.point(i), work.foot(i).t));
+  std::size_t best = members.size() / 2;
+  double largest = 0;
+  for (std::size_t i = 1; i + 1 < members.size(); ++i) {
+    const std::size_t from = i < 2 ? 0 : i - 2, to = std::min(members.size(), i + 3);
+    const double mean = std::abs(sums[to] - sums[from]) / static_cast<double>(to - from);
+    if (mean > largest) largest = mean, best = i;
+  }
+  const double t = work.foot(members[best]).t;
+  if (t <= 0.02 || t >= 0.98) return false;
+  std::size_t at = 0;
+  trial = work.around(piece + 1, at);
+  const double slope = shape.h > 0 ? shape.dv(t) / shape.h : 0;
+  const SigmaPoint& p = work.point(members[best]);
+  trial.knots.insert(trial.knots.begin() + static_cast<Index>(at),
+                     ChainKnot{{shape.u(t), 0.5 * (shape.v(t) + p.v), slope, slope}, JointKind::smooth});
+  settleJoints(trial.knots);
+  work.judge(trial);
+  return true;
+}
+
+int parametersOfRange(const KnotChain& knots) {
+  int count = 0;
+  for (const ChainKnot& knot : knots) count += freedomOf(knot.joint);
+  return count;
+}
+
+bool pays(const Workpiece& work, const Workpiece::Trial& trial, const Evidence& evidence) {
+  const KnotChain old(work.chain().begin() + static_cast<Index>(trial.from),
+                      work.chain().begin() + static_cast<Index>(trial.to) + 1);
+  const int added = parametersOfRange(trial.knots) - parametersOfRange(old);
+  return trial.gain > evidence.pricePerParameter * evidence.correlationPoints * added;
+}
+
+bool simplify(Workpiece& work, const Evidence& evidence) {
+  bool changed = false;
+  // What is at stake is an upper bound: neighbours that adapt take over most of it.
+  const double limit = 12 * evidence.chiSquarePer(3);
+  bool again = true;
+  while (again) {
+    again = false;
+    for (std::size_t knot : removable(work, limit)) {
+      const Workpiece::Trial trial = withoutKnot(work, knot);
+      if (!pays(work, trial, evidence)) continue;
+      work.accept(trial);
+      again = changed = true;
+      break;
+    }
+  }
+  for (std::size_t k = 1; k + 1 < work.chain().size(); ++k) {
+    if (work.chain()[k].joint != JointKind::corner) continue;
+    const Workpiece::Trial trial = withJoint(work, k, smoothOf(work.chain(), k));
+    if (!pays(work, trial, evidence)) continue;
+    work.accept(trial);
+    changed = true;
+  }
+  return changed;
+}
+
+bool extend(Workpiece& work, const Evidence& evidence, int maxPieces) {
+  bool changed = false;
+  for (std::size_t k = 1; k + 1 < work.chain().size(); ++k) {
+    const JointKind joint = work.chain()[k].joint;
+    const int added = freedomOf(JointKind::corner) - freedomOf(joint);
+    if (added <= 0 || work.chiSquareOfPiece(k - 1) + work.chiSquareOfPiece(k) < evidence.chiSquarePer(added))
+      continue;
+    const Workpiece::Trial trial = withJoint(work, k, cornerOf(work.chain(), k));
+    if (!pays(work, trial, evidence)) continue;
+    work.accept(trial);
+    changed = true;
+  }
+  for (std::size_t piece = 0; piece + 1 < work.chain().size(); ++piece) {
+    if (static_cast<int>(work.chain().size()) > maxPieces) break;
+    if (work.chiSquareOfPiece(piece) < evidence.chiSquarePer(2)) continue;
+    Workpiece::Trial trial;
+    if (!withNewKnot(work, piece, trial) || !pays(work, trial, evidence)) continue;
+    work.accept(trial);
+    changed = true;
+  }
+  return changed;
+}
+
+}  // namespace
+
+Evidence::Evidence(double points, double correlation)
+    : correlationPoints(std::max(1.0, correlation)),
+      pricePerParameter(std::log(std::max(3.0, points / std::max(1.0, correlation)))) {}
 
 int parametersOf(const KnotChain& chain) {
   // Each end: one of its two coordinates and a slope.
@@ -12,13 +274,22 @@ int parametersOf(const KnotChain& chain) {
   return count;
 }
 
-double correlationOf(const KnotChain& chain, const std::vector<SigmaPoint>& points) {
+std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaPoint>& points) {
   const std::vector<ChainPiece> pieces = piecesOf(chain);
   const std::vector<Footpoint> feet = footpointsOn(chain, points);
   std::vector<double> residuals;
   residuals.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    residuals.push_back(std::clamp(signedResidual(pieces[feet[i].piece], points[i], feet[i].t), -3.0, 3.0));
+    residuals.push_back(signedResidual(pieces[feet[i].piece], points[i], feet[i].t));
+  return residuals;
+}
+
+double correlationOf(std::vector<double> residuals) {
+  double meanSquare = 0;
+  for (double r : residuals) meanSquare += r * r;
+  const double cut =
+      3 * std::sqrt(meanSquare / static_cast<double>(std::max<std::size_t>(1, residuals.size())));
+  for (double& r : residuals) r = std::clamp(r, -cut, cut);
   const auto covariance = [&](std::size_t lag) {
     double sum = 0;
     for (std::size_t i = lag; i < residuals.size(); ++i) sum += residuals[i] * residuals[i - lag];
@@ -26,13 +297,74 @@ double correlationOf(const KnotChain& chain, const std::vector<SigmaPoint>& poin
   };
   const double variance = covariance(0);
   if (!(variance > 0)) return 1;
-  double points_ = 1;
+  double together = 1;
   for (std::size_t lag = 1; lag < std::min<std::size_t>(residuals.size() / 4, 50); ++lag) {
     const double rho = covariance(lag) / variance;
     if (rho < 0.05) break;
-    points_ += 2 * rho;
+    together += 2 * rho;
   }
-  return points_;
+  return together;
+}
+
+SolveReport chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
+                        const ChoiceSettings& settings) {
+  settleJoints(chain);
+  SolveReport report = solveChain(chain, points, {0, chain.size()}, settings.solve);
+  dropRedundantKnots(chain);
+  SolveSettings local = settings.solve;
+  local.associations = 1;
+  local.maxIterations = 8;
+  local.tolerance = std::max(1e-3, local.tolerance);
+  for (int round = 0; round < settings.rounds; ++round) {
+    Workpiece work(chain, points, local);
+    bool changed = simplify(work, evidence);
+    changed = extend(work, evidence, settings.maxPieces) || changed;
+    if (!changed) break;
+    settleJoints(chain);
+    dropRedundantKnots(chain);
+    report = solveChain(chain, points, {0, chain.size()}, settings.solve);
+    dropRedundantKnots(chain);
+  }
+  return report;
+}
+
+void reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
+                 const ChoiceSettings& settings) {
+  SolveSettings local = settings.solve;
+  local.associations = 1;
+  const auto count = [&] { return static_cast<int>(chain.size()) - 1; };
+  while (count() > std::max(1, pieces)) {
+    Workpiece work(chain, points, local);
+    const std::vector<std::size_t> knots = removable(work, std::numeric_limits<double>::infinity());
+    Workpiece::Trial best;
+    // The knots with least at stake; the solve then tells which of them really costs least.
+    for (std::size_t i = 0; i < std::min<std::size_t>(knots.size(), 3); ++i) {
+      Workpiece::Trial trial = withoutKnot(work, knots[i]);
+      if (trial.gain > best.gain) best = std::move(trial);
+    }
+    work.accept(best);
+    dropRedundantKnots(chain);
+  }
+  while (count() < pieces) {
+    Workpiece work(chain, points, local);
+    std::vector<std::size_t> order(chain.size() - 1);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return work.chiSquareOfPiece(a) > work.chiSquareOfPiece(b);
+    });
+    bool added = false;
+    for (std::size_t piece : order) {
+      Workpiece::Trial trial;
+      if (!withNewKnot(work, piece, trial)) continue;
+      work.accept(trial);
+      added = true;
+      break;
+    }
+    if (!added) break;
+  }
+  settleJoints(chain);
+  solveChain(chain, points, {0, chain.size()}, settings.solve);
+  dropRedundantKnots(chain);
 }
 
 }  // namespace detent::importer

@@ -6,22 +6,47 @@
 
 namespace detent::importer {
 
-/// What an additional parameter must earn in chi-square, and what chi-square is worth: residuals that share
-/// one error count once (effective number of points, Bartlett 1935).
+/// What chi-square is worth and what a parameter must earn (Schwarz 1978). Neighbouring points share their
+/// error, so `correlationPoints` of them count once (Bartlett 1935).
 struct Evidence {
-  double correlationPoints = 1;  ///< points that share one error, >= 1
-  double pricePerParameter = 7;  ///< ln of the effective number of points
+  double correlationPoints = 1;  ///< >= 1
+  double pricePerParameter = 7;  ///< ln of the number of independent points
+
+  Evidence(double points, double correlation);
 
   /// Lower is better.
   double score(double chiSquare, int parameters) const {
     return chiSquare / correlationPoints + pricePerParameter * parameters;
   }
+  /// The same price in chi-square.
+  double chiSquarePer(int parameters) const { return pricePerParameter * parameters * correlationPoints; }
 };
 
-/// Free parameters of a chain with fixed ends.
+/// Free parameters of a chain.
 int parametersOf(const KnotChain& chain);
 
-/// Points that share one error, from the decay of the residuals' autocorrelation; 1 for independent ones.
-double correlationOf(const KnotChain& chain, const std::vector<SigmaPoint>& points);
+/// Signed weighted residuals of all points, in their order.
+std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaPoint>& points);
+
+/// Points that share one error: integrated autocorrelation of the residuals, large ones cut; 1 for
+/// independent ones.
+double correlationOf(std::vector<double> residuals);
+
+struct ChoiceSettings {
+  int rounds = 2;
+  int maxPieces = 64;
+  SolveSettings solve;  ///< of the local solves around a changed knot
+};
+
+/// Takes out knots that do not earn their parameters, makes corners smooth that do not earn theirs, adds
+/// knots and corners where the residuals pay for them. Each change is judged by a solve of the knots around
+/// it; then all knots are solved.
+SolveReport chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
+                        const ChoiceSettings& settings);
+
+/// Takes out the least useful knots until `pieces` are left; or adds the most useful until there are as many,
+/// if it can.
+void reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
+                 const ChoiceSettings& settings);
 
 }  // namespace detent::importer

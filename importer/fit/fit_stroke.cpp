@@ -51,11 +51,14 @@ Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke str
   if (!prepared) return prepared.failure();
   const StrokeSamples& samples = *prepared;
   const double n = static_cast<double>(samples.points.size());
-  KnotChain chain = segmentStroke(samples.points, options.candidateKnots, 3 * std::log(n));
-  SolveSettings settings;
-  settings.robustScale = options.robustScale;
-  settings.tolerance = options.tolerance;
-  const SolveReport solved = solveChain(chain, samples.points, {0, chain.size()}, settings);
+  ChoiceSettings settings;
+  settings.rounds = options.evidenceRounds;
+  settings.maxPieces = options.maxPieces;
+  settings.solve.robustScale = options.robustScale;
+  settings.solve.tolerance = options.tolerance;
+  const Evidence evidence(n, options.correlationPoints > 0 ? options.correlationPoints : 3);
+  KnotChain chain = segmentStroke(samples.points, options.candidateKnots, 2 * evidence.chiSquarePer(1));
+  const SolveReport solved = chooseKnots(chain, samples.points, evidence, settings);
   dropRedundantKnots(chain);
   Result<StrokeCurve> curve = StrokeCurve::fromKnots(modelKnots(chain, samples));
   if (!curve) return curve.failure();
@@ -63,13 +66,14 @@ Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke str
   summary.pieces = static_cast<int>(chain.size()) - 1;
   summary.points = static_cast<int>(samples.points.size());
   summary.outcome = solved.converged ? FitOutcome::converged : FitOutcome::iterationLimit;
-  summary.correlationPoints = correlationOf(chain, samples.points);
+  summary.correlationPoints = correlationOf(residualsOf(chain, samples.points));
   double sum = 0;
   const std::vector<Footpoint> feet = footpointsOn(chain, samples.points);
   for (const Footpoint& f : feet) {
     sum += f.squaredDistance;
     summary.maxSigma = std::max(summary.maxSigma, std::sqrt(f.squaredDistance));
   }
+  summary.bic = evidence.score(chiSquareOf(chain, samples.points, options.robustScale), parametersOf(chain));
   summary.rmsSigma = std::sqrt(sum / n);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return FittedStroke{std::move(*curve), summary};

@@ -12,7 +12,10 @@ constexpr double greatestTangent =
 
 void limitTangent(double slope, double h, double d, double& tangent, bool& free, double& perD) {
   const double wanted = slope * h;
-  if (d == 0 || wanted * d <= 0) {
+  if (h <= 0) {
+    // A wall: straight.
+    tangent = d, free = false, perD = 1;
+  } else if (d == 0 || wanted * d <= 0) {
     // A slope against the piece's direction; at d == 0 the piece is flat.
     tangent = 0, free = false, perD = 0;
   } else if (std::abs(wanted) > greatestTangent * std::abs(d)) {
@@ -37,6 +40,26 @@ double squaredDistanceToBox(const ChainPiece& piece, const SigmaPoint& p) {
 }  // namespace
 
 int freedomOf(JointKind joint) { return joint == JointKind::corner ? 4 : joint == JointKind::smooth ? 3 : 2; }
+
+void levelDisplacements(KnotChain& chain) {
+  struct Level {
+    double sum;
+    std::size_t count;
+    double mean() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Level> levels;
+  for (const ChainKnot& knot : chain) {
+    levels.push_back({knot.u(), 1});
+    while (levels.size() > 1 && levels[levels.size() - 2].mean() > levels.back().mean()) {
+      levels[levels.size() - 2].sum += levels.back().sum;
+      levels[levels.size() - 2].count += levels.back().count;
+      levels.pop_back();
+    }
+  }
+  std::size_t i = 0;
+  for (const Level& level : levels)
+    for (std::size_t k = 0; k < level.count; ++k) chain[i++].at[0] = level.mean();
+}
 
 void dropRedundantKnots(KnotChain& chain) {
   for (std::size_t k = 0; k + 1 < chain.size() && chain.size() > 2;) {
@@ -77,7 +100,7 @@ Footpoint nearestFrom(const ChainPiece& piece, const SigmaPoint& p, double t) {
     const double moved = std::abs(next - t);
     t = next;
     best = distance;
-    if (moved < 1e-9) break;
+    if (moved < 1e-7) break;
   }
   return {0, t, best};
 }

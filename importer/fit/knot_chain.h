@@ -35,6 +35,10 @@ int freedomOf(JointKind joint);
 
 using KnotChain = std::vector<ChainKnot>;
 
+/// Displacements that run backwards (a wall that leans back, noise) are levelled to their mean: a vertical
+/// piece.
+void levelDisplacements(KnotChain& chain);
+
 /// Takes out knots that say nothing: repeated places, and those inside a vertical piece (two knots make it).
 void dropRedundantKnots(KnotChain& chain);
 
@@ -44,7 +48,7 @@ void dropRedundantKnots(KnotChain& chain);
 struct ChainPiece {
   double u0 = 0, h = 0, v0 = 0, d = 0, a = 0, b = 0;
   bool aFree = false, bFree = false;  ///< the slope acts on the tangent; else the limit holds it
-  double aPerD = 0, bPerD = 0;        ///< tangent / d where a limit holds it: 0 or 3
+  double aPerD = 0, bPerD = 0;        ///< tangent / d where a limit holds it: 0 or 3; 1 in a wall
 
   ChainPiece(const ChainKnot& from, const ChainKnot& to);
 

@@ -329,27 +329,6 @@ ChainKnot jointBetween(const std::vector<SigmaPoint>& points, const PlacedStretc
                 jointFor(slopeBefore, slopeAfter, before.length(), after.length()));
 }
 
-/// Displacements that run backwards (a wall that leans back, noise) are levelled to their mean.
-void levelDisplacements(KnotChain& chain) {
-  struct Level {
-    double sum;
-    std::size_t count;
-    double mean() const { return sum / static_cast<double>(count); }
-  };
-  std::vector<Level> levels;
-  for (const ChainKnot& knot : chain) {
-    levels.push_back({knot.u(), 1});
-    while (levels.size() > 1 && levels[levels.size() - 2].mean() > levels.back().mean()) {
-      levels[levels.size() - 2].sum += levels.back().sum;
-      levels[levels.size() - 2].count += levels.back().count;
-      levels.pop_back();
-    }
-  }
-  std::size_t i = 0;
-  for (const Level& level : levels)
-    for (std::size_t k = 0; k < level.count; ++k) chain[i++].at[0] = level.mean();
-}
-
 }  // namespace
 
 KnotChain segmentStroke(const std::vector<SigmaPoint>& points, int candidates, double penalty) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include <ceres/ceres.h>
@@ -57,6 +58,7 @@ class PieceResiduals final : public ceres::CostFunction {
         if (jacobians[k]) std::fill_n(jacobians[k], 4 * points_.size(), 0.0);
     for (std::size_t i = 0; i < points_.size(); ++i) {
       const Footpoint foot = nearest(pieces, points_[i]);
+      if (foot.piece == own_) points_[i].t = foot.t;
       const RobustResidual r =
           robust(signedResidual(pieces[foot.piece], points_[i].point, foot.t), robustScale_);
       residuals[i] = r.value;
@@ -120,7 +122,9 @@ class PieceResiduals final : public ceres::CostFunction {
     }
   }
 
-  std::vector<AssignedPoint> points_;
+  /// Where each point's footpoint was last: only the start of the search, so that results do not depend on
+  /// it.
+  mutable std::vector<AssignedPoint> points_;
   double robustScale_;
   std::size_t firstKnot_;
   std::size_t own_ = 0;
@@ -148,6 +152,63 @@ class WeakPlace final : public ceres::SizedCostFunction<2, 4> {
   double u_, v_, perU_, perV_;
 };
 
+/// The points say where the curve runs, so a knot may not leave them: orthogonal distance alone would not
+/// notice a spike of the curve between two points. Costs nothing within `slack`.
+class StayWithPoints final : public ceres::SizedCostFunction<1, 4> {
+ public:
+  StayWithPoints(const std::vector<SigmaPoint>& points, const ChainKnot& knot) : points_(points) {
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const double distance = std::hypot(points[i].u - knot.u(), points[i].v - knot.v());
+      if (distance < best) best = distance, nearest_ = i;
+    }
+  }
+
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    const double u = parameters[0][0], v = parameters[0][1];
+    double awayU = 0, awayV = 0, best = std::numeric_limits<double>::infinity();
+    const std::size_t from = nearest_ < window ? 0 : nearest_ - window;
+    for (std::size_t i = from; i + 1 < points_.size() && i < nearest_ + window; ++i) {
+      const SigmaPoint &a = points_[i], &b = points_[i + 1];
+      const double du = b.u - a.u, dv = b.v - a.v, square = du * du + dv * dv;
+      const double t = square > 0 ? std::clamp(((u - a.u) * du + (v - a.v) * dv) / square, 0.0, 1.0) : 0;
+      const double toU = u - a.u - t * du, toV = v - a.v - t * dv, distance = toU * toU + toV * toV;
+      if (distance < best) best = distance, awayU = toU, awayV = toV;
+    }
+    const double distance = std::sqrt(best);
+    const bool outside = distance > slack;
+    residuals[0] = outside ? distance - slack : 0;
+    if (jacobians && jacobians[0]) {
+      std::fill_n(jacobians[0], 4, 0.0);
+      if (outside) jacobians[0][0] = awayU / distance, jacobians[0][1] = awayV / distance;
+    }
+    return true;
+  }
+
+ private:
+  static constexpr double slack =
+      1.5;  // sigmas: a true corner lies outside of a line that is drawn around it
+  static constexpr std::size_t window = 30;  // points to each side of the nearest at the start
+  const std::vector<SigmaPoint>& points_;
+  std::size_t nearest_ = 0;
+};
+
+/// Displacements never run backwards: a wall that would lean back ends vertical.
+class KeepOrder final : public ceres::SizedCostFunction<1, 4, 4> {
+ public:
+  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
+    constexpr double perSigma = 30;
+    const double h = parameters[1][0] - parameters[0][0];
+    residuals[0] = h < 0 ? perSigma * h : 0;
+    for (int side = 0; jacobians && side < 2; ++side) {
+      if (!jacobians[side]) continue;
+      std::fill_n(jacobians[side], 4, 0.0);
+      if (h < 0) jacobians[side][0] = side == 0 ? -perSigma : perSigma;
+    }
+    return true;
+  }
+};
+
 bool isSteep(const ChainKnot& a, const ChainKnot& b) {
   return std::abs(b.v() - a.v()) > std::abs(b.u() - a.u());
 }
@@ -170,7 +231,7 @@ class ChainProblem {
  public:
   ChainProblem(KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRange range,
                const SolveSettings& settings)
-      : chain_(chain), range_(range) {
+      : chain_(chain), points_(points) {
     const std::vector<Footpoint> feet = footpointsOn(chain, points);
     std::vector<std::vector<AssignedPoint>> perPiece(chain.size() - 1);
     for (std::size_t i = 0; i < points.size(); ++i) perPiece[feet[i].piece].push_back({points[i], feet[i].t});
@@ -182,6 +243,8 @@ class ChainProblem {
     problem_ = std::make_unique<ceres::Problem>(options);
     for (std::size_t piece = fromPiece; piece < toPiece; ++piece)
       if (!perPiece[piece].empty()) addPiece(piece, std::move(perPiece[piece]), settings.robustScale);
+    for (std::size_t k = range.from == 0 ? 0 : range.from - 1; k < range.to && k + 1 < chain.size(); ++k)
+      problem_->AddResidualBlock(new KeepOrder, nullptr, chain[k].at.data(), chain[k + 1].at.data());
     for (std::size_t k = 0; k < chain.size(); ++k) {
       if (!problem_->HasParameterBlock(chain[k].at.data())) continue;
       if (k >= range.from && k < range.to)
@@ -207,30 +270,23 @@ class ChainProblem {
     const ChainKnot& here = chain_[k];
     const std::vector<int> held = heldParameters(chain_, k);
     if (!held.empty()) problem_->SetManifold(block, new ceres::SubsetManifold(4, held));
-    constexpr double endReach = 10;  // sigmas an end in a wall may shift
-    double reachU = endReach, reachV = endReach;
+    double reachU = 10, reachV = 10;
     if (k > 0) {
-      const ChainKnot& before = chain_[k - 1];
-      problem_->SetParameterLowerBound(block, 0, before.u() + 0.5 * (here.u() - before.u()));
-      reachU = std::min(reachU, here.u() - before.u());
-      reachV = std::min(reachV, std::abs(here.v() - before.v()));
-    } else {
-      problem_->SetParameterLowerBound(block, 0, here.u() - endReach);
+      reachU = std::min(reachU, here.u() - chain_[k - 1].u());
+      reachV = std::min(reachV, std::abs(here.v() - chain_[k - 1].v()));
     }
     if (k + 1 < chain_.size()) {
-      const ChainKnot& after = chain_[k + 1];
-      problem_->SetParameterUpperBound(block, 0, here.u() + 0.5 * (after.u() - here.u()));
-      reachU = std::min(reachU, after.u() - here.u());
-      reachV = std::min(reachV, std::abs(after.v() - here.v()));
-    } else {
-      problem_->SetParameterUpperBound(block, 0, here.u() + endReach);
+      reachU = std::min(reachU, chain_[k + 1].u() - here.u());
+      reachV = std::min(reachV, std::abs(chain_[k + 1].v() - here.v()));
     }
+    if (!points_.empty()) problem_->AddResidualBlock(new StayWithPoints(points_, here), nullptr, block);
     problem_->AddResidualBlock(new WeakPlace(here, std::max(1.0, reachU), std::max(1.0, reachV)), nullptr,
                                block);
   }
 
   KnotChain& chain_;
-  KnotRange range_;
+  const std::vector<SigmaPoint>& points_;
+
   std::unique_ptr<ceres::Problem> problem_;
 };
 
@@ -262,7 +318,11 @@ SolveReport solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, 
     options.logging_type = ceres::SILENT;
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem.problem(), &summary);
+    levelDisplacements(chain);
     report.chiSquare = 2 * summary.final_cost;
+    if (getenv("DBG"))
+      fprintf(stderr, "%s t=%.1fms\n", summary.BriefReport().c_str(), 1e3 * summary.total_time_in_seconds);
+    if (getenv("DBG2")) fprintf(stderr, "%s\n", summary.FullReport().c_str());
     report.converged = summary.termination_type == ceres::CONVERGENCE;
   }
   return report;
