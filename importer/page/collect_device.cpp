@@ -1,0 +1,517 @@
+#include "importer/page/collect_device.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <stdexcept>
+
+#include "importer/page/flatten.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr double flatness = 0.005;     // page units; the contract of VectorPath
+constexpr double hairlineWidth = 0.1;  // page units; PDF's width 0 means the thinnest line a device can draw
+constexpr double leastVisibleAlpha = 0.02;
+
+Affine toAffine(const fz_matrix& m) { return {m.a, m.b, m.c, m.d, m.e, m.f}; }
+
+double expansion(const Affine& m) { return std::sqrt(std::abs(m.a * m.d - m.b * m.c)); }
+
+Box intersected(const Box& a, const Box& b) {
+  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+}
+
+bool contains(const Box& outer, const Box& inner) {
+  return inner.x0 >= outer.x0 && inner.y0 >= outer.y0 && inner.x1 <= outer.x1 && inner.y1 <= outer.y1;
+}
+
+Box grown(const Box& box, double by) { return {box.x0 - by, box.y0 - by, box.x1 + by, box.y1 + by}; }
+
+Box unitSquareUnder(const Affine& map) {
+  Box box{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+          -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const Point corner : {Point{0, 0}, {1, 0}, {0, 1}, {1, 1}}) {
+    const Point p = map(corner);
+    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+  }
+  return box;
+}
+
+struct Bounds {
+  Box box;
+  bool finite = true;
+};
+
+Bounds boundsOf(const std::vector<std::vector<Point>>& polylines) {
+  constexpr double inf = std::numeric_limits<double>::infinity();
+  Bounds out{{inf, inf, -inf, -inf}, true};
+  for (const auto& line : polylines)
+    for (const Point& p : line) {
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) out.finite = false;
+      out.box = {std::min(out.box.x0, p.x), std::min(out.box.y0, p.y), std::max(out.box.x1, p.x),
+                 std::max(out.box.y1, p.y)};
+    }
+  return out;
+}
+
+const fz_path_walker flattenWalker = {
+    [](fz_context*, void* to, float x, float y) {
+      static_cast<PathFlattener*>(to)->moveTo({x, y});
+    },
+    [](fz_context*, void* to, float x, float y) {
+      static_cast<PathFlattener*>(to)->lineTo({x, y});
+    },
+    [](fz_context*, void* to, float x1, float y1, float x2, float y2, float x3, float y3) {
+      static_cast<PathFlattener*>(to)->curveTo({x1, y1}, {x2, y2}, {x3, y3});
+    },
+    [](fz_context*, void* to) { static_cast<PathFlattener*>(to)->close(); },
+    nullptr,
+    nullptr,
+    nullptr,
+    nullptr};
+
+struct Paint {
+  Rgb color;
+  double alpha = 1;
+};
+
+/// The C++ side of the device: keeps the state that decides what is visible. Throws only C++ exceptions.
+class Collector {
+ public:
+  Collector(const Box& bounds, CollectedPage* page, CollectControl* control)
+      : page_(page), control_(control), clips_{bounds}, alphas_{1} {}
+
+  CollectControl& control() { return *control_; }
+
+  /// Every device call passes here; false: the page asks for too much, or somebody wants us to stop.
+  bool mayGoOn() {
+    if (control_->stop != CollectStop::none) return false;
+    ++operations_;
+    if (operations_ > control_->maxOperations) return halt(CollectStop::tooManyOperations);
+    if (operations_ % 256 == 0) {
+      if (std::chrono::steady_clock::now() > control_->deadline) return halt(CollectStop::tooSlow);
+      if (control_->progress && control_->progress->isCancelled()) return halt(CollectStop::cancelled);
+    }
+    return true;
+  }
+
+  bool halt(CollectStop why) {
+    control_->stop = why;
+    if (control_->cookie) control_->cookie->abort = 1;
+    return false;
+  }
+
+  bool fill(fz_context* context, const fz_path* path, const fz_matrix& matrix, const Paint& paint) {
+    VectorPath out;
+    if (!begin(context, path, matrix, paint, out)) return control_->stop == CollectStop::none;
+    out.fill = paint.color;
+    return store(std::move(out));
+  }
+
+  bool stroke(fz_context* context, const fz_path* path, const fz_stroke_state* state, const fz_matrix& matrix,
+              const Paint& paint) {
+    VectorPath out;
+    if (!begin(context, path, matrix, paint, out)) return control_->stop == CollectStop::none;
+    out.stroke = paint.color;
+    out.strokeWidth = std::max(hairlineWidth, state->linewidth * expansion(toAffine(matrix)));
+    out.dashed = isDashed(*state);
+    return store(std::move(out));
+  }
+
+  bool image(const fz_image* image, const fz_matrix& matrix, double alpha) {
+    if (static_cast<double>(image->w) * image->h > control_->maxImagePixels) {
+      control_->imageWidth_px = image->w;
+      control_->imageHeight_px = image->h;
+      return halt(CollectStop::imageTooLarge);
+    }
+    const Affine map = toAffine(matrix);
+    const Box box = unitSquareUnder(map);
+    const Box seen = intersected(box, clips_.back());
+    if (hidden(alpha) || image->w <= 0 || image->h <= 0 || !(seen.width() > 0) || !(seen.height() > 0))
+      return true;
+    ImagePlacement placement;
+    placement.image = {box, image->w, image->h};
+    placement.pixelsToPage = map.after({1.0 / image->w, 0, 0, 1.0 / image->h, 0, 0});
+    page_->images.push_back(placement);
+    return true;
+  }
+
+  void pushClip(const Box& box) { clips_.push_back(intersected(clips_.back(), box)); }
+  void pushClipOfPath(fz_context* context, const fz_path* path, double grow, const fz_matrix& matrix) {
+    PathFlattener flattener(toAffine(matrix), flatness);
+    fz_walk_path(context, path, &flattenWalker, &flattener);
+    const auto polylines = flattener.takePolylines();
+    const Bounds bounds = boundsOf(polylines);
+    pushClip(bounds.finite ? grown(bounds.box, grow) : clips_.back());
+  }
+  void pushUnknownClip() { clips_.push_back(clips_.back()); }
+  void popClip() {
+    if (clips_.size() > 1) clips_.pop_back();
+  }
+
+  void beginGroup(double alpha) { alphas_.push_back(alphas_.back() * alpha); }
+  void endGroup() {
+    if (alphas_.size() > 1) alphas_.pop_back();
+  }
+
+  /// What is drawn between begin and end only shapes a mask.
+  void beginMask() { ++maskDepth_; }
+  void endMask() {
+    maskDepth_ = std::max(0, maskDepth_ - 1);
+    pushUnknownClip();
+  }
+
+  void beginTile(const Box& area, const Box& cell, double stepX, double stepY, const fz_matrix& matrix) {
+    tiles_.push_back({area, cell, stepX, stepY, toAffine(matrix), page_->paths.size()});
+  }
+  void endTile() {
+    if (tiles_.empty()) return;
+    const Tile tile = tiles_.back();
+    tiles_.pop_back();
+    repeatTile(tile);
+  }
+
+ private:
+  struct Tile {
+    Box area, cell;  ///< in pattern space
+    double stepX = 0, stepY = 0;
+    Affine toPage;
+    std::size_t firstPath = 0;
+  };
+
+  static bool isDashed(const fz_stroke_state& state) {
+    for (int i = 1; i < state.dash_len && i < 32; i += 2)
+      if (state.dash_list[i] > 0) return true;
+    return false;
+  }
+
+  bool hidden(double alpha) const {
+    return maskDepth_ > 0 || alpha * alphas_.back() < leastVisibleAlpha || clips_.back().empty();
+  }
+
+  bool begin(fz_context* context, const fz_path* path, const fz_matrix& matrix, const Paint& paint,
+             VectorPath& out) {
+    if (hidden(paint.alpha)) return false;
+    PathFlattener flattener(toAffine(matrix), flatness);
+    fz_walk_path(context, path, &flattenWalker, &flattener);  // these callbacks never longjmp
+    points_ += flattener.pointCount();
+    if (points_ > control_->maxPathPoints) return halt(CollectStop::tooManyPoints);
+    out.polylines = flattener.takePolylines();
+    out.closed = flattener.takeClosed();
+    return !out.polylines.empty();
+  }
+
+  bool store(VectorPath path) {
+    const Bounds bounds = boundsOf(path.polylines);
+    if (!bounds.finite) return true;
+    path.box = grown(bounds.box, path.strokeWidth / 2);
+    const Box& clip = clips_.back();
+    const Box seen = intersected(path.box, clip);
+    if (seen.x1 < seen.x0 || seen.y1 < seen.y0) return true;
+    if (!contains(clip, path.box)) path.clip = clip;
+    if (path.stroke && !page_->paths.empty() && isFillOf(page_->paths.back(), path)) {
+      path.fill = page_->paths.back().fill;
+      page_->paths.back() = std::move(path);
+    } else {
+      page_->paths.push_back(std::move(path));
+    }
+    return true;
+  }
+
+  static bool isFillOf(const VectorPath& filled, const VectorPath& stroked) {
+    return filled.fill && !filled.stroke && filled.polylines == stroked.polylines;
+  }
+
+  /// Producers wrap whole drawings into a pattern of one cell; fine hatching stays with its one cell.
+  void repeatTile(const Tile& tile) {
+    constexpr double maxCopies = 64;
+    const double stepX = std::abs(tile.stepX), stepY = std::abs(tile.stepY);
+    if (!(stepX > 0) || !(stepY > 0)) return;
+    const double firstColumn = std::floor((tile.area.x0 - tile.cell.x1) / stepX) + 1;
+    const double lastColumn = std::ceil((tile.area.x1 - tile.cell.x0) / stepX) - 1;
+    const double firstRow = std::floor((tile.area.y0 - tile.cell.y1) / stepY) + 1;
+    const double lastRow = std::ceil((tile.area.y1 - tile.cell.y0) / stepY) - 1;
+    const double copies = (lastColumn - firstColumn + 1) * (lastRow - firstRow + 1);
+    const std::size_t count = page_->paths.size() - tile.firstPath;
+    if (!(copies > 1) || copies > maxCopies) return;
+    std::size_t points = 0;
+    for (std::size_t i = tile.firstPath; i < page_->paths.size(); ++i)
+      for (const auto& line : page_->paths[i].polylines) points += line.size();
+    points_ += points * static_cast<std::size_t>(copies);
+    if (points_ > control_->maxPathPoints) {
+      halt(CollectStop::tooManyPoints);
+      return;
+    }
+    for (double row = firstRow; row <= lastRow; ++row)
+      for (double column = firstColumn; column <= lastColumn; ++column)
+        if (row != 0 || column != 0) copyShifted(tile, count, column * stepX, row * stepY);
+  }
+
+  void copyShifted(const Tile& tile, std::size_t count, double dx, double dy) {
+    const Affine& map = tile.toPage;
+    const Point shift{map.a * dx + map.c * dy, map.b * dx + map.d * dy};
+    for (std::size_t i = 0; i < count; ++i) {
+      VectorPath copy = page_->paths[tile.firstPath + i];
+      for (auto& line : copy.polylines)
+        for (Point& p : line) p = {p.x + shift.x, p.y + shift.y};
+      copy.box = {copy.box.x0 + shift.x, copy.box.y0 + shift.y, copy.box.x1 + shift.x, copy.box.y1 + shift.y};
+      const Box seen = intersected(copy.box, clips_.back());
+      if (seen.x1 < seen.x0 || seen.y1 < seen.y0) continue;
+      copy.clip.reset();
+      if (!contains(clips_.back(), copy.box)) copy.clip = clips_.back();
+      page_->paths.push_back(std::move(copy));
+    }
+  }
+
+  CollectedPage* page_;
+  CollectControl* control_;
+  std::vector<Box> clips_;
+  std::vector<double> alphas_;
+  std::vector<Tile> tiles_;
+  int maskDepth_ = 0;
+  std::size_t operations_ = 0;
+  std::size_t points_ = 0;
+};
+
+/// What MuPDF sees. `collector` is owned; deleted in drop_device.
+struct CollectDevice {
+  fz_device base;
+  fz_device* recorder;
+  Collector* collector;
+};
+
+CollectDevice& self(fz_device* device) { return *reinterpret_cast<CollectDevice*>(device); }
+
+[[noreturn]] void abortPage(fz_context* context) { fz_throw(context, FZ_ERROR_ABORT, "page stopped"); }
+
+/// Runs C++ code inside a callback. C++ exceptions end here; the longjmp starts when all objects are gone.
+template <class Body>
+void inCollector(fz_context* context, fz_device* device, Body body) {
+  Collector* collector = self(device).collector;
+  bool goOn = false;
+  try {
+    goOn = collector->mayGoOn() && body(*collector);
+  } catch (const std::bad_alloc&) {
+    collector->halt(CollectStop::outOfMemory);
+  } catch (const std::length_error&) {
+    collector->halt(CollectStop::outOfMemory);
+  }
+  if (!goOn) abortPage(context);
+}
+
+Box toBox(const fz_rect& r) { return {r.x0, r.y0, r.x1, r.y1}; }
+
+/// Any colour space to RGB; may longjmp, so it comes before C++ code.
+Paint toPaint(fz_context* context, fz_colorspace* space, const float* color, float alpha,
+              fz_color_params params) {
+  float rgb[FZ_MAX_COLORS] = {0, 0, 0};
+  if (space && color) fz_convert_color(context, space, color, fz_device_rgb(context), rgb, nullptr, params);
+  const auto byte = [](float v) {
+    return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0f, 1.0f) * 255));
+  };
+  return {{byte(rgb[0]), byte(rgb[1]), byte(rgb[2])}, alpha};
+}
+
+void fillPath(fz_context* context, fz_device* device, const fz_path* path, int evenOdd, fz_matrix matrix,
+              fz_colorspace* space, const float* color, float alpha, fz_color_params params) {
+  const Paint paint = toPaint(context, space, color, alpha, params);
+  inCollector(context, device, [&](Collector& c) { return c.fill(context, path, matrix, paint); });
+  fz_fill_path(context, self(device).recorder, path, evenOdd, matrix, space, color, alpha, params);
+}
+
+void strokePath(fz_context* context, fz_device* device, const fz_path* path, const fz_stroke_state* state,
+                fz_matrix matrix, fz_colorspace* space, const float* color, float alpha,
+                fz_color_params params) {
+  const Paint paint = toPaint(context, space, color, alpha, params);
+  inCollector(context, device, [&](Collector& c) { return c.stroke(context, path, state, matrix, paint); });
+  fz_stroke_path(context, self(device).recorder, path, state, matrix, space, color, alpha, params);
+}
+
+void clipPath(fz_context* context, fz_device* device, const fz_path* path, int evenOdd, fz_matrix matrix,
+              fz_rect scissor) {
+  inCollector(context, device,
+              [&](Collector& c) { return c.pushClipOfPath(context, path, 0, matrix), true; });
+  fz_clip_path(context, self(device).recorder, path, evenOdd, matrix, scissor);
+}
+
+void clipStrokePath(fz_context* context, fz_device* device, const fz_path* path, const fz_stroke_state* state,
+                    fz_matrix matrix, fz_rect scissor) {
+  const double grow = state->linewidth * expansion(toAffine(matrix));
+  inCollector(context, device,
+              [&](Collector& c) { return c.pushClipOfPath(context, path, grow, matrix), true; });
+  fz_clip_stroke_path(context, self(device).recorder, path, state, matrix, scissor);
+}
+
+bool nothingToNote(Collector&) { return true; }
+
+bool unknownClip(Collector& c) {
+  c.pushUnknownClip();
+  return true;
+}
+
+void fillText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
+              fz_colorspace* space, const float* color, float alpha, fz_color_params params) {
+  inCollector(context, device, nothingToNote);
+  fz_fill_text(context, self(device).recorder, text, matrix, space, color, alpha, params);
+}
+
+void strokeText(fz_context* context, fz_device* device, const fz_text* text, const fz_stroke_state* state,
+                fz_matrix matrix, fz_colorspace* space, const float* color, float alpha,
+                fz_color_params params) {
+  inCollector(context, device, nothingToNote);
+  fz_stroke_text(context, self(device).recorder, text, state, matrix, space, color, alpha, params);
+}
+
+void clipText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix,
+              fz_rect scissor) {
+  inCollector(context, device, unknownClip);
+  fz_clip_text(context, self(device).recorder, text, matrix, scissor);
+}
+
+void clipStrokeText(fz_context* context, fz_device* device, const fz_text* text, const fz_stroke_state* state,
+                    fz_matrix matrix, fz_rect scissor) {
+  inCollector(context, device, unknownClip);
+  fz_clip_stroke_text(context, self(device).recorder, text, state, matrix, scissor);
+}
+
+void ignoreText(fz_context* context, fz_device* device, const fz_text* text, fz_matrix matrix) {
+  inCollector(context, device, nothingToNote);
+  fz_ignore_text(context, self(device).recorder, text, matrix);
+}
+
+void fillShade(fz_context* context, fz_device* device, fz_shade* shade, fz_matrix matrix, float alpha,
+               fz_color_params params) {
+  inCollector(context, device, nothingToNote);
+  fz_fill_shade(context, self(device).recorder, shade, matrix, alpha, params);
+}
+
+void fillImage(fz_context* context, fz_device* device, fz_image* image, fz_matrix matrix, float alpha,
+               fz_color_params params) {
+  inCollector(context, device, [&](Collector& c) { return c.image(image, matrix, alpha); });
+  fz_fill_image(context, self(device).recorder, image, matrix, alpha, params);
+}
+
+void fillImageMask(fz_context* context, fz_device* device, fz_image* image, fz_matrix matrix,
+                   fz_colorspace* space, const float* color, float alpha, fz_color_params params) {
+  inCollector(context, device, [&](Collector& c) { return c.image(image, matrix, alpha); });
+  fz_fill_image_mask(context, self(device).recorder, image, matrix, space, color, alpha, params);
+}
+
+void clipImageMask(fz_context* context, fz_device* device, fz_image* image, fz_matrix matrix,
+                   fz_rect scissor) {
+  const Box box = unitSquareUnder(toAffine(matrix));
+  inCollector(context, device, [&](Collector& c) {
+    if (!c.image(image, matrix, 0)) return false;  // only its size is of interest here
+    c.pushClip(box);
+    return true;
+  });
+  fz_clip_image_mask(context, self(device).recorder, image, matrix, scissor);
+}
+
+void popClip(fz_context* context, fz_device* device) {
+  inCollector(context, device, [](Collector& c) { return c.popClip(), true; });
+  fz_pop_clip(context, self(device).recorder);
+}
+
+void beginMask(fz_context* context, fz_device* device, fz_rect area, int luminosity, fz_colorspace* space,
+               const float* color, fz_color_params params) {
+  inCollector(context, device, [](Collector& c) { return c.beginMask(), true; });
+  fz_begin_mask(context, self(device).recorder, area, luminosity, space, color, params);
+}
+
+void endMask(fz_context* context, fz_device* device) {
+  inCollector(context, device, [](Collector& c) { return c.endMask(), true; });
+  fz_end_mask(context, self(device).recorder);
+}
+
+void beginGroup(fz_context* context, fz_device* device, fz_rect area, fz_colorspace* space, int isolated,
+                int knockout, int blendMode, float alpha) {
+  inCollector(context, device, [&](Collector& c) { return c.beginGroup(alpha), true; });
+  fz_begin_group(context, self(device).recorder, area, space, isolated, knockout, blendMode, alpha);
+}
+
+void endGroup(fz_context* context, fz_device* device) {
+  inCollector(context, device, [](Collector& c) { return c.endGroup(), true; });
+  fz_end_group(context, self(device).recorder);
+}
+
+int beginTile(fz_context* context, fz_device* device, fz_rect area, fz_rect view, float stepX, float stepY,
+              fz_matrix matrix, int id) {
+  inCollector(context, device, [&](Collector& c) {
+    return c.beginTile(toBox(area), toBox(view), stepX, stepY, matrix), true;
+  });
+  // The recorder would answer "known already" for a repeated id; the paths are wanted each time.
+  static_cast<void>(id);
+  fz_begin_tile(context, self(device).recorder, area, view, stepX, stepY, matrix);
+  return 0;
+}
+
+void endTile(fz_context* context, fz_device* device) {
+  inCollector(context, device, [](Collector& c) { return c.endTile(), true; });
+  fz_end_tile(context, self(device).recorder);
+}
+
+void renderFlags(fz_context* context, fz_device* device, int set, int clear) {
+  fz_render_flags(context, self(device).recorder, set, clear);
+}
+
+void setDefaultColorspaces(fz_context* context, fz_device* device, fz_default_colorspaces* spaces) {
+  fz_set_default_colorspaces(context, self(device).recorder, spaces);
+}
+
+void closeDevice(fz_context* context, fz_device* device) { fz_close_device(context, self(device).recorder); }
+
+void dropDevice(fz_context* context, fz_device* device) {
+  delete self(device).collector;
+  fz_drop_device(context, self(device).recorder);
+}
+
+void setCallbacks(fz_device& base) {
+  base.close_device = closeDevice;
+  base.drop_device = dropDevice;
+  base.fill_path = fillPath;
+  base.stroke_path = strokePath;
+  base.clip_path = clipPath;
+  base.clip_stroke_path = clipStrokePath;
+  base.fill_text = fillText;
+  base.stroke_text = strokeText;
+  base.clip_text = clipText;
+  base.clip_stroke_text = clipStrokeText;
+  base.ignore_text = ignoreText;
+  base.fill_shade = fillShade;
+  base.fill_image = fillImage;
+  base.fill_image_mask = fillImageMask;
+  base.clip_image_mask = clipImageMask;
+  base.pop_clip = popClip;
+  base.begin_mask = beginMask;
+  base.end_mask = endMask;
+  base.begin_group = beginGroup;
+  base.end_group = endGroup;
+  base.begin_tile = beginTile;
+  base.end_tile = endTile;
+  base.render_flags = renderFlags;
+  base.set_default_colorspaces = setDefaultColorspaces;
+}
+
+}  // namespace
+
+fz_device* newCollectDevice(fz_context* context, fz_device* recorder, const Box& bounds, CollectedPage* page,
+                            CollectControl* control) {
+  auto* device = reinterpret_cast<CollectDevice*>(fz_new_device_of_size(context, sizeof(CollectDevice)));
+  try {
+    device->collector = new Collector(bounds, page, control);
+  } catch (const std::bad_alloc&) {
+    device->collector = nullptr;
+  }
+  if (!device->collector) {
+    fz_drop_device(context, &device->base);
+    fz_throw(context, FZ_ERROR_MEMORY, "no memory to collect a page");
+  }
+  device->recorder = fz_keep_device(context, recorder);
+  setCallbacks(device->base);
+  return &device->base;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,53 @@
+#pragma once
+// A MuPDF device that notes paths and images of a page while it records the page for later rendering.
+// Private to importer/page.
+
+#include <chrono>
+#include <vector>
+
+#include "importer/page/mupdf_context.h"
+#include "importer/page/page.h"
+
+namespace detent::importer {
+
+/// An image with the map from its pixel corners (0..width, 0..height) to page units.
+struct ImagePlacement {
+  PlacedImage image;
+  Affine pixelsToPage;
+};
+
+/// What the device fills. Coordinates in page units.
+struct CollectedPage {
+  std::vector<VectorPath> paths;
+  std::vector<ImagePlacement> images;
+};
+
+enum class CollectStop {
+  none,
+  tooManyPoints,
+  tooManyOperations,
+  tooSlow,
+  imageTooLarge,
+  cancelled,
+  outOfMemory
+};
+
+/// Bounds on what one page may ask for, and where the device says that it was stopped.
+struct CollectControl {
+  std::size_t maxPathPoints = 0;
+  std::size_t maxOperations = 0;
+  double maxImagePixels = 0;
+  std::chrono::steady_clock::time_point deadline;
+  const Progress* progress = nullptr;
+  fz_cookie* cookie = nullptr;
+  CollectStop stop = CollectStop::none;
+  int imageWidth_px = 0, imageHeight_px = 0;  ///< of the image that was too large
+};
+
+/// Device that fills `page`, and forwards everything to `recorder` (kept). `bounds`: the page in page units.
+/// `page` and `control` outlive the device. Throws as MuPDF does; FZ_ERROR_ABORT after `control.stop` was
+/// set.
+fz_device* newCollectDevice(fz_context* context, fz_device* recorder, const Box& bounds, CollectedPage* page,
+                            CollectControl* control);
+
+}  // namespace detent::importer

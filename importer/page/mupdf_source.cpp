@@ -1,0 +1,369 @@
+// PDF and SVG. A page is recorded once as a display list; texts and renders are made from the list.
+
+#include <algorithm>
+#include <cmath>
+#include <list>
+#include <string_view>
+
+#include "importer/page/collect_device.h"
+#include "importer/page/mupdf_context.h"
+#include "importer/page/page_source.h"
+#include "importer/page/text_boxes.h"
+#include "importer/page/view_grid.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr double overviewDpi = 150;
+constexpr double overviewMaxSide_px = 2000;
+
+/// A recorded page. Owns the display list of its context.
+struct RecordedPage {
+  int number = 0;
+  fz_context* context = nullptr;
+  fz_display_list* list = nullptr;
+  double width = 0, height = 0;
+  CollectedPage collected;
+
+  RecordedPage(int pageNumber, fz_context* itsContext) : number(pageNumber), context(itsContext) {}
+  RecordedPage(const RecordedPage&) = delete;
+  RecordedPage& operator=(const RecordedPage&) = delete;
+  ~RecordedPage() { fz_drop_display_list(context, list); }
+};
+
+class MupdfSource : public PageSource {
+ public:
+  MupdfSource(SourceFile file, const char* magic)
+      : file_(std::move(file)),
+        magic_(magic),
+        context_(static_cast<std::size_t>(std::max(16.0, file_.limits.maxDocumentMegabytes) * 1024 * 1024)) {}
+
+  ~MupdfSource() override {
+    recorded_.clear();
+    if (context_.get()) fz_drop_document(context_.get(), document_);
+  }
+  MupdfSource(const MupdfSource&) = delete;
+  MupdfSource& operator=(const MupdfSource&) = delete;
+
+  /// Nothing if the document can be used.
+  std::optional<Failure> open();
+
+  int pageCount() const override { return pageCount_; }
+  Result<Page> page(int number, const Progress& progress) override;
+  Result<PageView> view(const Page& page, const Box& region, int quarterTurns,
+                        const ViewOptions& options) override;
+
+ private:
+  std::string kind() const { return magic_ == std::string_view("application/pdf") ? "PDF" : "SVG"; }
+  std::string placeOf(int number) const { return "page " + std::to_string(number); }
+  Failure damaged(const std::string& place, const std::string& error) const;
+  std::optional<Failure> refusal(const CollectControl& control, int number) const;
+
+  Result<RecordedPage*> recorded(int number, const Progress& progress);
+  Result<std::unique_ptr<RecordedPage>> record(int number, const Progress& progress);
+  bool measure(RecordedPage& page, fz_page* loaded, std::string& error);
+  bool runIntoList(RecordedPage& page, fz_page* loaded, CollectControl& control, std::string& error);
+  Result<std::vector<TextBox>> textsOf(const RecordedPage& page);
+  Result<Raster> render(const RecordedPage& page, const ViewGrid& grid);
+
+  SourceFile file_;
+  const char* magic_;
+  MupdfContext context_;
+  fz_document* document_ = nullptr;
+  int pageCount_ = 0;
+  std::list<std::unique_ptr<RecordedPage>> recorded_;  ///< most recent first; a few
+};
+
+Failure MupdfSource::damaged(const std::string& place, const std::string& error) const {
+  return unreadable(file_.name, place,
+                    "the " + kind() + " is damaged (" + (error.empty() ? "no reason given" : error) + ")",
+                    "Open it in a viewer and print or export it again, or pass a picture of the page");
+}
+
+bool endsWithMark(const Bytes& bytes) {
+  constexpr std::size_t tail = 4096;
+  const std::size_t n = std::min(bytes.size(), tail);
+  const std::string_view end(reinterpret_cast<const char*>(bytes.data()) + bytes.size() - n, n);
+  return end.find("%%EOF") != std::string_view::npos;
+}
+
+std::optional<Failure> MupdfSource::open() {
+  fz_context* context = context_.get();
+  if (!context)
+    return unreadable(file_.name, "", "there is no memory to open it", "Close other programs and try again");
+  if (kind() == "PDF" && !endsWithMark(*file_.bytes))
+    return unreadable(file_.name, "end of file", "the PDF is truncated (its end mark is missing)",
+                      "Copy or download the file again");
+  std::string error;
+  bool locked = false;
+  const bool opened = guarded(context, error, [&] {
+    fz_stream* stream = fz_open_memory(context, file_.bytes->data(), file_.bytes->size());
+    fz_try(context) document_ = fz_open_document_with_stream(context, magic_, stream);
+    fz_always(context) fz_drop_stream(context, stream);
+    fz_catch(context) fz_rethrow(context);
+    locked = fz_needs_password(context, document_) && !fz_authenticate_password(context, document_, "");
+    if (!locked) pageCount_ = fz_count_pages(context, document_);
+  });
+  if (!opened) return damaged("", error);
+  if (locked)
+    return unreadable(file_.name, "", "the PDF is encrypted with a password",
+                      "Save a copy without the password and pass that");
+  if (pageCount_ <= 0) return damaged("", "it has no pages");
+  if (pageCount_ > file_.limits.maxPages)
+    return unreadable(file_.name, "",
+                      "the document claims " + std::to_string(pageCount_) +
+                          " pages, more than the limit of " + std::to_string(file_.limits.maxPages),
+                      "Split out the pages with the graphs, or raise the limit");
+  return std::nullopt;
+}
+
+std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int number) const {
+  const std::string simplify =
+      "Export the page as a picture of at least 300 dpi and pass that, or raise the limit";
+  switch (control.stop) {
+    case CollectStop::none:
+      return std::nullopt;
+    case CollectStop::cancelled:
+      return Failure{FailureCode::wrongUsage, file_.name, placeOf(number), "cancelled", "Run it again"};
+    case CollectStop::tooManyPoints:
+      return unreadable(
+          file_.name, placeOf(number),
+          "its drawing has more than the limit of " + std::to_string(file_.limits.maxPathPoints) + " points",
+          simplify);
+    case CollectStop::tooManyOperations:
+      return unreadable(file_.name, placeOf(number), "it draws more objects than any real page does",
+                        simplify);
+    case CollectStop::tooSlow:
+      return unreadable(file_.name, placeOf(number), "it takes too long to interpret", simplify);
+    case CollectStop::imageTooLarge:
+      return unreadable(file_.name, placeOf(number),
+                        "an image on it claims " + std::to_string(control.imageWidth_px) + " x " +
+                            std::to_string(control.imageHeight_px) + " pixels, which is more than the limit",
+                        simplify);
+    case CollectStop::outOfMemory:
+      return unreadable(file_.name, placeOf(number), "it needs more memory than allowed", simplify);
+  }
+  return std::nullopt;
+}
+
+bool MupdfSource::measure(RecordedPage& page, fz_page* loaded, std::string& error) {
+  fz_rect bounds = fz_empty_rect;
+  if (!guarded(context_.get(), error, [&] { bounds = fz_bound_page(context_.get(), loaded); })) return false;
+  page.width = static_cast<double>(bounds.x1) - bounds.x0;
+  page.height = static_cast<double>(bounds.y1) - bounds.y0;
+  constexpr double largestSide = 1e6;  // points; 350 m
+  if (page.width > 0 && page.height > 0 && page.width < largestSide && page.height < largestSide) return true;
+  error = "its page has no usable size";
+  return false;
+}
+
+bool MupdfSource::runIntoList(RecordedPage& page, fz_page* loaded, CollectControl& control,
+                              std::string& error) {
+  fz_context* context = context_.get();
+  fz_cookie cookie{};
+  control.cookie = &cookie;
+  const Box bounds{0, 0, page.width, page.height};
+  const bool done = guarded(context, error, [&] {
+    fz_device* recorder = nullptr;
+    fz_device* device = nullptr;
+    fz_var(recorder);
+    fz_var(device);
+    fz_try(context) {
+      const fz_rect box = fz_bound_page(context, loaded);
+      page.list = fz_new_display_list(context, fz_make_rect(0, 0, box.x1 - box.x0, box.y1 - box.y0));
+      recorder = fz_new_list_device(context, page.list);
+      device = newCollectDevice(context, recorder, bounds, &page.collected, &control);
+      fz_run_page(context, loaded, device, fz_translate(-box.x0, -box.y0), &cookie);
+      fz_close_device(context, device);
+    }
+    fz_always(context) {
+      fz_drop_device(context, device);
+      fz_drop_device(context, recorder);
+    }
+    fz_catch(context) fz_rethrow(context);
+  });
+  control.cookie = nullptr;
+  return done;
+}
+
+Result<std::unique_ptr<RecordedPage>> MupdfSource::record(int number, const Progress& progress) {
+  fz_context* context = context_.get();
+  auto page = std::make_unique<RecordedPage>(number, context);
+  std::string error;
+  fz_page* loaded = nullptr;
+  if (!guarded(context, error, [&] { loaded = fz_load_page(context, document_, number - 1); }))
+    return damaged(placeOf(number), error);
+
+  CollectControl control;
+  control.maxPathPoints = static_cast<std::size_t>(std::max(0, file_.limits.maxPathPoints));
+  control.maxOperations = control.maxPathPoints;
+  control.maxImagePixels = file_.limits.maxMegapixels * 1e6;
+  control.deadline = std::chrono::steady_clock::now() +
+                     std::chrono::milliseconds(
+                         static_cast<long long>(std::clamp(file_.limits.maxPageSeconds, 0.0, 1e6) * 1000));
+  control.progress = &progress;
+  const bool done = measure(*page, loaded, error) && runIntoList(*page, loaded, control, error);
+  fz_drop_page(context, loaded);
+  if (auto failure = refusal(control, number)) return *failure;
+  if (!done) return damaged(placeOf(number), error);
+  return Result<std::unique_ptr<RecordedPage>>(std::move(page));
+}
+
+Result<RecordedPage*> MupdfSource::recorded(int number, const Progress& progress) {
+  constexpr std::size_t keptPages = 3;
+  const auto known =
+      std::find_if(recorded_.begin(), recorded_.end(), [&](const auto& p) { return p->number == number; });
+  if (known != recorded_.end()) {
+    recorded_.splice(recorded_.begin(), recorded_, known);
+    return recorded_.front().get();
+  }
+  auto fresh = record(number, progress);
+  if (!fresh) return fresh.failure();
+  recorded_.push_front(std::move(fresh.value()));
+  if (recorded_.size() > keptPages) recorded_.pop_back();
+  return recorded_.front().get();
+}
+
+Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page) {
+  fz_context* context = context_.get();
+  fz_stext_page* text = nullptr;
+  std::string error;
+  const bool done = guarded(context, error, [&] {
+    fz_device* device = nullptr;
+    fz_var(device);
+    fz_try(context) {
+      const fz_rect box = fz_make_rect(0, 0, static_cast<float>(page.width), static_cast<float>(page.height));
+      text = fz_new_stext_page(context, box);
+      device = fz_new_stext_device(context, text, nullptr);
+      fz_run_display_list(context, page.list, device, fz_identity, fz_infinite_rect, nullptr);
+      fz_close_device(context, device);
+    }
+    fz_always(context) fz_drop_device(context, device);
+    fz_catch(context) fz_rethrow(context);
+  });
+  if (!done) {
+    fz_drop_stext_page(context, text);
+    return damaged(placeOf(page.number), error);
+  }
+  try {
+    std::vector<TextBox> boxes = textBoxes(*text, {0, 0, page.width, page.height});
+    fz_drop_stext_page(context, text);
+    return boxes;
+  } catch (...) {
+    fz_drop_stext_page(context, text);
+    throw;
+  }
+}
+
+/// MuPDF's rows may be padded and its pixels may have other channels; the renders here are plain RGB.
+Raster copyPixels(const unsigned char* samples, std::ptrdiff_t stride, int width, int height) {
+  Raster raster;
+  raster.width_px = width;
+  raster.height_px = height;
+  const std::size_t row = 3 * static_cast<std::size_t>(width);
+  raster.rgb.resize(row * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y)
+    std::copy_n(samples + stride * y, row, raster.rgb.data() + row * static_cast<std::size_t>(y));
+  return raster;
+}
+
+Result<Raster> MupdfSource::render(const RecordedPage& page, const ViewGrid& grid) {
+  fz_context* context = context_.get();
+  const int width = grid.rect.width, height = grid.rect.height;
+  const Affine toPixels = grid.pageToUprightCorners();
+  const auto f = [](double v) { return static_cast<float>(v); };
+  const fz_matrix matrix = fz_make_matrix(f(toPixels.a), f(toPixels.b), f(toPixels.c), f(toPixels.d),
+                                          f(toPixels.e - grid.rect.x), f(toPixels.f - grid.rect.y));
+  fz_pixmap* pixmap = nullptr;
+  std::string error;
+  const bool done = guarded(context, error, [&] {
+    fz_device* device = nullptr;
+    fz_var(device);
+    fz_try(context) {
+      pixmap = fz_new_pixmap_with_bbox(context, fz_device_rgb(context), fz_make_irect(0, 0, width, height),
+                                       nullptr, 0);
+      fz_clear_pixmap_with_value(context, pixmap, 255);
+      device = fz_new_draw_device(context, fz_identity, pixmap);
+      const fz_rect area = fz_make_rect(0, 0, static_cast<float>(width), static_cast<float>(height));
+      fz_run_display_list(context, page.list, device, matrix, area, nullptr);
+      fz_close_device(context, device);
+    }
+    fz_always(context) fz_drop_device(context, device);
+    fz_catch(context) fz_rethrow(context);
+  });
+  if (!done) {
+    fz_drop_pixmap(context, pixmap);
+    return damaged(placeOf(page.number), error);
+  }
+  try {
+    Raster raster =
+        copyPixels(fz_pixmap_samples(context, pixmap), fz_pixmap_stride(context, pixmap), width, height);
+    fz_drop_pixmap(context, pixmap);
+    return raster;
+  } catch (...) {
+    fz_drop_pixmap(context, pixmap);
+    throw;
+  }
+}
+
+Result<Page> MupdfSource::page(int number, const Progress& progress) {
+  auto found = recorded(number, progress);
+  if (!found) return found.failure();
+  const RecordedPage& source = **found;
+  auto texts = textsOf(source);
+  if (!texts) return texts.failure();
+  const ViewGrid grid = overviewGrid(source.width, source.height, overviewDpi / 72, overviewMaxSide_px);
+  auto overview = render(source, grid);
+  if (!overview) return overview.failure();
+
+  Page page;
+  page.source = file_.name;
+  page.number = number;
+  page.count = pageCount_;
+  page.unit = PageUnit::point;
+  page.width = source.width;
+  page.height = source.height;
+  page.texts = std::move(texts.value());
+  page.paths = source.collected.paths;
+  for (const ImagePlacement& placement : source.collected.images) page.images.push_back(placement.image);
+  page.overview = std::move(overview.value());
+  page.overviewToPage = grid.viewToPage(0);
+  return page;
+}
+
+Result<PageView> MupdfSource::view(const Page& page, const Box& region, int quarterTurns,
+                                   const ViewOptions& options) {
+  auto found = recorded(page.number, {});
+  if (!found) return found.failure();
+  const RecordedPage& source = **found;
+  const auto grid = chooseGrid(region, quarterTurns, source.width, source.height, source.collected, options,
+                               file_.limits.maxMegapixels * 1e6);
+  if (!grid)
+    return Failure{FailureCode::wrongUsage, file_.name, placeOf(page.number),
+                   "the region lies outside the page",
+                   "Give a region inside " + std::to_string(page.width) + " x " +
+                       std::to_string(page.height) + " points"};
+  auto upright = render(source, *grid);
+  if (!upright) return upright.failure();
+  PageView view;
+  view.raster = quarterTurns == 0
+                    ? std::move(upright.value())
+                    : turnedCrop(*upright, {0, 0, grid->rect.width, grid->rect.height}, quarterTurns);
+  view.viewToPage = grid->viewToPage(quarterTurns);
+  view.nativePixels = grid->nativePixels;
+  carryContent(page, region, quarterTurns, view);
+  return view;
+}
+
+OpenedSource openWith(const SourceFile& file, const char* magic) {
+  auto source = std::make_unique<MupdfSource>(file, magic);
+  if (auto failure = source->open()) return *failure;
+  return OpenedSource(std::move(source));
+}
+
+}  // namespace
+
+OpenedSource openPdfSource(const SourceFile& file) { return openWith(file, "application/pdf"); }
+OpenedSource openSvgSource(const SourceFile& file) { return openWith(file, "image/svg+xml"); }
+
+}  // namespace detent::importer

@@ -1,0 +1,185 @@
+#include "importer/page/view_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace detent::importer {
+namespace {
+
+/// An image whose pixel rows and columns run along the page's sides.
+struct AlignedImage {
+  Box box;
+  double pitchX = 0, pitchY = 0;
+};
+
+double coverage(const Box& box, const Box& region) {
+  const double width = std::min(box.x1, region.x1) - std::max(box.x0, region.x0);
+  const double height = std::min(box.y1, region.y1) - std::max(box.y0, region.y0);
+  if (!(width > 0) || !(height > 0)) return 0;
+  return width * height / (region.width() * region.height());
+}
+
+/// Upright, turned by quarters or flipped; nothing if the rows drift by more than a quarter pixel over the
+/// image.
+std::optional<AlignedImage> aligned(const ImagePlacement& placement) {
+  constexpr double maxDrift_px = 0.25;
+  const Affine& map = placement.pixelsToPage;
+  const double w = placement.image.width_px, h = placement.image.height_px;
+  const bool upright = std::abs(map.b) * w <= maxDrift_px * std::abs(map.d) &&
+                       std::abs(map.c) * h <= maxDrift_px * std::abs(map.a);
+  const bool lying = std::abs(map.a) * w <= maxDrift_px * std::abs(map.c) &&
+                     std::abs(map.d) * h <= maxDrift_px * std::abs(map.b);
+  if (upright) return AlignedImage{placement.image.box, std::abs(map.a), std::abs(map.d)};
+  if (lying) return AlignedImage{placement.image.box, std::abs(map.c), std::abs(map.b)};
+  return std::nullopt;
+}
+
+bool samePitch(const AlignedImage& a, const AlignedImage& b) {
+  constexpr double tolerance = 0.002;
+  return std::abs(a.pitchX / b.pitchX - 1) < tolerance && std::abs(a.pitchY / b.pitchY - 1) < tolerance;
+}
+
+/// The image on whose pixels the region is to be shown: images of its pitch (scanners and word processors cut
+/// one picture into strips) cover most of the region. Stretched backgrounds of a few pixels are no pictures.
+std::optional<AlignedImage> dominating(const CollectedPage& page, const Box& region) {
+  constexpr double mostOf = 0.5;
+  constexpr double coarsestPitch = 72.0 / 40;  // points per pixel: 40 dpi
+  std::vector<AlignedImage> images;
+  for (const ImagePlacement& placement : page.images) {
+    const auto image = aligned(placement);
+    if (image && coverage(image->box, region) > 0 &&
+        std::max(image->pitchX, image->pitchY) <= coarsestPitch && std::min(image->pitchX, image->pitchY) > 0)
+      images.push_back(*image);
+  }
+  const auto byCoverage = [&](const AlignedImage& a, const AlignedImage& b) {
+    return coverage(a.box, region) < coverage(b.box, region);
+  };
+  const auto largest = std::max_element(images.begin(), images.end(), byCoverage);
+  if (largest == images.end()) return std::nullopt;
+  double covered = 0;
+  for (const AlignedImage& image : images)
+    if (samePitch(image, *largest)) covered += coverage(image.box, region);
+  if (covered < mostOf) return std::nullopt;
+  return *largest;
+}
+
+/// Pixels per unit of the finest image that holds a fair part of the region: a render is never coarser.
+double finestImageScale(const CollectedPage& page, const Box& region) {
+  constexpr double fairPart = 0.05;
+  double scale = 0;
+  for (const ImagePlacement& placement : page.images) {
+    if (coverage(placement.image.box, region) < fairPart) continue;
+    const Affine& map = placement.pixelsToPage;
+    const double pitch = std::min(std::hypot(map.a, map.b), std::hypot(map.c, map.d));
+    if (pitch > 0) scale = std::max(scale, 1 / pitch);
+  }
+  return scale;
+}
+
+/// Whole pixels that cover the region.
+PixelRect coveringPixels(const ViewGrid& grid, const Box& region) {
+  constexpr double slack_px = 1e-3;  // a region that ends on a pixel's edge takes no further pixel
+  const double x0 = std::floor((region.x0 - grid.origin.x) / grid.pitchX + slack_px);
+  const double y0 = std::floor((region.y0 - grid.origin.y) / grid.pitchY + slack_px);
+  const double x1 = std::ceil((region.x1 - grid.origin.x) / grid.pitchX - slack_px);
+  const double y1 = std::ceil((region.y1 - grid.origin.y) / grid.pitchY - slack_px);
+  return {static_cast<int>(x0), static_cast<int>(y0), static_cast<int>(std::max(1.0, x1 - x0)),
+          static_cast<int>(std::max(1.0, y1 - y0))};
+}
+
+bool fits(const ViewGrid& grid, const Box& region, double maxPixels) {
+  constexpr double maxSide = 30000;  // MuPDF's rasteriser works with 16-bit coordinates
+  const double width = region.width() / grid.pitchX, height = region.height() / grid.pitchY;
+  return width <= maxSide && height <= maxSide && width * height <= maxPixels;
+}
+
+ViewGrid rendered(const Box& region, int quarterTurns, const CollectedPage& page, const ViewOptions& options,
+                  double maxPixels) {
+  constexpr double maxSide_px = 16384;
+  const double uprightWidth = quarterTurns % 2 == 0 ? region.width() : region.height();
+  double scale = std::min(options.minFrameWidth_px / uprightWidth, options.maxScale_px_per_unit);
+  scale = std::max(scale, finestImageScale(page, region));
+  scale = std::min({scale, maxSide_px / region.width(), maxSide_px / region.height(),
+                    std::sqrt(maxPixels / (region.width() * region.height()))});
+  ViewGrid grid;
+  grid.origin = {region.x0, region.y0};
+  grid.pitchX = grid.pitchY = 1 / scale;
+  grid.rect = coveringPixels(grid, region);
+  return grid;
+}
+
+Box transformedBox(const Box& box, const Affine& map) {
+  const Point a = map({box.x0, box.y0}), b = map({box.x1, box.y1});
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
+bool touches(const Box& a, const Box& b) {
+  return a.x1 >= b.x0 && a.x0 <= b.x1 && a.y1 >= b.y0 && a.y0 <= b.y1;
+}
+
+double turnedAngle(double angle_deg, int quarterTurns) {
+  double angle = std::remainder(angle_deg - 90.0 * quarterTurns, 360.0);
+  if (angle <= -180) angle += 360;
+  return angle == 0 ? 0 : angle;
+}
+
+VectorPath transformedPath(const VectorPath& path, const Affine& map) {
+  VectorPath out = path;
+  for (auto& line : out.polylines)
+    for (Point& p : line) p = map(p);
+  out.strokeWidth = path.strokeWidth * std::sqrt(std::abs(map.a * map.d - map.b * map.c));
+  out.box = transformedBox(path.box, map);
+  if (path.clip) out.clip = transformedBox(*path.clip, map);
+  return out;
+}
+
+}  // namespace
+
+Affine ViewGrid::pageToUprightCorners() const {
+  return {1 / pitchX, 0, 0, 1 / pitchY, -origin.x / pitchX, -origin.y / pitchY};
+}
+
+Affine ViewGrid::viewToPage(int quarterTurns) const {
+  const Affine centresToPage{pitchX, 0, 0, pitchY, origin.x + pitchX / 2, origin.y + pitchY / 2};
+  return centresToPage.after(turnedCropToRaster(rect, quarterTurns));
+}
+
+ViewGrid overviewGrid(double width, double height, double scale, double maxSide_px) {
+  scale = std::min({scale, maxSide_px / width, maxSide_px / height});
+  ViewGrid grid;
+  grid.pitchX = grid.pitchY = 1 / scale;
+  grid.rect = coveringPixels(grid, {0, 0, width, height});
+  return grid;
+}
+
+std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, double pageWidth, double pageHeight,
+                                   const CollectedPage& page, const ViewOptions& options, double maxPixels) {
+  const Box seen{std::max(region.x0, 0.0), std::max(region.y0, 0.0), std::min(region.x1, pageWidth),
+                 std::min(region.y1, pageHeight)};
+  if (seen.empty()) return std::nullopt;
+  if (const auto image = dominating(page, seen)) {
+    ViewGrid grid;
+    grid.origin = {image->box.x0, image->box.y0};
+    grid.pitchX = image->pitchX;
+    grid.pitchY = image->pitchY;
+    grid.nativePixels = true;
+    if (fits(grid, seen, maxPixels)) {
+      grid.rect = coveringPixels(grid, seen);
+      return grid;
+    }
+  }
+  return rendered(seen, quarterTurns, page, options, maxPixels);
+}
+
+void carryContent(const Page& page, const Box& region, int quarterTurns, PageView& view) {
+  const Affine pageToView = view.viewToPage.inverse();
+  for (const TextBox& text : page.texts)
+    if (touches(text.box, region))
+      view.texts.push_back(
+          {text.utf8, transformedBox(text.box, pageToView), turnedAngle(text.angle_deg, quarterTurns)});
+  for (const VectorPath& path : page.paths)
+    if (touches(path.box, region)) view.paths.push_back(transformedPath(path, pageToView));
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,36 @@
+#pragma once
+// On which pixels a region of a document page is drawn: the grid of its embedded image, or one of our own.
+// Private to importer/page.
+
+#include <optional>
+
+#include "importer/page/collect_device.h"
+#include "importer/page/crop.h"
+#include "importer/page/page.h"
+
+namespace detent::importer {
+
+/// A grid over the upright page: pixel (i,j) covers origin + (i..i+1)*pitchX, (j..j+1)*pitchY in page units.
+struct ViewGrid {
+  Point origin;
+  double pitchX = 1, pitchY = 1;  ///< page units per pixel, > 0
+  PixelRect rect;                 ///< the pixels of the region
+  bool nativePixels = false;      ///< the grid is that of the image that fills the region
+
+  /// Page units to pixel corners of the whole grid (not of rect).
+  Affine pageToUprightCorners() const;
+  /// Pixel centres of the turned view of `rect` to page units.
+  Affine viewToPage(int quarterTurns) const;
+};
+
+/// The whole page at `scale` pixels per unit, or less so that no side exceeds maxSide_px.
+ViewGrid overviewGrid(double width, double height, double scale, double maxSide_px);
+
+/// Nothing if the region lies outside the page.
+std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, double pageWidth, double pageHeight,
+                                   const CollectedPage& page, const ViewOptions& options, double maxPixels);
+
+/// Texts and paths of the page that touch the region, in view pixels. `view.viewToPage` is set.
+void carryContent(const Page& page, const Box& region, int quarterTurns, PageView& view);
+
+}  // namespace detent::importer
