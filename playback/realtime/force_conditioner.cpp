@@ -24,12 +24,9 @@ ConditionerVerdict ForceConditioner::judge(double time_s, double value) {
     return accept(time_s, value, true);
   }
   const double step = std::fabs(value - lastValue_);
-  if (step <= settings_.fastest_per_s * elapsed_s) return accept(time_s, value, false);
   const bool confirmed = suspected_ && std::fabs(value - suspect_) <= settings_.confirmBand * step;
-  if (confirmed) {
-    --counts_.glitches;  // the suspect was a reading after all
-    return accept(time_s, value, false);
-  }
+  if (confirmed) --counts_.glitches;  // the suspect was a reading after all
+  if (confirmed || step <= settings_.fastest_per_s * elapsed_s) return accept(time_s, value, false);
   ++counts_.glitches;
   suspected_ = true;
   suspect_ = value;

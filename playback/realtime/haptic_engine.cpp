@@ -8,6 +8,9 @@ namespace {
 
 constexpr double gainRamp_s = 0.01;
 
+// Bursts that keep their distance queue up at most this long; only a trembling no finger can make gets there.
+constexpr double longestQueue_s = 0.1;
+
 // Times that are whole samples but for rounding (0.01 s at 48 kHz) stay whole.
 constexpr double frameRounding = 1e-6;
 
@@ -163,6 +166,10 @@ void HapticEngine::scheduleOne(const Crossing& crossing, double time_frames) {
       break;
   }
   if (p.event.kind != EventKind::grain && p.burst.amplitude > 0) {
+    if (static_cast<double>(nextBurstFrame_ - p.frame) > longestQueue_s * sampleRate_Hz_) {
+      ++counts_.crowded;
+      return;
+    }
     if (p.frame < nextBurstFrame_) p.frame = nextBurstFrame_;
     nextBurstFrame_ = p.frame + wholeFrame(program_->burstSpacing_s * sampleRate_Hz_);
   }

@@ -58,6 +58,7 @@ struct EngineCounts {
   std::uint64_t grains = 0;  ///< grain positions crossed and played (merged ones counted singly)
   std::uint64_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0, triggers = 0;
   std::uint64_t suppressed = 0;     ///< chatter: met while not armed
+  std::uint64_t crowded = 0;        ///< bursts left out because too many were waiting for their turn
   std::uint64_t late = 0;           ///< events whose place had already been rendered; played at once
   std::uint64_t droppedInputs = 0;  ///< input ring full (flooding); the next reading carries the position on
   std::uint64_t hastened = 0;       ///< events played early because the event ring was full

@@ -13,7 +13,7 @@ enum class SensorCircuit {
   newtons,  ///< the sensor already sends newtons; the coefficients correct it
   linear,   ///< counts proportional to force (load cell, FSR with current-to-voltage amplifier)
   divider   ///< FSR to the supply, fixed resistor to ground: conductance ~ counts / (fullScale - counts) ~
-           ///< force (Interlink FSR integration guide: resistance ~ 1 / force)
+            ///< force (Interlink FSR integration guide: resistance ~ 1 / force)
 };
 
 /// force_N = c0 + c1 u + c2 u^2 + c3 u^3, u from the circuit. Plain value, any thread.

@@ -1,0 +1,91 @@
+#include "playback/realtime/live_session.h"
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "playback/realtime/stream_clock.h"
+#include "tests/playback/sample_buttons.h"
+
+using namespace detent;
+using namespace detent::playback;
+using namespace detent::test;
+
+TEST_CASE("stream clock: late wake-ups do not move the line, a restart does") {
+  StreamClock clock(48000);
+  std::mt19937 random(3);
+  std::int64_t frame = 0;
+  for (int i = 0; i < 2000; ++i, frame += 64) {
+    const double late_s = i % 7 == 0 ? 0 : 1e-4 * (static_cast<double>(random() % 1000) / 1000);
+    clock.onCallback(10 + static_cast<double>(frame) / 48000 + late_s, frame, 64);
+    if (i > 50) CHECK(std::fabs(clock.frameAt(10) - 0) < 1.0);
+  }
+  clock.onCallback(20, frame, 64);
+  CHECK(clock.frameAt(20) == Approx(static_cast<double>(frame)));
+}
+
+TEST_CASE("session: a time-stamped message sounds one block after its time, whatever the callback's jitter") {
+  const auto program = std::make_unique<HapticProgram>(programOf(linearButton()));
+  LiveSession session(48000);
+  session.send(Lane::control, {CommandKind::program, TimeBase::now, 0, 0, {}, program.get()});
+  std::mt19937 random(5);
+  std::vector<float> out(64);
+  std::vector<double> delays;
+  double sent_s = -1;
+  for (int i = 0; i < 20000; ++i) {
+    const double start_s = 100 + i * 64 / 48000.0;
+    session.process(out.data(), 64, start_s + 5e-5 * (static_cast<double>(random() % 1000) / 1000));
+    for (std::size_t k = 0; k < out.size() && sent_s > 0; ++k) {
+      if (std::fabs(out[k]) < 1e-4f) continue;
+      delays.push_back(start_s + static_cast<double>(k) / 48000 - sent_s);
+      sent_s = -1;
+    }
+    if (i % 50 == 25) {
+      sent_s = start_s + 1e-4 + 1.1e-3 * (static_cast<double>(random() % 1000) / 1000);
+      REQUIRE(
+          session.send(Lane::network, {CommandKind::burst, TimeBase::clock, sent_s, 0, {390, 0.01, 0.8}}));
+    }
+    SessionReport report;
+    while (session.receive(report)) {
+    }
+  }
+  REQUIRE(delays.size() > 300);
+  std::sort(delays.begin(), delays.end());
+  CHECK(delays[delays.size() * 95 / 100] - delays[delays.size() * 5 / 100] < 1e-4);
+  CHECK(delays[delays.size() / 2] == Approx(64 / 48000.0).margin(1e-4));
+}
+
+TEST_CASE("session: programs come home, status and events arrive, a full lane refuses") {
+  const auto a = std::make_unique<HapticProgram>(programOf(linearButton()));
+  const auto b = std::make_unique<HapticProgram>(programOf(tactileButton()));
+  LiveSession session(48000);
+  session.send(Lane::control, {CommandKind::program, TimeBase::now, 0, 0, {}, a.get()});
+  session.send(Lane::control, {CommandKind::program, TimeBase::now, 0, 0, {}, b.get()});
+  session.send(Lane::trace, {CommandKind::force, TimeBase::streamFrames, 0, 0, {}, nullptr});
+  session.send(Lane::trace, {CommandKind::force, TimeBase::streamFrames, 100, 0.9, {}, nullptr});
+  std::vector<float> out(256);
+  bool retired = false;
+  int events = 0, statuses = 0;
+  for (int i = 0; i < 40; ++i) {
+    session.process(out.data(), out.size(), i * 256 / 48000.0);
+    session.account(1e-5, out.size(), i == 3);
+    SessionReport report;
+    while (session.receive(report)) {
+      if (report.kind == ReportKind::retired) retired = report.retired == a.get();
+      if (report.kind == ReportKind::event) ++events;
+      if (report.kind == ReportKind::status) {
+        ++statuses;
+        CHECK(report.status.xruns <= 1);
+      }
+    }
+  }
+  CHECK(retired);
+  CHECK(events > 20);
+  CHECK(statuses >= 5);
+  int taken = 0;
+  while (session.send(Lane::sensor, {})) ++taken;
+  CHECK(taken >= 4096);
+}
