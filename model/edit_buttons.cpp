@@ -1,0 +1,179 @@
+// Edits of scale, graphs and buttons.
+#include <cmath>
+#include <cstdio>
+
+#include "model/edits.h"
+
+namespace detent {
+namespace {
+
+Failure refusal(std::string subject, std::string place, std::string problem, std::string remedy) {
+  return {FailureCode::wrongUsage, std::move(subject), std::move(place), std::move(problem),
+          std::move(remedy)};
+}
+
+std::optional<Failure> factorProblem(double factor) {
+  if (std::isfinite(factor) && factor > 0) return {};
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", factor);
+  return refusal("scale", "", "factor " + std::string(text) + " is not a finite number above 0",
+                 "Give a factor such as 1.1");
+}
+
+Result<ForceGraph> editBothStrokes(const ForceGraph& graph, const CurveEdit& edit) {
+  auto press = edit(graph.press());
+  if (!press) return press.failure();
+  if (!graph.release()) return ForceGraph::fromCurves(*std::move(press), {});
+  auto release = edit(*graph.release());
+  if (!release) return release.failure();
+  return ForceGraph::fromCurves(*std::move(press), *std::move(release));
+}
+
+// How far below a press force its mirrored release lies; C1, and never below 0 for a force that is not.
+struct Lowered {
+  double force_N, slopeFactor;
+};
+
+Lowered lowered(double force_N, double hysteresis_N) {
+  if (force_N >= 2 * hysteresis_N) return {force_N - hysteresis_N, 1};
+  if (force_N <= 0) return {force_N, 0};
+  return {force_N * (force_N / (4 * hysteresis_N)), force_N / (2 * hysteresis_N)};
+}
+
+using StateEdit = std::function<std::optional<Failure>(ButtonState&)>;
+
+Result<Button> editState(const Button& button, std::size_t index, const StateEdit& edit) {
+  if (index >= button.states().size())
+    return refusal("button", "", "has no state " + std::to_string(index + 1), "Choose one of its states");
+  std::vector<ButtonState> states = button.states();
+  if (auto problem = edit(states[index])) return *problem;
+  return Button::fromStates(button.name(), std::move(states), button.provenance());
+}
+
+Result<Button> editAllStates(const Button& button, const StateEdit& edit) {
+  std::vector<ButtonState> states = button.states();
+  for (ButtonState& state : states)
+    if (auto problem = edit(state)) return *problem;
+  return Button::fromStates(button.name(), std::move(states), button.provenance());
+}
+
+}  // namespace
+
+Result<StrokeCurve> scaleForce(const StrokeCurve& curve, double factor) {
+  if (auto problem = factorProblem(factor)) return *problem;
+  std::vector<Knot> knots = curve.knots();
+  for (Knot& k : knots) {
+    k.force_N *= factor;
+    k.slopeBefore_N_per_mm *= factor;
+    k.slopeAfter_N_per_mm *= factor;
+  }
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+Result<StrokeCurve> scaleTravel(const StrokeCurve& curve, double factor) {
+  if (auto problem = factorProblem(factor)) return *problem;
+  std::vector<Knot> knots = curve.knots();
+  for (Knot& k : knots) {
+    k.displacement_mm *= factor;
+    k.slopeBefore_N_per_mm /= factor;
+    k.slopeAfter_N_per_mm /= factor;
+  }
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+Result<ForceGraph> editStroke(const ForceGraph& graph, Stroke stroke, const CurveEdit& edit) {
+  if (stroke == Stroke::release && !graph.release())
+    return refusal("force graph", "release curve", "does not exist", "Mirror the press curve first");
+  auto edited = edit(graph.curve(stroke));
+  if (!edited) return edited.failure();
+  if (stroke == Stroke::press) return ForceGraph::fromCurves(*std::move(edited), graph.release());
+  return ForceGraph::fromCurves(graph.press(), *std::move(edited));
+}
+
+Result<ForceGraph> mirrorPressToRelease(const ForceGraph& graph, double hysteresis_N) {
+  if (!std::isfinite(hysteresis_N) || hysteresis_N < 0)
+    return refusal("force graph", "hysteresis", "is not a finite number >= 0",
+                   "Give a force in N, 0 for none");
+  std::vector<Knot> knots = graph.press().knots();
+  for (Knot& k : knots) {
+    if (hysteresis_N == 0) continue;
+    const Lowered low = lowered(k.force_N, hysteresis_N);
+    k.force_N = low.force_N;
+    k.slopeBefore_N_per_mm *= low.slopeFactor;
+    k.slopeAfter_N_per_mm *= low.slopeFactor;
+  }
+  auto release = StrokeCurve::fromKnots(std::move(knots));
+  if (!release) return release.failure();
+  return ForceGraph::fromCurves(graph.press(), *std::move(release));
+}
+
+Result<ForceGraph> removeRelease(const ForceGraph& graph) {
+  return ForceGraph::fromCurves(graph.press(), {});
+}
+
+Result<ForceGraph> scaleForce(const ForceGraph& graph, double factor) {
+  return editBothStrokes(graph, [&](const StrokeCurve& curve) { return scaleForce(curve, factor); });
+}
+
+Result<ForceGraph> scaleTravel(const ForceGraph& graph, double factor) {
+  return editBothStrokes(graph, [&](const StrokeCurve& curve) { return scaleTravel(curve, factor); });
+}
+
+Result<Button> editGraph(const Button& button, std::size_t state, const GraphEdit& edit) {
+  return editState(button, state, [&](ButtonState& s) -> std::optional<Failure> {
+    auto edited = edit(s.graph);
+    if (!edited) return edited.failure();
+    s.graph = *std::move(edited);
+    return {};
+  });
+}
+
+Result<Button> rename(const Button& button, std::string name) {
+  return Button::fromStates(std::move(name), button.states(), button.provenance());
+}
+
+Result<Button> setOperatingPoint(const Button& button, std::size_t state,
+                                 std::optional<double> displacement_mm) {
+  return editState(button, state, [&](ButtonState& s) -> std::optional<Failure> {
+    s.operatingPoint_mm = displacement_mm;
+    return {};
+  });
+}
+
+Result<Button> setResetPoint(const Button& button, std::size_t state, std::optional<double> displacement_mm) {
+  return editState(button, state, [&](ButtonState& s) -> std::optional<Failure> {
+    s.resetPoint_mm = displacement_mm;
+    return {};
+  });
+}
+
+Result<Button> setDamping(const Button& button, std::size_t state, std::vector<DampingPoint> damping) {
+  return editState(button, state, [&](ButtonState& s) -> std::optional<Failure> {
+    s.damping = std::move(damping);
+    return {};
+  });
+}
+
+Result<Button> scaleForce(const Button& button, double factor) {
+  return editAllStates(button, [&](ButtonState& s) -> std::optional<Failure> {
+    auto scaled = scaleForce(s.graph, factor);
+    if (!scaled) return scaled.failure();
+    s.graph = *std::move(scaled);
+    for (DampingPoint& p : s.damping) p.damping_Ns_per_mm *= factor;
+    return {};
+  });
+}
+
+Result<Button> scaleTravel(const Button& button, double factor) {
+  return editAllStates(button, [&](ButtonState& s) -> std::optional<Failure> {
+    auto scaled = scaleTravel(s.graph, factor);
+    if (!scaled) return scaled.failure();
+    s.graph = *std::move(scaled);
+    if (s.operatingPoint_mm) *s.operatingPoint_mm *= factor;
+    if (s.resetPoint_mm) *s.resetPoint_mm *= factor;
+    for (DampingPoint& p : s.damping) p.displacement_mm *= factor;
+    return {};
+  });
+}
+
+}  // namespace detent

@@ -1,0 +1,153 @@
+// Edits of single knots.
+#include <cmath>
+#include <cstdio>
+
+#include "model/edits.h"
+
+namespace detent {
+namespace {
+
+std::string numberText(double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.9g", value);
+  return buffer;
+}
+
+Failure refusal(std::string place, std::string problem, std::string remedy) {
+  return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedy)};
+}
+
+std::optional<Failure> noSuchKnot(const StrokeCurve& curve, std::size_t index) {
+  if (index < curve.knots().size()) return {};
+  return refusal(
+      "", "has no knot " + std::to_string(index + 1) + ", only " + std::to_string(curve.knots().size()),
+      "Choose one of its knots");
+}
+
+using KnotEdit = std::function<void(Knot&)>;
+
+Result<StrokeCurve> editKnot(const StrokeCurve& curve, std::size_t index, const KnotEdit& edit) {
+  if (auto problem = noSuchKnot(curve, index)) return *problem;
+  std::vector<Knot> knots = curve.knots();
+  edit(knots[index]);
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+// Slope of the chord between two knots; nullopt for a wall.
+std::optional<double> chordSlope(const Knot& a, const Knot& b) {
+  if (a.displacement_mm == b.displacement_mm) return {};
+  return (b.force_N - a.force_N) / (b.displacement_mm - a.displacement_mm);
+}
+
+struct Chords {
+  std::optional<double> before, after;
+  double lengthBefore_mm = 0, lengthAfter_mm = 0;
+};
+
+Chords chordsAt(const std::vector<Knot>& knots, std::size_t index) {
+  Chords chords;
+  if (index > 0) {
+    chords.before = chordSlope(knots[index - 1], knots[index]);
+    chords.lengthBefore_mm = knots[index].displacement_mm - knots[index - 1].displacement_mm;
+  }
+  if (index + 1 < knots.size()) {
+    chords.after = chordSlope(knots[index], knots[index + 1]);
+    chords.lengthAfter_mm = knots[index + 1].displacement_mm - knots[index].displacement_mm;
+  }
+  return chords;
+}
+
+// Fritsch and Carlson's safe slope between two chords: their weighted harmonic mean, 0 where they disagree.
+double smoothSlope(const Chords& chords) {
+  if (!chords.before || !chords.after) return chords.before.value_or(chords.after.value_or(0));
+  const double before = *chords.before, after = *chords.after;
+  if (before == 0 || after == 0 || (before < 0) != (after < 0)) return 0;
+  const double w0 = 2 * chords.lengthAfter_mm + chords.lengthBefore_mm;
+  const double w1 = chords.lengthAfter_mm + 2 * chords.lengthBefore_mm;
+  const double slope = (w0 + w1) / (w0 / before + w1 / after);
+  return std::isfinite(slope) ? slope : 0;
+}
+
+}  // namespace
+
+Result<StrokeCurve> moveKnot(const StrokeCurve& curve, std::size_t index, CurvePoint to) {
+  if (auto problem = noSuchKnot(curve, index)) return *problem;
+  const std::vector<Knot>& knots = curve.knots();
+  const bool passesBefore = index > 0 && to.displacement_mm < knots[index - 1].displacement_mm;
+  const bool passesAfter = index + 1 < knots.size() && to.displacement_mm > knots[index + 1].displacement_mm;
+  if (passesBefore || passesAfter) {
+    const Knot& neighbour = knots[passesBefore ? index - 1 : index + 1];
+    return refusal("knot " + std::to_string(index + 1),
+                   "cannot move to " + numberText(to.displacement_mm) + " mm, past its neighbour at " +
+                       numberText(neighbour.displacement_mm) + " mm",
+                   "Keep it between its neighbours, or remove the neighbour first");
+  }
+  return editKnot(curve, index, [&](Knot& k) {
+    k.displacement_mm = to.displacement_mm;
+    k.force_N = to.force_N;
+  });
+}
+
+Result<StrokeCurve> setSlopeBefore(const StrokeCurve& curve, std::size_t index, double slope_N_per_mm) {
+  return editKnot(curve, index, [&](Knot& k) { k.slopeBefore_N_per_mm = slope_N_per_mm; });
+}
+
+Result<StrokeCurve> setSlopeAfter(const StrokeCurve& curve, std::size_t index, double slope_N_per_mm) {
+  return editKnot(curve, index, [&](Knot& k) { k.slopeAfter_N_per_mm = slope_N_per_mm; });
+}
+
+Result<StrokeCurve> setSlope(const StrokeCurve& curve, std::size_t index, double slope_N_per_mm) {
+  return editKnot(curve, index,
+                  [&](Knot& k) { k.slopeBefore_N_per_mm = k.slopeAfter_N_per_mm = slope_N_per_mm; });
+}
+
+Result<StrokeCurve> makeCorner(const StrokeCurve& curve, std::size_t index) {
+  if (auto problem = noSuchKnot(curve, index)) return *problem;
+  const Chords chords = chordsAt(curve.knots(), index);
+  return editKnot(curve, index, [&](Knot& k) {
+    k.slopeBefore_N_per_mm = chords.before.value_or(k.slopeBefore_N_per_mm);
+    k.slopeAfter_N_per_mm = chords.after.value_or(k.slopeAfter_N_per_mm);
+  });
+}
+
+Result<StrokeCurve> makeSmooth(const StrokeCurve& curve, std::size_t index) {
+  if (auto problem = noSuchKnot(curve, index)) return *problem;
+  return setSlope(curve, index, smoothSlope(chordsAt(curve.knots(), index)));
+}
+
+bool isCorner(const StrokeCurve& curve, std::size_t index) {
+  const std::vector<Knot>& knots = curve.knots();
+  if (index == 0 || index + 1 >= knots.size()) return false;
+  const Chords chords = chordsAt(knots, index);
+  if (!chords.before || !chords.after) return true;  // the end of a wall
+  return knots[index].slopeBefore_N_per_mm != knots[index].slopeAfter_N_per_mm;
+}
+
+Result<StrokeCurve> insertKnot(const StrokeCurve& curve, double displacement_mm) {
+  if (!(displacement_mm > curve.start_mm() && displacement_mm < curve.end_mm()))
+    return refusal("",
+                   "has no place for a knot at " + numberText(displacement_mm) + " mm, outside " +
+                       numberText(curve.start_mm()) + " to " + numberText(curve.end_mm()) + " mm",
+                   "Choose a displacement inside the curve");
+  std::vector<Knot> knots = curve.knots();
+  auto after = knots.begin();
+  while (after->displacement_mm < displacement_mm) ++after;
+  if (after->displacement_mm == displacement_mm)
+    return refusal("knot " + std::to_string(after - knots.begin() + 1),
+                   "stands already at " + numberText(displacement_mm) + " mm", "Move that knot instead");
+  const double slope = curve.slope_N_per_mm(displacement_mm);
+  knots.insert(after, {displacement_mm, curve.force_N(displacement_mm), slope, slope});
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+Result<StrokeCurve> removeKnot(const StrokeCurve& curve, std::size_t index) {
+  if (auto problem = noSuchKnot(curve, index)) return *problem;
+  if (curve.knots().size() == 2)
+    return refusal("knot " + std::to_string(index + 1), "cannot be removed: a curve needs 2 knots",
+                   "Move it instead");
+  std::vector<Knot> knots = curve.knots();
+  knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(index));
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+}  // namespace detent

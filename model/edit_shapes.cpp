@@ -1,0 +1,376 @@
+// Edits of whole shapes: tactile points, sections, jumps.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/check.h"
+#include "model/edits.h"
+
+namespace detent {
+namespace {
+
+std::string numberText(double value) {
+  char buffer[40];
+  std::snprintf(buffer, sizeof buffer, "%.9g", value);
+  return buffer;
+}
+
+Failure refusal(std::string place, std::string problem, std::string remedy) {
+  return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedy)};
+}
+
+// Adds a knot without changing the shape unless one (or a wall) stands there already; the curve otherwise
+// unchanged.
+StrokeCurve withKnotAt(const StrokeCurve& curve, double displacement_mm) {
+  auto inserted = insertKnot(curve, displacement_mm);
+  return inserted ? *std::move(inserted) : curve;
+}
+
+// The same at an extremum: its slope is exactly 0 there, so that the knot stays the extremum under affine
+// maps.
+StrokeCurve withExtremumKnotAt(const StrokeCurve& curve, double displacement_mm) {
+  auto inserted = insertKnot(curve, displacement_mm);
+  if (!inserted) return curve;
+  std::vector<Knot> knots = inserted->knots();
+  for (Knot& k : knots)
+    if (k.displacement_mm == displacement_mm) k.slopeBefore_N_per_mm = k.slopeAfter_N_per_mm = 0;
+  auto exact = StrokeCurve::fromKnots(std::move(knots));
+  return exact ? *std::move(exact) : *std::move(inserted);
+}
+
+// One flank's stretch: its far end stays, the apex goes where it is moved.
+struct AffineMap {
+  CurvePoint anchor;
+  double scale_mm, scale_N;
+
+  double mapped_mm(double x) const {
+    return anchor.displacement_mm + (x - anchor.displacement_mm) * scale_mm;
+  }
+  double mapped_N(double force) const { return anchor.force_N + (force - anchor.force_N) * scale_N; }
+  double mappedSlope(double slope) const { return slope * (scale_N / scale_mm); }
+};
+
+AffineMap flankMap(CurvePoint anchor, CurvePoint apex, CurvePoint to) {
+  return {anchor,
+          (to.displacement_mm - anchor.displacement_mm) / (apex.displacement_mm - anchor.displacement_mm),
+          (to.force_N - anchor.force_N) / (apex.force_N - anchor.force_N)};
+}
+
+// An extremum and the ends of its two flanks.
+struct Hill {
+  CurvePoint before, apex, after;
+};
+
+// The neighbours of an extremum: the nearest turns on both sides, or the ends of the reach.
+Hill hillAt(const StrokeCurve& curve, CurvePoint apex, double reachEnd_mm) {
+  std::vector<CurvePoint> turns = curve.localMaxima();
+  for (const CurvePoint& p : curve.localMinima()) turns.push_back(p);
+  const Knot& first = curve.knots().front();
+  Hill hill{{first.displacement_mm, first.force_N}, apex, {curve.end_mm(), curve.knots().back().force_N}};
+  if (reachEnd_mm > apex.displacement_mm && reachEnd_mm < curve.end_mm())
+    hill.after = {reachEnd_mm, curve.forceBefore_N(reachEnd_mm)};
+  for (const CurvePoint& p : turns) {
+    if (p.displacement_mm < apex.displacement_mm && p.displacement_mm > hill.before.displacement_mm)
+      hill.before = p;
+    if (p.displacement_mm > apex.displacement_mm && p.displacement_mm < hill.after.displacement_mm)
+      hill.after = p;
+  }
+  return hill;
+}
+
+std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const std::string& place) {
+  const auto [before, apex, after] = hill;
+  if (!(to.displacement_mm > before.displacement_mm && to.displacement_mm < after.displacement_mm))
+    return refusal(place,
+                   "cannot move to " + numberText(to.displacement_mm) + " mm, outside its flanks from " +
+                       numberText(before.displacement_mm) + " to " + numberText(after.displacement_mm) +
+                       " mm",
+                   "Keep it between the neighbouring extrema");
+  const bool top = apex.force_N > before.force_N || apex.force_N > after.force_N;
+  const double bound =
+      top ? std::max(before.force_N, after.force_N) : std::min(before.force_N, after.force_N);
+  const bool stays = std::isfinite(to.force_N) && (top ? to.force_N > bound : to.force_N < bound);
+  if (stays) return {};
+  return refusal(place,
+                 "would be no extremum at " + numberText(to.force_N) + " N: its flanks end at " +
+                     numberText(bound) + " N",
+                 std::string("Keep its force ") + (top ? "above" : "below") + " that");
+}
+
+// The knot at a place of the curve (of a wall's two, the one with that force).
+std::size_t knotAt(const std::vector<Knot>& knots, CurvePoint place) {
+  std::size_t best = knots.size();
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (knots[i].displacement_mm != place.displacement_mm) continue;
+    if (best == knots.size() ||
+        std::abs(knots[i].force_N - place.force_N) < std::abs(knots[best].force_N - place.force_N))
+      best = i;
+  }
+  DETENT_CHECK(best < knots.size(), "a knot was inserted at this place");
+  return best;
+}
+
+CurvePoint pointOf(const Knot& k) { return {k.displacement_mm, k.force_N}; }
+
+// Maps the knots strictly between two indices, and the slopes of all pieces between them.
+void stretchFlank(std::vector<Knot>& knots, std::size_t first, std::size_t last, const AffineMap& map,
+                  double apex_mm, double newApex_mm) {
+  for (std::size_t i = first; i <= last; ++i) {
+    Knot& k = knots[i];
+    if (i > first) k.slopeBefore_N_per_mm = map.mappedSlope(k.slopeBefore_N_per_mm);
+    if (i < last) k.slopeAfter_N_per_mm = map.mappedSlope(k.slopeAfter_N_per_mm);
+    if (i == first || i == last) continue;
+    k.displacement_mm = k.displacement_mm == apex_mm ? newApex_mm : map.mapped_mm(k.displacement_mm);
+    k.force_N = map.mapped_N(k.force_N);
+  }
+}
+
+Result<StrokeCurve> moveApex(const StrokeCurve& original, const Hill& hill, CurvePoint to,
+                             const std::string& place) {
+  if (auto problem = hillProblem(hill, to, place)) return *problem;
+  StrokeCurve curve = withExtremumKnotAt(original, hill.apex.displacement_mm);
+  curve = withKnotAt(withKnotAt(curve, hill.before.displacement_mm), hill.after.displacement_mm);
+  std::vector<Knot> knots = curve.knots();
+  const std::size_t before = knotAt(knots, hill.before), apex = knotAt(knots, hill.apex);
+  const std::size_t after = knotAt(knots, hill.after);
+  const CurvePoint was = pointOf(knots[apex]);
+  const AffineMap left = flankMap(pointOf(knots[before]), was, to);
+  const AffineMap right = flankMap(pointOf(knots[after]), was, to);
+  stretchFlank(knots, before, apex, left, was.displacement_mm, to.displacement_mm);
+  stretchFlank(knots, apex, after, right, was.displacement_mm, to.displacement_mm);
+  knots[apex].displacement_mm = to.displacement_mm;
+  knots[apex].force_N = to.force_N;
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+Failure noSuchTactilePoint(std::size_t index, std::size_t count) {
+  return refusal("",
+                 "has no tactile point " + std::to_string(index + 1) + ", it has " + std::to_string(count),
+                 "Choose one of its tactile points");
+}
+
+// -------------------------------------------------------------------------------------------------- sections
+
+// Shift of a section with linear shares over its neighbours.
+struct Drag {
+  double left_mm, from_mm, to_mm, right_mm;  // left == from: nothing stretches there
+  double by_mm, by_N;
+
+  double shareOf(double x) const {
+    if (x >= from_mm && x <= to_mm) return 1;
+    if (x < from_mm) return x <= left_mm ? 0 : (x - left_mm) / (from_mm - left_mm);
+    return x >= right_mm ? 0 : (right_mm - x) / (right_mm - to_mm);
+  }
+  // d share / d x on the side of the section a place belongs to.
+  double shareSlopeBetween(double a, double b) const {
+    const double middle = a + 0.5 * (b - a);
+    if (middle <= left_mm || middle >= right_mm || (middle >= from_mm && middle <= to_mm)) return 0;
+    return middle < from_mm ? 1 / (from_mm - left_mm) : -1 / (right_mm - to_mm);
+  }
+};
+
+std::optional<Failure> dragProblem(const Drag& drag, const std::string& place) {
+  const auto fault = [&](double limit_mm) {
+    return refusal(place,
+                   "cannot move by " + numberText(drag.by_mm) +
+                       " mm, past the end of the section beside it at " + numberText(limit_mm) + " mm",
+                   "Move it less");
+  };
+  if (drag.left_mm < drag.from_mm && !(drag.from_mm + drag.by_mm > drag.left_mm)) return fault(drag.left_mm);
+  if (drag.right_mm > drag.to_mm && !(drag.to_mm + drag.by_mm < drag.right_mm)) return fault(drag.right_mm);
+  return {};
+}
+
+Result<StrokeCurve> dragged(const StrokeCurve& curve, const Drag& drag) {
+  const std::vector<Knot>& before = curve.knots();
+  std::vector<Knot> knots = before;
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    Knot& k = knots[i];
+    const double x = before[i].displacement_mm, share = drag.shareOf(x);
+    k.displacement_mm += share * drag.by_mm;
+    k.force_N += share * drag.by_N;
+    const auto mapped = [&](double slope, double a, double b) {
+      const double d = drag.shareSlopeBetween(a, b);
+      return (slope + d * drag.by_N) / (1 + d * drag.by_mm);
+    };
+    if (i > 0) k.slopeBefore_N_per_mm = mapped(k.slopeBefore_N_per_mm, before[i - 1].displacement_mm, x);
+    if (i + 1 < knots.size())
+      k.slopeAfter_N_per_mm = mapped(k.slopeAfter_N_per_mm, x, before[i + 1].displacement_mm);
+  }
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+// -------------------------------------------------------------------------------------------------------
+// jumps
+
+// Replaces everything strictly between two displacements (knots stand at both) by the given knots.
+std::vector<Knot> replacedBetween(const StrokeCurve& curve, double from_mm, double to_mm,
+                                  const std::vector<Knot>& inside) {
+  std::vector<Knot> knots;
+  for (const Knot& k : curve.knots())
+    if (k.displacement_mm <= from_mm) knots.push_back(k);
+  knots.insert(knots.end(), inside.begin(), inside.end());
+  for (const Knot& k : curve.knots())
+    if (k.displacement_mm >= to_mm) knots.push_back(k);
+  return knots;
+}
+
+// A straight line between two displacements; what lies outside keeps its shape.
+Result<StrokeCurve> straightBetween(const StrokeCurve& original, double from_mm, double to_mm) {
+  const StrokeCurve curve = withKnotAt(withKnotAt(original, from_mm), to_mm);
+  std::vector<Knot> knots = replacedBetween(curve, from_mm, to_mm, {});
+  for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+    Knot &a = knots[i], &b = knots[i + 1];
+    if (a.displacement_mm != from_mm || b.displacement_mm != to_mm) continue;
+    a.slopeAfter_N_per_mm = b.slopeBefore_N_per_mm =
+        (b.force_N - a.force_N) / (b.displacement_mm - a.displacement_mm);
+  }
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+std::optional<Failure> newJumpProblem(const StrokeCurve& curve, Stroke stroke, const NewJump& jump) {
+  const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
+  if (!positive(jump.width_mm) || !positive(jump.drop_N))
+    return refusal(
+        "new jump",
+        "has width " + numberText(jump.width_mm) + " mm and drop " + numberText(jump.drop_N) + " N",
+        "Give both as numbers above 0");
+  const double end_mm = jump.at_mm + (stroke == Stroke::press ? jump.width_mm : -jump.width_mm);
+  const auto inside = [&](double x) { return x > curve.start_mm() && x < curve.end_mm(); };
+  if (!inside(jump.at_mm) || !inside(end_mm))
+    return refusal("new jump",
+                   "from " + numberText(jump.at_mm) + " to " + numberText(end_mm) + " mm leaves the curve, " +
+                       numberText(curve.start_mm()) + " to " + numberText(curve.end_mm()) + " mm",
+                   "Make it narrower or move it inward");
+  const double towards =
+      stroke == Stroke::press ? curve.slopeBefore_N_per_mm(jump.at_mm) : curve.slope_N_per_mm(jump.at_mm);
+  if (towards > 0) return {};
+  return refusal("new jump", "starts at " + numberText(jump.at_mm) + " mm, where the force does not rise",
+                 "Start it on a rising slope, so that its start is a tactile point");
+}
+
+// Steepest safe slope at the end of a monotone piece that should arrive with `slope`.
+double limitedSlope(double slope, double rise, double length_mm) {
+  const double chord = rise / length_mm;
+  if (chord == 0 || (slope < 0) != (chord < 0)) return 0;
+  return std::abs(slope) > 3 * std::abs(chord) ? 3 * chord : slope;
+}
+
+}  // namespace
+
+Result<StrokeCurve> moveTactilePoint(const StrokeCurve& curve, Stroke stroke, std::size_t index,
+                                     CurvePoint to, const SectionSettings& settings) {
+  const std::vector<TactilePoint> points = tactilePoints(curve, stroke, settings);
+  if (index >= points.size()) return noSuchTactilePoint(index, points.size());
+  const CurvePoint apex{points[index].displacement_mm, points[index].force_N};
+  const Hill hill = hillAt(curve, apex, bottomOutOf(curve, settings).displacement_mm);
+  return moveApex(curve, hill, to, "tactile point " + std::to_string(index + 1));
+}
+
+Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIndex, double ratio,
+                                 const SectionSettings& settings) {
+  const std::vector<TactilePoint> points = tactilePoints(press, Stroke::press, settings);
+  if (tactileIndex >= points.size()) return noSuchTactilePoint(tactileIndex, points.size());
+  const std::string place = "tactile point " + std::to_string(tactileIndex + 1);
+  if (!std::isfinite(ratio) || ratio <= 0)
+    return refusal(place, "cannot have a snap ratio of " + numberText(ratio), "Give a ratio above 0");
+  const TactilePoint& tactile = points[tactileIndex];
+  const double stop_mm =
+      tactileIndex + 1 < points.size() ? points[tactileIndex + 1].displacement_mm : press.end_mm();
+  std::optional<CurvePoint> valley;
+  for (const CurvePoint& p : press.localMinima())
+    if (p.displacement_mm > tactile.displacement_mm && p.displacement_mm < stop_mm &&
+        (!valley || p.force_N < valley->force_N))
+      valley = p;
+  if (!valley)
+    return refusal(place, "has no valley after it", "Add one, or move the end of the stroke above it");
+  const double foot_mm = bottomOutOf(press, settings).displacement_mm;
+  const Hill hill = hillAt(press, *valley, foot_mm);
+  return moveApex(press, hill, {valley->displacement_mm, tactile.force_N * (1 - ratio)},
+                  "valley after " + place);
+}
+
+Result<StrokeCurve> moveSection(const StrokeCurve& curve, Stroke stroke, std::size_t index, double by_mm,
+                                double by_N, const SectionSettings& settings) {
+  std::vector<Section> sections = sectionsOf(curve, stroke, settings);
+  if (index >= sections.size())
+    return refusal(
+        "", "has no section " + std::to_string(index + 1) + ", it has " + std::to_string(sections.size()),
+        "Choose one of its sections");
+  if (!std::isfinite(by_mm) || !std::isfinite(by_N))
+    return refusal("section " + std::to_string(index + 1), "cannot move by a number that is not finite",
+                   "Give finite distances");
+  const Section moved = sections[index];
+  const auto [from_mm, to_mm] = std::minmax(moved.from_mm, moved.to_mm);
+  double left_mm = from_mm, right_mm = to_mm;
+  if (index > 0) (stroke == Stroke::press ? left_mm : right_mm) = sections[index - 1].from_mm;
+  if (index + 1 < sections.size()) (stroke == Stroke::press ? right_mm : left_mm) = sections[index + 1].to_mm;
+  const Drag drag{left_mm, from_mm, to_mm, right_mm, by_mm, by_N};
+  if (auto problem = dragProblem(drag, "section " + std::to_string(index + 1))) return *problem;
+  StrokeCurve prepared = curve;
+  for (double x : {left_mm, from_mm, to_mm, right_mm}) prepared = withKnotAt(prepared, x);
+  return dragged(prepared, drag);
+}
+
+Result<StrokeCurve> addJump(const StrokeCurve& curve, Stroke stroke, NewJump jump) {
+  if (auto problem = newJumpProblem(curve, stroke, jump)) return *problem;
+  const bool press = stroke == Stroke::press;
+  const double sign = press ? 1 : -1;  // of displacement along the stroke; a release's drop goes up
+  const double end_mm = jump.at_mm + sign * jump.width_mm;
+  const auto [from_mm, to_mm] = std::minmax(jump.at_mm, end_mm);
+  const StrokeCurve prepared = withKnotAt(withKnotAt(curve, from_mm), to_mm);
+  const double tactile_N = curve.force_N(jump.at_mm), end_N = curve.force_N(end_mm);
+  const CurvePoint valley{jump.at_mm + 0.5 * sign * jump.width_mm, tactile_N - sign * jump.drop_N};
+  if (sign * (end_N - valley.force_N) <= 0)
+    return refusal("new jump",
+                   "would not come back: the curve has " + numberText(end_N) + " N at its end, its valley " +
+                       numberText(valley.force_N) + " N",
+                   "Make the drop larger or the jump narrower");
+  std::vector<Knot> knots =
+      replacedBetween(prepared, from_mm, to_mm, {{valley.displacement_mm, valley.force_N, 0, 0}});
+  for (std::size_t i = 1; i + 1 < knots.size(); ++i) {
+    if (knots[i].displacement_mm != valley.displacement_mm) continue;
+    Knot &left = knots[i - 1], &right = knots[i + 1];
+    Knot& tactile = press ? left : right;
+    Knot& end = press ? right : left;
+    double& leaving = press ? tactile.slopeAfter_N_per_mm : tactile.slopeBefore_N_per_mm;
+    double& arriving = press ? end.slopeBefore_N_per_mm : end.slopeAfter_N_per_mm;
+    leaving = 0;
+    arriving =
+        limitedSlope(arriving, end.force_N - valley.force_N, end.displacement_mm - valley.displacement_mm);
+  }
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+Result<StrokeCurve> removeJump(const StrokeCurve& curve, Stroke stroke, std::size_t tactileIndex,
+                               const SectionSettings& settings) {
+  const std::vector<TactilePoint> points = tactilePoints(curve, stroke, settings);
+  if (tactileIndex >= points.size()) return noSuchTactilePoint(tactileIndex, points.size());
+  const bool press = stroke == Stroke::press;
+  const double tactile_mm = points[tactileIndex].displacement_mm;
+  // The end of the jump that begins here, also where an earlier jump swallows it.
+  double end_mm = press ? curve.end_mm() : curve.start_mm();
+  for (const Section& s : sectionsOf(curve, stroke, settings))
+    if (s.kind == SectionKind::jump && (press ? s.from_mm <= tactile_mm && tactile_mm < s.to_mm
+                                              : s.from_mm >= tactile_mm && tactile_mm > s.to_mm))
+      end_mm = s.to_mm;
+  const double tactile_N = points[tactileIndex].force_N;
+  double valley_N = tactile_N;
+  for (const MonotoneStretch& s : curve.monotoneStretches())
+    for (const auto& [x, force] : {std::pair{s.from_mm, s.fromForce_N}, std::pair{s.to_mm, s.toForce_N}})
+      if (press ? x > tactile_mm && x <= end_mm : x < tactile_mm && x >= end_mm)
+        valley_N = press ? std::min(valley_N, force) : std::max(valley_N, force);
+  // On the other side: the last place before the tactile point where the force has the valley's value.
+  double begin_mm = press ? curve.start_mm() : curve.end_mm();
+  for (double x : curve.displacementsAt(valley_N)) {
+    if (press && x < tactile_mm) begin_mm = std::max(begin_mm, x);
+    if (!press && x > tactile_mm) begin_mm = std::min(begin_mm, x);
+  }
+  return straightBetween(curve, std::min(begin_mm, end_mm), std::max(begin_mm, end_mm));
+}
+
+Result<StrokeCurve> makeLinear(const StrokeCurve& curve, const SectionSettings& settings) {
+  return straightBetween(curve, curve.start_mm(), bottomOutOf(curve, settings).displacement_mm);
+}
+
+}  // namespace detent

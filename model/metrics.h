@@ -1,0 +1,42 @@
+#pragma once
+// The figures by which buttons are compared. All derived; nothing is stored.
+
+#include <optional>
+#include <vector>
+
+#include "model/button.h"
+#include "model/sections.h"
+
+namespace detent {
+
+/// One tactile point with what follows it.
+struct TactileEvent {
+  TactilePoint point;                   ///< its force is the tactile force
+  std::optional<CurvePoint> following;  ///< press: the valley after it; release: the hump after it
+  std::optional<double>
+      snapRatio;  ///< press: (tactile force - valley)/tactile force; only for a tactile force > 0
+  std::optional<Section> jump;  ///< the jump that begins here; none inside an earlier jump
+  double jumpArea_mJ = 0;
+};
+
+struct StrokeMetrics {
+  std::vector<TactileEvent> tactile;  ///< in the order travelled
+  std::vector<Section> sections;
+  double startForce_N = 0, endForce_N = 0;  ///< at the two ends, by increasing displacement
+  double minForce_N = 0, maxForce_N = 0;
+  BottomOut bottomOut;
+  double work_mJ = 0;  ///< area under the curve
+};
+
+struct StateMetrics {
+  double travel_mm = 0;  ///< of the press curve
+  StrokeMetrics press;
+  std::optional<StrokeMetrics> release;
+  std::optional<double> hysteresisArea_mJ;  ///< press minus release over the displacements both cover; signed
+  std::optional<CurvePoint> operatingPoint, resetPoint;  ///< with the force of their stroke there, when known
+};
+
+StrokeMetrics metricsOf(const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings = {});
+StateMetrics metricsOf(const ButtonState& state, const SectionSettings& settings = {});
+
+}  // namespace detent
