@@ -64,6 +64,19 @@ std::optional<AlignedImage> dominating(const CollectedPage& page, const Box& reg
   return *largest;
 }
 
+/// A drawing over a background image, not a picture with a box or a remark on it.
+bool carriesDrawing(const CollectedPage& page, const Box& region) {
+  constexpr std::size_t drawingStartsAt = 8;  // polylines
+  std::size_t polylines = 0;
+  for (const VectorPath& path : page.paths) {
+    const bool inside = path.box.x1 >= region.x0 && path.box.x0 <= region.x1 && path.box.y1 >= region.y0 &&
+                        path.box.y0 <= region.y1;
+    if (inside) polylines += path.polylines.size();
+    if (polylines >= drawingStartsAt) return true;
+  }
+  return false;
+}
+
 /// Pixels per unit of the finest image that holds a fair part of the region: a render is never coarser.
 double finestImageScale(const CollectedPage& page, const Box& region) {
   constexpr double fairPart = 0.05;
@@ -158,7 +171,8 @@ std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, double p
   const Box seen{std::max(region.x0, 0.0), std::max(region.y0, 0.0), std::min(region.x1, pageWidth),
                  std::min(region.y1, pageHeight)};
   if (seen.empty()) return std::nullopt;
-  if (const auto image = dominating(page, seen)) {
+  const auto image = dominating(page, seen);
+  if (image && !carriesDrawing(page, seen)) {
     ViewGrid grid;
     grid.origin = {image->box.x0, image->box.y0};
     grid.pitchX = image->pitchX;
