@@ -9,24 +9,20 @@ void appendWall(std::vector<CurvePoint>& points, std::optional<double> wallForce
   if (wallForce_N) points.push_back({points.back().displacement_mm, *wallForce_N});
 }
 
-Result<Button> momentary(std::string name, const StrokeSketch& press, const StrokeSketch& release,
-                         std::optional<double> operatingPoint_mm, std::optional<double> resetPoint_mm) {
-  auto pressCurve = strokeFrom(press);
-  if (!pressCurve) return pressCurve.failure();
-  auto releaseCurve = strokeFrom(release);
-  if (!releaseCurve) return releaseCurve.failure();
-  auto graph = ForceGraph::fromCurves(*std::move(pressCurve), *std::move(releaseCurve));
-  if (!graph) return graph.failure();
-  return Button::fromStates(std::move(name),
-                            {ButtonState{"", *std::move(graph), operatingPoint_mm, resetPoint_mm, {}}});
-}
-
 Result<ForceGraph> graphFrom(const StrokeSketch& press, const StrokeSketch& release) {
   auto pressCurve = strokeFrom(press);
   if (!pressCurve) return pressCurve.failure();
   auto releaseCurve = strokeFrom(release);
   if (!releaseCurve) return releaseCurve.failure();
   return ForceGraph::fromCurves(*std::move(pressCurve), *std::move(releaseCurve));
+}
+
+Result<Button> momentary(std::string name, const StrokeSketch& press, const StrokeSketch& release,
+                         std::optional<double> operatingPoint_mm, std::optional<double> resetPoint_mm) {
+  auto graph = graphFrom(press, release);
+  if (!graph) return graph.failure();
+  return Button::fromStates(std::move(name),
+                            {ButtonState{"", *std::move(graph), operatingPoint_mm, resetPoint_mm, {}}});
 }
 
 StrokeSketch pressSketch(const TactileTemplate& values) {
