@@ -1,1 +1,232 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "importer/strokes/legend.h"
 #include "importer/strokes/stroke_pair.h"
+
+namespace detent::importer {
+
+namespace {
+
+/// Evidence in favour of the first of two traces being the press, in log-odds; positive is for it.
+struct Verdict {
+  double logOdds = 0;
+  std::vector<std::string> reasons;
+
+  void add(double odds, const std::string& reason) {
+    logOdds += odds;
+    reasons.push_back(reason);
+  }
+  double confidence() const { return 1 / (1 + std::exp(-std::abs(logOdds))); }
+  std::string sentence() const {
+    std::string text;
+    for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
+    return text;
+  }
+};
+
+std::string percent(double share) {
+  char text[16];
+  std::snprintf(text, sizeof text, "%.0f %%", 100 * share);
+  return text;
+}
+
+std::string hex(Rgb c) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", c.r, c.g, c.b);
+  return text;
+}
+
+/// In the order of increasing displacement; a plumb line in the order of increasing force.
+StrokePoints inUnits(const CurveTrace& trace, const AxisCalibration& calibration) {
+  StrokePoints stroke;
+  stroke.fromVector = trace.fromVector;
+  for (Point p : trace.points_px) {
+    const Point q = calibration.toUnits(p);
+    if (!std::isfinite(q.x) || !std::isfinite(q.y)) continue;
+    stroke.points.push_back({q.x, q.y});
+    stroke.points_px.push_back(p);
+  }
+  if (stroke.points.size() < 2) return stroke;
+  const CurvePoint a = stroke.points.front(), b = stroke.points.back();
+  const bool backwards =
+      a.displacement_mm != b.displacement_mm ? a.displacement_mm > b.displacement_mm : a.force_N > b.force_N;
+  if (backwards) {
+    std::reverse(stroke.points.begin(), stroke.points.end());
+    std::reverse(stroke.points_px.begin(), stroke.points_px.end());
+  }
+  return stroke;
+}
+
+StrokePoints travelledBack(StrokePoints stroke) {
+  std::reverse(stroke.points.begin(), stroke.points.end());
+  std::reverse(stroke.points_px.begin(), stroke.points_px.end());
+  return stroke;
+}
+
+/// Mean force per cell of displacement; NaN where the stroke does not run.
+std::vector<double> meanForces(const StrokePoints& stroke, double from_mm, double to_mm, std::size_t cells) {
+  std::vector<double> sum(cells, 0), n(cells, 0);
+  const auto cellOf = [&](double mm) { return (mm - from_mm) / (to_mm - from_mm) * static_cast<double>(cells); };
+  for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i) {
+    const CurvePoint a = stroke.points[i], b = stroke.points[i + 1];
+    const double ca = cellOf(a.displacement_mm), cb = cellOf(b.displacement_mm);
+    // One sample per cell crossed, at least one per piece: sparse polylines fill every cell they pass.
+    const int pieces = std::max(1, static_cast<int>(std::ceil(2 * std::abs(cb - ca))));
+    for (int k = 0; k <= pieces; ++k) {
+      const double t = static_cast<double>(k) / pieces, c = ca + t * (cb - ca);
+      if (c < 0 || c >= static_cast<double>(cells)) continue;
+      sum[static_cast<std::size_t>(c)] += a.force_N + t * (b.force_N - a.force_N);
+      n[static_cast<std::size_t>(c)] += 1;
+    }
+  }
+  for (std::size_t i = 0; i < cells; ++i) sum[i] = n[i] > 0 ? sum[i] / n[i] : NAN;
+  return sum;
+}
+
+struct Comparison {
+  double common_mm = 0;     ///< displacement both run over
+  double above = 0;         ///< share of it where the first lies clearly above the second
+  double below = 0;
+  double topDifference_N = 0;  ///< highest force of the first minus that of the second
+};
+
+/// Walls at the ends are left out: there a small shift in displacement is a large one in force.
+Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N) {
+  Comparison c;
+  const auto span = [](const StrokePoints& s) {
+    const auto [low, high] = std::minmax_element(s.points.begin(), s.points.end(), [](CurvePoint p, CurvePoint q) {
+      return p.displacement_mm < q.displacement_mm;
+    });
+    return std::pair(low->displacement_mm, high->displacement_mm);
+  };
+  const auto top = [](const StrokePoints& s) {
+    return std::max_element(s.points.begin(), s.points.end(), [](CurvePoint p, CurvePoint q) {
+             return p.force_N < q.force_N;
+           })->force_N;
+  };
+  c.topDifference_N = top(a) - top(b);
+  const auto [a0, a1] = span(a);
+  const auto [b0, b1] = span(b);
+  const double from = std::max(a0, b0), to = std::min(a1, b1);
+  c.common_mm = std::max(0.0, to - from);
+  if (!(to > from)) return c;
+  constexpr std::size_t kCells = 200;
+  const std::vector<double> forceA = meanForces(a, from, to, kCells), forceB = meanForces(b, from, to, kCells);
+  double n = 0;
+  for (std::size_t i = kCells / 50; i < kCells - kCells / 50; ++i) {
+    if (!std::isfinite(forceA[i]) || !std::isfinite(forceB[i])) continue;
+    n += 1;
+    if (forceA[i] - forceB[i] > clear_N) c.above += 1;
+    if (forceB[i] - forceA[i] > clear_N) c.below += 1;
+  }
+  if (n > 0) {
+    c.above /= n;
+    c.below /= n;
+  }
+  return c;
+}
+
+/// Which of two traces is the press.
+Verdict judge(const CurveTrace& first, const CurveTrace& second, const StrokePoints& a, const StrokePoints& b,
+              double newtonPerPx) {
+  Verdict verdict;
+  const auto vote = [&](std::optional<Stroke> ofFirst, std::optional<Stroke> ofSecond, double odds, const char* source) {
+    if (ofFirst == ofSecond) return;  // nothing said, or the same of both
+    const bool firstIsPress = ofFirst ? *ofFirst == Stroke::press : *ofSecond == Stroke::release;
+    verdict.add(firstIsPress ? odds : -odds, source);
+  };
+  vote(first.stroke, second.stroke, 5, "drawn as one loop and told apart by its course");
+  vote(strokeNamedBy(first.label), strokeNamedBy(second.label), 5, "named by the legend");
+  const Comparison c = compare(a, b, 0.6 * newtonPerPx);
+  const double apart = c.above + c.below;
+  if (apart > 0.02) {
+    const double lead = (c.above - c.below) / apart;
+    verdict.add(4 * lead * std::min(1.0, apart / 0.1),
+                "press lies above release on " + percent(std::max(c.above, c.below) / apart) + " of where they differ");
+  }
+  if (std::abs(c.topDifference_N) > 3 * newtonPerPx)
+    verdict.add(c.topDifference_N > 0 ? 0.7 : -0.7, "one reaches a higher force");
+  return verdict;
+}
+
+Failure tooMany(const std::vector<CurveTrace>& traces) {
+  std::string colors;
+  for (const CurveTrace& trace : traces) {
+    colors += (colors.empty() ? "" : ", ") + hex(trace.color);
+    if (!trace.label.empty()) colors += " (" + trace.label + ")";
+  }
+  return {FailureCode::notCertain, "plot frame", "",
+          std::to_string(traces.size()) + " curves, and which two belong together is not clear: " + colors,
+          "pass --press-color and --release-color with two of these"};
+}
+
+/// Of several traces the two that are named press and release, if the legend or the tracer names exactly one of each.
+std::optional<std::pair<std::size_t, std::size_t>> clearPair(const std::vector<CurveTrace>& traces) {
+  std::vector<std::size_t> press, release;
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    const std::optional<Stroke> named = traces[i].stroke ? traces[i].stroke : strokeNamedBy(traces[i].label);
+    if (!named) continue;
+    (*named == Stroke::press ? press : release).push_back(i);
+  }
+  if (press.size() != 1 || release.size() != 1) return {};
+  return std::pair(press.front(), release.front());
+}
+
+Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibration& calibration) {
+  Found<StrokePair> found;
+  found.value.press = inUnits(trace, calibration);
+  if (found.value.press.points.size() < 2)
+    return Failure{FailureCode::noForceGraph, "plot frame", "", "its curve has fewer than two points",
+                   "pass --press-color with the curve's colour"};
+  const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
+  found.confidence = (namedRelease ? 0.5 : 0.9) * std::max(0.5, trace.confidence);
+  found.evidence = namedRelease ? "one curve, taken as press though the legend calls it release" : "one curve: press only";
+  return found;
+}
+
+}  // namespace
+
+Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
+                                          const PlotFrame& /*frame*/, const StrokeHints& hints) {
+  const AxisCalibration& calibration = axes.calibration.value;
+  std::vector<CurveTrace> drawn;
+  for (const CurveTrace& trace : traces)
+    if (trace.points_px.size() >= 2) drawn.push_back(trace);
+  if (drawn.empty())
+    return Failure{FailureCode::noForceGraph, "plot frame", "", "holds no curve",
+                   "pass --frame if the plot stands elsewhere, or --press-color with the curve's colour"};
+  if (drawn.size() == 1) return pressAlone(drawn.front(), calibration);
+  if (drawn.size() > 2) {
+    const auto pair = clearPair(drawn);
+    if (!pair) return tooMany(drawn);
+    drawn = {drawn[pair->first], drawn[pair->second]};
+  }
+
+  StrokePoints a = inUnits(drawn[0], calibration), b = inUnits(drawn[1], calibration);
+  if (a.points.size() < 2 || b.points.size() < 2)
+    return pressAlone(a.points.size() < 2 ? drawn[1] : drawn[0], calibration);
+  const Verdict verdict = judge(drawn[0], drawn[1], a, b, std::abs(calibration.newtonPerPx()));
+  Found<StrokePair> found;
+  found.confidence = verdict.confidence() * std::min(1.0, 0.5 + 0.5 * std::min(drawn[0].confidence, drawn[1].confidence));
+  found.evidence = verdict.sentence();
+  bool firstIsPress = verdict.logOdds >= 0;
+  if (hints.swap) {
+    firstIsPress = !firstIsPress;
+    found.by = DecidedBy::given;
+    found.confidence = 1;
+    found.evidence = "exchanged by hand";
+  } else if (std::abs(verdict.logOdds) < 0.4) {
+    return Failure{FailureCode::notCertain, "plot frame", "",
+                   "press and release cannot be told apart: neither legend nor hysteresis says which is which (" +
+                       hex(drawn[0].color) + ", " + hex(drawn[1].color) + ")",
+                   "pass --press-color and --release-color"};
+  }
+  found.value.press = firstIsPress ? std::move(a) : b;
+  found.value.release = travelledBack(firstIsPress ? std::move(b) : std::move(a));
+  return found;
+}
+
+}  // namespace detent::importer

@@ -1,1 +1,255 @@
+// Step 4, reading order: trace_vector.h (paths, exact) -> here (which inks draw curves) -> plot_area, backdrop, plot_text,
+// ink_palette, ink_coverage, curve_choice, follow_curve, centre_line, line_ends (curves in inks of their own) or
+// trace_loop.h (both strokes in one ink).
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "importer/trace/centre_line.h"
+#include "importer/trace/curve_choice.h"
 #include "importer/trace/curve_trace.h"
+#include "importer/trace/line_ends.h"
+#include "importer/trace/trace_loop.h"
+#include "importer/trace/trace_vector.h"
+
+namespace detent::importer {
+
+namespace {
+
+using namespace inks;
+
+constexpr double kSecondStrokeShare = 0.3;  // of the first line's gain: then both strokes share the ink
+constexpr double kSameInkAngle = 0.985;     // cosine between a given colour and an ink found
+
+Failure cancelled() { return {FailureCode::wrongUsage, "tracing", "", "cancelled", "run it again"}; }
+
+Failure noCurve(const std::string& why) {
+  return {FailureCode::noForceGraph, "plot frame", "", why,
+          "pass --frame if the plot stands elsewhere, or --press-color with the curve's colour"};
+}
+
+Rgb rgbOf(Color3 c) {
+  const auto level = [](float v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5F, 0.0F, 255.0F)); };
+  return {level(c.r), level(c.g), level(c.b)};
+}
+
+Box boxInArea(const Box& view, const PlotArea& area) {
+  const Point a = area.fromView({view.x0, view.y0}), b = area.fromView({view.x1, view.y1});
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
+bool meets(const Box& a, const Box& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1; }
+
+std::vector<Box> wordsInside(const AxesFound& axes, const PlotArea& area) {
+  std::vector<Box> words;
+  for (const SeenText& text : axes.texts) {
+    const Box box = boxInArea(text.box, area);
+    if (meets(box, area.frame)) words.push_back(box);
+  }
+  return words;
+}
+
+Mask maskOf(const std::vector<Box>& masks_px, const PlotArea& area) {
+  if (masks_px.empty()) return {};
+  const int width = area.raster.width_px, height = area.raster.height_px;
+  Mask mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  for (const Box& given : masks_px) {
+    const Box box = boxInArea(given, area);
+    for (int y = std::max(0, static_cast<int>(box.y0)); y <= std::min(height - 1, static_cast<int>(box.y1)); ++y)
+      for (int x = std::max(0, static_cast<int>(box.x0)); x <= std::min(width - 1, static_cast<int>(box.x1)); ++x)
+        mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] = 1;
+  }
+  return mask;
+}
+
+std::vector<double> linePositions(const std::vector<GridLine>& lines, const PlotArea& area, bool vertical) {
+  std::vector<double> positions = vertical ? std::vector<double>{area.frame.x0, area.frame.x1}
+                                           : std::vector<double>{area.frame.y0, area.frame.y1};
+  const Point corner = area.toView({area.frame.x0, area.frame.y1});
+  for (const GridLine& line : lines) {
+    if (!line.spansFrame) continue;
+    const Point p = area.fromView(vertical ? Point{line.position_px, corner.y} : Point{corner.x, line.position_px});
+    positions.push_back(vertical ? p.x : p.y);
+  }
+  return positions;
+}
+
+/// Given colours join the palette; an ink found in the same direction keeps its measured shade.
+std::vector<int> addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const Backdrop& backdrop) {
+  std::vector<int> given;
+  for (const std::optional<Rgb>& color : {hints.pressColor, hints.releaseColor}) {
+    if (!color) continue;
+    const Ink ink = inkOfColor(*color, backdrop);
+    const auto same = std::find_if(palette.begin(), palette.end(), [&](const Ink& other) {
+      return static_cast<double>(dot(other.direction, ink.direction)) > kSameInkAngle;
+    });
+    given.push_back(static_cast<int>(same - palette.begin()));
+    if (same == palette.end()) palette.push_back(ink);
+  }
+  return given;
+}
+
+class ColouredCurves {
+ public:
+  ColouredCurves(const PlotInks& plot, const TraceOptions& options) : plot_(plot), options_(options) {}
+
+  std::vector<CurveTrace> trace(const std::vector<CurveInk>& curves) const {
+    std::vector<int> curveInks;
+    for (const CurveInk& curve : curves) curveInks.push_back(curve.ink);
+    std::vector<CurveTrace> traces;
+    for (const CurveInk& curve : curves) traces.push_back(traceOne(curve, curveInks));
+    return traces;
+  }
+
+ private:
+  CurveTrace traceOne(const CurveInk& curve, const std::vector<int>& curveInks) const {
+    const CurveField field = fieldOf(plot_, curve.ink, curveInks);
+    CentreLine line = centreLine(field, curve.course, curve.thickness_px);
+    finishEnds(line, field, plot_.area.frame);
+    CurveTrace trace;
+    trace.color = rgbOf(plot_.backdrop.paper() + plot_.palette[static_cast<std::size_t>(curve.ink)].difference());
+    trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, curve.course.inkShare), 0.0, 1.0);
+    Point last{};
+    for (std::size_t i = 0; i < line.points.size(); ++i) {
+      const Point p = plot_.area.toView(line.points[i]);
+      const bool end = i == 0 || i + 1 == line.points.size();
+      if (!end && std::hypot(p.x - last.x, p.y - last.y) < 0.95 * options_.pointSpacing_px) continue;
+      trace.points_px.push_back(p);
+      const Point q = plot_.area.toView({line.points[i].x + 1, line.points[i].y});
+      trace.width_px.push_back(line.profile.width_px * std::hypot(q.x - p.x, q.y - p.y));
+      last = p;
+    }
+    return trace;
+  }
+
+  const PlotInks& plot_;
+  const TraceOptions& options_;
+};
+
+/// The whole view as coverage by one ink, for curves that share it with each other and perhaps with grid and text.
+InkLayer inkLayer(const Raster& raster, const PlotArea& area, const Backdrop& backdrop, const Ink& ink,
+                  const std::vector<Ink>& palette, bool neutral) {
+  InkLayer layer;
+  layer.width_px = raster.width_px;
+  layer.height_px = raster.height_px;
+  layer.paper = rgbOf(backdrop.paper());
+  layer.color = rgbOf(backdrop.paper() + ink.difference());
+  layer.coverage.resize(static_cast<std::size_t>(raster.width_px) * static_cast<std::size_t>(raster.height_px));
+  const float floor = std::max(4.0F, 3 * backdrop.noise());
+  for (int y = 0; y < raster.height_px; ++y)
+    for (int x = 0; x < raster.width_px; ++x) {
+      const Point p = area.fromView({static_cast<double>(x), static_cast<double>(y)});
+      const Color3 difference =
+          colorAt(raster, x, y) - backdrop.paperAt(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
+      const float length = norm(difference);
+      if (length < floor) continue;
+      float own = dot(difference, ink.direction) / ink.strength;
+      if (!neutral) {
+        // Another ink that fits the pixel's colour better has it; only blends keep a share of this one.
+        float bestOther = 0;
+        for (const Ink& other : palette) {
+          if (static_cast<double>(dot(other.direction, ink.direction)) > kSameInkAngle) continue;
+          bestOther = std::max(bestOther, dot(difference, other.direction) / length);
+        }
+        const float fit = dot(difference, ink.direction) / length;
+        if (bestOther > fit) own *= std::max(0.0F, 1 - 8 * (bestOther - fit));
+      }
+      layer.coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width_px) +
+                     static_cast<std::size_t>(x)] = std::clamp(own, 0.0F, 1.0F);
+    }
+  return layer;
+}
+
+/// The ink of everything that is not coloured: away from the paper, towards the darkest (on dark paper: lightest) of it.
+Ink darkness(const PlotInks& plot) {
+  Ink dark;
+  for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
+    const Ink& ink = plot.palette[static_cast<std::size_t>(k)];
+    if (isNeutral(plot, k) && ink.strength > dark.strength) dark = ink;
+  }
+  if (dark.strength > 0) return dark;
+  const Color3 paper = plot.backdrop.paper();
+  const bool light = paper.r + paper.g + paper.b > 382;
+  dark.strength = std::max(1.0F, norm(light ? paper : Color3{255, 255, 255} - paper));
+  dark.direction = (1 / dark.strength) * (light ? Color3{} - paper : Color3{255, 255, 255} - paper);
+  return dark;
+}
+
+/// What stands beside a legend's sample line, or is written in the curve's own colour.
+void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const Raster& raster, const Backdrop& backdrop) {
+  for (const SeenText& text : axes.texts) {
+    if (std::abs(text.angle_deg) > 20 || text.utf8.empty()) continue;
+    const double height = text.box.height();
+    const int y0 = std::max(0, static_cast<int>(text.box.y0 + 0.15 * height));
+    const int y1 = std::min(raster.height_px - 1, static_cast<int>(text.box.y1 - 0.15 * height));
+    std::vector<double> seen(traces.size(), 0);
+    const auto look = [&](double from, double to) {
+      for (int y = y0; y <= y1; ++y)
+        for (int x = std::max(0, static_cast<int>(from)); x <= std::min(raster.width_px - 1, static_cast<int>(to)); ++x) {
+          const Color3 difference = colorAt(raster, x, y) - backdrop.paper();
+          const float length = norm(difference);
+          if (length < 24) continue;
+          for (std::size_t k = 0; k < traces.size(); ++k) {
+            const Ink ink = inkOfColor(traces[k].color, backdrop);
+            if (dot(difference, ink.direction) > 0.985F * length) seen[k] += static_cast<double>(length / ink.strength);
+          }
+        }
+    };
+    look(text.box.x0 - 3.5 * height, text.box.x0 - 0.15 * height);
+    look(text.box.x1 + 0.15 * height, text.box.x1 + 3.5 * height);
+    const auto most = std::max_element(seen.begin(), seen.end());
+    if (most == seen.end() || *most < 0.8 * height) continue;
+    double others = 0;
+    for (double s : seen) others += s;
+    others -= *most;
+    if (others > 0.35 * *most) continue;
+    std::string& label = traces[static_cast<std::size_t>(most - seen.begin())].label;
+    label += (label.empty() ? "" : " ") + text.utf8;
+  }
+}
+
+}  // namespace
+
+Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
+                                            const TraceHints& hints, const TraceOptions& options, const Progress& progress) {
+  if (!(options.pointSpacing_px > 0 && options.pointSpacing_px <= 16))
+    return Failure{FailureCode::wrongUsage, "point spacing", "", "must lie in (0, 16] px", "leave it at 1"};
+  std::vector<CurveTrace> exact = traceVector(view, frame, axes, hints);
+  if (!exact.empty()) return exact;
+
+  const PlotArea area = makePlotArea(view.raster, frame);
+  if (area.raster.empty()) return noCurve("lies outside the picture or has no area");
+  const Backdrop backdrop = Backdrop::measure(area, linePositions(frame.xLines, area, true),
+                                              linePositions(frame.yLines, area, false));
+  if (progress.isCancelled()) return cancelled();
+  const PlotText text = findText(area, backdrop, wordsInside(axes, area));
+  const Mask masked = maskOf(hints.masks_px, area);
+  Mask excluded = text.mask;
+  for (std::size_t i = 0; i < masked.size(); ++i) excluded[i] = excluded[i] | masked[i];
+  std::vector<Ink> palette = findInks(area, backdrop, excluded);
+  const std::vector<int> given = addGivenInks(palette, hints, backdrop);
+  if (palette.empty()) return noCurve("is empty: nothing but paper and grid lines in it");
+  if (progress.isCancelled()) return cancelled();
+  const Coverage coverage = unmix(area, backdrop, palette);
+  const std::vector<LegendSample> samples = findLegendSamples(coverage, text, area);
+  const PlotInks plot{area, backdrop, palette, coverage, text, samples, masked};
+  std::vector<CurveInk> curves = chooseCurveInks(plot);
+  if (!given.empty())
+    curves.erase(std::remove_if(curves.begin(), curves.end(),
+                                [&](const CurveInk& c) { return std::find(given.begin(), given.end(), c.ink) == given.end(); }),
+                 curves.end());
+  if (progress.isCancelled()) return cancelled();
+
+  const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrokeShare;
+  if (curves.empty() || oneInkBothStrokes) {
+    const Ink ink = curves.empty() ? darkness(plot) : palette[static_cast<std::size_t>(curves.front().ink)];
+    return traceLoop(inkLayer(view.raster, area, backdrop, ink, palette, curves.empty()), frame, axes, hints, options,
+                     progress);
+  }
+  std::vector<CurveTrace> traces = ColouredCurves(plot, options).trace(curves);
+  labelTraces(traces, axes, view.raster, backdrop);
+  return traces;
+}
+
+}  // namespace detent::importer

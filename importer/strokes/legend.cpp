@@ -1,0 +1,87 @@
+#include "importer/strokes/legend.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace detent::importer {
+
+namespace {
+
+constexpr std::array kPressWords = {
+    "press",    "pressing",  "pressed",   "downstroke", "down",      "push",      "pushing",  "forward", "loading",
+    "load",     "depress",   "actuate",   "actuation",  "in",        "hinweg",    "vorlauf",  "druecken", "drücken",
+    "betätigen", "betaetigen", "betätigung", "betaetigung", "belasten", "belastung", "hinhub", "appui", "enfoncement"};
+constexpr std::array kReleaseWords = {
+    "release",  "releasing", "released",   "upstroke",   "up",        "return",     "returning",  "backward", "reverse",
+    "unloading", "unload",   "reset",      "out",        "rückweg",   "rueckweg",   "rücklauf",   "ruecklauf", "rückhub",
+    "rueckhub", "loslassen", "entlasten",  "entlastung", "rückstellung", "rueckstellung", "relâchement", "retour"};
+constexpr std::array kPressSigns = {"按压", "按下", "下压", "压下", "去程", "加载", "押下", "押す", "押し", "往路"};
+constexpr std::array kReleaseSigns = {"释放", "松开", "抬起", "回弹", "回程", "弹起", "复位", "卸载", "解放", "戻り", "離す", "復路"};
+/// A text with one of these names a point on a curve, not the curve.
+constexpr std::array kPointWords = {"point", "position", "punkt", "schaltpunkt", "rückschaltpunkt", "druckpunkt", "pos"};
+constexpr std::array kPointSigns = {"点", "點", "位置"};
+
+bool isLatinLetter(unsigned char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c >= 0x80; }
+
+/// Lower-case words; bytes above ASCII count as letters, "Ä Ö Ü" become small.
+std::vector<std::string> wordsOf(std::string_view utf8) {
+  std::vector<std::string> words;
+  std::string word;
+  for (std::size_t i = 0; i <= utf8.size(); ++i) {
+    const unsigned char c = i < utf8.size() ? static_cast<unsigned char>(utf8[i]) : 0;
+    if (i < utf8.size() && isLatinLetter(c)) {
+      const bool afterC3 = !word.empty() && static_cast<unsigned char>(word.back()) == 0xC3;
+      if (afterC3 && (c == 0x84 || c == 0x96 || c == 0x9C)) {
+        word += static_cast<char>(c + 0x20);
+      } else {
+        word += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : static_cast<char>(c);
+      }
+    } else if (!word.empty()) {
+      words.push_back(std::move(word));
+      word.clear();
+    }
+  }
+  return words;
+}
+
+/// Equal but for at most one replaced, missing or extra byte.
+bool differByOne(std::string_view a, std::string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  if (b.size() - a.size() > 1) return false;
+  std::size_t i = 0;
+  while (i < a.size() && a[i] == b[i]) ++i;
+  const std::string_view restA = a.substr(i), restB = b.substr(i);
+  if (restB.empty()) return true;
+  return a.size() == b.size() ? restA.substr(1) == restB.substr(1) : restA == restB.substr(1);
+}
+
+template <class List>
+bool anyWord(const std::vector<std::string>& words, const List& list) {
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+    return std::any_of(list.begin(), list.end(), [&](std::string_view known) {
+      return word == known || (known.size() >= 6 && word.size() >= 6 && differByOne(word, known));
+    });
+  });
+}
+
+template <class List>
+bool anySign(std::string_view text, const List& list) {
+  return std::any_of(list.begin(), list.end(),
+                     [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; });
+}
+
+}  // namespace
+
+std::optional<Stroke> strokeNamedBy(std::string_view utf8) {
+  const std::vector<std::string> words = wordsOf(utf8);
+  if (anyWord(words, kPointWords) || anySign(utf8, kPointSigns)) return {};
+  const bool press = anyWord(words, kPressWords) || anySign(utf8, kPressSigns);
+  const bool release = anyWord(words, kReleaseWords) || anySign(utf8, kReleaseSigns);
+  if (press == release) return {};
+  return press ? Stroke::press : Stroke::release;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,246 @@
+#include "importer/trace/backdrop.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+namespace detent::importer::inks {
+
+namespace {
+
+constexpr int kMaxSamplesPerLine = 800;
+constexpr float kLineContrast = 5;       // of a gridline against paper, colour levels
+constexpr double kKnownLine_px = 2.5;    // how far from a known line a row may be to count as that line
+constexpr float kUnevenPaper = 8;        // a tile's paper that differs by this much makes the paper uneven
+
+/// Most frequent colour of pixels fed in: the fullest 16-level cell, then the mean of what lies near its centre of mass.
+class ModeOfColors {
+ public:
+  ModeOfColors() : count_(4096, 0), sum_(4096) {}
+
+  void add(Color3 c) {
+    const std::size_t cell = cellOf(c);
+    ++count_[cell];
+    sum_[cell] = sum_[cell] + c;
+    ++total_;
+  }
+  /// The fullest cell joined with its neighbours, so that a colour on a cell's border is not halved.
+  Color3 mode(double* share = nullptr) const {
+    const std::size_t best =
+        static_cast<std::size_t>(std::max_element(count_.begin(), count_.end()) - count_.begin());
+    const int r = static_cast<int>(best >> 8), g = static_cast<int>((best >> 4) & 15), b = static_cast<int>(best & 15);
+    const Color3 centre = count_[best] ? (1.0F / static_cast<float>(count_[best])) * sum_[best] : Color3{};
+    Color3 sum;
+    double n = 0;
+    for (int i = std::max(0, r - 1); i <= std::min(15, r + 1); ++i)
+      for (int j = std::max(0, g - 1); j <= std::min(15, g + 1); ++j)
+        for (int k = std::max(0, b - 1); k <= std::min(15, b + 1); ++k) {
+          const std::size_t cell = static_cast<std::size_t>((i << 8) | (j << 4) | k);
+          if (count_[cell] == 0) continue;
+          const Color3 mean = (1.0F / static_cast<float>(count_[cell])) * sum_[cell];
+          if (norm(mean - centre) > 10) continue;
+          sum = sum + sum_[cell];
+          n += count_[cell];
+        }
+    if (share) *share = total_ ? n / total_ : 0;
+    return n > 0 ? static_cast<float>(1 / n) * sum : centre;
+  }
+
+ private:
+  static std::size_t cellOf(Color3 c) {
+    const auto level = [](float v) { return static_cast<std::size_t>(std::clamp(v, 0.0F, 255.0F)) >> 4; };
+    return (level(c.r) << 8) | (level(c.g) << 4) | level(c.b);
+  }
+  std::vector<int> count_;
+  std::vector<Color3> sum_;
+  double total_ = 0;
+};
+
+/// Median per channel of a line's differences to the paper.
+class MedianColor {
+ public:
+  void clear() {
+    for (auto& channel : bins_) channel.fill(0);
+    n_ = 0;
+  }
+  void add(Color3 difference) {
+    ++bins_[0][binOf(difference.r)];
+    ++bins_[1][binOf(difference.g)];
+    ++bins_[2][binOf(difference.b)];
+    ++n_;
+  }
+  Color3 median() const { return {medianOf(bins_[0]), medianOf(bins_[1]), medianOf(bins_[2])}; }
+
+ private:
+  static std::size_t binOf(float v) { return static_cast<std::size_t>(std::clamp(v + 256.5F, 0.0F, 511.0F)); }
+  float medianOf(const std::array<int, 512>& bins) const {
+    int below = 0;
+    for (std::size_t i = 0; i < bins.size(); ++i) {
+      below += bins[i];
+      if (2 * below >= n_) return static_cast<float>(i) - 256;
+    }
+    return 0;
+  }
+  std::array<std::array<int, 512>, 3> bins_{};
+  int n_ = 0;
+};
+
+bool isKnown(double position, const std::vector<double>& lines) {
+  return std::any_of(lines.begin(), lines.end(), [&](double l) { return std::abs(l - position) <= kKnownLine_px; });
+}
+
+/// One row or column that differs from the paper along most of its length.
+struct LineCandidate {
+  Color3 difference;
+  bool known = false;
+  std::size_t position = 0;
+  bool isRow = false;
+};
+
+void collect(const std::vector<Color3>& lines, const std::vector<double>& known, bool rows,
+             std::vector<LineCandidate>& out) {
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (norm(lines[i]) >= kLineContrast) out.push_back({lines[i], isKnown(static_cast<double>(i), known), i, rows});
+}
+
+/// A lone row or column that differs from the paper may be a flat stretch or a wall of a curve: it is a gridline only if
+/// others of its colour run elsewhere, or if it is known as a line and nothing of another colour contradicts.
+bool isGridline(const LineCandidate& line, const std::vector<LineCandidate>& all) {
+  int peers = 0, strangers = 0;
+  for (const LineCandidate& other : all) {
+    const bool same = other.isRow == line.isRow;
+    if (same && other.position <= line.position + 4 && line.position <= other.position + 4) continue;
+    const bool similar =
+        dot(line.difference, other.difference) > 0.97F * norm(line.difference) * norm(other.difference);
+    ++(similar ? peers : strangers);
+  }
+  return peers >= 2 || (line.known && (peers >= 1 || strangers == 0));
+}
+
+}  // namespace
+
+Backdrop Backdrop::measure(const PlotArea& area, const std::vector<double>& columnLines_px,
+                           const std::vector<double>& rowLines_px) {
+  Backdrop backdrop;
+  backdrop.measurePaper(area);
+  backdrop.measureShading(area);
+  backdrop.measureLines(area, columnLines_px, rowLines_px);
+  backdrop.measureNoise(area);
+  return backdrop;
+}
+
+void Backdrop::measurePaper(const PlotArea& area) {
+  const Raster& r = area.raster;
+  const int step = std::max(1, std::min(r.width_px, r.height_px) / kMaxSamplesPerLine);
+  ModeOfColors mode;
+  for (int y = 0; y < r.height_px; y += step)
+    for (int x = 0; x < r.width_px; x += step) mode.add(colorAt(r, x, y));
+  paper_ = mode.mode();
+}
+
+void Backdrop::measureShading(const PlotArea& area) {
+  const Raster& r = area.raster;
+  tilesAcross_ = std::clamp(r.width_px / 48, 1, 12);
+  tilesDown_ = std::clamp(r.height_px / 48, 1, 12);
+  tileWidth_ = static_cast<double>(r.width_px) / tilesAcross_;
+  tileHeight_ = static_cast<double>(r.height_px) / tilesDown_;
+  std::vector<Color3> tiles(static_cast<std::size_t>(tilesAcross_) * static_cast<std::size_t>(tilesDown_), paper_);
+  int uneven = 0, sure = 0;
+  for (int j = 0; j < tilesDown_; ++j)
+    for (int i = 0; i < tilesAcross_; ++i) {
+      const int x0 = static_cast<int>(i * tileWidth_), x1 = static_cast<int>((i + 1) * tileWidth_);
+      const int y0 = static_cast<int>(j * tileHeight_), y1 = static_cast<int>((j + 1) * tileHeight_);
+      const int step = std::max(1, std::min(x1 - x0, y1 - y0) / 40);
+      ModeOfColors mode;
+      for (int y = y0; y < y1; y += step)
+        for (int x = x0; x < x1; x += step) mode.add(colorAt(r, x, y));
+      double share = 0;
+      const Color3 local = mode.mode(&share);
+      if (share < 0.4) continue;
+      ++sure;
+      if (norm(local - paper_) > kUnevenPaper) ++uneven;
+      tiles[static_cast<std::size_t>(j * tilesAcross_ + i)] = local;
+    }
+  if (5 * uneven > sure) shading_ = std::move(tiles);
+}
+
+Color3 Backdrop::shadedPaper(int x, int y) const {
+  const double tx = std::clamp(x / tileWidth_ - 0.5, 0.0, tilesAcross_ - 1.0);
+  const double ty = std::clamp(y / tileHeight_ - 0.5, 0.0, tilesDown_ - 1.0);
+  const int i = std::min(static_cast<int>(tx), std::max(0, tilesAcross_ - 2));
+  const int j = std::min(static_cast<int>(ty), std::max(0, tilesDown_ - 2));
+  const float fx = static_cast<float>(tx - i), fy = static_cast<float>(ty - j);
+  const auto tile = [this](int a, int b) {
+    return shading_[static_cast<std::size_t>(std::min(b, tilesDown_ - 1) * tilesAcross_ + std::min(a, tilesAcross_ - 1))];
+  };
+  const Color3 top = (1 - fx) * tile(i, j) + fx * tile(i + 1, j);
+  const Color3 bottom = (1 - fx) * tile(i, j + 1) + fx * tile(i + 1, j + 1);
+  return (1 - fy) * top + fy * bottom;
+}
+
+void Backdrop::measureLines(const PlotArea& area, const std::vector<double>& columnLines_px,
+                            const std::vector<double>& rowLines_px) {
+  const Raster& r = area.raster;
+  const int x0 = std::max(0, static_cast<int>(area.frame.x0)), y0 = std::max(0, static_cast<int>(area.frame.y0));
+  const int x1 = std::min(r.width_px - 1, static_cast<int>(std::ceil(area.frame.x1)));
+  const int y1 = std::min(r.height_px - 1, static_cast<int>(std::ceil(area.frame.y1)));
+  rowLine_.assign(static_cast<std::size_t>(r.height_px), {});
+  columnLine_.assign(static_cast<std::size_t>(r.width_px), {});
+  const int stepX = std::max(1, (x1 - x0) / kMaxSamplesPerLine), stepY = std::max(1, (y1 - y0) / kMaxSamplesPerLine);
+  MedianColor median;
+  for (int y = 0; y < r.height_px; ++y) {
+    median.clear();
+    for (int x = x0; x <= x1; x += stepX) median.add(colorAt(r, x, y) - paperAt(x, y));
+    rowLine_[static_cast<std::size_t>(y)] = median.median();
+  }
+  for (int x = 0; x < r.width_px; ++x) {
+    median.clear();
+    for (int y = y0; y <= y1; y += stepY) median.add(colorAt(r, x, y) - paperAt(x, y));
+    columnLine_[static_cast<std::size_t>(x)] = median.median();
+  }
+  std::vector<LineCandidate> candidates;
+  collect(rowLine_, rowLines_px, true, candidates);
+  collect(columnLine_, columnLines_px, false, candidates);
+  std::fill(rowLine_.begin(), rowLine_.end(), Color3{});
+  std::fill(columnLine_.begin(), columnLine_.end(), Color3{});
+  for (const LineCandidate& line : candidates) {
+    if (!isGridline(line, candidates)) continue;
+    (line.isRow ? rowLine_ : columnLine_)[line.position] = line.difference;
+    lineDirection_ = lineDirection_ + line.difference;
+  }
+  if (norm(lineDirection_) > 0) lineDirection_ = (1 / norm(lineDirection_)) * lineDirection_;
+}
+
+void Backdrop::measureNoise(const PlotArea& area) {
+  const Raster& r = area.raster;
+  const int step = std::max(1, std::min(r.width_px, r.height_px) / kMaxSamplesPerLine);
+  std::vector<int> bins(64, 0);
+  int n = 0;
+  for (int y = 0; y < r.height_px; y += step)
+    for (int x = 0; x < r.width_px; x += step) {
+      if (onLine(x, y)) continue;
+      ++bins[static_cast<std::size_t>(std::min(63.0F, norm(colorAt(r, x, y) - paperAt(x, y))))];
+      ++n;
+    }
+  int below = 0;
+  for (std::size_t i = 0; i < bins.size(); ++i) {
+    below += bins[i];
+    if (2 * below >= n) {
+      noise_ = static_cast<float>(i);  // whole levels: a clean render stays at 0
+      return;
+    }
+  }
+}
+
+Color3 Backdrop::at(int x, int y) const {
+  const Color3 row = rowLine_[static_cast<std::size_t>(y)], column = columnLine_[static_cast<std::size_t>(x)];
+  return paperAt(x, y) + (dot(row, row) >= dot(column, column) ? row : column);
+}
+
+bool Backdrop::onLine(int x, int y) const {
+  const Color3 row = rowLine_[static_cast<std::size_t>(y)], column = columnLine_[static_cast<std::size_t>(x)];
+  return dot(row, row) > 0 || dot(column, column) > 0;
+}
+
+}  // namespace detent::importer::inks

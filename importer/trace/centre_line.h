@@ -1,0 +1,37 @@
+#pragma once
+// From a coarse course to the sub-pixel centre line: the line is drawn (width, blur, what hides it) along the present
+// estimate, compared with the picture, and moved across itself until both agree. Corners, ends and half-hidden stretches
+// are thereby deconvolved; hidden ones follow what covers them.
+
+#include <vector>
+
+#include "importer/trace/follow_curve.h"
+
+namespace detent::importer::inks {
+
+/// How the line is drawn: a box of `width_px` blurred by a box of `blur_px`; `level` is the coverage of its middle.
+struct LineProfile {
+  double width_px = 1;
+  double blur_px = 1;
+
+  /// Coverage at a distance from the centre line, 0..1.
+  double at(double distance_px) const;
+  double reach_px() const { return 0.5 * (width_px + blur_px); }
+};
+
+struct CentreLine {
+  std::vector<Point> points;     ///< area pixels, in order, about one pixel apart
+  std::vector<double> weight;    ///< 0..1 per point: how much of the line was seen there
+  LineProfile profile;
+  double seenShare = 0;          ///< mean weight
+};
+
+struct CentreLineOptions {
+  int centroidRounds = 2;        ///< coarse to about half a pixel
+  int matchRounds = 4;           ///< drawn against seen
+};
+
+CentreLine centreLine(const CurveField& field, const CoarseCurve& coarse, double thickness_px,
+                      const CentreLineOptions& options = {});
+
+}  // namespace detent::importer::inks

@@ -1,0 +1,41 @@
+#pragma once
+// Which inks draw curves, which only letter, frame and annotate; whether one ink draws both strokes.
+
+#include <optional>
+#include <vector>
+
+#include "importer/trace/follow_curve.h"
+#include "importer/trace/plot_text.h"
+
+namespace detent::importer::inks {
+
+/// An ink that draws a curve.
+struct CurveInk {
+  int ink = 0;              ///< index into the palette
+  bool neutral = false;     ///< the ink of text and frame
+  CoarseCurve course;
+  double thickness_px = 1;
+  double secondStrand = 0;  ///< gain of the best other line in the same ink, as a share of the first
+};
+
+/// Everything measured on one plot area.
+struct PlotInks {
+  const PlotArea& area;
+  const Backdrop& backdrop;
+  const std::vector<Ink>& palette;
+  const Coverage& coverage;
+  const PlotText& text;
+  const std::vector<LegendSample>& samples;
+  const Mask& masked;       ///< regions the user wants ignored; empty if none
+};
+
+/// What ink `index` looks like to the follower. `curveInks`: inks that may lie over it as curves; other inks are clutter.
+CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveInks);
+
+/// Ink of text, frame and grid: its direction is theirs, or its colour is grey.
+bool isNeutral(const PlotInks& plot, int index);
+
+/// Curves in differently coloured inks, best first. Neutral inks are among them only beside exactly one coloured curve.
+std::vector<CurveInk> chooseCurveInks(const PlotInks& plot);
+
+}  // namespace detent::importer::inks

@@ -1,0 +1,96 @@
+#include "importer/trace/ink_coverage.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace detent::importer::inks {
+
+namespace {
+
+constexpr float kMaxCoverage = 1.2F;
+constexpr float kResidualFloor = 8;      // colour levels: rounding and neighbouring shades
+constexpr float kResidualShare = 0.07F;  // of the difference: an ink's shade is known only so well
+
+/// What one pixel may be made of.
+struct Mixture {
+  int first = -1, second = -1;
+  float a = 0, b = 0;
+  float residual = 1e9F;
+};
+
+class PixelUnmixer {
+ public:
+  PixelUnmixer(const std::vector<Ink>& inks, Color3 paper) : paper_(paper) {
+    for (const Ink& ink : inks) full_.push_back(paper + ink.difference());
+  }
+
+  Mixture explain(Color3 pixel, Color3 behind, float tolerance) const {
+    const Color3 difference = pixel - behind;
+    Mixture best;
+    for (std::size_t k = 0; k < full_.size(); ++k) {
+      const Color3 v = full_[k] - behind;
+      const float a = std::clamp(dot(difference, v) / std::max(1.0F, dot(v, v)), 0.0F, kMaxCoverage);
+      const float residual = norm(difference - a * v);
+      if (residual < best.residual) best = {static_cast<int>(k), -1, a, 0, residual};
+    }
+    if (best.residual <= tolerance) return best;
+    for (std::size_t k = 0; k < full_.size(); ++k)
+      for (std::size_t j = 0; j < k; ++j) {
+        const Mixture pair = explainByTwo(difference, behind, k, j);
+        // A second ink has to earn its place: two explain more than one whatever is there.
+        if (pair.residual < 0.5F * best.residual) best = pair;
+      }
+    return best;
+  }
+
+ private:
+  Mixture explainByTwo(Color3 difference, Color3 behind, std::size_t k, std::size_t j) const {
+    const Color3 u = full_[k] - behind, v = full_[j] - behind;
+    const float uu = dot(u, u), vv = dot(v, v), uv = dot(u, v);
+    const float determinant = uu * vv - uv * uv;
+    Mixture pair;
+    if (determinant < 1e-3F * uu * vv) return pair;
+    const float du = dot(difference, u), dv = dot(difference, v);
+    float a = (du * vv - dv * uv) / determinant, b = (dv * uu - du * uv) / determinant;
+    if (a < 0.03F || b < 0.03F) return pair;
+    const float sum = a + b;
+    if (sum > kMaxCoverage) {
+      a *= kMaxCoverage / sum;
+      b *= kMaxCoverage / sum;
+    }
+    const Color3 rest = difference - (a * u + b * v);
+    return {static_cast<int>(k), static_cast<int>(j), a, b, norm(rest)};
+  }
+
+  Color3 paper_;
+  std::vector<Color3> full_;
+};
+
+}  // namespace
+
+Coverage unmix(const PlotArea& area, const Backdrop& backdrop, const std::vector<Ink>& inks) {
+  const Raster& r = area.raster;
+  Coverage coverage;
+  coverage.unknown = Plane(r.width_px, r.height_px);
+  for (std::size_t k = 0; k < inks.size(); ++k) coverage.ink.emplace_back(r.width_px, r.height_px);
+  const PixelUnmixer unmixer(inks, backdrop.paper());
+  const float floor = std::max(5.0F, 3 * backdrop.noise());
+  const float typical = inks.empty() ? 255.0F : std::max(40.0F, inks.front().strength);
+  for (int y = 0; y < r.height_px; ++y)
+    for (int x = 0; x < r.width_px; ++x) {
+      const Color3 pixel = colorAt(r, x, y), behind = backdrop.at(x, y);
+      const float length = norm(pixel - behind);
+      if (length < floor) continue;
+      const float tolerance = kResidualFloor + 2 * backdrop.noise() + kResidualShare * length;
+      const Mixture mixture = unmixer.explain(pixel, behind, tolerance);
+      const std::size_t i = coverage.unknown.index(x, y);
+      if (mixture.first >= 0) coverage.ink[static_cast<std::size_t>(mixture.first)].values[i] = mixture.a;
+      if (mixture.second >= 0) coverage.ink[static_cast<std::size_t>(mixture.second)].values[i] = mixture.b;
+      if (mixture.residual > 2 * tolerance)
+        coverage.unknown.values[i] = std::min(1.0F, mixture.residual / typical);
+    }
+  return coverage;
+}
+
+}  // namespace detent::importer::inks

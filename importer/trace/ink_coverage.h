@@ -1,0 +1,18 @@
+#pragma once
+// How much of each pixel each ink covers: the pixel is explained by the backdrop and as few inks as possible (one; two
+// where lines cross or touch).
+
+#include <vector>
+
+#include "importer/trace/ink_palette.h"
+
+namespace detent::importer::inks {
+
+struct Coverage {
+  std::vector<Plane> ink;  ///< one per ink of the palette, 0..1.2
+  Plane unknown;           ///< covered by something no ink explains
+};
+
+Coverage unmix(const PlotArea& area, const Backdrop& backdrop, const std::vector<Ink>& inks);
+
+}  // namespace detent::importer::inks

@@ -1,0 +1,134 @@
+#include "importer/trace/ink_palette.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace detent::importer::inks {
+
+namespace {
+
+constexpr int kCells = 40;  // per axis of the direction cube, [-1, 1]
+
+struct Sample {
+  Color3 direction;
+  float length = 0;
+};
+
+std::size_t cellOf(Color3 d) {
+  const auto cell = [](float v) {
+    return static_cast<std::size_t>(std::clamp(static_cast<int>((v + 1) * 0.5F * kCells), 0, kCells - 1));
+  };
+  return (cell(d.r) * kCells + cell(d.g)) * kCells + cell(d.b);
+}
+
+std::vector<Sample> inkSamples(const PlotArea& area, const Backdrop& backdrop, const Mask& excluded) {
+  const float threshold = std::max(24.0F, inkThreshold(backdrop));
+  std::vector<Sample> samples;
+  const Raster& r = area.raster;
+  // Half a pixel inside the frame, so that a frame line thicker than measured has no say.
+  const int x0 = std::max(0, static_cast<int>(std::ceil(area.frame.x0 + 0.5)));
+  const int y0 = std::max(0, static_cast<int>(std::ceil(area.frame.y0 + 0.5)));
+  const int x1 = std::min(r.width_px - 1, static_cast<int>(std::floor(area.frame.x1 - 0.5)));
+  const int y1 = std::min(r.height_px - 1, static_cast<int>(std::floor(area.frame.y1 - 0.5)));
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x) {
+      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(r.width_px) +
+                            static_cast<std::size_t>(x);
+      if (!excluded.empty() && excluded[i]) continue;
+      // Over a gridline the difference to the backdrop points elsewhere than over paper.
+      if (backdrop.onLine(x, y)) continue;
+      const Color3 difference = colorAt(r, x, y) - backdrop.at(x, y);
+      const float length = norm(difference);
+      if (length >= threshold) samples.push_back({(1 / length) * difference, length});
+    }
+  return samples;
+}
+
+/// Centre of the fullest neighbourhood, refined by averaging what lies within `cosine` of it.
+Color3 densestDirection(const std::vector<Sample>& samples, const std::vector<char>& taken, float cosine) {
+  std::vector<float> cells(static_cast<std::size_t>(kCells * kCells * kCells), 0);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (!taken[i]) cells[cellOf(samples[i].direction)] += samples[i].length;
+  const std::size_t best =
+      static_cast<std::size_t>(std::max_element(cells.begin(), cells.end()) - cells.begin());
+  const auto coordinate = [](std::size_t c) { return (static_cast<float>(c) + 0.5F) * 2 / kCells - 1; };
+  Color3 centre{coordinate(best / (kCells * kCells)), coordinate(best / kCells % kCells), coordinate(best % kCells)};
+  centre = (1 / std::max(1e-6F, norm(centre))) * centre;
+  for (int round = 0; round < 4; ++round) {
+    Color3 sum;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (!taken[i] && dot(samples[i].direction, centre) >= cosine)
+        sum = sum + samples[i].length * samples[i].direction;
+    if (norm(sum) < 1e-3F) break;
+    centre = (1 / norm(sum)) * sum;
+  }
+  return centre;
+}
+
+/// The length below which `share` of the values lie.
+float quantile(std::vector<float>& values, double share) {
+  if (values.empty()) return 0;
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// Whether p lies between two inks' differences, as pixels do where one line's edge runs over another line.
+bool isBlend(const Ink& p, const Ink& a, const Ink& b) {
+  const Color3 u = a.difference(), v = b.difference(), w = p.difference();
+  const Color3 along = v - u;
+  const float t = dot(w - u, along) / std::max(1e-3F, dot(along, along));
+  if (t < 0.08F || t > 0.92F) return false;
+  return norm(w - u - t * along) < 14;
+}
+
+}  // namespace
+
+float inkThreshold(const Backdrop& backdrop) { return std::max(10.0F, 4.5F * backdrop.noise()); }
+
+std::vector<Ink> findInks(const PlotArea& area, const Backdrop& backdrop, const Mask& excluded,
+                          const PaletteLimits& limits) {
+  const std::vector<Sample> samples = inkSamples(area, backdrop, excluded);
+  std::vector<char> taken(samples.size(), 0);
+  const float cosine = static_cast<float>(std::cos(limits.mergeAngle_deg * M_PI / 180));
+  std::vector<Ink> inks;
+  std::vector<float> lengths;
+  for (int round = 0; round < 3 * limits.maxInks && static_cast<int>(inks.size()) < limits.maxInks; ++round) {
+    const Color3 direction = densestDirection(samples, taken, cosine);
+    lengths.clear();
+    for (std::size_t i = 0; i < samples.size(); ++i)
+      if (!taken[i] && dot(samples[i].direction, direction) >= cosine) {
+        taken[i] = 1;
+        lengths.push_back(samples[i].length);
+      }
+    if (lengths.empty()) break;
+    Ink ink;
+    ink.direction = direction;
+    double sum = 0;
+    for (float l : lengths) sum += static_cast<double>(l);
+    ink.strength = quantile(lengths, 0.95);
+    ink.mass_px = sum / static_cast<double>(std::max(1.0F, ink.strength));
+    if (ink.mass_px < limits.minMass_px) {
+      if (sum < 24 * limits.minMass_px) break;
+      continue;
+    }
+    bool blend = false;
+    for (std::size_t i = 0; i < inks.size() && !blend; ++i)
+      for (std::size_t j = 0; j < i && !blend; ++j)
+        blend = std::min(inks[i].mass_px, inks[j].mass_px) > 1.5 * ink.mass_px && isBlend(ink, inks[i], inks[j]);
+    if (!blend) inks.push_back(ink);
+  }
+  std::sort(inks.begin(), inks.end(), [](const Ink& a, const Ink& b) { return a.mass_px > b.mass_px; });
+  return inks;
+}
+
+Ink inkOfColor(Rgb color, const Backdrop& backdrop) {
+  const Color3 c{static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
+  const Color3 difference = c - backdrop.paper();
+  Ink ink;
+  ink.strength = std::max(1.0F, norm(difference));
+  ink.direction = (1 / ink.strength) * difference;
+  return ink;
+}
+
+}  // namespace detent::importer::inks

@@ -1,0 +1,136 @@
+#include "importer/trace/line_ends.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace detent::importer::inks {
+
+namespace {
+
+constexpr double kStep_px = 0.5;
+
+/// Unit direction in which the line leaves its last point, from the last few pixels.
+Point directionAtEnd(const std::vector<Point>& points, double over_px) {
+  const Point last = points.back();
+  for (std::size_t i = points.size() - 1; i-- > 0;) {
+    const double dx = last.x - points[i].x, dy = last.y - points[i].y, length = std::hypot(dx, dy);
+    if (length >= over_px || (i == 0 && length > 0)) return {dx / length, dy / length};
+  }
+  return {1, 0};
+}
+
+/// How far beyond the last point (negative: before it) the ink ends, measured along the line.
+double inkBeyondEnd(const std::vector<Point>& points, Point direction, const LineProfile& profile, const CurveField& field) {
+  const double reach = profile.width_px + 4;
+  const double level = std::min(1.0, profile.width_px / profile.blur_px);
+  const Point normal{-direction.y, direction.x};
+  double inked = 0;
+  for (double t = -reach; t <= reach; t += kStep_px) {
+    double across = 0;
+    for (double n : {-0.25, 0.0, 0.25}) {
+      const double x = points.back().x + t * direction.x + n * profile.width_px * normal.x;
+      const double y = points.back().y + t * direction.y + n * profile.width_px * normal.y;
+      across = std::max(across, static_cast<double>(field.own.sample(x, y)));
+    }
+    inked += std::min(1.0, across / level) * kStep_px;
+    if (across < 0.1 * level && t > 0) break;
+  }
+  return inked - reach;
+}
+
+void cutBack(std::vector<Point>& points, std::vector<double>& weight, double by) {
+  while (points.size() > 2 && by > 0) {
+    Point& last = points.back();
+    const Point before = points[points.size() - 2];
+    const double piece = std::hypot(last.x - before.x, last.y - before.y);
+    if (piece > by) {
+      last = {last.x + by / piece * (before.x - last.x), last.y + by / piece * (before.y - last.y)};
+      return;
+    }
+    by -= piece;
+    points.pop_back();
+    weight.pop_back();
+  }
+}
+
+/// The distance from p along d to the frame's edge; infinite if it is not met.
+double distanceToEdge(Point p, Point d, const Box& frame) {
+  double nearest = INFINITY;
+  const auto meet = [&](double position, double speed, double low, double high) {
+    if (speed > 1e-6) nearest = std::min(nearest, (high - position) / speed);
+    if (speed < -1e-6) nearest = std::min(nearest, (low - position) / speed);
+  };
+  meet(p.x, d.x, frame.x0, frame.x1);
+  meet(p.y, d.y, frame.y0, frame.y1);
+  return nearest;
+}
+
+void finishLastEnd(CentreLine& line, const CurveField& field, const Box& frame) {
+  const LineProfile& profile = line.profile;
+  if (line.points.size() < 3) return;
+  const Point direction = directionAtEnd(line.points, 3 + profile.width_px);
+  const double beyond = inkBeyondEnd(line.points, direction, profile, field);
+  const double toEdge = distanceToEdge(line.points.back(), direction, frame);
+  if (beyond >= toEdge - profile.width_px - 1) {  // drawn into the frame's edge: it goes on beyond what is shown
+    if (toEdge > 0 && toEdge < 3 * profile.width_px + 6) {
+      const Point p = line.points.back();
+      line.points.push_back({p.x + toEdge * direction.x, p.y + toEdge * direction.y});
+      line.weight.push_back(line.weight.back());
+    }
+    return;
+  }
+  // A cap reaches a half width beyond the end (round, square) or not at all (butt): a quarter errs by a quarter.
+  const double move = beyond - 0.25 * profile.width_px;
+  if (move < 0) {
+    cutBack(line.points, line.weight, -move);
+  } else if (move > 0.25) {
+    const Point p = line.points.back();
+    line.points.push_back({p.x + move * direction.x, p.y + move * direction.y});
+    line.weight.push_back(line.weight.back());
+  }
+}
+
+/// Points outside the frame are cut away; where the line crosses the edge a point is set on it.
+void clipToFrame(CentreLine& line, const Box& frame) {
+  const auto inside = [&](Point p) { return frame.contains(p); };
+  std::size_t first = 0, last = line.points.size();
+  while (first < last && !inside(line.points[first])) ++first;
+  while (last > first && !inside(line.points[last - 1])) --last;
+  std::vector<Point> points;
+  std::vector<double> weight;
+  const auto crossing = [&](Point in, Point out) {
+    const double d = std::hypot(out.x - in.x, out.y - in.y);
+    const Point direction{(out.x - in.x) / d, (out.y - in.y) / d};
+    const double t = std::min(d, distanceToEdge(in, direction, frame));
+    return Point{in.x + t * direction.x, in.y + t * direction.y};
+  };
+  for (std::size_t i = first; i < last; ++i) {
+    if (i == first && first > 0) {
+      points.push_back(crossing(line.points[i], line.points[i - 1]));
+      weight.push_back(line.weight[i]);
+    }
+    // In between only rounding leaves the frame (a wall on its edge): such points are set onto the edge.
+    points.push_back({std::clamp(line.points[i].x, frame.x0, frame.x1), std::clamp(line.points[i].y, frame.y0, frame.y1)});
+    weight.push_back(line.weight[i]);
+    if (i + 1 == last && last < line.points.size()) {
+      points.push_back(crossing(line.points[i], line.points[last]));
+      weight.push_back(line.weight[i]);
+    }
+  }
+  line.points = std::move(points);
+  line.weight = std::move(weight);
+}
+
+}  // namespace
+
+void finishEnds(CentreLine& line, const CurveField& field, const Box& frame) {
+  finishLastEnd(line, field, frame);
+  std::reverse(line.points.begin(), line.points.end());
+  std::reverse(line.weight.begin(), line.weight.end());
+  finishLastEnd(line, field, frame);
+  std::reverse(line.points.begin(), line.points.end());
+  std::reverse(line.weight.begin(), line.weight.end());
+  clipToFrame(line, frame);
+}
+
+}  // namespace detent::importer::inks

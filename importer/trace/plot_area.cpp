@@ -1,0 +1,128 @@
+#include "importer/trace/plot_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+namespace detent::importer::inks {
+
+namespace {
+
+constexpr double kSkewKept_px = 1.5;  // a frame less skewed than this is cropped: resampling would cost more
+constexpr double kMaxPixels = 2.2e6;    // larger areas are shrunk by a whole factor: their lines are thick enough
+
+Point apply(const std::array<double, 9>& m, Point p) {
+  const double w = m[6] * p.x + m[7] * p.y + m[8];
+  return {(m[0] * p.x + m[1] * p.y + m[2]) / w, (m[3] * p.x + m[4] * p.y + m[5]) / w};
+}
+
+double skewOf(const PlotFrame& frame) {
+  const auto& c = frame.corners;
+  return std::max({std::abs(c[0].y - c[1].y), std::abs(c[3].y - c[2].y), std::abs(c[0].x - c[3].x),
+                   std::abs(c[1].x - c[2].x)});
+}
+
+/// Copies a region, averaging blocks of `factor`² pixels.
+Raster shrunk(const Raster& view, int x0, int y0, int width, int height, int factor) {
+  Raster out;
+  out.width_px = width;
+  out.height_px = height;
+  const std::size_t rowBytes = 3 * static_cast<std::size_t>(width);
+  out.rgb.resize(rowBytes * static_cast<std::size_t>(height));
+  std::vector<int> sums(rowBytes);
+  for (int y = 0; y < height; ++y) {
+    std::uint8_t* row = out.rgb.data() + rowBytes * static_cast<std::size_t>(y);
+    if (factor == 1) {
+      std::memcpy(row, view.at(x0, y0 + y), rowBytes);
+      continue;
+    }
+    std::fill(sums.begin(), sums.end(), 0);
+    for (int j = 0; j < factor; ++j) {
+      const std::uint8_t* in = view.at(x0, y0 + y * factor + j);
+      for (std::size_t x = 0; x < rowBytes; x += 3)
+        for (int i = 0; i < factor; ++i, in += 3)
+          for (std::size_t c = 0; c < 3; ++c) sums[x + c] += in[c];
+    }
+    const int n = factor * factor;
+    for (std::size_t x = 0; x < rowBytes; ++x) row[x] = static_cast<std::uint8_t>((sums[x] + n / 2) / n);
+  }
+  return out;
+}
+
+PlotArea cropped(const Raster& view, const Box& frame) {
+  PlotArea area;
+  const double pixels = std::max(0.0, frame.width()) * std::max(0.0, frame.height());
+  const int factor = std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / kMaxPixels))));
+  const int margin = PlotArea::marginPx * factor;
+  const int x0 = std::max(0, static_cast<int>(std::floor(frame.x0)) - margin);
+  const int y0 = std::max(0, static_cast<int>(std::floor(frame.y0)) - margin);
+  const int x1 = std::min(view.width_px - 1, static_cast<int>(std::ceil(frame.x1)) + margin);
+  const int y1 = std::min(view.height_px - 1, static_cast<int>(std::ceil(frame.y1)) + margin);
+  if (x1 - x0 + 1 < factor || y1 - y0 + 1 < factor) return area;
+  area.raster = shrunk(view, x0, y0, (x1 - x0 + 1) / factor, (y1 - y0 + 1) / factor, factor);
+  const double half = 0.5 * (factor - 1), f = factor;
+  area.toViewMap = {f, 0, x0 + half, 0, f, y0 + half, 0, 0, 1};
+  area.frame = {(frame.x0 - x0 - half) / f, (frame.y0 - y0 - half) / f, (frame.x1 - x0 - half) / f,
+                (frame.y1 - y0 - half) / f};
+  return area;
+}
+
+PlotArea warped(const Raster& view, const PlotFrame& frame) {
+  const auto& c = frame.corners;
+  const auto length = [](Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); };
+  const double width = std::max(length(c[0], c[1]), length(c[3], c[2]));
+  const double height = std::max(length(c[0], c[3]), length(c[1], c[2]));
+  PlotArea area;
+  if (!(width >= 1 && height >= 1 && width < 32768 && height < 32768)) return area;
+  const double m = PlotArea::marginPx;
+  area.frame = {m, m, m + width, m + height};
+  const cv::Point2f from[4] = {{static_cast<float>(area.frame.x0), static_cast<float>(area.frame.y0)},
+                               {static_cast<float>(area.frame.x1), static_cast<float>(area.frame.y0)},
+                               {static_cast<float>(area.frame.x1), static_cast<float>(area.frame.y1)},
+                               {static_cast<float>(area.frame.x0), static_cast<float>(area.frame.y1)}};
+  cv::Point2f to[4];
+  for (std::size_t i = 0; i < 4; ++i) to[i] = {static_cast<float>(c[i].x), static_cast<float>(c[i].y)};
+  const cv::Mat map = cv::getPerspectiveTransform(from, to);
+  for (int i = 0; i < 9; ++i) area.toViewMap[static_cast<std::size_t>(i)] = map.at<double>(i / 3, i % 3);
+  area.raster.width_px = static_cast<int>(std::ceil(width + 2 * m)) + 1;
+  area.raster.height_px = static_cast<int>(std::ceil(height + 2 * m)) + 1;
+  area.raster.rgb.resize(3 * static_cast<std::size_t>(area.raster.width_px) *
+                         static_cast<std::size_t>(area.raster.height_px));
+  const cv::Mat source(view.height_px, view.width_px, CV_8UC3, const_cast<std::uint8_t*>(view.rgb.data()));
+  cv::Mat target(area.raster.height_px, area.raster.width_px, CV_8UC3, area.raster.rgb.data());
+  cv::warpPerspective(source, target, map, target.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
+                      cv::BORDER_REPLICATE);
+  return area;
+}
+
+}  // namespace
+
+float Plane::sample(double x, double y) const {
+  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+  const float fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+  const auto value = [this](int px, int py) { return inside(px, py) ? at(px, py) : 0.0F; };
+  const float top = value(x0, y0) * (1 - fx) + value(x0 + 1, y0) * fx;
+  const float bottom = value(x0, y0 + 1) * (1 - fx) + value(x0 + 1, y0 + 1) * fx;
+  return top * (1 - fy) + bottom * fy;
+}
+
+Point PlotArea::toView(Point area_px) const { return apply(toViewMap, area_px); }
+
+Point PlotArea::fromView(Point view_px) const {
+  const auto& m = toViewMap;
+  const std::array<double, 9> inverse = {
+      m[4] * m[8] - m[5] * m[7], m[2] * m[7] - m[1] * m[8], m[1] * m[5] - m[2] * m[4],
+      m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6], m[2] * m[3] - m[0] * m[5],
+      m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7], m[0] * m[4] - m[1] * m[3]};
+  return apply(inverse, view_px);
+}
+
+PlotArea makePlotArea(const Raster& view, const PlotFrame& frame) {
+  if (view.empty()) return {};
+  return skewOf(frame) <= kSkewKept_px ? cropped(view, frame.box()) : warped(view, frame);
+}
+
+}  // namespace detent::importer::inks
