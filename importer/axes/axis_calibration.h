@@ -13,30 +13,31 @@ namespace detent::importer {
 
 /// A tick with the number read at it.
 struct TickLabel {
-  double position_px = 0;   ///< of the tick or gridline, along the axis
-  double value = 0;         ///< in the axis' printed unit
-  std::string text;         ///< as read
-  Box box;                  ///< view pixels
-  bool used = true;         ///< false: disagreed with the progression and was left out
+  double position_px = 0;  ///< of the tick or gridline, along the axis
+  double value = 0;        ///< in the axis' printed unit
+  std::string text;        ///< as read
+  Box box;                 ///< view pixels
+  bool used = true;        ///< false: disagreed with the progression and was left out
 };
 
 /// One axis as printed.
 struct AxisReading {
-  double min = 0, max = 0;        ///< value at the frame's left/bottom and right/top edge, printed unit
-  double residual_px = 0;         ///< rms of used ticks
-  std::string unit;               ///< symbol as we print it: "mm", "cN", "gf"; never empty
+  double min = 0, max = 0;  ///< value at the frame's left/bottom and right/top edge, printed unit
+  double residual_px = 0;   ///< rms of used ticks
+  std::string unit;         ///< symbol as we print it: "mm", "cN", "gf"; never empty
   DecidedBy unitBy = DecidedBy::found;
-  bool unitFound = false;         ///< false: stated default, with a warning
+  bool unitFound = false;  ///< false: stated default, with a warning
   std::vector<TickLabel> ticks;
-  std::string title;              ///< as read
+  std::string title;  ///< as read
 };
 
-/// Invertible map between view pixels and (mm, N). Projective, so that photographs fit; affine for everything else.
+/// Invertible map between view pixels and (mm, N). Projective, so that photographs fit; affine for everything
+/// else.
 struct AxisCalibration {
   AxisReading x, y;
   std::array<double, 9> viewToUnits{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< row-major homography: view px -> (mm, N)
 
-  Point toUnits(Point view_px) const;   ///< (mm, N)
+  Point toUnits(Point view_px) const;  ///< (mm, N)
   Point toView(Point mm_N) const;
   /// Millimetres and newtons per view pixel at the frame's centre; noise scales of the fit.
   double mmPerPx() const;
@@ -54,18 +55,19 @@ struct AxisHints {
 /// A word or number seen on the page: from its own text where it has text, else OCR.
 struct SeenText {
   std::string utf8;
-  Box box;               ///< view pixels
-  double confidence = 0; ///< 0..1; 1 for the document's own text
+  Box box;                ///< view pixels
+  double confidence = 0;  ///< 0..1; 1 for the document's own text
   double angle_deg = 0;
 };
 
 struct AxesFound {
   Found<AxisCalibration> calibration;
-  std::vector<SeenText> texts;    ///< everything read around and inside the frame: legend, titles, callouts
+  std::vector<SeenText> texts;  ///< everything read around and inside the frame: legend, titles, callouts
   std::vector<std::string> warnings;
 };
 
-/// Failure noForceGraph: no numbers; notCertain: numbers that make no progression (remedy: --x-axis / --y-axis).
+/// Failure noForceGraph: no numbers; notCertain: numbers that make no progression (remedy: --x-axis /
+/// --y-axis).
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints = {},
                            const Progress& progress = {});
 

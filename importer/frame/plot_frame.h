@@ -1,6 +1,7 @@
 #pragma once
 // Step 2: where the graphs stand on the page. In: Page. Out: one PlotFrame per graph, reading order.
-// "Frame" here is the rectangle in which curves are drawn, not the picture's edge and not the box around everything.
+// "Frame" here is the rectangle in which curves are drawn, not the picture's edge and not the box around
+// everything.
 
 #include <array>
 #include <optional>
@@ -13,36 +14,40 @@ namespace detent::importer {
 
 /// A line of the grid, or a tick, at one position along an axis.
 struct GridLine {
-  double position_px = 0;   ///< view pixels along the axis at the frame's edge where the axis stands, sub-pixel centre
+  double position_px =
+      0;  ///< view pixels along the axis at the frame's edge where the axis stands, sub-pixel centre
   double width_px = 1;
   bool spansFrame = false;  ///< a gridline; else a tick mark only
 };
 
 /// The plot frame in its own view (view pixels).
 struct PlotFrame {
-  std::array<Point, 4> corners;        ///< top left, top right, bottom right, bottom left, of the upright graph
-  std::vector<GridLine> xLines;        ///< vertical gridlines and ticks, left to right (position = x at the bottom edge)
-  std::vector<GridLine> yLines;        ///< horizontal ones, top to bottom (position = y at the left edge)
-  Box box() const;                     ///< bounding box of the corners
+  std::array<Point, 4> corners;  ///< top left, top right, bottom right, bottom left, of the upright graph
+  std::vector<GridLine>
+      xLines;  ///< vertical gridlines and ticks, left to right (position = x at the bottom edge)
+  std::vector<GridLine> yLines;  ///< horizontal ones, top to bottom (position = y at the left edge)
+  Box box() const;               ///< bounding box of the corners
 };
 
 /// A graph found on a page: where, which way up. The view that later steps use is made from it.
 struct FrameCandidate {
-  Box pageBox;               ///< the frame itself in page units
-  Box regionBox;             ///< frame with tick labels, titles and legend, in page units
-  int quarterTurns = 0;      ///< clockwise turns that make it upright
+  Box pageBox;                      ///< the frame itself in page units
+  Box regionBox;                    ///< frame with tick labels, titles and legend, in page units
+  int quarterTurns = 0;             ///< clockwise turns that make it upright
   std::vector<Point> givenCorners;  ///< tl, tr, br, bl in page units if the user gave the frame, else empty
 };
 
-/// All frames that could hold a force graph, reading order (top to bottom, left to right). Empty is an answer, not an error.
-std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Document& document, const Progress& progress = {});
+/// All frames that could hold a force graph, reading order (top to bottom, left to right). Empty is an
+/// answer, not an error.
+std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Document& document,
+                                                  const Progress& progress = {});
 
-/// The frame a user gave: 2 opposite corners or 4 (tl, tr, br, bl), page units. Confidence 1, decided by `given`.
-/// Failure wrongUsage: other counts, corners outside the page, no area.
+/// The frame a user gave: 2 opposite corners or 4 (tl, tr, br, bl), page units. Confidence 1, decided by
+/// `given`. Failure wrongUsage: other counts, corners outside the page, no area.
 Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& corners, const Page& page);
 
 /// Sub-pixel frame, gridlines and ticks in the candidate's view.
-Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page, const FrameCandidate& candidate,
-                                         const Progress& progress = {});
+Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
+                                         const FrameCandidate& candidate, const Progress& progress = {});
 
 }  // namespace detent::importer

@@ -1,0 +1,77 @@
+#include "importer/axes/printed_number.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string>
+
+namespace detent::importer {
+namespace {
+
+/// ASCII with '.' and '-'; empty if a character is none of a number.
+std::string plain(std::string_view s) {
+  std::string out;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const auto rest = s.substr(i);
+    const auto skip = [&](std::string_view token, std::string_view as) {
+      if (!rest.starts_with(token)) return false;
+      out += as;
+      i += token.size() - 1;
+      return true;
+    };
+    const char c = s[i];
+    if (c >= '0' && c <= '9') {
+      out += c;
+    } else if (c == '.' || c == ',') {
+      out += '.';
+    } else if (c == '-') {
+      out += '-';
+    } else if (c != ' ' && !skip("\xE2\x88\x92", "-") && !skip("\xE2\x80\x93", "-") &&
+               !skip("\xE2\x80\x92", "-") && !skip("\xC2\xA0", "") && !skip("\xE2\x80\x89", "") &&
+               !skip("\xE3\x80\x82", ".") && !skip("\xC2\xB7", ".")) {
+      return {};
+    }
+  }
+  return out;
+}
+
+std::optional<double> parsed(std::string_view s) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(s.data(), s.data() + s.size(), value, std::chars_format::fixed);
+  if (error != std::errc() || end != s.data() + s.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+}  // namespace
+
+std::optional<double> printedNumber(std::string_view utf8) {
+  std::string s = plain(utf8);
+  // Dust beside a digit is read as a point.
+  while (s.size() > 1 && s.back() == '.') s.pop_back();
+  if (s.empty() || s == "-" || s == "." || s.size() > 9) return std::nullopt;
+  if (s.front() == '.') s.insert(s.begin(), '0');
+  return parsed(s);
+}
+
+std::vector<NumberReading> numberReadings(std::string_view utf8) {
+  std::vector<NumberReading> readings;
+  const auto first = printedNumber(utf8);
+  if (!first) return readings;
+  readings.push_back({*first, 1.0});
+  const std::string s = plain(utf8);
+  const auto digits = static_cast<std::size_t>(
+      std::count_if(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; }));
+  if (s.find('.') != std::string::npos || digits < 2) return readings;
+  const std::size_t lead = s.front() == '-' ? 1 : 0;
+  const bool leadingZero = s.size() > lead && s[lead] == '0';
+  // "05" can only be 0.5; "15" is 15 unless its neighbours say 1.5.
+  readings.front().weight = leadingZero ? 0.2 : 1.0;
+  double scale = 0.1;
+  for (std::size_t k = 1; k < digits; ++k, scale *= 0.1) {
+    const bool afterFirst = k + 1 == digits;
+    readings.push_back({*first * scale, leadingZero && afterFirst ? 0.9 : 0.45});
+  }
+  return readings;
+}
+
+}  // namespace detent::importer

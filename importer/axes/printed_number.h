@@ -1,0 +1,22 @@
+#pragma once
+// Numbers as plots print them, and as recognisers misread them.
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace detent::importer {
+
+/// A number a label could mean. The first reading weighs 1, repairs (a lost decimal point) less.
+struct NumberReading {
+  double value = 0;
+  double weight = 1;
+};
+
+/// Decimal point or comma, any Unicode minus, blanks ignored. nullopt if anything else stands in it.
+std::optional<double> printedNumber(std::string_view utf8);
+
+/// All readings of a label: as it stands, and with the decimal point that small print loses put back.
+std::vector<NumberReading> numberReadings(std::string_view utf8);
+
+}  // namespace detent::importer

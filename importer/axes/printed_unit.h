@@ -1,0 +1,23 @@
+#pragma once
+// Units as titles and labels print them, in the languages of datasheets.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "model/units.h"
+
+namespace detent::importer {
+
+/// A unit seen in a title. `sure` 0..1: brackets around it, or a word for the quantity beside it, make surer.
+template <class Unit>
+struct PrintedUnit {
+  Unit unit{};
+  double sure = 0;
+};
+
+/// "Force [cN]", "Kraft / cN", "Kraft in cN", "F (gf)", "力(gf)"; forgiving towards what OCR makes of it.
+std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title);
+std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title);
+
+}  // namespace detent::importer

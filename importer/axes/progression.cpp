@@ -1,0 +1,204 @@
+#include "importer/axes/progression.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+namespace detent::importer {
+namespace {
+
+constexpr double agree_px = 1.6;  // a tick may be snapped to whole pixels at either end
+
+/// Greatest common divisor of the differences of decimal numbers; 0 if all are equal.
+double commonStep(const std::vector<double>& values) {
+  double scale = 1;
+  const auto whole = [&](double v) { return std::abs(v * scale - std::round(v * scale)) < 1e-6; };
+  while (scale < 1e6 && !std::all_of(values.begin(), values.end(), whole)) scale *= 10;
+  long long step = 0;
+  for (const double v : values) step = std::gcd(step, std::llround((v - values.front()) * scale));
+  return static_cast<double>(std::abs(step)) / scale;
+}
+
+/// 1, 2, 2.5, 4, 5 × 10^k are steps people draw axes with; others are rarer.
+double niceness(double step) {
+  const double m = step / std::pow(10.0, std::floor(std::log10(step) + 1e-9));
+  for (const double nice : {1.0, 2.0, 5.0, 10.0})
+    if (std::abs(m - nice) < 1e-3 * nice) return 1;
+  for (const double fair : {2.5, 4.0, 3.0, 6.0, 8.0, 1.5, 1.2})
+    if (std::abs(m - fair) < 1e-3 * fair) return 0.9;
+  return 0.6;
+}
+
+struct Trial {
+  double offset = 0, perPx = 0, weight = 0;
+  std::vector<int> reading;
+};
+
+struct Places {
+  std::vector<double> at;  ///< of the label: its tick or its centre
+  std::vector<bool> hasTick;
+};
+
+Places placesOf(const std::vector<LabelPlace>& labels, const std::vector<double>& ticks) {
+  Places places;
+  for (const auto& label : labels) {
+    double best = label.reach_px, at = label.center_px;
+    bool has = false;
+    for (const double t : ticks)
+      if (std::abs(t - label.center_px) <= best) {
+        best = std::abs(t - label.center_px);
+        at = t;
+        has = true;
+      }
+    places.at.push_back(at);
+    places.hasTick.push_back(has);
+  }
+  return places;
+}
+
+Trial countAgreeing(const std::vector<LabelPlace>& labels, const Places& places, double offset,
+                    double perPx) {
+  Trial trial{offset, perPx, 0, std::vector<int>(labels.size(), -1)};
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    const double tolerance =
+        (places.hasTick[i] ? agree_px : std::max(agree_px, 0.8 * labels[i].reach_px)) * std::abs(perPx);
+    double best = 0;
+    for (std::size_t k = 0; k < labels[i].readings.size(); ++k) {
+      const auto& r = labels[i].readings[k];
+      if (std::abs(offset + perPx * places.at[i] - r.value) > tolerance || r.weight <= best) continue;
+      best = r.weight;
+      trial.reading[i] = static_cast<int>(k);
+    }
+    trial.weight += best;
+  }
+  return trial;
+}
+
+int agreeing(const Trial& t) {
+  return static_cast<int>(std::count_if(t.reading.begin(), t.reading.end(), [](int k) { return k >= 0; }));
+}
+
+std::vector<double> agreedValues(const std::vector<LabelPlace>& labels, const Trial& t) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    if (t.reading[i] >= 0) values.push_back(labels[i].readings[static_cast<std::size_t>(t.reading[i])].value);
+  return values;
+}
+
+std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Places& places, bool rising) {
+  std::optional<Trial> best;
+  double bestScore = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i)
+    for (std::size_t j = i + 1; j < labels.size(); ++j) {
+      const double apart = places.at[j] - places.at[i];
+      if (std::abs(apart) < 4) continue;
+      for (const auto& a : labels[i].readings)
+        for (const auto& b : labels[j].readings) {
+          const double perPx = (b.value - a.value) / apart;
+          if (rising ? perPx <= 0 : perPx >= 0) continue;
+          auto trial = countAgreeing(labels, places, a.value - perPx * places.at[i], perPx);
+          if (agreeing(trial) < 2) continue;
+          const double step = commonStep(agreedValues(labels, trial));
+          if (!(step > 0)) continue;
+          const double score = trial.weight + 0.8 * niceness(step);
+          if (score <= bestScore + 1e-9) continue;
+          bestScore = score;
+          best = std::move(trial);
+        }
+    }
+  return best;
+}
+
+/// Lines that stand at multiples of a step, in pixels off.
+struct OnStep {
+  std::vector<std::pair<double, double>> pairs;  // position, value
+  double step = 0;
+};
+
+OnStep linesOnStep(const std::vector<double>& ticks, const Progression& p, double step, double origin) {
+  OnStep on{{}, step};
+  const double step_px = step / std::abs(p.perPx);
+  const double tolerance = std::min(agree_px, 0.2 * step_px);
+  for (const double t : ticks) {
+    const double v = origin + std::round((p.value(t) - origin) / step) * step;
+    if (std::abs(p.position(v) - t) <= tolerance) on.pairs.emplace_back(t, v);
+  }
+  return on;
+}
+
+/// The coarsest subdivision that explains the lines: a finer one must bring more than it could by chance.
+OnStep chosenSubdivision(const std::vector<double>& ticks, const Progression& p, double origin) {
+  OnStep best = linesOnStep(ticks, p, p.step, origin);
+  for (const double divide : {2.0, 4.0, 5.0, 10.0, 20.0}) {
+    if (p.step / divide / std::abs(p.perPx) < 5) break;
+    auto finer = linesOnStep(ticks, p, p.step / divide, origin);
+    if (finer.pairs.size() >= best.pairs.size() + std::max<std::size_t>(2, best.pairs.size() / 3))
+      best = std::move(finer);
+  }
+  return best;
+}
+
+void fitLine(const std::vector<std::pair<double, double>>& pairs, Progression& p) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (const auto& [x, v] : pairs) {
+    n += 1;
+    sx += x;
+    sy += v;
+    sxx += x * x;
+    sxy += x * v;
+  }
+  const double det = n * sxx - sx * sx;
+  if (!(det > 0)) return;
+  p.perPx = (n * sxy - sx * sy) / det;
+  p.offset = (sy - p.perPx * sx) / n;
+  double sum = 0;
+  for (const auto& [x, v] : pairs) sum += std::pow(p.position(v) - x, 2);
+  p.residual_px = std::sqrt(sum / n);
+}
+
+}  // namespace
+
+std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
+                                          const std::vector<double>& ticks, bool rising) {
+  const Places places = placesOf(labels, ticks);
+  const auto trial = bestTrial(labels, places, rising);
+  if (!trial) return std::nullopt;
+  Progression p;
+  p.offset = trial->offset;
+  p.perPx = trial->perPx;
+  p.reading = trial->reading;
+  p.tickOf = places.at;
+  p.labels = agreeing(*trial);
+  const auto values = agreedValues(labels, *trial);
+  p.step = commonStep(values);
+  p.substep = p.step;
+
+  std::vector<std::pair<double, double>> labelled;
+  int withTick = 0;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (p.reading[i] < 0) continue;
+    withTick += places.hasTick[i];
+    if (places.hasTick[i])
+      labelled.emplace_back(places.at[i], labels[i].readings[static_cast<std::size_t>(p.reading[i])].value);
+  }
+  if (withTick < 2) {
+    labelled.clear();
+    for (std::size_t i = 0; i < labels.size(); ++i)
+      if (p.reading[i] >= 0)
+        labelled.emplace_back(places.at[i], labels[i].readings[static_cast<std::size_t>(p.reading[i])].value);
+    fitLine(labelled, p);
+    p.ticks = static_cast<int>(labelled.size());
+    return p;
+  }
+  p.fromTicks = true;
+  fitLine(labelled, p);
+  const auto on = chosenSubdivision(ticks, p, values.front());
+  p.substep = on.step;
+  auto pairs = on.pairs.size() >= labelled.size() ? on.pairs : labelled;
+  fitLine(pairs, p);
+  p.ticks = static_cast<int>(pairs.size());
+  return p;
+}
+
+}  // namespace detent::importer

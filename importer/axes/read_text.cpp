@@ -1,0 +1,112 @@
+#include "importer/axes/read_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <memory>
+
+#include <opencv2/imgproc.hpp>
+#include <tesseract/baseapi.h>
+
+#include "importer/frame/darkness.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr double readHeight_px =
+    32;  // height of a text line the recogniser is trained on (Tesseract 5 LSTM: 36 with margins)
+constexpr int margin_px = 10;
+
+/// One engine per thread. LSTM only; dictionaries would turn "gf" into "of".
+class Engine {
+ public:
+  Engine() {
+    // OpenMP inside a single line costs more than it gives, and would take the other cores of a batch.
+    setenv("OMP_THREAD_LIMIT", "1", 0);
+    api_ = std::make_unique<tesseract::TessBaseAPI>();
+    const std::array<std::string, 4> names{"load_system_dawg", "load_freq_dawg", "debug_file",
+                                           "tessedit_do_invert"};
+    const std::vector<std::string> keys(names.begin(), names.end()), values{"0", "0", "/dev/null", "0"};
+    if (api_->Init(nullptr, "eng", tesseract::OEM_LSTM_ONLY, nullptr, 0, &keys, &values, false) != 0)
+      api_.reset();
+  }
+  bool ready() const { return api_ != nullptr; }
+
+  /// Dark text on white, 8-bit.
+  SeenText line(const cv::Mat& grey, TextKind kind) {
+    SeenText seen;
+    if (!api_) return seen;
+    api_->SetPageSegMode(tesseract::PSM_SINGLE_LINE);
+    api_->SetVariable("tessedit_char_whitelist", kind == TextKind::number ? "0123456789.,-" : "");
+    api_->SetImage(grey.data, grey.cols, grey.rows, 1, static_cast<int>(grey.step));
+    api_->SetSourceResolution(200);
+    if (api_->Recognize(nullptr) != 0) return seen;
+    const std::unique_ptr<char[]> text(api_->GetUTF8Text());
+    if (text) seen.utf8 = text.get();
+    while (!seen.utf8.empty() && (seen.utf8.back() == '\n' || seen.utf8.back() == ' ')) seen.utf8.pop_back();
+    seen.confidence = seen.utf8.empty() ? 0 : std::clamp(api_->MeanTextConf() / 100.0, 0.0, 1.0);
+    return seen;
+  }
+
+ private:
+  std::unique_ptr<tesseract::TessBaseAPI> api_;
+};
+
+Engine& engineOfThread() {
+  thread_local Engine engine;
+  return engine;
+}
+
+/// The crop as black on white, text upright, about `readHeight_px` high, with a white margin.
+cv::Mat crop(const Raster& raster, const Box& box, double angle_deg) {
+  const int x0 = std::clamp(static_cast<int>(std::floor(box.x0 + 0.5)) - 1, 0, raster.width_px);
+  const int x1 = std::clamp(static_cast<int>(std::ceil(box.x1 + 0.5)) + 1, 0, raster.width_px);
+  const int y0 = std::clamp(static_cast<int>(std::floor(box.y0 + 0.5)) - 1, 0, raster.height_px);
+  const int y1 = std::clamp(static_cast<int>(std::ceil(box.y1 + 0.5)) + 1, 0, raster.height_px);
+  if (x1 - x0 < 3 || y1 - y0 < 3) return {};
+  const cv::Mat rgb(raster.height_px, raster.width_px, CV_8UC3, const_cast<std::uint8_t*>(raster.rgb.data()));
+  cv::Mat grey;
+  cv::cvtColor(rgb(cv::Rect(x0, y0, x1 - x0, y1 - y0)), grey, cv::COLOR_RGB2GRAY);
+  const int quarter = ((static_cast<int>(std::lround(angle_deg / 90)) % 4) + 4) % 4;
+  if (quarter == 1) cv::rotate(grey, grey, cv::ROTATE_90_CLOCKWISE);
+  if (quarter == 2) cv::rotate(grey, grey, cv::ROTATE_180);
+  if (quarter == 3) cv::rotate(grey, grey, cv::ROTATE_90_COUNTERCLOCKWISE);
+  double low = 0, high = 0;
+  cv::minMaxLoc(grey, &low, &high);
+  if (high - low < 24) return {};
+  // Paper is what most of the rim shows.
+  const double rim = 0.5 * (cv::mean(grey.row(0))[0] + cv::mean(grey.row(grey.rows - 1))[0]);
+  const bool inverted = rim < 0.5 * (low + high);
+  grey.convertTo(grey, CV_8U, (inverted ? -1 : 1) * 255.0 / (high - low),
+                 inverted ? 255.0 * high / (high - low) : -255.0 * low / (high - low));
+  const double scale = std::clamp(readHeight_px / std::max(1, grey.rows - 2), 0.2, 6.0);
+  cv::resize(grey, grey, cv::Size(), scale, scale, scale > 1 ? cv::INTER_CUBIC : cv::INTER_AREA);
+  cv::copyMakeBorder(grey, grey, margin_px, margin_px, margin_px, margin_px, cv::BORDER_CONSTANT,
+                     cv::Scalar(255));
+  return grey;
+}
+
+}  // namespace
+
+TextReader::TextReader(const PageView& view) : view_(view) {}
+
+bool TextReader::available() { return engineOfThread().ready(); }
+
+SeenText TextReader::readLine(const Box& box, TextKind kind, double angle_deg) {
+  const cv::Mat grey = crop(view_.raster, box, angle_deg);
+  SeenText seen;
+  if (!grey.empty()) seen = engineOfThread().line(grey, kind);
+  seen.box = box;
+  seen.angle_deg = angle_deg;
+  return seen;
+}
+
+std::vector<SeenText> TextReader::readWords(const Box& box, double angle_deg) {
+  std::vector<SeenText> words;
+  auto line = readLine(box, TextKind::words, angle_deg);
+  if (!line.utf8.empty()) words.push_back(std::move(line));
+  return words;
+}
+
+}  // namespace detent::importer

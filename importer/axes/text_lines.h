@@ -1,0 +1,16 @@
+#pragma once
+// Where text stands around a frame: glyphs, words and lines found in the ink, before anything is read.
+
+#include <vector>
+
+#include "importer/frame/plot_frame.h"
+
+namespace detent::importer {
+
+/// Those of `glyphs` that lie in `region` (view pixels) and are no larger than `maxSize_px`.
+std::vector<Box> glyphsIn(const std::vector<Box>& glyphs, const Box& region, double maxSize_px);
+
+/// Lines of text: words up to `gapInHeights` apart joined; dust and single marks left out.
+std::vector<Box> textLines(const std::vector<Box>& glyphs, double gapInHeights);
+
+}  // namespace detent::importer

@@ -1,0 +1,67 @@
+#include <algorithm>
+#include <cmath>
+
+#include "importer/frame/plot_frame.h"
+
+namespace detent::importer {
+namespace {
+
+Failure refused(const Page& page, const std::string& problem) {
+  return {
+      FailureCode::wrongUsage, page.source, "--frame", problem,
+      "Give two opposite corners or four (top left, top right, bottom right, bottom left) inside the page"};
+}
+
+double signedArea(const std::vector<Point>& p) {
+  double twice = 0;
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point &a = p[i], &b = p[(i + 1) % p.size()];
+    twice += a.x * b.y - b.x * a.y;
+  }
+  return 0.5 * twice;
+}
+
+bool convex(const std::vector<Point>& p) {
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    const Point &a = p[i], &b = p[(i + 1) % p.size()], &c = p[(i + 2) % p.size()];
+    if ((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) <= 0) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, const Page& page) {
+  if (given.size() != 2 && given.size() != 4)
+    return refused(page, std::to_string(given.size()) + " corners make no plot frame");
+  const double margin = page.unit == PageUnit::pixel ? 0.5 : 0;
+  for (const auto& p : given)
+    if (!(p.x >= -margin && p.y >= -margin && p.x <= page.width - margin && p.y <= page.height - margin))
+      return refused(page,
+                     "corner (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ") is outside the page");
+  std::vector<Point> corners = given;
+  if (given.size() == 2) {
+    const double x0 = std::min(given[0].x, given[1].x), x1 = std::max(given[0].x, given[1].x);
+    const double y0 = std::min(given[0].y, given[1].y), y1 = std::max(given[0].y, given[1].y);
+    corners = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+  }
+  if (signedArea(corners) < 1 || !convex(corners))
+    return refused(page, "the corners enclose no area in this order");
+  Found<FrameCandidate> found;
+  found.confidence = 1;
+  found.by = DecidedBy::given;
+  found.evidence = "plot frame given by hand";
+  auto& c = found.value;
+  c.pageBox = {corners[0].x, corners[0].y, corners[0].x, corners[0].y};
+  for (const auto& p : corners)
+    c.pageBox = {std::min(c.pageBox.x0, p.x), std::min(c.pageBox.y0, p.y), std::max(c.pageBox.x1, p.x),
+                 std::max(c.pageBox.y1, p.y)};
+  const double w = c.pageBox.width(), h = c.pageBox.height();
+  const Box bounds{-margin, -margin, page.width - margin, page.height - margin};
+  c.regionBox = {std::max(bounds.x0, c.pageBox.x0 - 0.45 * w), std::max(bounds.y0, c.pageBox.y0 - 0.4 * h),
+                 std::min(bounds.x1, c.pageBox.x1 + 0.5 * w), std::min(bounds.y1, c.pageBox.y1 + 0.45 * h)};
+  c.givenCorners = std::move(corners);
+  return found;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,104 @@
+#include "importer/frame/label_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace detent::importer {
+namespace {
+
+/// Most members of an even progression through two of the places; neighbours at least `minStep` apart.
+int evenlySpaced(const std::vector<double>& places, double tolerance, double minStep) {
+  int best = 0;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      const double step = places[j] - places[i];
+      if (step < minStep) continue;
+      int n = 0;
+      double last = -1e9;
+      for (const double p : places) {
+        const double k = std::round((p - places[i]) / step);
+        if (std::abs(p - places[i] - k * step) > tolerance || k <= last) continue;
+        ++n;
+        last = k;
+      }
+      best = std::max(best, n);
+    }
+  return best;
+}
+
+int atLines(const std::vector<double>& places, const std::vector<double>& lines, double tolerance) {
+  int n = 0;
+  for (const double line : lines)
+    n += std::any_of(places.begin(), places.end(), [&](double p) { return std::abs(p - line) <= tolerance; });
+  return n;
+}
+
+double middleX(const Box& b) { return 0.5 * (b.x0 + b.x1); }
+double middleY(const Box& b) { return 0.5 * (b.y0 + b.y1); }
+
+/// Up to six characters: what a tick label can be wide.
+bool couldBeNumber(const Box& word) {
+  return word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
+}
+
+int regularity(const std::vector<double>& places, const std::vector<double>& lines, double height,
+               double size) {
+  const double tolerance = 0.3 * height + 1.5;
+  return std::max(evenlySpaced(places, tolerance, std::max(1.2 * height, 0.04 * size)),
+                  lines.size() >= 3 ? atLines(places, lines, tolerance) : 0);
+}
+
+}  // namespace
+
+LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
+  std::vector<Box> band;
+  for (const auto& w : words)
+    if (couldBeNumber(w) && middleX(w) >= r.x0 - 0.1 * r.width() && middleX(w) <= r.x1 + 0.1 * r.width() &&
+        w.y0 >= r.y1 - 0.02 * r.height() && w.y1 <= r.y1 + 0.3 * r.height() &&
+        w.height() <= 0.12 * r.height() + 6)
+      band.push_back(w);
+  LabelRow best;
+  for (const auto& seed : band) {
+    LabelRow row;
+    for (const auto& w : band)
+      if (std::abs(middleY(w) - middleY(seed)) <= 0.35 * seed.height() + 1 &&
+          w.height() <= 1.6 * seed.height() + 2 && seed.height() <= 1.6 * w.height() + 2)
+        row.words.push_back(w);
+    std::sort(row.words.begin(), row.words.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
+    std::vector<double> places;
+    for (const auto& w : row.words) places.push_back(middleX(w));
+    row.regular = regularity(places, lines, seed.height(), r.width());
+    if (row.regular > best.regular) best = std::move(row);
+  }
+  return best;
+}
+
+LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
+  std::vector<Box> band;
+  for (const auto& w : words)
+    if (couldBeNumber(w) && w.x1 <= r.x0 + 0.02 * r.width() && w.x0 >= r.x0 - 0.35 * r.width() &&
+        middleY(w) >= r.y0 - 0.12 * r.height() && middleY(w) <= r.y1 + 0.06 * r.height() &&
+        w.height() <= 0.12 * r.height() + 6)
+      band.push_back(w);
+  LabelRow best;
+  for (const auto& seed : band) {
+    LabelRow column;
+    for (const auto& w : band)
+      if (w.height() <= 1.6 * seed.height() + 2 && seed.height() <= 1.6 * w.height() + 2 &&
+          (std::abs(w.x1 - seed.x1) <= 0.5 * seed.height() + 2 ||
+           std::abs(middleX(w) - middleX(seed)) <= 0.5 * seed.height() + 2))
+        column.words.push_back(w);
+    std::sort(column.words.begin(), column.words.end(),
+              [](const Box& a, const Box& b) { return a.y0 < b.y0; });
+    std::vector<double> places;
+    for (const auto& w : column.words) places.push_back(middleY(w));
+    column.regular = regularity(places, lines, seed.height(), r.height());
+    // Of equally regular columns the one nearest the axis: titles stand farther out.
+    if (column.regular > best.regular ||
+        (column.regular == best.regular && !best.words.empty() && seed.x1 > best.words.front().x1))
+      best = std::move(column);
+  }
+  return best;
+}
+
+}  // namespace detent::importer

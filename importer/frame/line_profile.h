@@ -1,0 +1,34 @@
+#pragma once
+// Sub-pixel places of lines: the centroid of darkness across them.
+
+#include <optional>
+#include <vector>
+
+#include <opencv2/core/mat.hpp>
+
+#include "importer/frame/plot_frame.h"
+
+namespace detent::importer {
+
+/// An edge of the frame: position across it as a straight function of the place along it.
+struct EdgeLine {
+  double at0 = 0, slope = 0;  ///< across = at0 + slope * along
+  double width_px = 1;
+  double support = 0;  ///< share of its length where it was seen
+  double across(double along) const { return at0 + slope * along; }
+};
+
+/// The line near `across` on [from, to] (along = row, across = column); nullopt where less than a third of it
+/// is seen.
+std::optional<EdgeLine> locateColumnEdge(const cv::Mat& darkness, double across, double from, double to,
+                                         double reach);
+
+/// Lines that cross the whole strip of rows [top, bottom], left to right: gridlines of an upright rectangle.
+std::vector<GridLine> columnLines(const cv::Mat& darkness, double left, double right, double top,
+                                  double bottom);
+
+/// Marks that stand out in a narrow strip of rows beside an axis, left to right: ticks.
+std::vector<GridLine> columnTicks(const cv::Mat& darkness, double left, double right, double stripTop,
+                                  double stripBottom);
+
+}  // namespace detent::importer

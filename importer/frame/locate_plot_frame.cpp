@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+#include "importer/frame/darkness.h"
+#include "importer/frame/line_profile.h"
+#include "importer/frame/plot_frame.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr double alignedWithin_px = 0.6;  // a frame that leans less over its whole side is taken as upright
+
+Box boxInView(const PageView& view, const Box& pageBox) {
+  const Affine toView = view.viewToPage.inverse();
+  const Point p = toView({pageBox.x0, pageBox.y0}), q = toView({pageBox.x1, pageBox.y1});
+  return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
+}
+
+/// View pixels per pixel of the overview the candidate was found in.
+double viewPerOverview(const PageView& view, const Page& page) {
+  const Affine& v = view.viewToPage;
+  const Affine& o = page.overviewToPage;
+  return std::sqrt(std::abs(o.a * o.d - o.b * o.c) / std::max(1e-12, std::abs(v.a * v.d - v.b * v.c)));
+}
+
+struct Edges {
+  EdgeLine left, top, right, bottom;
+  int drawn = 0;
+};
+
+Edges locateEdges(const cv::Mat& d, const cv::Mat& turnedD, const Box& box, double reach) {
+  Edges e;
+  const auto edge = [&](const cv::Mat& plane, double at, double from, double to) {
+    if (auto line = locateColumnEdge(plane, at, from, to, reach)) {
+      ++e.drawn;
+      return *line;
+    }
+    EdgeLine guess;
+    guess.at0 = at;
+    return guess;
+  };
+  e.left = edge(d, box.x0, box.y0, box.y1);
+  e.right = edge(d, box.x1, box.y0, box.y1);
+  e.top = edge(turnedD, box.y0, box.x0, box.x1);
+  e.bottom = edge(turnedD, box.y1, box.x0, box.x1);
+  return e;
+}
+
+/// An edge that is not drawn leans like the opposite one.
+void leanTogether(EdgeLine& a, EdgeLine& b, double mid) {
+  const auto lean = [mid](EdgeLine& blank, const EdgeLine& drawn) {
+    blank.at0 = blank.across(mid) - drawn.slope * mid;
+    blank.slope = drawn.slope;
+  };
+  if (a.support == 0 && b.support > 0) lean(a, b);
+  if (b.support == 0 && a.support > 0) lean(b, a);
+}
+
+Point crossing(const EdgeLine& column, const EdgeLine& row) {
+  // x = c0 + cs·y, y = r0 + rs·x
+  const double x = (column.at0 + column.slope * row.at0) / (1 - column.slope * row.slope);
+  return {x, row.across(x)};
+}
+
+std::vector<GridLine> merged(std::vector<GridLine> lines, const std::vector<GridLine>& ticks, double apart) {
+  for (const auto& tick : ticks) {
+    const bool known = std::any_of(lines.begin(), lines.end(), [&](const GridLine& l) {
+      return std::abs(l.position_px - tick.position_px) <= apart;
+    });
+    if (!known) lines.push_back(tick);
+  }
+  std::sort(lines.begin(), lines.end(),
+            [](const GridLine& a, const GridLine& b) { return a.position_px < b.position_px; });
+  return lines;
+}
+
+struct UprightBox {
+  double left = 0, top = 0, right = 0, bottom = 0;
+  double leftWidth = 1, bottomWidth = 1;
+};
+
+/// Gridlines and ticks of the horizontal axis of an upright plane.
+std::vector<GridLine> linesAlongX(const cv::Mat& d, double left, double right, double top, double bottom,
+                                  double axisWidth) {
+  const double half = 0.5 * axisWidth;
+  const double depth = std::clamp(0.008 * (bottom - top), 2.0, 8.0);
+  auto lines = columnLines(d, left, right, top, bottom);
+  lines = merged(std::move(lines), columnTicks(d, left, right, bottom + half + 1, bottom + half + depth), 2);
+  return merged(std::move(lines), columnTicks(d, left, right, bottom - half - depth, bottom - half - 1), 2);
+}
+
+/// Same for the vertical axis, on the transposed plane; top to bottom.
+std::vector<GridLine> linesAlongY(const cv::Mat& transposed, const UprightBox& b) {
+  const double half = 0.5 * b.leftWidth;
+  const double depth = std::clamp(0.008 * (b.right - b.left), 2.0, 8.0);
+  auto lines = columnLines(transposed, b.top, b.bottom, b.left, b.right);
+  lines = merged(std::move(lines),
+                 columnTicks(transposed, b.top, b.bottom, b.left - half - depth, b.left - half - 1), 2);
+  return merged(std::move(lines),
+                columnTicks(transposed, b.top, b.bottom, b.left + half + 1, b.left + half + depth), 2);
+}
+
+Point mapped(const cv::Matx33d& h, Point p) {
+  const cv::Vec3d v = h * cv::Vec3d(p.x, p.y, 1);
+  return {v[0] / v[2], v[1] / v[2]};
+}
+
+void findLinesUpright(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
+  const UprightBox b{frame.corners[0].x, frame.corners[0].y, frame.corners[2].x,
+                     frame.corners[2].y, e.left.width_px,    e.bottom.width_px};
+  frame.xLines = linesAlongX(d, b.left, b.right, b.top, b.bottom, b.bottomWidth);
+  frame.yLines = linesAlongY(d.t(), b);
+}
+
+/// A leaning frame is looked at through the map that puts its corners upright; places are mapped back.
+void findLinesLeaning(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
+  const auto& c = frame.corners;
+  const double w = std::hypot(c[2].x - c[3].x, c[2].y - c[3].y),
+               h = std::hypot(c[0].x - c[3].x, c[0].y - c[3].y);
+  const double margin = 16;
+  const UprightBox b{margin, margin, margin + w, margin + h, e.left.width_px, e.bottom.width_px};
+  std::vector<cv::Point2f> from, to{{static_cast<float>(b.left), static_cast<float>(b.top)},
+                                    {static_cast<float>(b.right), static_cast<float>(b.top)},
+                                    {static_cast<float>(b.right), static_cast<float>(b.bottom)},
+                                    {static_cast<float>(b.left), static_cast<float>(b.bottom)}};
+  for (const auto& p : c) from.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
+  const cv::Matx33d upright = cv::getPerspectiveTransform(from, to);
+  const cv::Matx33d back = upright.inv();
+  cv::Mat plane;
+  cv::warpPerspective(d, plane, upright,
+                      cv::Size(static_cast<int>(w + 2 * margin), static_cast<int>(h + 2 * margin)),
+                      cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+  frame.xLines = linesAlongX(plane, b.left, b.right, b.top, b.bottom, b.bottomWidth);
+  frame.yLines = linesAlongY(plane.t(), b);
+  for (auto& line : frame.xLines) line.position_px = mapped(back, {line.position_px, b.bottom}).x;
+  for (auto& line : frame.yLines) line.position_px = mapped(back, {b.left, line.position_px}).y;
+}
+
+bool isUpright(const PlotFrame& f) {
+  const auto& c = f.corners;
+  return std::abs(c[0].x - c[3].x) <= alignedWithin_px && std::abs(c[1].x - c[2].x) <= alignedWithin_px &&
+         std::abs(c[0].y - c[1].y) <= alignedWithin_px && std::abs(c[3].y - c[2].y) <= alignedWithin_px;
+}
+
+}  // namespace
+
+Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
+                                         const FrameCandidate& candidate, const Progress&) {
+  const Box box = boxInView(view, candidate.pageBox);
+  if (view.raster.empty() || box.width() < 16 || box.height() < 16)
+    return Failure{FailureCode::noForceGraph, page.source, "page " + std::to_string(page.number),
+                   "the plot frame is smaller than 16 pixels", "Give a larger region with --frame"};
+  const cv::Mat d = darknessOf(view.raster);
+  const double reach =
+      std::clamp(2.5 * viewPerOverview(view, page), 2.5, 0.02 * std::min(box.width(), box.height()) + 3);
+  Edges e = locateEdges(d, d.t(), box, reach);
+  leanTogether(e.left, e.right, 0.5 * (box.y0 + box.y1));
+  leanTogether(e.top, e.bottom, 0.5 * (box.x0 + box.x1));
+  Found<PlotFrame> found;
+  auto& frame = found.value;
+  frame.corners = {crossing(e.left, e.top), crossing(e.right, e.top), crossing(e.right, e.bottom),
+                   crossing(e.left, e.bottom)};
+  if (isUpright(frame)) {
+    findLinesUpright(d, frame, e);
+  } else {
+    findLinesLeaning(d, frame, e);
+  }
+  found.confidence = std::min(1.0, 0.4 + 0.15 * e.drawn);
+  found.evidence = std::to_string(e.drawn) + " of 4 edges drawn, " + std::to_string(frame.xLines.size()) +
+                   " vertical and " + std::to_string(frame.yLines.size()) + " horizontal lines or ticks";
+  return found;
+}
+
+}  // namespace detent::importer

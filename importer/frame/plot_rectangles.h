@@ -1,0 +1,24 @@
+#pragma once
+// From straight lines to rectangles in which a graph could stand: boxes, grids, open grids, two axis lines.
+
+#include <array>
+#include <vector>
+
+#include "importer/frame/straight_lines.h"
+#include "importer/page/raster.h"
+
+namespace detent::importer {
+
+/// A rectangle made of lines, in pixels of the plane the lines were found in.
+struct PlotRectangle {
+  Box box;
+  std::array<double, 4> edgeCover{};  ///< left, top, right, bottom: share of the edge that is drawn
+  std::vector<double> xLines,
+      yLines;        ///< positions of lines that span it, edges included if drawn; increasing
+  double score = 0;  ///< higher is more like a plot; comparable within one page
+};
+
+/// Best first within a group of touching lines; at least two adjacent edges are drawn.
+std::vector<PlotRectangle> findPlotRectangles(const LineSet& lines, double minWidth_px, double minHeight_px);
+
+}  // namespace detent::importer

@@ -1,0 +1,222 @@
+#include "importer/frame/straight_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include <opencv2/imgproc.hpp>
+
+namespace detent::importer {
+namespace {
+
+constexpr int minContrast =
+    8;  // grey levels; JPEG ripple stays below, the lightest grids of plotting programs above
+constexpr double maxSlope = 0.052;  // 3°: beyond that a sheet was not scanned but photographed
+constexpr double maxResidual_px = 0.75;
+
+/// Pixels that are the crest of a horizontal ridge: darker than both sides two pixels away. Lines up to 3 px
+/// wide.
+cv::Mat horizontalCrests(const cv::Mat& darkness) {
+  cv::Mat smooth;
+  cv::blur(darkness, smooth, cv::Size(1, 3), cv::Point(-1, -1), cv::BORDER_REPLICATE);
+  cv::Mat crests = cv::Mat::zeros(darkness.size(), CV_8U);
+  for (int y = 3; y < darkness.rows - 3; ++y) {
+    const auto* c = smooth.ptr<std::uint8_t>(y);
+    const auto* above = smooth.ptr<std::uint8_t>(y - 1);
+    const auto* below = smooth.ptr<std::uint8_t>(y + 1);
+    const auto* farAbove = smooth.ptr<std::uint8_t>(y - 3);
+    const auto* farBelow = smooth.ptr<std::uint8_t>(y + 3);
+    auto* out = crests.ptr<std::uint8_t>(y);
+    for (int x = 0; x < darkness.cols; ++x) {
+      const int rise = c[x] - std::max(farAbove[x], farBelow[x]);
+      out[x] = static_cast<std::uint8_t>(3 * rise >= minContrast && c[x] >= above[x] && c[x] > below[x]);
+    }
+  }
+  return crests;
+}
+
+/// A stretch of crest pixels in one row.
+struct Run {
+  int y = 0, from = 0, to = 0, ink = 0;
+};
+
+std::vector<Run> runsIn(const cv::Mat& crests, int minLength, int maxGap) {
+  std::vector<Run> runs;
+  for (int y = 0; y < crests.rows; ++y) {
+    const auto* row = crests.ptr<std::uint8_t>(y);
+    Run run{y, -1, -1, 0};
+    const auto close = [&] {
+      if (run.from >= 0 && run.to - run.from + 1 >= minLength && 2 * run.ink >= run.to - run.from + 1)
+        runs.push_back(run);
+    };
+    for (int x = 0; x < crests.cols; ++x) {
+      if (!row[x]) continue;
+      if (run.from >= 0 && x - run.to <= maxGap + 1) {
+        run.to = x;
+        ++run.ink;
+      } else {
+        close();
+        run = Run{y, x, x, 1};
+      }
+    }
+    close();
+  }
+  return runs;
+}
+
+/// Runs strung together end to end: a line that climbs a row now and then.
+struct Chain {
+  std::vector<Run> runs;
+  double ink = 0;
+  int from() const { return runs.front().from; }
+  int to = 0;
+};
+
+std::vector<Chain> chainsOf(std::vector<Run> runs, int maxGap) {
+  std::sort(runs.begin(), runs.end(),
+            [](const Run& a, const Run& b) { return a.from != b.from ? a.from < b.from : a.y < b.y; });
+  int rows = 0;
+  for (const auto& run : runs) rows = std::max(rows, run.y + 1);
+  std::vector<Chain> chains;
+  std::vector<int> lastInRow(static_cast<std::size_t>(rows),
+                             -1);  // chain that ended in this row most recently
+  for (const auto& run : runs) {
+    int best = -1;
+    for (int dy : {0, -1, 1}) {
+      const int y = run.y + dy;
+      if (y < 0 || y >= rows) continue;
+      const int k = lastInRow[static_cast<std::size_t>(y)];
+      if (k < 0) continue;
+      const auto& chain = chains[static_cast<std::size_t>(k)];
+      const auto& tail = chain.runs.back();
+      const int overlap = std::min({4 + maxGap, (tail.to - tail.from) / 2 + 1, (run.to - run.from) / 2 + 1});
+      if (tail.y == y && run.from - chain.to <= maxGap + 1 && run.from >= chain.to - overlap &&
+          run.to > chain.to) {
+        best = k;
+        break;
+      }
+    }
+    if (best < 0) {
+      best = static_cast<int>(chains.size());
+      chains.push_back({});
+    }
+    auto& chain = chains[static_cast<std::size_t>(best)];
+    chain.runs.push_back(run);
+    chain.ink += run.ink;
+    chain.to = std::max(chain.to, run.to);
+    lastInRow[static_cast<std::size_t>(run.y)] = best;
+  }
+  return chains;
+}
+
+/// Least squares line through a chain's runs (each weighted by its length); nullopt-like fill 0 if it bends.
+StraightLine straightened(const Chain& chain) {
+  double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+  for (const auto& run : chain.runs) {
+    const double len = run.to - run.from + 1, mid = 0.5 * (run.from + run.to);
+    n += len;
+    sx += len * mid;
+    sy += len * run.y;
+    sxx += len * (mid * mid + len * len / 12);
+    sxy += len * mid * run.y;
+  }
+  const double det = n * sxx - sx * sx;
+  const double slope = det > 0 ? (n * sxy - sx * sy) / det : 0;
+  const double mean = sx / n, level = sy / n;
+  double worst = 0;
+  for (const auto& run : chain.runs)
+    worst = std::max(worst, std::abs(run.y - (level + slope * (0.5 * (run.from + run.to) - mean))));
+  StraightLine line;
+  line.from = chain.from();
+  line.to = chain.to;
+  line.acrossFrom = level + slope * (line.from - mean);
+  line.acrossTo = level + slope * (line.to - mean);
+  line.fill = worst <= maxResidual_px && std::abs(slope) <= maxSlope
+                  ? std::min(1.0, chain.ink / (line.length() + 1))
+                  : 0;
+  return line;
+}
+
+std::vector<StraightLine> horizontalLines(const cv::Mat& darkness, double minLength, double maxGap) {
+  const int gap = static_cast<int>(std::lround(maxGap));
+  const int minRun = std::max(6, std::min(12, static_cast<int>(minLength / 2)));
+  std::vector<StraightLine> lines;
+  for (const auto& chain : chainsOf(runsIn(horizontalCrests(darkness), minRun, gap), gap)) {
+    if (chain.to - chain.from() + 1 < minLength) continue;
+    const auto line = straightened(chain);
+    if (line.fill > 0) lines.push_back(line);
+  }
+  return lines;
+}
+
+/// The same line found at two scales, or the two rims of a thick one: the better filled, longer one stays.
+std::vector<StraightLine> withoutDoubles(std::vector<StraightLine> lines, double apart) {
+  std::sort(lines.begin(), lines.end(), [](const StraightLine& a, const StraightLine& b) {
+    return a.length() * a.fill > b.length() * b.fill;
+  });
+  std::vector<StraightLine> kept;
+  for (const auto& line : lines) {
+    const bool seen = std::any_of(kept.begin(), kept.end(), [&](const StraightLine& k) {
+      const double overlap = std::min(k.to, line.to) - std::max(k.from, line.from);
+      const double mid = 0.5 * (line.from + line.to);
+      return overlap > 0.5 * line.length() && std::abs(k.acrossAt(mid) - line.acrossAt(mid)) <= apart;
+    });
+    if (!seen) kept.push_back(line);
+  }
+  return kept;
+}
+
+void append(std::vector<StraightLine>& lines, const std::vector<StraightLine>& more, double scale) {
+  const double shift = 0.5 * (scale - 1);  // pixel centres of the coarse plane, in the fine one
+  for (auto line : more) {
+    line.from = line.from * scale;
+    line.to = line.to * scale + 2 * shift;
+    line.acrossFrom = line.acrossFrom * scale + shift;
+    line.acrossTo = line.acrossTo * scale + shift;
+    lines.push_back(line);
+  }
+}
+
+/// Curves have flat stretches, frames have one direction: lines that lean otherwise than most are no frame
+/// lines.
+void keepCommonDirection(std::vector<StraightLine>& lines) {
+  if (lines.empty()) return;
+  std::vector<std::pair<double, double>> slopes;
+  double total = 0;
+  for (const auto& line : lines) {
+    slopes.emplace_back(line.slope(), line.length());
+    total += line.length();
+  }
+  std::sort(slopes.begin(), slopes.end());
+  double sum = 0, median = 0;
+  for (const auto& [slope, length] : slopes) {
+    median = slope;
+    if ((sum += length) >= 0.5 * total) break;
+  }
+  std::erase_if(lines, [&](const StraightLine& line) {
+    return std::abs(line.slope() - median) > 0.008 + 1.5 / line.length();
+  });
+}
+
+}  // namespace
+
+LineSet findStraightLines(const cv::Mat& darkness, double minLength_px, double maxGap_px) {
+  LineSet lines;
+  if (darkness.rows < 8 || darkness.cols < 8) return lines;
+  cv::Mat half;
+  const cv::Mat even = darkness(cv::Rect(0, 0, darkness.cols / 2 * 2, darkness.rows / 2 * 2));
+  cv::resize(even, half, cv::Size(darkness.cols / 2, darkness.rows / 2), 0, 0, cv::INTER_AREA);
+  const auto both = [&](const cv::Mat& fine, const cv::Mat& coarse) {
+    std::vector<StraightLine> found;
+    append(found, horizontalLines(fine, minLength_px, maxGap_px), 1);
+    append(found, horizontalLines(coarse, minLength_px / 2, maxGap_px / 2), 2);
+    found = withoutDoubles(std::move(found), 3);
+    keepCommonDirection(found);
+    return found;
+  };
+  lines.horizontal = both(darkness, half);
+  lines.vertical = both(darkness.t(), half.t());
+  return lines;
+}
+
+}  // namespace detent::importer
