@@ -16,8 +16,12 @@ using Index = std::ptrdiff_t;
 class Workpiece {
  public:
   Workpiece(KnotChain& chain, const std::vector<SigmaPoint>& points, const SolveSettings& settings)
-      : chain_(chain), points_(points), settings_(settings) {
-    assign();
+      : chain_(chain),
+        points_(points),
+        settings_(settings),
+        feet_(footpointsOn(chain, points)),
+        refused_(chain.size(), 0) {
+    sumUp();
   }
 
   const KnotChain& chain() const { return chain_; }
@@ -70,11 +74,28 @@ class Workpiece {
   }
 
   void accept(const Trial& trial) {
-    chain_.erase(chain_.begin() + static_cast<Index>(trial.from),
-                 chain_.begin() + static_cast<Index>(trial.to) + 1);
-    chain_.insert(chain_.begin() + static_cast<Index>(trial.from), trial.knots.begin(), trial.knots.end());
-    assign();
+    replace(chain_, trial.from, trial.to, trial.knots);
+    replace(refused_, trial.from, trial.to, std::vector<char>(trial.knots.size(), 0));
+    std::vector<std::size_t> members;
+    std::vector<SigmaPoint> nearby;
+    const std::size_t shift = trial.knots.size() - 1;
+    for (std::size_t i = 0; i < feet_.size(); ++i) {
+      if (feet_[i].piece >= trial.to)
+        feet_[i].piece = feet_[i].piece - trial.to + trial.from + shift;
+      else if (feet_[i].piece >= trial.from)
+        members.push_back(i), nearby.push_back(points_[i]);
+    }
+    const std::vector<Footpoint> feet = footpointsOn(trial.knots, nearby);
+    for (std::size_t m = 0; m < members.size(); ++m) {
+      feet_[members[m]] = feet[m];
+      feet_[members[m]].piece += trial.from;
+    }
+    sumUp();
   }
+
+  /// A knot whose removal was refused is not asked again until something near it changes.
+  bool isRefused(std::size_t knot) const { return refused_[knot] != 0; }
+  void refuse(std::size_t knot) { refused_[knot] = 1; }
 
   /// Chi-square of the points around a knot if it were gone and no other moved: how much is at stake.
   double chiSquareWithout(std::size_t knot) const {
@@ -89,8 +110,13 @@ class Workpiece {
   }
 
  private:
-  void assign() {
-    feet_ = footpointsOn(chain_, points_);
+  template <class T>
+  static void replace(std::vector<T>& all, std::size_t from, std::size_t to, const std::vector<T>& with) {
+    all.erase(all.begin() + static_cast<Index>(from), all.begin() + static_cast<Index>(to) + 1);
+    all.insert(all.begin() + static_cast<Index>(from), with.begin(), with.end());
+  }
+
+  void sumUp() {
     pieceChiSquare_.assign(chain_.size() - 1, 0.0);
     for (std::size_t i = 0; i < feet_.size(); ++i) {
       const double r = points_[i].weight * std::sqrt(feet_[i].squaredDistance), k = settings_.robustScale;
@@ -102,6 +128,7 @@ class Workpiece {
   const std::vector<SigmaPoint>& points_;
   SolveSettings settings_;
   std::vector<Footpoint> feet_;
+  std::vector<char> refused_;
   std::vector<double> pieceChiSquare_;
 };
 
@@ -147,6 +174,7 @@ ChainKnot smoothOf(const KnotChain& chain, std::size_t k) {
 std::vector<std::size_t> removable(const Workpiece& work, double limit) {
   std::vector<std::pair<double, std::size_t>> stakes;
   for (std::size_t k = 1; k + 1 < work.chain().size(); ++k) {
+    if (work.isRefused(k)) continue;
     const double stake = work.chiSquareWithout(k) - work.chiSquareOfPiece(k - 1) - work.chiSquareOfPiece(k);
     if (stake < limit) stakes.emplace_back(stake, k);
   }
@@ -222,7 +250,10 @@ bool simplify(Workpiece& work, const Evidence& evidence) {
     again = false;
     for (std::size_t knot : removable(work, limit)) {
       const Workpiece::Trial trial = withoutKnot(work, knot);
-      if (!pays(work, trial, evidence)) continue;
+      if (!pays(work, trial, evidence)) {
+        work.refuse(knot);
+        continue;
+      }
       work.accept(trial);
       again = changed = true;
       break;
@@ -284,28 +315,6 @@ std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaP
   return residuals;
 }
 
-double correlationOf(std::vector<double> residuals) {
-  double meanSquare = 0;
-  for (double r : residuals) meanSquare += r * r;
-  const double cut =
-      3 * std::sqrt(meanSquare / static_cast<double>(std::max<std::size_t>(1, residuals.size())));
-  for (double& r : residuals) r = std::clamp(r, -cut, cut);
-  const auto covariance = [&](std::size_t lag) {
-    double sum = 0;
-    for (std::size_t i = lag; i < residuals.size(); ++i) sum += residuals[i] * residuals[i - lag];
-    return sum;
-  };
-  const double variance = covariance(0);
-  if (!(variance > 0)) return 1;
-  double together = 1;
-  for (std::size_t lag = 1; lag < std::min<std::size_t>(residuals.size() / 4, 50); ++lag) {
-    const double rho = covariance(lag) / variance;
-    if (rho < 0.05) break;
-    together += 2 * rho;
-  }
-  return together;
-}
-
 SolveReport chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
                         const ChoiceSettings& settings) {
   settleJoints(chain);
@@ -328,8 +337,8 @@ SolveReport chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points,
   return report;
 }
 
-void reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
-                 const ChoiceSettings& settings) {
+SolveReport reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
+                        const ChoiceSettings& settings) {
   SolveSettings local = settings.solve;
   local.associations = 1;
   const auto count = [&] { return static_cast<int>(chain.size()) - 1; };
@@ -363,8 +372,9 @@ void reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pi
     if (!added) break;
   }
   settleJoints(chain);
-  solveChain(chain, points, {0, chain.size()}, settings.solve);
+  const SolveReport report = solveChain(chain, points, {0, chain.size()}, settings.solve);
   dropRedundantKnots(chain);
+  return report;
 }
 
 }  // namespace detent::importer

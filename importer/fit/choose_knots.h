@@ -28,10 +28,6 @@ int parametersOf(const KnotChain& chain);
 /// Signed weighted residuals of all points, in their order.
 std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaPoint>& points);
 
-/// Points that share one error: integrated autocorrelation of the residuals, large ones cut; 1 for
-/// independent ones.
-double correlationOf(std::vector<double> residuals);
-
 struct ChoiceSettings {
   int rounds = 2;
   int maxPieces = 64;
@@ -46,7 +42,7 @@ SolveReport chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points,
 
 /// Takes out the least useful knots until `pieces` are left; or adds the most useful until there are as many,
 /// if it can.
-void reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
-                 const ChoiceSettings& settings);
+SolveReport reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
+                        const ChoiceSettings& settings);
 
 }  // namespace detent::importer

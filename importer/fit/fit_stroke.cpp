@@ -4,12 +4,99 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "importer/fit/choose_knots.h"
 #include "importer/fit/segment_stroke.h"
 
 namespace detent::importer {
 namespace {
+
+std::optional<Failure> faultOf(const FitOptions& o) {
+  const auto wrong = [](const char* field, double value, const char* range) {
+    char number[40];
+    std::snprintf(number, sizeof number, "%g", value);
+    return Failure{FailureCode::wrongUsage, "fit options", field, std::string("is ") + number,
+                   std::string("Give ") + range};
+  };
+  const auto positive = [](double value) { return std::isfinite(value) && value > 0; };
+  const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
+  if (!positive(o.noise.sigma_mm)) return wrong("noise.sigma_mm", o.noise.sigma_mm, "a noise above 0 mm");
+  if (!positive(o.noise.sigma_N)) return wrong("noise.sigma_N", o.noise.sigma_N, "a noise above 0 N");
+  if (o.criterion == PieceCriterion::fixed && !within(o.pieces, 1, 2000))
+    return wrong("pieces", o.pieces, "1 to 2000 pieces");
+  if (!within(o.maxPieces, 1, 2000)) return wrong("maxPieces", o.maxPieces, "1 to 2000 pieces");
+  if (!positive(o.robustScale)) return wrong("robustScale", o.robustScale, "a scale above 0 sigma");
+  if (!positive(o.tolerance) || o.tolerance > 1e-2) return wrong("tolerance", o.tolerance, "above 0 to 1e-2");
+  if (!within(o.maxPoints, 4, 1e7)) return wrong("maxPoints", o.maxPoints, "4 to 10 million points");
+  if (!within(o.resolutionOfSpan, 0, 0.1)) return wrong("resolutionOfSpan", o.resolutionOfSpan, "0 to 0.1");
+  if (!within(o.correlationPoints, 0, 1e6))
+    return wrong("correlationPoints", o.correlationPoints, "0, or 1 and more");
+  if (!within(o.candidateKnots, 8, 2000))
+    return wrong("candidateKnots", o.candidateKnots, "8 to 2000 places");
+  if (!within(o.evidenceRounds, 0, 20)) return wrong("evidenceRounds", o.evidenceRounds, "0 to 20 rounds");
+  return {};
+}
+
+ChoiceSettings choiceSettings(const FitOptions& options) {
+  ChoiceSettings settings;
+  settings.rounds = options.evidenceRounds;
+  settings.maxPieces = options.maxPieces;
+  settings.solve.robustScale = options.robustScale;
+  settings.solve.tolerance = options.tolerance;
+  return settings;
+}
+
+/// Fewer points than one cubic has parameters: joined by straight pieces.
+constexpr std::size_t fewestPoints = 5;
+
+KnotChain joined(const std::vector<SigmaPoint>& points) {
+  KnotChain chain;
+  for (const SigmaPoint& p : points) chain.push_back({{p.u, p.v, 0, 0}, JointKind::corner});
+  levelDisplacements(chain);
+  dropRedundantKnots(chain);
+  for (std::size_t k = 0; k + 1 < chain.size(); ++k) {
+    const double h = chain[k + 1].u() - chain[k].u();
+    const double slope = h > 0 ? (chain[k + 1].v() - chain[k].v()) / h : 0;
+    chain[k].at[3] = slope;
+    chain[k + 1].at[2] = slope;
+  }
+  chain.front().joint = chain.back().joint = JointKind::smooth;
+  chain.front().at[2] = chain.front().at[3];
+  return chain;
+}
+
+struct ChosenChain {
+  KnotChain chain;
+  Evidence evidence{1, 1};
+  FitOutcome outcome = FitOutcome::converged;
+};
+
+ChosenChain chooseChain(const StrokeSamples& samples, const FitOptions& options) {
+  const std::vector<SigmaPoint>& points = samples.points;
+  const double n = static_cast<double>(points.size());
+  // The first cut puts in more than the evidence for whole cubics supports: taking out is surer than finding
+  // later.
+  constexpr int parametersPerCut = 2;
+  constexpr double longestCorrelation = 10;  // beyond it the residuals show shape, not noise
+  Evidence evidence(n, std::max(1.0, options.correlationPoints));
+  Segmentation cut = segmentStroke(points, options.candidateKnots, evidence.chiSquarePer(parametersPerCut));
+  if (options.correlationPoints == 0 && cut.correlationPoints > 1.2) {
+    evidence = Evidence(n, std::min(longestCorrelation, cut.correlationPoints));
+    cut = segmentStroke(points, options.candidateKnots, evidence.chiSquarePer(parametersPerCut));
+  }
+  const ChoiceSettings settings = choiceSettings(options);
+  SolveReport solved;
+  if (options.criterion == PieceCriterion::fixed) {
+    solved = reachPieces(cut.chain, points, options.pieces, settings);
+  } else {
+    solved = chooseKnots(cut.chain, points, evidence, settings);
+    if (static_cast<int>(cut.chain.size()) - 1 > options.maxPieces)
+      solved = reachPieces(cut.chain, points, options.maxPieces, settings);
+  }
+  return {std::move(cut.chain), evidence,
+          solved.converged ? FitOutcome::converged : FitOutcome::iterationLimit};
+}
 
 std::vector<Knot> modelKnots(const KnotChain& chain, const StrokeSamples& samples) {
   const std::vector<ChainPiece> pieces = piecesOf(chain);
@@ -28,55 +115,102 @@ std::vector<Knot> modelKnots(const KnotChain& chain, const StrokeSamples& sample
   return knots;
 }
 
+void addResiduals(FitSummary& summary, const ChosenChain& fit, const StrokeSamples& samples,
+                  double robustScale) {
+  const std::vector<double> residuals = residualsOf(fit.chain, samples.points);
+  double sum = 0;
+  for (double r : residuals) {
+    sum += r * r;
+    summary.maxSigma = std::max(summary.maxSigma, std::abs(r));
+  }
+  summary.rmsSigma = std::sqrt(sum / static_cast<double>(residuals.size()));
+  summary.correlationPoints = correlationOf(residuals);
+  summary.bic =
+      fit.evidence.score(chiSquareOf(fit.chain, samples.points, robustScale), parametersOf(fit.chain));
+}
+
+std::size_t nearestKnot(const KnotChain& chain, double u, double v) {
+  const auto distance = [&](const ChainKnot& k) { return std::hypot(k.u() - u, k.v() - v); };
+  const auto best = std::min_element(chain.begin(), chain.end(), [&](const ChainKnot& a, const ChainKnot& b) {
+    return distance(a) < distance(b);
+  });
+  return static_cast<std::size_t>(best - chain.begin());
+}
+
+void addTactilePoints(FitSummary& summary, const StrokeCurve& curve, Stroke stroke, const ChosenChain& fit,
+                      const StrokeSamples& samples, const FitOptions& options) {
+  const std::vector<TactilePoint> found = tactilePoints(curve, stroke);
+  if (found.empty()) return;
+  const std::vector<KnotSigma> sigmas = knotSigmas(fit.chain, samples.points, choiceSettings(options).solve);
+  // Residuals of `rmsSigma` in groups of `correlationPoints` that share one error.
+  const double inflation = summary.rmsSigma * std::sqrt(summary.correlationPoints);
+  for (const TactilePoint& point : found) {
+    const KnotSigma& sigma =
+        sigmas[nearestKnot(fit.chain, samples.u(point.displacement_mm), samples.v(point.force_N))];
+    summary.tactilePoints.push_back(
+        {point, sigma.u * inflation * samples.mmPerU, sigma.v * inflation * samples.newtonsPerV});
+  }
+}
+
 }  // namespace
 
 FitOptions fitOptionsFor(FitEffort effort, PointNoise noise) {
   FitOptions options;
   options.noise = noise;
-  (void)effort;
+  if (effort == FitEffort::draft) {
+    options.maxPoints = 400;
+    options.candidateKnots = 80;
+    options.evidenceRounds = 1;
+    options.resolutionOfSpan = 3e-3;
+    options.tolerance = 1e-4;
+  } else if (effort == FitEffort::precise) {
+    options.maxPoints = 4000;
+    options.maxPieces = 200;
+    options.candidateKnots = 400;
+    options.evidenceRounds = 4;
+    options.resolutionOfSpan = 7e-4;
+    options.tolerance = 1e-8;
+  }
   return options;
 }
 
 std::string FitSummary::brief() const {
-  char text[160];
-  std::snprintf(text, sizeof text, "%d pieces through %d points, rms %.2f sigma, largest %.1f sigma, %.0f ms",
-                pieces, points, rmsSigma, maxSigma, 1e3 * seconds);
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "%d pieces through %d points, rms %.2f sigma, largest %.1f sigma, %.0f ms%s", pieces, points,
+                rmsSigma, maxSigma, 1e3 * seconds,
+                outcome == FitOutcome::converged        ? ""
+                : outcome == FitOutcome::iterationLimit ? ", iteration limit"
+                                                        : ", too few points to fit: joined");
   return text;
 }
 
 Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke stroke,
                                const FitOptions& options) {
   const auto begin = std::chrono::steady_clock::now();
-  Result<StrokeSamples> prepared = prepareSamples(points, stroke, options);
+  if (const std::optional<Failure> fault = faultOf(options)) return *fault;
+  const Result<StrokeSamples> prepared = prepareSamples(points, stroke, options);
   if (!prepared) return prepared.failure();
   const StrokeSamples& samples = *prepared;
-  const double n = static_cast<double>(samples.points.size());
-  ChoiceSettings settings;
-  settings.rounds = options.evidenceRounds;
-  settings.maxPieces = options.maxPieces;
-  settings.solve.robustScale = options.robustScale;
-  settings.solve.tolerance = options.tolerance;
-  const Evidence evidence(n, options.correlationPoints > 0 ? options.correlationPoints : 3);
-  KnotChain chain = segmentStroke(samples.points, options.candidateKnots, 2 * evidence.chiSquarePer(1));
-  const SolveReport solved = chooseKnots(chain, samples.points, evidence, settings);
-  dropRedundantKnots(chain);
-  Result<StrokeCurve> curve = StrokeCurve::fromKnots(modelKnots(chain, samples));
-  if (!curve) return curve.failure();
-  FitSummary summary;
-  summary.pieces = static_cast<int>(chain.size()) - 1;
-  summary.points = static_cast<int>(samples.points.size());
-  summary.outcome = solved.converged ? FitOutcome::converged : FitOutcome::iterationLimit;
-  summary.correlationPoints = correlationOf(residualsOf(chain, samples.points));
-  double sum = 0;
-  const std::vector<Footpoint> feet = footpointsOn(chain, samples.points);
-  for (const Footpoint& f : feet) {
-    sum += f.squaredDistance;
-    summary.maxSigma = std::max(summary.maxSigma, std::sqrt(f.squaredDistance));
+
+  ChosenChain fit;
+  if (samples.points.size() < fewestPoints) {
+    fit.chain = joined(samples.points);
+    fit.outcome = FitOutcome::tooFewPoints;
+  } else {
+    fit = chooseChain(samples, options);
   }
-  summary.bic = evidence.score(chiSquareOf(chain, samples.points, options.robustScale), parametersOf(chain));
-  summary.rmsSigma = std::sqrt(sum / n);
+  Result<StrokeCurve> curve = StrokeCurve::fromKnots(modelKnots(fit.chain, samples));
+  if (!curve) return curve.failure();
+
+  FitSummary summary;
+  summary.outcome = fit.outcome;
+  summary.pieces = static_cast<int>(fit.chain.size()) - 1;
+  summary.points = static_cast<int>(samples.points.size());
+  addResiduals(summary, fit, samples, options.robustScale);
+  addTactilePoints(summary, *curve, stroke, fit, samples, options);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  return FittedStroke{std::move(*curve), summary};
+  return FittedStroke{std::move(*curve), std::move(summary)};
 }
 
 }  // namespace detent::importer

@@ -106,7 +106,7 @@ Footpoint nearestFrom(const ChainPiece& piece, const SigmaPoint& p, double t) {
 }
 
 Footpoint nearestOn(const ChainPiece& piece, const SigmaPoint& p) {
-  constexpr int probes = 8;
+  constexpr int probes = 4;
   double bestT = 0, best = std::numeric_limits<double>::infinity();
   for (int k = 0; k <= probes; ++k) {
     const double t = static_cast<double>(k) / probes, distance = squaredDistance(piece, p, t);

@@ -331,17 +331,44 @@ ChainKnot jointBetween(const std::vector<SigmaPoint>& points, const PlacedStretc
 
 }  // namespace
 
-KnotChain segmentStroke(const std::vector<SigmaPoint>& points, int candidates, double penalty) {
+double correlationOf(std::vector<double> residuals) {
+  double meanSquare = 0;
+  for (double r : residuals) meanSquare += r * r;
+  const double cut =
+      3 * std::sqrt(meanSquare / static_cast<double>(std::max<std::size_t>(1, residuals.size())));
+  for (double& r : residuals) r = std::clamp(r, -cut, cut);
+  const auto covariance = [&](std::size_t lag) {
+    double sum = 0;
+    for (std::size_t i = lag; i < residuals.size(); ++i) sum += residuals[i] * residuals[i - lag];
+    return sum;
+  };
+  const double variance = covariance(0);
+  if (!(variance > 0)) return 1;
+  double together = 1;
+  for (std::size_t lag = 1; lag < std::min<std::size_t>(residuals.size() / 4, 50); ++lag) {
+    const double rho = covariance(lag) / variance;
+    if (rho < 0.05) break;
+    together += 2 * rho;
+  }
+  return together;
+}
+
+Segmentation segmentStroke(const std::vector<SigmaPoint>& points, int candidates, double penalty) {
   const std::vector<SigmaPoint> directions = localDirections(points);
   const std::vector<Run> runs = runsOf(points, directions);
   std::vector<std::vector<RunPoint>> along;
   along.reserve(runs.size());
   std::vector<PlacedStretch> stretches;
+  std::vector<double> residuals;
   for (const Run& run : runs) {
     along.push_back(alongRun(points, directions, run));
     const double share = static_cast<double>(run.to - run.from) / static_cast<double>(points.size());
-    for (const Stretch& s : cutRun(along.back(), std::max(2.0, share * candidates), penalty))
+    for (const Stretch& s : cutRun(along.back(), std::max(2.0, share * candidates), penalty)) {
       stretches.push_back({s, &along.back(), run.steep, run.from});
+      for (std::size_t i = s.from; i < s.to; ++i)
+        residuals.push_back(std::sqrt(along.back()[i].weight) *
+                            (along.back()[i].w - s.cubic.at(along.back()[i].z)));
+    }
   }
 
   KnotChain chain;
@@ -360,7 +387,7 @@ KnotChain segmentStroke(const std::vector<SigmaPoint>& points, int candidates, d
     chain.push_back(next);
   }
   levelDisplacements(chain);
-  return chain;
+  return {std::move(chain), correlationOf(std::move(residuals))};
 }
 
 }  // namespace detent::importer

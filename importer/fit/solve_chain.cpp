@@ -6,6 +6,9 @@
 #include <memory>
 
 #include <ceres/ceres.h>
+#include <Eigen/Dense>
+
+#include "model/check.h"
 
 namespace detent::importer {
 namespace {
@@ -320,37 +323,51 @@ SolveReport solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, 
     ceres::Solve(options, &problem.problem(), &summary);
     levelDisplacements(chain);
     report.chiSquare = 2 * summary.final_cost;
-    if (getenv("DBG"))
-      fprintf(stderr, "%s t=%.1fms\n", summary.BriefReport().c_str(), 1e3 * summary.total_time_in_seconds);
-    if (getenv("DBG2")) fprintf(stderr, "%s\n", summary.FullReport().c_str());
     report.converged = summary.termination_type == ceres::CONVERGENCE;
   }
   return report;
 }
 
-std::vector<std::optional<KnotSigma>> knotSigmas(const KnotChain& chain,
-                                                 const std::vector<SigmaPoint>& points,
-                                                 const std::vector<std::size_t>& knots,
-                                                 const SolveSettings& settings) {
-  std::vector<std::optional<KnotSigma>> sigmas(knots.size());
-  if (knots.empty()) return sigmas;
+std::vector<KnotSigma> knotSigmas(const KnotChain& chain, const std::vector<SigmaPoint>& points,
+                                  const SolveSettings& settings) {
   KnotChain copy = chain;
   ChainProblem problem(copy, points, {0, copy.size()}, settings);
-  ceres::Covariance::Options options;
-  options.algorithm_type = ceres::DENSE_SVD;
-  options.null_space_rank = -1;
-  options.num_threads = 1;
-  ceres::Covariance covariance(options);
-  std::vector<std::pair<const double*, const double*>> blocks;
-  for (std::size_t k : knots)
-    if (problem.problem().HasParameterBlock(copy[k].at.data()))
-      blocks.emplace_back(copy[k].at.data(), copy[k].at.data());
-  if (blocks.size() != knots.size() || !covariance.Compute(blocks, &problem.problem())) return sigmas;
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    double block[16];
-    if (!covariance.GetCovarianceBlock(blocks[i].first, blocks[i].second, block)) continue;
-    if (std::isfinite(block[0]) && std::isfinite(block[5]))
-      sigmas[i] = KnotSigma{std::sqrt(std::max(0.0, block[0])), std::sqrt(std::max(0.0, block[5]))};
+  ceres::Problem::EvaluateOptions evaluation;
+  std::vector<std::size_t> firstColumn;
+  std::size_t columns = 0;
+  for (std::size_t k = 0; k < copy.size(); ++k) {
+    evaluation.parameter_blocks.push_back(copy[k].at.data());
+    firstColumn.push_back(columns);
+    columns += 4 - heldParameters(copy, k).size();
+  }
+  ceres::CRSMatrix jacobian;
+  std::vector<KnotSigma> sigmas(copy.size());
+  if (!problem.problem().Evaluate(evaluation, nullptr, nullptr, nullptr, &jacobian)) return sigmas;
+  DETENT_CHECK(static_cast<std::size_t>(jacobian.num_cols) == columns,
+               "free parameters as the solver counts them");
+
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(jacobian.num_cols, jacobian.num_cols);
+  for (int row = 0; row < jacobian.num_rows; ++row) {
+    const auto from = static_cast<std::size_t>(jacobian.rows[static_cast<std::size_t>(row)]);
+    const auto to = static_cast<std::size_t>(jacobian.rows[static_cast<std::size_t>(row) + 1]);
+    for (std::size_t i = from; i < to; ++i)
+      for (std::size_t j = from; j < to; ++j)
+        information(jacobian.cols[i], jacobian.cols[j]) += jacobian.values[i] * jacobian.values[j];
+  }
+  // A slope that a limit holds has no influence and an empty row: it counts as fixed.
+  for (Eigen::Index c = 0; c < information.cols(); ++c)
+    if (information(c, c) <= 1e-12 * information.trace()) information(c, c) += 1;
+  const Eigen::MatrixXd covariance =
+      information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  for (std::size_t k = 0; k < copy.size(); ++k) {
+    const std::vector<int> held = heldParameters(copy, k);
+    const auto isHeld = [&](int parameter) {
+      return std::find(held.begin(), held.end(), parameter) != held.end();
+    };
+    auto column = static_cast<Eigen::Index>(firstColumn[k]);
+    const auto sigmaAt = [&](Eigen::Index c) { return std::sqrt(std::max(0.0, covariance(c, c))); };
+    if (!isHeld(0)) sigmas[k].u = sigmaAt(column++);
+    if (!isHeld(1)) sigmas[k].v = sigmaAt(column);
   }
   return sigmas;
 }

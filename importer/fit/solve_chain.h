@@ -1,8 +1,6 @@
 #pragma once
 // Ceres on a chain of knots: least robust orthogonal distance with analytic Jacobians.
 
-#include <optional>
-
 #include "importer/fit/knot_chain.h"
 
 namespace detent::importer {
@@ -34,14 +32,12 @@ SolveReport solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, 
 double chiSquareOf(const KnotChain& chain, const std::vector<SigmaPoint>& points, double robustScale);
 
 struct KnotSigma {
-  double u = 0, v = 0;  ///< standard errors for independent residuals of 1 sigma
+  double u = 0,
+         v = 0;  ///< standard errors for independent residuals of 1 sigma; 0 where a coordinate is held
 };
 
-/// Standard errors of knots' places from the covariance of the whole fit (all other knots free).
-/// nullopt where the points do not determine them.
-std::vector<std::optional<KnotSigma>> knotSigmas(const KnotChain& chain,
-                                                 const std::vector<SigmaPoint>& points,
-                                                 const std::vector<std::size_t>& knots,
-                                                 const SolveSettings& settings);
+/// Standard errors of all knots' places from the covariance of the whole fit (all knots free; Gauss-Newton).
+std::vector<KnotSigma> knotSigmas(const KnotChain& chain, const std::vector<SigmaPoint>& points,
+                                  const SolveSettings& settings);
 
 }  // namespace detent::importer
