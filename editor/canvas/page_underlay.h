@@ -1,0 +1,39 @@
+#pragma once
+// The datasheet page under the curves, registered to the axes.
+
+#include <QImage>
+#include <QTransform>
+#include <vector>
+
+#include <qcustomplot.h>
+
+namespace detent::editor {
+
+/// Draws a picture whose pixels have a place in plot coordinates. Keeps half-size copies, so that drawing
+/// costs what the screen shows, not what the page has. GUI thread.
+class PageUnderlay : public QCPLayerable {
+ public:
+  explicit PageUnderlay(QCustomPlot* plot);
+
+  /// `pixelToAxes`: from picture pixels (centre of the top left one at 0,0) to plot coordinates (may be
+  /// projective).
+  void setPage(const QImage& page, const QTransform& pixelToAxes);
+  void clear();
+  bool empty() const { return pyramid_.empty(); }
+
+  /// 0..1
+  void setOpacity(double opacity);
+  double opacity() const { return opacity_; }
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
+  void draw(QCPPainter* painter) override;
+  QRect clipRect() const override;
+
+ private:
+  std::vector<QImage> pyramid_;  ///< [0] the page, each next one half as wide
+  QTransform pixelToAxes_;
+  double opacity_ = 0.5;
+};
+
+}  // namespace detent::editor
