@@ -14,7 +14,7 @@
 #include "importer/program/report_json.h"
 #include "importer/program/staged_outputs.h"
 #include "model/file/button_file.h"
-#include "model/file/csv_file.h"
+#include "model/file/curve_csv.h"
 
 namespace detent::importer {
 namespace {
@@ -52,9 +52,9 @@ Result<std::vector<std::string>> writeOutputs(const ImportReport& report, const 
     return outputs.stage(path, bytes());
   };
   const ForceGraph& graph = report.button.states().front().graph;
-  if (auto done = stage(paths.button, [&] { return buttonJson(report.button); }); !done)
+  if (auto done = stage(paths.button, [&] { return jsonFrom(report.button); }); !done)
     return done.failure();
-  if (auto done = stage(paths.csv, [&] { return graphCsv(graph); }); !done) return done.failure();
+  if (auto done = stage(paths.csv, [&] { return csvFrom(graph); }); !done) return done.failure();
   if (auto done = stage(paths.trace, [&] { return traceCsv(report.strokes); }); !done) return done.failure();
   if (!paths.overlay.empty() && report.overlay) {
     if (auto done = stage(paths.overlay, [&] { return pngBytes(*report.overlay); }); !done)
