@@ -1,0 +1,413 @@
+#include "model/file/button_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <initializer_list>
+#include <limits>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "model/file/migrations.h"
+#include "model/file/text_file.h"
+
+namespace detent {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr int maxDepth = 16;  // the format itself needs 5; deeper text is hostile
+
+// --------------------------------------------------------------------------------------------------- parsing
+
+// A reading fault; never leaves this file.
+struct Refusal {
+  Failure failure;
+};
+
+class Reader {
+ public:
+  explicit Reader(std::string subject) : subject_(std::move(subject)) {}
+
+  [[noreturn]] void refuse(const std::string& place, std::string problem, std::string remedy) const {
+    throw Refusal{{FailureCode::unreadableInput, subject_, place, std::move(problem), std::move(remedy)}};
+  }
+
+  void requireObject(const json& value, const std::string& place) const {
+    if (!value.is_object())
+      refuse(place, "is " + kindOf(value) + ", not an object", "See docs/file-format.md");
+  }
+
+  void refuseUnknownKeys(const json& object, const std::string& place,
+                         std::initializer_list<std::string_view> known) const {
+    for (const auto& [key, value] : object.items()) {
+      if (key.rfind("x-", 0) == 0) continue;
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        refuse(join(place, key), "is not a key of this format",
+               "Remove it, correct its spelling, or begin its name with \"x-\"");
+    }
+  }
+
+  const json& required(const json& object, const std::string& place, const char* key) const {
+    const auto found = object.find(key);
+    if (found == object.end()) refuse(join(place, key), "is missing", "Add it, see docs/file-format.md");
+    return *found;
+  }
+
+  double number(const json& value, const std::string& place) const {
+    if (!value.is_number()) refuse(place, "is " + kindOf(value) + ", not a number", "Write a plain number");
+    return value.get<double>();
+  }
+
+  double number(const json& object, const std::string& place, const char* key) const {
+    return number(required(object, place, key), join(place, key));
+  }
+
+  double numberOr(const json& object, const std::string& place, const char* key, double otherwise) const {
+    return object.contains(key) ? number(object, place, key) : otherwise;
+  }
+
+  std::optional<double> optionalNumber(const json& object, const std::string& place, const char* key) const {
+    if (!object.contains(key)) return {};
+    return number(object, place, key);
+  }
+
+  int wholeNumber(const json& object, const std::string& place, const char* key, int otherwise) const {
+    if (!object.contains(key)) return otherwise;
+    const double value = number(object, place, key);
+    if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
+      refuse(join(place, key), "is " + object.at(key).dump() + ", not a whole number of ordinary size",
+             "Write a whole number");
+    return static_cast<int>(value);
+  }
+
+  std::string text(const json& value, const std::string& place) const {
+    if (!value.is_string()) refuse(place, "is " + kindOf(value) + ", not text", "Put it in quotes");
+    return value.get<std::string>();
+  }
+
+  std::string textOr(const json& object, const std::string& place, const char* key,
+                     const char* otherwise) const {
+    return object.contains(key) ? text(object.at(key), join(place, key)) : otherwise;
+  }
+
+  const json& array(const json& value, const std::string& place) const {
+    if (!value.is_array()) refuse(place, "is " + kindOf(value) + ", not a list", "See docs/file-format.md");
+    return value;
+  }
+
+  std::vector<std::string> texts(const json& object, const std::string& place, const char* key) const {
+    std::vector<std::string> out;
+    if (!object.contains(key)) return out;
+    const json& list = array(object.at(key), join(place, key));
+    for (std::size_t i = 0; i < list.size(); ++i) out.push_back(text(list[i], at(join(place, key), i)));
+    return out;
+  }
+
+  // A value's own Failure, with this file and place in front of it.
+  template <class T>
+  T accepted(Result<T> result, const std::string& place) const {
+    if (!result) {
+      const Failure& inner = result.failure();
+      refuse(join2(place, inner.place), inner.problem, inner.remedy);
+    }
+    return *std::move(result);
+  }
+
+  static std::string join(const std::string& place, const std::string& key) {
+    return place.empty() ? key : place + "." + key;
+  }
+  static std::string at(const std::string& place, std::size_t index) {
+    return place + "[" + std::to_string(index) + "]";
+  }
+
+ private:
+  static std::string join2(const std::string& a, const std::string& b) {
+    return a.empty() ? b : b.empty() ? a : a + ", " + b;
+  }
+  static std::string kindOf(const json& value) {
+    if (value.is_null()) return "null";
+    if (value.is_number()) return "a number";
+    if (value.is_string()) return "text";
+    if (value.is_boolean()) return "true or false";
+    return value.is_array() ? "a list" : "an object";
+  }
+  std::string subject_;
+};
+
+// "line 3, column 7" of a byte offset (1-based offset of the last read byte, as nlohmann counts).
+std::string placeOfByte(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+  const auto lines = std::count(before.begin(), before.end(), '\n');
+  const auto lineStart = before.rfind('\n');
+  const std::size_t column = before.size() - (lineStart == std::string_view::npos ? 0 : lineStart + 1);
+  return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
+}
+
+// What nlohmann says after the position: "syntax error while parsing value - invalid literal; last read:
+// 'x'".
+std::string plainReason(const std::string& what) {
+  const auto colon = what.find(": ");
+  std::string reason = colon == std::string::npos ? what : what.substr(colon + 2);
+  if (reason.size() > 160) reason = reason.substr(0, 160) + "...";
+  for (char& c : reason)
+    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
+  return reason;
+}
+
+// Refuses what the parser would build without complaint: bottomless nesting and keys given twice.
+json parsedJson(std::string_view text, const Reader& reader) {
+  std::vector<std::set<std::string>> keys;
+  const json::parser_callback_t watch = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth > maxDepth)
+      reader.refuse("", "is nested deeper than " + std::to_string(maxDepth) + " levels",
+                    "Give a button file");
+    if (event == json::parse_event_t::object_start) keys.emplace_back();
+    if (event == json::parse_event_t::object_end) keys.pop_back();
+    if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
+      reader.refuse("key \"" + parsed.get<std::string>().substr(0, 60) + "\"", "is given twice in one object",
+                    "Keep one of the two");
+    return true;
+  };
+  try {
+    return json::parse(text.begin(), text.end(), watch);
+  } catch (const json::parse_error& error) {
+    reader.refuse(placeOfByte(text, error.byte), "is not valid JSON: " + plainReason(error.what()),
+                  "Correct it there, or export the button again");
+  } catch (const json::out_of_range& error) {
+    reader.refuse("", "holds a number no double can hold: " + plainReason(error.what()),
+                  "Correct the number");
+  }
+}
+
+Knot knotFrom(const Reader& in, const json& value, const std::string& place) {
+  in.requireObject(value, place);
+  in.refuseUnknownKeys(value, place,
+                       {"displacement_mm", "force_N", "slopeBefore_N_per_mm", "slopeAfter_N_per_mm"});
+  return {in.number(value, place, "displacement_mm"), in.number(value, place, "force_N"),
+          in.number(value, place, "slopeBefore_N_per_mm"), in.number(value, place, "slopeAfter_N_per_mm")};
+}
+
+StrokeCurve curveFrom(const Reader& in, const json& value, const std::string& place) {
+  in.array(value, place);
+  std::vector<Knot> knots;
+  for (std::size_t i = 0; i < value.size(); ++i)
+    knots.push_back(knotFrom(in, value[i], Reader::at(place, i)));
+  return in.accepted(StrokeCurve::fromKnots(std::move(knots)), place);
+}
+
+std::vector<DampingPoint> dampingFrom(const Reader& in, const json& state, const std::string& place) {
+  std::vector<DampingPoint> damping;
+  if (!state.contains("damping")) return damping;
+  const std::string listPlace = Reader::join(place, "damping");
+  const json& list = in.array(state.at("damping"), listPlace);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string at = Reader::at(listPlace, i);
+    in.requireObject(list[i], at);
+    in.refuseUnknownKeys(list[i], at, {"displacement_mm", "damping_Ns_per_mm"});
+    damping.push_back(
+        {in.number(list[i], at, "displacement_mm"), in.number(list[i], at, "damping_Ns_per_mm")});
+  }
+  return damping;
+}
+
+ButtonState stateFrom(const Reader& in, const json& value, const std::string& place) {
+  in.requireObject(value, place);
+  in.refuseUnknownKeys(value, place,
+                       {"name", "press", "release", "operatingPoint_mm", "resetPoint_mm", "damping"});
+  StrokeCurve press = curveFrom(in, in.required(value, place, "press"), Reader::join(place, "press"));
+  std::optional<StrokeCurve> release;
+  if (value.contains("release")) release = curveFrom(in, value.at("release"), Reader::join(place, "release"));
+  ForceGraph graph = in.accepted(ForceGraph::fromCurves(std::move(press), std::move(release)), place);
+  return {in.textOr(value, place, "name", ""), std::move(graph),
+          in.optionalNumber(value, place, "operatingPoint_mm"),
+          in.optionalNumber(value, place, "resetPoint_mm"), dampingFrom(in, value, place)};
+}
+
+std::optional<AxisProvenance> axisFrom(const Reader& in, const json& object, const char* key) {
+  if (!object.contains(key)) return {};
+  const std::string place = Reader::join("provenance", key);
+  const json& value = object.at(key);
+  in.requireObject(value, place);
+  in.refuseUnknownKeys(value, place, {"unit", "min", "max", "residual_px", "by"});
+  AxisProvenance axis;
+  axis.unit = in.textOr(value, place, "unit", "");
+  axis.min = in.number(value, place, "min");
+  axis.max = in.number(value, place, "max");
+  axis.residual_px = in.numberOr(value, place, "residual_px", 0);
+  const std::string by = in.textOr(value, place, "by", "found");
+  if (by != "found" && by != "given")
+    in.refuse(Reader::join(place, "by"), "is \"" + by.substr(0, 40) + "\"", "Write \"found\" or \"given\"");
+  axis.by = by == "found" ? DecidedBy::found : DecidedBy::given;
+  return axis;
+}
+
+Provenance provenanceFrom(const Reader& in, const json& value) {
+  const std::string place = "provenance";
+  in.requireObject(value, place);
+  in.refuseUnknownKeys(value, place,
+                       {"sourceFile", "sourceSha256", "page", "graph", "frame", "xAxis", "yAxis", "quality",
+                        "pressRms_px", "releaseRms_px", "confidence", "given", "warnings"});
+  Provenance p;
+  p.sourceFile = in.textOr(value, place, "sourceFile", "");
+  p.sourceSha256 = in.textOr(value, place, "sourceSha256", "");
+  p.page = in.wholeNumber(value, place, "page", 1);
+  p.graph = in.wholeNumber(value, place, "graph", 1);
+  if (value.contains("frame")) {
+    const json& frame = in.array(value.at("frame"), "provenance.frame");
+    for (std::size_t i = 0; i < frame.size(); ++i)
+      p.frame.push_back(in.number(frame[i], Reader::at("provenance.frame", i)));
+  }
+  p.xAxis = axisFrom(in, value, "xAxis");
+  p.yAxis = axisFrom(in, value, "yAxis");
+  p.quality = in.textOr(value, place, "quality", "");
+  p.pressRms_px = in.numberOr(value, place, "pressRms_px", 0);
+  p.releaseRms_px = in.numberOr(value, place, "releaseRms_px", 0);
+  p.confidence = in.numberOr(value, place, "confidence", 0);
+  p.given = in.texts(value, place, "given");
+  p.warnings = in.texts(value, place, "warnings");
+  return p;
+}
+
+Button buttonFrom(const Reader& in, std::string_view text, const std::string& subject) {
+  json document = parsedJson(text, in);
+  in.requireObject(document, "");
+  const json& format = in.required(document, "", "format");
+  if (format != "detent-button")
+    in.refuse("format", "is not \"detent-button\"", "Give a *.button.json written by Detent");
+  document = in.accepted(migrated(std::move(document), buttonMigrations(), subject), "");
+  in.refuseUnknownKeys(document, "", {"format", "version", "name", "states", "provenance"});
+  const json& list = in.array(in.required(document, "", "states"), "states");
+  std::vector<ButtonState> states;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    states.push_back(stateFrom(in, list[i], Reader::at("states", i)));
+  std::optional<Provenance> provenance;
+  if (document.contains("provenance")) provenance = provenanceFrom(in, document.at("provenance"));
+  return in.accepted(
+      Button::fromStates(in.textOr(document, "", "name", ""), std::move(states), std::move(provenance)), "");
+}
+
+// --------------------------------------------------------------------------------------------------- writing
+
+ordered_json jsonOf(const StrokeCurve& curve) {
+  ordered_json knots = ordered_json::array();
+  for (const Knot& k : curve.knots())
+    knots.push_back({{"displacement_mm", k.displacement_mm},
+                     {"force_N", k.force_N},
+                     {"slopeBefore_N_per_mm", k.slopeBefore_N_per_mm},
+                     {"slopeAfter_N_per_mm", k.slopeAfter_N_per_mm}});
+  return knots;
+}
+
+ordered_json jsonOf(const ButtonState& state) {
+  ordered_json out;
+  out["name"] = state.name;
+  out["press"] = jsonOf(state.graph.press());
+  if (state.graph.release()) out["release"] = jsonOf(*state.graph.release());
+  if (state.operatingPoint_mm) out["operatingPoint_mm"] = *state.operatingPoint_mm;
+  if (state.resetPoint_mm) out["resetPoint_mm"] = *state.resetPoint_mm;
+  if (!state.damping.empty()) {
+    out["damping"] = ordered_json::array();
+    for (const DampingPoint& p : state.damping)
+      out["damping"].push_back(
+          {{"displacement_mm", p.displacement_mm}, {"damping_Ns_per_mm", p.damping_Ns_per_mm}});
+  }
+  return out;
+}
+
+ordered_json jsonOf(const AxisProvenance& axis) {
+  return {{"unit", axis.unit},
+          {"min", axis.min},
+          {"max", axis.max},
+          {"residual_px", axis.residual_px},
+          {"by", axis.by == DecidedBy::found ? "found" : "given"}};
+}
+
+ordered_json jsonOf(const Provenance& p) {
+  ordered_json out;
+  out["sourceFile"] = p.sourceFile;
+  out["sourceSha256"] = p.sourceSha256;
+  out["page"] = p.page;
+  out["graph"] = p.graph;
+  if (!p.frame.empty()) out["frame"] = p.frame;
+  if (p.xAxis) out["xAxis"] = jsonOf(*p.xAxis);
+  if (p.yAxis) out["yAxis"] = jsonOf(*p.yAxis);
+  out["quality"] = p.quality;
+  out["pressRms_px"] = p.pressRms_px;
+  out["releaseRms_px"] = p.releaseRms_px;
+  out["confidence"] = p.confidence;
+  out["given"] = p.given;
+  out["warnings"] = p.warnings;
+  return out;
+}
+
+bool holdsOnlyScalars(const ordered_json& value) {
+  return std::none_of(value.begin(), value.end(), [](const ordered_json& v) { return v.is_structured(); });
+}
+
+std::string compact(const ordered_json& value) {
+  std::string text = value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return text;
+}
+
+// Like dump(2), but a knot stays on one line.
+void print(std::string& out, const ordered_json& value, const std::string& indent) {
+  const bool scalarRow = value.is_structured() && !indent.empty() && holdsOnlyScalars(value);
+  if (!value.is_structured() || value.empty() || (scalarRow && value.is_array())) {
+    out += compact(value);
+    return;
+  }
+  const char* separator = "";
+  const bool object = value.is_object();
+  out += object ? '{' : '[';
+  const std::string inner = indent + "  ";
+  for (const auto& [key, element] : value.items()) {
+    out += separator;
+    if (!scalarRow) out += "\n" + inner;
+    if (object) out += compact(key) + ": ";
+    print(out, element, inner);
+    separator = scalarRow ? ", " : ",";
+  }
+  if (!scalarRow) out += "\n" + indent;
+  out += object ? '}' : ']';
+}
+
+}  // namespace
+
+Result<Button> buttonFromJson(std::string_view text, const std::string& subject) {
+  try {
+    return buttonFrom(Reader(subject), text, subject);
+  } catch (const Refusal& refusal) {
+    return refusal.failure;
+  } catch (const json::exception& error) {
+    return Failure{FailureCode::unreadableInput, subject, "", "cannot be read: " + plainReason(error.what()),
+                   "Give a *.button.json written by Detent"};
+  }
+}
+
+std::string jsonFrom(const Button& button) {
+  ordered_json document;
+  document["format"] = "detent-button";
+  document["version"] = buttonFileVersion;
+  document["name"] = button.name();
+  document["states"] = ordered_json::array();
+  for (const ButtonState& state : button.states()) document["states"].push_back(jsonOf(state));
+  if (button.provenance()) document["provenance"] = jsonOf(*button.provenance());
+  std::string text;
+  print(text, document, "");
+  return text + "\n";
+}
+
+Result<Button> readButtonFile(const std::string& path) {
+  auto text = readTextFile(path);
+  if (!text) return text.failure();
+  return buttonFromJson(*text, path);
+}
+
+Result<Done> writeButtonFile(const std::string& path, const Button& button) {
+  return writeTextFileAtomically(path, jsonFrom(button));
+}
+
+}  // namespace detent

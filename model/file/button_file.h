@@ -1,0 +1,29 @@
+#pragma once
+// *.button.json: the file of a button (docs/file-format.md, button.schema.json beside this file).
+//
+// One version number; newer versions are refused, older ones migrated for ever. Every double survives bit for
+// bit. Unknown keys are refused, because a misspelt key would silently lose a value; keys that begin with
+// "x-" are free for other programs, are ignored here, and are not written back. Keys given twice are refused.
+
+#include <string>
+#include <string_view>
+
+#include "model/button.h"
+
+namespace detent {
+
+constexpr int buttonFileVersion = 1;
+
+/// `subject` names the text in Failures (a file name). Failures: unreadableInput with line and column for
+/// malformed JSON, with the path of the value ("states[0].press[3].force_N") for everything else.
+Result<Button> buttonFromJson(std::string_view text, const std::string& subject);
+
+/// Deterministic text, one knot per line, ending in a newline. Bytes of names that are no UTF-8 become
+/// U+FFFD.
+std::string jsonFrom(const Button& button);
+
+Result<Button> readButtonFile(const std::string& path);
+/// Atomic: see writeTextFileAtomically.
+Result<Done> writeButtonFile(const std::string& path, const Button& button);
+
+}  // namespace detent

@@ -1,0 +1,134 @@
+#include "model/file/graph_program.h"
+
+#include <filesystem>
+
+#include "model/file/button_file.h"
+#include "model/file/curve_csv.h"
+#include "model/file/text_file.h"
+
+namespace detent {
+namespace {
+
+bool endsWith(const std::string& path, std::string_view suffix) {
+  if (path.size() < suffix.size()) return false;
+  for (std::size_t i = 0; i < suffix.size(); ++i) {
+    const char c = path[path.size() - suffix.size() + i];
+    if ((c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) != suffix[i]) return false;
+  }
+  return true;
+}
+
+Failure usage(const std::string& subject, std::string problem, std::string remedy) {
+  return {FailureCode::wrongUsage, subject, "", std::move(problem), std::move(remedy)};
+}
+
+std::string stateNames(const Button& button) {
+  std::string names;
+  for (const ButtonState& state : button.states()) names += (names.empty() ? "" : ", ") + state.name;
+  return names;
+}
+
+// The state by name; the only one where no name is given.
+Result<ButtonState> chosenState(const Button& button, const std::string& name, const std::string& path,
+                                const char* option) {
+  if (name.empty() && button.states().size() == 1) return button.states().front();
+  if (name.empty())
+    return Failure{FailureCode::notCertain, path, "",
+                   "has two states (" + stateNames(button) + "), one was expected",
+                   std::string("Name one with ") + option};
+  for (const ButtonState& state : button.states())
+    if (state.name == name) return state;
+  return usage(path, "has no state \"" + name + "\"", "Name one of its states: " + stateNames(button));
+}
+
+// A CSV's rows as they stand, a button's curves sampled.
+Result<GraphPolylines> readPolylines(const std::string& path, const std::string& state, const char* option) {
+  auto kind = kindOfFile(path);
+  if (!kind) return kind.failure();
+  if (*kind == GraphFileKind::csv) {
+    auto text = readTextFile(path);
+    if (!text) return text.failure();
+    return polylinesFromCsv(*text, path);
+  }
+  auto button = readButton(path);
+  if (!button) return button.failure();
+  auto chosen = chosenState(*button, state, path, option);
+  if (!chosen) return chosen.failure();
+  return polylinesOf(chosen->graph);
+}
+
+std::string stemOf(const std::string& path) {
+  std::string stem = std::filesystem::path(path).filename().string();
+  return stem.substr(0, stem.find('.', 1));
+}
+
+Result<std::string> contentsFor(const Button& button, const std::string& in, const std::string& out,
+                                const ConvertOptions& options) {
+  auto kind = kindOfFile(out);
+  if (!kind) return kind.failure();
+  if (*kind == GraphFileKind::button) return jsonFrom(button);
+  if (*kind == GraphFileKind::svg) return svgFrom(button, options.svg);
+  auto state = chosenState(button, options.state, in, "--state");
+  if (!state) return state.failure();
+  return csvFrom(state->graph);
+}
+
+}  // namespace
+
+Result<GraphFileKind> kindOfFile(const std::string& path) {
+  if (endsWith(path, ".json")) return GraphFileKind::button;
+  if (endsWith(path, ".csv")) return GraphFileKind::csv;
+  if (endsWith(path, ".svg")) return GraphFileKind::svg;
+  return usage(path, "does not end in .button.json, .csv or .svg", "Give the file one of these endings");
+}
+
+Result<Button> readButton(const std::string& path) {
+  auto kind = kindOfFile(path);
+  if (!kind) return kind.failure();
+  if (*kind == GraphFileKind::svg)
+    return usage(path, "is a picture, which this program only writes",
+                 "Use detent-import to read a force graph from it");
+  if (*kind == GraphFileKind::button) return readButtonFile(path);
+  auto text = readTextFile(path);
+  if (!text) return text.failure();
+  auto graph = graphFromCsv(*text, path);
+  if (!graph) return graph.failure();
+  return Button::fromStates(stemOf(path), {ButtonState{"", *std::move(graph), {}, {}, {}}});
+}
+
+Result<Report> showGraph(const std::string& path) {
+  auto button = readButton(path);
+  if (!button) return button.failure();
+  return showReport(*button, path);
+}
+
+Result<Report> checkGraph(const std::string& path) {
+  auto button = readButton(path);
+  if (!button) return button.failure();
+  return checkReport(*button, validate(*button), path);
+}
+
+Result<Report> convertGraph(const std::string& in, const std::string& out, const ConvertOptions& options) {
+  if (auto kind = kindOfFile(out); !kind) return kind.failure();
+  if (!(options.svg.width_px > 200 && options.svg.height_px > 200 && options.svg.width_px <= 20000 &&
+        options.svg.height_px <= 20000))
+    return usage("plot size", "is not between 200 and 20000 px", "Choose a size such as 640 by 460");
+  auto button = readButton(in);
+  if (!button) return button.failure();
+  auto contents = contentsFor(*button, in, out, options);
+  if (!contents) return contents.failure();
+  if (auto written = writeTextFileAtomically(out, *contents); !written) return written.failure();
+  return convertReport(*button, in, out);
+}
+
+Result<Report> compareGraphs(const std::string& a, const std::string& b, const CompareOptions& options) {
+  auto first = readPolylines(a, options.stateA, "--state-a");
+  if (!first) return first.failure();
+  auto second = readPolylines(b, options.stateB, "--state-b");
+  if (!second) return second.failure();
+  auto distance = compare(*first, *second);
+  if (!distance) return distance.failure();
+  return compareReport(*distance, a, b);
+}
+
+}  // namespace detent

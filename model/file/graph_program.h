@@ -1,0 +1,34 @@
+#pragma once
+// Front door of detent-graph: what its four commands do, without arguments, terminal or exit.
+
+#include <string>
+
+#include "model/file/graph_report.h"
+#include "model/file/svg_plot.h"
+
+namespace detent {
+
+/// What a file name's end says it holds. ".json" (".button.json") is a button, ".csv" samples, ".svg" a plot.
+enum class GraphFileKind { button, csv, svg };
+Result<GraphFileKind> kindOfFile(const std::string& path);
+
+/// Reads a button, or builds one through the samples of a CSV (named after the file).
+Result<Button> readButton(const std::string& path);
+
+struct ConvertOptions {
+  std::string state;  ///< which state of a self-locking button goes into a CSV; empty: the only one
+  SvgPlotStyle svg;   ///< width and height > 200 px
+};
+
+struct CompareOptions {
+  std::string stateA, stateB;  ///< which state of a self-locking button; empty: the only one
+};
+
+Result<Report> showGraph(const std::string& path);
+Result<Report> checkGraph(const std::string& path);
+/// Writes OUT whole or not at all.
+Result<Report> convertGraph(const std::string& in, const std::string& out,
+                            const ConvertOptions& options = {});
+Result<Report> compareGraphs(const std::string& a, const std::string& b, const CompareOptions& options = {});
+
+}  // namespace detent

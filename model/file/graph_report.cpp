@@ -1,0 +1,263 @@
+#include "model/file/graph_report.h"
+
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "model/metrics.h"
+
+namespace detent {
+namespace {
+
+using nlohmann::ordered_json;
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char buffer[512];
+  std::snprintf(buffer, sizeof buffer, pattern, values...);
+  return buffer;
+}
+
+std::string oneLine(const ordered_json& value) {
+  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+const char* nameOf(SectionKind kind) {
+  switch (kind) {
+    case SectionKind::slope:
+      return "slope";
+    case SectionKind::jump:
+      return "jump";
+    case SectionKind::bottomOut:
+      return "bottom-out";
+  }
+  return "";
+}
+
+// -------------------------------------------------------------------------------------------------------
+// show
+
+std::string textOf(const StrokeMetrics& stroke, const char* name, std::size_t knots) {
+  std::string text = format("%s: %zu knots, %.4g to %.4g N, work %.4g mJ\n", name, knots, stroke.minForce_N,
+                            stroke.maxForce_N, stroke.work_mJ);
+  for (const TactileEvent& e : stroke.tactile) {
+    text += format("  tactile point %.4g N at %.4g mm", e.point.force_N, e.point.displacement_mm);
+    if (e.following)
+      text += format(", then %.4g N at %.4g mm", e.following->force_N, e.following->displacement_mm);
+    if (e.snapRatio) text += format(", snap ratio %.1f %%", 100 * *e.snapRatio);
+    if (e.jump)
+      text += format(", jump to %.4g mm (%.4g mJ)", e.jump->to_mm, e.jumpArea_mJ);
+    else
+      text += ", inside an earlier jump";
+    text += "\n";
+  }
+  for (const Section& s : stroke.sections)
+    text += format("  %-10s %8.4g -> %8.4g mm  %8.4g -> %8.4g N\n", nameOf(s.kind), s.from_mm, s.to_mm,
+                   s.fromForce_N, s.toForce_N);
+  return text;
+}
+
+std::string textOf(const ButtonState& state) {
+  const StateMetrics m = metricsOf(state);
+  std::string text;
+  if (!state.name.empty()) text += "State \"" + state.name + "\"\n";
+  text += format("Travel: %.6g mm\n", m.travel_mm);
+  if (m.operatingPoint)
+    text += format("Operating point: %.4g mm, %.4g N\n", m.operatingPoint->displacement_mm,
+                   m.operatingPoint->force_N);
+  if (m.resetPoint)
+    text += format("Reset point: %.4g mm, %.4g N\n", m.resetPoint->displacement_mm, m.resetPoint->force_N);
+  text += textOf(m.press, "Press", state.graph.press().knots().size());
+  if (m.release) text += textOf(*m.release, "Release", state.graph.release()->knots().size());
+  if (m.hysteresisArea_mJ) text += format("Hysteresis: %.4g mJ\n", *m.hysteresisArea_mJ);
+  if (!state.damping.empty())
+    text += format("Damping: %zu points, %.4g to %.4g mm\n", state.damping.size(),
+                   state.damping.front().displacement_mm, state.damping.back().displacement_mm);
+  return text;
+}
+
+std::string textOf(const Provenance& p) {
+  std::string text = "Imported from: " + p.sourceFile + format(", page %d, graph %d", p.page, p.graph);
+  if (!p.quality.empty()) text += ", quality " + p.quality;
+  text += format(", confidence %.2f\n", p.confidence);
+  for (const std::string& given : p.given) text += "  given by hand: " + given + "\n";
+  for (const std::string& warning : p.warnings) text += "  warning: " + warning + "\n";
+  return text;
+}
+
+ordered_json jsonOf(const CurvePoint& p) {
+  return {{"displacement_mm", p.displacement_mm}, {"force_N", p.force_N}};
+}
+
+ordered_json jsonOf(const Section& s) {
+  return {{"kind", nameOf(s.kind)},
+          {"from_mm", s.from_mm},
+          {"to_mm", s.to_mm},
+          {"fromForce_N", s.fromForce_N},
+          {"toForce_N", s.toForce_N}};
+}
+
+ordered_json jsonOf(const TactileEvent& e) {
+  ordered_json out = jsonOf(CurvePoint{e.point.displacement_mm, e.point.force_N});
+  out["prominence_N"] = e.point.prominence_N;
+  if (e.following) out["following"] = jsonOf(*e.following);
+  if (e.snapRatio) out["snap_ratio"] = *e.snapRatio;
+  if (e.jump) {
+    out["jump_to_mm"] = e.jump->to_mm;
+    out["jump_area_mJ"] = e.jumpArea_mJ;
+  }
+  return out;
+}
+
+ordered_json jsonOf(const StrokeMetrics& m, std::size_t knots) {
+  ordered_json out;
+  out["knots"] = knots;
+  out["start_force_N"] = m.startForce_N;
+  out["end_force_N"] = m.endForce_N;
+  out["min_force_N"] = m.minForce_N;
+  out["max_force_N"] = m.maxForce_N;
+  out["work_mJ"] = m.work_mJ;
+  out["bottom_out"] = jsonOf(CurvePoint{m.bottomOut.displacement_mm, m.bottomOut.force_N});
+  out["bottom_out"]["wall"] = m.bottomOut.wall;
+  out["tactile_points"] = ordered_json::array();
+  for (const TactileEvent& e : m.tactile) out["tactile_points"].push_back(jsonOf(e));
+  out["sections"] = ordered_json::array();
+  for (const Section& s : m.sections) out["sections"].push_back(jsonOf(s));
+  return out;
+}
+
+ordered_json jsonOf(const ButtonState& state) {
+  const StateMetrics m = metricsOf(state);
+  ordered_json out;
+  out["name"] = state.name;
+  out["travel_mm"] = m.travel_mm;
+  if (m.operatingPoint) out["operating_point"] = jsonOf(*m.operatingPoint);
+  if (m.resetPoint) out["reset_point"] = jsonOf(*m.resetPoint);
+  if (m.hysteresisArea_mJ) out["hysteresis_mJ"] = *m.hysteresisArea_mJ;
+  out["press"] = jsonOf(m.press, state.graph.press().knots().size());
+  if (m.release) out["release"] = jsonOf(*m.release, state.graph.release()->knots().size());
+  out["damping_points"] = state.damping.size();
+  return out;
+}
+
+ordered_json statusOk(const char* command, const std::string& path) {
+  return {{"status", "ok"}, {"command", command}, {"file", path}};
+}
+
+std::string count(std::size_t number, const char* one, const char* many) {
+  return std::to_string(number) + " " + (number == 1 ? one : many);
+}
+
+std::string textOf(const StrokeDistance& d, const char* name) {
+  return format("%-8s mean %.4f %%  95th percentile %.4f %%  max %.4f %%\n", name, 100 * d.meanOfSpan,
+                100 * d.p95OfSpan, 100 * d.maxOfSpan) +
+         format("         mean %.4g mm, %.4g N  max %.4g mm, %.4g N\n", d.mean_mm, d.mean_N, d.max_mm,
+                d.max_N);
+}
+
+ordered_json jsonOf(const StrokeDistance& d) {
+  return {{"mean_of_span", d.meanOfSpan},
+          {"p95_of_span", d.p95OfSpan},
+          {"max_of_span", d.maxOfSpan},
+          {"mean_mm", d.mean_mm},
+          {"max_mm", d.max_mm},
+          {"mean_N", d.mean_N},
+          {"max_N", d.max_N}};
+}
+
+}  // namespace
+
+Report showReport(const Button& button, const std::string& path) {
+  Report report;
+  report.text = button.name().empty() ? "Button\n" : "Button \"" + button.name() + "\"\n";
+  if (button.selfLocking()) report.text += "Self-locking: its states alternate at each actuation\n";
+  ordered_json json = statusOk("show", path);
+  json["name"] = button.name();
+  json["self_locking"] = button.selfLocking();
+  json["states"] = ordered_json::array();
+  for (const ButtonState& state : button.states()) {
+    report.text += textOf(state);
+    json["states"].push_back(jsonOf(state));
+  }
+  if (button.provenance()) {
+    report.text += textOf(*button.provenance());
+    json["source"] = {{"file", button.provenance()->sourceFile},
+                      {"sha256", button.provenance()->sourceSha256},
+                      {"page", button.provenance()->page},
+                      {"graph", button.provenance()->graph},
+                      {"confidence", button.provenance()->confidence}};
+  }
+  report.json = oneLine(json);
+  return report;
+}
+
+Report checkReport(const Button& button, const std::vector<Warning>& warnings, const std::string& path) {
+  Report report;
+  report.text = path + ": valid, " + count(button.states().size(), "state", "states") + ", " +
+                (warnings.empty() ? "nothing odd" : count(warnings.size(), "warning", "warnings")) + "\n";
+  ordered_json json = statusOk("check", path);
+  json["states"] = button.states().size();
+  json["warnings"] = ordered_json::array();
+  for (const Warning& warning : warnings) {
+    report.text += "  warning [" + std::string(nameOf(warning.rule)) + "] " + warning.sentence() + "\n";
+    json["warnings"].push_back({{"rule", nameOf(warning.rule)},
+                                {"place", warning.place},
+                                {"value", warning.value},
+                                {"unit", warning.unit},
+                                {"message", warning.sentence()}});
+  }
+  report.json = oneLine(json);
+  return report;
+}
+
+Report convertReport(const Button& button, const std::string& inPath, const std::string& outPath) {
+  std::size_t knots = 0;
+  for (const ButtonState& state : button.states())
+    knots += state.graph.press().knots().size() +
+             (state.graph.release() ? state.graph.release()->knots().size() : 0);
+  Report report;
+  report.text = inPath + " -> " + outPath + " (" + count(button.states().size(), "state", "states") + ", " +
+                count(knots, "knot", "knots") + ")\n";
+  ordered_json json = statusOk("convert", inPath);
+  json["output"] = outPath;
+  json["states"] = button.states().size();
+  json["knots"] = knots;
+  report.json = oneLine(json);
+  return report;
+}
+
+Report compareReport(const GraphDistance& distance, const std::string& first, const std::string& second) {
+  Report report;
+  report.text =
+      first + " against " + second +
+      format(": mean %.4f %% of span, max %.4f %% (spans %.6g mm, %.6g N)\n", 100 * distance.meanOfSpan,
+             100 * distance.maxOfSpan, distance.span_mm, distance.span_N);
+  ordered_json json = statusOk("compare", first);
+  json["other"] = second;
+  json["span_mm"] = distance.span_mm;
+  json["span_N"] = distance.span_N;
+  json["mean_of_span"] = distance.meanOfSpan;
+  json["max_of_span"] = distance.maxOfSpan;
+  if (distance.press) {
+    report.text += textOf(*distance.press, "press");
+    json["press"] = jsonOf(*distance.press);
+  }
+  if (distance.release) {
+    report.text += textOf(*distance.release, "release");
+    json["release"] = jsonOf(*distance.release);
+  }
+  report.json = oneLine(json);
+  return report;
+}
+
+Report failureReport(const Failure& failure) {
+  return {failure.sentence() + "\n", oneLine({{"status", "failed"},
+                                              {"exit_code", failure.exitCode()},
+                                              {"subject", failure.subject},
+                                              {"place", failure.place},
+                                              {"problem", failure.problem},
+                                              {"remedy", failure.remedy},
+                                              {"message", failure.sentence()}})};
+}
+
+}  // namespace detent

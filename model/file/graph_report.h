@@ -1,0 +1,25 @@
+#pragma once
+// What detent-graph says about a button, as text for people and as one JSON object for scripts.
+
+#include <string>
+#include <vector>
+
+#include "model/button.h"
+#include "model/compare.h"
+#include "model/validation.h"
+
+namespace detent {
+
+/// The same report twice: text ends in a newline, json is one object on one line with a newline.
+struct Report {
+  std::string text;
+  std::string json;
+};
+
+Report showReport(const Button& button, const std::string& path);
+Report checkReport(const Button& button, const std::vector<Warning>& warnings, const std::string& path);
+Report convertReport(const Button& button, const std::string& inPath, const std::string& outPath);
+Report compareReport(const GraphDistance& distance, const std::string& first, const std::string& second);
+Report failureReport(const Failure& failure);
+
+}  // namespace detent

@@ -1,0 +1,36 @@
+#include "model/file/migrations.h"
+
+namespace detent {
+
+const std::vector<Migration>& buttonMigrations() {
+  static const std::vector<Migration> none;  // version 1 is the first
+  return none;
+}
+
+Result<nlohmann::json> migrated(nlohmann::json document, const std::vector<Migration>& steps,
+                                const std::string& subject) {
+  const auto newest = static_cast<long long>(steps.size()) + 1;
+  const auto refuse = [&](std::string problem, std::string remedy) -> Failure {
+    return {FailureCode::unreadableInput, subject, "version", std::move(problem), std::move(remedy)};
+  };
+  const auto found = document.find("version");
+  if (found == document.end()) return refuse("is missing", "Add \"version\": " + std::to_string(newest));
+  if (!found->is_number_integer())
+    return refuse("is " +
+                      found->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).substr(0, 40) +
+                      ", not a whole number",
+                  "Write \"version\": " + std::to_string(newest));
+  const bool tooLarge = found->is_number_unsigned() && found->get<unsigned long long>() > 1000000;
+  const long long version = tooLarge ? 1000000 : found->get<long long>();
+  if (version > newest)
+    return refuse("is " + found->dump() + ", newer than this program reads (" + std::to_string(newest) + ")",
+                  "Update Detent to open this file");
+  if (version < 1) return refuse("is " + found->dump() + ", but versions count from 1", "Correct the number");
+  for (auto step = static_cast<std::size_t>(version - 1); step < steps.size(); ++step) {
+    steps[step](document);
+    document["version"] = static_cast<long long>(step) + 2;
+  }
+  return document;
+}
+
+}  // namespace detent

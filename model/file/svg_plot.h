@@ -1,0 +1,35 @@
+#pragma once
+// A button as a datasheet prints it: frame, grid, ticks on round numbers, axis titles, both strokes,
+// callouts.
+
+#include <string>
+#include <vector>
+
+#include "model/button.h"
+#include "model/units.h"
+
+namespace detent {
+
+struct SvgPlotStyle {
+  double width_px = 640,
+         height_px = 460;  ///< of one plot; > 200 each. One plot per state, one below the other
+  ForceUnit forceUnit = ForceUnit::newton;  ///< of the printed axis
+  LengthUnit lengthUnit = LengthUnit::millimetre;
+  bool callouts = true;  ///< tactile points, operating and reset point, bottom-out
+};
+
+/// Ticks on 1, 2 or 5 times a power of ten that enclose [low, high].
+struct Ticks {
+  double first = 0, step = 1;
+  int count = 0;     ///< >= 2
+  int decimals = 0;  ///< of the labels
+  double at(int i) const;
+  double last() const { return at(count - 1); }
+};
+/// `aboutSteps` >= 2; low <= high, both finite.
+Ticks niceTicks(double low, double high, int aboutSteps);
+
+/// A whole SVG document. Curves are cubic Béziers: exact, not sampled. Deterministic.
+std::string svgFrom(const Button& button, const SvgPlotStyle& style = {});
+
+}  // namespace detent

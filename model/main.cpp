@@ -1,0 +1,125 @@
+// detent-graph: show, check, convert and compare force graphs. Arguments in; one front door; text and exit
+// code out.
+#include <cstdio>
+#include <exception>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "model/file/graph_program.h"
+
+namespace {
+
+using namespace detent;
+
+// Text to stdout; with --json the JSON goes there and the text to stderr. A failure's text goes to stderr.
+int print(const Result<Report>& result, bool asJson) {
+  const Report report = result ? *result : failureReport(result.failure());
+  std::fputs(report.text.c_str(), result && !asJson ? stdout : stderr);
+  if (asJson) std::fputs(report.json.c_str(), stdout);
+  if (std::fflush(stdout) != 0 && result) {
+    std::fputs("standard output cannot be written. Check the disk or the pipe.\n", stderr);
+    return static_cast<int>(FailureCode::internalFault);
+  }
+  return result ? 0 : result.failure().exitCode();
+}
+
+struct Arguments {
+  std::string a, b;
+  std::string forceUnit = "N", lengthUnit = "mm";
+  bool json = false, noCallouts = false;
+  ConvertOptions convert;
+  CompareOptions compare;
+};
+
+Result<Report> convert(Arguments& arguments) {
+  const auto force = forceUnitFrom(arguments.forceUnit);
+  const auto length = lengthUnitFrom(arguments.lengthUnit);
+  if (!force || !length)
+    return Failure{FailureCode::wrongUsage, force ? "--length-unit" : "--force-unit", "",
+                   "names no known unit: \"" + (force ? arguments.lengthUnit : arguments.forceUnit) + "\"",
+                   force ? "Use mm, cm, µm, in or mil" : "Use N, mN, cN, gf, kgf, ozf or lbf"};
+  arguments.convert.svg.forceUnit = *force;
+  arguments.convert.svg.lengthUnit = *length;
+  arguments.convert.svg.callouts = !arguments.noCallouts;
+  return convertGraph(arguments.a, arguments.b, arguments.convert);
+}
+
+void addCommands(CLI::App& app, Arguments& arguments) {
+  const auto addJson = [&](CLI::App* command) {
+    command->add_flag("--json", arguments.json, "one JSON object on stdout (text goes to stderr)");
+  };
+  CLI::App* show =
+      app.add_subcommand("show", "Print travel (mm), tactile points, sections, work (mJ) and more");
+  show->add_option("FILE", arguments.a, ".button.json or .csv")->required();
+  addJson(show);
+  CLI::App* check = app.add_subcommand("check", "Check a file: exit 0 and warnings if valid, exit 3 if not");
+  check->add_option("FILE", arguments.a, ".button.json or .csv")->required();
+  addJson(check);
+
+  CLI::App* convertCommand =
+      app.add_subcommand("convert", "Convert between .button.json, .csv and .svg by file ending");
+  convertCommand->add_option("IN", arguments.a, ".button.json or .csv")->required();
+  convertCommand->add_option("OUT", arguments.b, ".button.json, .csv or .svg; written whole or not at all")
+      ->required();
+  convertCommand->add_option("--state", arguments.convert.state,
+                             "state of a self-locking button for a CSV (default: the only one)");
+  convertCommand
+      ->add_option("--force-unit", arguments.forceUnit,
+                   "unit of the SVG's force axis: N, mN, cN, gf, kgf, ozf, lbf")
+      ->capture_default_str();
+  convertCommand
+      ->add_option("--length-unit", arguments.lengthUnit,
+                   "unit of its displacement axis: mm, cm, µm, in, mil")
+      ->capture_default_str();
+  convertCommand
+      ->add_option("--width", arguments.convert.svg.width_px, "width of the SVG in px, 200 to 20000")
+      ->capture_default_str();
+  convertCommand
+      ->add_option("--height", arguments.convert.svg.height_px,
+                   "height of one state's plot in px, 200 to 20000")
+      ->capture_default_str();
+  convertCommand->add_flag("--no-callouts", arguments.noCallouts,
+                           "leave out the labels of tactile points in the SVG");
+  addJson(convertCommand);
+
+  CLI::App* compareCommand =
+      app.add_subcommand("compare", "Orthogonal distance of two graphs in mm, N and % of A's span");
+  compareCommand->add_option("A", arguments.a, ".button.json or .csv")->required();
+  compareCommand->add_option("B", arguments.b, ".button.json or .csv")->required();
+  compareCommand->add_option("--state-a", arguments.compare.stateA,
+                             "state of A, if it is self-locking (default: the only one)");
+  compareCommand->add_option("--state-b", arguments.compare.stateB,
+                             "state of B, if it is self-locking (default: the only one)");
+  addJson(compareCommand);
+  app.require_subcommand(1);
+}
+
+Result<Report> run(const CLI::App& app, Arguments& arguments) {
+  if (app.got_subcommand("show")) return showGraph(arguments.a);
+  if (app.got_subcommand("check")) return checkGraph(arguments.a);
+  if (app.got_subcommand("convert")) return convert(arguments);
+  return compareGraphs(arguments.a, arguments.b, arguments.compare);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Force graphs of buttons: displacement in mm, force in N.", "detent-graph"};
+  app.footer(
+      "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph in it,\n"
+      "5 not certain (says what to pass).");
+  Arguments arguments;
+  addCommands(app, arguments);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(FailureCode::wrongUsage);
+  }
+  try {
+    return print(run(app, arguments), arguments.json);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "internal fault: %s. Please report it with the input.\n", error.what());
+    return static_cast<int>(FailureCode::internalFault);
+  }
+}
