@@ -1,0 +1,481 @@
+#include "playback/device/audio_device.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cctype>
+#include <cmath>
+#include <condition_variable>
+#include <cstring>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <fcntl.h>
+#include <portaudio.h>
+#include <unistd.h>
+
+#include "playback/device/steady_clock.h"
+#include "playback/realtime/stream_clock.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr std::size_t largestBlock = 8192;
+constexpr double lostAfter_s = 0.5;  // without a callback
+constexpr double lookEvery_s = 0.5;  // for a lost device
+
+/// Host libraries print about every device they do not find; that is not for our users.
+class QuietStderr {
+ public:
+  QuietStderr() {
+    const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (nowhere < 0) return;
+    saved_ = ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 3);
+    if (saved_ >= 0) ::dup2(nowhere, STDERR_FILENO);
+    ::close(nowhere);
+  }
+  ~QuietStderr() {
+    if (saved_ < 0) return;
+    ::dup2(saved_, STDERR_FILENO);
+    ::close(saved_);
+  }
+  QuietStderr(const QuietStderr&) = delete;
+  QuietStderr& operator=(const QuietStderr&) = delete;
+
+ private:
+  int saved_ = -1;
+};
+
+// PortAudio is one per process; its device list is made when the first user starts it.
+std::recursive_mutex libraryMutex;
+int libraryUsers = 0;
+
+class Library {
+ public:
+  Library() {
+    const std::lock_guard lock(libraryMutex);
+    const QuietStderr quiet;
+    error_ = Pa_Initialize();
+    if (error_ == paNoError) ++libraryUsers;
+  }
+  ~Library() {
+    const std::lock_guard lock(libraryMutex);
+    if (error_ != paNoError) return;
+    const QuietStderr quiet;
+    --libraryUsers;
+    Pa_Terminate();
+  }
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
+  PaError error() const { return error_; }
+
+ private:
+  PaError error_;
+};
+
+DeviceTrouble troubleOf(const std::string& device, const std::string& what, PaError error) {
+  std::string text = Pa_GetErrorText(error);
+  if (error == paUnanticipatedHostError) {
+    const PaHostErrorInfo* info = Pa_GetLastHostErrorInfo();
+    if (info != nullptr && info->errorText != nullptr && *info->errorText != '\0')
+      text += std::string(": ") + info->errorText;
+  }
+  return {device.empty() ? "default device" : device, what + " (" + text + ")",
+          "See `detent-play devices` for what is there"};
+}
+
+AudioDeviceInfo infoOf(PaDeviceIndex index) {
+  const PaDeviceInfo* d = Pa_GetDeviceInfo(index);
+  const PaHostApiInfo* api = Pa_GetHostApiInfo(d->hostApi);
+  AudioDeviceInfo info;
+  info.name = d->name;
+  info.hostApi = api->name;
+  info.inputChannels = d->maxInputChannels;
+  info.outputChannels = d->maxOutputChannels;
+  info.sampleRate_Hz = d->defaultSampleRate;
+  info.defaultOutput = index == Pa_GetDefaultOutputDevice();
+  info.defaultInput = index == Pa_GetDefaultInputDevice();
+  return info;
+}
+
+std::string lowered(std::string text) {
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+enum class Direction { input, output };
+
+DeviceResult<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction) {
+  const bool output = direction == Direction::output;
+  if (wanted.empty()) {
+    const PaDeviceIndex index = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
+    if (index == paNoDevice) {
+      return DeviceTrouble{"default device", output ? "no sound output is there" : "no sound input is there",
+                           "Connect one, or start a JACK server"};
+    }
+    return index;
+  }
+  std::vector<PaDeviceIndex> partly;
+  std::string names;
+  for (PaDeviceIndex i = 0; i < Pa_GetDeviceCount(); ++i) {
+    const AudioDeviceInfo info = infoOf(i);
+    if ((output ? info.outputChannels : info.inputChannels) < 1) continue;
+    if (info.fullName() == wanted || info.name == wanted) return i;
+    if (lowered(info.fullName()).find(lowered(wanted)) == std::string::npos) continue;
+    partly.push_back(i);
+    names += (names.empty() ? "" : ", ") + info.fullName();
+  }
+  if (partly.size() == 1) return partly.front();
+  if (partly.empty()) {
+    return DeviceTrouble{wanted, output ? "is no output of this machine" : "is no input of this machine",
+                         "See `detent-play devices`"};
+  }
+  return DeviceTrouble{wanted, "names several devices: " + names, "Give a longer part of the name", true};
+}
+
+}  // namespace
+
+DeviceResult<std::vector<AudioDeviceInfo>> listAudioDevices() {
+  const std::lock_guard lock(libraryMutex);
+  const Library library;
+  if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
+  std::vector<AudioDeviceInfo> devices;
+  for (PaDeviceIndex i = 0; i < Pa_GetDeviceCount(); ++i) devices.push_back(infoOf(i));
+  return devices;
+}
+
+DeviceResult<double> sampleRateFor(const AudioSettings& settings) {
+  const std::lock_guard lock(libraryMutex);
+  const Library library;
+  if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
+  DeviceResult<PaDeviceIndex> index = findDevice(settings.device, Direction::output);
+  if (!index) return index.trouble();
+  const double own = infoOf(*index).sampleRate_Hz;
+  return settings.sampleRate_Hz > 0 ? settings.sampleRate_Hz : own;
+}
+
+/// The stream and the thread that watches over it.
+class AudioOutput::Stream {
+ public:
+  Stream(const AudioSettings& settings, LiveSession& session, CallbackHooks hooks)
+      : settings_(settings), session_(session), hooks_(hooks) {}
+
+  ~Stream() {
+    {
+      const std::lock_guard lock(watchMutex_);
+      stopping_ = true;
+    }
+    wake_.notify_all();
+    if (watcher_.joinable()) watcher_.join();
+    closeStream();
+  }
+
+  std::optional<DeviceTrouble> start() {
+    if (std::optional<DeviceTrouble> trouble = openStream()) return trouble;
+    watcher_ = std::thread([this] { watch(); });
+    return {};
+  }
+
+  StreamState state() const { return lost_ ? StreamState::lost : StreamState::running; }
+  std::uint64_t losses() const { return losses_; }
+  std::string deviceName() const {
+    const std::lock_guard lock(watchMutex_);
+    return name_;
+  }
+
+ private:
+  std::optional<DeviceTrouble> openStream() {
+    const std::lock_guard lock(libraryMutex);
+    library_ = std::make_unique<Library>();
+    if (library_->error() != paNoError) return troubleOf("PortAudio", "cannot be started", library_->error());
+    DeviceResult<PaDeviceIndex> index = findDevice(settings_.device, Direction::output);
+    if (!index) return index.trouble();
+    const AudioDeviceInfo info = infoOf(*index);
+    PaStreamParameters output{};
+    output.device = *index;
+    channels_ = std::clamp(settings_.channels, 1, std::max(1, std::min(info.outputChannels, 32)));
+    output.channelCount = channels_;
+    output.sampleFormat = paFloat32;
+    output.suggestedLatency = Pa_GetDeviceInfo(*index)->defaultLowOutputLatency;
+    const QuietStderr quiet;
+    const unsigned long frames =
+        settings_.bufferFrames > 0 ? settings_.bufferFrames : paFramesPerBufferUnspecified;
+    PaError error = Pa_OpenStream(&stream_, nullptr, &output, session_.sampleRate_Hz(), frames, paNoFlag,
+                                  &Stream::callback, this);
+    if (error != paNoError) {
+      stream_ = nullptr;
+      return troubleOf(info.fullName(),
+                       "cannot be opened at " + std::to_string(std::lround(session_.sampleRate_Hz())) + " Hz",
+                       error);
+    }
+    lastCallback_s_ = now_s();
+    error = Pa_StartStream(stream_);
+    if (error != paNoError) return troubleOf(info.fullName(), "cannot be started", error);
+    const std::lock_guard watchLock(watchMutex_);
+    name_ = info.fullName();
+    return {};
+  }
+
+  void closeStream() {
+    const std::lock_guard lock(libraryMutex);
+    if (stream_ != nullptr) {
+      const QuietStderr quiet;
+      Pa_AbortStream(stream_);
+      Pa_CloseStream(stream_);
+      stream_ = nullptr;
+    }
+    library_.reset();
+  }
+
+  static int callback(const void*, void* out, unsigned long frames, const PaStreamCallbackTimeInfo*,
+                      PaStreamCallbackFlags flags, void* self) {
+    static_cast<Stream*>(self)->render(static_cast<float*>(out), frames, flags);
+    return paContinue;
+  }
+
+  // Audio thread: nothing here allocates, locks or waits.
+  void render(float* out, std::size_t frames, PaStreamCallbackFlags flags) {
+    if (hooks_.enter != nullptr) hooks_.enter();
+    const double entry_s = now_s();
+    lastCallback_s_.store(entry_s, std::memory_order_relaxed);
+    const auto channels = static_cast<std::size_t>(channels_);
+    const bool xrun = (flags & paOutputUnderflow) != 0;
+    for (std::size_t done = 0; done < frames;) {
+      const std::size_t count = std::min(frames - done, largestBlock);
+      session_.process(mono_.data(), count, entry_s + static_cast<double>(done) / session_.sampleRate_Hz());
+      float* target = out + done * channels;
+      for (std::size_t i = 0; i < count; ++i) {
+        for (std::size_t c = 0; c < channels; ++c) *target++ = mono_[i];
+      }
+      done += count;
+    }
+    session_.account(now_s() - entry_s, frames, xrun);
+    if (hooks_.leave != nullptr) hooks_.leave();
+  }
+
+  void watch() {
+    std::unique_lock lock(watchMutex_);
+    while (!stopping_) {
+      wake_.wait_for(lock, std::chrono::duration<double>(lost_ ? lookEvery_s : lostAfter_s / 2));
+      if (stopping_) return;
+      lock.unlock();
+      lost_ ? lookAgain() : checkAlive();
+      lock.lock();
+    }
+  }
+
+  void checkAlive() {
+    if (now_s() - lastCallback_s_.load(std::memory_order_relaxed) < lostAfter_s &&
+        Pa_IsStreamActive(stream_) == 1)
+      return;
+    lost_ = true;
+    ++losses_;
+    closeStream();
+  }
+
+  void lookAgain() {
+    if (openStream()) {
+      closeStream();
+      return;
+    }
+    lost_ = false;
+  }
+
+  AudioSettings settings_;
+  LiveSession& session_;
+  CallbackHooks hooks_;
+  std::unique_ptr<Library> library_;
+  PaStream* stream_ = nullptr;
+  int channels_ = 2;
+  std::array<float, largestBlock> mono_{};
+  std::atomic<double> lastCallback_s_{0};
+  std::atomic<bool> lost_{false};
+  std::atomic<std::uint64_t> losses_{0};
+  mutable std::mutex watchMutex_;
+  std::condition_variable wake_;
+  bool stopping_ = false;
+  std::string name_;
+  std::thread watcher_;
+};
+
+AudioOutput::AudioOutput(std::unique_ptr<Stream> stream) : stream_(std::move(stream)) {}
+AudioOutput::~AudioOutput() = default;
+StreamState AudioOutput::state() const { return stream_->state(); }
+std::uint64_t AudioOutput::losses() const { return stream_->losses(); }
+std::string AudioOutput::deviceName() const { return stream_->deviceName(); }
+
+DeviceResult<std::unique_ptr<AudioOutput>> AudioOutput::open(const AudioSettings& settings,
+                                                             LiveSession& session, CallbackHooks hooks) {
+  auto stream = std::make_unique<Stream>(settings, session, hooks);
+  if (std::optional<DeviceTrouble> trouble = stream->start()) return *trouble;
+  return std::unique_ptr<AudioOutput>(new AudioOutput(std::move(stream)));
+}
+
+namespace {
+
+/// What the callback of playAndRecord walks through.
+struct Duplex {
+  const std::vector<float>* samples;
+  std::vector<float>* recorded;
+  int channels;
+  std::atomic<std::size_t> at{0};
+
+  static int callback(const void* in, void* out, unsigned long frames, const PaStreamCallbackTimeInfo*,
+                      PaStreamCallbackFlags, void* self) {
+    Duplex& d = *static_cast<Duplex*>(self);
+    const auto* input = static_cast<const float*>(in);
+    auto* output = static_cast<float*>(out);
+    std::size_t at = d.at;
+    for (unsigned long i = 0; i < frames; ++i, ++at) {
+      const bool inside = at < d.samples->size();
+      for (int c = 0; c < d.channels; ++c) *output++ = inside ? (*d.samples)[at] : 0;
+      if (inside && input != nullptr) (*d.recorded)[at] = input[i];
+    }
+    d.at = at;
+    return at < d.samples->size() ? paContinue : paComplete;
+  }
+};
+
+}  // namespace
+
+DeviceResult<std::vector<float>> playAndRecord(const AudioSettings& settings, const std::string& inputDevice,
+                                               const std::vector<float>& samples) {
+  std::unique_lock lock(libraryMutex);
+  const Library library;
+  if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
+  DeviceResult<PaDeviceIndex> out = findDevice(settings.device, Direction::output);
+  if (!out) return out.trouble();
+  DeviceResult<PaDeviceIndex> in =
+      findDevice(inputDevice.empty() ? settings.device : inputDevice, Direction::input);
+  if (!in) return in.trouble();
+  const double rate = settings.sampleRate_Hz > 0 ? settings.sampleRate_Hz : infoOf(*out).sampleRate_Hz;
+  PaStreamParameters output{}, input{};
+  output.device = *out;
+  output.channelCount = std::clamp(settings.channels, 1, std::max(1, infoOf(*out).outputChannels));
+  input.device = *in;
+  input.channelCount = 1;
+  output.sampleFormat = input.sampleFormat = paFloat32;
+  output.suggestedLatency = Pa_GetDeviceInfo(*out)->defaultLowOutputLatency;
+  input.suggestedLatency = Pa_GetDeviceInfo(*in)->defaultLowInputLatency;
+  std::vector<float> recorded(samples.size(), 0);
+  Duplex duplex{&samples, &recorded, output.channelCount};
+  PaStream* stream = nullptr;
+  PaError error;
+  {
+    const QuietStderr quiet;
+    error = Pa_OpenStream(&stream, &input, &output, rate, paFramesPerBufferUnspecified, paNoFlag,
+                          &Duplex::callback, &duplex);
+    if (error == paNoError) error = Pa_StartStream(stream);
+  }
+  if (error != paNoError) {
+    if (stream != nullptr) Pa_CloseStream(stream);
+    return troubleOf(settings.device, "cannot play and record at once", error);
+  }
+  const double deadline_s = now_s() + static_cast<double>(samples.size()) / rate + 5;
+  while (Pa_IsStreamActive(stream) == 1 && now_s() < deadline_s) sleepUntil(now_s() + 0.02);
+  const bool complete = duplex.at >= samples.size();
+  Pa_AbortStream(stream);
+  Pa_CloseStream(stream);
+  if (!complete)
+    return DeviceTrouble{settings.device, "stopped during the measurement", "Check the device and try again"};
+  return recorded;
+}
+
+/// A ring the callback writes and one thread reads.
+class AudioCapture::Recorder {
+ public:
+  explicit Recorder(double rate) : rate_(rate), clock_(rate), ring_(static_cast<std::size_t>(rate * 4)) {}
+  ~Recorder() {
+    const std::lock_guard lock(libraryMutex);
+    if (stream_ == nullptr) return;
+    Pa_AbortStream(stream_);
+    Pa_CloseStream(stream_);
+  }
+
+  std::optional<DeviceTrouble> start(const std::string& device) {
+    const std::lock_guard lock(libraryMutex);
+    if (library_.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library_.error());
+    DeviceResult<PaDeviceIndex> index = findDevice(device, Direction::input);
+    if (!index) return index.trouble();
+    PaStreamParameters input{};
+    input.device = *index;
+    input.channelCount = 1;
+    input.sampleFormat = paFloat32;
+    input.suggestedLatency = Pa_GetDeviceInfo(*index)->defaultLowInputLatency;
+    const QuietStderr quiet;
+    PaError error = Pa_OpenStream(&stream_, &input, nullptr, rate_, paFramesPerBufferUnspecified, paNoFlag,
+                                  &Recorder::callback, this);
+    if (error != paNoError) {
+      stream_ = nullptr;
+      return troubleOf(device, "cannot be recorded from", error);
+    }
+    error = Pa_StartStream(stream_);
+    if (error != paNoError) return troubleOf(device, "cannot be started", error);
+    return {};
+  }
+
+  double rate() const { return rate_; }
+  std::uint64_t dropped() const { return dropped_; }
+
+  std::vector<Block> take() {
+    const std::uint64_t written = written_.load(std::memory_order_acquire);
+    std::vector<Block> blocks;
+    if (written == read_) return blocks;
+    Block block;
+    block.samples.reserve(static_cast<std::size_t>(written - read_));
+    block.time_s = base_s_.load(std::memory_order_acquire) + static_cast<double>(read_) / rate_;
+    for (; read_ < written; ++read_)
+      block.samples.push_back(ring_[static_cast<std::size_t>(read_ % ring_.size())]);
+    taken_.store(read_, std::memory_order_release);
+    blocks.push_back(std::move(block));
+    return blocks;
+  }
+
+ private:
+  static int callback(const void* in, void*, unsigned long frames, const PaStreamCallbackTimeInfo*,
+                      PaStreamCallbackFlags, void* self) {
+    static_cast<Recorder*>(self)->record(static_cast<const float*>(in), frames);
+    return paContinue;
+  }
+
+  void record(const float* in, unsigned long frames) {
+    std::uint64_t at = written_.load(std::memory_order_relaxed);
+    clock_.onCallback(now_s(), static_cast<std::int64_t>(at), static_cast<std::int64_t>(frames));
+    // The callback is entered when the block is complete: its first sample is one block old.
+    base_s_.store(-(clock_.frameAt(0) + static_cast<double>(frames)) / rate_, std::memory_order_release);
+    if (at + frames - taken_.load(std::memory_order_acquire) > ring_.size()) {
+      dropped_ += frames;
+      return;
+    }
+    for (unsigned long i = 0; i < frames; ++i, ++at)
+      ring_[static_cast<std::size_t>(at % ring_.size())] = in != nullptr ? in[i] : 0;
+    written_.store(at, std::memory_order_release);
+  }
+
+  Library library_;
+  double rate_;
+  StreamClock clock_;
+  PaStream* stream_ = nullptr;
+  std::vector<float> ring_;
+  std::atomic<std::uint64_t> written_{0}, taken_{0}, dropped_{0};
+  std::uint64_t read_ = 0;
+  std::atomic<double> base_s_{0};
+};
+
+AudioCapture::AudioCapture(std::unique_ptr<Recorder> recorder) : recorder_(std::move(recorder)) {}
+AudioCapture::~AudioCapture() = default;
+double AudioCapture::sampleRate_Hz() const { return recorder_->rate(); }
+std::vector<AudioCapture::Block> AudioCapture::take() { return recorder_->take(); }
+std::uint64_t AudioCapture::dropped() const { return recorder_->dropped(); }
+
+DeviceResult<std::unique_ptr<AudioCapture>> AudioCapture::open(const std::string& inputDevice,
+                                                               double sampleRate_Hz) {
+  auto recorder = std::make_unique<Recorder>(sampleRate_Hz);
+  if (std::optional<DeviceTrouble> trouble = recorder->start(inputDevice)) return *trouble;
+  return std::unique_ptr<AudioCapture>(new AudioCapture(std::move(recorder)));
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,94 @@
+#pragma once
+// Sound devices through PortAudio (JACK, ALSA, PulseAudio behind ALSA). One file includes PortAudio.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "playback/device/device_trouble.h"
+#include "playback/realtime/live_session.h"
+
+namespace detent::playback {
+
+struct AudioDeviceInfo {
+  std::string name;     ///< as PortAudio gives it
+  std::string hostApi;  ///< "JACK Audio Connection Kit", "ALSA", ...
+  int inputChannels = 0, outputChannels = 0;
+  double sampleRate_Hz = 0;  ///< the device's default
+  bool defaultOutput = false, defaultInput = false;
+
+  /// "ALSA: hw:0,0", the name to choose it by.
+  std::string fullName() const { return hostApi + ": " + name; }
+};
+
+/// All devices of all host APIs. Looks anew each time while no stream is open.
+DeviceResult<std::vector<AudioDeviceInfo>> listAudioDevices();
+
+struct AudioSettings {
+  std::string device;        ///< empty: the default output; else a full name or an unambiguous part of one
+  double sampleRate_Hz = 0;  ///< 0: the device's default (JACK knows only its own)
+  /// Samples per callback; 0 lets the host choose, which on JACK is its period without an extra buffer
+  /// (a fixed number doubles the delay of full-duplex streams: PortAudio issue 1007).
+  unsigned bufferFrames = 0;
+  int channels = 2;  ///< the same signal on each; fewer where the device has fewer
+};
+
+enum class StreamState : std::uint8_t { running, lost };
+
+/// The callback's own hooks, for tests that count what happens inside it. Null: none.
+struct CallbackHooks {
+  void (*enter)() = nullptr;
+  void (*leave)() = nullptr;
+};
+
+/// An open output stream that renders a session. If the device goes away its thread closes the stream and
+/// looks for the device until it is back; the session, its program and its position live on.
+class AudioOutput {
+ public:
+  /// The session must outlive the stream. `settings.sampleRate_Hz` must be the session's.
+  static DeviceResult<std::unique_ptr<AudioOutput>> open(const AudioSettings& settings, LiveSession& session,
+                                                         CallbackHooks hooks = {});
+  ~AudioOutput();
+
+  StreamState state() const;
+  std::uint64_t losses() const;  ///< how often the device went away
+  std::string deviceName() const;
+
+ private:
+  class Stream;
+  explicit AudioOutput(std::unique_ptr<Stream> stream);
+  std::unique_ptr<Stream> stream_;
+};
+
+/// Sample rate a session for this device should have.
+DeviceResult<double> sampleRateFor(const AudioSettings& settings);
+
+/// Plays `output` on the device while recording `input` channel 0, for measurements. Both have the same
+/// length.
+DeviceResult<std::vector<float>> playAndRecord(const AudioSettings& output, const std::string& inputDevice,
+                                               const std::vector<float>& samples);
+
+/// A recording in progress; samples are stamped so that onsets have times on now_s().
+class AudioCapture {
+ public:
+  struct Block {
+    double time_s = 0;  ///< of the first sample
+    std::vector<float> samples;
+  };
+  static DeviceResult<std::unique_ptr<AudioCapture>> open(const std::string& inputDevice,
+                                                          double sampleRate_Hz);
+  ~AudioCapture();
+  double sampleRate_Hz() const;
+  /// Everything recorded since the last call. One thread.
+  std::vector<Block> take();
+  std::uint64_t dropped() const;
+
+ private:
+  class Recorder;
+  explicit AudioCapture(std::unique_ptr<Recorder> recorder);
+  std::unique_ptr<Recorder> recorder_;
+};
+
+}  // namespace detent::playback

@@ -1,0 +1,93 @@
+#include <array>
+#include <atomic>
+#include <mutex>
+#include <thread>
+
+#include <lo/lo.h>
+
+#include "playback/device/signal_server.h"
+#include "playback/device/steady_clock.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr int receiverPriority = 60;
+constexpr int stopCheck_ms = 100;
+constexpr std::size_t mostArguments = 3;
+
+void ignoreError(int, const char*, const char*) {}
+
+class OscServer : public SignalServer {
+ public:
+  explicit OscServer(SignalReceiver receiver) : receiver_(std::move(receiver)) {}
+  ~OscServer() override {
+    stopping_ = true;
+    if (thread_.joinable()) thread_.join();
+    if (server_ != nullptr) lo_server_free(server_);
+  }
+
+  bool start(std::uint16_t port) {
+    const std::string name = std::to_string(port);
+    server_ = lo_server_new_with_proto(port == 0 ? nullptr : name.c_str(), LO_UDP, ignoreError);
+    if (server_ == nullptr) return false;
+    // A bundle stamped for the future would be held back by liblo on another clock; its messages count from
+    // arrival.
+    lo_server_enable_queue(server_, 0, 1);
+    lo_server_add_method(server_, nullptr, nullptr, &OscServer::onMessage, this);
+    thread_ = std::thread([this] {
+      requestRealtime(receiverPriority);
+      while (!stopping_) lo_server_recv_noblock(server_, stopCheck_ms);
+    });
+    return true;
+  }
+
+  std::uint16_t port() const override { return static_cast<std::uint16_t>(lo_server_get_port(server_)); }
+  SignalCounts counts() const override {
+    const std::lock_guard lock(mutex_);
+    return counts_;
+  }
+
+ private:
+  static int onMessage(const char* path, const char* types, lo_arg** argv, int argc, lo_message, void* self) {
+    static_cast<OscServer*>(self)->handle(path, types, argv, argc, now_s());
+    return 0;
+  }
+
+  void handle(const char* path, const char* types, lo_arg** argv, int argc, double arrival_s) {
+    std::array<double, mostArguments> values{};
+    bool ok = argc >= 0 && argc <= static_cast<int>(mostArguments);
+    for (int i = 0; ok && i < argc; ++i) {
+      const auto type = static_cast<lo_type>(types[i]);
+      ok = lo_is_numerical_type(type) != 0;
+      if (ok) values[static_cast<std::size_t>(i)] = static_cast<double>(lo_hires_val(type, argv[i]));
+    }
+    SignalMessage message;
+    ok = ok && fromOsc(path, values.data(), static_cast<std::size_t>(argc), message);
+    {
+      const std::lock_guard lock(mutex_);
+      ++counts_.packets;
+      ++(ok ? counts_.messages : counts_.malformed);
+    }
+    if (ok) receiver_(message, arrival_s);
+  }
+
+  SignalReceiver receiver_;
+  lo_server server_ = nullptr;
+  std::atomic<bool> stopping_{false};
+  mutable std::mutex mutex_;
+  SignalCounts counts_;
+  std::thread thread_;
+};
+
+}  // namespace
+
+DeviceResult<std::unique_ptr<SignalServer>> openOscServer(std::uint16_t port, SignalReceiver receiver) {
+  auto server = std::make_unique<OscServer>(std::move(receiver));
+  if (!server->start(port)) {
+    return DeviceTrouble{"OSC port " + std::to_string(port), "cannot be listened on", "Choose another port"};
+  }
+  return std::unique_ptr<SignalServer>(std::move(server));
+}
+
+}  // namespace detent::playback

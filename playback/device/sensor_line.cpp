@@ -1,0 +1,139 @@
+#include "playback/device/sensor_line.h"
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace detent::playback {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
+    text.remove_suffix(1);
+  return text;
+}
+
+bool wholeNumber(std::string_view text, double& value) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error == std::errc::result_out_of_range) {
+    value = std::numeric_limits<double>::infinity();
+    return true;
+  }
+  return error == std::errc() && end == text.data() + text.size();
+}
+
+}  // namespace
+
+std::uint8_t lineChecksum(std::string_view text) {
+  unsigned sum = 0;
+  for (char c : text) sum ^= static_cast<unsigned char>(c);
+  return static_cast<std::uint8_t>(sum);
+}
+
+LineVerdict parseSensorLine(std::string_view line, SensorLine& out) {
+  out = SensorLine{};
+  line = trimmed(line);
+  if (line.empty() || line.front() == '#') return LineVerdict::comment;
+  if (const std::size_t star = line.rfind('*'); star != std::string_view::npos) {
+    const std::string_view digits = line.substr(star + 1);
+    unsigned sum = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), sum, 16);
+    if (error != std::errc() || end != digits.data() + digits.size() || digits.size() != 2)
+      return LineVerdict::malformed;
+    line = line.substr(0, star);
+    if (sum != lineChecksum(line)) return LineVerdict::badChecksum;
+  }
+  if (const std::size_t comma = line.find(','); comma != std::string_view::npos) {
+    const std::string_view time = trimmed(line.substr(0, comma));
+    const auto [end, error] = std::from_chars(time.data(), time.data() + time.size(), out.time_us);
+    if (error != std::errc() || end != time.data() + time.size()) return LineVerdict::malformed;
+    out.timed = true;
+    line = trimmed(line.substr(comma + 1));
+  }
+  if (!line.empty() && line.back() == 'N' && line.size() > 1) {
+    out.newtons = true;
+    line = trimmed(line.substr(0, line.size() - 1));
+  }
+  return wholeNumber(line, out.value) ? LineVerdict::reading : LineVerdict::malformed;
+}
+
+void LineAssembler::restart() {
+  length_ = 0;
+  skipping_ = true;
+  overlong_ = false;
+}
+
+void LineAssembler::feed(std::string_view bytes, const std::function<void(const SensorLine&)>& onReading) {
+  counts_.bytes += bytes.size();
+  for (char c : bytes) {
+    if (c == '\n') {
+      finishLine(onReading);
+    } else if (length_ < longestLine) {
+      line_[length_++] = c;
+    } else {
+      overlong_ = true;
+    }
+  }
+}
+
+void LineAssembler::finishLine(const std::function<void(const SensorLine&)>& onReading) {
+  const std::string_view line(line_.data(), length_);
+  const bool overlong = overlong_, first = skipping_;
+  length_ = 0;
+  overlong_ = skipping_ = false;
+  if (overlong) {
+    ++counts_.overlong;
+    return;
+  }
+  SensorLine reading;
+  switch (parseSensorLine(line, reading)) {
+    case LineVerdict::reading:
+      // Half a number is a number too: the first line after a start proves itself only by a time stamp or
+      // checksum.
+      if (first && !reading.timed && line.find('*') == std::string_view::npos) return;
+      ++counts_.readings;
+      onReading(reading);
+      return;
+    case LineVerdict::comment:
+      return;
+    case LineVerdict::malformed:
+      if (!first) ++counts_.malformed;
+      return;
+    case LineVerdict::badChecksum:
+      if (!first) ++counts_.badChecksums;
+      return;
+  }
+}
+
+double ClockAligner::hostTime_s(std::uint32_t device_us, double arrival_s) {
+  constexpr double restartStep_s = 0.5;
+  constexpr double drift = 500e-6;
+  if (!running_) {
+    running_ = true;
+    device_s_ = 0;
+    offset_s_ = arrival_s;
+    last_us_ = device_us;
+    return arrival_s;
+  }
+  const std::uint32_t forward_us = device_us - last_us_;  // modulo 2^32: a wrap is a small step forward
+  const auto step_us = static_cast<std::int32_t>(forward_us);
+  last_us_ = device_us;
+  const double step_s = 1e-6 * static_cast<double>(step_us);
+  device_s_ += step_s;
+  const double offset_s = arrival_s - device_s_;
+  if (std::fabs(offset_s - offset_s_) > restartStep_s) {
+    offset_s_ = offset_s;
+    return arrival_s;
+  }
+  if (offset_s < offset_s_) {
+    offset_s_ = offset_s;
+  } else if (step_s > 0) {
+    const double allowed = drift * step_s;
+    offset_s_ += offset_s - offset_s_ < allowed ? offset_s - offset_s_ : allowed;
+  }
+  return device_s_ + offset_s_;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,62 @@
+#pragma once
+// A force sensor behind a serial port (USB CDC, FTDI, or a pty in tests): its own thread reads lines, turns
+// them into newtons and hands them on. Unplugging and plugging in again is survived.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "playback/device/device_trouble.h"
+#include "playback/device/sensor_line.h"
+#include "playback/realtime/force_conditioner.h"
+#include "playback/realtime/sensor_calibration.h"
+
+namespace detent::playback {
+
+struct SerialSettings {
+  std::string port;               ///< "/dev/ttyACM0"
+  unsigned baud = 230400;         ///< 1 kHz of 16 characters need 160,000; USB CDC ignores it
+  double lowestReopen_s = 0.2;    ///< between two tries after an unplug
+  SensorCalibration calibration;  ///< for readings in counts; newtons pass unchanged
+  ConditionerSettings conditioner;
+};
+
+enum class SensorState : std::uint8_t { starting, running, silent, stuck, unplugged };
+
+/// How the sensor is doing.
+struct SensorHealth {
+  SensorState state = SensorState::starting;
+  double rate_Hz = 0;  ///< of accepted readings, over the last second or so
+  double force_N = 0;  ///< last accepted
+  double raw = 0;      ///< the same before calibration
+  std::uint64_t reconnects = 0;
+  LineCounts lines;
+  ConditionerCounts readings;
+};
+
+/// One accepted reading. `resumed`: the ones before are too old to connect to.
+struct SensorReading {
+  double time_s = 0;  ///< on now_s(); the sensor's own stamp where it sends one
+  double force_N = 0;
+  double raw = 0;
+  bool resumed = false;
+};
+
+class SerialSensor {
+ public:
+  using Receiver = std::function<void(const SensorReading&)>;  ///< called on the reader thread
+
+  /// Opens the port. Trouble where it cannot be opened now (later losses are not trouble, see health()).
+  static DeviceResult<std::unique_ptr<SerialSensor>> open(const SerialSettings& settings, Receiver receiver);
+  ~SerialSensor();  ///< stops and joins the reader thread
+
+  SensorHealth health() const;  ///< any thread
+
+ private:
+  class Reader;
+  explicit SerialSensor(std::unique_ptr<Reader> reader);
+  std::unique_ptr<Reader> reader_;
+};
+
+}  // namespace detent::playback

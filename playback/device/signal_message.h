@@ -1,0 +1,43 @@
+#pragma once
+// The signal messages of the paper's own route ("sends signal messages to a sound synthesizer by UDP
+// packets", Apparatus): FUDI text as Pure Data speaks it, `;`-terminated. docs/osc.md lists them with their
+// OSC twins. Pure text handling.
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "playback/realtime/haptic_program.h"
+
+namespace detent::playback {
+
+enum class SignalKind : std::uint8_t { jump, bottomOut, grain, force, displacement, gain };
+
+/// One message. Bursts carry frequency, duration and amplitude; the rest one value.
+struct SignalMessage {
+  SignalKind kind = SignalKind::force;
+  Burst burst;        ///< jump, bottomOut; grain when it carries numbers
+  double value = 0;   ///< N, mm, or gain
+  bool bare = false;  ///< "grain;" without numbers: the program's own grain
+};
+
+struct SignalCounts {
+  std::uint64_t packets = 0, messages = 0, malformed = 0;
+};
+
+/// Limits of what a message may ask for: frequency (0, 2000] Hz, duration (0, 1] s, amplitude [0, 1], gain
+/// [0, 10], values finite. Anything else is malformed. Shared by FUDI and OSC.
+bool acceptable(const SignalMessage& message);
+
+/// Splits a packet into messages. Any bytes are survived; what is no message is counted.
+void parseFudi(std::string_view packet, SignalCounts& counts,
+               const std::function<void(const SignalMessage&)>& onMessage);
+
+/// "jump 390 34 0.5;\n" (Hz, ms, share of full scale). Locale-independent.
+std::string toFudi(const SignalMessage& message);
+
+/// An OSC address and its float arguments as a message; false if there is no such message.
+bool fromOsc(std::string_view address, const double* arguments, std::size_t count, SignalMessage& message);
+
+}  // namespace detent::playback

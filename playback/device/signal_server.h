@@ -1,0 +1,43 @@
+#pragma once
+// Signal messages from other programs: UDP FUDI (as a Pure Data patch would receive them) and OSC (liblo).
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "playback/device/device_trouble.h"
+#include "playback/device/signal_message.h"
+
+namespace detent::playback {
+
+/// Called on the receiving thread with the time of arrival on now_s().
+using SignalReceiver = std::function<void(const SignalMessage&, double arrival_s)>;
+
+class SignalServer {
+ public:
+  virtual ~SignalServer() = default;  ///< stops and joins its thread
+  virtual std::uint16_t port() const = 0;
+  virtual SignalCounts counts() const = 0;  ///< any thread
+};
+
+/// Listens on 127.0.0.1 unless `anyAddress`. Port 0: the system chooses.
+DeviceResult<std::unique_ptr<SignalServer>> openFudiServer(std::uint16_t port, bool anyAddress,
+                                                           SignalReceiver receiver);
+DeviceResult<std::unique_ptr<SignalServer>> openOscServer(std::uint16_t port, SignalReceiver receiver);
+
+/// The other direction, the paper's own route: sends messages as UDP packets to a synthesizer such as
+/// samples/puredata/detent.pd. One thread.
+class SignalSender {
+ public:
+  static DeviceResult<std::unique_ptr<SignalSender>> open(const std::string& host, std::uint16_t port);
+  ~SignalSender();
+  void send(const SignalMessage& message);
+  std::uint64_t failed() const;
+
+ private:
+  struct Socket;
+  explicit SignalSender(std::unique_ptr<Socket> socket);
+  std::unique_ptr<Socket> socket_;
+};
+
+}  // namespace detent::playback

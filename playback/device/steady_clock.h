@@ -1,0 +1,17 @@
+#pragma once
+// The one clock of the device room: CLOCK_MONOTONIC_RAW, the clock JACK stamps with (CLOCK_MONOTONIC is
+// slewed and may lie apart from it by a large constant).
+
+namespace detent::playback {
+
+/// Seconds; never steps back; cheap enough for the audio callback (no system call on common machines).
+double now_s();
+
+/// Sleeps until that time has come.
+void sleepUntil(double time_s);
+
+/// Asks for real-time scheduling of the calling thread (FIFO). False where the machine refuses; the caller
+/// goes on.
+bool requestRealtime(int priority);
+
+}  // namespace detent::playback

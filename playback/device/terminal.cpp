@@ -1,0 +1,77 @@
+#include "playback/device/terminal.h"
+
+#include <atomic>
+
+#include <poll.h>
+#include <signal.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "playback/device/steady_clock.h"
+
+namespace detent::playback {
+
+namespace {
+
+termios savedMode{};
+std::atomic<bool> modeSaved{false};
+volatile sig_atomic_t interruptCount = 0;
+
+void restoreMode() {
+  if (modeSaved.exchange(false)) ::tcsetattr(STDIN_FILENO, TCSANOW, &savedMode);
+}
+
+void onSignal(int number) {
+  interruptCount = interruptCount + 1;
+  if (interruptCount < 2) return;
+  restoreMode();
+  ::signal(number, SIG_DFL);
+  ::raise(number);
+}
+
+}  // namespace
+
+RawTerminal::RawTerminal() {
+  if (::isatty(STDIN_FILENO) == 0 || ::tcgetattr(STDIN_FILENO, &savedMode) != 0) return;
+  termios raw = savedMode;
+  raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);
+  raw.c_cc[VMIN] = 0;
+  raw.c_cc[VTIME] = 0;
+  interactive_ = ::tcsetattr(STDIN_FILENO, TCSANOW, &raw) == 0;
+  modeSaved = interactive_;
+}
+
+RawTerminal::~RawTerminal() { restoreMode(); }
+
+std::optional<char> RawTerminal::key(double timeout_s) {
+  if (!interactive_) {
+    sleepUntil(now_s() + timeout_s);
+    return {};
+  }
+  pollfd input{STDIN_FILENO, POLLIN, 0};
+  if (::poll(&input, 1, static_cast<int>(timeout_s * 1000)) <= 0) return {};
+  char key = 0;
+  if (::read(STDIN_FILENO, &key, 1) == 1) return key;
+  sleepUntil(now_s() + timeout_s);  // end of input: do not spin
+  return {};
+}
+
+void catchInterrupts() {
+  struct sigaction action {};
+  action.sa_handler = onSignal;
+  ::sigemptyset(&action.sa_mask);
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+}
+
+bool interrupted() { return interruptCount > 0; }
+
+int terminalColumns() {
+  winsize size{};
+  return ::ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+bool errorIsTerminal() { return ::isatty(STDERR_FILENO) != 0; }
+
+}  // namespace detent::playback

@@ -1,0 +1,32 @@
+#pragma once
+// The terminal of the live view: single keys without Enter, restored however the program ends, and Ctrl-C as
+// a request.
+
+#include <optional>
+
+namespace detent::playback {
+
+/// While one lives, standard input gives single keys. Does nothing where standard input is no terminal.
+class RawTerminal {
+ public:
+  RawTerminal();
+  ~RawTerminal();
+  RawTerminal(const RawTerminal&) = delete;
+  RawTerminal& operator=(const RawTerminal&) = delete;
+  bool interactive() const { return interactive_; }
+  /// A key pressed within `timeout_s`, if any.
+  std::optional<char> key(double timeout_s);
+
+ private:
+  bool interactive_ = false;
+};
+
+/// Turns SIGINT and SIGTERM into a flag; the second one ends the program at once.
+void catchInterrupts();
+bool interrupted();
+
+/// Columns of the terminal behind standard error; 80 where unknown.
+int terminalColumns();
+bool errorIsTerminal();
+
+}  // namespace detent::playback
