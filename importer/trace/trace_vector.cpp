@@ -1,1 +1,181 @@
 #include "importer/trace/trace_vector.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "importer/trace/piece_network.h"
+#include "importer/trace/vector_pieces.h"
+
+namespace detent::importer {
+namespace {
+
+double colorDistance(Rgb a, Rgb b) {
+  return std::sqrt(std::pow(a.r - b.r, 2) + std::pow(a.g - b.g, 2) + std::pow(a.b - b.b, 2));
+}
+
+/// Lines that look alike: one ink, one dash pattern.
+struct LineStyle {
+  Rgb color;
+  bool dashed = false;
+  friend bool operator<(const LineStyle& a, const LineStyle& b) {
+    return std::tie(a.color.r, a.color.g, a.color.b, a.dashed) <
+           std::tie(b.color.r, b.color.g, b.color.b, b.dashed);
+  }
+};
+
+struct StyledStroke {
+  LineStyle style;
+  FoundStroke stroke;
+  double confidence = 1;
+};
+
+/// A third stroke in one ink means that the two best may not belong together.
+constexpr std::size_t strokesOfOneInk = 2;
+
+std::vector<StyledStroke> strokesOf(const LineStyle& style, std::vector<LinePiece> pieces,
+                                    const PlotPlane& plane) {
+  PieceNetwork network(std::move(pieces), plane);
+  std::vector<StyledStroke> strokes;
+  while (strokes.size() < strokesOfOneInk) {
+    const auto stroke = network.nextStroke();
+    if (!stroke) break;
+    const double joins =
+        std::max(0.0, stroke->cost - 4 * (std::max(0.0, stroke->from) + std::max(0.0, 1 - stroke->to)));
+    strokes.push_back({style, *stroke, std::clamp(1 - 0.3 * joins, 0.1, 1.0)});
+  }
+  constexpr double halfAnotherStroke = 0.25;
+  if (!strokes.empty() && network.unusedLength() > halfAnotherStroke)
+    for (StyledStroke& stroke : strokes) stroke.confidence *= 0.5;
+  return strokes;
+}
+
+/// Force height (pixels above the plot's floor) of a left-to-right line at a column; nothing beside it.
+std::optional<double> rowAt(const std::vector<Point>& line, double x) {
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point a = line[i - 1], b = line[i];
+    if ((a.x <= x && x < b.x) || (b.x <= x && x < a.x)) return a.y + (b.y - a.y) * (x - a.x) / (b.x - a.x);
+  }
+  return std::nullopt;
+}
+
+/// Positive: `a` lies above `b` on average. In pixels.
+double meanHeightAbove(const std::vector<Point>& a, const std::vector<Point>& b, const PlotPlane& plane) {
+  constexpr int samples = 400;
+  double sum = 0;
+  int count = 0;
+  for (int i = 0; i < samples; ++i) {
+    const double x = plane.box.x0 + plane.box.width() * (i + 0.5) / samples;
+    const auto ya = rowAt(a, x), yb = rowAt(b, x);
+    if (!ya || !yb) continue;
+    sum += *yb - *ya;
+    ++count;
+  }
+  return count > 0 ? sum / count : 0;
+}
+
+struct LegendSample {
+  Box box;
+  LineStyle style;
+};
+
+/// Short level lines, anywhere in the view: what a legend shows beside its words.
+std::vector<LegendSample> legendSamples(const PageView& view, const PlotPlane& plane) {
+  const double shortest = 0.01 * plane.box.width(), longest = 0.15 * plane.box.width();
+  std::vector<LegendSample> samples;
+  for (const VectorPath& path : view.paths) {
+    if (!path.stroke) continue;
+    for (const auto& line : path.polylines) {
+      const auto [left, right] =
+          std::minmax_element(line.begin(), line.end(), [](Point a, Point b) { return a.x < b.x; });
+      const auto [top, bottom] =
+          std::minmax_element(line.begin(), line.end(), [](Point a, Point b) { return a.y < b.y; });
+      const double length = right->x - left->x;
+      if (length < shortest || length > longest || bottom->y - top->y > 0.1) continue;
+      samples.push_back({{left->x, top->y, right->x, bottom->y}, {*path.stroke, path.dashed}});
+    }
+  }
+  return samples;
+}
+
+/// The words beside the legend sample drawn in this style; empty if there is none or several.
+std::string legendWords(const std::vector<LegendSample>& samples, const LineStyle& style,
+                        const std::vector<SeenText>& texts) {
+  std::string words;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const LegendSample& sample : samples) {
+    if (colorDistance(sample.style.color, style.color) > 6 || sample.style.dashed != style.dashed) continue;
+    for (const SeenText& text : texts) {
+      const double height = text.box.height(), middle = (text.box.y0 + text.box.y1) / 2;
+      if (std::abs(text.angle_deg) > 1 || std::abs(middle - sample.box.y0) > 0.6 * height) continue;
+      const double gap = std::max(text.box.x0 - sample.box.x1, sample.box.x0 - text.box.x1);
+      if (gap < -height || gap > 3 * height || std::abs(gap) >= nearest) continue;
+      nearest = std::abs(gap);
+      words = text.utf8;
+    }
+  }
+  return words;
+}
+
+bool wanted(const LineStyle& style, const TraceHints& hints) {
+  constexpr double sameColor = 60;
+  if (!hints.pressColor && !hints.releaseColor) return true;
+  return (hints.pressColor && colorDistance(style.color, *hints.pressColor) < sameColor) ||
+         (hints.releaseColor && colorDistance(style.color, *hints.releaseColor) < sameColor);
+}
+
+/// Two strokes in one ink: the press lies above the release.
+void nameStrokesOfOneInk(std::vector<CurveTrace>& traces, const PlotPlane& plane) {
+  if (traces.size() != 2 || !(traces[0].color == traces[1].color)) return;
+  const bool firstAbove = meanHeightAbove(traces[0].points_px, traces[1].points_px, plane) >= 0;
+  traces[firstAbove ? 0 : 1].stroke = Stroke::press;
+  traces[firstAbove ? 1 : 0].stroke = Stroke::release;
+}
+
+void nameStrokesByHints(std::vector<CurveTrace>& traces, const TraceHints& hints) {
+  if (!hints.pressColor || !hints.releaseColor || *hints.pressColor == *hints.releaseColor) return;
+  for (CurveTrace& trace : traces) {
+    const bool press =
+        colorDistance(trace.color, *hints.pressColor) <= colorDistance(trace.color, *hints.releaseColor);
+    trace.stroke = press ? Stroke::press : Stroke::release;
+  }
+}
+
+}  // namespace
+
+std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
+                                    const TraceHints& hints) {
+  const PlotPlane plane(frame);
+  if (plane.box.empty()) return {};
+  std::map<LineStyle, std::vector<LinePiece>> styles;
+  for (LinePiece& piece : linePieces(view, plane, hints.masks_px)) {
+    const LineStyle style{piece.color, piece.dashed};
+    if (wanted(style, hints)) styles[style].push_back(std::move(piece));
+  }
+  std::vector<StyledStroke> strokes;
+  for (auto& [style, pieces] : styles)
+    for (StyledStroke& stroke : strokesOf(style, std::move(pieces), plane))
+      strokes.push_back(std::move(stroke));
+
+  const std::vector<LegendSample> samples = legendSamples(view, plane);
+  std::vector<CurveTrace> traces;
+  for (StyledStroke& stroke : strokes) {
+    CurveTrace trace;
+    trace.points_px = std::move(stroke.stroke.points);
+    trace.color = stroke.style.color;
+    trace.fromVector = true;
+    trace.confidence = stroke.confidence;
+    const auto sharers = std::count_if(strokes.begin(), strokes.end(), [&](const StyledStroke& other) {
+      return !(other.style < stroke.style) && !(stroke.style < other.style);
+    });
+    if (sharers == 1) trace.label = legendWords(samples, stroke.style, axes.texts);
+    traces.push_back(std::move(trace));
+  }
+  nameStrokesOfOneInk(traces, plane);
+  nameStrokesByHints(traces, hints);
+  return traces;
+}
+
+}  // namespace detent::importer

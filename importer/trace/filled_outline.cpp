@@ -1,0 +1,123 @@
+#include "importer/trace/filled_outline.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace detent::importer {
+namespace {
+
+using Polyline = std::vector<Point>;
+
+constexpr double leastSlenderness = 8;  // length over width
+
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+double signedArea(const Polyline& ring) {
+  double twice = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    twice += a.x * b.y - b.x * a.y;
+  }
+  return twice / 2;
+}
+
+double perimeter(const Polyline& ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) sum += distance(ring[i], ring[(i + 1) % ring.size()]);
+  return sum;
+}
+
+/// The two caps: the edges where the outline turns back. An end of a line of width w has two corners (or an
+/// arc) within about w along the ring over which the direction turns by half a turn.
+std::optional<std::pair<std::size_t, std::size_t>> capEdges(const Polyline& ring, double width) {
+  const std::size_t n = ring.size();
+  struct Cap {
+    std::size_t edge;
+    double turn;
+  };
+  std::vector<Cap> caps;
+  const auto direction = [&](std::size_t i) {
+    const Point &a = ring[i % n], &b = ring[(i + 1) % n];
+    return std::atan2(b.y - a.y, b.x - a.x);
+  };
+  for (std::size_t start = 0; start < n; ++start) {
+    // Edges from `start` whose lengths add up to no more than the cap's size.
+    double along = 0, turned = 0;
+    for (std::size_t k = 1; k < n; ++k) {
+      turned += std::remainder(direction(start + k) - direction(start + k - 1), 2 * M_PI);
+      if (std::abs(turned) > 0.85 * M_PI) {
+        caps.push_back({(start + (k + 1) / 2) % n, std::abs(turned)});
+        break;
+      }
+      along += distance(ring[(start + k) % n], ring[(start + k + 1) % n]);
+      if (along > 1.8 * width) break;
+    }
+  }
+  if (caps.empty()) return std::nullopt;
+  // The pair of caps that halves the outline best.
+  const double whole = perimeter(ring);
+  std::vector<double> at(n, 0);
+  for (std::size_t i = 1; i < n; ++i) at[i] = at[i - 1] + distance(ring[i - 1], ring[i]);
+  std::optional<std::pair<std::size_t, std::size_t>> best;
+  double bestSkew = 0.1;
+  for (std::size_t i = 0; i < caps.size(); ++i)
+    for (std::size_t j = i + 1; j < caps.size() && caps.size() < 200; ++j) {
+      const double share = std::abs(at[caps[i].edge] - at[caps[j].edge]) / whole;
+      const double skew = std::abs(share - 0.5);
+      if (skew < bestSkew) {
+        bestSkew = skew;
+        best = std::minmax(caps[i].edge, caps[j].edge);
+      }
+    }
+  return best;
+}
+
+Point nearestOn(const Polyline& line, Point p) {
+  Point best = line[0];
+  double bestDistance = distance(best, p);
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point a = line[i - 1], b = line[i];
+    const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+    const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
+    const Point q{a.x + t * dx, a.y + t * dy};
+    if (distance(p, q) < bestDistance) bestDistance = distance(p, q), best = q;
+  }
+  return best;
+}
+
+}  // namespace
+
+std::optional<OutlineCentre> centreOfOutline(const Polyline& outline, double maxWidth_px) {
+  Polyline ring;
+  for (const Point& p : outline)
+    if (ring.empty() || distance(ring.back(), p) > 1e-9) ring.push_back(p);
+  while (ring.size() > 1 && distance(ring.front(), ring.back()) < 1e-9) ring.pop_back();
+  constexpr std::size_t mostVertices = 20000;  // the pairing below is quadratic
+  if (ring.size() < 4 || ring.size() > mostVertices) return std::nullopt;
+  const double around = perimeter(ring);
+  const double width = 2 * std::abs(signedArea(ring)) / around;
+  const double length = around / 2;
+  if (!(width > 0) || width > maxWidth_px || length < leastSlenderness * width) return std::nullopt;
+  const auto caps = capEdges(ring, width);
+  if (!caps) return std::nullopt;
+  const Polyline one(ring.begin() + static_cast<std::ptrdiff_t>(caps->first),
+                     ring.begin() + static_cast<std::ptrdiff_t>(caps->second));
+  Polyline other(ring.begin() + static_cast<std::ptrdiff_t>(caps->second), ring.end());
+  other.insert(other.end(), ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(caps->first));
+  if (one.size() < 2 || other.size() < 2) return std::nullopt;
+  OutlineCentre centre;
+  centre.width_px = width;
+  for (const Point& p : one) {
+    const Point q = nearestOn(other, p);
+    if (distance(p, q) > 2 * width) continue;
+    centre.points.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2});
+  }
+  if (centre.points.size() < 2) return std::nullopt;
+  double run = 0;
+  for (std::size_t i = 1; i < centre.points.size(); ++i)
+    run += distance(centre.points[i - 1], centre.points[i]);
+  if (run < leastSlenderness * width) return std::nullopt;
+  return centre;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,20 @@
+#pragma once
+// Lines that a drawing program has turned into filled outlines. Private to importer/trace.
+
+#include <optional>
+#include <vector>
+
+#include "importer/page/raster.h"
+
+namespace detent::importer {
+
+struct OutlineCentre {
+  std::vector<Point> points;
+  double width_px = 0;
+};
+
+/// Centre line of a long thin filled shape; nothing if the shape is no line (letters, boxes, arrow heads,
+/// areas). `maxWidth_px`: wider shapes are no lines.
+std::optional<OutlineCentre> centreOfOutline(const std::vector<Point>& outline, double maxWidth_px);
+
+}  // namespace detent::importer

@@ -1,0 +1,367 @@
+#include "importer/trace/piece_network.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <queue>
+#include <unordered_map>
+
+namespace detent::importer {
+namespace {
+
+// Costs. Their unit is the price of one plot width that a stroke leaves uncovered, divided by four.
+constexpr double uncovered = 4;     // per plot width at either end
+constexpr double rightAngle = 0.4;  // of a join that turns by 90°
+constexpr double anyJoin = 0.02;
+constexpr double sharpestTurn_deg = 130;
+constexpr double backwards = 3;  // per plot width walked to the left
+constexpr double repeated = 2;   // per plot width shared with an earlier stroke
+constexpr double axisParallelPiece = 0.1;
+constexpr double gridPiece = 0.8;
+constexpr double smallPiece = 0.03;
+constexpr double gapPerDiagonal = 6;
+constexpr double stopsWhereLineGoesOn = 0.3;
+constexpr double widthDoubling = 0.1;
+
+constexpr double longestGap = 0.03;  // of the diagonal
+constexpr double facing_deg = 25;    // ends on both sides of a gap look at each other
+constexpr double leastCover = 0.35;  // of the plot's width, for a stroke
+constexpr double leastOwn = 0.15;    // not shared with earlier ones
+
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+double angleBetween_deg(Point a, Point b) {
+  return std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * 180 / std::numbers::pi;
+}
+
+/// Ends of pieces by place, so that thousands of letters' strokes cost nothing.
+class EndGrid {
+ public:
+  explicit EndGrid(double cell) : cell_(cell) {}
+  void add(Point p, std::size_t id) { cells_[keyOf(p, 0, 0)].push_back(id); }
+  template <class Visit>
+  void around(Point p, Visit visit) const {
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const auto found = cells_.find(keyOf(p, dx, dy));
+        if (found == cells_.end()) continue;
+        for (const std::size_t id : found->second) visit(id);
+      }
+  }
+
+ private:
+  std::uint64_t keyOf(Point p, int dx, int dy) const {
+    const auto x = static_cast<std::int64_t>(std::floor(p.x / cell_)) + dx;
+    const auto y = static_cast<std::int64_t>(std::floor(p.y / cell_)) + dy;
+    return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xffffffffu);
+  }
+  double cell_;
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
+};
+
+struct Touch {
+  std::size_t segment = 0;
+  double along = 0;  ///< 0..1 on the segment
+  Point foot;
+};
+
+/// Nearest inner point of the line; nothing if it is nearer to an end than to the inside.
+std::optional<Touch> touchInside(const std::vector<Point>& line, Point p, double reach) {
+  if (distance(line.front(), p) <= reach || distance(line.back(), p) <= reach) return std::nullopt;
+  std::optional<Touch> best;
+  double bestDistance = reach;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const Point a = line[i - 1], b = line[i];
+    const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+    const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
+    const Point foot{a.x + t * dx, a.y + t * dy};
+    const double d = distance(foot, p);
+    if (d <= bestDistance) {
+      bestDistance = d;
+      best = Touch{i - 1, t, foot};
+    }
+  }
+  return best;
+}
+
+struct Extent {
+  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+Extent extentOf(const std::vector<Point>& line, double grow) {
+  Extent e{line[0].x, line[0].y, line[0].x, line[0].y};
+  for (const Point& p : line)
+    e = {std::min(e.x0, p.x), std::min(e.y0, p.y), std::max(e.x1, p.x), std::max(e.y1, p.y)};
+  return {e.x0 - grow, e.y0 - grow, e.x1 + grow, e.y1 + grow};
+}
+
+/// The line cut at its touches, which are sorted here.
+std::vector<std::vector<Point>> cutAt(const std::vector<Point>& line, std::vector<Touch> touches) {
+  std::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) {
+    return a.segment != b.segment ? a.segment < b.segment : a.along < b.along;
+  });
+  std::vector<std::vector<Point>> parts{{line.front()}};
+  std::size_t next = 0;
+  for (std::size_t segment = 0; segment + 1 < line.size(); ++segment) {
+    for (; next < touches.size() && touches[next].segment == segment; ++next) {
+      const Point foot = touches[next].foot;
+      if (distance(parts.back().back(), foot) > 1e-9) parts.back().push_back(foot);
+      if (parts.back().size() > 1) parts.push_back({foot});
+    }
+    if (distance(parts.back().back(), line[segment + 1]) > 1e-9) parts.back().push_back(line[segment + 1]);
+  }
+  if (parts.back().size() < 2) parts.pop_back();
+  return parts;
+}
+
+}  // namespace
+
+PieceNetwork::PieceNetwork(std::vector<LinePiece> pieces, const PlotPlane& plane)
+    : pieces_(std::move(pieces)), plane_(plane) {
+  cutAtTouches();
+  links_.resize(2 * pieces_.size());
+  used_.resize(pieces_.size(), 0);
+  for (const LinePiece& piece : pieces_)
+    spans_.push_back(plane_.across(piece.points.back()) - plane_.across(piece.points.front()));
+  linkTouchingEnds();
+  bridgeGaps();
+}
+
+double PieceNetwork::touchDistance(const LinePiece& a, const LinePiece& b) const {
+  return std::min(0.006 * plane_.diagonal(),
+                  0.001 * plane_.diagonal() + 0.5 * std::max(a.width_px, b.width_px));
+}
+
+void PieceNetwork::cutAtTouches() {
+  // Only lines that could be a curve are cut, and only by ends that could belong to one: a release that runs
+  // into the press, a wall that stands on it. Grid and letters are neither.
+  std::vector<std::vector<Touch>> touches(pieces_.size());
+  std::vector<std::size_t> cutters;
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    if (!pieces_[i].onGridLine && !pieces_[i].small) cutters.push_back(i);
+  for (std::size_t target = 0; target < pieces_.size(); ++target) {
+    const LinePiece& line = pieces_[target];
+    if (line.axisParallel || line.small) continue;
+    const Extent extent = extentOf(line.points, 0.006 * plane_.diagonal());
+    for (const std::size_t cutter : cutters) {
+      if (cutter == target) continue;
+      for (const Point& end : {pieces_[cutter].points.front(), pieces_[cutter].points.back()}) {
+        if (end.x < extent.x0 || end.x > extent.x1 || end.y < extent.y0 || end.y > extent.y1) continue;
+        if (const auto touch = touchInside(line.points, end, touchDistance(line, pieces_[cutter])))
+          touches[target].push_back(*touch);
+      }
+    }
+  }
+  std::vector<LinePiece> cut;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (touches[i].empty()) {
+      cut.push_back(std::move(pieces_[i]));
+      continue;
+    }
+    for (auto& part : cutAt(pieces_[i].points, touches[i])) {
+      LinePiece piece = pieces_[i];
+      piece.points = std::move(part);
+      cut.push_back(std::move(piece));
+    }
+  }
+  pieces_ = std::move(cut);
+}
+
+Point PieceNetwork::endOf(std::size_t piece, bool atEnd) const {
+  return atEnd ? pieces_[piece].points.back() : pieces_[piece].points.front();
+}
+
+Point PieceNetwork::outwardDirection(std::size_t piece, bool atEnd) const {
+  // Over a short stretch, not the last segment alone: that one may be a rounding error long.
+  const std::vector<Point>& line = pieces_[piece].points;
+  const double stretch = 0.004 * plane_.diagonal();
+  const std::size_t n = line.size();
+  const Point end = endOf(piece, atEnd);
+  for (std::size_t i = 1; i < n; ++i) {
+    const Point p = atEnd ? line[n - 1 - i] : line[i];
+    if (distance(p, end) >= stretch || i + 1 == n) return {end.x - p.x, end.y - p.y};
+  }
+  return {1, 0};
+}
+
+void PieceNetwork::linkTouchingEnds() {
+  EndGrid grid(std::max(0.006 * plane_.diagonal(), 1e-6));
+  for (std::size_t id = 0; id < links_.size(); ++id) grid.add(endOf(id / 2, id % 2 == 1), id);
+  for (std::size_t id = 0; id < links_.size(); ++id) {
+    const Point here = endOf(id / 2, id % 2 == 1);
+    grid.around(here, [&](std::size_t other) {
+      if (other / 2 == id / 2) return;
+      const double gap = distance(here, endOf(other / 2, other % 2 == 1));
+      if (gap <= touchDistance(pieces_[id / 2], pieces_[other / 2]))
+        links_[id].push_back({other / 2, other % 2 == 1, gap / plane_.diagonal()});
+    });
+  }
+}
+
+void PieceNetwork::bridgeGaps() {
+  // Dashes that the document draws one by one, and lines that stop short of a text.
+  const double reach = longestGap * plane_.diagonal();
+  EndGrid grid(std::max(reach, 1e-6));
+  std::vector<std::size_t> free;
+  for (std::size_t id = 0; id < links_.size(); ++id)
+    if (links_[id].empty() && !pieces_[id / 2].onGridLine) free.push_back(id);
+  for (const std::size_t id : free) grid.add(endOf(id / 2, id % 2 == 1), id);
+  for (const std::size_t id : free) {
+    const Point here = endOf(id / 2, id % 2 == 1), direction = outwardDirection(id / 2, id % 2 == 1);
+    grid.around(here, [&](std::size_t other) {
+      if (other / 2 == id / 2) return;
+      const Point there = endOf(other / 2, other % 2 == 1), away{there.x - here.x, there.y - here.y};
+      const double gap = std::hypot(away.x, away.y);
+      const Point back = outwardDirection(other / 2, other % 2 == 1);
+      if (gap > reach || gap <= 0 || angleBetween_deg(direction, away) > facing_deg ||
+          angleBetween_deg(back, {-away.x, -away.y}) > facing_deg)
+        return;
+      links_[id].push_back({other / 2, other % 2 == 1, gap / plane_.diagonal()});
+    });
+  }
+}
+
+double PieceNetwork::joinCost(std::size_t from, bool fromEnd, const Link& link) const {
+  const Point out = outwardDirection(from, fromEnd), next = outwardDirection(link.piece, link.atEnd);
+  const double turn = angleBetween_deg(out, {-next.x, -next.y});
+  if (turn > sharpestTurn_deg) return std::numeric_limits<double>::infinity();
+  const double widths = std::abs(std::log2(pieces_[from].width_px / pieces_[link.piece].width_px));
+  return anyJoin + rightAngle * (turn / 90) * (turn / 90) + gapPerDiagonal * link.gap +
+         widthDoubling * widths;
+}
+
+double PieceNetwork::walkCost(std::size_t piece, bool forward) const {
+  const LinePiece& line = pieces_[piece];
+  const double gain = forward ? spans_[piece] : -spans_[piece];
+  double cost = gain < 0 ? -backwards * gain : 0;
+  if (line.onGridLine) {
+    cost += gridPiece;
+  } else if (line.axisParallel) {
+    cost += axisParallelPiece;
+  }
+  if (line.small) cost += smallPiece;
+  return cost + repeated * used_[piece] * std::abs(gain);
+}
+
+double PieceNetwork::startCost(const Step& step) const {
+  return uncovered * std::max(0.0, plane_.across(endOf(step.piece, !step.forward)));
+}
+
+double PieceNetwork::stopCost(const Step& step) const {
+  double cost = uncovered * std::max(0.0, 1 - plane_.across(endOf(step.piece, step.forward)));
+  for (const Link& link : linksOf(step.piece, step.forward)) {
+    const bool grid = pieces_[link.piece].onGridLine || pieces_[link.piece].small;
+    if (!grid && link.gap < 0.01 && joinCost(step.piece, step.forward, link) < stopsWhereLineGoesOn / 2)
+      return cost + stopsWhereLineGoesOn;
+  }
+  return cost;
+}
+
+FoundStroke PieceNetwork::strokeAlong(const std::vector<Step>& steps, double cost) const {
+  FoundStroke stroke;
+  stroke.cost = cost;
+  stroke.ownLength = 0;
+  double longest = 0;
+  for (const Step& step : steps) {
+    std::vector<Point> points = pieces_[step.piece].points;
+    if (!step.forward) std::reverse(points.begin(), points.end());
+    for (const Point& p : points)
+      if (stroke.points.empty() || distance(stroke.points.back(), p) > 1e-6) stroke.points.push_back(p);
+    if (!pieces_[step.piece].axisParallel) stroke.slanted += std::abs(spans_[step.piece]);
+    if (used_[step.piece] == 0) stroke.ownLength += std::abs(spans_[step.piece]);
+    if (const double length = lengthOf(points); length > longest) {
+      longest = length;
+      stroke.width_px = pieces_[step.piece].width_px;
+    }
+  }
+  stroke.from = plane_.across(stroke.points.front());
+  stroke.to = plane_.across(stroke.points.back());
+  return stroke;
+}
+
+std::optional<FoundStroke> PieceNetwork::nextStroke() {
+  // Dijkstra over (piece, direction); the state's cost includes walking the piece.
+  const std::size_t states = links_.size();
+  constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+  std::vector<double> cost(states, std::numeric_limits<double>::infinity());
+  std::vector<std::size_t> before(states, none);
+  using Entry = std::pair<double, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+  const auto stepOf = [](std::size_t state) { return Step{state / 2, state % 2 == 0}; };
+  for (std::size_t state = 0; state < states; ++state) {
+    const Step step = stepOf(state);
+    if (pieces_[step.piece].axisParallel || pieces_[step.piece].small) continue;
+    cost[state] = startCost(step) + walkCost(step.piece, step.forward);
+    queue.push({cost[state], state});
+  }
+  std::size_t best = none;
+  double bestCost = std::numeric_limits<double>::infinity();
+  while (!queue.empty()) {
+    const auto [reached, state] = queue.top();
+    queue.pop();
+    if (reached > cost[state] || reached >= bestCost) continue;
+    const Step step = stepOf(state);
+    if (const double whole = reached + stopCost(step); whole < bestCost) {
+      bestCost = whole;
+      best = state;
+    }
+    for (const Link& link : linksOf(step.piece, step.forward)) {
+      const std::size_t next = 2 * link.piece + (link.atEnd ? 1 : 0);
+      const double through =
+          reached + joinCost(step.piece, step.forward, link) + walkCost(link.piece, !link.atEnd);
+      if (through < cost[next]) {
+        cost[next] = through;
+        before[next] = state;
+        queue.push({through, next});
+      }
+    }
+  }
+  if (best == none) return std::nullopt;
+  std::vector<Step> steps;
+  for (std::size_t state = best; state != none; state = before[state]) steps.push_back(stepOf(state));
+  std::reverse(steps.begin(), steps.end());
+  extend(steps, false);
+  extend(steps, true);
+  const FoundStroke stroke = strokeAlong(steps, bestCost);
+  for (const Step& step : steps) ++used_[step.piece];
+  if (stroke.to - stroke.from < leastCover || stroke.ownLength < leastOwn || stroke.slanted < leastOwn)
+    return std::nullopt;
+  return stroke;
+}
+
+void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
+  // Walls at both ends: their lines gain no travel, so the search saw no reason to take them.
+  constexpr double surelyGoesOn = 0.2;
+  const auto walked = [&](std::size_t piece) {
+    return std::any_of(steps.begin(), steps.end(), [&](const Step& s) { return s.piece == piece; });
+  };
+  while (true) {
+    const Step& last = atEnd ? steps.back() : steps.front();
+    const bool side = atEnd ? last.forward : !last.forward;
+    const Link* best = nullptr;
+    double bestCost = surelyGoesOn;
+    for (const Link& link : linksOf(last.piece, side)) {
+      if (pieces_[link.piece].onGridLine || pieces_[link.piece].small || walked(link.piece)) continue;
+      if (const double cost = joinCost(last.piece, side, link); cost < bestCost)
+        bestCost = cost, best = &link;
+    }
+    if (!best) return;
+    if (atEnd) {
+      steps.push_back({best->piece, !best->atEnd});
+    } else {
+      steps.insert(steps.begin(), {best->piece, best->atEnd});
+    }
+  }
+}
+
+double PieceNetwork::unusedLength() const {
+  double longest = 0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i)
+    if (used_[i] == 0 && !pieces_[i].axisParallel && !pieces_[i].small && pieces_[i].points.size() > 2)
+      longest = std::max(longest, lengthOf(pieces_[i].points));
+  return longest / plane_.diagonal();
+}
+
+}  // namespace detent::importer

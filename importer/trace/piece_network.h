@@ -1,0 +1,74 @@
+#pragma once
+// Pieces of line joined end to end into strokes that run from the left of the plot to the right. Private to
+// importer/trace.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "importer/trace/vector_pieces.h"
+
+namespace detent::importer {
+
+/// A stroke found in the network, left to right.
+struct FoundStroke {
+  std::vector<Point> points;
+  double from = 0, to = 0;  ///< shares of the plot's width
+  double cost = 0;          ///< of joins, gaps and what is not covered; 0 is a single line across the plot
+  double ownLength = 1;     ///< share of the plot's width not shared with strokes found before
+  double width_px = 1;      ///< of the longest piece
+  double slanted = 0;       ///< share of the plot's width that is no level or plumb line
+};
+
+/// All pieces of one colour and dash pattern, cut where others end on them, with the joins between their
+/// ends. A stroke is the cheapest path of all: joins cost by the angle they turn, gaps by their length,
+/// uncovered travel most.
+class PieceNetwork {
+ public:
+  PieceNetwork(std::vector<LinePiece> pieces, const PlotPlane& plane);
+
+  /// The best stroke that does not mainly repeat those found before; nothing if none covers enough of the
+  /// plot.
+  std::optional<FoundStroke> nextStroke();
+
+  /// Longest lines, beside grid, letters and straight level or plumb ones, that no stroke uses: share of the
+  /// diagonal.
+  double unusedLength() const;
+
+ private:
+  struct Link {
+    std::size_t piece = 0;
+    bool atEnd = false;  ///< which end of that piece is met
+    double gap = 0;      ///< share of the diagonal
+  };
+  struct Step {
+    std::size_t piece = 0;
+    bool forward = true;
+  };
+
+  void cutAtTouches();
+  void linkTouchingEnds();
+  void bridgeGaps();
+  std::vector<Link>& linksOf(std::size_t piece, bool atEnd) { return links_[2 * piece + (atEnd ? 1 : 0)]; }
+  const std::vector<Link>& linksOf(std::size_t piece, bool atEnd) const {
+    return links_[2 * piece + (atEnd ? 1 : 0)];
+  }
+
+  Point endOf(std::size_t piece, bool atEnd) const;
+  Point outwardDirection(std::size_t piece, bool atEnd) const;
+  double touchDistance(const LinePiece& a, const LinePiece& b) const;
+  double joinCost(std::size_t from, bool fromEnd, const Link& link) const;
+  double walkCost(std::size_t piece, bool forward) const;
+  double startCost(const Step& step) const;
+  double stopCost(const Step& step) const;
+  void extend(std::vector<Step>& steps, bool atEnd) const;
+  FoundStroke strokeAlong(const std::vector<Step>& steps, double cost) const;
+
+  std::vector<LinePiece> pieces_;
+  PlotPlane plane_;
+  std::vector<std::vector<Link>> links_;  ///< two per piece: at its first and at its last point
+  std::vector<int> used_;                 ///< how many strokes run over a piece
+  std::vector<double> spans_;             ///< across the plot, shares of its width
+};
+
+}  // namespace detent::importer

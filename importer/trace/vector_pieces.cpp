@@ -1,0 +1,261 @@
+#include "importer/trace/vector_pieces.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "importer/trace/filled_outline.h"
+
+namespace detent::importer {
+namespace {
+
+using Polyline = std::vector<Point>;
+
+constexpr double overshoot = 0.04;    // of the plot's size; how far a curve may leave the frame
+constexpr double turnRound = 0.05;    // of the plot's width; shorter returns are wiggles
+constexpr double letterSize = 0.025;  // of the plot's diagonal
+
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+Polyline withoutRepeats(const Polyline& line) {
+  Polyline out;
+  for (const Point& p : line)
+    if (out.empty() || distance(out.back(), p) > 1e-9) out.push_back(p);
+  return out;
+}
+
+/// The part of segment a-b inside the box, as parameters; false if none. Liang and Barsky.
+bool insideSpan(Point a, Point b, const Box& box, double& from, double& to) {
+  from = 0, to = 1;
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double p[4] = {-dx, dx, -dy, dy};
+  const double q[4] = {a.x - box.x0, box.x1 - a.x, a.y - box.y0, box.y1 - a.y};
+  for (int i = 0; i < 4; ++i) {
+    if (p[i] == 0) {
+      if (q[i] < 0) return false;
+      continue;
+    }
+    const double t = q[i] / p[i];
+    if (p[i] < 0) {
+      from = std::max(from, t);
+    } else {
+      to = std::min(to, t);
+    }
+  }
+  return from <= to;
+}
+
+Point between(Point a, Point b, double t) {
+  if (t <= 0) return a;
+  if (t >= 1) return b;
+  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
+}
+
+/// The parts of the line inside the box, cut exactly at its edges.
+std::vector<Polyline> clipped(const Polyline& line, const Box& box) {
+  std::vector<Polyline> parts;
+  bool open = false;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    double from = 0, to = 1;
+    if (!insideSpan(line[i - 1], line[i], box, from, to)) {
+      open = false;
+      continue;
+    }
+    if (!open || from > 0) parts.push_back({between(line[i - 1], line[i], from)});
+    parts.back().push_back(between(line[i - 1], line[i], to));
+    open = to >= 1;
+  }
+  return parts;
+}
+
+/// The parts of the line outside the box.
+std::vector<Polyline> cutOut(const Polyline& line, const Box& box) {
+  std::vector<Polyline> parts;
+  const auto extend = [&](Point a, Point b) {
+    if (parts.empty() || distance(parts.back().back(), a) > 1e-9) parts.push_back({a});
+    parts.back().push_back(b);
+  };
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    double from = 0, to = 1;
+    const Point a = line[i - 1], b = line[i];
+    if (!insideSpan(a, b, box, from, to)) {
+      extend(a, b);
+      continue;
+    }
+    if (from > 0) extend(a, between(a, b, from));
+    if (to < 1) extend(between(a, b, to), b);
+  }
+  return parts;
+}
+
+/// Cuts where x turns round: a loop drawn as one line becomes its two strokes.
+std::vector<Polyline> cutAtTurns(const Polyline& line, double minReturn_px) {
+  std::vector<Polyline> parts;
+  std::size_t begin = 0, extreme = 0;
+  int heading = 0;  // -1 leftwards, 1 rightwards, 0 not known yet
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double gain = line[i].x - line[extreme].x;
+    if (heading == 0) {
+      const double moved = line[i].x - line[begin].x;
+      if (std::abs(moved) > minReturn_px) heading = moved > 0 ? 1 : -1;
+      if (std::abs(moved) >= std::abs(line[extreme].x - line[begin].x)) extreme = i;
+      continue;
+    }
+    // On a wall the turn is at its far end from where the line came: the last of the points that lie equally
+    // far.
+    if (gain * heading >= 0) {
+      extreme = i;
+    } else if (-gain * heading > minReturn_px) {
+      parts.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin),
+                         line.begin() + static_cast<std::ptrdiff_t>(extreme) + 1);
+      begin = extreme;
+      extreme = i;
+      heading = -heading;
+    }
+  }
+  parts.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end());
+  return parts;
+}
+
+Box boundsOf(const Polyline& line) {
+  Box box{line[0].x, line[0].y, line[0].x, line[0].y};
+  for (const Point& p : line)
+    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+  return box;
+}
+
+/// Frames, legend boxes, text backgrounds, grids drawn as one long line: nothing but long level and plumb
+/// segments.
+bool onlyLongAxisParallel(const Polyline& line, double tolerance_px, double longLength_px) {
+  bool anyLong = false;
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double dx = std::abs(line[i].x - line[i - 1].x), dy = std::abs(line[i].y - line[i - 1].y);
+    if (std::min(dx, dy) > tolerance_px) return false;
+    if (std::max(dx, dy) > longLength_px) anyLong = true;
+  }
+  return anyLong;
+}
+
+bool nearAny(const std::vector<double>& positions, double at, double tolerance) {
+  return std::any_of(positions.begin(), positions.end(),
+                     [&](double p) { return std::abs(p - at) <= tolerance; });
+}
+
+Box grown(const Box& box, double dx, double dy) {
+  return {box.x0 - dx, box.y0 - dy, box.x1 + dx, box.y1 + dy};
+}
+
+/// Turns whole polylines into pieces.
+class PieceMaker {
+ public:
+  PieceMaker(const PlotPlane& plane, const std::vector<Box>& masks) : plane_(plane), masks_(masks) {
+    region_ = grown(plane.box, overshoot * plane.box.width(), overshoot * plane.box.height());
+  }
+
+  void add(const Polyline& whole, bool closed, const VectorPath& path, double width_px, Rgb color) {
+    Polyline line = withoutRepeats(whole);
+    if (line.size() < 2) return;
+    if (closed && distance(line.front(), line.back()) > 1e-9) line.push_back(line.front());
+    const double tolerance = std::max(0.05, 0.25 * width_px);
+    const Box bounds = boundsOf(line);
+    const bool letter = std::hypot(bounds.width(), bounds.height()) < letterSize * plane_.diagonal();
+    const bool loop = distance(line.front(), line.back()) < 1e-6;
+    if (loop && letter) return;
+    if (line.size() > 2 && onlyLongAxisParallel(line, tolerance, letterSize * plane_.diagonal()) &&
+        !isStraight(line, tolerance))
+      return;
+    Box window = region_;
+    if (path.clip)
+      window = {std::max(window.x0, path.clip->x0), std::max(window.y0, path.clip->y0),
+                std::min(window.x1, path.clip->x1), std::min(window.y1, path.clip->y1)};
+    if (window.empty()) return;
+    std::vector<Polyline> parts = clipped(line, window);
+    for (const Box& mask : masks_) {
+      std::vector<Polyline> rest;
+      for (const Polyline& part : parts)
+        for (Polyline& outside : cutOut(part, mask)) rest.push_back(std::move(outside));
+      parts = std::move(rest);
+    }
+    for (const Polyline& part : parts)
+      for (Polyline& run : cutAtTurns(part, turnRound * plane_.box.width()))
+        store(std::move(run), path, width_px, color);
+  }
+
+  std::vector<LinePiece> take() { return std::move(pieces_); }
+
+ private:
+  static bool isStraight(const Polyline& line, double tolerance) {
+    const Box bounds = boundsOf(line);
+    return std::min(bounds.width(), bounds.height()) <= tolerance;
+  }
+
+  void store(Polyline line, const VectorPath& path, double width_px, Rgb color) {
+    LinePiece piece;
+    piece.points = withoutRepeats(line);
+    if (piece.points.size() < 2) return;
+    const Box bounds = boundsOf(piece.points);
+    const double tolerance = std::max(0.05, 0.25 * width_px);
+    piece.color = color;
+    piece.width_px = width_px;
+    piece.dashed = path.dashed;
+    piece.small = std::hypot(bounds.width(), bounds.height()) < letterSize * plane_.diagonal();
+    piece.axisParallel = isStraight(piece.points, tolerance);
+    if (piece.axisParallel) {
+      const double reach = std::max(1.0, width_px);
+      const bool plumb = bounds.width() <= bounds.height();
+      piece.onGridLine = plumb ? nearAny(plane_.columns_px, piece.points[0].x, reach)
+                               : nearAny(plane_.rows_px, piece.points[0].y, reach);
+    }
+    pieces_.push_back(std::move(piece));
+  }
+
+  const PlotPlane& plane_;
+  const std::vector<Box>& masks_;
+  Box region_;
+  std::vector<LinePiece> pieces_;
+};
+
+bool overlaps(const Box& a, const Box& b) {
+  return a.x1 >= b.x0 && a.x0 <= b.x1 && a.y1 >= b.y0 && a.y0 <= b.y1;
+}
+
+}  // namespace
+
+PlotPlane::PlotPlane(const PlotFrame& frame) {
+  box = {frame.corners[0].x, frame.corners[0].y, frame.corners[0].x, frame.corners[0].y};
+  for (const Point& c : frame.corners)
+    box = {std::min(box.x0, c.x), std::min(box.y0, c.y), std::max(box.x1, c.x), std::max(box.y1, c.y)};
+  columns_px = {box.x0, box.x1};
+  rows_px = {box.y0, box.y1};
+  for (const GridLine& line : frame.xLines)
+    if (line.spansFrame) columns_px.push_back(line.position_px);
+  for (const GridLine& line : frame.yLines)
+    if (line.spansFrame) rows_px.push_back(line.position_px);
+}
+
+double PlotPlane::diagonal() const { return std::hypot(box.width(), box.height()); }
+
+double lengthOf(const std::vector<Point>& points) {
+  double length = 0;
+  for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
+  return length;
+}
+
+std::vector<LinePiece> linePieces(const PageView& view, const PlotPlane& plane,
+                                  const std::vector<Box>& masks_px) {
+  PieceMaker maker(plane, masks_px);
+  const Box near = grown(plane.box, overshoot * plane.box.width(), overshoot * plane.box.height());
+  for (const VectorPath& path : view.paths) {
+    if (!overlaps(path.box, near)) continue;
+    for (std::size_t i = 0; i < path.polylines.size(); ++i) {
+      if (path.stroke) {
+        maker.add(path.polylines[i], path.closed[i], path, path.strokeWidth, *path.stroke);
+      } else if (path.fill) {
+        if (const auto centre = centreOfOutline(path.polylines[i], 0.02 * plane.diagonal()))
+          maker.add(centre->points, false, path, centre->width_px, *path.fill);
+      }
+    }
+  }
+  return maker.take();
+}
+
+}  // namespace detent::importer
