@@ -41,8 +41,8 @@ while IFS=$'\t' read -r name button _ format _; do
   for stroke in press release; do
     awk -F, -v stroke=$stroke '$1 == stroke { print $2, $3 }' "$work/$button.csv" >"$work/$button.$stroke"
   done
-  operating=$(jq -r '.states[0].operating_point_mm // empty' "$file")
-  reset=$(jq -r '.states[0].reset_point_mm // empty' "$file")
+  operating=$(jq -r '.states[0].operatingPoint_mm // empty' "$file")
+  reset=$(jq -r '.states[0].resetPoint_mm // empty' "$file")
   gnuplot -e "press='$work/$button.press'; release='$work/$button.release'; out='$here/$name.$format';
               operating_mm=${operating:-NaN}; operating_N=$(force_at "$work/$button.press" "$operating" || true) + 0;
               reset_mm=${reset:-NaN}; reset_N=$(force_at "$work/$button.release" "$reset" || true) + 0" \

@@ -6,6 +6,7 @@ points are read off those points here, without any code of Detent.
 """
 
 import csv
+import json
 import sys
 from pathlib import Path
 
@@ -43,6 +44,14 @@ def listed(points):
     return ", ".join(f"{x:.2f} mm {force:.3f} N" for x, force in points) or "none"
 
 
+def callouts(name, button):
+    """The points that this plot calls out, from the button's file; a dash where it calls out none."""
+    if "operating_mm" not in (HERE / "gnuplot" / f"{name}.gp").read_text():
+        return "-"
+    state = json.loads((HERE.parent / "buttons" / f"{button}.button.json").read_text())["states"][0]
+    return f"{state['operatingPoint_mm']:.2f} mm, {state['resetPoint_mm']:.2f} mm"
+
+
 def main():
     folder = Path(sys.argv[1])
     print("""# The sample plots and what they truly show
@@ -51,8 +60,8 @@ Written by `draw.sh` (through `manifest.py`); do not edit. The pictures are draw
 [the sample buttons](../buttons), whose own manifest says where each number comes from: a paper's text, a datasheet's value, or
 our choice because the paper gives only a picture. The styles follow real datasheets; nothing of one is copied.
 
-| file | button | x axis | y axis | travel | tactile points, press | tactile points, release | style |
-|---|---|---|---|---|---|---|---|""")
+| file | button | x axis | y axis | travel | tactile points, press | tactile points, release | operating, reset point called out | style |
+|---|---|---|---|---|---|---|---|---|""")
     rows = [line.split("\t") for line in (HERE / "plots.tsv").read_text().splitlines() if not line.startswith("#")]
     for name, button, state, form, x_axis, y_axis, style in rows:
         curves = strokes(folder / f"{button}.csv")
@@ -61,7 +70,7 @@ our choice because the paper gives only a picture. The styles follow real datash
         travel_mm = max(x for x, _ in curves["press"])
         print(f"| [{name}.{form}]({name}.{form}) | {button}{'' if state == '-' else ', ' + state} | {x_axis} | {y_axis} | {travel_mm:.2f} mm "
               f"| {listed(tactile_points(curves['press'], 1, bar_N))} "
-              f"| {listed(tactile_points(curves['release'], -1, bar_N))} | {style} |")
+              f"| {listed(tactile_points(curves['release'], -1, bar_N))} | {callouts(name, button)} | {style} |")
     print("""
 `force-meter-log.csv` is the log a force meter would give of button C, made by `force_meter_log.py` from the same curves: a row
 every 0.02 s at 0.25 mm/s, Gaussian noise of 0.002 mm and 0.4 gf, rounded to 0.001 mm and 0.1 gf, fixed seed.""")

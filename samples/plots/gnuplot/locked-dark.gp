@@ -2,7 +2,7 @@
 set terminal pngcairo size 800,560 enhanced font "DejaVu Sans,12" background rgb "#1e2127"
 set output out
 set key top left Left reverse textcolor rgb "#d7dae0"
-set xrange [0:4]
+set xrange [0:4.5]
 set yrange [0:120]
 set xtics 0,0.5 textcolor rgb "#d7dae0"
 set ytics 0,20 textcolor rgb "#d7dae0"

@@ -2,7 +2,7 @@
 set terminal pngcairo size 800,560 enhanced font "DejaVu Sans,12"
 set output out
 set key top left Left reverse samplen 4
-set xrange [0:4]
+set xrange [0:4.5]
 set yrange [0:120]
 set xtics 0,1
 set mxtics 2

@@ -4,7 +4,7 @@ set output out
 set encoding utf8
 unset key
 set title "Force-Travel-diagram\n操作力-行程-图解" font ",16"
-set xrange [0:4]
+set xrange [0:4.5]
 set yrange [0:120]
 set xtics 0,1,4 scale 0.001 font ",17"
 set mxtics 2

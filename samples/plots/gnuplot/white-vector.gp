@@ -2,7 +2,7 @@
 set terminal pdfcairo size 14cm,10cm enhanced font "DejaVu Sans,11"
 set output out
 unset key
-set xrange [0:4]
+set xrange [0:4.5]
 set yrange [0:100]
 set xtics 0,0.5
 set ytics 0,20
