@@ -115,18 +115,20 @@ std::vector<Knot> modelKnots(const KnotChain& chain, const StrokeSamples& sample
   return knots;
 }
 
-void addResiduals(FitSummary& summary, const ChosenChain& fit, const StrokeSamples& samples,
-                  double robustScale) {
-  const std::vector<double> residuals = residualsOf(fit.chain, samples.points);
+/// Distances in sigmas of the given noise, whatever yardstick the fit used.
+void addDistances(FitSummary& summary, const ChosenChain& fit, const StrokeSamples& samples,
+                  const PointNoise& noise) {
+  const std::vector<ChainPiece> pieces = piecesOf(fit.chain);
+  const std::vector<Footpoint> feet = footpointsOn(fit.chain, samples.points);
   double sum = 0;
-  for (double r : residuals) {
-    sum += r * r;
-    summary.maxSigma = std::max(summary.maxSigma, std::abs(r));
+  for (std::size_t i = 0; i < feet.size(); ++i) {
+    const ChainPiece& piece = pieces[feet[i].piece];
+    const double du = (samples.points[i].u - piece.u(feet[i].t)) * samples.mmPerU / noise.sigma_mm;
+    const double dv = (samples.points[i].v - piece.v(feet[i].t)) * samples.newtonsPerV / noise.sigma_N;
+    sum += du * du + dv * dv;
+    summary.maxSigma = std::max(summary.maxSigma, std::hypot(du, dv));
   }
-  summary.rmsSigma = std::sqrt(sum / static_cast<double>(residuals.size()));
-  summary.correlationPoints = correlationOf(residuals);
-  summary.bic =
-      fit.evidence.score(chiSquareOf(fit.chain, samples.points, robustScale), parametersOf(fit.chain));
+  summary.rmsSigma = std::sqrt(sum / static_cast<double>(feet.size()));
 }
 
 std::size_t nearestKnot(const KnotChain& chain, double u, double v) {
@@ -137,13 +139,21 @@ std::size_t nearestKnot(const KnotChain& chain, double u, double v) {
   return static_cast<std::size_t>(best - chain.begin());
 }
 
+double rms(const std::vector<double>& values) {
+  double sum = 0;
+  for (double v : values) sum += v * v;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
 void addTactilePoints(FitSummary& summary, const StrokeCurve& curve, Stroke stroke, const ChosenChain& fit,
-                      const StrokeSamples& samples, const FitOptions& options) {
+                      const StrokeSamples& samples, const std::vector<double>& residuals,
+                      const FitOptions& options) {
   const std::vector<TactilePoint> found = tactilePoints(curve, stroke);
   if (found.empty()) return;
   const std::vector<KnotSigma> sigmas = knotSigmas(fit.chain, samples.points, choiceSettings(options).solve);
-  // Residuals of `rmsSigma` in groups of `correlationPoints` that share one error.
-  const double inflation = summary.rmsSigma * std::sqrt(summary.correlationPoints);
+  // The points may scatter more or less than the yardstick says, and `correlationPoints` of them share one
+  // error.
+  const double inflation = rms(residuals) * std::sqrt(summary.correlationPoints);
   for (const TactilePoint& point : found) {
     const KnotSigma& sigma =
         sigmas[nearestKnot(fit.chain, samples.u(point.displacement_mm), samples.v(point.force_N))];
@@ -207,8 +217,12 @@ Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke str
   summary.outcome = fit.outcome;
   summary.pieces = static_cast<int>(fit.chain.size()) - 1;
   summary.points = static_cast<int>(samples.points.size());
-  addResiduals(summary, fit, samples, options.robustScale);
-  addTactilePoints(summary, *curve, stroke, fit, samples, options);
+  const std::vector<double> residuals = residualsOf(fit.chain, samples.points);
+  summary.correlationPoints = correlationOf(residuals);
+  summary.bic = fit.evidence.score(chiSquareOf(fit.chain, samples.points, options.robustScale),
+                                   parametersOf(fit.chain));
+  addDistances(summary, fit, samples, options.noise);
+  addTactilePoints(summary, *curve, stroke, fit, samples, residuals, options);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return FittedStroke{std::move(*curve), std::move(summary)};
 }

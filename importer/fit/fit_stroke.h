@@ -37,9 +37,11 @@ struct FitOptions {
   int pieces = 0;          ///< for `fixed`: how many; >= 1
   int maxPieces = 64;      ///< 1..2000
   double robustScale = 3;  ///< residuals beyond this many sigmas count linearly; > 0
-  double tolerance = 1e-6;  ///< relative cost change that ends the solver; (0, 1e-2]; finer ones are derived from it
+  double tolerance =
+      1e-6;  ///< relative cost change that ends the solver; (0, 1e-2]; finer ones are derived from it
   int maxPoints = 2000;  ///< longer strokes are thinned to this many by arc length before fitting; >= 4
-  double resolutionOfSpan = 1.5e-3;  ///< deviations below this share of an axis' span are not modelled; in [0, 0.1]
+  double resolutionOfSpan =
+      1.5e-3;  ///< deviations below this share of an axis' span are not modelled; in [0, 0.1]
   double correlationPoints = 0;  ///< points that share one error; 0: estimated from the residuals; else >= 1
   int candidateKnots = 200;      ///< places at which the first segmentation may put a knot; 8..2000
   int evidenceRounds = 2;        ///< rounds of taking out, adding and rounding off knots; 0..20
@@ -65,7 +67,7 @@ struct FitSummary {
   FitOutcome outcome = FitOutcome::converged;
   int pieces = 0;
   int points = 0;       ///< points used, after thinning
-  double rmsSigma = 0;  ///< rms orthogonal residual in sigmas
+  double rmsSigma = 0;  ///< rms orthogonal distance of the points, in sigmas of the given noise
   double maxSigma = 0;
   double correlationPoints = 1;  ///< points that share one error, >= 1; standard errors take it into account
   double bic = 0;

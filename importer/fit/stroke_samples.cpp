@@ -109,6 +109,66 @@ std::vector<SigmaPoint> arcMeans(const std::vector<SigmaPoint>& points, std::siz
   return means;
 }
 
+/// One local maximum in the order of the points, after a running mean.
+struct Peak {
+  std::size_t at = 0;
+  double height = 0;
+};
+
+std::vector<double> smoothedHeights(const std::vector<SigmaPoint>& points, double sign) {
+  constexpr std::size_t reach = 2;
+  std::vector<double> heights(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::size_t side = std::min({reach, i, points.size() - 1 - i});
+    double sum = 0;
+    for (std::size_t k = i - side; k <= i + side; ++k) sum += points[k].v;
+    heights[i] = sign * sum / static_cast<double>(2 * side + 1);
+  }
+  return heights;
+}
+
+/// Maxima that no end of the stroke takes part in and that stand out by more than `least`.
+std::vector<Peak> peaksOf(const std::vector<double>& heights, double least) {
+  std::vector<Peak> peaks;
+  // One pass: a candidate is the highest point since the last low; it counts once the force has fallen by
+  // `least`.
+  std::size_t top = 0;
+  double low = heights[0];
+  bool climbed = false;
+  for (std::size_t i = 1; i < heights.size(); ++i) {
+    if (!climbed) {
+      low = std::min(low, heights[i]);
+      if (heights[i] - low > least) climbed = true, top = i;
+    } else if (heights[i] > heights[top]) {
+      top = i;
+    } else if (heights[top] - heights[i] > least) {
+      peaks.push_back({top, heights[top]});
+      climbed = false;
+      low = heights[i];
+    }
+  }
+  return peaks;
+}
+
+/// A tactile point is what a finger feels first: near it the points count with their own noise, without the
+/// resolution that is good enough elsewhere. "Near" is where the force lies within `flatTop` of the extremum,
+/// because wiggles of that height decide where a flat top has its middle.
+void sharpenTactilePoints(std::vector<SigmaPoint>& points, Stroke stroke, double noiseShare) {
+  constexpr double standsOut = 0.03, flatTop = 0.012;  // of the force span
+  constexpr double greatestGain = 5;
+  const std::vector<double> heights = smoothedHeights(points, stroke == Stroke::press ? 1 : -1);
+  const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
+  const double span = *highest - *lowest;
+  if (!(span > 0)) return;
+  const double gain = std::min(greatestGain, 1 / std::sqrt(noiseShare));
+  for (const Peak& peak : peaksOf(heights, standsOut * span)) {
+    std::size_t from = peak.at, to = peak.at;
+    while (from > 0 && heights[from - 1] > peak.height - flatTop * span) --from;
+    while (to + 1 < points.size() && heights[to + 1] > peak.height - flatTop * span) ++to;
+    for (std::size_t i = from; i <= to; ++i) points[i].weight = std::max(points[i].weight, gain);
+  }
+}
+
 }  // namespace
 
 Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& points, Stroke stroke,
@@ -152,6 +212,7 @@ Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& points, Stro
   samples.points = withoutRepeats(samples.points);
   samples.points = blockMeans(samples.points, 8 * maxCount, noiseShare);
   samples.points = arcMeans(samples.points, maxCount, spanU, spanV, noiseShare);
+  sharpenTactilePoints(samples.points, stroke, noiseShare);
   return samples;
 }
 

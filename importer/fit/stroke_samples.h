@@ -10,7 +10,7 @@ namespace detent::importer {
 /// One point in sigmas: u along displacement, v along force, origin at the stroke's first point.
 struct SigmaPoint {
   double u = 0, v = 0;
-  double weight = 1;  ///< 1/sigma in these units; > 1 where several points were averaged into this one
+  double weight = 1;  ///< 1/sigma in these units; > 1 for averages of several points and near tactile points
 };
 
 /// Points of a stroke and the way back to mm and N.
