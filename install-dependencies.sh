@@ -25,7 +25,7 @@ import_packages=(
 )
 build_packages=(
   qt6-base-dev qt6-base-dev-tools qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools libqcustomplot-dev libgl-dev
-  portaudio19-dev libjack-jackd2-dev libboost-dev liblo-dev libsndfile1-dev libreaderwriterqueue-dev
+  portaudio19-dev libjack-jackd2-dev libboost-dev libboost-system-dev liblo-dev libsndfile1-dev libreaderwriterqueue-dev
 )
 test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
