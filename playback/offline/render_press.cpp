@@ -25,24 +25,6 @@ ConditionerSettings conditionerFor(PressTrace::Quantity quantity) {
   return settings;
 }
 
-/// The readings that survive conditioning, on the engine's time line.
-std::vector<EngineInput> conditioned(const PressTrace& trace, const RenderSettings& settings, double origin_s,
-                                     ConditionerCounts& counts) {
-  ForceConditioner conditioner(conditionerFor(trace.quantity));
-  std::vector<EngineInput> inputs;
-  inputs.reserve(trace.readings.size());
-  for (const PressReading& r : trace.readings) {
-    if (conditioner.judge(r.time_s, r.value) == ConditionerVerdict::reject) continue;
-    EngineInput input;
-    input.kind = trace.quantity == PressTrace::Quantity::force_N ? InputKind::force : InputKind::displacement;
-    input.time_frames = (r.time_s - origin_s) * settings.sampleRate_Hz;
-    input.value = r.value;
-    inputs.push_back(input);
-  }
-  counts = conditioner.counts();
-  return inputs;
-}
-
 Result<Done> check(const PressTrace& trace, const RenderSettings& s) {
   const auto wrong = [](const char* what, double value, const char* range) {
     return Failure{FailureCode::wrongUsage, "render", what, std::to_string(value) + " lies outside " + range,
@@ -62,13 +44,31 @@ Result<Done> check(const PressTrace& trace, const RenderSettings& s) {
 
 }  // namespace
 
+std::vector<EngineInput> conditionedInputs(const PressTrace& trace, double sampleRate_Hz, double origin_s,
+                                           ConditionerCounts& counts) {
+  ForceConditioner conditioner(conditionerFor(trace.quantity));
+  std::vector<EngineInput> inputs;
+  inputs.reserve(trace.readings.size());
+  for (const PressReading& r : trace.readings) {
+    if (conditioner.judge(r.time_s, r.value) == ConditionerVerdict::reject) continue;
+    EngineInput input;
+    input.kind = trace.quantity == PressTrace::Quantity::force_N ? InputKind::force : InputKind::displacement;
+    input.time_frames = (r.time_s - origin_s) * sampleRate_Hz;
+    input.value = r.value;
+    inputs.push_back(input);
+  }
+  counts = conditioner.counts();
+  return inputs;
+}
+
 Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace& trace,
                                   const RenderSettings& settings, const SampleSink& sink) {
   if (Result<Done> ok = check(trace, settings); !ok) return ok.failure();
   const auto began = std::chrono::steady_clock::now();
   RenderSummary summary;
   const double origin_s = std::min(0.0, trace.readings.front().time_s);
-  const std::vector<EngineInput> inputs = conditioned(trace, settings, origin_s, summary.sensor);
+  const std::vector<EngineInput> inputs =
+      conditionedInputs(trace, settings.sampleRate_Hz, origin_s, summary.sensor);
   const double last_frames = inputs.empty() ? 0 : inputs.back().time_frames;
   if (last_frames > longestRender_s * settings.sampleRate_Hz) {
     return Failure{FailureCode::wrongUsage, "press trace", "", "longer than a week", "Cut it into parts"};

@@ -32,6 +32,11 @@ Result<PressTrace> readPressTrace(const std::filesystem::path& file);
 /// The same from text; `name` for messages.
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name);
 
+/// The readings that survive conditioning, with times in samples from `origin_s`. What the live path plays of
+/// a trace too.
+std::vector<EngineInput> conditionedInputs(const PressTrace& trace, double sampleRate_Hz, double origin_s,
+                                           ConditionerCounts& counts);
+
 struct RenderSettings {
   double sampleRate_Hz = 48000;  ///< 8000..192000
   std::size_t block = 4096;      ///< samples per engine call, 1..8192; does not change the result

@@ -1,0 +1,409 @@
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "playback/device/audio_device.h"
+#include "playback/device/pd_route.h"
+#include "playback/device/press_source.h"
+#include "playback/device/serial_sensor.h"
+#include "playback/device/signal_server.h"
+#include "playback/device/steady_clock.h"
+#include "playback/playback.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr std::size_t mostKeptEvents = 8192;
+constexpr double traceAhead_s = 0.25;
+constexpr double traceStep_s = 0.05;
+
+Failure failureOf(const DeviceTrouble& t) {
+  return {t.wrongUsage ? FailureCode::wrongUsage : FailureCode::deviceTrouble, t.device, "", t.problem,
+          t.remedy};
+}
+
+AudioSettings audioSettings(const PlayerSettings& s) {
+  return {s.device, s.sampleRate_Hz, s.bufferFrames, s.channels};
+}
+
+SensorCondition conditionOf(SensorState state) {
+  switch (state) {
+    case SensorState::starting:
+      return SensorCondition::starting;
+    case SensorState::running:
+      return SensorCondition::running;
+    case SensorState::silent:
+      return SensorCondition::silent;
+    case SensorState::stuck:
+      return SensorCondition::stuck;
+    case SensorState::unplugged:
+      break;
+  }
+  return SensorCondition::unplugged;
+}
+
+class Player : public LivePlayer {
+ public:
+  explicit Player(double sampleRate_Hz) : session_(sampleRate_Hz) {}
+
+  ~Player() override {
+    stopTrace();
+    finger_.reset();
+    sensor_.reset();
+    fudi_.reset();
+    osc_.reset();
+    output_.reset();  // last: until here the callback reads programs
+  }
+
+  Result<Done> open(const PlayerSettings& settings, const HapticProgram& program, CallbackHooks hooks) {
+    setProgram(program);
+    AudioSettings audio = audioSettings(settings);
+    audio.sampleRate_Hz = session_.sampleRate_Hz();
+    DeviceResult<std::unique_ptr<AudioOutput>> output = AudioOutput::open(audio, session_, hooks);
+    if (!output) return failureOf(output.trouble());
+    output_ = std::move(*output);
+    return Done{};
+  }
+
+  void setProgram(const HapticProgram& program) override {
+    receive();
+    const std::lock_guard lock(controlMutex_);
+    programs_.push_back(std::make_unique<HapticProgram>(program));
+    SessionCommand command;
+    command.kind = CommandKind::program;
+    command.program = programs_.back().get();
+    if (!session_.send(Lane::control, command)) programs_.pop_back();
+    const std::lock_guard routeLock(readingMutex_);
+    routeProgram_ = std::make_unique<HapticProgram>(program);
+    static_cast<void>(rebuildRoute());  // the target was good before; a lost one shows as lost packets
+  }
+
+  void setGain(double gain) override {
+    SessionCommand command;
+    command.kind = CommandKind::gain;
+    command.value = gain;
+    const std::lock_guard lock(controlMutex_);
+    session_.send(Lane::control, command);
+  }
+
+  void pushForce(double force_N) override { pushOwn(CommandKind::force, ownForce_, force_N); }
+  void pushDisplacement(double displacement_mm) override {
+    pushOwn(CommandKind::displacement, ownDisplacement_, displacement_mm);
+  }
+
+  void fingerDown(double peak_N) override {
+    const std::lock_guard lock(controlMutex_);
+    fingerFor(peak_N).down();
+  }
+  void fingerUp() override {
+    const std::lock_guard lock(controlMutex_);
+    if (finger_) finger_->up();
+  }
+  void fingerTap(double peak_N, double hold_s) override {
+    const std::lock_guard lock(controlMutex_);
+    fingerFor(peak_N).tap(hold_s);
+  }
+
+  Result<Done> attachSensor(const std::string& port, unsigned baud,
+                            const SensorCalibration& calibration) override {
+    SerialSettings settings;
+    settings.port = port;
+    settings.baud = baud;
+    settings.calibration = calibration;
+    DeviceResult<std::unique_ptr<SerialSensor>> sensor =
+        SerialSensor::open(settings, [this](const SensorReading& reading) { forward(reading); });
+    if (!sensor) return failureOf(sensor.trouble());
+    const std::lock_guard lock(controlMutex_);
+    sensor_ = std::move(*sensor);
+    return Done{};
+  }
+
+  Result<std::uint16_t> listenFudi(std::uint16_t port) override {
+    return keep(fudi_, openFudiServer(port, false, receiver()));
+  }
+  Result<std::uint16_t> listenOsc(std::uint16_t port) override {
+    return keep(osc_, openOscServer(port, receiver()));
+  }
+
+  Result<Done> sendSignals(const std::string& host, std::uint16_t port) override {
+    const std::lock_guard lock(readingMutex_);
+    target_ = {host, port};
+    return rebuildRoute();
+  }
+
+  Result<std::int64_t> playTrace(const PressTrace& trace, double lead_s) override {
+    stopTrace();
+    if (trace.readings.empty()) {
+      return Failure{FailureCode::wrongUsage, "press trace", "", "holds no reading", "Give at least one"};
+    }
+    const double origin_s = std::min(0.0, trace.readings.front().time_s);
+    ConditionerCounts counts;
+    std::vector<EngineInput> inputs = conditionedInputs(trace, session_.sampleRate_Hz(), origin_s, counts);
+    status();
+    const auto start =
+        streamFrame() +
+        static_cast<std::int64_t>(std::ceil(std::max(lead_s, traceStep_s) * session_.sampleRate_Hz()));
+    for (EngineInput& input : inputs) input.time_frames += static_cast<double>(start);
+    tracePlaying_ = true;
+    stopTrace_ = false;
+    traceThread_ = std::thread([this, inputs = std::move(inputs)] { feedTrace(inputs); });
+    return start;
+  }
+  bool tracePlaying() const override { return tracePlaying_; }
+
+  PlayerStatus status() override {
+    receive();
+    PlayerStatus s;
+    const std::lock_guard lock(controlMutex_);
+    const SessionStatus& last = lastStatus_;
+    s.sampleRate_Hz = session_.sampleRate_Hz();
+    if (output_) {
+      s.device = output_->deviceName();
+      s.deviceLost = output_->state() == StreamState::lost;
+      s.deviceLosses = output_->losses();
+    }
+    s.blockFrames = last.blockFrames;
+    s.force_N = last.position.force_N;
+    s.displacement_mm = last.position.displacement_mm;
+    s.releasing = last.position.releasing;
+    s.contact = last.position.contact;
+    s.state = last.position.state;
+    s.level = static_cast<double>(last.peak);
+    s.load = last.load;
+    s.meanLoad = last.meanLoad;
+    s.xruns = last.xruns;
+    s.counts = last.counts;
+    if (sensor_) {
+      const SensorHealth health = sensor_->health();
+      s.sensor = conditionOf(health.state);
+      s.sensorRate_Hz = health.rate_Hz;
+      s.sensorReconnects = health.reconnects;
+      const ConditionerCounts& c = health.readings;
+      s.rejectedReadings = c.notFinite + c.outOfRange + c.outOfOrder + c.glitches;
+      s.malformedLines = health.lines.malformed + health.lines.badChecksums + health.lines.overlong;
+    }
+    for (const auto* server : {fudi_.get(), osc_.get()}) {
+      if (server == nullptr) continue;
+      s.signalMessages += server->counts().messages;
+      s.malformedMessages += server->counts().malformed;
+    }
+    return s;
+  }
+
+  std::vector<EngineEvent> takeEvents() override {
+    receive();
+    const std::lock_guard lock(controlMutex_);
+    std::vector<EngineEvent> events(events_.begin(), events_.end());
+    events_.clear();
+    return events;
+  }
+
+ private:
+  std::int64_t streamFrame() {
+    const std::lock_guard lock(controlMutex_);
+    // The last status is up to 20 ms old; what it lags is added generously by the caller's lead.
+    return lastStatus_.frame;
+  }
+
+  void receive() {
+    const std::lock_guard lock(controlMutex_);
+    SessionReport report;
+    while (session_.receive(report)) {
+      switch (report.kind) {
+        case ReportKind::event:
+          if (events_.size() == mostKeptEvents) events_.pop_front();
+          events_.push_back(report.event);
+          break;
+        case ReportKind::status:
+          lastStatus_ = report.status;
+          break;
+        case ReportKind::retired:
+          std::erase_if(programs_, [&](const auto& p) { return p.get() == report.retired; });
+          break;
+      }
+    }
+  }
+
+  void pushOwn(CommandKind kind, ForceConditioner& conditioner, double value) {
+    const double time_s = now_s();
+    const std::lock_guard lock(readingMutex_);
+    const ConditionerVerdict verdict = conditioner.judge(time_s, value);
+    if (verdict == ConditionerVerdict::reject) return;
+    const bool resumed = verdict == ConditionerVerdict::resume && kind == CommandKind::force;
+    sendReading(resumed ? CommandKind::resync : kind, time_s, value);
+  }
+
+  void forward(const SensorReading& reading) {
+    const std::lock_guard lock(readingMutex_);
+    sendReading(reading.resumed ? CommandKind::resync : CommandKind::force, reading.time_s, reading.force_N);
+  }
+
+  // readingMutex_ is held: one producer of the sensor lane at a time.
+  void sendReading(CommandKind kind, double time_s, double value) {
+    if (route_) {
+      if (kind == CommandKind::force) route_->onForce(value);
+      if (kind == CommandKind::resync) route_->onResume(value);
+    }
+    if (tracePlaying_) return;  // one finger at a time
+    SessionCommand command;
+    command.kind = kind;
+    command.timeBase = TimeBase::clock;
+    command.time = time_s;
+    command.value = value;
+    session_.send(Lane::sensor, command);
+  }
+
+  SignalReceiver receiver() {
+    return [this](const SignalMessage& m, double arrival_s) {
+      SessionCommand command;
+      command.timeBase = TimeBase::clock;
+      command.time = arrival_s;
+      switch (m.kind) {
+        case SignalKind::grain:
+          command.kind = m.bare ? CommandKind::grain : CommandKind::burst;
+          command.burst = m.burst;
+          break;
+        case SignalKind::jump:
+        case SignalKind::bottomOut:
+          command.kind = CommandKind::burst;
+          command.burst = m.burst;
+          break;
+        case SignalKind::force:
+          pushForce(m.value);
+          return;
+        case SignalKind::displacement:
+          pushDisplacement(m.value);
+          return;
+        case SignalKind::gain:
+          setGain(m.value);
+          return;
+      }
+      const std::lock_guard lock(networkMutex_);
+      session_.send(Lane::network, command);
+    };
+  }
+
+  Result<std::uint16_t> keep(std::unique_ptr<SignalServer>& place,
+                             DeviceResult<std::unique_ptr<SignalServer>> server) {
+    if (!server) return failureOf(server.trouble());
+    const std::uint16_t port = (*server)->port();
+    {
+      const std::lock_guard lock(controlMutex_);
+      place.swap(*server);
+    }
+    return port;  // the old server's thread may want the lock: it ends here, outside
+  }
+
+  /// readingMutex_ is held.
+  Result<Done> rebuildRoute() {
+    if (!target_) return Done{};
+    DeviceResult<std::unique_ptr<SignalSender>> sender = SignalSender::open(target_->first, target_->second);
+    if (!sender) return failureOf(sender.trouble());
+    route_ = std::make_unique<PdRoute>(*routeProgram_, std::move(*sender));
+    return Done{};
+  }
+
+  /// controlMutex_ is held.
+  VirtualFinger& fingerFor(double peak_N) {
+    if (!finger_ || fingerPeak_N_ != peak_N) {
+      finger_.reset();
+      FingerProfile profile;
+      profile.peak_N = peak_N;
+      fingerPeak_N_ = peak_N;
+      finger_ = std::make_unique<VirtualFinger>(profile,
+                                                [this](const SensorReading& reading) { forward(reading); });
+    }
+    return *finger_;
+  }
+
+  void feedTrace(const std::vector<EngineInput>& inputs) {
+    const double rate = session_.sampleRate_Hz();
+    std::size_t next = 0;
+    while (!stopTrace_ && next < inputs.size()) {
+      receive();
+      const double ahead = static_cast<double>(streamFrame()) + traceAhead_s * rate;
+      while (next < inputs.size() && inputs[next].time_frames < ahead) {
+        SessionCommand command;
+        command.kind =
+            inputs[next].kind == InputKind::displacement ? CommandKind::displacement : CommandKind::force;
+        command.timeBase = TimeBase::streamFrames;
+        command.time = inputs[next].time_frames;
+        command.value = inputs[next].value;
+        if (!session_.send(Lane::trace, command)) break;
+        ++next;
+      }
+      sleepUntil(now_s() + traceStep_s);
+    }
+    // What was sent ahead must have been applied before another source may speak.
+    if (!stopTrace_) sleepUntil(now_s() + traceAhead_s + 0.05);
+    tracePlaying_ = false;
+  }
+
+  void stopTrace() {
+    stopTrace_ = true;
+    if (traceThread_.joinable()) traceThread_.join();
+    tracePlaying_ = false;
+  }
+
+  LiveSession session_;
+  std::mutex controlMutex_, readingMutex_, networkMutex_;
+  std::vector<std::unique_ptr<HapticProgram>> programs_;
+  SessionStatus lastStatus_;
+  std::deque<EngineEvent> events_;
+  ForceConditioner ownForce_;
+  ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12}};
+  std::optional<std::pair<std::string, std::uint16_t>> target_;
+  std::unique_ptr<HapticProgram> routeProgram_;
+  std::unique_ptr<PdRoute> route_;
+  double fingerPeak_N_ = 0;
+  std::atomic<bool> tracePlaying_{false}, stopTrace_{false};
+  std::thread traceThread_;
+  std::unique_ptr<AudioOutput> output_;
+  std::unique_ptr<SignalServer> fudi_, osc_;
+  std::unique_ptr<SerialSensor> sensor_;
+  std::unique_ptr<VirtualFinger> finger_;
+};
+
+}  // namespace
+
+bool livePlaybackAvailable() { return true; }
+
+Result<std::vector<SoundDevice>> listSoundDevices() {
+  DeviceResult<std::vector<AudioDeviceInfo>> found = listAudioDevices();
+  if (!found) return failureOf(found.trouble());
+  std::vector<SoundDevice> devices;
+  for (const AudioDeviceInfo& d : *found) {
+    devices.push_back(
+        {d.fullName(), d.inputChannels, d.outputChannels, d.sampleRate_Hz, d.defaultOutput, d.defaultInput});
+  }
+  return devices;
+}
+
+Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings& settings,
+                                                      const HapticProgram& program) {
+  DeviceResult<double> rate = sampleRateFor(audioSettings(settings));
+  if (!rate) return failureOf(rate.trouble());
+  if (*rate < HapticEngine::lowestSampleRate_Hz || *rate > HapticEngine::highestSampleRate_Hz) {
+    return Failure{FailureCode::wrongUsage, "sample rate", "",
+                   std::to_string(std::lround(*rate)) + " Hz lies outside 8000..192000",
+                   "Choose another rate"};
+  }
+  auto player = std::make_unique<Player>(*rate);
+  if (Result<Done> opened = player->open(settings, program, {}); !opened) return opened.failure();
+  return std::unique_ptr<LivePlayer>(std::move(player));
+}
+
+Result<std::vector<float>> playAndRecordSamples(const PlayerSettings& settings,
+                                                const std::string& inputDevice,
+                                                const std::vector<float>& samples) {
+  DeviceResult<std::vector<float>> recorded = playAndRecord(audioSettings(settings), inputDevice, samples);
+  if (!recorded) return failureOf(recorded.trouble());
+  return std::move(*recorded);
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,233 @@
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <random>
+
+#include "playback/device/audio_device.h"
+#include "playback/device/serial_sensor.h"
+#include "playback/device/steady_clock.h"
+#include "playback/playback.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double tactile_N = 0.6;    // of the button the measurement presses
+constexpr double ramp_N_per_s = 50;  // a brisk keystroke
+constexpr double top_N = 1.2;
+constexpr double answerWithin_s = 0.4;
+constexpr double settle_s = 0.15;   // between press, release and the next press
+constexpr double tapWithin_s = 60;  // a person taps the sensor
+constexpr double faintestOnset = 1e-4;
+
+Failure failureOf(const DeviceTrouble& t) {
+  return {t.wrongUsage ? FailureCode::wrongUsage : FailureCode::deviceTrouble, t.device, "", t.problem,
+          t.remedy};
+}
+
+/// A button whose only strong event on the way down is one jump.
+Result<PreparedProgram> measuringProgram(const LatencySettings& settings) {
+  Result<StrokeCurve> press = StrokeCurve::throughPoints({{0, 0}, {1, tactile_N}, {1.4, 0.3}, {3, 1.0}});
+  if (!press) return press.failure();
+  Result<StrokeCurve> release = StrokeCurve::throughPoints({{0, 0}, {3, 0.9}});
+  if (!release) return release.failure();
+  Result<ForceGraph> graph = ForceGraph::fromCurves(*press, *release);
+  if (!graph) return graph.failure();
+  Result<Button> button = Button::fromStates("latency", {ButtonState{"", *graph, {}, {}, {}}});
+  if (!button) return button.failure();
+  PlaybackSettings playback;
+  playback.mode = FeedbackMode::clickOnly;
+  playback.faintestJump = 0.9;
+  playback.bottomOutAmplitude = 0;
+  playback.placement = settings.placement;
+  playback.sensorPeriod_s = 1 / settings.sensorRate_Hz;
+  return prepareProgram(*button, {}, playback);
+}
+
+class Measurement {
+ public:
+  Measurement(const LatencySettings& settings, const HapticProgram& program, double rate)
+      : settings_(settings), program_(program), session_(rate) {}
+
+  Result<LatencyResult> run(const std::function<bool(std::size_t, std::size_t)>& progress) {
+    if (Result<Done> opened = open(); !opened) return opened.failure();
+    LatencyResult result;
+    result.device = output_->deviceName();
+    listenToSilence();
+    for (std::size_t trial = 0; trial < settings_.trials; ++trial) {
+      if (!progress(trial, settings_.trials)) break;
+      const std::optional<double> crossing_s = settings_.sensorPort.empty() ? pressSimulated() : waitForTap();
+      if (!crossing_s) {
+        return Failure{FailureCode::deviceTrouble, settings_.sensorPort, "", "was not pressed for a minute",
+                       "Tap the sensor firmly, above 0.6 N"};
+      }
+      const std::optional<double> onset_s = onsetAfter(*crossing_s);
+      if (onset_s) {
+        result.delays_s.push_back(*onset_s - *crossing_s);
+      } else {
+        ++result.lost;
+      }
+      if (settings_.sensorPort.empty()) releaseSimulated();
+      drainReports();
+    }
+    return result;
+  }
+
+ private:
+  Result<Done> open() {
+    SessionCommand use;
+    use.kind = CommandKind::program;
+    use.program = &program_;
+    session_.send(Lane::control, use);
+    const AudioSettings audio{settings_.player.device, session_.sampleRate_Hz(),
+                              settings_.player.bufferFrames, settings_.player.channels};
+    DeviceResult<std::unique_ptr<AudioOutput>> output = AudioOutput::open(audio, session_);
+    if (!output) return failureOf(output.trouble());
+    output_ = std::move(*output);
+    const std::string& input =
+        settings_.inputDevice.empty() ? settings_.player.device : settings_.inputDevice;
+    DeviceResult<std::unique_ptr<AudioCapture>> capture = AudioCapture::open(input, session_.sampleRate_Hz());
+    if (!capture) return failureOf(capture.trouble());
+    capture_ = std::move(*capture);
+    if (settings_.sensorPort.empty()) return Done{};
+    SerialSettings serial;
+    serial.port = settings_.sensorPort;
+    serial.baud = settings_.baud;
+    serial.calibration = settings_.calibration;
+    DeviceResult<std::unique_ptr<SerialSensor>> sensor =
+        SerialSensor::open(serial, [this](const SensorReading& r) { onReading(r); });
+    if (!sensor) return failureOf(sensor.trouble());
+    sensor_ = std::move(*sensor);
+    return Done{};
+  }
+
+  void listenToSilence() {
+    send(now_s(), 0, true);
+    sleepUntil(now_s() + 0.2);
+    capture_->take();
+    sleepUntil(now_s() + 0.3);
+    double squares = 0, count = 0;
+    for (const AudioCapture::Block& block : capture_->take()) {
+      for (float v : block.samples) squares += static_cast<double>(v) * static_cast<double>(v);
+      count += static_cast<double>(block.samples.size());
+    }
+    const double noise = count > 0 ? std::sqrt(squares / count) : 0;
+    threshold_ = settings_.threshold > 0 ? settings_.threshold : std::max(8 * noise, faintestOnset);
+  }
+
+  void send(double time_s, double force_N, bool resumed) {
+    SessionCommand command;
+    command.kind = resumed ? CommandKind::resync : CommandKind::force;
+    command.timeBase = TimeBase::clock;
+    command.time = time_s;
+    command.value = force_N;
+    session_.send(Lane::sensor, command);
+  }
+
+  // A sensor with its own rhythm: readings come at its period, whenever the ramp began.
+  std::optional<double> pressSimulated() {
+    const double period_s = 1 / settings_.sensorRate_Hz;
+    const double start_s = now_s() + period_s * (1 + std::uniform_real_distribution<double>(0, 1)(random_));
+    double reading_s = now_s() + period_s / 2;
+    for (double force = 0; force < top_N; reading_s += period_s) {
+      sleepUntil(reading_s);
+      const double time_s = now_s();
+      force = std::clamp(ramp_N_per_s * (time_s - start_s), 0.0, top_N);
+      send(time_s, force, false);
+    }
+    return start_s + tactile_N / ramp_N_per_s;
+  }
+
+  void releaseSimulated() {
+    const double period_s = 1 / settings_.sensorRate_Hz;
+    for (double force = top_N; force > 0; force -= ramp_N_per_s * period_s) {
+      sleepUntil(now_s() + period_s);
+      send(now_s(), std::max(force, 0.0), false);
+    }
+    send(now_s(), 0, false);
+    sleepUntil(now_s() + settle_s * (1 + std::uniform_real_distribution<double>(0, 0.1)(random_)));
+  }
+
+  // Reader thread.
+  void onReading(const SensorReading& r) {
+    send(r.time_s, r.force_N, r.resumed);
+    const std::lock_guard lock(tapMutex_);
+    if (armed_ && !r.resumed && last_.force_N < tactile_N && r.force_N >= tactile_N) {
+      const double share = (tactile_N - last_.force_N) / (r.force_N - last_.force_N);
+      tap_s_ = last_.time_s + share * (r.time_s - last_.time_s);
+      armed_ = false;
+    }
+    if (r.force_N < tactile_N / 4) released_ = true;
+    last_ = r;
+  }
+
+  std::optional<double> waitForTap() {
+    const double until_s = now_s() + tapWithin_s;
+    for (bool ready = false; now_s() < until_s; sleepUntil(now_s() + 0.01)) {
+      const std::lock_guard lock(tapMutex_);
+      if (!ready && released_) {
+        ready = armed_ = true;
+        tap_s_.reset();
+      }
+      if (tap_s_) {
+        released_ = false;
+        return tap_s_;
+      }
+      capture_->take();  // nothing before a tap is of interest
+    }
+    return {};
+  }
+
+  std::optional<double> onsetAfter(double crossing_s) {
+    const double rate = session_.sampleRate_Hz();
+    while (now_s() < crossing_s + answerWithin_s) {
+      for (const AudioCapture::Block& block : capture_->take()) {
+        for (std::size_t i = 0; i < block.samples.size(); ++i) {
+          const double time_s = block.time_s + static_cast<double>(i) / rate;
+          if (time_s > crossing_s && std::fabs(block.samples[i]) > threshold_) return time_s;
+        }
+      }
+      sleepUntil(now_s() + 0.01);
+    }
+    return {};
+  }
+
+  void drainReports() {
+    capture_->take();
+    SessionReport report;
+    while (session_.receive(report)) {
+    }
+  }
+
+  const LatencySettings& settings_;
+  const HapticProgram& program_;
+  LiveSession session_;
+  std::unique_ptr<AudioOutput> output_;
+  std::unique_ptr<AudioCapture> capture_;
+  std::mt19937 random_{20261121};
+  double threshold_ = faintestOnset;
+  std::mutex tapMutex_;
+  bool armed_ = false, released_ = true;
+  std::optional<double> tap_s_;
+  SensorReading last_;
+  std::unique_ptr<SerialSensor> sensor_;
+};
+
+}  // namespace
+
+Result<LatencyResult> measureLatency(const LatencySettings& settings,
+                                     const std::function<bool(std::size_t, std::size_t)>& progress) {
+  if (settings.trials < 1 || !(settings.sensorRate_Hz >= 20 && settings.sensorRate_Hz <= 20000)) {
+    return Failure{FailureCode::wrongUsage, "latency", "",
+                   "needs at least 1 trial and a sensor rate of 20..20000 Hz", "Change them"};
+  }
+  Result<PreparedProgram> program = measuringProgram(settings);
+  if (!program) return program.failure();
+  DeviceResult<double> rate = sampleRateFor({settings.player.device, settings.player.sampleRate_Hz, 0, 1});
+  if (!rate) return failureOf(rate.trouble());
+  return std::make_unique<Measurement>(settings, program->program, *rate)->run(progress);
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,28 @@
+// The live half of the front door in a library built without devices.
+
+#include "playback/playback.h"
+
+namespace detent::playback {
+
+namespace {
+Failure withoutDevices() {
+  return {FailureCode::deviceTrouble, "live playback", "", "is not part of this build",
+          "Build with -DDETENT_WITH_DEVICE=ON, or use render"};
+}
+}  // namespace
+
+bool livePlaybackAvailable() { return false; }
+Result<std::vector<SoundDevice>> listSoundDevices() { return withoutDevices(); }
+Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings&, const HapticProgram&) {
+  return withoutDevices();
+}
+Result<std::vector<float>> playAndRecordSamples(const PlayerSettings&, const std::string&,
+                                                const std::vector<float>&) {
+  return withoutDevices();
+}
+Result<LatencyResult> measureLatency(const LatencySettings&,
+                                     const std::function<bool(std::size_t, std::size_t)>&) {
+  return withoutDevices();
+}
+
+}  // namespace detent::playback

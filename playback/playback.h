@@ -1,0 +1,169 @@
+#pragma once
+// The front door of playback: press a button and feel it.
+//
+// In: a model::Button, a device profile, settings, and readings of a finger. Out: vibration on a sound
+// device, or samples. Reading order of the room:
+//   realtime/haptic_program.h   what the callback plays        realtime/haptic_engine.h  the callback's
+//   engine prepare/prepare_program.h   button -> program               offline/render_press.h   program +
+//   press -> WAV, FLAC, memory device/*                    sound, serial sensor, messages  study/* measuring
+//   device and latency this file                   everything another room needs, in plain types
+//
+// Threads: every function here belongs to ordinary threads; nothing here may be called from an audio
+// callback. A LivePlayer may be used by several threads. Built without devices (DETENT_WITH_DEVICE=OFF) the
+// live part answers deviceTrouble.
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "model/button.h"
+#include "model/result.h"
+#include "playback/offline/render_press.h"
+#include "playback/prepare/device_profile.h"
+#include "playback/prepare/playback_settings.h"
+#include "playback/prepare/prepare_program.h"
+
+namespace detent::playback {
+
+// ---- a press without a device
+// ----------------------------------------------------------------------------------------
+
+/// A human-like press: minimum-jerk rise to the peak, hold with physiological tremor, minimum-jerk fall.
+struct StandardPress {
+  double peak_N = 0;      ///< 0: a quarter more than the button's bottom-out needs
+  double press_s = 0.12;  ///< > 0
+  double hold_s = 0.08;   ///< >= 0
+  double release_s = 0.10;
+  double sensor_Hz = 425;  ///< K&L, Apparatus
+};
+
+/// The readings of such a press.
+PressTrace standardPress(const HapticProgram& program, const StandardPress& press = {});
+
+/// A standard press as samples for a waveform view; about a millisecond of work.
+Result<RenderedPress> renderStandardPress(const HapticProgram& program, double sampleRate_Hz = 48000,
+                                          const StandardPress& press = {});
+
+/// From a `.device` file to a profile; docs/device-profile.md.
+Result<DeviceProfile> loadDeviceProfile(const std::string& file);
+
+// ---- live
+// --------------------------------------------------------------------------------------------------------------
+
+struct SoundDevice {
+  std::string name;  ///< "ALSA: hw:0,0": choose by this or an unambiguous part of it
+  int inputChannels = 0, outputChannels = 0;
+  double sampleRate_Hz = 0;
+  bool defaultOutput = false, defaultInput = false;
+};
+
+/// False in a library built without devices.
+bool livePlaybackAvailable();
+Result<std::vector<SoundDevice>> listSoundDevices();
+
+struct PlayerSettings {
+  std::string device;         ///< empty: the default output
+  double sampleRate_Hz = 0;   ///< 0: the device's own
+  unsigned bufferFrames = 0;  ///< 0: the host's choice, the least delay on JACK
+  int channels = 2;           ///< the same signal on each
+};
+
+enum class SensorCondition : std::uint8_t { none, starting, running, silent, stuck, unplugged };
+
+/// What a display shows; a snapshot.
+struct PlayerStatus {
+  std::string device;
+  double sampleRate_Hz = 0;
+  std::uint32_t blockFrames = 0;
+  bool deviceLost = false;  ///< gone just now; playing goes on when it is back
+  std::uint64_t deviceLosses = 0;
+  double force_N = 0, displacement_mm = 0;
+  bool releasing = false, contact = false;
+  int state = 0;                  ///< of a self-locking button
+  double level = 0;               ///< peak of the last 20 ms, share of full scale
+  double load = 0, meanLoad = 0;  ///< share of the block's time spent in the callback
+  std::uint64_t xruns = 0;
+  EngineCounts counts;
+  SensorCondition sensor = SensorCondition::none;
+  double sensorRate_Hz = 0;
+  std::uint64_t sensorReconnects = 0, rejectedReadings = 0, malformedLines = 0;
+  std::uint64_t signalMessages = 0, malformedMessages = 0;
+};
+
+/// A button one can press now. Destroying it stops the sound and joins every thread it started.
+class LivePlayer {
+ public:
+  static Result<std::unique_ptr<LivePlayer>> start(const PlayerSettings& settings,
+                                                   const HapticProgram& program);
+  virtual ~LivePlayer() = default;
+
+  /// Exchanges the button under the finger without a click.
+  virtual void setProgram(const HapticProgram& program) = 0;
+  /// Output gain >= 0; changes in a 10 ms ramp.
+  virtual void setGain(double gain) = 0;
+
+  /// A reading taken now. Not finite and impossible values are counted and left out.
+  virtual void pushForce(double force_N) = 0;
+  virtual void pushDisplacement(double displacement_mm) = 0;
+
+  /// The finger of a key or mouse button: presses with a human-like force profile up to `peak_N`.
+  virtual void fingerDown(double peak_N) = 0;
+  virtual void fingerUp() = 0;
+  /// Down and, after `hold_s`, up again: for terminals, which tell no key-up.
+  virtual void fingerTap(double peak_N, double hold_s) = 0;
+
+  /// A serial force sensor (docs/serial-protocol.md), calibrated by the profile.
+  virtual Result<Done> attachSensor(const std::string& port, unsigned baud,
+                                    const SensorCalibration& calibration) = 0;
+  /// Signal messages of other programs (docs/osc.md): FUDI over UDP, OSC. Port 0: the system chooses. Gives
+  /// the port.
+  virtual Result<std::uint16_t> listenFudi(std::uint16_t port) = 0;
+  virtual Result<std::uint16_t> listenOsc(std::uint16_t port) = 0;
+  /// The paper's own route beside or instead of our sound: a message per event to a synthesizer such as Pure
+  /// Data.
+  virtual Result<Done> sendSignals(const std::string& host, std::uint16_t port) = 0;
+
+  /// Plays a recorded trace, sample for sample what renderPress gives; begins `lead_s` from now. Gives the
+  /// stream sample at which time 0 of the trace lies. Ends by itself; a second call replaces the first.
+  virtual Result<std::int64_t> playTrace(const PressTrace& trace, double lead_s) = 0;
+  virtual bool tracePlaying() const = 0;
+
+  virtual PlayerStatus status() = 0;
+  /// Everything felt since the last call, oldest first (at most a few thousand are kept).
+  virtual std::vector<EngineEvent> takeEvents() = 0;
+};
+
+// ---- measuring a device
+// --------------------------------------------------------------------------------------------------
+
+/// Played on `device`, recorded from `inputDevice` (empty: the same device), both as long as `samples`.
+Result<std::vector<float>> playAndRecordSamples(const PlayerSettings& settings,
+                                                const std::string& inputDevice,
+                                                const std::vector<float>& samples);
+
+struct LatencySettings {
+  PlayerSettings player;
+  std::string inputDevice;  ///< accelerometer, microphone or a loop of the output
+  std::size_t trials = 50;  ///< K&L: N = 50; >= 1
+  EventPlacement placement = EventPlacement::timeStamped;
+  double sensorRate_Hz = 425;  ///< of the simulated sensor
+  std::string sensorPort;      ///< empty: a simulated sensor ramps through the tactile force
+  unsigned baud = 230400;
+  SensorCalibration calibration;
+  double threshold = 0;  ///< of full scale on the input; 0: eight times the noise, at least 1e-4
+};
+
+/// Delays from the moment the force truly passed the tactile force to the first vibration on the input.
+struct LatencyResult {
+  std::vector<double> delays_s;
+  std::size_t lost = 0;
+  std::string device;
+};
+
+/// `progress(done, all)` returns false to cancel.
+Result<LatencyResult> measureLatency(const LatencySettings& settings,
+                                     const std::function<bool(std::size_t, std::size_t)>& progress);
+
+}  // namespace detent::playback

@@ -1,0 +1,69 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "playback/playback.h"
+#include "playback/study/profile_file.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double tremorOfForce = 0.01;  // physiological tremor, 8-12 Hz
+constexpr double tremor_Hz = 10;
+constexpr double rest_s = 0.02;  // before and after, so that onset and end are seen
+
+double minimumJerk(double share) {
+  if (share <= 0) return 0;
+  if (share >= 1) return 1;
+  return share * share * share * (10 + share * (6 * share - 15));
+}
+
+/// A quarter above the strongest force of any state's press.
+double peakFor(const HapticProgram& program) {
+  double strongest = 0;
+  for (std::size_t s = 0; s < program.stateCount; ++s) {
+    const StrokeTable& press = program.states[s].press;
+    for (std::size_t i = 0; i < press.pointCount; ++i)
+      strongest = std::max(strongest, press.points[i].force_N);
+  }
+  return std::max(1.25 * strongest, 4 * program.hysteresis_N);
+}
+
+}  // namespace
+
+PressTrace standardPress(const HapticProgram& program, const StandardPress& press) {
+  const double peak_N = press.peak_N > 0 ? press.peak_N : peakFor(program);
+  PressTrace trace;
+  const double up_s = rest_s + press.press_s, hold_s = up_s + press.hold_s, down_s = hold_s + press.release_s;
+  const auto count = static_cast<std::size_t>(std::ceil((down_s + rest_s) * press.sensor_Hz));
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double t = static_cast<double>(i) / press.sensor_Hz;
+    double force = t < hold_s ? peak_N * minimumJerk((t - rest_s) / press.press_s)
+                              : peak_N * (1 - minimumJerk((t - hold_s) / press.release_s));
+    if (t > up_s && t < hold_s)
+      force *= 1 + tremorOfForce * std::sin(2 * std::numbers::pi * tremor_Hz * (t - up_s));
+    trace.readings.push_back({t, force});
+  }
+  return trace;
+}
+
+Result<RenderedPress> renderStandardPress(const HapticProgram& program, double sampleRate_Hz,
+                                          const StandardPress& press) {
+  if (!(press.press_s > 0 && press.release_s > 0 && press.hold_s >= 0 && press.peak_N >= 0 &&
+        press.sensor_Hz >= 10 && press.sensor_Hz <= 100000 &&
+        press.press_s + press.hold_s + press.release_s <= 600)) {
+    return Failure{FailureCode::wrongUsage, "standard press", "",
+                   "times, force or sensor rate lie outside their ranges",
+                   "Give positive times of together at most 600 s"};
+  }
+  RenderSettings settings;
+  settings.sampleRate_Hz = sampleRate_Hz;
+  // A tactile button may ask for a strong press within one reading; the force is what was drawn, not a
+  // glitch.
+  return renderPress(program, standardPress(program, press), settings);
+}
+
+Result<DeviceProfile> loadDeviceProfile(const std::string& file) { return readDeviceProfile(file); }
+
+}  // namespace detent::playback

@@ -1,0 +1,25 @@
+#pragma once
+// Device profiles as text files (docs/device-profile.md): one "key = value" per line, so that a person can
+// read, correct and compare them.
+
+#include <filesystem>
+#include <string>
+
+#include "model/result.h"
+#include "playback/prepare/device_profile.h"
+
+namespace detent::playback {
+
+inline constexpr int deviceProfileVersion = 1;
+
+/// Failure names the line. Unknown keys and newer versions are refused: a typing error must not pass as a
+/// default.
+Result<DeviceProfile> parseDeviceProfile(const std::string& text, const std::string& name);
+Result<DeviceProfile> readDeviceProfile(const std::filesystem::path& file);
+
+/// Numbers survive a round trip bit for bit.
+std::string toText(const DeviceProfile& profile);
+/// Written beside the target and renamed.
+Result<Done> writeDeviceProfile(const DeviceProfile& profile, const std::filesystem::path& file);
+
+}  // namespace detent::playback

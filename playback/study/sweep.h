@@ -1,0 +1,45 @@
+#pragma once
+// The frequency response of a vibrating device (K&L, Figure 5: 10 Hz to 1000 Hz) from one logarithmic sweep,
+// after A. Farina, "Simultaneous measurement of impulse response and distortion with a swept-sine technique",
+// AES 2000: deconvolution puts the distortion before the impulse response, where it is cut away.
+
+#include <string>
+#include <vector>
+
+#include "model/result.h"
+#include "playback/prepare/device_profile.h"
+
+namespace detent::playback {
+
+struct SweepSettings {
+  double sampleRate_Hz = 48000;
+  double from_Hz = 10, to_Hz = 1000;  ///< K&L, Apparatus; 0 < from < to < sampleRate / 2
+  double duration_s = 10;             ///< (0.5, 120]
+  double silence_s = 1;  ///< after the sweep, for the device to ring out and for the sound path's delay
+  double level = 0.5;    ///< of full scale; (0, 1]
+  double resonanceProminence_dB = 3;  ///< how far a peak stands above its valleys
+  double highestCut_dB = 12;          ///< equalizer bands cut at most this much
+};
+
+/// The samples to play.
+std::vector<float> sweepSignal(const SweepSettings& settings);
+
+struct FrequencyResponse {
+  std::vector<double> frequency_Hz;   ///< 1/24-octave steps, from_Hz to to_Hz
+  std::vector<double> gain_dB;        ///< recorded over played
+  std::vector<Resonance> resonances;  ///< strongest first
+  double delay_s = 0;                 ///< of the sound path
+};
+
+/// `recorded` as long as `played`. Failure: notCertain when nothing of the sweep is in the recording.
+Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const std::vector<float>& recorded,
+                                       const SweepSettings& settings);
+
+/// Puts resonances and the equalizer that flattens them into a profile.
+void applyResponse(const FrequencyResponse& response, const SweepSettings& settings, DeviceProfile& profile);
+
+std::string responseCsv(const FrequencyResponse& response);
+/// A plot with both axes labelled; resonances marked.
+std::string responseSvg(const FrequencyResponse& response, const std::string& title);
+
+}  // namespace detent::playback
