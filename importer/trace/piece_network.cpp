@@ -17,7 +17,10 @@ constexpr double rightAngle = 0.4;  // of a join that turns by 90°
 constexpr double anyJoin = 0.02;
 constexpr double sharpestTurn_deg = 130;
 constexpr double backwards = 3;  // per plot width walked to the left
-constexpr double repeated = 2;   // per plot width shared with an earlier stroke
+constexpr double repeated =
+    3.8;  // per plot width shared with an earlier stroke: less than leaving it uncovered
+constexpr double levelTravel =
+    4;  // per plot width along one level line: it may be a gridline, so it gains nothing
 constexpr double axisParallelPiece = 0.1;
 constexpr double gridPiece = 0.8;
 constexpr double smallPiece = 0.03;
@@ -241,27 +244,27 @@ double PieceNetwork::walkCost(std::size_t piece, bool forward) const {
   } else if (line.axisParallel) {
     cost += axisParallelPiece;
   }
+  if (line.axisParallel) cost += levelTravel * std::abs(gain);
   if (line.small) cost += smallPiece;
   return cost + repeated * used_[piece] * std::abs(gain);
 }
 
-double PieceNetwork::startCost(const Step& step) const {
-  return uncovered * std::max(0.0, plane_.across(endOf(step.piece, !step.forward)));
-}
-
-double PieceNetwork::stopCost(const Step& step) const {
-  double cost = uncovered * std::max(0.0, 1 - plane_.across(endOf(step.piece, step.forward)));
-  for (const Link& link : linksOf(step.piece, step.forward)) {
-    const bool grid = pieces_[link.piece].onGridLine || pieces_[link.piece].small;
-    if (!grid && link.gap < 0.01 && joinCost(step.piece, step.forward, link) < stopsWhereLineGoesOn / 2)
-      return cost + stopsWhereLineGoesOn;
+double PieceNetwork::endCost(const Step& step, bool atEnd) const {
+  const bool side = atEnd ? step.forward : !step.forward;
+  const double at = plane_.across(endOf(step.piece, side));
+  const double cost = uncovered * std::max(0.0, atEnd ? 1 - at : at);
+  constexpr double touching = 0.01;  // of the diagonal
+  for (const Link& link : linksOf(step.piece, side)) {
+    const LinePiece& next = pieces_[link.piece];
+    const bool goesOn = !next.onGridLine && link.gap < touching &&
+                        joinCost(step.piece, side, link) < stopsWhereLineGoesOn / 2;
+    if (goesOn && (atEnd || used_[link.piece] == 0)) return cost + stopsWhereLineGoesOn;
   }
   return cost;
 }
 
 FoundStroke PieceNetwork::strokeAlong(const std::vector<Step>& steps, double cost) const {
   FoundStroke stroke;
-  stroke.cost = cost;
   stroke.ownLength = 0;
   double longest = 0;
   for (const Step& step : steps) {
@@ -270,7 +273,8 @@ FoundStroke PieceNetwork::strokeAlong(const std::vector<Step>& steps, double cos
     for (const Point& p : points)
       if (stroke.points.empty() || distance(stroke.points.back(), p) > 1e-6) stroke.points.push_back(p);
     if (!pieces_[step.piece].axisParallel) stroke.slanted += std::abs(spans_[step.piece]);
-    if (used_[step.piece] == 0) stroke.ownLength += std::abs(spans_[step.piece]);
+    const double span = std::abs(spans_[step.piece]);
+    (used_[step.piece] == 0 ? stroke.ownLength : stroke.sharedLength) += span;
     if (const double length = lengthOf(points); length > longest) {
       longest = length;
       stroke.width_px = pieces_[step.piece].width_px;
@@ -278,6 +282,9 @@ FoundStroke PieceNetwork::strokeAlong(const std::vector<Step>& steps, double cos
   }
   stroke.from = plane_.across(stroke.points.front());
   stroke.to = plane_.across(stroke.points.back());
+  stroke.joinCost =
+      std::max(0.0, cost - repeated * stroke.sharedLength -
+                        uncovered * (std::max(0.0, stroke.from) + std::max(0.0, 1 - stroke.to)));
   return stroke;
 }
 
@@ -292,8 +299,8 @@ std::optional<FoundStroke> PieceNetwork::nextStroke() {
   const auto stepOf = [](std::size_t state) { return Step{state / 2, state % 2 == 0}; };
   for (std::size_t state = 0; state < states; ++state) {
     const Step step = stepOf(state);
-    if (pieces_[step.piece].axisParallel || pieces_[step.piece].small) continue;
-    cost[state] = startCost(step) + walkCost(step.piece, step.forward);
+    if (pieces_[step.piece].axisParallel || used_[step.piece] > 0) continue;
+    cost[state] = endCost(step, false) + walkCost(step.piece, step.forward);
     queue.push({cost[state], state});
   }
   std::size_t best = none;
@@ -303,7 +310,7 @@ std::optional<FoundStroke> PieceNetwork::nextStroke() {
     queue.pop();
     if (reached > cost[state] || reached >= bestCost) continue;
     const Step step = stepOf(state);
-    if (const double whole = reached + stopCost(step); whole < bestCost) {
+    if (const double whole = reached + endCost(step, true); whole < bestCost) {
       bestCost = whole;
       best = state;
     }
@@ -343,7 +350,10 @@ void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
     const Link* best = nullptr;
     double bestCost = surelyGoesOn;
     for (const Link& link : linksOf(last.piece, side)) {
-      if (pieces_[link.piece].onGridLine || pieces_[link.piece].small || walked(link.piece)) continue;
+      const bool taken =
+          !atEnd && used_[link.piece] > 0;  // strokes may share their wall, not their beginning
+      if (pieces_[link.piece].onGridLine || pieces_[link.piece].small || taken || walked(link.piece))
+        continue;
       if (const double cost = joinCost(last.piece, side, link); cost < bestCost)
         bestCost = cost, best = &link;
     }

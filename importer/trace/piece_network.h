@@ -14,8 +14,9 @@ namespace detent::importer {
 struct FoundStroke {
   std::vector<Point> points;
   double from = 0, to = 0;  ///< shares of the plot's width
-  double cost = 0;          ///< of joins, gaps and what is not covered; 0 is a single line across the plot
+  double joinCost = 0;      ///< of joins and gaps; 0 is a single line across the plot
   double ownLength = 1;     ///< share of the plot's width not shared with strokes found before
+  double sharedLength = 0;  ///< share of the plot's width that is
   double width_px = 1;      ///< of the longest piece
   double slanted = 0;       ///< share of the plot's width that is no level or plumb line
 };
@@ -59,8 +60,8 @@ class PieceNetwork {
   double touchDistance(const LinePiece& a, const LinePiece& b) const;
   double joinCost(std::size_t from, bool fromEnd, const Link& link) const;
   double walkCost(std::size_t piece, bool forward) const;
-  double startCost(const Step& step) const;
-  double stopCost(const Step& step) const;
+  /// Of beginning or ending a stroke there: what it leaves uncovered, and if the line visibly goes on.
+  double endCost(const Step& step, bool atEnd) const;
   void extend(std::vector<Step>& steps, bool atEnd) const;
   FoundStroke strokeAlong(const std::vector<Step>& steps, double cost) const;
 

@@ -42,9 +42,7 @@ std::vector<StyledStroke> strokesOf(const LineStyle& style, std::vector<LinePiec
   while (strokes.size() < strokesOfOneInk) {
     const auto stroke = network.nextStroke();
     if (!stroke) break;
-    const double joins =
-        std::max(0.0, stroke->cost - 4 * (std::max(0.0, stroke->from) + std::max(0.0, 1 - stroke->to)));
-    strokes.push_back({style, *stroke, std::clamp(1 - 0.3 * joins, 0.1, 1.0)});
+    strokes.push_back({style, *stroke, std::clamp(1 - 0.3 * stroke->joinCost, 0.1, 1.0)});
   }
   constexpr double halfAnotherStroke = 0.25;
   if (!strokes.empty() && network.unusedLength() > halfAnotherStroke)

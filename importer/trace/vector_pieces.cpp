@@ -13,6 +13,8 @@ using Polyline = std::vector<Point>;
 constexpr double overshoot = 0.04;    // of the plot's size; how far a curve may leave the frame
 constexpr double turnRound = 0.05;    // of the plot's width; shorter returns are wiggles
 constexpr double letterSize = 0.025;  // of the plot's diagonal
+constexpr double longerThanLetters =
+    0.1;  // of the plot's diagonal; the stem of a large "1" is a long thin outline too
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -247,10 +249,12 @@ std::vector<LinePiece> linePieces(const PageView& view, const PlotPlane& plane,
   for (const VectorPath& path : view.paths) {
     if (!overlaps(path.box, near)) continue;
     for (std::size_t i = 0; i < path.polylines.size(); ++i) {
+      if (path.stroke && path.fill && path.closed[i]) continue;  // a shape with a border
       if (path.stroke) {
         maker.add(path.polylines[i], path.closed[i], path, path.strokeWidth, *path.stroke);
       } else if (path.fill) {
-        if (const auto centre = centreOfOutline(path.polylines[i], 0.02 * plane.diagonal()))
+        const auto centre = centreOfOutline(path.polylines[i], 0.02 * plane.diagonal());
+        if (centre && lengthOf(centre->points) > longerThanLetters * plane.diagonal())
           maker.add(centre->points, false, path, centre->width_px, *path.fill);
       }
     }
