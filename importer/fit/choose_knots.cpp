@@ -12,6 +12,20 @@ constexpr std::size_t reach = 3;  // knots to each side that adapt to a change
 
 using Index = std::ptrdiff_t;
 
+bool isExtremum(const KnotChain& chain, std::size_t k) {
+  return (chain[k].v() - chain[k - 1].v()) * (chain[k + 1].v() - chain[k].v()) < 0;
+}
+
+/// A smooth joint that has become an extremum bends on one side only: in truth it is a corner. Keeps the
+/// shape.
+void settleJoints(KnotChain& chain) {
+  for (std::size_t k = 1; k + 1 < chain.size(); ++k)
+    if (chain[k].joint == JointKind::smooth && isExtremum(chain, k)) {
+      chain[k].joint = chain[k].at[2] == 0 ? JointKind::flat : JointKind::corner;
+      chain[k].at[3] = chain[k].at[2];
+    }
+}
+
 /// The chain with its points sorted by the piece they lie on.
 class Workpiece {
  public:
@@ -70,6 +84,7 @@ class Workpiece {
     const std::size_t first = trial.from == 0 ? 0 : 1;
     const std::size_t last = trial.to + 1 == chain_.size() ? trial.knots.size() : trial.knots.size() - 1;
     solveChain(trial.knots, nearby, {first, last}, settings_);
+    settleJoints(trial.knots);
     trial.gain = before - chiSquareOf(trial.knots, nearby, settings_.robustScale);
   }
 
@@ -131,19 +146,6 @@ class Workpiece {
   std::vector<char> refused_;
   std::vector<double> pieceChiSquare_;
 };
-
-bool isExtremum(const KnotChain& chain, std::size_t k) {
-  return (chain[k].v() - chain[k - 1].v()) * (chain[k + 1].v() - chain[k].v()) < 0;
-}
-
-/// A smooth joint at an extremum has slope 0, and only there is it an extremum by itself.
-void settleJoints(KnotChain& chain) {
-  for (std::size_t k = 1; k + 1 < chain.size(); ++k)
-    if (chain[k].joint == JointKind::smooth && isExtremum(chain, k)) {
-      chain[k].joint = JointKind::flat;
-      chain[k].at[2] = chain[k].at[3] = 0;
-    }
-}
 
 double secant(const ChainKnot& a, const ChainKnot& b) {
   const double h = std::max(b.u() - a.u(), 1e-6);
@@ -223,7 +225,10 @@ bool withNewKnot(const Workpiece& work, std::size_t piece, Workpiece::Trial& tri
   const SigmaPoint& p = work.point(members[best]);
   trial.knots.insert(trial.knots.begin() + static_cast<Index>(at),
                      ChainKnot{{shape.u(t), 0.5 * (shape.v(t) + p.v), slope, slope}, JointKind::smooth});
-  settleJoints(trial.knots);
+  if (at > 0 && isExtremum(trial.knots, at)) {
+    trial.knots[at].joint = JointKind::flat;
+    trial.knots[at].at[2] = trial.knots[at].at[3] = 0;
+  }
   work.judge(trial);
   return true;
 }
