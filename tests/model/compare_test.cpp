@@ -1,0 +1,75 @@
+#include "model/compare.h"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "model/edits.h"
+#include "model/templates.h"
+
+using namespace detent;
+
+namespace {
+
+GraphPolylines pressOnly(StrokePolyline line) { return {std::move(line), {}}; }
+
+GraphDistance between(const GraphPolylines& a, const GraphPolylines& b) {
+  const auto distance = compare(a, b);
+  REQUIRE(distance.ok());
+  return *distance;
+}
+
+}  // namespace
+
+TEST_CASE("a graph has no distance from itself, however it is sampled") {
+  const ForceGraph graph = tactileButton()->states()[0].graph;
+  CHECK(between(polylinesOf(graph), polylinesOf(graph)).maxOfSpan == 0);
+  const auto inserted =
+      editStroke(graph, Stroke::press, [](const StrokeCurve& c) { return insertKnot(c, 0.777); });
+  REQUIRE(inserted.ok());
+  CHECK(between(polylinesOf(graph), polylinesOf(*inserted)).maxOfSpan < 2e-4);
+}
+
+TEST_CASE("two parallel lines are as far apart as they are") {
+  const auto d = between(pressOnly({{0, 0}, {4, 0}, {4, 2}}), pressOnly({{0, 0.2}, {4, 0.2}, {4, 2}}));
+  CHECK(d.span_mm == 4);
+  CHECK(d.span_N == 2);
+  REQUIRE(d.press.has_value());
+  CHECK(d.press->maxOfSpan == Approx(0.1));
+  CHECK(d.press->max_N == Approx(0.2));
+  CHECK(d.press->max_mm == Approx(0).margin(1e-12));
+  // Horizontal 1, vertical 1 in normalised units; the first is 0.1 away, of the second only the lowest tenth.
+  CHECK(d.press->mean_N == Approx(0.5 * (0.2 * 1 + 0.1 * 0.1) / 2 + 0.5 * 0.2 * 1 / 1.9).epsilon(0.02));
+}
+
+TEST_CASE("a shifted wall is a matter of displacement, not of force") {
+  const auto d = between(pressOnly({{0, 0}, {4, 0}, {4, 2}}), pressOnly({{0, 0}, {4.04, 0}, {4.04, 2}}));
+  CHECK(d.press->maxOfSpan == Approx(0.01).epsilon(1e-3));
+  CHECK(d.press->max_mm == Approx(0.04).epsilon(1e-3));
+  CHECK(d.press->max_N < 1e-12);
+}
+
+TEST_CASE("the mean is symmetric and the order of a stroke's points does not matter") {
+  const GraphPolylines a = pressOnly({{0, 0}, {2, 1}, {4, 1}, {4, 2}});
+  const GraphPolylines b = pressOnly({{0, 0.1}, {2, 0.9}, {4, 1.2}, {4, 2}});
+  const GraphPolylines reversed = pressOnly({{4, 2}, {4, 1.2}, {2, 0.9}, {0, 0.1}});
+  CHECK(between(a, b).meanOfSpan == Approx(between(a, reversed).meanOfSpan).epsilon(1e-6));
+}
+
+TEST_CASE("single points and empty strokes") {
+  const auto d = between(pressOnly({{0, 0}, {4, 2}}), pressOnly({{0, 0}}));
+  CHECK(d.press->maxOfSpan == Approx(std::sqrt(2.0)));
+  const auto nothing = compare(pressOnly({{0, 0}, {4, 2}}), {{}, {{0, 0}, {4, 2}}});
+  REQUIRE_FALSE(nothing.ok());
+  CHECK(nothing.failure().exitCode() == 2);
+}
+
+TEST_CASE("long strokes are searched exactly") {
+  // A zigzag of 3,000 segments against a line: every distance is known.
+  StrokePolyline zigzag;
+  for (int i = 0; i <= 3000; ++i) zigzag.push_back({i / 3000.0, i % 2 == 0 ? 0.0 : 0.01});
+  zigzag.push_back({1, 1});
+  const auto d = between(pressOnly(zigzag), pressOnly({{0, 0}, {1, 0}, {1, 1}}));
+  CHECK(d.press->max_N <= 0.01 + 1e-12);
+  CHECK(d.press->maxOfSpan == Approx(0.01).epsilon(0.01));
+}

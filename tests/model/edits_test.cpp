@@ -1,0 +1,271 @@
+#include "model/edits.h"
+
+#include <cmath>
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "model/metrics.h"
+#include "model/templates.h"
+#include "tests/model/property.h"
+#include "tests/model/random_curves.h"
+
+using namespace detent;
+using detent::tests::anyCurve;
+using detent::tests::between;
+using detent::tests::holdsAlways;
+
+namespace {
+
+StrokeCurve through(std::vector<CurvePoint> points) {
+  auto curve = StrokeCurve::throughPoints(points);
+  REQUIRE(curve.ok());
+  return *curve;
+}
+
+StrokeCurve tactile() {
+  return through({{0, 0.3}, {0.5, 0.5}, {1, 0.6}, {1.6, 0.4}, {3.9, 0.7}, {3.9, 1.5}});
+}
+
+template <class T>
+T require(Result<T> result) {
+  INFO((result.ok() ? "" : result.failure().sentence()));
+  REQUIRE(result.ok());
+  return *std::move(result);
+}
+
+template <class T>
+void requireRefusal(const Result<T>& result, const std::string& part) {
+  REQUIRE_FALSE(result.ok());
+  CHECK_THAT(result.failure().sentence(), Catch::Contains(part));
+  CHECK_FALSE(result.failure().remedy.empty());
+}
+
+double largestDifference(const StrokeCurve& a, const StrokeCurve& b) {
+  double worst = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double x = a.start_mm() + a.travel_mm() * i / 1000;
+    worst = std::max(worst, std::abs(a.force_N(x) - b.force_N(x)));
+  }
+  return worst;
+}
+
+constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+TEST_CASE("knots move between their neighbours and keep their slopes") {
+  const StrokeCurve moved = require(moveKnot(tactile(), 2, {1.2, 0.65}));
+  CHECK(moved.force_N(1.2) == 0.65);
+  CHECK(moved.knots()[2].slopeAfter_N_per_mm == tactile().knots()[2].slopeAfter_N_per_mm);
+  requireRefusal(moveKnot(tactile(), 2, {1.7, 0.6}), "past its neighbour at 1.6 mm");
+  requireRefusal(moveKnot(tactile(), 9, {1, 1}), "has no knot 10, only 6");
+  requireRefusal(moveKnot(tactile(), 2, {notANumber, 0.6}), "not a finite number");
+}
+
+TEST_CASE("slopes, corners and smooth knots") {
+  StrokeCurve curve = require(setSlopeAfter(tactile(), 2, -1));
+  CHECK(isCorner(curve, 2));
+  curve = require(setSlope(curve, 2, 0.25));
+  CHECK_FALSE(isCorner(curve, 2));
+  CHECK(curve.slope_N_per_mm(1) == 0.25);
+  curve = require(makeCorner(curve, 2));
+  CHECK(curve.slopeBefore_N_per_mm(1) == Approx(0.2));
+  CHECK(curve.slope_N_per_mm(1) == Approx(-1.0 / 3));
+  curve = require(makeSmooth(curve, 2));
+  CHECK(curve.slope_N_per_mm(1) == 0);  // an extremum
+  curve = require(makeSmooth(curve, 1));
+  CHECK(curve.slope_N_per_mm(0.5) > 0);
+  CHECK(isCorner(curve, 4));  // a wall begins there
+  requireRefusal(setSlope(curve, 0, notANumber), "not a finite number");
+}
+
+TEST_CASE("inserting a knot changes no shape, removing it restores the knots") {
+  holdsAlways("insertKnot", [] {
+    const StrokeCurve curve = anyCurve();
+    const double x = curve.start_mm() + between(0.001, 0.999) * curve.travel_mm();
+    const auto inserted = insertKnot(curve, x);
+    if (!inserted) return;  // a knot stood there
+    RC_ASSERT(inserted->knots().size() == curve.knots().size() + 1);
+    RC_ASSERT(largestDifference(curve, *inserted) < 1e-12);
+    std::size_t index = 0;
+    while (inserted->knots()[index].displacement_mm != x) ++index;
+    RC_ASSERT(removeKnot(*inserted, index).value() == curve);
+  });
+  requireRefusal(insertKnot(tactile(), 1), "stands already at 1 mm");
+  requireRefusal(insertKnot(tactile(), 0), "outside");
+  requireRefusal(insertKnot(tactile(), notANumber), "outside");
+  requireRefusal(removeKnot(through({{0, 0}, {1, 1}}), 0), "needs 2 knots");
+}
+
+TEST_CASE("a tactile point goes exactly where it is moved and stays the only one") {
+  const StrokeCurve curve = tactile();
+  for (CurvePoint to :
+       {CurvePoint{1.3, 0.9}, CurvePoint{0.2, 0.5}, CurvePoint{1.0, 0.62}, CurvePoint{1.59, 0.45}}) {
+    const StrokeCurve moved = require(moveTactilePoint(curve, Stroke::press, 0, to));
+    const auto points = tactilePoints(moved, Stroke::press);
+    REQUIRE(points.size() == 1);
+    CHECK(points[0].displacement_mm == to.displacement_mm);
+    CHECK(points[0].force_N == to.force_N);
+    CHECK(moved.force_N(3.0) == Approx(curve.force_N(3.0)).epsilon(1e-12));
+  }
+  requireRefusal(moveTactilePoint(curve, Stroke::press, 0, {1.7, 0.6}),
+                 "outside its flanks from 0 to 1.6 mm");
+  requireRefusal(moveTactilePoint(curve, Stroke::press, 0, {1, 0.35}), "would be no extremum at 0.35 N");
+  requireRefusal(moveTactilePoint(curve, Stroke::press, 1, {1, 0.6}), "has no tactile point 2, it has 1");
+  requireRefusal(moveTactilePoint(curve, Stroke::press, 0, {notANumber, 0.6}), "cannot move to nan mm");
+}
+
+TEST_CASE("a tactile point between knots is moved as well, and of a release too") {
+  auto hump = StrokeCurve::fromKnots({{0, 0, 0, 3}, {2, 0.2, -1, 1}, {4, 1, 0.4, 0}});
+  REQUIRE(hump.ok());
+  const StrokeCurve moved = require(moveTactilePoint(*hump, Stroke::press, 0, {0.9, 1.4}));
+  CHECK(tactilePoints(moved, Stroke::press)[0].displacement_mm == 0.9);
+  CHECK(tactilePoints(moved, Stroke::press)[0].force_N == 1.4);
+  const StrokeCurve release = require(moveTactilePoint(tactile(), Stroke::release, 0, {1.9, 0.2}));
+  CHECK(tactilePoints(release, Stroke::release)[0].displacement_mm == 1.9);
+}
+
+TEST_CASE("any tactile point of any curve can be moved a little") {
+  holdsAlways("moveTactilePoint", [] {
+    const StrokeCurve curve = anyCurve();
+    for (Stroke stroke : {Stroke::press, Stroke::release}) {
+      const auto points = tactilePoints(curve, stroke);
+      for (std::size_t i = 0; i < points.size(); ++i) {
+        const double outwards = (stroke == Stroke::press ? 1 : -1) * 0.01;
+        const CurvePoint to{points[i].displacement_mm, points[i].force_N + outwards};
+        const auto moved = moveTactilePoint(curve, stroke, i, to);
+        if (!moved) continue;  // a neighbouring turn of the same height, refused by name
+        const auto now = tactilePoints(*moved, stroke);
+        RC_ASSERT(std::any_of(now.begin(), now.end(), [&](const TactilePoint& p) {
+          return std::abs(p.displacement_mm - to.displacement_mm) < 1e-9 &&
+                 std::abs(p.force_N - to.force_N) < 1e-12;
+        }));
+      }
+    }
+  });
+}
+
+TEST_CASE("the snap ratio becomes what is asked") {
+  for (double ratio : {0.05, 0.5, 0.9, 1.2}) {
+    const StrokeCurve snapped = require(setSnapRatio(tactile(), 0, ratio));
+    const auto metrics = metricsOf(snapped, Stroke::press);
+    REQUIRE(metrics.tactile.size() == 1);
+    CHECK(*metrics.tactile[0].snapRatio == Approx(ratio));
+    CHECK(metrics.tactile[0].point.force_N == 0.6);
+  }
+  requireRefusal(setSnapRatio(tactile(), 0, 0), "snap ratio of 0");
+  requireRefusal(setSnapRatio(tactile(), 3, 0.5), "has no tactile point 4");
+}
+
+TEST_CASE("a section moves as a whole, its neighbours stretch") {
+  const StrokeCurve curve = tactile();
+  const auto before = sectionsOf(curve, Stroke::press);
+  const StrokeCurve moved = require(moveSection(curve, Stroke::press, 1, 0.1, 0.05));
+  const auto after = sectionsOf(moved, Stroke::press);
+  REQUIRE(after.size() == before.size());
+  CHECK(after[1].from_mm == Approx(before[1].from_mm + 0.1));
+  CHECK(after[1].fromForce_N == Approx(before[1].fromForce_N + 0.05));
+  CHECK(moved.force_N(1.7) == Approx(curve.force_N(1.6) + 0.05));
+  CHECK(moved.start_mm() == 0);
+  CHECK(moved.knots().front().force_N == curve.knots().front().force_N);
+  CHECK(moved.end_mm() == curve.end_mm());
+  requireRefusal(moveSection(curve, Stroke::press, 1, -1.5, 0),
+                 "past the end of the section beside it at 0 mm");
+  requireRefusal(moveSection(curve, Stroke::press, 8, 0, 0), "has no section 9");
+  requireRefusal(moveSection(curve, Stroke::press, 1, notANumber, 0), "not finite");
+}
+
+TEST_CASE("moving a release's section moves the same stretch") {
+  const StrokeCurve curve = through({{0, 0.3}, {0.8, 0.45}, {1.5, 0.2}, {3.9, 0.65}});
+  const StrokeCurve moved = require(moveSection(curve, Stroke::release, 0, 0.2, 0.1));
+  CHECK(tactilePoints(moved, Stroke::release)[0].displacement_mm == Approx(1.7));
+  CHECK(moved.end_mm() == Approx(4.1));
+}
+
+TEST_CASE("jumps are added and removed on both strokes") {
+  const StrokeCurve line = through({{0, 0.3}, {4, 0.8}});
+  for (Stroke stroke : {Stroke::press, Stroke::release}) {
+    const StrokeCurve jumping = require(addJump(line, stroke, {2, 0.6, 0.2}));
+    const auto points = tactilePoints(jumping, stroke);
+    REQUIRE(points.size() == 1);
+    CHECK(points[0].displacement_mm == 2);
+    CHECK(points[0].force_N == Approx(0.55));
+    CHECK(largestDifference(line, jumping) == Approx(0.2).margin(0.05));
+    const StrokeCurve smooth = require(removeJump(jumping, stroke, 0));
+    CHECK(tactilePoints(smooth, stroke).empty());
+    CHECK(smooth.monotoneStretches().size() == 1);
+  }
+  const StrokeCurve two =
+      require(addJump(require(addJump(line, Stroke::press, {1, 0.4, 0.2})), Stroke::press, {2.5, 0.4, 0.2}));
+  CHECK(tactilePoints(two, Stroke::press).size() == 2);
+  requireRefusal(addJump(line, Stroke::press, {3.8, 0.6, 0.2}), "leaves the curve");
+  requireRefusal(addJump(line, Stroke::press, {2, -1, 0.2}), "has width -1 mm");
+  requireRefusal(addJump(line, Stroke::press, {2, 0.6, notANumber}), "drop nan N");
+  requireRefusal(addJump(through({{0, 1}, {4, 0}}), Stroke::press, {2, 0.6, 0.2}), "does not rise");
+}
+
+TEST_CASE("a linear button keeps its wall") {
+  const StrokeCurve line = require(makeLinear(tactile()));
+  CHECK(tactilePoints(line, Stroke::press).empty());
+  CHECK(line.knots().size() == 3);
+  CHECK(line.force_N(1.95) == Approx(0.5));
+  CHECK(bottomOutOf(line).wall);
+}
+
+TEST_CASE("mirroring: release lies below press by the hysteresis and never below 0") {
+  const ForceGraph graph = require(ForceGraph::fromCurves(tactile(), {}));
+  const ForceGraph mirrored = require(mirrorPressToRelease(graph, 0.1));
+  for (int i = 0; i <= 100; ++i) {
+    const double x = 3.89 * i / 100;
+    CHECK(mirrored.release()->force_N(x) == Approx(graph.press().force_N(x) - 0.1));
+  }
+  const ForceGraph weak = require(ForceGraph::fromCurves(through({{0, 0}, {1, 0.1}, {4, 1}}), {}));
+  const ForceGraph low = require(mirrorPressToRelease(weak, 0.2));
+  CHECK(low.release()->forceRange_N().first >= 0);
+  CHECK(low.release()->force_N(4) == Approx(0.8));
+  CHECK(require(mirrorPressToRelease(graph, 0)).release() == graph.press());
+  requireRefusal(mirrorPressToRelease(graph, -1), "hysteresis");
+  CHECK_FALSE(require(removeRelease(mirrored)).release().has_value());
+  requireRefusal(editStroke(graph, Stroke::release, [](const StrokeCurve& c) { return makeLinear(c); }),
+                 "does not exist");
+}
+
+TEST_CASE("scaling scales everything that has the unit") {
+  TactileTemplate values;
+  Button button = require(tactileButton(values));
+  button = require(setDamping(button, 0, {{0, 0.1}, {4, 0.2}}));
+  const Button strong = require(scaleForce(button, 2));
+  CHECK(strong.states()[0].graph.press().force_N(1.3) == 1.1);
+  CHECK(strong.states()[0].damping[1].damping_Ns_per_mm == 0.4);
+  const Button wide = require(scaleTravel(button, 0.5));
+  const ButtonState& state = wide.states()[0];
+  CHECK(state.graph.travel_mm() == 2);
+  CHECK(*state.operatingPoint_mm == 1);
+  CHECK(state.damping[1].displacement_mm == 2);
+  CHECK(state.graph.press().area_mJ(0, 2) == Approx(button.states()[0].graph.press().area_mJ(0, 4) / 2));
+  CHECK(require(scaleForce(strong, 0.5)) == button);
+  CHECK(require(scaleTravel(wide, 2)) == button);
+  for (double bad : {0.0, -1.0, notANumber, HUGE_VAL}) {
+    requireRefusal(scaleForce(button, bad), "finite number above 0");
+    requireRefusal(scaleTravel(button, bad), "finite number above 0");
+  }
+  requireRefusal(scaleForce(button, 1e9), "beyond the limit");
+}
+
+TEST_CASE("edits of a button reach its state, and keep its rules") {
+  const Button button = require(selfLockingButton());
+  const Button renamed = require(rename(button, "x"));
+  CHECK(renamed.name() == "x");
+  CHECK(renamed.states() == button.states());
+  const Button edited = require(editGraph(button, 1, [](const ForceGraph& g) { return scaleForce(g, 2); }));
+  CHECK(edited.states()[0] == button.states()[0]);
+  CHECK_FALSE(edited.states()[1] == button.states()[1]);
+  CHECK(*require(setOperatingPoint(button, 0, 3)).states()[0].operatingPoint_mm == 3);
+  CHECK_FALSE(require(setResetPoint(button, 0, {})).states()[0].resetPoint_mm.has_value());
+  requireRefusal(setOperatingPoint(button, 0, 9), "operating point at 9 mm");
+  requireRefusal(editGraph(button, 2, [](const ForceGraph& g) { return removeRelease(g); }),
+                 "has no state 3");
+  requireRefusal(editGraph(button, 0, [](const ForceGraph& g) { return scaleTravel(g, 0.1); }),
+                 "operating point");
+}
