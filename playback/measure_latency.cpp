@@ -217,6 +217,36 @@ class Measurement {
 
 }  // namespace
 
+Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double seconds) {
+  SerialSettings settings;
+  settings.port = port;
+  settings.baud = baud;
+  settings.conditioner.lowest = -1e9;  // counts, not newtons
+  settings.conditioner.highest = 1e9;
+  settings.conditioner.fastest_per_s = 1e12;
+  std::mutex mutex;
+  std::vector<double> readings;
+  {
+    DeviceResult<std::unique_ptr<SerialSensor>> sensor =
+        SerialSensor::open(settings, [&](const SensorReading& r) {
+          const std::lock_guard lock(mutex);
+          readings.push_back(r.raw);
+        });
+    if (!sensor) return failureOf(sensor.trouble());
+    sleepUntil(now_s() + seconds);
+  }
+  if (readings.empty()) {
+    return Failure{FailureCode::deviceTrouble, port, "", "sent no reading",
+                   "Check baud rate and wiring; docs/serial-protocol.md"};
+  }
+  RawReading raw;
+  raw.n = readings.size();
+  for (double r : readings) raw.mean += r / static_cast<double>(raw.n);
+  for (double r : readings) raw.sd += (r - raw.mean) * (r - raw.mean);
+  raw.sd = raw.n > 1 ? std::sqrt(raw.sd / static_cast<double>(raw.n - 1)) : 0;
+  return raw;
+}
+
 Result<LatencyResult> measureLatency(const LatencySettings& settings,
                                      const std::function<bool(std::size_t, std::size_t)>& progress) {
   if (settings.trials < 1 || !(settings.sensorRate_Hz >= 20 && settings.sensorRate_Hz <= 20000)) {

@@ -20,6 +20,7 @@ Result<std::vector<float>> playAndRecordSamples(const PlayerSettings&, const std
                                                 const std::vector<float>&) {
   return withoutDevices();
 }
+Result<RawReading> readRawSensor(const std::string&, unsigned, double) { return withoutDevices(); }
 Result<LatencyResult> measureLatency(const LatencySettings&,
                                      const std::function<bool(std::size_t, std::size_t)>&) {
   return withoutDevices();

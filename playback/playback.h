@@ -143,6 +143,14 @@ Result<std::vector<float>> playAndRecordSamples(const PlayerSettings& settings,
                                                 const std::string& inputDevice,
                                                 const std::vector<float>& samples);
 
+/// Mean and standard deviation of a sensor's raw readings over `seconds`, for calibration. Failure:
+/// deviceTrouble if it cannot be opened or sends nothing.
+struct RawReading {
+  double mean = 0, sd = 0;
+  std::size_t n = 0;
+};
+Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double seconds);
+
 struct LatencySettings {
   PlayerSettings player;
   std::string inputDevice;  ///< accelerometer, microphone or a loop of the output

@@ -3,7 +3,6 @@
 #include <atomic>
 
 #include <poll.h>
-#include <signal.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
@@ -16,18 +15,9 @@ namespace {
 
 termios savedMode{};
 std::atomic<bool> modeSaved{false};
-volatile sig_atomic_t interruptCount = 0;
 
 void restoreMode() {
   if (modeSaved.exchange(false)) ::tcsetattr(STDIN_FILENO, TCSANOW, &savedMode);
-}
-
-void onSignal(int number) {
-  interruptCount = interruptCount + 1;
-  if (interruptCount < 2) return;
-  restoreMode();
-  ::signal(number, SIG_DFL);
-  ::raise(number);
 }
 
 }  // namespace
@@ -56,16 +46,6 @@ std::optional<char> RawTerminal::key(double timeout_s) {
   sleepUntil(now_s() + timeout_s);  // end of input: do not spin
   return {};
 }
-
-void catchInterrupts() {
-  struct sigaction action {};
-  action.sa_handler = onSignal;
-  ::sigemptyset(&action.sa_mask);
-  ::sigaction(SIGINT, &action, nullptr);
-  ::sigaction(SIGTERM, &action, nullptr);
-}
-
-bool interrupted() { return interruptCount > 0; }
 
 int terminalColumns() {
   winsize size{};

@@ -21,10 +21,6 @@ class RawTerminal {
   bool interactive_ = false;
 };
 
-/// Turns SIGINT and SIGTERM into a flag; the second one ends the program at once.
-void catchInterrupts();
-bool interrupted();
-
 /// Columns of the terminal behind standard error; 80 where unknown.
 int terminalColumns();
 bool errorIsTerminal();

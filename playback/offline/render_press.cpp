@@ -98,6 +98,9 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
     engine->render(block.data(), count);
     while (engine->nextEvent(event)) summary.events.push_back(event);
     for (std::size_t i = 0; i < count; ++i) summary.peak = std::max(summary.peak, std::fabs(block[i]));
+    if (settings.cancelled && settings.cancelled()) {
+      return Failure{FailureCode::wrongUsage, "render", "", "was cancelled", "Start it again"};
+    }
     if (!sink(block.data(), count)) break;
   }
   summary.duration_s = static_cast<double>(engine->frame()) / settings.sampleRate_Hz;

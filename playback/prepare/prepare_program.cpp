@@ -55,6 +55,9 @@ class Preparation {
     setHysteresis();
     setChain();
     p.stateCount = static_cast<std::uint32_t>(std::min(button_.states().size(), maxStates));
+    p.gridOrigin_mm = button_.states().front().graph.press().start_mm();
+    for (const ButtonState& state : button_.states())
+      p.gridOrigin_mm = std::min(p.gridOrigin_mm, lowOf(state));
     for (std::size_t i = 0; i < p.stateCount; ++i) prepareState(button_.states()[i], p.states[i]);
     return std::move(prepared_);
   }
@@ -67,6 +70,14 @@ class Preparation {
     return settings_.mode == FeedbackMode::full || settings_.mode == FeedbackMode::slopeOnly;
   }
   void warn(std::string text) { prepared_.summary.warnings.push_back(std::move(text)); }
+
+  /// Where the tables of a state begin. A self-locking button's release may end elsewhere than its press
+  /// began.
+  double lowOf(const ButtonState& state) const {
+    const double start_mm = state.graph.press().start_mm();
+    return button_.selfLocking() ? std::min(start_mm, state.graph.curve(Stroke::release).start_mm())
+                                 : start_mm;
+  }
 
   void setName() {
     auto& name = prepared_.program.name;
@@ -140,6 +151,10 @@ class Preparation {
   void prepareState(const ButtonState& from, StateProgram& to) {
     to.start_mm = from.graph.press().start_mm();
     to.end_mm = from.graph.press().end_mm();
+    to.low_mm = lowOf(from);
+    to.rest_mm = button_.selfLocking()
+                     ? std::clamp(from.graph.curve(Stroke::release).start_mm(), to.low_mm, to.end_mm)
+                     : to.start_mm;
     const StrokePlan press{from.graph.press(), Stroke::press,
                            sectionsOf(from.graph.press(), Stroke::press, settings_.sections)};
     const StrokeCurve& releaseCurve = from.graph.curve(Stroke::release);
@@ -173,7 +188,7 @@ class Preparation {
     // Arriving at a place takes some way to it.
     if (to.operating_mm <= to.start_mm) to.operating_mm = std::nextafter(to.start_mm, to.end_mm);
     to.hasResetPoint = true;
-    to.reset_mm = std::clamp(from.resetPoint_mm.value_or(to.operating_mm), to.start_mm, to.end_mm);
+    to.reset_mm = std::clamp(from.resetPoint_mm.value_or(to.operating_mm), to.low_mm, to.end_mm);
     if (to.reset_mm >= to.end_mm) to.reset_mm = std::nextafter(to.end_mm, to.start_mm);
   }
 
@@ -201,7 +216,7 @@ class Preparation {
     // A release ends where the finger no longer pushes, even if the printed curve ends at or below no force.
     const double lowest_N =
         plan.stroke == Stroke::release ? prepared_.program.restForce_N : -ForceGraph::maxForce_N;
-    const TableFit fit = fitTable(plan.curve, state.start_mm, state.end_mm, lowest_N, kept);
+    const TableFit fit = fitTable(plan.curve, state.low_mm, state.end_mm, lowest_N, kept);
     std::copy(fit.points.begin(), fit.points.end(), table.points.begin());
     table.pointCount = static_cast<std::uint32_t>(fit.points.size());
     prepared_.summary.tablePoints += fit.points.size();
@@ -212,17 +227,18 @@ class Preparation {
   // grid places within it. What lies outside a release curve's own range belongs to its nearest slope.
   void addSlopes(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
     const auto cell = [&](double x_mm) {
-      return static_cast<std::int64_t>(std::floor((x_mm - state.start_mm) * settings_.grainsPerMm + 1e-9));
+      return static_cast<std::int64_t>(
+          std::floor((x_mm - prepared_.program.gridOrigin_mm) * settings_.grainsPerMm + 1e-9));
     };
     std::vector<GrainRange> ranges;
     for (std::size_t i = 0; i < plan.sections.size(); ++i) {
       const Section& s = plan.sections[i];
       if (s.kind != SectionKind::slope) continue;
-      double low = std::max(std::min(s.from_mm, s.to_mm), state.start_mm);
+      double low = std::max(std::min(s.from_mm, s.to_mm), state.low_mm);
       double high = std::min(std::max(s.from_mm, s.to_mm), state.end_mm);
       const bool first = i == 0, last = i + 1 == plan.sections.size();
       const bool press = plan.stroke == Stroke::press;
-      if (press ? first : last) low = state.start_mm;
+      if (press ? first : last) low = press ? state.start_mm : state.low_mm;
       if (press ? last : first) high = state.end_mm;
       if (high > low) ranges.push_back({cell(low) + 1, cell(high)});
     }
@@ -266,8 +282,8 @@ class Preparation {
     const PlaybackSettings& s = settings_;
     const bool press = plan.stroke == Stroke::press;
     JumpEntry entry;
-    entry.from_mm = std::clamp(section.from_mm, state.start_mm, state.end_mm);
-    entry.to_mm = std::clamp(section.to_mm, state.start_mm, state.end_mm);
+    entry.from_mm = std::clamp(section.from_mm, state.low_mm, state.end_mm);
+    entry.to_mm = std::clamp(section.to_mm, state.low_mm, state.end_mm);
     entry.rearm_mm = press ? entry.from_mm - rearmDistance(entry.from_mm - state.start_mm)
                            : entry.from_mm + rearmDistance(state.end_mm - entry.from_mm);
     entry.burst.frequency_Hz = press ? press_Hz_ : release_Hz_;

@@ -63,7 +63,10 @@ struct StrokeTable {
 };
 
 struct StateProgram {
-  double start_mm = 0, end_mm = 0;  ///< travel; both strokes' tables cover exactly this
+  double low_mm = 0, end_mm = 0;  ///< range of both strokes' tables
+  double start_mm = 0;            ///< where the press stroke begins; an unactuated press returns to here
+  double rest_mm =
+      0;  ///< where a release ends after an actuation: start_mm, or where a self-locking button latches
   StrokeTable press, release;
   bool hasBottomOut = false;
   double bottomOut_mm = 0;       ///< felt when a press arrives here
@@ -102,7 +105,8 @@ struct HapticProgram {
   std::uint32_t stateCount = 0;             ///< 1 momentary, 2 self-locking
   std::array<StateProgram, maxStates> states{};
 
-  double grainsPerMm = 0;  ///< 0: no slope feedback
+  double grainsPerMm = 0;    ///< 0: no slope feedback
+  double gridOrigin_mm = 0;  ///< grain k lies at gridOrigin_mm + k / grainsPerMm, for all states
   Burst grain;
   Burst bottomOut;
 

@@ -46,7 +46,12 @@ void StrokeTracker::use(const HapticProgram* program) {
 
 std::int64_t StrokeTracker::grainCell(double displacement_mm) const {
   return static_cast<std::int64_t>(
-      std::floor((displacement_mm - state().start_mm) * program_->grainsPerMm + cellRounding));
+      std::floor((displacement_mm - program_->gridOrigin_mm) * program_->grainsPerMm + cellRounding));
+}
+
+// A self-locking button stays down after an actuation; whatever was pressed less far comes back up.
+double StrokeTracker::releaseEnd_mm() const {
+  return actuated_ && program_->stateCount > 1 ? state().rest_mm : state().start_mm;
 }
 
 double StrokeTracker::forceAt(double displacement_mm) const {
@@ -77,7 +82,7 @@ const Crossings& StrokeTracker::updateForce(double force_N) {
   if (!position_.releasing) {
     if (force_N > extreme_N_) extreme_N_ = force_N;
     const bool turned = force_N < extreme_N_ - program_->hysteresis_N;
-    const bool down = position_.displacement_mm > state().start_mm;
+    const bool down = position_.displacement_mm > releaseEnd_mm();
     if (atRest && !down) return crossings_;  // nobody presses, whatever a curve without force would say
     if (turned || atRest) turn(true, force_N);
   } else {
@@ -93,10 +98,10 @@ const Crossings& StrokeTracker::updateForce(double force_N) {
 const Crossings& StrokeTracker::updateDisplacement(double displacement_mm) {
   assert(program_ != nullptr && std::isfinite(displacement_mm));
   begin();
-  const double x = clamped(displacement_mm, state().start_mm, state().end_mm);
+  const double x = clamped(displacement_mm, state().low_mm, state().end_mm);
   if (!position_.releasing) {
     if (x > extreme_mm_) extreme_mm_ = x;
-    if (x < extreme_mm_ - program_->hysteresis_mm || (x <= state().start_mm && x < extreme_mm_)) {
+    if (x < extreme_mm_ - program_->hysteresis_mm || (x <= releaseEnd_mm() && x < extreme_mm_)) {
       turn(true, position_.force_N);
       extreme_mm_ = x;
     }
@@ -129,6 +134,7 @@ void StrokeTracker::advanceByForce(double from_N, double to_N) {
     return t.points[static_cast<std::size_t>(s > 0 ? k : count - 1 - k)];
   };
   const double target = s * to_N, origin = s * from_N;
+  const double limit_mm = position_.releasing ? releaseEnd_mm() : state().end_mm;
   const auto fractionOf = [&](double level) {
     return target > origin ? clamped((level - origin) / (target - origin), 0, 1) : 1.0;
   };
@@ -152,14 +158,19 @@ void StrokeTracker::advanceByForce(double from_N, double to_N) {
     const TablePoint &a = at(next - 1), &b = at(next);
     level = s * lerp(a.force_N, b.force_N, (x - a.displacement_mm) / (b.displacement_mm - a.displacement_mm));
   }
-  if (level > target) return;
+  if (level > target || s * x >= s * limit_mm) return;
   boundGrainsUpTo(at(count - 1).displacement_mm);
 
   double highest = level > origin ? level : origin;
   for (; next < count; ++next) {
     const TablePoint& b = at(next);
-    const double levelB = s * b.force_N;
-    const double xB = b.displacement_mm;
+    double levelB = s * b.force_N;
+    double xB = b.displacement_mm;
+    const bool last = s * xB >= s * limit_mm;
+    if (s * xB > s * limit_mm) {
+      levelB = lerp(level, levelB, (limit_mm - x) / (xB - x));
+      xB = limit_mm;
+    }
     // Where the level passes the highest so far, time starts to run again: split there.
     if (levelB > highest && level < highest && xB != x) {
       const double xSplit = lerp(x, xB, (highest - level) / (levelB - level));
@@ -179,6 +190,7 @@ void StrokeTracker::advanceByForce(double from_N, double to_N) {
     x = xB;
     level = levelB;
     highest = reached;
+    if (last) break;
   }
   position_.displacement_mm = x;
 }
@@ -269,7 +281,7 @@ void StrokeTracker::boundGrainsUpTo(double farthest_mm) {
 }
 
 void StrokeTracker::addGrain(std::int64_t index, std::int64_t merged, const Piece& piece) {
-  const double x = state().start_mm + static_cast<double>(index) / program_->grainsPerMm;
+  const double x = program_->gridOrigin_mm + static_cast<double>(index) / program_->grainsPerMm;
   if (crossings_.count >= Crossings::capacity - maxJumps - 4) {
     // Keep room for jumps; the last grain found takes the number over.
     for (std::size_t i = crossings_.count; i-- > 0;) {
@@ -322,8 +334,7 @@ void StrokeTracker::add(CrossingKind kind, std::size_t jump, double at_mm, const
 void StrokeTracker::finish() {
   rearm();
   spreadTies();
-  const StateProgram& now = state();
-  if (!position_.releasing || position_.displacement_mm > now.start_mm) return;
+  if (!position_.releasing || position_.displacement_mm > releaseEnd_mm()) return;
   position_.contact = false;
   if (!actuated_) return;
   actuated_ = false;

@@ -93,6 +93,7 @@ class StrokeTracker {
   void spreadTies();
   std::int64_t grainCell(double displacement_mm) const;
   double forceAt(double displacement_mm) const;
+  double releaseEnd_mm() const;
 
   const HapticProgram* program_ = nullptr;
   StrokePosition position_;

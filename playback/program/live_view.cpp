@@ -1,0 +1,260 @@
+// The terminal view of `detent-play BUTTON`.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+#include "playback/device/steady_clock.h"
+#include "playback/device/terminal.h"
+#include "playback/program/run.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double frame_s = 0.05;
+constexpr double tapHold_s = 0.15;
+constexpr double gainStep = 1.1220184543;  // 1 dB
+constexpr double highestGain = 10;
+constexpr double traceLead_s = 0.2;
+constexpr double traceTail_s = 0.6;
+constexpr std::array<const char*, 4> modeNames{"full", "click-only", "slope-only", "off"};
+
+const char* nameOf(SensorCondition condition) {
+  switch (condition) {
+    case SensorCondition::none:
+      return "keyboard";
+    case SensorCondition::starting:
+      return "sensor starts";
+    case SensorCondition::running:
+      return "sensor runs";
+    case SensorCondition::silent:
+      return "SENSOR SILENT";
+    case SensorCondition::stuck:
+      return "SENSOR STUCK";
+    case SensorCondition::unplugged:
+      break;
+  }
+  return "SENSOR UNPLUGGED";
+}
+
+double peakForceOf(const Button& button) {
+  double strongest = 0;
+  for (const ButtonState& s : button.states())
+    strongest = std::max(strongest, s.graph.press().forceRange_N().second);
+  return std::max(1.25 * strongest, 0.1);
+}
+
+class LiveView {
+ public:
+  LiveView(const Arguments& a, const std::vector<Button>& buttons, const DeviceProfile& profile)
+      : a_(a), buttons_(buttons), profile_(profile), settings_(a.settings), gain_(a.gain) {}
+
+  int run(const Cancelled& cancelled) {
+    Result<PreparedProgram> program = prepare();
+    if (!program) return fail(program.failure());
+    Result<std::unique_ptr<LivePlayer>> player = LivePlayer::start(a_.player, program->program);
+    if (!player) return fail(player.failure());
+    player_ = std::move(*player);
+    if (Result<Done> ok = connect(); !ok) return fail(ok.failure());
+    std::fprintf(stderr,
+                 "%s on %s. Space presses, Tab changes the button, + - gain, m mode, p placement, q ends.\n",
+                 buttons_[current_].name().c_str(), player_->status().device.c_str());
+    const double end_s = a_.seconds > 0 ? now_s() + a_.seconds : 1e300;
+    {
+      RawTerminal terminal;
+      while (!cancelled() && !ended_ && now_s() < end_s) {
+        if (const std::optional<char> key = terminal.key(frame_s)) handle(*key);
+        follow();
+      }
+    }
+    finish();
+    return exitCode_;
+  }
+
+ private:
+  Result<PreparedProgram> prepare() {
+    Result<PreparedProgram> prepared = prepareProgram(buttons_[current_], profile_, settings_);
+    if (prepared) {
+      for (const std::string& w : prepared->summary.warnings)
+        std::fprintf(stderr, "warning: %s\n", w.c_str());
+    }
+    return prepared;
+  }
+
+  Result<Done> connect() {
+    player_->setGain(gain_);
+    if (!a_.sensorPort.empty()) {
+      if (Result<Done> ok = player_->attachSensor(a_.sensorPort, a_.baud, profile_.sensor); !ok) return ok;
+    }
+    if (a_.udpPort >= 0) {
+      Result<std::uint16_t> port = player_->listenFudi(static_cast<std::uint16_t>(a_.udpPort));
+      if (!port) return port.failure();
+      std::fprintf(stderr, "FUDI on UDP port %u\n", *port);
+    }
+    if (a_.oscPort >= 0) {
+      Result<std::uint16_t> port = player_->listenOsc(static_cast<std::uint16_t>(a_.oscPort));
+      if (!port) return port.failure();
+      std::fprintf(stderr, "OSC on UDP port %u\n", *port);
+    }
+    if (!a_.signalTarget.empty()) {
+      if (Result<Done> ok = sendSignals(); !ok) return ok;
+    }
+    if (a_.pressFile.empty()) return Done{};
+    Result<PressTrace> trace = readPressTrace(a_.pressFile);
+    if (!trace) return trace.failure();
+    Result<std::int64_t> started = player_->playTrace(*trace, traceLead_s);
+    if (!started) return started.failure();
+    tracing_ = true;
+    return Done{};
+  }
+
+  Result<Done> sendSignals() {
+    const std::size_t colon = a_.signalTarget.rfind(':');
+    const int port = colon == std::string::npos ? 0 : std::atoi(a_.signalTarget.c_str() + colon + 1);
+    if (port < 1 || port > 65535) {
+      return Failure{FailureCode::wrongUsage, "--signals-to", "",
+                     "\"" + a_.signalTarget + "\" is not HOST:PORT", "Give for example localhost:9001"};
+    }
+    return player_->sendSignals(a_.signalTarget.substr(0, colon), static_cast<std::uint16_t>(port));
+  }
+
+  void handle(char key) {
+    switch (key) {
+      case ' ':
+        player_->fingerTap(a_.fingerPeak_N > 0 ? a_.fingerPeak_N : peakForceOf(buttons_[current_]),
+                           tapHold_s);
+        break;
+      case '\t':
+        current_ = (current_ + 1) % buttons_.size();
+        exchange();
+        break;
+      case 'm':
+        settings_.mode = static_cast<FeedbackMode>((static_cast<int>(settings_.mode) + 1) % 4);
+        exchange();
+        break;
+      case 'p':
+        settings_.placement = settings_.placement == EventPlacement::atOnce ? EventPlacement::timeStamped
+                                                                            : EventPlacement::atOnce;
+        exchange();
+        break;
+      case '+':
+      case '=':
+        player_->setGain(gain_ = std::min(gain_ * gainStep, highestGain));
+        break;
+      case '-':
+        player_->setGain(gain_ /= gainStep);
+        break;
+      case 'q':
+      case 4:  // Ctrl-D
+        ended_ = true;
+        break;
+      default:
+        break;
+    }
+  }
+
+  void exchange() {
+    Result<PreparedProgram> program = prepare();
+    if (program) {
+      player_->setProgram(program->program);
+    } else {
+      exitCode_ = fail(program.failure());
+      ended_ = true;
+    }
+  }
+
+  void follow() {
+    for (const EngineEvent& e : player_->takeEvents()) {
+      if (e.kind == EventKind::pressJump) last_ = "press jump";
+      if (e.kind == EventKind::releaseJump) last_ = "release jump";
+      if (e.kind == EventKind::bottomOut) last_ = "bottom-out";
+    }
+    if (tracing_ && !player_->tracePlaying()) {
+      tracing_ = false;
+      if (a_.seconds <= 0) traceEnd_s_ = now_s() + traceTail_s;
+    }
+    if (traceEnd_s_ > 0 && now_s() > traceEnd_s_) ended_ = true;
+    if (errorIsTerminal()) draw(player_->status());
+  }
+
+  void draw(const PlayerStatus& s) {
+    const std::size_t bars = static_cast<std::size_t>(std::clamp(s.level, 0.0, 1.0) * 10 + 0.5);
+    char text[400];
+    std::snprintf(text, sizeof text,
+                  "%s%s %5.2f N %6.3f mm %s%s |%-10s| gain %+.0f dB %s %s grains %llu jumps %llu %s load "
+                  "%2.0f%% xruns %llu %s %s",
+                  buttons_[current_].name().substr(0, 20).c_str(),
+                  buttons_[current_].selfLocking() ? (s.state == 0 ? " (1)" : " (2)") : "", s.force_N,
+                  s.displacement_mm, s.releasing ? "up  " : "down", s.contact ? "*" : " ",
+                  std::string(bars, '#').c_str(), 20 * std::log10(std::max(gain_, 1e-6)),
+                  modeNames[static_cast<std::size_t>(settings_.mode)],
+                  settings_.placement == EventPlacement::atOnce ? "fast" : "time-stamped",
+                  static_cast<unsigned long long>(s.counts.grains),
+                  static_cast<unsigned long long>(s.counts.pressJumps + s.counts.releaseJumps), last_,
+                  100 * s.load, static_cast<unsigned long long>(s.xruns), s.deviceLost ? "DEVICE LOST" : "",
+                  nameOf(s.sensor));
+    std::string line(text);
+    line.resize(static_cast<std::size_t>(std::max(terminalColumns() - 1, 20)), ' ');
+    std::fprintf(stderr, "\r%s", line.c_str());
+  }
+
+  void finish() {
+    const PlayerStatus s = player_->status();
+    player_.reset();
+    std::fprintf(
+        stderr,
+        "\n%llu grains, %llu press jumps, %llu release jumps, %llu bottom-outs, %llu xruns, load %.1f %%\n",
+        static_cast<unsigned long long>(s.counts.grains),
+        static_cast<unsigned long long>(s.counts.pressJumps),
+        static_cast<unsigned long long>(s.counts.releaseJumps),
+        static_cast<unsigned long long>(s.counts.bottomOuts), static_cast<unsigned long long>(s.xruns),
+        100 * s.meanLoad);
+    if (!a_.json) return;
+    const nlohmann::ordered_json json{{"status", "done"},
+                                      {"device", s.device},
+                                      {"sample_rate_Hz", s.sampleRate_Hz},
+                                      {"block_frames", s.blockFrames},
+                                      {"grains", s.counts.grains},
+                                      {"press_jumps", s.counts.pressJumps},
+                                      {"release_jumps", s.counts.releaseJumps},
+                                      {"bottom_outs", s.counts.bottomOuts},
+                                      {"triggers", s.counts.triggers},
+                                      {"late", s.counts.late},
+                                      {"suppressed", s.counts.suppressed},
+                                      {"xruns", s.xruns},
+                                      {"device_losses", s.deviceLosses},
+                                      {"mean_load", s.meanLoad},
+                                      {"rejected_readings", s.rejectedReadings},
+                                      {"malformed_lines", s.malformedLines},
+                                      {"sensor_reconnects", s.sensorReconnects},
+                                      {"signal_messages", s.signalMessages},
+                                      {"malformed_messages", s.malformedMessages}};
+    std::cout << json.dump(2) << "\n";
+  }
+
+  const Arguments& a_;
+  const std::vector<Button>& buttons_;
+  const DeviceProfile& profile_;
+  PlaybackSettings settings_;
+  double gain_;
+  std::size_t current_ = 0;
+  std::unique_ptr<LivePlayer> player_;
+  const char* last_ = "";
+  bool ended_ = false, tracing_ = false;
+  double traceEnd_s_ = 0;
+  int exitCode_ = 0;
+};
+
+}  // namespace
+
+int runLive(const Arguments& arguments, const std::vector<Button>& buttons, const DeviceProfile& profile,
+            const Cancelled& cancelled) {
+  return LiveView(arguments, buttons, profile).run(cancelled);
+}
+
+}  // namespace detent::playback

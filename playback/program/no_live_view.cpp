@@ -1,0 +1,10 @@
+#include "playback/program/run.h"
+
+namespace detent::playback {
+
+int runLive(const Arguments&, const std::vector<Button>&, const DeviceProfile&, const Cancelled&) {
+  return fail({FailureCode::deviceTrouble, "live playback", "", "is not part of this build",
+               "Build with -DDETENT_WITH_DEVICE=ON, or use `detent-play render`"});
+}
+
+}  // namespace detent::playback
