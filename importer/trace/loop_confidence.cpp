@@ -1,0 +1,117 @@
+#include "importer/trace/loop_confidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace detent::importer::loop {
+
+namespace {
+
+/// 0 at `bad`, 1 at `good`, straight between.
+double ramp(double value, double bad, double good) {
+  return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
+}
+
+double shareOnInk(const std::vector<Point>& path, const Structure& s) {
+  int on = 0;
+  for (const Point& p : path) {
+    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+    float best = 0;
+    for (int v = y - 1; v <= y + 1; ++v) {
+      for (int u = x - 1; u <= x + 1; ++u) {
+        if (!s.curveInk.inside(u, v)) continue;
+        const bool line = s.explained.at(u, v) > 0.3F * s.curveLevel;
+        best = std::max({best, s.curveInk.at(u, v), line ? 0.5F : 0.0F});
+      }
+    }
+    if (best > 0.35F) ++on;
+  }
+  return path.empty() ? 0 : double(on) / double(path.size());
+}
+
+/// Share of the path that runs along a straight line of the plot instead of on curve ink of its own.
+double shareAlongLines(const std::vector<Point>& path, const Structure& s) {
+  int along = 0;
+  for (const Point& p : path) {
+    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+    if (!s.curveInk.inside(x, y)) continue;
+    if (s.explained.at(x, y) > 0.3F * s.curveLevel && s.curveInk.at(x, y) < 0.35F) ++along;
+  }
+  return path.empty() ? 0 : double(along) / double(path.size());
+}
+
+double shareExplained(const PlanePair& pair, const Structure& s, const Plane& plane) {
+  cv::Mat free(s.curveInk.height, s.curveInk.width, CV_8U, cv::Scalar(1));
+  for (const std::vector<Point>* path : {&pair.press, &pair.release}) {
+    for (const Point& p : *path) {
+      cv::circle(free, cv::Point(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))),
+                 static_cast<int>(std::ceil(s.strokeWidth_px / 2)) + 1, cv::Scalar(0), -1);
+    }
+  }
+  const cv::Mat ink(s.curveInk.height, s.curveInk.width, CV_32F,
+                    const_cast<float*>(s.curveInk.values.data()));
+  const cv::Mat strong = ink > 0.5F;
+  cv::Mat labels, stats, centroids;
+  const int count = cv::connectedComponentsWithStats(strong, labels, stats, centroids, 8, CV_32S);
+  const double longEnough = 0.08 * plane.frame.width();
+  double all = 0, left = 0;
+  for (int y = 0; y < labels.rows; ++y) {
+    for (int x = 0; x < labels.cols; ++x) {
+      const int i = labels.at<int>(y, x);
+      if (i == 0 || i >= count) continue;
+      if (std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)) < longEnough)
+        continue;
+      all += 1;
+      left += free.at<unsigned char>(y, x);
+    }
+  }
+  return all > 0 ? 1 - left / all : 0;
+}
+
+/// Sum of absolute turns along the path, radian, over steps that look through pixel noise.
+double turning(const std::vector<Point>& path) {
+  constexpr std::size_t kStep = 6;
+  double sum = 0;
+  for (std::size_t i = kStep; i + kStep < path.size(); i += kStep) {
+    const Point a{path[i].x - path[i - kStep].x, path[i].y - path[i - kStep].y};
+    const Point b{path[i + kStep].x - path[i].x, path[i + kStep].y - path[i].y};
+    sum += std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y));
+  }
+  return sum;
+}
+
+double meanTrust(const RefinedStroke& stroke) {
+  double sum = 0;
+  for (double t : stroke.trust) sum += t;
+  return stroke.trust.empty() ? 0 : sum / double(stroke.trust.size());
+}
+
+}  // namespace
+
+double LoopEvidence::confidence() const {
+  return ramp(onInk, 0.75, 0.95) * ramp(explained, 0.25, 0.6) * ramp(fit, 0.25, 0.6) * steadiness * reach;
+}
+
+LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Structure& structure,
+                   const Plane& plane) {
+  LoopEvidence e;
+  const bool both = !pair.release.empty();
+  const auto worse = [&](auto&& of) {
+    return both ? std::min(of(pair.press), of(pair.release)) : of(pair.press);
+  };
+  e.onInk = worse([&](const std::vector<Point>& p) { return shareOnInk(p, structure); }) -
+            0.5 * (1 - worse([&](const std::vector<Point>& p) {
+                     return 1 - std::max(0.0, shareAlongLines(p, structure) - 0.15);
+                   }));
+  e.explained = shareExplained(pair, structure, plane);
+  e.fit = both ? std::min(meanTrust(refined.press), meanTrust(refined.release)) : meanTrust(refined.press);
+  e.steadiness = worse([&](const std::vector<Point>& p) { return 1 - ramp(turning(p), 18, 45); });
+  e.reach = worse([&](const std::vector<Point>& p) {
+    return ramp((p.back().x - p.front().x) / plane.frame.width(), 0.1, 0.25);
+  });
+  return e;
+}
+
+}  // namespace detent::importer::loop

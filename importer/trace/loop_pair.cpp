@@ -1,0 +1,329 @@
+#include "importer/trace/loop_pair.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace detent::importer::loop {
+
+namespace {
+
+std::vector<Point> densify(const std::vector<Point>& points) {
+  std::vector<Point> out;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) {
+      const Point a = points[i - 1], b = points[i];
+      const int n = std::max(1, static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y))));
+      for (int k = 1; k < n; ++k) out.push_back({a.x + (b.x - a.x) * k / n, a.y + (b.y - a.y) * k / n});
+    }
+    out.push_back(points[i]);
+  }
+  return out;
+}
+
+/// Pixels a path may use: near left-over ink, and along explained lines a little farther.
+Grid openPixels(const Structure& s, const Plane& plane) {
+  constexpr float kNear = 10, kAlongLine = 40;
+  constexpr double kOutside = 2;
+  Grid open(s.curveInk.width, s.curveInk.height);
+  for (int y = 0; y < open.height; ++y) {
+    if (y < plane.frame.y0 - kOutside || y > plane.frame.y1 + kOutside) continue;
+    for (int x = 0; x < open.width; ++x) {
+      if (x < plane.frame.x0 - kOutside || x > plane.frame.x1 + kOutside) continue;
+      const bool line = s.explained.at(x, y) > 0.3F * s.curveLevel;
+      open.at(x, y) = s.gapDistance.at(x, y) <= (line ? kAlongLine : kNear) ? 1.0F : 0.0F;
+    }
+  }
+  return open;
+}
+
+void forDisc(const Grid& grid, Point centre, double radius, const auto& visit) {
+  const int x0 = static_cast<int>(std::ceil(centre.x - radius)),
+            x1 = static_cast<int>(std::floor(centre.x + radius));
+  const int y0 = static_cast<int>(std::ceil(centre.y - radius)),
+            y1 = static_cast<int>(std::floor(centre.y + radius));
+  for (int y = y0; y <= y1; ++y) {
+    for (int x = x0; x <= x1; ++x) {
+      const double dx = x - centre.x, dy = y - centre.y;
+      if (grid.inside(x, y) && dx * dx + dy * dy <= radius * radius) visit(x, y);
+    }
+  }
+}
+
+/// The reward that is left for the other stroke.
+Grid rewardBeside(const Grid& reward, const std::vector<Point>& taken, double radius) {
+  constexpr float kTaken = 0.12F;  // above 0: where both share one line, both follow it to its end
+  Grid left = reward;
+  for (const Point& p : taken) {
+    forDisc(left, p, radius, [&](int x, int y) { left.at(x, y) = std::min(left.at(x, y), kTaken); });
+  }
+  return left;
+}
+
+/// Length of curve ink on `path` that `other` does not cover.
+double ownInk(const std::vector<Point>& path, const Grid& left) {
+  double own = 0;
+  for (const Point& p : path) {
+    const float r = left.at(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
+    if (r > 0.3F) own += r;
+  }
+  return own;
+}
+
+struct Stretch {
+  std::size_t from = 0, to = 0;
+  double length = 0;
+};
+
+/// Share of curve ink or explained ink on the straight line between two points.
+double inkBetween(const Grid& reward, Point a, Point b) {
+  const int n = std::max(1, static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y))));
+  int inked = 0;
+  for (int i = 0; i <= n && i - inked <= 3; ++i) {
+    const Point p{a.x + (b.x - a.x) * i / n, a.y + (b.y - a.y) * i / n};
+    float best = -1;
+    forDisc(reward, p, 1.5, [&](int x, int y) { best = std::max(best, reward.at(x, y)); });
+    if (best > 0) ++inked;
+  }
+  return double(inked) / (n + 1);
+}
+
+/// The longest detour of a path: it leaves a line of ink and comes back to it close by. Leaders, guide lines
+/// and the latch branches of alternate-action switches make such detours; a curve does not, its own ink does
+/// not close below a peak.
+std::optional<Stretch> findDetour(const std::vector<Point>& path, const Grid& reward, double strokeWidth,
+                                  const Box& frame) {
+  const double widest = 0.06 * frame.width();
+  if (static_cast<double>(path.size()) > 6 * (frame.width() + frame.height()))
+    return std::nullopt;  // no curve at all
+  const double shortest = std::max(10 * strokeWidth, 0.12 * frame.height());
+  std::vector<double> arc(path.size());
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    arc[i] = arc[i - 1] + std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
+  }
+  std::optional<Stretch> longest;
+  constexpr std::size_t kStep = 3;
+  for (std::size_t i = 0; i < path.size(); i += kStep) {
+    for (std::size_t j = i + kStep; j < path.size() && path[j].x - path[i].x <= widest; j += kStep) {
+      const double length = arc[j] - arc[i];
+      if (length < shortest || (longest && length <= longest->length)) continue;
+      const double chord = std::hypot(path[j].x - path[i].x, path[j].y - path[i].y);
+      if (chord > widest || length < 4 * chord) continue;
+      if (chord > strokeWidth + 1.5 && inkBetween(reward, path[i], path[j]) < 0.9) continue;
+      longest = Stretch{i, j, length};
+    }
+  }
+  return longest;
+}
+
+/// A detour at either end of a path is a wall gone up and down again: cut at its turning point. False if it
+/// is none.
+bool cutAtTurn(std::vector<Point>& path, const Stretch& detour, double frameWidth) {
+  const double nearEnd = 0.05 * frameWidth;
+  const bool atBack = path.back().x - path[detour.to].x < nearEnd;
+  const bool atFront = path[detour.from].x - path.front().x < nearEnd;
+  if (!atBack && !atFront) return false;
+  const Point base = path[atBack ? detour.from : detour.to];
+  std::size_t tip = detour.from;
+  double farthest = 0;
+  for (std::size_t k = detour.from; k <= detour.to; ++k) {
+    const double d = std::hypot(path[k].x - base.x, path[k].y - base.y);
+    if (d <= farthest) continue;
+    farthest = d;
+    tip = k;
+  }
+  const std::size_t before = path.size();
+  if (atBack) {
+    path.resize(tip + 1);
+  } else {
+    path.erase(path.begin(), path.begin() + static_cast<std::ptrdiff_t>(tip));
+  }
+  return path.size() < before;
+}
+
+/// The best path that makes no detour. Ink of detours found is taken out of `reward` for later searches too.
+std::vector<Point> directPath(LiftedSearch& search, Grid& reward, const std::vector<Point>& taken,
+                              double radius, const PathLimits& limits, double strokeWidth, const Box& frame) {
+  constexpr int kDetours = 6;
+  constexpr float kNoCurve = -0.4F;
+  std::vector<Point> path;
+  for (int i = 0; i <= kDetours; ++i) {
+    path = densify(search.best(rewardBeside(reward, taken, radius), limits).points);
+    std::optional<Stretch> detour = findDetour(path, reward, strokeWidth, frame);
+    while (detour && cutAtTurn(path, *detour, frame.width()))
+      detour = findDetour(path, reward, strokeWidth, frame);
+    if (!detour || i == kDetours) break;
+    const Point start = path[detour->from], end = path[detour->to];
+    const double spare = strokeWidth + 1;
+    for (std::size_t k = detour->from; k < detour->to; ++k) {
+      const Point p = path[k];
+      if (std::hypot(p.x - start.x, p.y - start.y) < spare || std::hypot(p.x - end.x, p.y - end.y) < spare)
+        continue;
+      forDisc(reward, p, strokeWidth / 2 + 1,
+              [&](int x, int y) { reward.at(x, y) = std::min(reward.at(x, y), kNoCurve); });
+    }
+  }
+  return path;
+}
+
+/// Twice the signed area between a piece of each path; positive where the first lies to the left of travel.
+double leftness(const std::vector<Point>& a, std::size_t a0, std::size_t a1, const std::vector<Point>& b,
+                std::size_t b0, std::size_t b1) {
+  std::vector<Point> ring(a.begin() + static_cast<std::ptrdiff_t>(a0),
+                          a.begin() + static_cast<std::ptrdiff_t>(a1) + 1);
+  for (std::size_t j = b1 + 1; j-- > b0;) ring.push_back(b[j]);
+  double area = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Point p = ring[i], q = ring[(i + 1) % ring.size()];
+    area += p.x * q.y - q.x * p.y;
+  }
+  return area;
+}
+
+/// Where one stroke ends on the other, both go on together: the shorter one gets the rest of the longer one.
+/// Not so on the force axis itself: there each stroke starts at its own force.
+void shareEnd(std::vector<Point>& shorter, const std::vector<Point>& longer, double within,
+              double axisColumn) {
+  const Point end = shorter.back();
+  std::size_t at = longer.size();
+  double best = within * within;
+  for (std::size_t j = 0; j < longer.size(); ++j) {
+    const double dx = longer[j].x - end.x, dy = longer[j].y - end.y;
+    if (dx * dx + dy * dy > best) continue;
+    best = dx * dx + dy * dy;
+    at = j;
+  }
+  const auto rest = longer.begin() + static_cast<std::ptrdiff_t>(std::min(at + 1, longer.size()));
+  const bool onAxis =
+      std::all_of(rest, longer.end(), [&](Point p) { return std::abs(p.x - axisColumn) <= 0.6 * within; });
+  if (!onAxis) shorter.insert(shorter.end(), rest, longer.end());
+}
+
+void shareEnds(std::vector<Point>& a, std::vector<Point>& b, double within, const Box& frame) {
+  for (double axisColumn : {frame.x1 + frame.width(), frame.x0}) {
+    shareEnd(a, b, within, axisColumn);
+    shareEnd(b, a, within, axisColumn);
+    std::reverse(a.begin(), a.end());
+    std::reverse(b.begin(), b.end());
+  }
+}
+
+/// Ink on the force axis up to where the release leaves it belongs to the release: the press starts at its
+/// own force.
+void startOnAxis(std::vector<Point>& press, std::vector<Point>& release, double axisColumn, double within) {
+  const auto leaves = [&](std::vector<Point>& p) {
+    return std::find_if(p.begin(), p.end(), [&](Point q) { return std::abs(q.x - axisColumn) > within; });
+  };
+  const auto pressLeaves = leaves(press), releaseLeaves = leaves(release);
+  if (pressLeaves - press.begin() < 3 || pressLeaves == press.end() || releaseLeaves == release.end()) return;
+  const double releaseRow = releaseLeaves->y;
+  if (press.front().y <= releaseRow) return;
+  const auto above = std::find_if(press.begin(), pressLeaves, [&](Point q) { return q.y <= releaseRow; });
+  if (press.front().y > release.front().y + 1) {
+    std::vector<Point> whole(press.begin(), above);
+    whole.insert(whole.end(), releaseLeaves, release.end());
+    release = std::move(whole);
+  }
+  press.erase(press.begin(), above);
+}
+
+struct Contact {
+  std::size_t a, b;
+};
+
+std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<Point>& b, double within) {
+  std::vector<Contact> contacts;
+  std::size_t from = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    double best = within * within;
+    std::size_t at = b.size();
+    for (std::size_t j = from; j < b.size() && b[j].x <= a[i].x + within; ++j) {
+      const double dx = a[i].x - b[j].x, dy = a[i].y - b[j].y;
+      if (dx * dx + dy * dy < best) {
+        best = dx * dx + dy * dy;
+        at = j;
+      }
+    }
+    if (at == b.size()) continue;
+    contacts.push_back({i, at});
+    from = at;
+  }
+  return contacts;
+}
+
+}  // namespace
+
+std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vector<Point>& a,
+                                                                 const std::vector<Point>& b,
+                                                                 double contact_px) {
+  std::vector<Contact> contacts = contactsOf(a, b, contact_px);
+  contacts.push_back({a.size() - 1, b.size() - 1});
+  std::vector<Point> upper, lower;
+  std::size_t a0 = 0, b0 = 0;
+  for (std::size_t k = 0; k < contacts.size(); ++k) {
+    const Contact c = contacts[k];
+    const std::size_t last = k + 1 == contacts.size() ? 1 : 0;
+    const bool aLeft = leftness(a, a0, c.a, b, b0, c.b) >= 0;
+    std::vector<Point>& forA = aLeft ? upper : lower;
+    std::vector<Point>& forB = aLeft ? lower : upper;
+    for (std::size_t i = a0; i < c.a + last; ++i) forA.push_back(a[i]);
+    for (std::size_t j = b0; j < c.b + last; ++j) forB.push_back(b[j]);
+    a0 = c.a;
+    b0 = c.b;
+  }
+  return {upper, lower};
+}
+
+PlanePair findPair(const Structure& structure, const Plane& plane) {
+  Grid reward = rewardOf(structure, plane);
+  LiftedSearch search(openPixels(structure, plane), PathOptions{});
+  const int lastColumn = reward.width - 1;
+  const double stroke = structure.strokeWidth_px, radius = stroke / 2 + 0.5;
+  const auto follow = [&](const std::vector<Point>& beside, const PathLimits& limits) {
+    return directPath(search, reward, beside, radius, limits, stroke, plane.frame);
+  };
+  const PathLimits anywhere{0, lastColumn, 0, lastColumn};
+  PlanePair pair;
+  std::vector<Point> a = follow({}, anywhere);
+  if (a.size() < 2) return pair;
+  std::vector<Point> b = follow(a, anywhere);
+  const double tolerance = 0.05 * plane.frame.width();
+  const auto endsOf = [&]() {
+    double first = a.front().x, last = a.back().x;
+    if (b.size() > 1 && ownInk(b, rewardBeside(reward, a, radius)) > 0.06 * plane.frame.width()) {
+      first = std::min(first, b.front().x);
+      last = std::max(last, b.back().x);
+    }
+    return PathLimits{0, static_cast<int>(first + tolerance), static_cast<int>(last - tolerance), lastColumn};
+  };
+  // What both leave over, if it is long and reaches farther, is the part of the loop that a leader or a latch
+  // branch cut off.
+  std::vector<Point> both = a;
+  both.insert(both.end(), b.begin(), b.end());
+  std::vector<Point> third = follow(both, anywhere);
+  if (third.size() > 1 && ownInk(third, rewardBeside(reward, both, radius)) < 0.15 * plane.frame.width())
+    third.clear();
+  for (int round = 0; round < 2; ++round) {
+    PathLimits ends = endsOf();
+    if (third.size() > 1) {
+      ends.startTo = std::min(ends.startTo, static_cast<int>(third.front().x + tolerance));
+      ends.endFrom = std::max(ends.endFrom, static_cast<int>(third.back().x - tolerance));
+    }
+    if (b.size() > 1) {
+      std::vector<Point> again = follow(b, ends);
+      if (again.size() > 1) a = std::move(again);
+    }
+    b = follow(a, ends);
+  }
+  pair.ownRelease_px = b.size() > 1 ? ownInk(b, rewardBeside(reward, a, radius)) : 0;
+  if (pair.ownRelease_px < 0.05 * plane.frame.width()) {
+    pair.press = a;
+    return pair;
+  }
+  shareEnds(a, b, stroke + 1, plane.frame);
+  std::tie(pair.press, pair.release) = partUpperLower(a, b, std::max(0.75, 0.35 * stroke));
+  startOnAxis(pair.press, pair.release, plane.frame.x0, std::max(1.0, 0.6 * stroke));
+  return pair;
+}
+
+}  // namespace detent::importer::loop

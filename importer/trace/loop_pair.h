@@ -1,0 +1,27 @@
+#pragma once
+// Both strokes of the loop on the work plane. Each path is the best one given the other: ink already taken by
+// one stroke is worth little to the other, so that together they take all strong curve ink. Then the union is
+// parted into the upper (press) and the lower (release) one.
+
+#include <vector>
+
+#include "importer/trace/loop_path.h"
+#include "importer/trace/loop_structure.h"
+
+namespace detent::importer::loop {
+
+struct PlanePair {
+  std::vector<Point> press;    ///< plane px, x never falls, at most 1 px apart; empty if nothing was found
+  std::vector<Point> release;  ///< the same order as press (not yet the order travelled); empty: press only
+  double ownRelease_px = 0;    ///< length of ink that only the second stroke explains
+};
+
+PlanePair findPair(const Structure& structure, const Plane& plane);
+
+/// Parts two paths that may touch and cross: first the one that lies to the left of the direction of travel
+/// (higher force; earlier on a wall), then the other. Paths closer than `contact_px` count as touching.
+std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vector<Point>& a,
+                                                                 const std::vector<Point>& b,
+                                                                 double contact_px);
+
+}  // namespace detent::importer::loop

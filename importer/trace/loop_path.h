@@ -1,0 +1,66 @@
+#pragma once
+// The most rewarding path over a plane: never back in x, free in y, paying for every turn. Exact, by dynamic
+// programming over (pixel, direction); the direction in the state is what carries a curve straight through
+// crossings. Idea: orientation-lifted minimal paths (Bekkers et al., "A PDE approach to data-driven
+// sub-Riemannian geodesics in SE(2)", 2015); here in x-monotone form, which makes it a sweep over columns and
+// allows gains as well as costs.
+
+#include <cstdint>
+#include <vector>
+
+#include "importer/trace/loop_plane.h"
+
+namespace detent::importer::loop {
+
+struct PathLimits {
+  int startFrom = 0, startTo = 0;  ///< columns in which the path may start, inclusive
+  int endFrom = 0, endTo = 0;      ///< columns in which it may end, inclusive
+};
+
+struct LiftedPath {
+  std::vector<Point>
+      points;  ///< plane px, in order of travel (x never falls); every step of the search, 1..5 px apart
+  double gain = 0;
+  bool found() const { return points.size() > 1; }
+};
+
+struct PathOptions {
+  double turnCost_px = 5;  ///< price of a turn by one radian, in pixels of full reward; [0, 100]
+};
+
+/// Keeps its buffers between searches over the same pixels.
+class LiftedSearch {
+ public:
+  /// `open`: pixels a path may use (value > 0).
+  LiftedSearch(const Grid& open, const PathOptions& options);
+
+  LiftedPath best(const Grid& reward, const PathLimits& limits);
+
+  static constexpr int kDirections = 21;  ///< from straight down to straight up
+
+ private:
+  struct Node {
+    int x = 0, y = 0;
+  };
+  int indexAt(int x, int y) const {
+    if (x < 0 || y < 0 || x >= width_ || y >= height_) return -1;
+    return index_[static_cast<std::size_t>(x) * static_cast<std::size_t>(height_) +
+                  static_cast<std::size_t>(y)];
+  }
+  void arrive(const Grid& reward, const PathLimits& limits, int node);
+  void runAlongColumn(const Grid& reward, int from, int to, int direction);
+  LiftedPath walkBack(int node, int direction) const;
+
+  int width_ = 0, height_ = 0;
+  PathOptions options_;
+  std::vector<int> index_;   ///< column-major, -1 where closed
+  std::vector<Node> nodes_;  ///< by column, top to bottom
+  std::vector<int> columnStart_;
+  std::vector<float> score_;           ///< best gain of a path that leaves (node, direction)
+  std::vector<std::uint8_t> arrived_;  ///< how the state was reached from earlier columns
+  std::vector<std::uint8_t> left_;     ///< how it was reached after a run along its own column
+  std::vector<int> runStart_;          ///< per node: where its run down (0) and up (1) began
+  std::vector<float> arrivalScore_;    ///< of the current column only
+};
+
+}  // namespace detent::importer::loop

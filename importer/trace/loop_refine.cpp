@@ -1,0 +1,390 @@
+#include "importer/trace/loop_refine.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace detent::importer::loop {
+
+namespace {
+
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+std::vector<Point> resample(const std::vector<Point>& points, double spacing) {
+  std::vector<double> arc(points.size());
+  for (std::size_t i = 1; i < points.size(); ++i) arc[i] = arc[i - 1] + distance(points[i], points[i - 1]);
+  const int n = std::max(2, static_cast<int>(std::lround(arc.back() / spacing)) + 1);
+  std::vector<Point> out;
+  std::size_t k = 1;
+  for (int i = 0; i < n; ++i) {
+    const double s = arc.back() * i / (n - 1);
+    while (k + 1 < points.size() && arc[k] < s) ++k;
+    const double span = arc[k] - arc[k - 1], f = span > 0 ? std::clamp((s - arc[k - 1]) / span, 0.0, 1.0) : 0;
+    out.push_back({points[k - 1].x + f * (points[k].x - points[k - 1].x),
+                   points[k - 1].y + f * (points[k].y - points[k - 1].y)});
+  }
+  return out;
+}
+
+/// Gaussian along the line, sigma in points; ends stay.
+std::vector<Point> smooth(const std::vector<Point>& points, double sigma) {
+  const int reach = static_cast<int>(std::ceil(2.5 * sigma)), n = static_cast<int>(points.size());
+  std::vector<double> kernel;
+  for (int k = 0; k <= reach; ++k) kernel.push_back(std::exp(-0.5 * k * k / (sigma * sigma)));
+  std::vector<Point> out(points.size());
+  for (int i = 0; i < n; ++i) {
+    const int r = std::min({reach, i, n - 1 - i});  // symmetric, so that straight ends stay straight
+    Point sum{};
+    double weight = 0;
+    for (int k = -r; k <= r; ++k) {
+      const double w = kernel[static_cast<std::size_t>(std::abs(k))];
+      sum.x += w * points[static_cast<std::size_t>(i + k)].x;
+      sum.y += w * points[static_cast<std::size_t>(i + k)].y;
+      weight += w;
+    }
+    out[static_cast<std::size_t>(i)] = {sum.x / weight, sum.y / weight};
+  }
+  return out;
+}
+
+/// Unit normals to the left of travel (upwards for a line that goes right).
+std::vector<Point> normalsOf(const std::vector<Point>& p, int reach) {
+  const int n = static_cast<int>(p.size());
+  std::vector<Point> out(p.size());
+  for (int i = 0; i < n; ++i) {
+    const Point a = p[static_cast<std::size_t>(std::max(0, i - reach))],
+                b = p[static_cast<std::size_t>(std::min(n - 1, i + reach))];
+    const double len = std::max(1e-9, distance(a, b));
+    out[static_cast<std::size_t>(i)] = {(b.y - a.y) / len, -(b.x - a.x) / len};
+  }
+  return out;
+}
+
+/// A straight line of the plot in plane px, sub-pixel, with its width in view px.
+struct ThinLine {
+  bool vertical;
+  double centre;
+  double halfWidth_px;
+  double level;
+};
+
+std::vector<ThinLine> thinLines(const std::vector<StraightLine>& lines, double scale) {
+  std::vector<ThinLine> out;
+  for (const StraightLine& l : lines) {
+    double sum = 0, moment = 0, top = 0;
+    for (int o = -l.reach; o <= l.reach; ++o) {
+      sum += l.at(o);
+      moment += o * double(l.at(o));
+      top = std::max(top, double(l.at(o)));
+    }
+    if (sum <= 0) continue;
+    out.push_back({l.vertical, l.position + moment / sum, 0.5 * scale * sum / top, top});
+  }
+  return out;
+}
+
+/// Ink across one point of a stroke.
+struct Profile {
+  std::vector<double> ink;     ///< 0..1 in units of the curve's darkness
+  std::vector<char> known;     ///< false where a gridline hides what the curve does
+  double first = 0, step = 1;  ///< offset of ink[0] along the normal, px
+
+  double offset(std::size_t k) const { return first + step * static_cast<double>(k); }
+};
+
+class Profiler {
+ public:
+  Profiler(const InkLayer& ink, const Plane& plane, const std::vector<StraightLine>& lines, double level)
+      : ink_(ink), plane_(plane), lines_(thinLines(lines, plane.scale)), level_(level) {}
+
+  Profile across(Point p, Point normal, double from, double to, double step) const {
+    Profile out;
+    out.first = from;
+    out.step = step;
+    const auto n = static_cast<std::size_t>(std::floor((to - from) / step)) + 1;
+    out.ink.resize(n);
+    out.known.assign(n, 1);
+    const Point base = plane_.plane(p), ahead = plane_.plane({p.x + normal.x, p.y + normal.y});
+    for (std::size_t k = 0; k < n; ++k) {
+      const double t = out.offset(k);
+      const double c = sampleAt(ink_, {p.x + t * normal.x, p.y + t * normal.y});
+      double hidden = 0;
+      for (const ThinLine& l : lines_) {
+        const double at = l.vertical ? base.x + t * (ahead.x - base.x) : base.y + t * (ahead.y - base.y);
+        const double off = std::abs(at - l.centre) * plane_.scale;
+        if (off > l.halfWidth_px + 1) continue;
+        hidden = std::max(hidden, l.level * std::clamp(l.halfWidth_px + 0.8 - off, 0.0, 1.0));
+      }
+      if (c < 0.5 * hidden) hidden = 0;  // the line is broken here
+      if (hidden > 0.4 * level_) out.known[k] = 0;
+      out.ink[k] = std::clamp((c - hidden) / std::max(0.2, 1 - hidden) / level_, 0.0, 1.0);
+    }
+    return out;
+  }
+
+ private:
+  const InkLayer& ink_;
+  const Plane& plane_;
+  std::vector<ThinLine> lines_;
+  double level_;
+};
+
+double lineModel(double offset, double halfWidth) {
+  return std::clamp(halfWidth + 0.5 - std::abs(offset), 0.0, 1.0);
+}
+
+struct Fit {
+  double offset = 0;    ///< of this stroke, along the normal
+  double other = 0;     ///< of the other stroke, if it was part of the model
+  double misfit = 1;    ///< mean squared difference of ink and model, 0..1
+  double evidence = 0;  ///< share of the line's own width that was seen (not hidden)
+};
+
+/// Misfit of one line at u (and of a second at v) over the ink around them.
+double misfitOf(const Profile& p, double halfWidth, double u, std::optional<double> v,
+                double* evidence = nullptr) {
+  const double low = std::min(u, v.value_or(u)) - halfWidth - 1.5,
+               high = std::max(u, v.value_or(u)) + halfWidth + 1.5;
+  double sum = 0, count = 0, seen = 0, own = 0;
+  for (std::size_t k = 0; k < p.ink.size(); ++k) {
+    const double t = p.offset(k);
+    if (t < low || t > high) continue;
+    const double mine = lineModel(t - u, halfWidth);
+    own += mine;
+    if (!p.known[k]) continue;
+    seen += mine;
+    const double model = v ? std::max(mine, lineModel(t - *v, halfWidth)) : mine;
+    sum += (p.ink[k] - model) * (p.ink[k] - model);
+    count += 1;
+  }
+  if (evidence) *evidence = own > 0 ? seen / own : 0;
+  // Hidden samples count as undecided: a place wholly under a gridline must not look like a perfect fit.
+  const double all = std::max(1.0, (high - low) / p.step);
+  return (sum + 0.04 * (all - count)) / all;
+}
+
+constexpr double kPull = 0.004;  ///< prefers the offset nearest to the path, per squared search radius
+
+Fit fitSingle(const Profile& p, double halfWidth, double radius) {
+  Fit best;
+  double bestCost = 1e9;
+  std::vector<double> costs;
+  for (double u = -radius; u <= radius + 1e-9; u += p.step) {
+    const double cost = misfitOf(p, halfWidth, u, std::nullopt) + kPull * (u * u) / (radius * radius);
+    costs.push_back(cost);
+    if (cost < bestCost) {
+      bestCost = cost;
+      best.offset = u;
+    }
+  }
+  for (double step = p.step / 2; step > 0.04; step /= 2) {
+    for (double u : {best.offset - step, best.offset + step}) {
+      const double cost = misfitOf(p, halfWidth, u, std::nullopt) + kPull * (u * u) / (radius * radius);
+      if (cost >= bestCost) continue;
+      bestCost = cost;
+      best.offset = u;
+    }
+  }
+  best.misfit = misfitOf(p, halfWidth, best.offset, std::nullopt, &best.evidence);
+  return best;
+}
+
+/// Both strokes at once; `side` +1: this one lies to the left (press), -1: to the right. They never change
+/// sides.
+Fit fitDouble(const Profile& p, double halfWidth, double radius, double otherGuess, double side) {
+  Fit best;
+  double bestCost = 1e9;
+  const auto tryAt = [&](double u, double v) {
+    if (side * (u - v) < 0) return;
+    const double cost = misfitOf(p, halfWidth, u, v) +
+                        kPull * (u * u + (v - otherGuess) * (v - otherGuess)) / (radius * radius);
+    if (cost >= bestCost) return;
+    bestCost = cost;
+    best.offset = u;
+    best.other = v;
+  };
+  for (double u = -radius; u <= radius + 1e-9; u += p.step) {
+    for (double v = otherGuess - radius; v <= otherGuess + radius + 1e-9; v += p.step) tryAt(u, v);
+  }
+  for (double step = p.step / 2; step > 0.04; step /= 2) {
+    const double u = best.offset, v = best.other;
+    for (double du : {-step, 0.0, step}) {
+      for (double dv : {-step, 0.0, step}) tryAt(u + du, v + dv);
+    }
+  }
+  best.misfit = misfitOf(p, halfWidth, best.offset, best.other, &best.evidence);
+  return best;
+}
+
+/// Smallest change of slope under weights (Whittaker 1922, second differences): solves the five-diagonal
+/// system in place.
+std::vector<double> whittaker(const std::vector<double>& y, const std::vector<double>& weight,
+                              double stiffness) {
+  const std::size_t n = y.size();
+  if (n < 3) return y;
+  std::vector<double> d(n), e(n), f(n), z(n);
+  const auto diagonal = [&](std::size_t i) {
+    double v = 0;
+    if (i + 2 < n) v += 1;
+    if (i >= 1 && i + 1 < n) v += 4;
+    if (i >= 2) v += 1;
+    return weight[i] + stiffness * v;
+  };
+  const auto next = [&](std::size_t i) {  // (i, i+1)
+    double v = 0;
+    if (i + 2 < n) v -= 2;
+    if (i >= 1) v -= 2;
+    return stiffness * v;
+  };
+  // L D L^T
+  for (std::size_t i = 0; i < n; ++i) {
+    d[i] = diagonal(i) + 1e-9;
+    double a = i + 1 < n ? next(i) : 0;
+    const double b = i + 2 < n ? stiffness : 0;
+    if (i >= 1) {
+      d[i] -= e[i - 1] * e[i - 1] * d[i - 1];
+      a -= e[i - 1] * f[i - 1] * d[i - 1];
+    }
+    if (i >= 2) d[i] -= f[i - 2] * f[i - 2] * d[i - 2];
+    e[i] = a / d[i];
+    f[i] = b / d[i];
+    z[i] = weight[i] * y[i];
+    if (i >= 1) z[i] -= e[i - 1] * z[i - 1];
+    if (i >= 2) z[i] -= f[i - 2] * z[i - 2];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    z[i] /= d[i];
+    if (i + 1 < n) z[i] -= e[i] * z[i + 1];
+    if (i + 2 < n) z[i] -= f[i] * z[i + 2];
+  }
+  return z;
+}
+
+/// Where the other stroke crosses this one's normal, if it runs along near by.
+std::optional<double> offsetOfOther(Point p, Point normal, const std::vector<Point>& other,
+                                    const std::vector<Point>& otherNormals, double reach, std::size_t& hint) {
+  if (other.empty()) return std::nullopt;
+  // Both run in the same order; the nearest point moves on with the sample.
+  const std::size_t from = hint > 60 ? hint - 60 : 0, to = std::min(other.size(), hint + 120);
+  double best = 1e18;
+  std::size_t at = hint;
+  for (std::size_t j = from; j < to; ++j) {
+    const double d = distance(p, other[j]);
+    if (d < best) {
+      best = d;
+      at = j;
+    }
+  }
+  hint = at;
+  if (best > reach) return std::nullopt;
+  const Point q = other[at], m = otherNormals[at];
+  const double parallel = normal.x * m.x + normal.y * m.y;
+  if (parallel < 0.8) return std::nullopt;
+  // The other line through q, met along this normal.
+  return ((q.x - p.x) * m.x + (q.y - p.y) * m.y) / parallel;
+}
+
+struct Pass {
+  double radius;     ///< px searched to either side
+  double step;       ///< px
+  double stiffness;  ///< of the smoothing
+};
+
+struct Working {
+  std::vector<Point> points, normals;
+  std::vector<double> trust;
+};
+
+void refineOnce(Working& self, const Working& other, double side, const Profiler& profiler,
+                double strokeWidth, const Pass& pass) {
+  const double half = strokeWidth / 2;
+  std::vector<double> offset(self.points.size()), weight(self.points.size());
+  std::size_t hint = 0;
+  for (std::size_t i = 0; i < self.points.size(); ++i) {
+    const std::optional<double> beside =
+        offsetOfOther(self.points[i], self.normals[i], other.points, other.normals,
+                      strokeWidth + 2 * pass.radius + 1, hint);
+    const double reach = pass.radius + half + 1.5;
+    const double low = std::min(0.0, beside.value_or(0.0)) - reach,
+                 high = std::max(0.0, beside.value_or(0.0)) + reach;
+    const Profile profile = profiler.across(self.points[i], self.normals[i], low, high, pass.step);
+    const Fit fit =
+        beside ? fitDouble(profile, half, pass.radius, *beside, side) : fitSingle(profile, half, pass.radius);
+    const bool atLimit = std::abs(fit.offset) > pass.radius - 0.01;
+    offset[i] = fit.offset;
+    const double good =
+        std::clamp(1 - fit.misfit / 0.08, 0.0, 1.0) * std::clamp((fit.evidence - 0.15) / 0.35, 0.0, 1.0);
+    weight[i] = atLimit ? 0.1 * good : good;
+  }
+  const std::vector<double> smoothOffset = whittaker(offset, weight, pass.stiffness);
+  for (std::size_t i = 0; i < self.points.size(); ++i) {
+    self.points[i].x += smoothOffset[i] * self.normals[i].x;
+    self.points[i].y += smoothOffset[i] * self.normals[i].y;
+  }
+  self.trust = weight;
+}
+
+/// Median ink across the stroke where nothing else is near, in pixels of full coverage.
+double measureWidth(const Working& stroke, const Profiler& profiler, double guess) {
+  std::vector<double> widths;
+  const double reach = 1.5 * guess + 2.5;
+  for (std::size_t i = 0; i < stroke.points.size(); i += 3) {
+    const Profile p = profiler.across(stroke.points[i], stroke.normals[i], -reach, reach, 0.25);
+    bool clear = true;
+    double sum = 0;
+    for (std::size_t k = 0; k < p.ink.size(); ++k) {
+      clear = clear && p.known[k];
+      sum += p.ink[k] * p.step;
+    }
+    if (clear && p.ink.front() < 0.12 && p.ink.back() < 0.12) widths.push_back(sum);
+  }
+  if (widths.size() < 10) return guess;
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() * 2 / 5);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return std::clamp(*middle, 0.9, 2.5 * guess + 1);
+}
+
+Working start(const std::vector<Point>& planePoints, const Plane& plane) {
+  Working w;
+  std::vector<Point> view;
+  for (const Point& p : planePoints) view.push_back(plane.view(p));
+  // Long side runs of one plane pixel are the search's steps, not the curve's.
+  w.points = smooth(resample(view, 1.0), 1.6 * plane.scale);
+  w.normals = normalsOf(w.points, static_cast<int>(std::ceil(2 * plane.scale)) + 1);
+  return w;
+}
+
+void renew(Working& w) {
+  w.points = resample(w.points, 1.0);
+  w.normals = normalsOf(smooth(w.points, 1.5), 3);
+}
+
+}  // namespace
+
+RefinedPair refinePair(const PlanePair& pair, const Plane& plane, const InkLayer& ink,
+                       const std::vector<StraightLine>& lines, const Structure& structure) {
+  RefinedPair out;
+  const Profiler profiler(ink, plane, lines, structure.curveLevel);
+  Working press = start(pair.press, plane), release;
+  if (!pair.release.empty()) release = start(pair.release, plane);
+  double width = structure.strokeWidth_px * plane.scale;
+  width = measureWidth(press, profiler, width);
+  const std::array<Pass, 2> passes{
+      Pass{1.2 * plane.scale + 1, std::max(0.5, plane.scale / 4), 4 * plane.scale}, Pass{1.5, 0.5, 3}};
+  for (const Pass& pass : passes) {
+    const Working pressBefore = press, releaseBefore = release;
+    refineOnce(press, releaseBefore, 1, profiler, width, pass);
+    if (!release.points.empty()) refineOnce(release, pressBefore, -1, profiler, width, pass);
+    if (&pass == &passes.back()) break;
+    renew(press);
+    if (!release.points.empty()) renew(release);
+    width = measureWidth(press, profiler, width);
+  }
+  out.strokeWidth_px = width;
+  out.press = {press.points, std::vector<double>(press.points.size(), width), press.trust};
+  out.release = {release.points, std::vector<double>(release.points.size(), width), release.trust};
+  return out;
+}
+
+}  // namespace detent::importer::loop

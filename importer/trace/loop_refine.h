@@ -1,0 +1,30 @@
+#pragma once
+// From paths on the work plane to sub-pixel lines in the view. Across each stroke a profile of the ink is
+// compared with a model: one line of the measured width, or two where the strokes run close (they may merge
+// to one band: the lines then sit at its edges, inset by half a width); what a gridline covers says nothing
+// and is left to its neighbours.
+
+#include <vector>
+
+#include "importer/trace/ink_layer.h"
+#include "importer/trace/loop_pair.h"
+#include "importer/trace/loop_structure.h"
+
+namespace detent::importer::loop {
+
+struct RefinedStroke {
+  std::vector<Point> points_px;  ///< view pixels, in order of rising displacement, about 1 px apart
+  std::vector<double> width_px;  ///< of the stroke where it was measured, else the stroke's own median
+  std::vector<double> trust;     ///< 0..1 per point: how well the line model fits there; 0 = interpolated
+  bool empty() const { return points_px.empty(); }
+};
+
+struct RefinedPair {
+  RefinedStroke press, release;
+  double strokeWidth_px = 1;  ///< view pixels
+};
+
+RefinedPair refinePair(const PlanePair& pair, const Plane& plane, const InkLayer& ink,
+                       const std::vector<StraightLine>& lines, const Structure& structure);
+
+}  // namespace detent::importer::loop

@@ -1,0 +1,476 @@
+#include "importer/trace/loop_structure.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+namespace detent::importer::loop {
+
+namespace {
+
+/// The plane seen along one direction, so that rows and columns share their code: `along` runs on the line.
+class Lanes {
+ public:
+  Lanes(const Plane& plane, bool vertical) : grid_(&plane.ink), vertical_(vertical) {
+    const Box& f = plane.frame;
+    const auto whole = [](double v, int limit) {
+      return std::clamp(static_cast<int>(std::lround(v)), 0, limit - 1);
+    };
+    first_ = vertical ? whole(f.y0, grid_->height) : whole(f.x0, grid_->width);
+    last_ = vertical ? whole(f.y1, grid_->height) : whole(f.x1, grid_->width);
+    edge0_ = vertical ? whole(f.x0, grid_->width) : whole(f.y0, grid_->height);
+    edge1_ = vertical ? whole(f.x1, grid_->width) : whole(f.y1, grid_->height);
+  }
+  int lanes() const { return vertical_ ? grid_->width : grid_->height; }
+  int first() const { return first_; }
+  int last() const { return last_; }
+  int edge0() const { return edge0_; }
+  int edge1() const { return edge1_; }
+  bool vertical() const { return vertical_; }
+  float at(int lane, int along) const {
+    lane = std::clamp(lane, 0, lanes() - 1);
+    return vertical_ ? grid_->at(lane, along) : grid_->at(along, lane);
+  }
+
+ private:
+  const Grid* grid_;
+  bool vertical_;
+  int first_ = 0, last_ = 0, edge0_ = 0, edge1_ = 0;
+};
+
+constexpr int kBins = 16;
+
+/// Mean ink of a lane in each of kBins stretches.
+std::vector<std::array<float, kBins>> binMeans(const Lanes& lanes) {
+  std::vector<std::array<float, kBins>> means(static_cast<std::size_t>(lanes.lanes()));
+  const int length = lanes.last() - lanes.first() + 1;
+  for (int lane = 0; lane < lanes.lanes(); ++lane) {
+    for (int b = 0; b < kBins; ++b) {
+      const int from = lanes.first() + length * b / kBins, to = lanes.first() + length * (b + 1) / kBins;
+      float sum = 0;
+      for (int i = from; i < to; ++i) sum += lanes.at(lane, i);
+      means[static_cast<std::size_t>(lane)][static_cast<std::size_t>(b)] =
+          sum / static_cast<float>(std::max(1, to - from));
+    }
+  }
+  return means;
+}
+
+/// In which stretches a lane stands out from both its neighbours.
+struct Evidence {
+  double share = 0;             ///< of the stretches
+  bool fromEdgeToEdge = false;  ///< seen at both ends of the frame
+};
+
+Evidence evidenceFor(const std::vector<std::array<float, kBins>>& means, int lane, int distance) {
+  constexpr float kStandsOut = 0.045F;
+  const auto n = static_cast<int>(means.size());
+  const auto& here = means[static_cast<std::size_t>(lane)];
+  std::array<bool, kBins> seen{};
+  Evidence e;
+  for (std::size_t b = 0; b < kBins; ++b) {
+    float beside = 0;
+    if (lane - distance >= 0) beside = std::max(beside, means[static_cast<std::size_t>(lane - distance)][b]);
+    if (lane + distance < n) beside = std::max(beside, means[static_cast<std::size_t>(lane + distance)][b]);
+    seen[b] = here[b] - beside > kStandsOut;
+    if (seen[b]) e.share += 1.0 / kBins;
+  }
+  e.fromEdgeToEdge = (seen[0] || seen[1]) && (seen[kBins - 1] || seen[kBins - 2]);
+  return e;
+}
+
+/// Positions that continue an even progression of lanes already found.
+std::vector<double> evenPositions(const std::vector<int>& lanes, int from, int to) {
+  std::vector<double> gaps;
+  for (std::size_t i = 1; i < lanes.size(); ++i) gaps.push_back(lanes[i] - lanes[i - 1]);
+  if (gaps.size() < 2) return {};
+  std::vector<double> sorted = gaps;
+  std::sort(sorted.begin(), sorted.end());
+  const double pitch = sorted[sorted.size() / 4];
+  if (pitch < 8) return {};
+  std::vector<double> out;
+  for (int lane : lanes) {
+    for (double p : {lane - pitch, lane + pitch}) {
+      if (p >= from && p <= to) out.push_back(p);
+    }
+  }
+  return out;
+}
+
+float quantile(std::vector<float> values, double q) {
+  if (values.empty()) return 0;
+  const auto k = static_cast<std::size_t>(q * double(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k), values.end());
+  return values[k];
+}
+
+StraightLine measureLine(const Lanes& lanes, int lane) {
+  constexpr int kReach = 9;
+  std::vector<float> middle;
+  for (int i = lanes.first(); i <= lanes.last(); ++i) middle.push_back(lanes.at(lane, i));
+  const float level = quantile(middle, 0.7);
+  std::array<std::vector<float>, 2 * kReach + 1> across;
+  for (int i = lanes.first(); i <= lanes.last(); ++i) {
+    if (lanes.at(lane, i) < 0.6F * level) continue;
+    for (int o = -kReach; o <= kReach; ++o) {
+      const int other = lane + o;
+      if (other >= 0 && other < lanes.lanes())
+        across[static_cast<std::size_t>(o + kReach)].push_back(lanes.at(other, i));
+    }
+  }
+  StraightLine line;
+  line.vertical = lanes.vertical();
+  line.position = lane;
+  line.level = level;
+  // The lower median: what crosses or runs along for a while must not become part of the line.
+  std::array<float, 2 * kReach + 1> profile{};
+  for (std::size_t k = 0; k < profile.size(); ++k) profile[k] = quantile(across[k], 0.4);
+  const auto sideReach = [&](int step) {
+    int o = 0;
+    while (std::abs(o + step) <= kReach &&
+           profile[static_cast<std::size_t>(o + step + kReach)] > 0.04F + 0.05F * level)
+      o += step;
+    return std::abs(o);
+  };
+  line.reach = std::max(sideReach(1), sideReach(-1));
+  for (int o = -line.reach; o <= line.reach; ++o) {
+    const bool inside = o >= -sideReach(-1) && o <= sideReach(1);
+    line.profile.push_back(inside ? profile[static_cast<std::size_t>(o + kReach)] : 0.0F);
+  }
+  return line;
+}
+
+void findAlong(const Plane& plane, bool vertical, const std::vector<double>& expected,
+               std::vector<StraightLine>& out) {
+  const Lanes lanes(plane, vertical);
+  if (lanes.last() - lanes.first() < 2 * kBins) return;
+  const auto means = binMeans(lanes);
+  std::vector<Evidence> evidence(means.size());
+  std::vector<double> total(means.size());
+  for (int lane = 0; lane < lanes.lanes(); ++lane) {
+    const auto k = static_cast<std::size_t>(lane);
+    const Evidence near = evidenceFor(means, lane, 3), far = evidenceFor(means, lane, 5);
+    evidence[k] = near.share > far.share ? near : far;
+    evidence[k].fromEdgeToEdge = near.fromEdgeToEdge || far.fromEdgeToEdge;
+    for (float m : means[k]) total[k] += std::min(m, 0.9F);
+  }
+  const auto isPeak = [&](int lane) {
+    const auto k = static_cast<std::size_t>(lane);
+    for (int o = -4; o <= 4; ++o) {
+      const int other = lane + o;
+      if (o == 0 || other < 0 || other >= lanes.lanes()) continue;
+      const double t = total[static_cast<std::size_t>(other)];
+      if (t > total[k] || (t == total[k] && o < 0)) return false;
+    }
+    return true;
+  };
+  std::vector<double> announced = expected;
+  announced.push_back(lanes.edge0());
+  announced.push_back(lanes.edge1());
+  std::vector<int> found;
+  // A wall of a curve is straight too but stands in one end of the frame only; a flat curve may span it. So a
+  // line nobody announced must be seen at both ends, and a row nearly all the way. The second pass follows
+  // the pitch of the first.
+  for (int pass = 0; pass < 2; ++pass) {
+    std::vector<int> now;
+    for (int lane = 0; lane < lanes.lanes(); ++lane) {
+      const Evidence& e = evidence[static_cast<std::size_t>(lane)];
+      const double slack = 2.0;
+      const bool isAnnounced = std::any_of(announced.begin(), announced.end(),
+                                           [&](double a) { return std::abs(a - lane) <= slack; });
+      const bool plain = e.fromEdgeToEdge && e.share >= (vertical ? 0.45 : 0.7);
+      if (plain || (isAnnounced && e.share >= 0.3)) {
+        if (isPeak(lane)) now.push_back(lane);
+      }
+    }
+    found = now;
+    for (double p : evenPositions(found, lanes.edge0(), lanes.edge1())) announced.push_back(p);
+  }
+  for (int lane : found) out.push_back(measureLine(lanes, lane));
+}
+
+/// In which of kBins stretches the line may explain ink: where a dashed line seems solid, a wall runs along
+/// it.
+std::array<bool, kBins> explainableBins(const Plane& plane, const StraightLine& line) {
+  const Lanes lanes(plane, line.vertical);
+  const int length = lanes.last() - lanes.first() + 1;
+  std::array<float, kBins> duty{};
+  std::vector<float> drawn;
+  for (int b = 0; b < kBins; ++b) {
+    const int from = lanes.first() + length * b / kBins, to = lanes.first() + length * (b + 1) / kBins;
+    int inked = 0;
+    for (int i = from; i < to; ++i) inked += lanes.at(line.position, i) >= 0.45F * line.level ? 1 : 0;
+    duty[static_cast<std::size_t>(b)] =
+        static_cast<float>(inked) / static_cast<float>(std::max(1, to - from));
+    if (inked > 0) drawn.push_back(duty[static_cast<std::size_t>(b)]);
+  }
+  const float usual = quantile(drawn, 0.35);
+  std::array<bool, kBins> may{};
+  for (std::size_t b = 0; b < kBins; ++b)
+    may[b] = usual > 0.8F || duty[b] < std::max(1.5F * usual, usual + 0.25F);
+  return may;
+}
+
+void explainLine(const Plane& plane, const StraightLine& line, Grid& explained) {
+  const Lanes lanes(plane, line.vertical);
+  const std::array<bool, kBins> may = explainableBins(plane, line);
+  const int length = line.vertical ? plane.ink.height : plane.ink.width;
+  const int span = lanes.last() - lanes.first() + 1;
+  for (int i = 0; i < length; ++i) {
+    const int bin = std::clamp((i - lanes.first()) * kBins / span, 0, kBins - 1);
+    if (!may[static_cast<std::size_t>(bin)] || lanes.at(line.position, i) < 0.45F * line.level) continue;
+    for (int o = -line.reach; o <= line.reach; ++o) {
+      const int lane = line.position + o;
+      if (lane < 0 || lane >= lanes.lanes()) continue;
+      float& e = line.vertical ? explained.at(lane, i) : explained.at(i, lane);
+      e = std::max(e, line.at(o));
+    }
+  }
+}
+
+/// How far a straight line's darkness may be off its profile: lines are not drawn equally dark all along.
+Grid doubtOf(const Grid& explained) {
+  constexpr float kUneven = 0.2F;
+  Grid doubt(explained.width, explained.height);
+  for (int y = 0; y < doubt.height; ++y) {
+    for (int x = 0; x < doubt.width; ++x) {
+      float most = 0;
+      for (int v = std::max(0, y - 1); v <= std::min(doubt.height - 1, y + 1); ++v) {
+        for (int u = std::max(0, x - 1); u <= std::min(doubt.width - 1, x + 1); ++u)
+          most = std::max(most, explained.at(u, v));
+      }
+      doubt.at(x, y) = kUneven * most;
+    }
+  }
+  return doubt;
+}
+
+cv::Mat wrap(Grid& grid) { return cv::Mat(grid.height, grid.width, CV_32F, grid.values.data()); }
+
+struct Components {
+  cv::Mat labels, stats;
+  int count = 0;
+};
+
+Components componentsOf(Grid& ink, float above) {
+  Components c;
+  const cv::Mat binary = wrap(ink) > above;
+  cv::Mat centroids;
+  c.count = cv::connectedComponentsWithStats(binary, c.labels, c.stats, centroids, 8, CV_32S);
+  return c;
+}
+
+/// Coverage on the ridge of the widest left-over line: the curves' own darkness.
+float curveLevelOf(Grid& left, const Plane& plane) {
+  const Components c = componentsOf(left, 0.08F);
+  int widest = 0, width = 0;
+  for (int i = 1; i < c.count; ++i) {
+    const int w = c.stats.at<int>(i, cv::CC_STAT_WIDTH);
+    const int h = c.stats.at<int>(i, cv::CC_STAT_HEIGHT), area = c.stats.at<int>(i, cv::CC_STAT_AREA);
+    const bool isPatch = area > 0.2 * w * h && std::min(w, h) > 12;  // uneven paper, not a line
+    if (w <= width || area < w || isPatch) continue;
+    widest = i;
+    width = w;
+  }
+  if (width < 0.15 * plane.frame.width()) widest = 0;
+  std::vector<float> ridge;
+  for (int y = 1; y + 1 < left.height; ++y) {
+    for (int x = 1; x + 1 < left.width; ++x) {
+      const int label = c.labels.at<int>(y, x);
+      if (label == 0 || (widest > 0 && label != widest)) continue;
+      const float v = left.at(x, y), above = left.at(x, y - 1), below = left.at(x, y + 1);
+      const float before = left.at(x - 1, y), after = left.at(x + 1, y);
+      const bool overRow = v >= above && v >= below && (v > above || v > below);
+      const bool overColumn = v >= before && v >= after && (v > before || v > after);
+      if (overRow || overColumn) ridge.push_back(v);
+    }
+  }
+  return ridge.size() < 20 ? 1.0F : std::clamp(quantile(ridge, 0.5), 0.1F, 1.0F);
+}
+
+/// Median over ink pixels of the shorter run through them, summing coverage: the width a line of this ink
+/// has.
+double strokeWidthOf(const Grid& ink) {
+  Grid across(ink.width, ink.height, 0), down(ink.width, ink.height, 0);
+  constexpr float kInk = 0.3F;
+  for (int y = 0; y < ink.height; ++y) {
+    for (int x = 0; x < ink.width;) {
+      int end = x;
+      float sum = 0;
+      while (end < ink.width && ink.at(end, y) > kInk) sum += ink.at(end++, y);
+      for (int i = x; i < end; ++i) across.at(i, y) = sum;
+      x = end + 1;
+    }
+  }
+  for (int x = 0; x < ink.width; ++x) {
+    for (int y = 0; y < ink.height;) {
+      int end = y;
+      float sum = 0;
+      while (end < ink.height && ink.at(x, end) > kInk) sum += ink.at(x, end++);
+      for (int i = y; i < end; ++i) down.at(x, i) = sum;
+      y = end + 1;
+    }
+  }
+  std::vector<float> widths;
+  for (std::size_t i = 0; i < ink.values.size(); ++i) {
+    if (ink.values[i] > 0.5F) widths.push_back(std::min(across.values[i], down.values[i]));
+  }
+  return widths.empty() ? 1.0 : std::max(1.0, double(quantile(widths, 0.5)));
+}
+
+struct Blob {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+
+/// Of glyph size, and not flat like a dash or a piece of curve between two gridlines.
+bool couldBeGlyph(const Blob& b, double strokeWidth, double tallest) {
+  return b.height >= 2.2 * strokeWidth && b.height >= 5 && b.height <= tallest && b.width <= 3 * b.height;
+}
+
+/// Stand side by side on one line of text.
+bool areNeighbours(const Blob& a, const Blob& b) {
+  const int gap = std::max(a.x, b.x) - std::min(a.x + a.width, b.x + b.width);
+  const int overlap = std::min(a.y + a.height, b.y + b.height) - std::max(a.y, b.y);
+  const int smaller = std::min(a.height, b.height), taller = std::max(a.height, b.height);
+  return gap <= 1.2 * taller && overlap >= 0.6 * smaller && taller <= 2.2 * smaller;
+}
+
+Blob turned(const Blob& b) { return {b.y, b.x, b.height, b.width}; }
+
+/// Which blobs stand in a row of at least three glyphs, upright or turned by a quarter.
+std::vector<char> glyphsInRows(const std::vector<Blob>& blobs, double strokeWidth, double tallest) {
+  std::vector<char> isText(blobs.size(), 0);
+  for (bool vertical : {false, true}) {
+    std::vector<std::size_t> glyphs;
+    const auto upright = [&](std::size_t i) { return vertical ? turned(blobs[i]) : blobs[i]; };
+    for (std::size_t i = 0; i < blobs.size(); ++i) {
+      if (couldBeGlyph(upright(i), strokeWidth, tallest)) glyphs.push_back(i);
+    }
+    std::vector<int> group(blobs.size(), -1);
+    for (std::size_t seed : glyphs) {
+      if (group[seed] >= 0) continue;
+      std::vector<std::size_t> row{seed};
+      group[seed] = static_cast<int>(seed);
+      for (std::size_t k = 0; k < row.size(); ++k) {
+        for (std::size_t other : glyphs) {
+          if (group[other] >= 0 || !areNeighbours(upright(row[k]), upright(other))) continue;
+          group[other] = static_cast<int>(seed);
+          row.push_back(other);
+        }
+      }
+      if (row.size() < 3) continue;
+      for (std::size_t i : row) isText[i] = 1;
+    }
+  }
+  return isText;
+}
+
+/// Words whose glyphs touch: flat and wide blobs that a row of pixels enters many times.
+std::vector<char> wordsRunTogether(const Components& c, const std::vector<Blob>& blobs, double strokeWidth,
+                                   double tallest) {
+  std::vector<char> isText(blobs.size(), 0);
+  for (std::size_t i = 1; i < blobs.size(); ++i) {
+    const Blob& b = blobs[i];
+    if (b.height < 2.2 * strokeWidth || b.height < 5 || b.height > tallest || b.width < 2 * b.height)
+      continue;
+    int entries = 0;
+    for (int y = b.y; y < b.y + b.height; ++y) {
+      const int* row = c.labels.ptr<int>(y);
+      for (int x = b.x; x < b.x + b.width; ++x) {
+        const bool here = row[x] == static_cast<int>(i);
+        const bool before = x > b.x && row[x - 1] == static_cast<int>(i);
+        if (here && !before) ++entries;
+      }
+    }
+    isText[i] = entries >= 3 * b.height ? 1 : 0;
+  }
+  return isText;
+}
+
+/// Takes lettering out: ink wholly inside a box of read text, and rows of glyph-sized blobs.
+void fadeLettering(Grid& curveInk, const std::vector<Box>& lettering, double strokeWidth, const Box& frame) {
+  const Components c = componentsOf(curveInk, 0.3F);
+  std::vector<Blob> blobs(static_cast<std::size_t>(c.count));
+  for (int i = 1; i < c.count; ++i) {
+    blobs[static_cast<std::size_t>(i)] = {
+        c.stats.at<int>(i, cv::CC_STAT_LEFT), c.stats.at<int>(i, cv::CC_STAT_TOP),
+        c.stats.at<int>(i, cv::CC_STAT_WIDTH), c.stats.at<int>(i, cv::CC_STAT_HEIGHT)};
+  }
+  if (blobs.empty()) return;
+  const double tallest = 0.075 * std::min(frame.height(), frame.width());
+  std::vector<char> isText = wordsRunTogether(c, blobs, strokeWidth, tallest);
+  const std::vector<char> inRows = glyphsInRows(blobs, strokeWidth, tallest);
+  for (std::size_t i = 1; i < blobs.size(); ++i) {
+    const Blob& o = blobs[i];
+    isText[i] |= inRows[i];
+    isText[i] |= std::any_of(lettering.begin(), lettering.end(), [&](const Box& b) {
+      return o.x >= b.x0 - 1.5 && o.y >= b.y0 - 1.5 && o.x + o.width - 1 <= b.x1 + 1.5 &&
+             o.y + o.height - 1 <= b.y1 + 1.5;
+    });
+  }
+  for (int y = 0; y < curveInk.height; ++y) {
+    for (int x = 0; x < curveInk.width; ++x) {
+      const auto label = static_cast<std::size_t>(c.labels.at<int>(y, x));
+      if (label > 0 && isText[label]) curveInk.at(x, y) = 0;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<StraightLine> findStraightLines(const Plane& plane, const std::vector<double>& expectedColumns,
+                                            const std::vector<double>& expectedRows) {
+  std::vector<StraightLine> lines;
+  findAlong(plane, true, expectedColumns, lines);
+  findAlong(plane, false, expectedRows, lines);
+  return lines;
+}
+
+Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& lines,
+                           const std::vector<Box>& lettering) {
+  Structure s;
+  s.explained = Grid(plane.ink.width, plane.ink.height);
+  for (const StraightLine& line : lines) explainLine(plane, line, s.explained);
+  s.curveInk = Grid(plane.ink.width, plane.ink.height);
+  const Grid doubt = doubtOf(s.explained);
+  for (std::size_t i = 0; i < s.curveInk.values.size(); ++i) {
+    s.curveInk.values[i] = std::max(0.0F, plane.ink.values[i] - s.explained.values[i] - doubt.values[i]);
+  }
+  s.curveLevel = curveLevelOf(s.curveInk, plane);
+  for (std::size_t i = 0; i < s.curveInk.values.size(); ++i) {
+    const float room = std::min(s.curveLevel, std::max(0.35F * s.curveLevel, 1.0F - s.explained.values[i]));
+    s.curveInk.values[i] = std::min(1.0F, s.curveInk.values[i] / room);
+  }
+  s.strokeWidth_px = strokeWidthOf(s.curveInk);
+  fadeLettering(s.curveInk, lettering, s.strokeWidth_px, plane.frame);
+  cv::Mat paper = wrap(s.curveInk) < 0.35F;
+  cv::Mat distance;
+  cv::distanceTransform(paper, distance, cv::DIST_L2, 3);
+  s.gapDistance = Grid(plane.ink.width, plane.ink.height);
+  for (int y = 0; y < plane.ink.height; ++y) {
+    const float* row = distance.ptr<float>(y);
+    std::copy(row, row + plane.ink.width, &s.gapDistance.at(0, y));
+  }
+  return s;
+}
+
+Grid rewardOf(const Structure& s, const Plane& plane) {
+  constexpr float kOnLine = -0.5F;
+  Grid reward(s.curveInk.width, s.curveInk.height);
+  for (int y = 0; y < reward.height; ++y) {
+    for (int x = 0; x < reward.width; ++x) {
+      const float d = std::min(s.gapDistance.at(x, y), 20.0F);
+      const float gap = -(0.6F + 0.4F * d);
+      const float n = std::clamp((s.curveInk.at(x, y) - 0.15F) / 0.5F, 0.0F, 1.0F);
+      const float open = gap + (1.0F - gap) * n;
+      const float e = std::clamp((s.explained.at(x, y) / s.curveLevel - 0.3F) / 0.4F, 0.0F, 1.0F);
+      const bool drawn = plane.ink.at(x, y) > 0.4F * s.explained.at(x, y);
+      reward.at(x, y) =
+          e > 0 && drawn ? (1 - e) * open + e * std::max(kOnLine, n > 0.6F ? open : kOnLine) : open;
+    }
+  }
+  return reward;
+}
+
+}  // namespace detent::importer::loop

@@ -1,0 +1,46 @@
+#pragma once
+// What of the ink is not curve: straight lines across the frame (grid, frame edges, guide lines), lettering.
+// In: the work plane. Out: a reward per pixel for a curve that passes there.
+
+#include <vector>
+
+#include "importer/trace/loop_plane.h"
+
+namespace detent::importer::loop {
+
+/// A line along a whole row or column of the plane, as it is drawn: solid or dashed, any darkness.
+struct StraightLine {
+  bool vertical = false;
+  int position = 0;            ///< column or row of its middle, plane px
+  int reach = 0;               ///< the profile covers position-reach .. position+reach
+  std::vector<float> profile;  ///< its own coverage across, free of what crosses it
+  float level = 0;             ///< coverage in its middle
+
+  float at(int offset) const {
+    return offset < -reach || offset > reach ? 0.0F : profile[static_cast<std::size_t>(offset + reach)];
+  }
+};
+
+/// Lines that run across the frame. `expected` are positions known from the frame finder (plane px); they are
+/// looked for with less evidence than others. Curve walls are no such lines: they end at the knee.
+std::vector<StraightLine> findStraightLines(const Plane& plane, const std::vector<double>& expectedColumns,
+                                            const std::vector<double>& expectedRows);
+
+/// The ink with its straight lines explained away.
+struct Structure {
+  Grid explained;        ///< coverage the straight lines account for, where they are drawn
+  Grid curveInk;         ///< 0..1: what is left, in units of the curves' own darkness
+  Grid gapDistance;      ///< px to the nearest left-over ink that is no lettering
+  float curveLevel = 1;  ///< coverage of the curves' ridge
+  double strokeWidth_px = 1;
+};
+
+/// `lettering`: boxes of read text, plane px; ink wholly inside is no curve.
+Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& lines,
+                           const std::vector<Box>& lettering);
+
+/// Gain per pixel of path length: 1 on curve ink, slightly below 0 on explained lines, falling with the
+/// distance to ink on paper, so that short gaps are cheap and leaps to other ink are not.
+Grid rewardOf(const Structure& structure, const Plane& plane);
+
+}  // namespace detent::importer::loop
