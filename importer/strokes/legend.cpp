@@ -11,17 +11,22 @@ namespace detent::importer {
 namespace {
 
 constexpr std::array kPressWords = {
-    "press",    "pressing",  "pressed",   "downstroke", "down",      "push",      "pushing",  "forward", "loading",
-    "load",     "depress",   "actuate",   "actuation",  "in",        "hinweg",    "vorlauf",  "druecken", "drücken",
-    "betätigen", "betaetigen", "betätigung", "betaetigung", "belasten", "belastung", "hinhub", "appui", "enfoncement"};
+    "press",       "pressing", "pressed",   "downstroke", "down",      "push",       "pushing",
+    "forward",     "loading",  "load",      "depress",    "actuate",   "actuation",  "in",
+    "hinweg",      "vorlauf",  "druecken",  "drücken",    "betätigen", "betaetigen", "betätigung",
+    "betaetigung", "belasten", "belastung", "hinhub",     "appui",     "enfoncement"};
 constexpr std::array kReleaseWords = {
-    "release",  "releasing", "released",   "upstroke",   "up",        "return",     "returning",  "backward", "reverse",
-    "unloading", "unload",   "reset",      "out",        "rückweg",   "rueckweg",   "rücklauf",   "ruecklauf", "rückhub",
-    "rueckhub", "loslassen", "entlasten",  "entlastung", "rückstellung", "rueckstellung", "relâchement", "retour"};
-constexpr std::array kPressSigns = {"按压", "按下", "下压", "压下", "去程", "加载", "押下", "押す", "押し", "往路"};
-constexpr std::array kReleaseSigns = {"释放", "松开", "抬起", "回弹", "回程", "弹起", "复位", "卸载", "解放", "戻り", "離す", "復路"};
+    "release",    "releasing",    "released",      "upstroke",    "up",       "return",    "returning",
+    "backward",   "reverse",      "unloading",     "unload",      "reset",    "out",       "rückweg",
+    "rueckweg",   "rücklauf",     "ruecklauf",     "rückhub",     "rueckhub", "loslassen", "entlasten",
+    "entlastung", "rückstellung", "rueckstellung", "relâchement", "retour"};
+constexpr std::array kPressSigns = {"按压", "按下", "下压", "压下", "去程",
+                                    "加载", "押下", "押す", "押し", "往路"};
+constexpr std::array kReleaseSigns = {"释放", "松开", "抬起", "回弹", "回程", "弹起",
+                                      "复位", "卸载", "解放", "戻り", "離す", "復路"};
 /// A text with one of these names a point on a curve, not the curve.
-constexpr std::array kPointWords = {"point", "position", "punkt", "schaltpunkt", "rückschaltpunkt", "druckpunkt", "pos"};
+constexpr std::array kPointWords = {"point",           "position",   "punkt", "schaltpunkt",
+                                    "rückschaltpunkt", "druckpunkt", "pos"};
 constexpr std::array kPointSigns = {"点", "點", "位置"};
 
 bool isLatinLetter(unsigned char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c >= 0x80; }

@@ -8,8 +8,9 @@
 
 namespace detent::importer {
 
-/// The stroke a legend text names: "Downstroke", "press (loading)", "Rückhub", "按压". Words are matched whole, one wrong
-/// letter is forgiven in long ones (OCR). Nothing if it names none, both, or a point rather than a stroke ("reset point").
+/// The stroke a legend text names: "Downstroke", "press (loading)", "Rückhub", "按压". Words are matched
+/// whole, one wrong letter is forgiven in long ones (OCR). Nothing if it names none, both, or a point rather
+/// than a stroke ("reset point").
 std::optional<Stroke> strokeNamedBy(std::string_view utf8);
 
 }  // namespace detent::importer

@@ -69,7 +69,9 @@ StrokePoints travelledBack(StrokePoints stroke) {
 /// Mean force per cell of displacement; NaN where the stroke does not run.
 std::vector<double> meanForces(const StrokePoints& stroke, double from_mm, double to_mm, std::size_t cells) {
   std::vector<double> sum(cells, 0), n(cells, 0);
-  const auto cellOf = [&](double mm) { return (mm - from_mm) / (to_mm - from_mm) * static_cast<double>(cells); };
+  const auto cellOf = [&](double mm) {
+    return (mm - from_mm) / (to_mm - from_mm) * static_cast<double>(cells);
+  };
   for (std::size_t i = 0; i + 1 < stroke.points.size(); ++i) {
     const CurvePoint a = stroke.points[i], b = stroke.points[i + 1];
     const double ca = cellOf(a.displacement_mm), cb = cellOf(b.displacement_mm);
@@ -87,8 +89,8 @@ std::vector<double> meanForces(const StrokePoints& stroke, double from_mm, doubl
 }
 
 struct Comparison {
-  double common_mm = 0;     ///< displacement both run over
-  double above = 0;         ///< share of it where the first lies clearly above the second
+  double common_mm = 0;  ///< displacement both run over
+  double above = 0;      ///< share of it where the first lies clearly above the second
   double below = 0;
   double topDifference_N = 0;  ///< highest force of the first minus that of the second
 };
@@ -97,15 +99,15 @@ struct Comparison {
 Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N) {
   Comparison c;
   const auto span = [](const StrokePoints& s) {
-    const auto [low, high] = std::minmax_element(s.points.begin(), s.points.end(), [](CurvePoint p, CurvePoint q) {
-      return p.displacement_mm < q.displacement_mm;
-    });
+    const auto [low, high] =
+        std::minmax_element(s.points.begin(), s.points.end(),
+                            [](CurvePoint p, CurvePoint q) { return p.displacement_mm < q.displacement_mm; });
     return std::pair(low->displacement_mm, high->displacement_mm);
   };
   const auto top = [](const StrokePoints& s) {
-    return std::max_element(s.points.begin(), s.points.end(), [](CurvePoint p, CurvePoint q) {
-             return p.force_N < q.force_N;
-           })->force_N;
+    return std::max_element(s.points.begin(), s.points.end(),
+                            [](CurvePoint p, CurvePoint q) { return p.force_N < q.force_N; })
+        ->force_N;
   };
   c.topDifference_N = top(a) - top(b);
   const auto [a0, a1] = span(a);
@@ -114,7 +116,8 @@ Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N)
   c.common_mm = std::max(0.0, to - from);
   if (!(to > from)) return c;
   constexpr std::size_t kCells = 200;
-  const std::vector<double> forceA = meanForces(a, from, to, kCells), forceB = meanForces(b, from, to, kCells);
+  const std::vector<double> forceA = meanForces(a, from, to, kCells),
+                            forceB = meanForces(b, from, to, kCells);
   double n = 0;
   for (std::size_t i = kCells / 50; i < kCells - kCells / 50; ++i) {
     if (!std::isfinite(forceA[i]) || !std::isfinite(forceB[i])) continue;
@@ -133,7 +136,8 @@ Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N)
 Verdict judge(const CurveTrace& first, const CurveTrace& second, const StrokePoints& a, const StrokePoints& b,
               double newtonPerPx) {
   Verdict verdict;
-  const auto vote = [&](std::optional<Stroke> ofFirst, std::optional<Stroke> ofSecond, double odds, const char* source) {
+  const auto vote = [&](std::optional<Stroke> ofFirst, std::optional<Stroke> ofSecond, double odds,
+                        const char* source) {
     if (ofFirst == ofSecond) return;  // nothing said, or the same of both
     const bool firstIsPress = ofFirst ? *ofFirst == Stroke::press : *ofSecond == Stroke::release;
     verdict.add(firstIsPress ? odds : -odds, source);
@@ -144,8 +148,9 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const StrokePoi
   const double apart = c.above + c.below;
   if (apart > 0.02) {
     const double lead = (c.above - c.below) / apart;
-    verdict.add(4 * lead * std::min(1.0, apart / 0.1),
-                "press lies above release on " + percent(std::max(c.above, c.below) / apart) + " of where they differ");
+    verdict.add(4 * lead * std::min(1.0, apart / 0.1), "press lies above release on " +
+                                                           percent(std::max(c.above, c.below) / apart) +
+                                                           " of where they differ");
   }
   if (std::abs(c.topDifference_N) > 3 * newtonPerPx)
     verdict.add(c.topDifference_N > 0 ? 0.7 : -0.7, "one reaches a higher force");
@@ -163,7 +168,8 @@ Failure tooMany(const std::vector<CurveTrace>& traces) {
           "pass --press-color and --release-color with two of these"};
 }
 
-/// Of several traces the two that are named press and release, if the legend or the tracer names exactly one of each.
+/// Of several traces the two that are named press and release, if the legend or the tracer names exactly one
+/// of each.
 std::optional<std::pair<std::size_t, std::size_t>> clearPair(const std::vector<CurveTrace>& traces) {
   std::vector<std::size_t> press, release;
   for (std::size_t i = 0; i < traces.size(); ++i) {
@@ -183,7 +189,8 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibrat
                    "pass --press-color with the curve's colour"};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
   found.confidence = (namedRelease ? 0.5 : 0.9) * std::max(0.5, trace.confidence);
-  found.evidence = namedRelease ? "one curve, taken as press though the legend calls it release" : "one curve: press only";
+  found.evidence =
+      namedRelease ? "one curve, taken as press though the legend calls it release" : "one curve: press only";
   return found;
 }
 
@@ -210,7 +217,8 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
     return pressAlone(a.points.size() < 2 ? drawn[1] : drawn[0], calibration);
   const Verdict verdict = judge(drawn[0], drawn[1], a, b, std::abs(calibration.newtonPerPx()));
   Found<StrokePair> found;
-  found.confidence = verdict.confidence() * std::min(1.0, 0.5 + 0.5 * std::min(drawn[0].confidence, drawn[1].confidence));
+  found.confidence =
+      verdict.confidence() * std::min(1.0, 0.5 + 0.5 * std::min(drawn[0].confidence, drawn[1].confidence));
   found.evidence = verdict.sentence();
   bool firstIsPress = verdict.logOdds >= 0;
   if (hints.swap) {
@@ -219,10 +227,11 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
     found.confidence = 1;
     found.evidence = "exchanged by hand";
   } else if (std::abs(verdict.logOdds) < 0.4) {
-    return Failure{FailureCode::notCertain, "plot frame", "",
-                   "press and release cannot be told apart: neither legend nor hysteresis says which is which (" +
-                       hex(drawn[0].color) + ", " + hex(drawn[1].color) + ")",
-                   "pass --press-color and --release-color"};
+    return Failure{
+        FailureCode::notCertain, "plot frame", "",
+        "press and release cannot be told apart: neither legend nor hysteresis says which is which (" +
+            hex(drawn[0].color) + ", " + hex(drawn[1].color) + ")",
+        "pass --press-color and --release-color"};
   }
   found.value.press = firstIsPress ? std::move(a) : b;
   found.value.release = travelledBack(firstIsPress ? std::move(b) : std::move(a));

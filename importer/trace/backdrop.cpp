@@ -10,11 +10,13 @@ namespace detent::importer::inks {
 namespace {
 
 constexpr int kMaxSamplesPerLine = 800;
-constexpr float kLineContrast = 5;       // of a gridline against paper, colour levels
-constexpr double kKnownLine_px = 2.5;    // how far from a known line a row may be to count as that line
-constexpr float kUnevenPaper = 8;        // a tile's paper that differs by this much makes the paper uneven
+constexpr float kLineContrast = 5;     // of a gridline against paper, colour levels
+constexpr double kLineSupport = 0.3;   // of a gridline's length must have its colour
+constexpr double kKnownLine_px = 2.5;  // how far from a known line a row may be to count as that line
+constexpr float kUnevenPaper = 8;      // a tile's paper that differs by this much makes the paper uneven
 
-/// Most frequent colour of pixels fed in: the fullest 16-level cell, then the mean of what lies near its centre of mass.
+/// Most frequent colour of pixels fed in: the fullest 16-level cell, then the mean of what lies near its
+/// centre of mass.
 class ModeOfColors {
  public:
   ModeOfColors() : count_(4096, 0), sum_(4096) {}
@@ -29,7 +31,8 @@ class ModeOfColors {
   Color3 mode(double* share = nullptr) const {
     const std::size_t best =
         static_cast<std::size_t>(std::max_element(count_.begin(), count_.end()) - count_.begin());
-    const int r = static_cast<int>(best >> 8), g = static_cast<int>((best >> 4) & 15), b = static_cast<int>(best & 15);
+    const int r = static_cast<int>(best >> 8), g = static_cast<int>((best >> 4) & 15),
+              b = static_cast<int>(best & 15);
     const Color3 centre = count_[best] ? (1.0F / static_cast<float>(count_[best])) * sum_[best] : Color3{};
     Color3 sum;
     double n = 0;
@@ -57,37 +60,57 @@ class ModeOfColors {
   double total_ = 0;
 };
 
-/// Median per channel of a line's differences to the paper.
-class MedianColor {
+/// The commonest difference to the paper along one row or column.
+class LineColor {
  public:
   void clear() {
     for (auto& channel : bins_) channel.fill(0);
-    n_ = 0;
+    samples_.clear();
   }
   void add(Color3 difference) {
     ++bins_[0][binOf(difference.r)];
     ++bins_[1][binOf(difference.g)];
     ++bins_[2][binOf(difference.b)];
-    ++n_;
+    samples_.push_back(difference);
   }
-  Color3 median() const { return {medianOf(bins_[0]), medianOf(bins_[1]), medianOf(bins_[2])}; }
+  /// None where fewer than `support` of the line have it: text is dark too, but of many shades.
+  Color3 commonest(float tolerance, double support) const {
+    const Color3 peak{peakOf(bins_[0], tolerance), peakOf(bins_[1], tolerance), peakOf(bins_[2], tolerance)};
+    Color3 sum;
+    int n = 0;
+    for (Color3 s : samples_) {
+      const Color3 d = s - peak;
+      if (std::abs(d.r) > tolerance || std::abs(d.g) > tolerance || std::abs(d.b) > tolerance) continue;
+      sum = sum + s;
+      ++n;
+    }
+    return n >= 1 && n >= support * static_cast<double>(samples_.size()) ? (1 / static_cast<float>(n)) * sum
+                                                                         : Color3{};
+  }
 
  private:
   static std::size_t binOf(float v) { return static_cast<std::size_t>(std::clamp(v + 256.5F, 0.0F, 511.0F)); }
-  float medianOf(const std::array<int, 512>& bins) const {
-    int below = 0;
-    for (std::size_t i = 0; i < bins.size(); ++i) {
-      below += bins[i];
-      if (2 * below >= n_) return static_cast<float>(i) - 256;
+  /// Middle of the fullest window of the tolerance's width.
+  static float peakOf(const std::array<int, 512>& bins, float tolerance) {
+    const int half = std::max(1, static_cast<int>(0.5F * tolerance));
+    int inWindow = 0, best = -1, at = 0;
+    for (int i = 0; i < 512 + half; ++i) {
+      if (i < 512) inWindow += bins[static_cast<std::size_t>(i)];
+      if (i > 2 * half) inWindow -= bins[static_cast<std::size_t>(i - 2 * half - 1)];
+      if (inWindow > best) {
+        best = inWindow;
+        at = i - half;
+      }
     }
-    return 0;
+    return static_cast<float>(at) - 256;
   }
   std::array<std::array<int, 512>, 3> bins_{};
-  int n_ = 0;
+  std::vector<Color3> samples_;
 };
 
 bool isKnown(double position, const std::vector<double>& lines) {
-  return std::any_of(lines.begin(), lines.end(), [&](double l) { return std::abs(l - position) <= kKnownLine_px; });
+  return std::any_of(lines.begin(), lines.end(),
+                     [&](double l) { return std::abs(l - position) <= kKnownLine_px; });
 }
 
 /// One row or column that differs from the paper along most of its length.
@@ -101,11 +124,13 @@ struct LineCandidate {
 void collect(const std::vector<Color3>& lines, const std::vector<double>& known, bool rows,
              std::vector<LineCandidate>& out) {
   for (std::size_t i = 0; i < lines.size(); ++i)
-    if (norm(lines[i]) >= kLineContrast) out.push_back({lines[i], isKnown(static_cast<double>(i), known), i, rows});
+    if (norm(lines[i]) >= kLineContrast)
+      out.push_back({lines[i], isKnown(static_cast<double>(i), known), i, rows});
 }
 
-/// A lone row or column that differs from the paper may be a flat stretch or a wall of a curve: it is a gridline only if
-/// others of its colour run elsewhere, or if it is known as a line and nothing of another colour contradicts.
+/// A lone row or column that differs from the paper may be a flat stretch or a wall of a curve: it is a
+/// gridline only if others of its colour run elsewhere, or if it is known as a line and nothing of another
+/// colour contradicts.
 bool isGridline(const LineCandidate& line, const std::vector<LineCandidate>& all) {
   int peers = 0, strangers = 0;
   for (const LineCandidate& other : all) {
@@ -125,8 +150,8 @@ Backdrop Backdrop::measure(const PlotArea& area, const std::vector<double>& colu
   Backdrop backdrop;
   backdrop.measurePaper(area);
   backdrop.measureShading(area);
-  backdrop.measureLines(area, columnLines_px, rowLines_px);
   backdrop.measureNoise(area);
+  backdrop.measureLines(area, columnLines_px, rowLines_px);
   return backdrop;
 }
 
@@ -145,7 +170,8 @@ void Backdrop::measureShading(const PlotArea& area) {
   tilesDown_ = std::clamp(r.height_px / 48, 1, 12);
   tileWidth_ = static_cast<double>(r.width_px) / tilesAcross_;
   tileHeight_ = static_cast<double>(r.height_px) / tilesDown_;
-  std::vector<Color3> tiles(static_cast<std::size_t>(tilesAcross_) * static_cast<std::size_t>(tilesDown_), paper_);
+  std::vector<Color3> tiles(static_cast<std::size_t>(tilesAcross_) * static_cast<std::size_t>(tilesDown_),
+                            paper_);
   int uneven = 0, sure = 0;
   for (int j = 0; j < tilesDown_; ++j)
     for (int i = 0; i < tilesAcross_; ++i) {
@@ -172,7 +198,8 @@ Color3 Backdrop::shadedPaper(int x, int y) const {
   const int j = std::min(static_cast<int>(ty), std::max(0, tilesDown_ - 2));
   const float fx = static_cast<float>(tx - i), fy = static_cast<float>(ty - j);
   const auto tile = [this](int a, int b) {
-    return shading_[static_cast<std::size_t>(std::min(b, tilesDown_ - 1) * tilesAcross_ + std::min(a, tilesAcross_ - 1))];
+    return shading_[static_cast<std::size_t>(std::min(b, tilesDown_ - 1) * tilesAcross_ +
+                                             std::min(a, tilesAcross_ - 1))];
   };
   const Color3 top = (1 - fx) * tile(i, j) + fx * tile(i + 1, j);
   const Color3 bottom = (1 - fx) * tile(i, j + 1) + fx * tile(i + 1, j + 1);
@@ -182,32 +209,35 @@ Color3 Backdrop::shadedPaper(int x, int y) const {
 void Backdrop::measureLines(const PlotArea& area, const std::vector<double>& columnLines_px,
                             const std::vector<double>& rowLines_px) {
   const Raster& r = area.raster;
-  const int x0 = std::max(0, static_cast<int>(area.frame.x0)), y0 = std::max(0, static_cast<int>(area.frame.y0));
+  const int x0 = std::max(0, static_cast<int>(area.frame.x0)),
+            y0 = std::max(0, static_cast<int>(area.frame.y0));
   const int x1 = std::min(r.width_px - 1, static_cast<int>(std::ceil(area.frame.x1)));
   const int y1 = std::min(r.height_px - 1, static_cast<int>(std::ceil(area.frame.y1)));
   rowLine_.assign(static_cast<std::size_t>(r.height_px), {});
   columnLine_.assign(static_cast<std::size_t>(r.width_px), {});
-  const int stepX = std::max(1, (x1 - x0) / kMaxSamplesPerLine), stepY = std::max(1, (y1 - y0) / kMaxSamplesPerLine);
-  MedianColor median;
+  const int stepX = std::max(1, (x1 - x0) / kMaxSamplesPerLine),
+            stepY = std::max(1, (y1 - y0) / kMaxSamplesPerLine);
+  LineColor line;
+  const float tolerance = 8 + 2 * noise_;
   for (int y = 0; y < r.height_px; ++y) {
-    median.clear();
-    for (int x = x0; x <= x1; x += stepX) median.add(colorAt(r, x, y) - paperAt(x, y));
-    rowLine_[static_cast<std::size_t>(y)] = median.median();
+    line.clear();
+    for (int x = x0; x <= x1; x += stepX) line.add(colorAt(r, x, y) - paperAt(x, y));
+    rowLine_[static_cast<std::size_t>(y)] = line.commonest(tolerance, kLineSupport);
   }
   for (int x = 0; x < r.width_px; ++x) {
-    median.clear();
-    for (int y = y0; y <= y1; y += stepY) median.add(colorAt(r, x, y) - paperAt(x, y));
-    columnLine_[static_cast<std::size_t>(x)] = median.median();
+    line.clear();
+    for (int y = y0; y <= y1; y += stepY) line.add(colorAt(r, x, y) - paperAt(x, y));
+    columnLine_[static_cast<std::size_t>(x)] = line.commonest(tolerance, kLineSupport);
   }
   std::vector<LineCandidate> candidates;
   collect(rowLine_, rowLines_px, true, candidates);
   collect(columnLine_, columnLines_px, false, candidates);
   std::fill(rowLine_.begin(), rowLine_.end(), Color3{});
   std::fill(columnLine_.begin(), columnLine_.end(), Color3{});
-  for (const LineCandidate& line : candidates) {
-    if (!isGridline(line, candidates)) continue;
-    (line.isRow ? rowLine_ : columnLine_)[line.position] = line.difference;
-    lineDirection_ = lineDirection_ + line.difference;
+  for (const LineCandidate& candidate : candidates) {
+    if (!isGridline(candidate, candidates)) continue;
+    (candidate.isRow ? rowLine_ : columnLine_)[candidate.position] = candidate.difference;
+    lineDirection_ = lineDirection_ + candidate.difference;
   }
   if (norm(lineDirection_) > 0) lineDirection_ = (1 / norm(lineDirection_)) * lineDirection_;
 }
@@ -219,7 +249,6 @@ void Backdrop::measureNoise(const PlotArea& area) {
   int n = 0;
   for (int y = 0; y < r.height_px; y += step)
     for (int x = 0; x < r.width_px; x += step) {
-      if (onLine(x, y)) continue;
       ++bins[static_cast<std::size_t>(std::min(63.0F, norm(colorAt(r, x, y) - paperAt(x, y))))];
       ++n;
     }

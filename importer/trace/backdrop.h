@@ -1,6 +1,6 @@
 #pragma once
-// What lies behind the curves: paper and the lines that cross the whole frame (grid, frame). Known per row and column, so
-// that subtracting it removes the grid without touching a curve that runs over it.
+// What lies behind the curves: paper and the lines that cross the whole frame (grid, frame). Known per row
+// and column, so that subtracting it removes the grid without touching a curve that runs over it.
 
 #include <cmath>
 #include <vector>
@@ -27,8 +27,8 @@ inline Color3 colorAt(const Raster& raster, int x, int y) {
 
 class Backdrop {
  public:
-  /// Lines are taken from the picture itself: a row or column most of whose pixels differ from the paper. `frame`'s lines
-  /// in area pixels say where such a line may be a lone one.
+  /// Lines are taken from the picture itself: a row or column most of whose pixels differ from the paper.
+  /// `frame`'s lines in area pixels say where such a line may be a lone one.
   static Backdrop measure(const PlotArea& area, const std::vector<double>& columnLines_px,
                           const std::vector<double>& rowLines_px);
 
@@ -56,7 +56,7 @@ class Backdrop {
   std::vector<Color3> rowLine_, columnLine_;  ///< difference to the paper; 0 where no line runs
   int tilesAcross_ = 0, tilesDown_ = 0;
   double tileWidth_ = 1, tileHeight_ = 1;
-  std::vector<Color3> shading_;               ///< paper per tile; empty for an even paper
+  std::vector<Color3> shading_;  ///< paper per tile; empty for an even paper
 };
 
 }  // namespace detent::importer::inks

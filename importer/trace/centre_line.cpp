@@ -9,9 +9,9 @@ namespace detent::importer::inks {
 
 namespace {
 
-constexpr double kStep_px = 0.5;         // along the normal
-constexpr double kStiffness = 0.15;      // of one round's moves against bending; seen points have weight 1
-constexpr double kLargestMove_px = 0.75; // per round of matching: the comparison is linear only so far
+constexpr double kStep_px = 0.5;          // along the normal
+constexpr double kStiffness = 0.15;       // of one round's moves against bending; seen points have weight 1
+constexpr double kLargestMove_px = 0.75;  // per round of matching: the comparison is linear only so far
 
 using Polyline = std::vector<Point>;
 
@@ -42,7 +42,8 @@ Polyline resampled(const Polyline& line, double spacing) {
 Polyline smoothed(const Polyline& line, double sigma) {
   const int reach = std::max(1, static_cast<int>(std::ceil(2.5 * sigma)));
   std::vector<double> kernel(static_cast<std::size_t>(reach) + 1);
-  for (int k = 0; k <= reach; ++k) kernel[static_cast<std::size_t>(k)] = std::exp(-0.5 * k * k / (sigma * sigma));
+  for (int k = 0; k <= reach; ++k)
+    kernel[static_cast<std::size_t>(k)] = std::exp(-0.5 * k * k / (sigma * sigma));
   Polyline out(line.size());
   const int n = static_cast<int>(line.size());
   for (int i = 0; i < n; ++i) {
@@ -66,14 +67,18 @@ Polyline normalsOf(const Polyline& line, double sigma) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     const std::size_t a = i > 0 ? i - 1 : 0, b = std::min(line.size() - 1, i + 1);
     const double dx = calm[b].x - calm[a].x, dy = calm[b].y - calm[a].y, length = std::hypot(dx, dy);
-    if (length > 1e-9) normals[i] = {-dy / length, dx / length};
-    else if (i > 0) normals[i] = normals[i - 1];
+    if (length > 1e-9)
+      normals[i] = {-dy / length, dx / length};
+    else if (i > 0)
+      normals[i] = normals[i - 1];
   }
   return normals;
 }
 
-/// Minimises sum w_i (x_i - d_i)^2 + stiffness * sum (second difference)^2: banded Cholesky, two off-diagonals.
-std::vector<double> stiffened(const std::vector<double>& target, const std::vector<double>& weight, double stiffness) {
+/// Minimises sum w_i (x_i - d_i)^2 + stiffness * sum (second difference)^2: banded Cholesky, two
+/// off-diagonals.
+std::vector<double> stiffened(const std::vector<double>& target, const std::vector<double>& weight,
+                              double stiffness) {
   const std::size_t n = target.size();
   if (n < 3) return target;
   std::vector<double> a(n), b(n, 0), c(n, 0), x(n);
@@ -122,10 +127,10 @@ double median(std::vector<double> values) {
 
 /// Ink seen across the line at one point.
 struct CrossSection {
-  double own = 0;       ///< integral of the curve's own ink, px
-  double offset = 0;    ///< its centroid
-  double spread = 0;    ///< its variance, px²
-  double hidden = 0;    ///< integral of other curves' ink
+  double own = 0;     ///< integral of the curve's own ink, px
+  double offset = 0;  ///< its centroid
+  double spread = 0;  ///< its variance, px²
+  double hidden = 0;  ///< integral of other curves' ink
   double hiddenOffset = 0;
   double clutter = 0;
 };
@@ -193,15 +198,17 @@ LineProfile measureProfile(const Polyline& line, const CurveField& field, double
   }
   LineProfile profile;
   profile.width_px = areas.size() < 8 ? thickness : median(areas);
-  // A box of width w blurred by a box of width s has variance (w² + s²) / 12; sampling between pixels adds about 1/12
-  // more on either axis, which the drawn line gets as well.
-  const double variance = spreads.size() < 8 ? (profile.width_px * profile.width_px + 2) / 12 : median(spreads);
-  profile.blur_px = std::sqrt(std::clamp(12 * variance - profile.width_px * profile.width_px - 1.0, 1.0, 9.0));
+  // A box of width w blurred by a box of width s has variance (w² + s²) / 12; sampling between pixels adds
+  // about 1/12 more on either axis, which the drawn line gets as well.
+  const double variance =
+      spreads.size() < 8 ? (profile.width_px * profile.width_px + 2) / 12 : median(spreads);
+  profile.blur_px =
+      std::sqrt(std::clamp(12 * variance - profile.width_px * profile.width_px - 1.0, 1.0, 9.0));
   return profile;
 }
 
-/// The line drawn onto a plane: per pixel the coverage at its distance to the nearest piece. Only touched pixels are
-/// cleared afterwards.
+/// The line drawn onto a plane: per pixel the coverage at its distance to the nearest piece. Only touched
+/// pixels are cleared afterwards.
 class LineDrawing {
  public:
   LineDrawing(int width, int height) : plane_(width, height) {}

@@ -1,7 +1,7 @@
 #pragma once
-// From a coarse course to the sub-pixel centre line: the line is drawn (width, blur, what hides it) along the present
-// estimate, compared with the picture, and moved across itself until both agree. Corners, ends and half-hidden stretches
-// are thereby deconvolved; hidden ones follow what covers them.
+// From a coarse course to the sub-pixel centre line: the line is drawn (width, blur, what hides it) along the
+// present estimate, compared with the picture, and moved across itself until both agree. Corners, ends and
+// half-hidden stretches are thereby deconvolved; hidden ones follow what covers them.
 
 #include <vector>
 
@@ -9,7 +9,8 @@
 
 namespace detent::importer::inks {
 
-/// How the line is drawn: a box of `width_px` blurred by a box of `blur_px`; `level` is the coverage of its middle.
+/// How the line is drawn: a box of `width_px` blurred by a box of `blur_px`; `level` is the coverage of its
+/// middle.
 struct LineProfile {
   double width_px = 1;
   double blur_px = 1;
@@ -20,15 +21,15 @@ struct LineProfile {
 };
 
 struct CentreLine {
-  std::vector<Point> points;     ///< area pixels, in order, about one pixel apart
-  std::vector<double> weight;    ///< 0..1 per point: how much of the line was seen there
+  std::vector<Point> points;   ///< area pixels, in order, about one pixel apart
+  std::vector<double> weight;  ///< 0..1 per point: how much of the line was seen there
   LineProfile profile;
-  double seenShare = 0;          ///< mean weight
+  double seenShare = 0;  ///< mean weight
 };
 
 struct CentreLineOptions {
-  int centroidRounds = 2;        ///< coarse to about half a pixel
-  int matchRounds = 4;           ///< drawn against seen
+  int centroidRounds = 2;  ///< coarse to about half a pixel
+  int matchRounds = 4;     ///< drawn against seen
 };
 
 CentreLine centreLine(const CurveField& field, const CoarseCurve& coarse, double thickness_px,

@@ -7,11 +7,12 @@ namespace detent::importer::inks {
 
 namespace {
 
-constexpr double kMinSpan = 0.12;          // of the frame's width
-constexpr double kMinInkShare = 0.5;       // of the visible course: dashes have about this much
+constexpr double kMinSpan = 0.12;     // of the frame's width
+constexpr double kMinInkShare = 0.5;  // of the visible course: dashes have about this much
 constexpr double kMinInkShareNeutral = 0.85;
-constexpr double kMinExplained = 0.3;      // of the ink's mass outside text and legend
-constexpr float kGreyChroma = 26;          // colour levels between the largest and the smallest channel
+constexpr double kMinOwnColumns = 0.4;  // of the columns spanned: the rest may be hidden or bridged
+constexpr double kMinExplained = 0.3;   // of the ink's mass outside text and legend
+constexpr float kGreyChroma = 26;       // colour levels between the largest and the smallest channel
 
 double massOf(const Plane& plane) {
   double sum = 0;
@@ -19,7 +20,8 @@ double massOf(const Plane& plane) {
   return sum;
 }
 
-/// Calls `visit(x, y)` for every pixel of the plane within `reach` of a course; pixels may come several times.
+/// Calls `visit(x, y)` for every pixel of the plane within `reach` of a course; pixels may come several
+/// times.
 template <class Visit>
 void forPixelsNear(const Plane& plane, const std::vector<Point>& course, double reach, Visit visit) {
   const int r = static_cast<int>(std::ceil(reach));
@@ -46,14 +48,9 @@ double shareAlong(const CoarseCurve& course, const CoarseCurve& other, double re
   Plane near(size.width, size.height);
   forPixelsNear(near, other.points, reach, [&](int x, int y) { near.at(x, y) = 1; });
   double inside = 0;
-  for (Point p : course.points) inside += static_cast<double>(near.at(static_cast<int>(p.x), static_cast<int>(p.y)));
+  for (Point p : course.points)
+    inside += static_cast<double>(near.at(static_cast<int>(p.x), static_cast<int>(p.y)));
   return inside / static_cast<double>(std::max<std::size_t>(1, course.points.size()));
-}
-
-FollowOptions optionsFor(double thickness) {
-  FollowOptions options;
-  options.reversalCost = 6 + 2 * thickness;
-  return options;
 }
 
 /// A level or plumb line is a marker, an axis or a leader, never a force curve.
@@ -70,30 +67,46 @@ bool isStraight(const CoarseCurve& course, double thickness) {
   });
 }
 
+Box scaled(const Box& box, double by) { return {box.x0 * by, box.y0 * by, box.x1 * by, box.y1 * by}; }
+
+CurveField pooledField(const CurveField& field, int factor) {
+  if (factor == 1) return field;
+  return {pooled(field.own, factor), pooled(field.otherCurves, factor), pooled(field.clutter, factor)};
+}
+
+/// Whether a line found in an ink is long, inked and curved enough to be a force curve.
+bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool neutral) {
+  if (!course.found() || course.span_px < kMinSpan * frame.width() ||
+      course.gain_px < kMinSpan * frame.width())
+    return false;
+  if (course.inkShare < (neutral ? kMinInkShareNeutral : kMinInkShare)) return false;
+  if (course.inkColumns_px < kMinOwnColumns * course.span_px) return false;
+  return !isAxisParallel(course, thickness) && !(neutral && isStraight(course, thickness));
+}
+
 std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
+  if (plot.palette[static_cast<std::size_t>(index)].mass_px < 0.5 * kMinSpan * plot.area.frame.width())
+    return {};
   std::vector<int> others;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k)
     if (k != index) others.push_back(k);
-  CurveField field = fieldOf(plot, index, others);
   CurveInk curve;
   curve.ink = index;
   curve.neutral = neutral;
-  curve.thickness_px = lineThickness(field.own);
-  const FollowOptions options = optionsFor(curve.thickness_px);
-  curve.course = followCurve(field, plot.area.frame, options);
-  const double width = plot.area.frame.width();
-  if (!curve.course.found() || curve.course.span_px < kMinSpan * width || curve.course.gain_px < kMinSpan * width)
-    return {};
-  if (curve.course.inkShare < (neutral ? kMinInkShareNeutral : kMinInkShare)) return {};
-  if (isAxisParallel(curve.course, curve.thickness_px)) return {};
-  if (neutral && isStraight(curve.course, curve.thickness_px)) return {};
+  curve.pooling = std::max(1, static_cast<int>(plot.area.frame.width() / 350));
+  const CurveField full = fieldOf(plot, index, others);
+  curve.thickness_px = lineThickness(full.own);
+  CurveField field = pooledField(full, curve.pooling);
+  const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
+  const double thickness = curve.thickness_px / curve.pooling + (curve.pooling > 1 ? 1 : 0);
+  curve.course = followCurve(field, frame);
+  if (!isCurve(curve.course, frame, thickness, neutral)) return {};
   const double mass = massOf(field.own);
-  double explained = eraseAlong(field.own, curve.course.points, curve.thickness_px + 2);
-  const CoarseCurve second = followCurve(field, plot.area.frame, options);
-  if (second.found() && second.span_px >= 0.25 * curve.course.span_px &&
-      !isAxisParallel(second, curve.thickness_px)) {
+  double explained = eraseAlong(field.own, curve.course.points, thickness + 2);
+  const CoarseCurve second = followCurve(field, frame);
+  if (isCurve(second, frame, thickness, neutral) && second.span_px >= 0.25 * curve.course.span_px) {
     curve.secondStrand = second.gain_px / curve.course.gain_px;
-    explained += eraseAlong(field.own, second.points, curve.thickness_px + 2);
+    explained += eraseAlong(field.own, second.points, thickness + 2);
   }
   if (explained < kMinExplained * mass) return {};
   return curve;
@@ -103,8 +116,35 @@ std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
 bool isSeam(const CurveInk& curve, const std::vector<CurveInk>& stronger, const Plane& size) {
   return std::any_of(stronger.begin(), stronger.end(), [&](const CurveInk& other) {
     return curve.course.gain_px < 0.6 * other.course.gain_px &&
-           shareAlong(curve.course, other.course, other.thickness_px + 2, size) > 0.75;
+           shareAlong(curve.course, other.course, other.thickness_px / other.pooling + 2, size) > 0.75;
   });
+}
+
+/// Whether a direction lies between two others (within a few degrees), as edges of lines that overlap do.
+bool isMixtureOf(Color3 direction, Color3 u, Color3 v) {
+  const float uv = dot(u, v), du = dot(direction, u), dv = dot(direction, v), determinant = 1 - uv * uv;
+  if (determinant < 1e-4F) return true;
+  const float a = (du - dv * uv) / determinant, b = (dv - du * uv) / determinant;
+  if (a < 0 || b < 0) return false;
+  return norm(direction - (a * u + b * v)) < 0.12F;
+}
+
+/// Beside the ink of text a faint trace of colour is a letter's edge (sub-pixel rendering), not a curve.
+void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& curveInks,
+                       CurveField& field) {
+  constexpr int kReach = 2;
+  constexpr float kSolid = 0.6F, kBelieved = 0.85F;
+  for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
+    const bool isCurve = k == index || std::find(curveInks.begin(), curveInks.end(), k) != curveInks.end();
+    if (isCurve || !isNeutral(plot, k)) continue;
+    const Plane& text = plot.coverage.ink[static_cast<std::size_t>(k)];
+    for (int y = 0; y < text.height; ++y)
+      for (int x = 0; x < text.width; ++x) {
+        if (text.at(x, y) < kSolid) continue;
+        for (int i = std::max(0, x - kReach); i <= std::min(text.width - 1, x + kReach); ++i)
+          if (field.own.at(i, y) < kBelieved) field.own.at(i, y) = 0;
+      }
+  }
 }
 
 }  // namespace
@@ -127,6 +167,7 @@ CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curv
       field.otherCurves.values[i] = 0;
       field.clutter.values[i] = 1 - std::min(1.0F, field.own.values[i]);
     }
+  disbelieveFringes(plot, index, curveInks, field);
   for (const LegendSample& sample : plot.samples)
     for (int y = static_cast<int>(sample.box.y0) - 1; y <= static_cast<int>(sample.box.y1); ++y)
       for (int x = static_cast<int>(sample.box.x0) - 1; x <= static_cast<int>(sample.box.x1); ++x)
@@ -143,6 +184,27 @@ bool isNeutral(const PlotInks& plot, int index) {
   return chroma <= kGreyChroma || dot(ink.direction, plot.backdrop.lineDirection()) > 0.985F;
 }
 
+std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& curves) {
+  std::vector<Ink> palette;
+  for (CurveInk& curve : curves) {
+    palette.push_back(plot.palette[static_cast<std::size_t>(curve.ink)]);
+    palette.back().isCurve = true;
+    curve.ink = static_cast<int>(palette.size()) - 1;
+  }
+  const std::size_t n = palette.size();
+  for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
+    const Ink& ink = plot.palette[static_cast<std::size_t>(k)];
+    const bool chosen = std::any_of(palette.begin(), palette.begin() + static_cast<std::ptrdiff_t>(n),
+                                    [&](const Ink& c) { return dot(c.direction, ink.direction) > 0.999F; });
+    bool mixture = false;
+    for (std::size_t i = 0; i < n && !mixture && !isNeutral(plot, k); ++i)
+      for (std::size_t j = 0; j < i && !mixture; ++j)
+        mixture = isMixtureOf(ink.direction, palette[i].direction, palette[j].direction);
+    if (!chosen && !mixture) palette.push_back(ink);
+  }
+  return palette;
+}
+
 std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   std::vector<CurveInk> found;
   std::vector<int> neutral;
@@ -156,12 +218,16 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   std::sort(found.begin(), found.end(),
             [](const CurveInk& a, const CurveInk& b) { return a.course.gain_px > b.course.gain_px; });
   std::vector<CurveInk> curves;
-  for (CurveInk& curve : found)
-    if (!isSeam(curve, curves, plot.coverage.unknown)) curves.push_back(std::move(curve));
+  for (CurveInk& curve : found) {
+    const Plane size((plot.coverage.unknown.width - 1) / curve.pooling + 1,
+                     (plot.coverage.unknown.height - 1) / curve.pooling + 1);
+    if (!isSeam(curve, curves, size)) curves.push_back(std::move(curve));
+  }
   if (curves.size() != 1 || curves.front().secondStrand > 0.3) return curves;
   for (int k : neutral) {
     auto curve = curveOf(plot, k, true);
-    // A lone coloured curve may have its partner in the ink of the frame; a leader or a callout is much shorter.
+    // A lone coloured curve may have its partner in the ink of the frame; a leader or a callout is much
+    // shorter.
     if (curve && curve->course.span_px >= 0.5 * curves.front().course.span_px &&
         curve->course.gain_px >= 0.4 * curves.front().course.gain_px) {
       curves.push_back(std::move(*curve));

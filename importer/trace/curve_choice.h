@@ -11,9 +11,10 @@ namespace detent::importer::inks {
 
 /// An ink that draws a curve.
 struct CurveInk {
-  int ink = 0;              ///< index into the palette
-  bool neutral = false;     ///< the ink of text and frame
-  CoarseCurve course;
+  int ink = 0;           ///< index into the palette
+  bool neutral = false;  ///< the ink of text and frame
+  CoarseCurve course;    ///< on planes pooled by `pooling`
+  int pooling = 1;
   double thickness_px = 1;
   double secondStrand = 0;  ///< gain of the best other line in the same ink, as a share of the first
 };
@@ -25,17 +26,23 @@ struct PlotInks {
   const std::vector<Ink>& palette;
   const Coverage& coverage;
   const PlotText& text;
-  const std::vector<LegendSample>& samples;
-  const Mask& masked;       ///< regions the user wants ignored; empty if none
+  std::vector<LegendSample> samples;
+  const Mask& masked;  ///< regions the user wants ignored; empty if none
 };
 
-/// What ink `index` looks like to the follower. `curveInks`: inks that may lie over it as curves; other inks are clutter.
+/// What ink `index` looks like to the follower. `curveInks`: inks that may lie over it as curves; other inks
+/// are clutter.
 CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveInks);
 
 /// Ink of text, frame and grid: its direction is theirs, or its colour is grey.
 bool isNeutral(const PlotInks& plot, int index);
 
-/// Curves in differently coloured inks, best first. Neutral inks are among them only beside exactly one coloured curve.
+/// Palette for the final unmixing: the curves' inks, and of the others those that are not mere mixtures of
+/// two curves' inks and the paper. `curves` are renumbered.
+std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& curves);
+
+/// Curves in differently coloured inks, best first. Neutral inks are among them only beside exactly one
+/// coloured curve.
 std::vector<CurveInk> chooseCurveInks(const PlotInks& plot);
 
 }  // namespace detent::importer::inks

@@ -9,8 +9,8 @@ namespace detent::importer::inks {
 namespace {
 
 constexpr float kMaxCoverage = 1.2F;
-constexpr float kResidualFloor = 8;      // colour levels: rounding and neighbouring shades
-constexpr float kResidualShare = 0.07F;  // of the difference: an ink's shade is known only so well
+constexpr float kResidualFloor = 5;       // colour levels: rounding and neighbouring shades
+constexpr float kResidualShare = 0.045F;  // of the difference: an ink's shade is known only so well
 
 /// What one pixel may be made of.
 struct Mixture {
@@ -21,8 +21,11 @@ struct Mixture {
 
 class PixelUnmixer {
  public:
-  PixelUnmixer(const std::vector<Ink>& inks, Color3 paper) : paper_(paper) {
-    for (const Ink& ink : inks) full_.push_back(paper + ink.difference());
+  PixelUnmixer(const std::vector<Ink>& inks, Color3 paper) {
+    for (const Ink& ink : inks) {
+      full_.push_back(paper + ink.difference());
+      isCurve_.push_back(ink.isCurve ? 1 : 0);
+    }
   }
 
   Mixture explain(Color3 pixel, Color3 behind, float tolerance) const {
@@ -35,13 +38,15 @@ class PixelUnmixer {
       if (residual < best.residual) best = {static_cast<int>(k), -1, a, 0, residual};
     }
     if (best.residual <= tolerance) return best;
+    Mixture curves;
     for (std::size_t k = 0; k < full_.size(); ++k)
       for (std::size_t j = 0; j < k; ++j) {
         const Mixture pair = explainByTwo(difference, behind, k, j);
         // A second ink has to earn its place: two explain more than one whatever is there.
         if (pair.residual < 0.5F * best.residual) best = pair;
+        if (isCurve_[k] && isCurve_[j] && pair.residual < curves.residual) curves = pair;
       }
-    return best;
+    return curves.residual <= tolerance ? curves : best;
   }
 
  private:
@@ -63,11 +68,21 @@ class PixelUnmixer {
     return {static_cast<int>(k), static_cast<int>(j), a, b, norm(rest)};
   }
 
-  Color3 paper_;
   std::vector<Color3> full_;
+  std::vector<char> isCurve_;
 };
 
 }  // namespace
+
+Plane pooled(const Plane& plane, int factor) {
+  Plane out((plane.width + factor - 1) / factor, (plane.height + factor - 1) / factor);
+  for (int y = 0; y < plane.height; ++y) {
+    const float* in = plane.values.data() + plane.index(0, y);
+    float* row = out.values.data() + out.index(0, y / factor);
+    for (int x = 0; x < plane.width; ++x) row[x / factor] = std::max(row[x / factor], in[x]);
+  }
+  return out;
+}
 
 Coverage unmix(const PlotArea& area, const Backdrop& backdrop, const std::vector<Ink>& inks) {
   const Raster& r = area.raster;

@@ -1,6 +1,6 @@
 #pragma once
-// How much of each pixel each ink covers: the pixel is explained by the backdrop and as few inks as possible (one; two
-// where lines cross or touch).
+// How much of each pixel each ink covers: the pixel is explained by the backdrop and as few inks as possible
+// (one; two where lines cross or touch).
 
 #include <vector>
 
@@ -12,6 +12,9 @@ struct Coverage {
   std::vector<Plane> ink;  ///< one per ink of the palette, 0..1.2
   Plane unknown;           ///< covered by something no ink explains
 };
+
+/// Pixels of the largest coverage in blocks of `factor`²: enough to see where curves run.
+Plane pooled(const Plane& plane, int factor);
 
 Coverage unmix(const PlotArea& area, const Backdrop& backdrop, const std::vector<Ink>& inks);
 

@@ -32,8 +32,8 @@ std::vector<Sample> inkSamples(const PlotArea& area, const Backdrop& backdrop, c
   const int y1 = std::min(r.height_px - 1, static_cast<int>(std::floor(area.frame.y1 - 0.5)));
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(r.width_px) +
-                            static_cast<std::size_t>(x);
+      const std::size_t i =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(r.width_px) + static_cast<std::size_t>(x);
       if (!excluded.empty() && excluded[i]) continue;
       // Over a gridline the difference to the backdrop points elsewhere than over paper.
       if (backdrop.onLine(x, y)) continue;
@@ -52,7 +52,8 @@ Color3 densestDirection(const std::vector<Sample>& samples, const std::vector<ch
   const std::size_t best =
       static_cast<std::size_t>(std::max_element(cells.begin(), cells.end()) - cells.begin());
   const auto coordinate = [](std::size_t c) { return (static_cast<float>(c) + 0.5F) * 2 / kCells - 1; };
-  Color3 centre{coordinate(best / (kCells * kCells)), coordinate(best / kCells % kCells), coordinate(best % kCells)};
+  Color3 centre{coordinate(best / (kCells * kCells)), coordinate(best / kCells % kCells),
+                coordinate(best % kCells)};
   centre = (1 / std::max(1e-6F, norm(centre))) * centre;
   for (int round = 0; round < 4; ++round) {
     Color3 sum;
@@ -68,7 +69,8 @@ Color3 densestDirection(const std::vector<Sample>& samples, const std::vector<ch
 /// The length below which `share` of the values lie.
 float quantile(std::vector<float>& values, double share) {
   if (values.empty()) return 0;
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  const auto at =
+      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), at, values.end());
   return *at;
 }
@@ -115,7 +117,8 @@ std::vector<Ink> findInks(const PlotArea& area, const Backdrop& backdrop, const 
     bool blend = false;
     for (std::size_t i = 0; i < inks.size() && !blend; ++i)
       for (std::size_t j = 0; j < i && !blend; ++j)
-        blend = std::min(inks[i].mass_px, inks[j].mass_px) > 1.5 * ink.mass_px && isBlend(ink, inks[i], inks[j]);
+        blend =
+            std::min(inks[i].mass_px, inks[j].mass_px) > 1.5 * ink.mass_px && isBlend(ink, inks[i], inks[j]);
     if (!blend) inks.push_back(ink);
   }
   std::sort(inks.begin(), inks.end(), [](const Ink& a, const Ink& b) { return a.mass_px > b.mass_px; });

@@ -20,7 +20,8 @@ Point directionAtEnd(const std::vector<Point>& points, double over_px) {
 }
 
 /// How far beyond the last point (negative: before it) the ink ends, measured along the line.
-double inkBeyondEnd(const std::vector<Point>& points, Point direction, const LineProfile& profile, const CurveField& field) {
+double inkBeyondEnd(const std::vector<Point>& points, Point direction, const LineProfile& profile,
+                    const CurveField& field) {
   const double reach = profile.width_px + 4;
   const double level = std::min(1.0, profile.width_px / profile.blur_px);
   const Point normal{-direction.y, direction.x};
@@ -71,7 +72,8 @@ void finishLastEnd(CentreLine& line, const CurveField& field, const Box& frame) 
   const Point direction = directionAtEnd(line.points, 3 + profile.width_px);
   const double beyond = inkBeyondEnd(line.points, direction, profile, field);
   const double toEdge = distanceToEdge(line.points.back(), direction, frame);
-  if (beyond >= toEdge - profile.width_px - 1) {  // drawn into the frame's edge: it goes on beyond what is shown
+  if (beyond >=
+      toEdge - profile.width_px - 1) {  // drawn into the frame's edge: it goes on beyond what is shown
     if (toEdge > 0 && toEdge < 3 * profile.width_px + 6) {
       const Point p = line.points.back();
       line.points.push_back({p.x + toEdge * direction.x, p.y + toEdge * direction.y});
@@ -79,7 +81,8 @@ void finishLastEnd(CentreLine& line, const CurveField& field, const Box& frame) 
     }
     return;
   }
-  // A cap reaches a half width beyond the end (round, square) or not at all (butt): a quarter errs by a quarter.
+  // A cap reaches a half width beyond the end (round, square) or not at all (butt): a quarter errs by a
+  // quarter.
   const double move = beyond - 0.25 * profile.width_px;
   if (move < 0) {
     cutBack(line.points, line.weight, -move);
@@ -110,7 +113,8 @@ void clipToFrame(CentreLine& line, const Box& frame) {
       weight.push_back(line.weight[i]);
     }
     // In between only rounding leaves the frame (a wall on its edge): such points are set onto the edge.
-    points.push_back({std::clamp(line.points[i].x, frame.x0, frame.x1), std::clamp(line.points[i].y, frame.y0, frame.y1)});
+    points.push_back(
+        {std::clamp(line.points[i].x, frame.x0, frame.x1), std::clamp(line.points[i].y, frame.y0, frame.y1)});
     weight.push_back(line.weight[i]);
     if (i + 1 == last && last < line.points.size()) {
       points.push_back(crossing(line.points[i], line.points[last]));

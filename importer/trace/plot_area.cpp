@@ -12,7 +12,8 @@ namespace detent::importer::inks {
 namespace {
 
 constexpr double kSkewKept_px = 1.5;  // a frame less skewed than this is cropped: resampling would cost more
-constexpr double kMaxPixels = 2.2e6;    // larger areas are shrunk by a whole factor: their lines are thick enough
+constexpr double kMaxPixels =
+    2.2e6;  // larger areas are shrunk by a whole factor: their lines are thick enough
 
 Point apply(const std::array<double, 9>& m, Point p) {
   const double w = m[6] * p.x + m[7] * p.y + m[8];

@@ -1,7 +1,8 @@
 #pragma once
-// The part of the view in which curves are drawn, upright: rows run along the displacement axis, columns along the force
-// axis. An axis-parallel frame is cropped (and, if huge, shrunk by a whole factor); any other is warped. Everything about differently coloured
-// curves happens on it; `toView` brings results back to the view's pixels.
+// The part of the view in which curves are drawn, upright: rows run along the displacement axis, columns
+// along the force axis. An axis-parallel frame is cropped (and, if huge, shrunk by a whole factor); any other
+// is warped. Everything about differently coloured curves happens on it; `toView` brings results back to the
+// view's pixels.
 
 #include <array>
 #include <cstdint>

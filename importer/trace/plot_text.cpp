@@ -1,6 +1,7 @@
 #include "importer/trace/plot_text.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <opencv2/imgproc.hpp>
@@ -13,7 +14,11 @@ namespace {
 struct Piece {
   Box box;  ///< x1, y1 exclusive
   int area = 0;
-  float halfStroke = 0;
+  int runsDown = 0;    ///< runs of ink met down all its columns
+  int runsAcross = 0;  ///< and along all its rows
+
+  /// Mean length of its shorter runs.
+  double stroke() const { return static_cast<double>(area) / std::max(1, std::max(runsDown, runsAcross)); }
 };
 
 struct Pieces {
@@ -21,7 +26,7 @@ struct Pieces {
   std::vector<Piece> all;  ///< index = label; 0 is the background
 };
 
-Pieces piecesOf(const cv::Mat& mask, bool wantStroke) {
+Pieces piecesOf(const cv::Mat& mask) {
   Pieces pieces;
   cv::Mat stats, centroids;
   const int n = cv::connectedComponentsWithStats(mask, pieces.labels, stats, centroids, 8, CV_32S);
@@ -32,47 +37,71 @@ Pieces piecesOf(const cv::Mat& mask, bool wantStroke) {
     piece.box = {x, y, x + stats.at<int>(i, cv::CC_STAT_WIDTH), y + stats.at<int>(i, cv::CC_STAT_HEIGHT)};
     piece.area = stats.at<int>(i, cv::CC_STAT_AREA);
   }
-  if (!wantStroke) return pieces;
-  cv::Mat distance;
-  cv::distanceTransform(mask, distance, cv::DIST_L2, 3);
   for (int y = 0; y < mask.rows; ++y) {
     const int* label = pieces.labels.ptr<int>(y);
-    const float* d = distance.ptr<float>(y);
+    const int* above = y > 0 ? pieces.labels.ptr<int>(y - 1) : nullptr;
     for (int x = 0; x < mask.cols; ++x)
       if (label[x]) {
         Piece& piece = pieces.all[static_cast<std::size_t>(label[x])];
-        piece.halfStroke = std::max(piece.halfStroke, d[x]);
+        if (x == 0 || label[x - 1] != label[x]) ++piece.runsAcross;
+        if (!above || above[x] != label[x]) ++piece.runsDown;
       }
   }
   return pieces;
 }
 
-cv::Mat foregroundMask(const PlotArea& area, const Backdrop& backdrop) {
+/// Colour difference to the backdrop, 0..255 (clipped), per pixel.
+cv::Mat contrastOf(const PlotArea& area, const Backdrop& backdrop) {
   const Raster& r = area.raster;
-  const float threshold = std::max(20.0F, inkThreshold(backdrop));
-  cv::Mat mask(r.height_px, r.width_px, CV_8U, cv::Scalar(0));
+  cv::Mat contrast(r.height_px, r.width_px, CV_8U);
   for (int y = 0; y < r.height_px; ++y) {
-    std::uint8_t* row = mask.ptr<std::uint8_t>(y);
+    std::uint8_t* row = contrast.ptr<std::uint8_t>(y);
     for (int x = 0; x < r.width_px; ++x)
-      row[x] = norm(colorAt(r, x, y) - backdrop.at(x, y)) >= threshold ? 1 : 0;
+      row[x] =
+          static_cast<std::uint8_t>(std::min(255.0F, 0.577F * norm(colorAt(r, x, y) - backdrop.at(x, y))));
   }
-  return mask;
+  return contrast;
+}
+
+/// Contrast that the strongest twentieth of the ink exceeds.
+int strongContrast(const cv::Mat& contrast, int from) {
+  std::array<int, 256> bins{};
+  int n = 0;
+  for (const std::uint8_t* p = contrast.datastart; p < contrast.dataend; ++p)
+    if (*p >= from) {
+      ++bins[*p];
+      ++n;
+    }
+  int above = 0;
+  for (int level = 255; level >= from; --level) {
+    above += bins[static_cast<std::size_t>(level)];
+    if (20 * above >= n) return level;
+  }
+  return from;
 }
 
 bool hasLetterShape(const Piece& piece, const Box& frame) {
   const double height = piece.box.height(), width = piece.box.width();
-  const double stroke = std::max(1.0, 2.0 * static_cast<double>(piece.halfStroke) - 1);
-  return height >= 5 && height <= 0.14 * frame.height() && width <= 4 * height && width <= 0.2 * frame.width() &&
-         height >= 2.2 * stroke;
+  return height >= 5 && height <= 0.14 * frame.height() && width <= 4 * height &&
+         width <= 0.2 * frame.width() && height >= 2.2 * piece.stroke();
+}
+
+/// Letters that touch: a wide low piece, busy both ways. A stretch of a curve is crossed about once per
+/// column.
+bool hasWordShape(const Piece& piece, const Box& frame) {
+  const double height = piece.box.height(), width = piece.box.width();
+  return height >= 6 && height <= 0.14 * frame.height() && width >= 1.8 * height &&
+         width <= 0.7 * frame.width() && piece.runsDown >= 1.3 * width && piece.runsAcross >= 0.8 * width;
 }
 
 double overlap(double a0, double a1, double b0, double b1) { return std::min(a1, b1) - std::max(a0, b0); }
 
 bool standInOneRow(const Box& left, const Box& right) {
-  const double small = std::min(left.height(), right.height()), tall = std::max(left.height(), right.height());
+  const double small = std::min(left.height(), right.height()),
+               tall = std::max(left.height(), right.height());
   const double gap = right.x0 - left.x1;
-  return tall <= 2.3 * small && overlap(left.y0, left.y1, right.y0, right.y1) >= 0.55 * small && gap <= 0.8 * tall &&
-         gap >= -0.5 * small;
+  return tall <= 2.3 * small && overlap(left.y0, left.y1, right.y0, right.y1) >= 0.55 * small &&
+         gap <= 0.8 * tall && gap >= -0.5 * small;
 }
 
 Box joined(const Box& a, const Box& b) {
@@ -80,7 +109,8 @@ Box joined(const Box& a, const Box& b) {
 }
 
 /// Chains letters from left to right. Three in a row are text; fewer may be anything.
-std::vector<std::vector<std::size_t>> letterRows(const std::vector<Piece>& pieces, const std::vector<std::size_t>& order) {
+std::vector<std::vector<std::size_t>> letterRows(const std::vector<Piece>& pieces,
+                                                 const std::vector<std::size_t>& order) {
   std::vector<std::vector<std::size_t>> rows;
   for (std::size_t i : order) {
     std::vector<std::size_t>* home = nullptr;
@@ -98,26 +128,30 @@ std::vector<std::vector<std::size_t>> letterRows(const std::vector<Piece>& piece
 }
 
 bool mostlyInside(const Box& piece, const Box& word) {
-  const double w = overlap(piece.x0, piece.x1, word.x0, word.x1), h = overlap(piece.y0, piece.y1, word.y0, word.y1);
+  const double w = overlap(piece.x0, piece.x1, word.x0, word.x1),
+               h = overlap(piece.y0, piece.y1, word.y0, word.y1);
   return w > 0 && h > 0 && w * h >= 0.8 * piece.width() * piece.height();
 }
 
-}  // namespace
-
-PlotText findText(const PlotArea& area, const Backdrop& backdrop, const std::vector<Box>& words) {
-  PlotText text;
-  const cv::Mat foreground = foregroundMask(area, backdrop);
-  const Pieces pieces = piecesOf(foreground, true);
+/// Marks letters among the pieces darker than `threshold` on `mask` and adds their rows.
+void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const std::vector<Box>& words,
+                 std::vector<TextRow>& rows, cv::Mat& mask) {
+  const Pieces pieces = piecesOf(contrast >= threshold);
+  const std::size_t n = pieces.all.size();
+  std::vector<char> isWord(n, 0), isLetter(n, 0);
   std::vector<std::size_t> order;
-  for (std::size_t i = 1; i < pieces.all.size(); ++i)
-    if (hasLetterShape(pieces.all[i], area.frame)) order.push_back(i);
+  for (std::size_t i = 1; i < n; ++i) {
+    isWord[i] = hasWordShape(pieces.all[i], frame);
+    if (isWord[i] || hasLetterShape(pieces.all[i], frame)) order.push_back(i);
+  }
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const Box &p = pieces.all[a].box, &q = pieces.all[b].box;
     return p.x0 != q.x0 ? p.x0 < q.x0 : p.y0 < q.y0;
   });
-  std::vector<char> isLetter(pieces.all.size(), 0);
+  const std::size_t firstRow = rows.size();
   for (const auto& row : letterRows(pieces.all, order)) {
-    if (row.size() < 3) continue;
+    if (row.size() < 3 && std::none_of(row.begin(), row.end(), [&](std::size_t i) { return isWord[i] != 0; }))
+      continue;
     TextRow found;
     found.box = pieces.all[row.front()].box;
     for (std::size_t i : row) {
@@ -125,31 +159,48 @@ PlotText findText(const PlotArea& area, const Backdrop& backdrop, const std::vec
       found.letters.push_back(pieces.all[i].box);
       found.box = joined(found.box, pieces.all[i].box);
     }
-    text.rows.push_back(std::move(found));
+    rows.push_back(std::move(found));
   }
-  for (const Box& word : words) {
-    const double grow = 1.5;
-    const Box grown{word.x0 - grow, word.y0 - grow, word.x1 + grow, word.y1 + grow};
-    for (std::size_t i = 1; i < pieces.all.size(); ++i)
-      if (mostlyInside(pieces.all[i].box, grown)) isLetter[i] = 1;
-    text.rows.push_back({word, {}});
+  for (std::size_t i = 1; i < n; ++i) {
+    const Box& box = pieces.all[i].box;
+    // Dots, accents and letters missed for their shape: small pieces inside a row's box or inside a word read
+    // before.
+    for (std::size_t k = firstRow; k < rows.size() && !isLetter[i]; ++k)
+      isLetter[i] = mostlyInside(box, rows[k].box);
+    for (std::size_t k = 0; k < words.size() && !isLetter[i]; ++k) isLetter[i] = mostlyInside(box, words[k]);
   }
-  // Dots, accents and letters missed for their shape: small pieces inside a row's box.
-  for (std::size_t i = 1; i < pieces.all.size(); ++i)
-    for (const TextRow& row : text.rows)
-      if (!isLetter[i] && !row.letters.empty() && mostlyInside(pieces.all[i].box, row.box)) isLetter[i] = 1;
-  cv::Mat mask(foreground.size(), CV_8U, cv::Scalar(0));
   for (int y = 0; y < mask.rows; ++y) {
     const int* label = pieces.labels.ptr<int>(y);
     std::uint8_t* row = mask.ptr<std::uint8_t>(y);
-    for (int x = 0; x < mask.cols; ++x) row[x] = isLetter[static_cast<std::size_t>(label[x])] ? 1 : 0;
+    for (int x = 0; x < mask.cols; ++x)
+      if (isLetter[static_cast<std::size_t>(label[x])]) row[x] = 1;
   }
+}
+
+}  // namespace
+
+PlotText findText(const PlotArea& area, const Backdrop& backdrop, const std::vector<Box>& words) {
+  PlotText text;
+  const cv::Mat contrast = contrastOf(area, backdrop);
+  const int faint = std::max(14, static_cast<int>(0.6F * inkThreshold(backdrop)));
+  const int strong = strongContrast(contrast, faint) / 2;
+  std::vector<Box> grown;
+  for (const Box& word : words) {
+    text.rows.push_back({word, {}});
+    grown.push_back({word.x0 - 1.5, word.y0 - 1.5, word.x1 + 1.5, word.y1 + 1.5});
+  }
+  cv::Mat mask(contrast.size(), CV_8U, cv::Scalar(0));
+  // Letters of faint text show only at a low threshold; those of strong text hang together there by their
+  // edges.
+  markLetters(contrast, faint, area.frame, grown, text.rows, mask);
+  if (strong > faint + 10) markLetters(contrast, strong, area.frame, grown, text.rows, mask);
   cv::dilate(mask, mask, cv::Mat::ones(5, 5, CV_8U));
   text.mask.assign(mask.datastart, mask.dataend);
   return text;
 }
 
-std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const PlotText& text, const PlotArea& area) {
+std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const PlotText& text,
+                                            const PlotArea& area) {
   std::vector<LegendSample> samples;
   const Raster& r = area.raster;
   for (std::size_t k = 0; k < coverage.ink.size(); ++k) {
@@ -159,7 +210,7 @@ std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const Plot
         const std::size_t i = coverage.unknown.index(x, y);
         mask.at<std::uint8_t>(y, x) = coverage.ink[k].values[i] > 0.25F && !text.mask[i] ? 1 : 0;
       }
-    const Pieces pieces = piecesOf(mask, false);
+    const Pieces pieces = piecesOf(mask);
     for (std::size_t i = 1; i < pieces.all.size(); ++i) {
       const Box& box = pieces.all[i].box;
       if (box.width() > 0.25 * area.frame.width() || pieces.all[i].area < 4) continue;
@@ -167,7 +218,8 @@ std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const Plot
         const double height = row.box.height(), middle = 0.5 * (row.box.y0 + row.box.y1);
         const double gap = std::max(box.x0 - row.box.x1, row.box.x0 - box.x1);
         const bool level = std::abs(0.5 * (box.y0 + box.y1) - middle) <= 0.4 * height;
-        const bool shaped = box.height() <= 1.1 * height && box.width() >= 1.5 * box.height() && box.width() >= 0.6 * height;
+        const bool shaped =
+            box.height() <= 1.1 * height && box.width() >= 1.5 * box.height() && box.width() >= 0.6 * height;
         if (level && shaped && gap > -1 && gap <= 1.8 * height) {
           samples.push_back({box, static_cast<int>(k)});
           break;

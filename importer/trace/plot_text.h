@@ -18,8 +18,8 @@ struct PlotText {
   Mask mask;  ///< 1 on letters and two pixels around them
 };
 
-/// Letters are told from curves by shape: small pieces, tall against their stroke, standing in rows. `words`: boxes of
-/// words already read, area pixels; pieces that lie inside one are letters whatever their shape.
+/// Letters are told from curves by shape: small pieces, tall against their stroke, standing in rows. `words`:
+/// boxes of words already read, area pixels; pieces that lie inside one are letters whatever their shape.
 PlotText findText(const PlotArea& area, const Backdrop& backdrop, const std::vector<Box>& words);
 
 /// A legend's sample line: a short level piece of one ink, alone, beside a text row.
@@ -28,6 +28,7 @@ struct LegendSample {
   int ink = 0;  ///< index into the coverage
 };
 
-std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const PlotText& text, const PlotArea& area);
+std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const PlotText& text,
+                                            const PlotArea& area);
 
 }  // namespace detent::importer::inks

@@ -1,6 +1,6 @@
-// Step 4, reading order: trace_vector.h (paths, exact) -> here (which inks draw curves) -> plot_area, backdrop, plot_text,
-// ink_palette, ink_coverage, curve_choice, follow_curve, centre_line, line_ends (curves in inks of their own) or
-// trace_loop.h (both strokes in one ink).
+// Step 4, reading order: trace_vector.h (paths, exact) -> here (which inks draw curves) -> plot_area,
+// backdrop, plot_text, ink_palette, ink_coverage, curve_choice, follow_curve, centre_line, line_ends (curves
+// in inks of their own) or trace_loop.h (both strokes in one ink).
 
 #include <algorithm>
 #include <cmath>
@@ -56,8 +56,10 @@ Mask maskOf(const std::vector<Box>& masks_px, const PlotArea& area) {
   Mask mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
   for (const Box& given : masks_px) {
     const Box box = boxInArea(given, area);
-    for (int y = std::max(0, static_cast<int>(box.y0)); y <= std::min(height - 1, static_cast<int>(box.y1)); ++y)
-      for (int x = std::max(0, static_cast<int>(box.x0)); x <= std::min(width - 1, static_cast<int>(box.x1)); ++x)
+    for (int y = std::max(0, static_cast<int>(box.y0)); y <= std::min(height - 1, static_cast<int>(box.y1));
+         ++y)
+      for (int x = std::max(0, static_cast<int>(box.x0)); x <= std::min(width - 1, static_cast<int>(box.x1));
+           ++x)
         mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] = 1;
   }
   return mask;
@@ -69,7 +71,8 @@ std::vector<double> linePositions(const std::vector<GridLine>& lines, const Plot
   const Point corner = area.toView({area.frame.x0, area.frame.y1});
   for (const GridLine& line : lines) {
     if (!line.spansFrame) continue;
-    const Point p = area.fromView(vertical ? Point{line.position_px, corner.y} : Point{corner.x, line.position_px});
+    const Point p =
+        area.fromView(vertical ? Point{line.position_px, corner.y} : Point{corner.x, line.position_px});
     positions.push_back(vertical ? p.x : p.y);
   }
   return positions;
@@ -105,11 +108,13 @@ class ColouredCurves {
  private:
   CurveTrace traceOne(const CurveInk& curve, const std::vector<int>& curveInks) const {
     const CurveField field = fieldOf(plot_, curve.ink, curveInks);
-    CentreLine line = centreLine(field, curve.course, curve.thickness_px);
+    const CoarseCurve course = followCurve(field, plot_.area.frame);
+    CentreLine line = centreLine(field, course, curve.thickness_px);
     finishEnds(line, field, plot_.area.frame);
     CurveTrace trace;
-    trace.color = rgbOf(plot_.backdrop.paper() + plot_.palette[static_cast<std::size_t>(curve.ink)].difference());
-    trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, curve.course.inkShare), 0.0, 1.0);
+    trace.color =
+        rgbOf(plot_.backdrop.paper() + plot_.palette[static_cast<std::size_t>(curve.ink)].difference());
+    trace.confidence = std::clamp(0.3 + 0.7 * std::min(1.0, course.inkShare), 0.0, 1.0);
     Point last{};
     for (std::size_t i = 0; i < line.points.size(); ++i) {
       const Point p = plot_.area.toView(line.points[i]);
@@ -127,7 +132,8 @@ class ColouredCurves {
   const TraceOptions& options_;
 };
 
-/// The whole view as coverage by one ink, for curves that share it with each other and perhaps with grid and text.
+/// The whole view as coverage by one ink, for curves that share it with each other and perhaps with grid and
+/// text.
 InkLayer inkLayer(const Raster& raster, const PlotArea& area, const Backdrop& backdrop, const Ink& ink,
                   const std::vector<Ink>& palette, bool neutral) {
   InkLayer layer;
@@ -135,13 +141,14 @@ InkLayer inkLayer(const Raster& raster, const PlotArea& area, const Backdrop& ba
   layer.height_px = raster.height_px;
   layer.paper = rgbOf(backdrop.paper());
   layer.color = rgbOf(backdrop.paper() + ink.difference());
-  layer.coverage.resize(static_cast<std::size_t>(raster.width_px) * static_cast<std::size_t>(raster.height_px));
+  layer.coverage.resize(static_cast<std::size_t>(raster.width_px) *
+                        static_cast<std::size_t>(raster.height_px));
   const float floor = std::max(4.0F, 3 * backdrop.noise());
   for (int y = 0; y < raster.height_px; ++y)
     for (int x = 0; x < raster.width_px; ++x) {
       const Point p = area.fromView({static_cast<double>(x), static_cast<double>(y)});
-      const Color3 difference =
-          colorAt(raster, x, y) - backdrop.paperAt(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
+      const Color3 difference = colorAt(raster, x, y) - backdrop.paperAt(static_cast<int>(std::lround(p.x)),
+                                                                         static_cast<int>(std::lround(p.y)));
       const float length = norm(difference);
       if (length < floor) continue;
       float own = dot(difference, ink.direction) / ink.strength;
@@ -161,7 +168,8 @@ InkLayer inkLayer(const Raster& raster, const PlotArea& area, const Backdrop& ba
   return layer;
 }
 
-/// The ink of everything that is not coloured: away from the paper, towards the darkest (on dark paper: lightest) of it.
+/// The ink of everything that is not coloured: away from the paper, towards the darkest (on dark paper:
+/// lightest) of it.
 Ink darkness(const PlotInks& plot) {
   Ink dark;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
@@ -177,7 +185,8 @@ Ink darkness(const PlotInks& plot) {
 }
 
 /// What stands beside a legend's sample line, or is written in the curve's own colour.
-void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const Raster& raster, const Backdrop& backdrop) {
+void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const Raster& raster,
+                 const Backdrop& backdrop) {
   for (const SeenText& text : axes.texts) {
     if (std::abs(text.angle_deg) > 20 || text.utf8.empty()) continue;
     const double height = text.box.height();
@@ -186,13 +195,15 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const R
     std::vector<double> seen(traces.size(), 0);
     const auto look = [&](double from, double to) {
       for (int y = y0; y <= y1; ++y)
-        for (int x = std::max(0, static_cast<int>(from)); x <= std::min(raster.width_px - 1, static_cast<int>(to)); ++x) {
+        for (int x = std::max(0, static_cast<int>(from));
+             x <= std::min(raster.width_px - 1, static_cast<int>(to)); ++x) {
           const Color3 difference = colorAt(raster, x, y) - backdrop.paper();
           const float length = norm(difference);
           if (length < 24) continue;
           for (std::size_t k = 0; k < traces.size(); ++k) {
             const Ink ink = inkOfColor(traces[k].color, backdrop);
-            if (dot(difference, ink.direction) > 0.985F * length) seen[k] += static_cast<double>(length / ink.strength);
+            if (dot(difference, ink.direction) > 0.985F * length)
+              seen[k] += static_cast<double>(length / ink.strength);
           }
         }
     };
@@ -211,8 +222,9 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const R
 
 }  // namespace
 
-Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
-                                            const TraceHints& hints, const TraceOptions& options, const Progress& progress) {
+Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFrame& frame,
+                                            const AxesFound& axes, const TraceHints& hints,
+                                            const TraceOptions& options, const Progress& progress) {
   if (!(options.pointSpacing_px > 0 && options.pointSpacing_px <= 16))
     return Failure{FailureCode::wrongUsage, "point spacing", "", "must lie in (0, 16] px", "leave it at 1"};
   std::vector<CurveTrace> exact = traceVector(view, frame, axes, hints);
@@ -237,17 +249,24 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
   std::vector<CurveInk> curves = chooseCurveInks(plot);
   if (!given.empty())
     curves.erase(std::remove_if(curves.begin(), curves.end(),
-                                [&](const CurveInk& c) { return std::find(given.begin(), given.end(), c.ink) == given.end(); }),
+                                [&](const CurveInk& c) {
+                                  return std::find(given.begin(), given.end(), c.ink) == given.end();
+                                }),
                  curves.end());
   if (progress.isCancelled()) return cancelled();
 
   const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrokeShare;
   if (curves.empty() || oneInkBothStrokes) {
     const Ink ink = curves.empty() ? darkness(plot) : palette[static_cast<std::size_t>(curves.front().ink)];
-    return traceLoop(inkLayer(view.raster, area, backdrop, ink, palette, curves.empty()), frame, axes, hints, options,
-                     progress);
+    return traceLoop(inkLayer(view.raster, area, backdrop, ink, palette, curves.empty()), frame, axes, hints,
+                     options, progress);
   }
-  std::vector<CurveTrace> traces = ColouredCurves(plot, options).trace(curves);
+  const std::vector<Ink> finalPalette = reducedPalette(plot, curves);
+  const Coverage finalCoverage = unmix(area, backdrop, finalPalette);
+  const PlotInks finalPlot{area,          backdrop, finalPalette,
+                           finalCoverage, text,     findLegendSamples(finalCoverage, text, area),
+                           masked};
+  std::vector<CurveTrace> traces = ColouredCurves(finalPlot, options).trace(curves);
   labelTraces(traces, axes, view.raster, backdrop);
   return traces;
 }
