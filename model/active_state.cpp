@@ -53,8 +53,9 @@ ButtonTracker::ButtonTracker(const Button& button, TrackerSettings settings)
 
 ButtonPosition ButtonTracker::update(double force_N) {
   ButtonPosition result;
-  result.state = active_.index();
   result.position = tracker_.update(force_N);
+  if (result.position.stroke == Stroke::press) felt_ = active_.index();
+  result.state = felt_;
   result.stateChanged = active_.update(result.position);
   if (result.stateChanged) tracker_.continueOn(graphs_[active_.index()]);
   return result;

@@ -41,7 +41,7 @@ class ActiveState {
 struct ButtonPosition {
   TrackedPosition position;
   std::size_t state = 0;      ///< the state the position belongs to
-  bool stateChanged = false;  ///< the next force is felt on another state
+  bool stateChanged = false;  ///< the next press is felt on another state
 };
 
 /// DisplacementTracker over all states of a button. Any thread; one owner.
@@ -54,6 +54,7 @@ class ButtonTracker {
 
  private:
   std::vector<ForceGraph> graphs_;
+  std::size_t felt_ = 0;
   ActiveState active_;
   DisplacementTracker tracker_;
 };

@@ -44,10 +44,7 @@ void DisplacementTracker::reset() {
   rejected_ = 0;
 }
 
-void DisplacementTracker::continueOn(ForceGraph graph) {
-  graph_ = std::move(graph);
-  readGraph();
-}
+void DisplacementTracker::continueOn(ForceGraph graph) { nextGraph_ = std::move(graph); }
 
 TrackedPosition DisplacementTracker::update(double force_N) {
   position_.jumped = false;
@@ -73,6 +70,10 @@ void DisplacementTracker::turnIfDue(double force_N) {
   } else if (sign * (turningForce_N_ - force_N) > settings_.hysteresis_N) {
     position_.stroke = position_.stroke == Stroke::press ? Stroke::release : Stroke::press;
     turningForce_N_ = force_N;
+    if (position_.stroke == Stroke::release || !nextGraph_) return;
+    graph_ = *std::move(nextGraph_);
+    nextGraph_.reset();
+    readGraph();
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "model/force_graph.h"
@@ -57,6 +58,7 @@ class DisplacementTracker {
   void readGraph();
 
   ForceGraph graph_;
+  std::optional<ForceGraph> nextGraph_;
   TrackerSettings settings_;
   std::vector<MonotoneStretch> pressStretches_, releaseStretches_;
   std::vector<double> pressJumps_mm_, releaseJumps_mm_;  // tactile points that begin a jump

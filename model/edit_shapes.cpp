@@ -114,14 +114,16 @@ CurvePoint pointOf(const Knot& k) { return {k.displacement_mm, k.force_N}; }
 
 // Maps the knots strictly between two indices, and the slopes of all pieces between them.
 void stretchFlank(std::vector<Knot>& knots, std::size_t first, std::size_t last, const AffineMap& map,
-                  double apex_mm, double newApex_mm) {
+                  CurvePoint apex, CurvePoint to) {
   for (std::size_t i = first; i <= last; ++i) {
     Knot& k = knots[i];
     if (i > first) k.slopeBefore_N_per_mm = map.mappedSlope(k.slopeBefore_N_per_mm);
     if (i < last) k.slopeAfter_N_per_mm = map.mappedSlope(k.slopeAfter_N_per_mm);
     if (i == first || i == last) continue;
-    k.displacement_mm = k.displacement_mm == apex_mm ? newApex_mm : map.mapped_mm(k.displacement_mm);
-    k.force_N = map.mapped_N(k.force_N);
+    // Exact where it must be: a wall stays vertical, a flat top flat.
+    k.displacement_mm =
+        k.displacement_mm == apex.displacement_mm ? to.displacement_mm : map.mapped_mm(k.displacement_mm);
+    k.force_N = k.force_N == apex.force_N ? to.force_N : map.mapped_N(k.force_N);
   }
 }
 
@@ -136,8 +138,8 @@ Result<StrokeCurve> moveApex(const StrokeCurve& original, const Hill& hill, Curv
   const CurvePoint was = pointOf(knots[apex]);
   const AffineMap left = flankMap(pointOf(knots[before]), was, to);
   const AffineMap right = flankMap(pointOf(knots[after]), was, to);
-  stretchFlank(knots, before, apex, left, was.displacement_mm, to.displacement_mm);
-  stretchFlank(knots, apex, after, right, was.displacement_mm, to.displacement_mm);
+  stretchFlank(knots, before, apex, left, was, to);
+  stretchFlank(knots, apex, after, right, was, to);
   knots[apex].displacement_mm = to.displacement_mm;
   knots[apex].force_N = to.force_N;
   return StrokeCurve::fromKnots(std::move(knots));
@@ -151,22 +153,26 @@ Failure noSuchTactilePoint(std::size_t index, std::size_t count) {
 
 // -------------------------------------------------------------------------------------------------- sections
 
-// Shift of a section with linear shares over its neighbours.
+// Shift of a section. Beside it displacements follow linearly, so their order is kept; forces follow with a
+// share that leaves and arrives level, so an extremum at either end stays one.
 struct Drag {
   double left_mm, from_mm, to_mm, right_mm;  // left == from: nothing stretches there
   double by_mm, by_N;
 
+  // 1 in the section, falling linearly to 0 at the far ends of its neighbours.
   double shareOf(double x) const {
     if (x >= from_mm && x <= to_mm) return 1;
     if (x < from_mm) return x <= left_mm ? 0 : (x - left_mm) / (from_mm - left_mm);
     return x >= right_mm ? 0 : (right_mm - x) / (right_mm - to_mm);
   }
-  // d share / d x on the side of the section a place belongs to.
+  // d share / d x between two neighbouring knots.
   double shareSlopeBetween(double a, double b) const {
     const double middle = a + 0.5 * (b - a);
     if (middle <= left_mm || middle >= right_mm || (middle >= from_mm && middle <= to_mm)) return 0;
     return middle < from_mm ? 1 / (from_mm - left_mm) : -1 / (right_mm - to_mm);
   }
+  static double levelled(double share) { return share * share * (3 - 2 * share); }
+  static double levelledSlope(double share) { return 6 * share * (1 - share); }
 };
 
 std::optional<Failure> dragProblem(const Drag& drag, const std::string& place) {
@@ -188,10 +194,10 @@ Result<StrokeCurve> dragged(const StrokeCurve& curve, const Drag& drag) {
     Knot& k = knots[i];
     const double x = before[i].displacement_mm, share = drag.shareOf(x);
     k.displacement_mm += share * drag.by_mm;
-    k.force_N += share * drag.by_N;
+    k.force_N += Drag::levelled(share) * drag.by_N;
     const auto mapped = [&](double slope, double a, double b) {
       const double d = drag.shareSlopeBetween(a, b);
-      return (slope + d * drag.by_N) / (1 + d * drag.by_mm);
+      return (slope + d * Drag::levelledSlope(share) * drag.by_N) / (1 + d * drag.by_mm);
     };
     if (i > 0) k.slopeBefore_N_per_mm = mapped(k.slopeBefore_N_per_mm, before[i - 1].displacement_mm, x);
     if (i + 1 < knots.size())

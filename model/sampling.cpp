@@ -55,7 +55,20 @@ double hermite(CurvePoint a, CurvePoint b, double slopeA, double slopeB, double 
          length * (slopeA * (u * v * v) - slopeB * (u * u * v));
 }
 
+// Through one point between two: the parabola, since two free slopes are one too many.
+Span parabola(const std::vector<CurvePoint>& points, std::size_t first) {
+  const CurvePoint a = points[first], m = points[first + 1], b = points[first + 2];
+  const double length = b.displacement_mm - a.displacement_mm, chord = (b.force_N - a.force_N) / length;
+  const double before = (m.force_N - a.force_N) / (m.displacement_mm - a.displacement_mm);
+  const double after = (b.force_N - m.force_N) / (b.displacement_mm - m.displacement_mm);
+  const double bend = after - before;
+  const Span span{first, first + 2, chord - bend, chord + bend};
+  const bool finite = std::isfinite(span.slopeFirst) && std::isfinite(span.slopeLast);
+  return finite ? span : Span{first, first + 2, chord, chord};
+}
+
 Span leastSquares(const std::vector<CurvePoint>& points, std::size_t first, std::size_t last) {
+  if (last == first + 2) return parabola(points, first);
   const CurvePoint a = points[first], b = points[last];
   const double length = b.displacement_mm - a.displacement_mm, chord = (b.force_N - a.force_N) / length;
   double aa = 0, ab = 0, bb = 0, ra = 0, rb = 0;

@@ -131,8 +131,10 @@ Result<Button> selfLockingButton(const SelfLockingTemplate& values) {
   StrokeSketch unlockedRelease{
       {{values.lock_mm, values.lockForce_N}, {values.travel_mm, values.endForce_N - values.hysteresis_N}},
       {0}};
-  StrokeSketch lockedPress{
-      {{values.lock_mm, values.lockedStartForce_N}, {values.travel_mm, values.endForce_N}}, {0}};
+  StrokeSketch lockedPress{{{values.lock_mm, values.lockForce_N},
+                            {values.lock_mm, values.lockedStartForce_N},
+                            {values.travel_mm, values.endForce_N}},
+                           {1}};
   StrokeSketch lockedRelease{{{0, values.releaseStartForce_N},
                               values.release.hump,
                               values.release.tactile,

@@ -90,7 +90,7 @@ struct SelfLockingTemplate {
   PressLevel press = {{1.4, 0.75}, {2.0, 0.55}};  ///< of the unlocked state
   double endForce_N = 0.95;
   double lockForce_N = 0.05;                          ///< what is left at the lock, carried by the latch
-  double lockedStartForce_N = 0.20;                   ///< of the locked state's press, at lock_mm
+  double lockedStartForce_N = 0.60;                   ///< where the locked press leaves the latch, at lock_mm
   ReleaseLevel release = {{1.8, 0.30}, {1.2, 0.50}};  ///< of the locked state, on its way back to 0
   double releaseStartForce_N = 0.20;
   double hysteresis_N = 0.05;

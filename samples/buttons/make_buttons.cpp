@@ -74,7 +74,7 @@ ButtonState unlocked() {
 ButtonState locked() {
   const StrokeSketch press{
       {{lock_mm, 0.05}, {lock_mm, 0.60}, {2.95, 0.80}, {3.3, 0.69}, {4, 0.95}, {4, 1.15}}, {}};
-  const StrokeSketch release{{{0, 0.22}, {2.5, 0.45}, {4, 0.85}, {4, 1.15}}, {0, 1}};
+  const StrokeSketch release{{{0, 0.22}, {2.5, 0.42}, {4, 0.82}, {4, 1.15}}, {0, 1}};
   return {"locked", graphFrom(press, release), 3.6, {}, {}};
 }
 

@@ -23,7 +23,7 @@ GraphDistance between(const GraphPolylines& a, const GraphPolylines& b) {
 
 TEST_CASE("a graph has no distance from itself, however it is sampled") {
   const ForceGraph graph = tactileButton()->states()[0].graph;
-  CHECK(between(polylinesOf(graph), polylinesOf(graph)).maxOfSpan == 0);
+  CHECK(between(polylinesOf(graph), polylinesOf(graph)).maxOfSpan < 1e-15);
   const auto inserted =
       editStroke(graph, Stroke::press, [](const StrokeCurve& c) { return insertKnot(c, 0.777); });
   REQUIRE(inserted.ok());
@@ -37,16 +37,16 @@ TEST_CASE("two parallel lines are as far apart as they are") {
   REQUIRE(d.press.has_value());
   CHECK(d.press->maxOfSpan == Approx(0.1));
   CHECK(d.press->max_N == Approx(0.2));
-  CHECK(d.press->max_mm == Approx(0).margin(1e-12));
-  // Horizontal 1, vertical 1 in normalised units; the first is 0.1 away, of the second only the lowest tenth.
-  CHECK(d.press->mean_N == Approx(0.5 * (0.2 * 1 + 0.1 * 0.1) / 2 + 0.5 * 0.2 * 1 / 1.9).epsilon(0.02));
+  // From the first: its horizontal is 0.2 N away, the lowest tenth of its wall 0.1 N on average. From the
+  // second: the last tenth of its horizontal is nearer to the wall, which is a matter of displacement.
+  CHECK(d.press->mean_N == Approx(0.5 * (0.2 + 0.1 * 0.1) / 2 + 0.5 * (0.2 * 0.9) / 1.9).epsilon(0.01));
 }
 
 TEST_CASE("a shifted wall is a matter of displacement, not of force") {
   const auto d = between(pressOnly({{0, 0}, {4, 0}, {4, 2}}), pressOnly({{0, 0}, {4.04, 0}, {4.04, 2}}));
   CHECK(d.press->maxOfSpan == Approx(0.01).epsilon(1e-3));
   CHECK(d.press->max_mm == Approx(0.04).epsilon(1e-3));
-  CHECK(d.press->max_N < 1e-12);
+  CHECK(d.press->mean_N < 2e-4);  // at the corner only
 }
 
 TEST_CASE("the mean is symmetric and the order of a stroke's points does not matter") {

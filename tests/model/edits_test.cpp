@@ -1,5 +1,6 @@
 #include "model/edits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 

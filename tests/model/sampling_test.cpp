@@ -1,5 +1,6 @@
 #include "model/sampling.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <catch2/catch.hpp>

@@ -53,8 +53,8 @@ TEST_CASE("each oddity is named") {
         std::vector{Rule::strokesDoNotMeet});
   CHECK(rulesOf(withGraph(through({{0, -0.3}, {4, 0.8}}), through({{0, -0.3}, {4, 0.8}}))) ==
         std::vector{Rule::negativeForce, Rule::negativeForce});
-  CHECK(rulesOf(withGraph(through({{0, 0.3}, {1, 0.2}, {4, 0.8}}), through({{0, 0.1}, {4, 0.7}}))) ==
-        std::vector{Rule::fallsAtStart});
+  CHECK(rulesOf(withGraph(through({{0, 0.3}, {1, 0.2}, {4, 0.8}}),
+                          through({{0, 0.05}, {1, 0.1}, {4, 0.7}}))) == std::vector{Rule::fallsAtStart});
   CHECK(rulesOf(withGraph(through({{0, 0.2}, {0.5, 1.2}, {0.8, 0.4}, {1.4, 0.8}, {1.7, 0.5}, {2, 1.5}}),
                           through({{0, 0.1}, {2, 1.2}}))) != std::vector<Rule>{});
   const auto reset = setResetPoint(tactile(), 0, 2.5);
