@@ -8,7 +8,7 @@ namespace {
 
 using Polyline = std::vector<Point>;
 
-constexpr double leastSlenderness = 8;  // length over width
+constexpr double leastSlenderness = 3;  // length over width
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -100,10 +100,11 @@ std::optional<OutlineCentre> centreOfOutline(const Polyline& outline, double max
   if (!(width > 0) || width > maxWidth_px || length < leastSlenderness * width) return std::nullopt;
   const auto caps = capEdges(ring, width);
   if (!caps) return std::nullopt;
-  const Polyline one(ring.begin() + static_cast<std::ptrdiff_t>(caps->first),
-                     ring.begin() + static_cast<std::ptrdiff_t>(caps->second));
-  Polyline other(ring.begin() + static_cast<std::ptrdiff_t>(caps->second), ring.end());
-  other.insert(other.end(), ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(caps->first));
+  // Edge i runs from vertex i to the next one: one side begins behind the first cap's edge and ends before the second's.
+  const auto vertex = [&](std::size_t i) { return ring.begin() + static_cast<std::ptrdiff_t>(i); };
+  const Polyline one(vertex(caps->first + 1), vertex(caps->second + 1));
+  Polyline other(vertex(caps->second + 1), ring.end());
+  other.insert(other.end(), ring.begin(), vertex(caps->first + 1));
   if (one.size() < 2 || other.size() < 2) return std::nullopt;
   OutlineCentre centre;
   centre.width_px = width;

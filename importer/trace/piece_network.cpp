@@ -26,10 +26,13 @@ constexpr double gridPiece = 0.8;
 constexpr double smallPiece = 0.03;
 constexpr double gapPerDiagonal = 6;
 constexpr double stopsWhereLineGoesOn = 0.3;
-constexpr double widthDoubling = 0.1;
+constexpr double widthDoubling = 0.05;
+constexpr double surelyGoesOn = 0.24;
 
 constexpr double longestGap = 0.03;  // of the diagonal
-constexpr double facing_deg = 25;    // ends on both sides of a gap look at each other
+constexpr double nearlyTouching =
+    0.004;                         // of the diagonal; too near for the direction of the gap to mean anything
+constexpr double facing_deg = 25;  // ends on both sides of a gap look at each other
 constexpr double leastCover = 0.35;  // of the plot's width, for a stroke
 constexpr double leastOwn = 0.15;    // not shared with earlier ones
 
@@ -100,6 +103,21 @@ Extent extentOf(const std::vector<Point>& line, double grow) {
   return {e.x0 - grow, e.y0 - grow, e.x1 + grow, e.y1 + grow};
 }
 
+/// Points on the line, no farther apart than `step`.
+std::vector<Point> spacedAlong(const std::vector<Point>& line, double step) {
+  std::vector<Point> points{line.front()};
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const double length = distance(line[i - 1], line[i]);
+    const int parts = std::max(1, static_cast<int>(std::ceil(length / step)));
+    for (int k = 1; k <= parts; ++k) {
+      const double t = static_cast<double>(k) / parts;
+      points.push_back(
+          {line[i - 1].x + t * (line[i].x - line[i - 1].x), line[i - 1].y + t * (line[i].y - line[i - 1].y)});
+    }
+  }
+  return points;
+}
+
 /// The line cut at its touches, which are sorted here.
 std::vector<std::vector<Point>> cutAt(const std::vector<Point>& line, std::vector<Touch> touches) {
   std::sort(touches.begin(), touches.end(), [](const Touch& a, const Touch& b) {
@@ -143,13 +161,15 @@ void PieceNetwork::cutAtTouches() {
   std::vector<std::vector<Touch>> touches(pieces_.size());
   std::vector<std::size_t> cutters;
   for (std::size_t i = 0; i < pieces_.size(); ++i)
-    if (!pieces_[i].onGridLine && !pieces_[i].small) cutters.push_back(i);
+    if (!pieces_[i].onGridLine) cutters.push_back(i);
   for (std::size_t target = 0; target < pieces_.size(); ++target) {
     const LinePiece& line = pieces_[target];
-    if (line.axisParallel || line.small) continue;
+    const bool wall = line.axisParallel && !line.onGridLine &&
+                      std::abs(line.points.back().x - line.points.front().x) <= line.width_px;
+    if ((line.axisParallel && !wall) || line.small) continue;
     const Extent extent = extentOf(line.points, 0.006 * plane_.diagonal());
     for (const std::size_t cutter : cutters) {
-      if (cutter == target) continue;
+      if (cutter == target || (wall ? pieces_[cutter].axisParallel : pieces_[cutter].small)) continue;
       for (const Point& end : {pieces_[cutter].points.front(), pieces_[cutter].points.back()}) {
         if (end.x < extent.x0 || end.x > extent.x1 || end.y < extent.y0 || end.y > extent.y1) continue;
         if (const auto touch = touchInside(line.points, end, touchDistance(line, pieces_[cutter])))
@@ -218,9 +238,9 @@ void PieceNetwork::bridgeGaps() {
       const Point there = endOf(other / 2, other % 2 == 1), away{there.x - here.x, there.y - here.y};
       const double gap = std::hypot(away.x, away.y);
       const Point back = outwardDirection(other / 2, other % 2 == 1);
-      if (gap > reach || gap <= 0 || angleBetween_deg(direction, away) > facing_deg ||
-          angleBetween_deg(back, {-away.x, -away.y}) > facing_deg)
-        return;
+      const bool facing = angleBetween_deg(direction, away) <= facing_deg &&
+                          angleBetween_deg(back, {-away.x, -away.y}) <= facing_deg;
+      if (gap > reach || (!facing && gap > nearlyTouching * plane_.diagonal())) return;
       links_[id].push_back({other / 2, other % 2 == 1, gap / plane_.diagonal()});
     });
   }
@@ -249,17 +269,25 @@ double PieceNetwork::walkCost(std::size_t piece, bool forward) const {
   return cost + repeated * used_[piece] * std::abs(gain);
 }
 
+bool PieceNetwork::visiblyGoesOn(std::size_t from, bool fromEnd, const Link& link) const {
+  constexpr double levelSpan = 0.02;  // of the plot's width
+  constexpr double touching = 0.01;   // of the diagonal
+  constexpr double sameWidth =
+      0.7;  // in powers of two; a thin plumb line on a thick curve is a continuation mark
+  const LinePiece &here = pieces_[from], &next = pieces_[link.piece];
+  const bool level = next.axisParallel && std::abs(spans_[link.piece]) > levelSpan;  // rather a gridline
+  if (next.onGridLine || level || link.gap > touching || joinCost(from, fromEnd, link) > surelyGoesOn)
+    return false;
+  return !next.axisParallel || std::abs(std::log2(here.width_px / next.width_px)) < sameWidth;
+}
+
 double PieceNetwork::endCost(const Step& step, bool atEnd) const {
   const bool side = atEnd ? step.forward : !step.forward;
   const double at = plane_.across(endOf(step.piece, side));
   const double cost = uncovered * std::max(0.0, atEnd ? 1 - at : at);
-  constexpr double touching = 0.01;  // of the diagonal
-  for (const Link& link : linksOf(step.piece, side)) {
-    const LinePiece& next = pieces_[link.piece];
-    const bool goesOn = !next.onGridLine && link.gap < touching &&
-                        joinCost(step.piece, side, link) < stopsWhereLineGoesOn / 2;
-    if (goesOn && (atEnd || used_[link.piece] == 0)) return cost + stopsWhereLineGoesOn;
-  }
+  for (const Link& link : linksOf(step.piece, side))
+    if (visiblyGoesOn(step.piece, side, link) && (atEnd || used_[link.piece] == 0))
+      return cost + stopsWhereLineGoesOn;
   return cost;
 }
 
@@ -340,7 +368,6 @@ std::optional<FoundStroke> PieceNetwork::nextStroke() {
 
 void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
   // Walls at both ends: their lines gain no travel, so the search saw no reason to take them.
-  constexpr double surelyGoesOn = 0.2;
   const auto walked = [&](std::size_t piece) {
     return std::any_of(steps.begin(), steps.end(), [&](const Step& s) { return s.piece == piece; });
   };
@@ -348,11 +375,11 @@ void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
     const Step& last = atEnd ? steps.back() : steps.front();
     const bool side = atEnd ? last.forward : !last.forward;
     const Link* best = nullptr;
-    double bestCost = surelyGoesOn;
+    double bestCost = std::numeric_limits<double>::infinity();
     for (const Link& link : linksOf(last.piece, side)) {
       const bool taken =
           !atEnd && used_[link.piece] > 0;  // strokes may share their wall, not their beginning
-      if (pieces_[link.piece].onGridLine || pieces_[link.piece].small || taken || walked(link.piece))
+      if (!visiblyGoesOn(last.piece, side, link) || pieces_[link.piece].small || taken || walked(link.piece))
         continue;
       if (const double cost = joinCost(last.piece, side, link); cost < bestCost)
         bestCost = cost, best = &link;
@@ -367,10 +394,30 @@ void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
 }
 
 double PieceNetwork::unusedLength() const {
-  double longest = 0;
+  // Some documents draw a curve twice; a copy is not another curve.
+  EndGrid taken(std::max(0.006 * plane_.diagonal(), 1e-6));
+  std::vector<Point> places;
+  const double step = 0.004 * plane_.diagonal();
   for (std::size_t i = 0; i < pieces_.size(); ++i)
-    if (used_[i] == 0 && !pieces_[i].axisParallel && !pieces_[i].small && pieces_[i].points.size() > 2)
-      longest = std::max(longest, lengthOf(pieces_[i].points));
+    if (used_[i] > 0)
+      for (const Point& p : spacedAlong(pieces_[i].points, step)) {
+        taken.add(p, places.size());
+        places.push_back(p);
+      }
+  double longest = 0;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    const LinePiece& piece = pieces_[i];
+    if (used_[i] > 0 || piece.axisParallel || piece.small || piece.points.size() < 3) continue;
+    const std::vector<Point> along = spacedAlong(piece.points, step);
+    std::size_t fresh = 0;
+    for (const Point& p : along) {
+      bool near = false;
+      taken.around(p, [&](std::size_t id) { near = near || distance(places[id], p) < step; });
+      if (!near) ++fresh;
+    }
+    longest = std::max(
+        longest, lengthOf(piece.points) * static_cast<double>(fresh) / static_cast<double>(along.size()));
+  }
   return longest / plane_.diagonal();
 }
 

@@ -13,8 +13,7 @@ using Polyline = std::vector<Point>;
 constexpr double overshoot = 0.04;    // of the plot's size; how far a curve may leave the frame
 constexpr double turnRound = 0.05;    // of the plot's width; shorter returns are wiggles
 constexpr double letterSize = 0.025;  // of the plot's diagonal
-constexpr double longerThanLetters =
-    0.1;  // of the plot's diagonal; the stem of a large "1" is a long thin outline too
+constexpr double outlinedLetterSize = 0.06;
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -199,7 +198,9 @@ class PieceMaker {
     piece.color = color;
     piece.width_px = width_px;
     piece.dashed = path.dashed;
-    piece.small = std::hypot(bounds.width(), bounds.height()) < letterSize * plane_.diagonal();
+    // The stem of a large letter that is an outline is a long thin shape too.
+    const double smallest = path.stroke ? letterSize : outlinedLetterSize;
+    piece.small = std::hypot(bounds.width(), bounds.height()) < smallest * plane_.diagonal();
     piece.axisParallel = isStraight(piece.points, tolerance);
     if (piece.axisParallel) {
       const double reach = std::max(1.0, width_px);
@@ -254,7 +255,7 @@ std::vector<LinePiece> linePieces(const PageView& view, const PlotPlane& plane,
         maker.add(path.polylines[i], path.closed[i], path, path.strokeWidth, *path.stroke);
       } else if (path.fill) {
         const auto centre = centreOfOutline(path.polylines[i], 0.02 * plane.diagonal());
-        if (centre && lengthOf(centre->points) > longerThanLetters * plane.diagonal())
+        if (centre && lengthOf(centre->points) > 0.4 * letterSize * plane.diagonal())
           maker.add(centre->points, false, path, centre->width_px, *path.fill);
       }
     }
