@@ -1,5 +1,6 @@
 #pragma once
-// The other way in: a force meter's CSV. Columns and units as instruments write them; strokes split at the turning point.
+// The other way in: a force meter's CSV. Columns and units as instruments write them; strokes split at the
+// turning point.
 
 #include <string>
 #include <vector>
@@ -16,13 +17,14 @@ struct LogHints {
 
 struct ForceLog {
   StrokePair strokes;
-  std::string xUnit, yUnit;       ///< as found
-  double preload_N = 0;           ///< offset removed (or 0)
+  std::string xUnit, yUnit;          ///< as found
+  double preload_N = 0;              ///< offset removed (or 0)
   double noise_mm = 0, noise_N = 0;  ///< estimated from the samples
   long rowsRead = 0, rowsSkipped = 0;
   std::vector<std::string> warnings;
 };
 
-Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints = {}, const Progress& progress = {});
+Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints = {},
+                              const Progress& progress = {});
 
 }  // namespace detent::importer

@@ -1,1 +1,378 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
 #include "importer/log/force_log.h"
+#include "importer/log/log_columns.h"
+#include "importer/log/split_strokes.h"
+#include "importer/log/text_lines.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr std::size_t sniffedLines = 400;
+
+/// A run of samples that never takes more than a fixed amount of memory: when it is full, neighbours are
+/// averaged and from then on every sample stands for twice as many rows.
+class BoundedRun {
+ public:
+  void add(CurvePoint p) {
+    sum_.displacement_mm += p.displacement_mm;
+    sum_.force_N += p.force_N;
+    if (++inSum_ < perSample_) return;
+    flush();
+    if (samples_.size() >= most) halve();
+  }
+  void flush() {
+    if (inSum_ == 0) return;
+    const double n = static_cast<double>(inSum_);
+    samples_.push_back({sum_.displacement_mm / n, sum_.force_N / n});
+    sum_ = {};
+    inSum_ = 0;
+  }
+  std::vector<CurvePoint>& samples() { return samples_; }
+  std::size_t rowsPerSample() const { return perSample_; }
+
+ private:
+  static constexpr std::size_t most = 1 << 20;
+
+  void halve() {
+    for (std::size_t i = 0; i + 1 < samples_.size(); i += 2) {
+      const CurvePoint &a = samples_[i], &b = samples_[i + 1];
+      samples_[i / 2] = {0.5 * (a.displacement_mm + b.displacement_mm), 0.5 * (a.force_N + b.force_N)};
+    }
+    samples_.resize(samples_.size() / 2);
+    perSample_ *= 2;
+  }
+
+  std::vector<CurvePoint> samples_;
+  CurvePoint sum_;
+  std::size_t inSum_ = 0, perSample_ = 1;
+};
+
+/// All numbers of a file in columns' units: one run, or press and release apart where the file says so.
+struct LogRows {
+  BoundedRun run, press, release;
+  bool isSplit = false;
+  long rows = 0, skipped = 0;
+  long firstSkippedLine = 0;
+  std::string firstSkippedText;
+};
+
+std::string nameOf(const std::string& path) { return std::filesystem::path(path).filename().string(); }
+
+class LogReader {
+ public:
+  LogReader(const std::string& path, const LogHints& hints, const Progress& progress)
+      : path_(path), hints_(hints), progress_(progress) {}
+
+  Result<ForceLog> read() {
+    if (const auto failure = readRows()) return *failure;
+    if (const auto failure = settleUnits()) return *failure;
+    if (const auto failure = formStrokes()) return *failure;
+    removePreload();
+    noteRows();
+    return std::move(log_);
+  }
+
+ private:
+  Failure failure(FailureCode code, std::string place, std::string problem, std::string remedy) const {
+    return {code, nameOf(path_), std::move(place), std::move(problem), std::move(remedy)};
+  }
+
+  std::optional<Failure> readRows() {
+    Result<LineReader> opened = LineReader::open(path_);
+    if (!opened) return opened.failure();
+    LineReader& reader = *opened;
+    std::vector<std::string> lines;
+    std::string_view line;
+    while (lines.size() < sniffedLines && reader.next(line)) lines.emplace_back(line);
+    format_ = formatOf(lines);
+    const auto columns = columnsOf(lines, format_);
+    if (!columns) {
+      if (reader.isBroken())
+        return failure(FailureCode::unreadableInput, "line " + std::to_string(reader.lineNumber() + 1),
+                       "the line does not end", "Give a force meter's CSV file with one sample per line");
+      return failure(
+          FailureCode::noForceGraph, "first " + std::to_string(lines.size()) + " lines",
+          "no two columns of numbers were found",
+          "Give a CSV with a displacement and a force column, for example \"displacement_mm,force_N\"");
+    }
+    columns_ = *columns;
+    rows_.isSplit = columns_.pairs.size() == 2 || columns_.label.has_value();
+    for (std::size_t i = columns_.firstRow; i < lines.size(); ++i)
+      takeRow(lines[i], static_cast<long>(i + 1));
+    while (reader.next(line)) {
+      takeRow(line, reader.lineNumber());
+      if ((reader.lineNumber() & 0xFFFF) != 0) continue;
+      if (progress_.report) progress_.report(0.5 * reader.fractionRead(), "read log");
+      if (progress_.isCancelled())
+        return failure(FailureCode::wrongUsage, "line " + std::to_string(reader.lineNumber()), "cancelled",
+                       "Start the import again");
+    }
+    if (reader.isBroken())
+      return failure(FailureCode::unreadableInput, "line " + std::to_string(reader.lineNumber() + 1),
+                     "the file cannot be read further", "Export the measurement again");
+    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release}) run->flush();
+    return {};
+  }
+
+  void takeRow(std::string_view line, long number) {
+    splitCells(line, format_.delimiter, cells_);
+    if (std::all_of(cells_.begin(), cells_.end(), [](std::string_view c) { return c.empty(); })) return;
+    bool taken = false;
+    for (std::size_t i = 0; i < columns_.pairs.size(); ++i) {
+      const ColumnPair& pair = columns_.pairs[i];
+      const auto x = numberAt(pair.displacement), f = numberAt(pair.force);
+      if (!x || !f) continue;
+      BoundedRun* run = runFor(pair);
+      if (!run) continue;
+      run->add({*x, *f});
+      taken = true;
+    }
+    ++rows_.rows;
+    if (taken) return;
+    if (rows_.skipped++ == 0) {
+      rows_.firstSkippedLine = number;
+      rows_.firstSkippedText = std::string(line.substr(0, 40));
+    }
+  }
+
+  std::optional<double> numberAt(std::size_t column) const {
+    if (column >= cells_.size()) return std::nullopt;
+    const auto value = wholeNumberIn(cells_[column], format_.decimalSign);
+    return value && std::isfinite(*value) ? value : std::nullopt;
+  }
+
+  BoundedRun* runFor(const ColumnPair& pair) {
+    if (!rows_.isSplit) return &rows_.run;
+    const auto stroke =
+        columns_.label
+            ? (*columns_.label < cells_.size() ? strokeNamed(cells_[*columns_.label]) : std::nullopt)
+            : pair.stroke;
+    if (!stroke) return nullptr;
+    return *stroke == Stroke::press ? &rows_.press : &rows_.release;
+  }
+
+  std::optional<Failure> settleUnits() {
+    const std::size_t samples =
+        rows_.run.samples().size() + rows_.press.samples().size() + rows_.release.samples().size();
+    if (samples == 0)
+      return failure(FailureCode::noForceGraph, skippedPlace(),
+                     "no row holds a finite displacement and force",
+                     "Check the export: each row needs two numbers");
+    LengthUnit xUnit = LengthUnit::millimetre;
+    if (hints_.xUnit)
+      xUnit = *hints_.xUnit;
+    else if (columns_.xUnit)
+      xUnit = *columns_.xUnit;
+    else
+      log_.warnings.push_back("No unit of displacement found, mm taken; pass --x-unit if that is wrong");
+    ForceUnit yUnit = ForceUnit::newton;
+    if (hints_.yUnit) {
+      yUnit = *hints_.yUnit;
+    } else if (columns_.yUnit) {
+      yUnit = *columns_.yUnit;
+    } else {
+      // Buttons press with 0.1 to 10 N; written in gf the same forces are 10 to 1000.
+      yUnit = greatestForce() > 12 ? ForceUnit::gramForce : ForceUnit::newton;
+      log_.warnings.push_back("No unit of force found, " + std::string(symbolOf(yUnit)) +
+                              " taken from the size of the numbers; pass --y-unit if that is wrong");
+    }
+    log_.xUnit = symbolOf(xUnit);
+    log_.yUnit = symbolOf(yUnit);
+    const double mm = millimetresPer(xUnit), newton = newtonsPer(yUnit);
+    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
+      for (CurvePoint& p : run->samples()) p.displacement_mm *= mm, p.force_N *= newton;
+    return {};
+  }
+
+  double greatestForce() {
+    double greatest = 0;
+    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
+      for (const CurvePoint& p : run->samples()) greatest = std::max(greatest, std::abs(p.force_N));
+    return greatest;
+  }
+
+  std::string skippedPlace() const {
+    return rows_.skipped > 0 ? "line " + std::to_string(rows_.firstSkippedLine) : std::string();
+  }
+
+  std::optional<Failure> formStrokes() {
+    settleSigns();
+    std::vector<CurvePoint> press, release;
+    if (rows_.isSplit) {
+      press = std::move(rows_.press.samples());
+      release = std::move(rows_.release.samples());
+    } else if (const auto fault = splitRun(press, release)) {
+      return fault;
+    }
+    if (hints_.swapStrokes) std::swap(press, release);
+    if (const auto fault = faultOf(press, "press")) return fault;
+    if (!release.empty())
+      if (const auto fault = faultOf(release, "release")) return fault;
+    orient(press, Stroke::press);
+    orient(release, Stroke::release);
+    estimateNoise(press, release);
+    startAtZero(press, release);
+    log_.strokes.press.points = std::move(press);
+    if (!release.empty()) log_.strokes.release = StrokePoints{std::move(release), {}, false};
+    return {};
+  }
+
+  std::optional<Failure> faultOf(const std::vector<CurvePoint>& stroke, const std::string& name) const {
+    if (stroke.size() < 2)
+      return failure(
+          FailureCode::noForceGraph, name + " stroke",
+          "it has " + std::to_string(stroke.size()) + (stroke.size() == 1 ? " sample" : " samples"),
+          "A stroke needs at least two samples at different displacements; check the rows and the split");
+    const auto [least, most] = std::minmax_element(
+        stroke.begin(), stroke.end(),
+        [](const CurvePoint& a, const CurvePoint& b) { return a.displacement_mm < b.displacement_mm; });
+    if (!(most->displacement_mm > least->displacement_mm))
+      return failure(FailureCode::noForceGraph, name + " stroke", "its displacement never changes",
+                     "Check which column holds the displacement");
+    return {};
+  }
+
+  /// Compression counts up and pushes with positive force, whatever the instrument's signs are.
+  void settleSigns() {
+    double meanX = 0, meanF = 0, n = 0;
+    const auto each = [&](auto&& visit) {
+      for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
+        for (CurvePoint& p : run->samples()) visit(p);
+    };
+    double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
+    each([&](CurvePoint& p) {
+      meanX += p.displacement_mm, meanF += p.force_N, n += 1;
+      highest = std::max(highest, p.force_N), lowest = std::min(lowest, p.force_N);
+    });
+    if (-lowest > 1.5 * std::max(highest, 0.0)) {
+      each([](CurvePoint& p) { p.force_N = -p.force_N; });
+      meanF = -meanF;
+      log_.warnings.push_back("Compression is negative in this file: forces were turned positive");
+    }
+    meanX /= n, meanF /= n;
+    double together = 0;
+    each([&](CurvePoint& p) { together += (p.displacement_mm - meanX) * (p.force_N - meanF); });
+    if (together < 0) {
+      each([](CurvePoint& p) { p.displacement_mm = -p.displacement_mm; });
+      log_.warnings.push_back("Displacement falls while force rises in this file: its direction was turned");
+    }
+  }
+
+  std::optional<Failure> splitRun(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {
+    const std::vector<CurvePoint>& samples = rows_.run.samples();
+    if (const auto fault = faultOf(samples, "only")) return fault;
+    std::vector<double> x;
+    x.reserve(samples.size());
+    for (const CurvePoint& p : samples) x.push_back(p.displacement_mm);
+    const auto [least, most] = std::minmax_element(x.begin(), x.end());
+    const double range = *most - *least;
+    const std::vector<StrokeSpan> spans =
+        spansOf(samples, std::max(0.05 * range, std::min(0.3 * range, 8 * noiseOf(x))));
+    const FirstCycle cycle = firstCycleOf(spans, samples);
+    const auto copy = [&](const StrokeSpan& span) {
+      return std::vector<CurvePoint>(samples.begin() + static_cast<std::ptrdiff_t>(span.from),
+                                     samples.begin() + static_cast<std::ptrdiff_t>(span.to) + 1);
+    };
+    if (!cycle.press && hints_.swapStrokes && !spans.empty()) {
+      release = copy(spans.front());
+      return {};
+    }
+    if (!cycle.press)
+      return failure(FailureCode::noForceGraph, "", "it holds a release stroke but no press",
+                     "Record the press too, or pass --swap-strokes if this is one");
+    press = copy(*cycle.press);
+    if (cycle.release) release = copy(*cycle.release);
+    if (cycle.cycles > 1)
+      log_.warnings.push_back("The log holds " + std::to_string(cycle.cycles) +
+                              " presses; the first complete cycle was taken");
+    return {};
+  }
+
+  static void orient(std::vector<CurvePoint>& stroke, Stroke kind) {
+    if (stroke.empty()) return;
+    const bool grows = stroke.back().displacement_mm >= stroke.front().displacement_mm;
+    if (grows != (kind == Stroke::press)) std::reverse(stroke.begin(), stroke.end());
+  }
+
+  void estimateNoise(const std::vector<CurvePoint>& press, const std::vector<CurvePoint>& release) {
+    double greatest = 0;
+    for (const std::vector<CurvePoint>* stroke : {&press, &release}) {
+      std::vector<double> x, f;
+      for (const CurvePoint& p : *stroke) {
+        x.push_back(p.displacement_mm), f.push_back(p.force_N);
+        greatest = std::max(greatest, std::abs(p.force_N));
+      }
+      log_.noise_mm = std::max(log_.noise_mm, noiseOf(x));
+      log_.noise_N = std::max(log_.noise_N, noiseOf(f));
+    }
+    // A log without visible noise (computed, or flat) still needs a yardstick; a millionth of the span is far
+    // below any.
+    const double travel = std::abs(press.back().displacement_mm - press.front().displacement_mm);
+    log_.noise_mm = std::max(log_.noise_mm, 1e-6 * travel);
+    log_.noise_N = std::max({log_.noise_N, 1e-6 * greatest, std::numeric_limits<double>::min()});
+  }
+
+  void startAtZero(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const CurvePoint& p : press) least = std::min(least, p.displacement_mm);
+    if (least >= 0) return;
+    for (std::vector<CurvePoint>* stroke : {&press, &release})
+      for (CurvePoint& p : *stroke) p.displacement_mm -= least;
+    char text[96];
+    std::snprintf(text, sizeof text,
+                  "Displacement starts at %.4g mm: shifted so that the press starts at 0 mm", least);
+    log_.warnings.emplace_back(text);
+  }
+
+  void removePreload() {
+    std::vector<CurvePoint>& press = log_.strokes.press.points;
+    const auto offset = forceBeforeContact(press, log_.noise_N);
+    if (!offset || std::abs(*offset) < log_.noise_N) return;
+    log_.preload_N = *offset;
+    for (CurvePoint& p : press) p.force_N -= *offset;
+    if (log_.strokes.release)
+      for (CurvePoint& p : log_.strokes.release->points) p.force_N -= *offset;
+    char text[96];
+    std::snprintf(text, sizeof text, "A force of %.4g N before contact was taken off as the meter's offset",
+                  *offset);
+    log_.warnings.emplace_back(text);
+  }
+
+  void noteRows() {
+    log_.rowsRead = rows_.rows;
+    log_.rowsSkipped = rows_.skipped;
+    const std::size_t together =
+        std::max({rows_.run.rowsPerSample(), rows_.press.rowsPerSample(), rows_.release.rowsPerSample()});
+    if (together > 1)
+      log_.warnings.push_back("The log is long: each " + std::to_string(together) +
+                              " rows were averaged into one");
+    if (rows_.skipped > 0)
+      log_.warnings.push_back(std::to_string(rows_.skipped) + " of " + std::to_string(rows_.rows) +
+                              " rows hold no two finite numbers and were left out, the first in line " +
+                              std::to_string(rows_.firstSkippedLine) + " (\"" + rows_.firstSkippedText +
+                              "\")");
+    if (!log_.strokes.release) log_.warnings.push_back("The log holds no release stroke");
+  }
+
+  const std::string& path_;
+  const LogHints& hints_;
+  const Progress& progress_;
+  TableFormat format_;
+  LogColumns columns_;
+  LogRows rows_;
+  std::vector<std::string_view> cells_;
+  ForceLog log_;
+};
+
+}  // namespace
+
+Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints, const Progress& progress) {
+  return LogReader(path, hints, progress).read();
+}
+
+}  // namespace detent::importer

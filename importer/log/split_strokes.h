@@ -1,0 +1,35 @@
+#pragma once
+// One run of samples cut at its turning points into strokes.
+
+#include <optional>
+#include <vector>
+
+#include "model/stroke_curve.h"
+
+namespace detent::importer {
+
+/// Samples [from, to] of a run, both ends included; displacement grows on a press.
+struct StrokeSpan {
+  std::size_t from = 0, to = 0;
+  Stroke stroke = Stroke::press;
+};
+
+/// Cuts at the turning points of displacement. A turn counts once the displacement has come back by
+/// `least_mm`.
+std::vector<StrokeSpan> spansOf(const std::vector<CurvePoint>& samples, double least_mm);
+
+/// The first complete cycle: a press over most of the travel and the release that follows it.
+struct FirstCycle {
+  std::optional<StrokeSpan> press, release;
+  int cycles = 0;  ///< presses over most of the travel in the whole run
+};
+FirstCycle firstCycleOf(const std::vector<StrokeSpan>& spans, const std::vector<CurvePoint>& samples);
+
+/// Standard deviation of white noise from second differences (median absolute deviation: steps and corners do
+/// not count); at least what the smallest step between samples, read as the instrument's resolution, makes.
+double noiseOf(const std::vector<double>& values);
+
+/// Force before contact: the median of a flat stretch at the start of a press, if there is one.
+std::optional<double> forceBeforeContact(const std::vector<CurvePoint>& press, double noise_N);
+
+}  // namespace detent::importer

@@ -1,0 +1,283 @@
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "importer/log/force_log.h"
+#include "importer/log/text_lines.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+constexpr double newtonPerGf = 0.00980665;
+
+/// A file that goes when the test does.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& content, const std::string& name = "log.csv")
+      : path_(std::filesystem::temp_directory_path() /
+              ("detent_log_test_" + std::to_string(++count_) + "_" + name)) {
+    std::ofstream(path_, std::ios::binary) << content;
+  }
+  ~TemporaryFile() {
+    std::error_code ignored;
+    std::filesystem::remove(path_, ignored);
+  }
+  std::string path() const { return path_.string(); }
+
+ private:
+  static inline int count_ = 0;
+  std::filesystem::path path_;
+};
+
+double pressForce_gf(double x) { return 40 + 8 * x + 15 * std::exp(-std::pow((x - 1.2) / 0.3, 2)); }
+double releaseForce_gf(double x) { return 30 + 8 * x + 10 * std::exp(-std::pow((x - 1.0) / 0.3, 2)); }
+
+struct Style {
+  const char* header = "Displacement (mm),Force (gf)\n";
+  char delimiter = ',';
+  char decimal = '.';
+  const char* end = "\n";
+  int cycles = 1;
+  double sign = 1, forceSign = 1;
+};
+
+std::string number(double value, char decimal) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.5f", value);
+  std::string s(text);
+  if (decimal == ',') s[s.find('.')] = ',';
+  return s;
+}
+
+std::string run(const Style& style) {
+  std::string text = style.header;
+  const auto row = [&](double x, double f) {
+    text += number(style.sign * x, style.decimal) + style.delimiter +
+            number(style.forceSign * f, style.decimal) + style.end;
+  };
+  for (int c = 0; c < style.cycles; ++c) {
+    for (int i = 0; i <= 400; ++i) row(0.01 * i, pressForce_gf(0.01 * i) + c);
+    for (int i = 399; i >= 0; --i) row(0.01 * i, releaseForce_gf(0.01 * i) + c);
+  }
+  return text;
+}
+
+void checkStrokes(const ForceLog& log) {
+  const auto& press = log.strokes.press.points;
+  REQUIRE(press.size() > 390);
+  CHECK(press.front().displacement_mm < press.back().displacement_mm);
+  REQUIRE(log.strokes.release);
+  const auto& release = log.strokes.release->points;
+  CHECK(release.front().displacement_mm > release.back().displacement_mm);
+  for (const CurvePoint& p : press)
+    REQUIRE(p.force_N == Approx(pressForce_gf(p.displacement_mm) * newtonPerGf).margin(1e-6));
+  for (std::size_t i = 1; i < release.size(); ++i)
+    REQUIRE(release[i].force_N ==
+            Approx(releaseForce_gf(release[i].displacement_mm) * newtonPerGf).margin(1e-6));
+}
+
+ForceLog readOk(const std::string& content) {
+  TemporaryFile file(content);
+  auto log = readForceLog(file.path());
+  if (!log) FAIL(log.failure().sentence());
+  return std::move(log).value();
+}
+
+Failure readFailing(const std::string& content) {
+  TemporaryFile file(content);
+  const auto log = readForceLog(file.path());
+  REQUIRE_FALSE(log);
+  CHECK(log.failure().subject.find("log.csv") != std::string::npos);
+  CHECK_FALSE(log.failure().problem.empty());
+  CHECK_FALSE(log.failure().remedy.empty());
+  return log.failure();
+}
+
+std::string utf16(const std::string& ascii, bool littleEndian) {
+  std::string out = littleEndian ? "\xFF\xFE" : "\xFE\xFF";
+  for (char c : ascii) {
+    if (littleEndian)
+      out += c, out += '\0';
+    else
+      out += '\0', out += c;
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("one run in common forms gives press and release") {
+  checkStrokes(readOk(run({})));
+  checkStrokes(readOk(run({"Weg in mm;Kraft in gf\n", ';', ','})));
+  checkStrokes(readOk(run({"行程(mm)\t力(gf)\r\n", '\t', '.', "\r\n"})));
+  checkStrokes(readOk(run({"変位 (mm),荷重 (gf)\r", ',', '.', "\r"})));
+  checkStrokes(readOk("\xEF\xBB\xBF" + run({})));
+  checkStrokes(readOk(utf16(run({}), true)));
+  checkStrokes(readOk(utf16(run({}), false)));
+  checkStrokes(readOk("Force gauge M5-05\nSerial,123456\nDate,2024-05-01\n\n" + run({})));
+  checkStrokes(readOk(run({"Position,Load\nmm,gf\n"})));
+}
+
+TEST_CASE("signs are turned and said") {
+  const ForceLog pulled = readOk(run({"Displacement (mm),Force (gf)\n", ',', '.', "\n", 1, 1, -1}));
+  checkStrokes(pulled);
+  CHECK_FALSE(pulled.warnings.empty());
+  const ForceLog downwards = readOk(run({"Displacement (mm),Force (gf)\n", ',', '.', "\n", 1, -1, 1}));
+  checkStrokes(downwards);
+}
+
+TEST_CASE("of several cycles the first complete one is taken") {
+  const ForceLog log = readOk(run({"Displacement (mm),Force (gf)\n", ',', '.', "\n", 3}));
+  checkStrokes(log);
+  REQUIRE_FALSE(log.warnings.empty());
+  CHECK(log.warnings.front().find("3 presses") != std::string::npos);
+}
+
+TEST_CASE("our own CSV and two pairs of columns") {
+  std::string own = "stroke,displacement_mm,force_gf\n", pairs = "Press mm,Press gf,Release mm,Release gf\n";
+  std::string shared = "Position (mm);Downstroke (gf);Upstroke (gf)\n";
+  for (int i = 0; i <= 400; ++i) {
+    const double x = 0.01 * i, y = 0.01 * (400 - i);
+    own += "press," + number(x, '.') + "," + number(pressForce_gf(x), '.') + "\n";
+    pairs += number(x, '.') + "," + number(pressForce_gf(x), '.') + "," + number(y, '.') + "," +
+             number(releaseForce_gf(y), '.') + "\n";
+    shared +=
+        number(x, '.') + ";" + number(pressForce_gf(x), '.') + ";" + number(releaseForce_gf(x), '.') + "\n";
+  }
+  for (int i = 400; i >= 0; --i)
+    own += "release," + number(0.01 * i, '.') + "," + number(releaseForce_gf(0.01 * i), '.') + "\n";
+  checkStrokes(readOk(own));
+  checkStrokes(readOk(pairs));
+  checkStrokes(readOk(shared));
+}
+
+TEST_CASE("without units the sizes decide, with a warning, and hints overrule") {
+  const ForceLog guessed = readOk(run({""}));
+  checkStrokes(guessed);
+  CHECK(guessed.yUnit == "gf");
+  CHECK(guessed.warnings.size() >= 2);
+  TemporaryFile file(run({""}));
+  const auto given = readForceLog(file.path(), {LengthUnit::millimetre, ForceUnit::centinewton, false});
+  REQUIRE(given);
+  CHECK(given->yUnit == "cN");
+  CHECK(given->strokes.press.points.front().force_N == Approx(pressForce_gf(0) * 0.01).margin(1e-6));
+}
+
+TEST_CASE("an offset before contact is taken off and reported") {
+  std::string text = "mm,N\n";
+  for (int i = 0; i <= 100; ++i) text += number(0.01 * i, '.') + ",0.03\n";
+  for (int i = 1; i <= 300; ++i)
+    text += number(1 + 0.01 * i, '.') + "," + number(0.03 + 0.005 * i, '.') + "\n";
+  const ForceLog log = readOk(text);
+  CHECK(log.preload_N == Approx(0.03).margin(1e-4));
+  CHECK(log.strokes.press.points.front().force_N == Approx(0).margin(1e-4));
+  CHECK_FALSE(log.strokes.release);
+}
+
+TEST_CASE("noise is estimated from the samples") {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 0.01);
+  std::string text = "mm,N\n";
+  for (int i = 0; i <= 4000; ++i)
+    text += number(0.001 * i, '.') + "," + number(0.5 + 1e-4 * i + noise(random), '.') + "\n";
+  const ForceLog log = readOk(text);
+  CHECK(log.noise_N == Approx(0.01).epsilon(0.15));
+  CHECK(log.noise_mm > 0);
+  CHECK(log.noise_mm < 1e-3);
+}
+
+TEST_CASE("what is no force log is refused with a sentence") {
+  CHECK(readFailing("").code == FailureCode::unreadableInput);
+  CHECK(readFailing(std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)).code == FailureCode::unreadableInput);
+  CHECK(readFailing("This is a letter.\nIt holds no numbers, only words.\n").code ==
+        FailureCode::noForceGraph);
+  CHECK(readFailing("mm,N\nnan,nan\nnan,nan\nnan,nan\n").code == FailureCode::noForceGraph);
+  const Failure oneRow = readFailing("mm,N\n0.5,0.2\n");
+  CHECK(oneRow.code == FailureCode::noForceGraph);
+  CHECK(oneRow.problem.find("1 sample") != std::string::npos);
+  CHECK(readFailing("mm,N\n0.5,0.2\n0.5,0.3\n0.5,0.4\n").code == FailureCode::noForceGraph);
+  CHECK(readFailing("stroke,displacement_mm,force_N\npress,0,0.1\nrelease,0,0.1\n").code ==
+        FailureCode::noForceGraph);
+  const auto missing = readForceLog("no such folder/log.csv");
+  REQUIRE_FALSE(missing);
+  CHECK(missing.failure().code == FailureCode::unreadableInput);
+  const auto folder = readForceLog(std::filesystem::temp_directory_path().string());
+  REQUIRE_FALSE(folder);
+  CHECK(folder.failure().code == FailureCode::unreadableInput);
+}
+
+TEST_CASE("rows that are no numbers are left out, counted and named") {
+  std::string text = run({});
+  const std::size_t at = text.find('\n', text.size() / 4) + 1;
+  text.insert(at, "0.9,NaN\nover range,error\n");
+  const ForceLog log = readOk(text);
+  CHECK(log.rowsSkipped == 2);
+  CHECK(log.rowsRead == 803);
+  CHECK(log.warnings.back().find("NaN") != std::string::npos);
+  checkStrokes(log);
+}
+
+TEST_CASE("strokes can be swapped, a release alone becomes the press") {
+  TemporaryFile file(run({}));
+  const auto swapped = readForceLog(file.path(), {{}, {}, true});
+  REQUIRE(swapped);
+  CHECK(swapped->strokes.press.points.front().displacement_mm <
+        swapped->strokes.press.points.back().displacement_mm);
+  CHECK(swapped->strokes.press.points.front().force_N ==
+        Approx(releaseForce_gf(0) * newtonPerGf).margin(1e-6));
+
+  std::string back = "mm,gf\n";
+  for (int i = 400; i >= 0; --i) back += number(0.01 * i, '.') + "," + number(20 + 0.1 * i, '.') + "\n";
+  CHECK(readFailing(back).code == FailureCode::noForceGraph);
+  TemporaryFile alone(back);
+  const auto taken = readForceLog(alone.path(), {{}, {}, true});
+  REQUIRE(taken);
+  CHECK_FALSE(taken->strokes.release);
+}
+
+TEST_CASE("a long log keeps its shape in bounded memory, and can be cancelled") {
+  std::string text = "mm,N\n";
+  constexpr int half = 600000;
+  text.reserve(std::size_t{22} * 2 * half);
+  char row[48];
+  for (int i = 0; i < 2 * half; ++i) {
+    const double x = 4.0 * (i < half ? i : 2 * half - i) / half;
+    const int n = std::snprintf(row, sizeof row, "%.6f,%.6f\n", x, (i < half ? 0.5 : 0.4) + 0.1 * x);
+    text.append(row, static_cast<std::size_t>(n));
+  }
+  TemporaryFile file(text);
+  const auto log = readForceLog(file.path());
+  REQUIRE(log);
+  CHECK(log->rowsRead == 2 * half);
+  CHECK(log->strokes.press.points.size() <= 1u << 20);
+  CHECK(log->strokes.press.points.back().displacement_mm == Approx(4).margin(1e-4));
+  REQUIRE(log->strokes.release);
+  CHECK(log->strokes.release->points.back().force_N == Approx(0.4).margin(1e-3));
+
+  Progress stop;
+  stop.cancelled = [] { return true; };
+  const auto cancelled = readForceLog(file.path(), {}, stop);
+  REQUIRE_FALSE(cancelled);
+  CHECK(cancelled.failure().code == FailureCode::wrongUsage);
+}
+
+TEST_CASE("lines of any ending, and one without an end") {
+  TemporaryFile file("a\r\nb\nc\rd");
+  auto reader = LineReader::open(file.path());
+  REQUIRE(reader);
+  std::string_view line;
+  std::string all;
+  while (reader->next(line)) all += std::string(line) + "|";
+  CHECK(all == "a|b|c|d|");
+  CHECK(reader->lineNumber() == 4);
+
+  TemporaryFile endless(std::string(3 << 20, '1'));
+  CHECK_FALSE(readForceLog(endless.path()));
+}

@@ -1,0 +1,88 @@
+#include "importer/log/split_strokes.h"
+
+#include <cmath>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+std::vector<CurvePoint> sweep(std::vector<double> turns, double step = 0.01, double jitter = 0) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> noise(-jitter, jitter);
+  std::vector<CurvePoint> run;
+  for (std::size_t k = 0; k + 1 < turns.size(); ++k) {
+    const int steps = static_cast<int>(std::lround(std::abs(turns[k + 1] - turns[k]) / step));
+    for (int i = 0; i < steps; ++i) {
+      const double x = turns[k] + (turns[k + 1] - turns[k]) * i / steps;
+      run.push_back({x + noise(random), 10 * x});
+    }
+  }
+  run.push_back({turns.back(), 10 * turns.back()});
+  return run;
+}
+
+}  // namespace
+
+TEST_CASE("a run is cut where the displacement turns") {
+  const auto run = sweep({0, 4, 0}, 0.01, 0.004);
+  const auto spans = spansOf(run, 0.2);
+  REQUIRE(spans.size() == 2);
+  CHECK(spans[0].stroke == Stroke::press);
+  CHECK(spans[0].from == 0);
+  CHECK(spans[0].to == spans[1].from);
+  CHECK(run[spans[0].to].displacement_mm == Approx(4).margin(0.01));
+  CHECK(spans[1].stroke == Stroke::release);
+  CHECK(run[spans[1].to].displacement_mm == Approx(0).margin(0.01));
+}
+
+TEST_CASE("aborted presses are passed over, the first complete cycle is taken") {
+  const auto run = sweep({0, 1, 0, 4, 0.5, 4, 0});
+  const FirstCycle cycle = firstCycleOf(spansOf(run, 0.2), run);
+  REQUIRE(cycle.press);
+  REQUIRE(cycle.release);
+  CHECK(cycle.cycles == 2);
+  CHECK(cycle.press->from == 200);
+  CHECK(cycle.press->to == 600);
+  CHECK(cycle.release->to == 950);
+}
+
+TEST_CASE("a run that starts at the bottom or never comes back") {
+  const auto fromBottom = sweep({4, 0, 4});
+  const FirstCycle turned = firstCycleOf(spansOf(fromBottom, 0.2), fromBottom);
+  REQUIRE(turned.press);
+  REQUIRE(turned.release);
+  CHECK(turned.release->to == turned.press->from);
+  const auto oneWay = sweep({0, 4});
+  const FirstCycle pressOnly = firstCycleOf(spansOf(oneWay, 0.2), oneWay);
+  CHECK(pressOnly.press);
+  CHECK_FALSE(pressOnly.release);
+}
+
+TEST_CASE("noise comes out of second differences, steps and slopes do not count") {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise(0, 0.02);
+  std::vector<double> values;
+  for (int i = 0; i < 4000; ++i) values.push_back((i > 2000 ? 5.0 : 0.0) + 1e-3 * i + noise(random));
+  CHECK(noiseOf(values) == Approx(0.02).epsilon(0.1));
+  std::vector<double> quantised;
+  for (int i = 0; i < 1000; ++i) quantised.push_back(std::floor(i / 10.0) * 0.1);
+  CHECK(noiseOf(quantised) == Approx(0.1 / std::sqrt(12.0)));
+}
+
+TEST_CASE("force before contact is an offset only where it is flat, early and small") {
+  std::vector<CurvePoint> press;
+  for (int i = 0; i <= 400; ++i) {
+    const double x = 0.01 * i;
+    press.push_back({x, x < 0.5 ? 0.02 : 0.02 + 0.4 * (x - 0.5)});
+  }
+  REQUIRE(forceBeforeContact(press, 1e-3));
+  CHECK(*forceBeforeContact(press, 1e-3) == Approx(0.02));
+  for (CurvePoint& p : press) p.force_N = 0.5;
+  CHECK_FALSE(forceBeforeContact(press, 1e-3));
+  for (CurvePoint& p : press) p.force_N = 0.3 + 0.1 * p.displacement_mm;
+  CHECK_FALSE(forceBeforeContact(press, 1e-3));
+}
