@@ -45,7 +45,7 @@ class Reader {
     for (const auto& [key, value] : object.items()) {
       if (key.rfind("x-", 0) == 0) continue;
       if (std::find(known.begin(), known.end(), key) == known.end())
-        refuse(join(place, key), "is not a key of this format",
+        refuse(join(place, key.substr(0, 60)), "is not a key of this format",
                "Remove it, correct its spelling, or begin its name with \"x-\"");
     }
   }

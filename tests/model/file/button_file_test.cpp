@@ -1,0 +1,245 @@
+#include "model/file/button_file.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "model/edits.h"
+#include "model/file/migrations.h"
+#include "model/file/text_file.h"
+#include "model/templates.h"
+#include "tests/model/property.h"
+#include "tests/model/random_curves.h"
+
+using namespace detent;
+using detent::tests::anyCurve;
+using detent::tests::holdsAlways;
+
+namespace {
+
+const std::string fixture =
+    std::string(DETENT_SOURCE_DIR) + "/tests/model/file/fixtures/version-1.button.json";
+
+Button fixtureButton() {
+  auto button = readButtonFile(fixture);
+  INFO((button.ok() ? "" : button.failure().sentence()));
+  REQUIRE(button.ok());
+  return *button;
+}
+
+std::string fixtureText() {
+  auto text = readTextFile(fixture);
+  REQUIRE(text.ok());
+  return *text;
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const auto at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+void requireRefusal(const std::string& text, const std::string& part) {
+  const auto button = buttonFromJson(text, "b.json");
+  REQUIRE_FALSE(button.ok());
+  const std::string sentence = button.failure().sentence();
+  INFO(sentence);
+  CHECK(button.failure().exitCode() == 3);
+  CHECK(sentence.rfind("b.json", 0) == 0);
+  CHECK_THAT(sentence, Catch::Contains(part));
+  CHECK_FALSE(button.failure().remedy.empty());
+  CHECK(sentence.find('\n') == std::string::npos);
+  CHECK(sentence.size() < 400);
+}
+
+bool sameBits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
+// A button whose free numbers (slopes outside the ends, provenance) may be any double.
+Button carrying(double value) {
+  auto curve = StrokeCurve::fromKnots({{0, 0.25, value, 0.5}, {1, 0.5, 0, value}});
+  REQUIRE(curve.ok());
+  Provenance provenance;
+  provenance.xAxis = AxisProvenance{"mm", value, 1, 0, DecidedBy::found};
+  provenance.frame = {value, 0, 1, 2};
+  provenance.confidence = value;
+  auto button =
+      Button::fromStates("b", {ButtonState{"", *ForceGraph::fromCurves(*curve, {}), {}, {}, {}}}, provenance);
+  REQUIRE(button.ok());
+  return *button;
+}
+
+void requireCarried(double value) {
+  const auto back = buttonFromJson(jsonFrom(carrying(value)), "b");
+  REQUIRE(back.ok());
+  const auto& knots = back->states()[0].graph.press().knots();
+  CHECK(sameBits(knots[0].slopeBefore_N_per_mm, value));
+  CHECK(sameBits(knots[1].slopeAfter_N_per_mm, value));
+  CHECK(sameBits(back->provenance()->xAxis->min, value));
+  CHECK(sameBits(back->provenance()->frame[0], value));
+  CHECK(sameBits(back->provenance()->confidence, value));
+}
+
+}  // namespace
+
+TEST_CASE("the fixture of version 1 reads as it was written, for ever") {
+  const Button button = fixtureButton();
+  CHECK(button.name() == "fixture of version 1, kept for ever");
+  REQUIRE(button.states().size() == 2);
+  const ButtonState& state = button.states()[0];
+  CHECK(state.name == "unlocked");
+  CHECK(state.graph.press().knots()[1] == Knot{1.5, 0.7, 0.0, -0.5});
+  CHECK(state.graph.press().knots().size() == 5);
+  CHECK(state.graph.release()->start_mm() == 2.5);
+  CHECK(*state.operatingPoint_mm == 3.0);
+  CHECK(*state.resetPoint_mm == 2.75);
+  CHECK(state.damping[1] == DampingPoint{4.0, 0.0025});
+  CHECK_FALSE(button.states()[1].graph.release().has_value());
+  const Provenance& p = *button.provenance();
+  CHECK(p.sourceFile == "datasheet.pdf");
+  CHECK(p.page == 3);
+  CHECK(p.graph == 2);
+  CHECK(p.frame == std::vector<double>{102.5, 40.0, 880.25, 512.0});
+  CHECK(p.xAxis->residual_px == 0.21);
+  CHECK(p.yAxis->by == DecidedBy::given);
+  CHECK(p.confidence == 0.93);
+  CHECK(p.given == std::vector<std::string>{"--y-unit cN"});
+  CHECK(p.warnings.size() == 1);
+}
+
+TEST_CASE("buttons survive the file whole") {
+  for (const auto& button :
+       {linearButton(), tactileButton(), clickyButton(), twoLevelButton(), selfLockingButton()}) {
+    REQUIRE(button.ok());
+    const auto back = buttonFromJson(jsonFrom(*button), "b");
+    REQUIRE(back.ok());
+    CHECK(*back == *button);
+    CHECK(jsonFrom(*back) == jsonFrom(*button));
+  }
+  CHECK(buttonFromJson(jsonFrom(fixtureButton()), "b").value() == fixtureButton());
+  holdsAlways("any curve", [] {
+    const auto graph = ForceGraph::fromCurves(anyCurve(), {});
+    RC_ASSERT(graph.ok());
+    const auto button = Button::fromStates("any", {ButtonState{"", *graph, {}, {}, {}}});
+    RC_ASSERT(buttonFromJson(jsonFrom(*button), "b").value() == *button);
+  });
+}
+
+TEST_CASE("every finite double survives the file bit for bit") {
+  using Limits = std::numeric_limits<double>;
+  for (double value :
+       {0.0, -0.0, Limits::denorm_min(), -Limits::denorm_min(), Limits::min(), Limits::max(),
+        Limits::lowest(), Limits::epsilon(), 0.1, 1.0 / 3, 5e-324, 9007199254740993.0, 1e22, 1e23})
+    requireCarried(value);
+  holdsAlways("any bits", [] {
+    const auto bits = *rc::gen::resize(1000000, rc::gen::arbitrary<std::uint64_t>());
+    const double value = std::bit_cast<double>(bits * 0x9E3779B97F4A7C15u + 0x1234567u);
+    if (std::isfinite(value)) requireCarried(value);
+  });
+}
+
+TEST_CASE("names keep every letter, and bytes that are none do no harm") {
+  const Button odd = *rename(fixtureButton(), "quote \" backslash \\ newline \n \xC3\xA4 \xE6\x8C\x89");
+  CHECK(buttonFromJson(jsonFrom(odd), "b").value() == odd);
+  const Button broken = *rename(fixtureButton(), "broken \xFF byte");
+  CHECK(buttonFromJson(jsonFrom(broken), "b").value().name() == "broken \xEF\xBF\xBD byte");
+}
+
+TEST_CASE("malformed JSON is refused with line and column") {
+  requireRefusal("", "line 1, column 1: is not valid JSON");
+  requireRefusal("{\n  \"format\": \"detent-button\",\n  oops\n}", "line 3, column 3");
+  requireRefusal(fixtureText().substr(0, 700), "is not valid JSON");
+  requireRefusal("\xFF\xFE{", "is not valid JSON");
+  requireRefusal("{\"a\": 1} trailing", "line 1, column 1");
+  requireRefusal(std::string("{\"a\": \"\0\"}", 10), "is not valid JSON");
+}
+
+TEST_CASE("hostile JSON is refused quickly") {
+  requireRefusal(std::string(1000000, '['), "nested deeper than 16");
+  std::string objects;
+  for (int i = 0; i < 100000; ++i) objects += "{\"a\":";
+  requireRefusal(objects, "nested deeper than 16");
+  requireRefusal(replaced(fixtureText(), "0.7,", "1e999,"), "number no double can hold");
+  requireRefusal(replaced(fixtureText(), "0.7,", "NaN,"), "is not valid JSON");
+  requireRefusal(replaced(fixtureText(), "0.7,", "-Infinity,"), "is not valid JSON");
+  requireRefusal(replaced(fixtureText(), "0.7,", "123456789012345678901234567890,"), "beyond the limit");
+  requireRefusal(replaced(fixtureText(), "\"page\": 3", "\"page\": 3, \"page\": 4"),
+                 "key \"page\": is given twice");
+  requireRefusal("{\"" + std::string(5000, 'k') +
+                     "\": 1, \"format\": \"detent-button\", \"version\": 1, \"states\": []}",
+                 "is not a key");
+}
+
+TEST_CASE("wrong types are refused with the path of the value") {
+  requireRefusal("[]", "is a list, not an object");
+  requireRefusal("null", "is null, not an object");
+  requireRefusal(replaced(fixtureText(), "\"detent-button\"", "\"other\""),
+                 "format: is not \"detent-button\"");
+  requireRefusal(replaced(fixtureText(), "\"force_N\": 0.7,", "\"force_N\": \"0.7\","),
+                 "states[0].press[1].force_N: is text, not a number");
+  requireRefusal(replaced(fixtureText(), "\"force_N\": 0.7,", ""), "states[0].press[1].force_N: is missing");
+  requireRefusal(replaced(fixtureText(), "\"operatingPoint_mm\": 3.0", "\"operatingPoint_mm\": null"),
+                 "states[0].operatingPoint_mm: is null");
+  requireRefusal(replaced(fixtureText(), "[\"--y-unit cN\"]", "[1]"),
+                 "provenance.given[0]: is a number, not text");
+  requireRefusal(replaced(fixtureText(), "\"page\": 3", "\"page\": 3.5"), "provenance.page: is 3.5");
+  requireRefusal(replaced(fixtureText(), "\"page\": 3", "\"page\": 1e300"),
+                 "not a whole number of ordinary size");
+  requireRefusal(replaced(fixtureText(), "\"given\"}", "\"guessed\"}"),
+                 "provenance.yAxis.by: is \"guessed\"");
+  requireRefusal("{\"format\": \"detent-button\", \"version\": 1, \"states\": {}}",
+                 "states: is an object, not a list");
+}
+
+TEST_CASE("the model's own rules speak with the path in front") {
+  requireRefusal(replaced(fixtureText(), "\"displacement_mm\": 2.0", "\"displacement_mm\": 1.0"),
+                 "states[0].press, knot 3: displacement 1 mm lies before");
+  requireRefusal(replaced(fixtureText(), "\"operatingPoint_mm\": 3.0", "\"operatingPoint_mm\": 30"),
+                 "state \"unlocked\": operating point at 30 mm");
+  requireRefusal("{\"format\": \"detent-button\", \"version\": 1, \"states\": []}", "has 0 states");
+}
+
+TEST_CASE("misspelt keys are refused, keys of others are let be") {
+  requireRefusal(replaced(fixtureText(), "operatingPoint_mm", "operatingpoint_mm"),
+                 "states[0].operatingpoint_mm: is not a key of this format");
+  CHECK(buttonFromJson(replaced(fixtureText(), "\"operatingPoint_mm\"",
+                                "\"x-note\": {\"any\": []}, \"operatingPoint_mm\""),
+                       "b")
+            .ok());
+}
+
+TEST_CASE("newer versions are refused, wrong ones named") {
+  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 2"),
+                 "version: is 2, newer than this program reads");
+  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 18446744073709551615"),
+                 "newer than");
+  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 0"), "versions count from 1");
+  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": \"1\""), "not a whole number");
+  requireRefusal(replaced(fixtureText(), "\"version\": 1,", ""), "version: is missing");
+}
+
+TEST_CASE("migrations run in order from the file's version to the newest") {
+  CHECK(buttonMigrations().size() + 1 == static_cast<std::size_t>(buttonFileVersion));
+  const std::vector<Migration> steps = {
+      [](nlohmann::json& d) { d["log"] = d.value("log", std::string()) + "1to2 "; },
+      [](nlohmann::json& d) { d["log"] = d.value("log", std::string()) + "2to3 "; }};
+  const auto from = [&](int version) { return migrated({{"version", version}}, steps, "b"); };
+  CHECK(from(1).value().at("log") == "1to2 2to3 ");
+  CHECK(from(2).value().at("log") == "2to3 ");
+  CHECK(from(2).value().at("version") == 3);
+  CHECK_FALSE(from(3).value().contains("log"));
+  CHECK_FALSE(from(4).ok());
+}
+
+TEST_CASE("1,000 knots are read and written") {
+  std::vector<CurvePoint> points;
+  for (int i = 0; i < 1000; ++i) points.push_back({i * 0.004, 0.5 + 0.3 * std::sin(i * 0.1)});
+  const auto graph = ForceGraph::fromCurves(*StrokeCurve::throughPoints(points), {});
+  const auto button = Button::fromStates("many", {ButtonState{"", *graph, {}, {}, {}}});
+  CHECK(buttonFromJson(jsonFrom(*button), "b").value() == *button);
+}

@@ -1,0 +1,79 @@
+#include "model/file/curve_csv.h"
+
+#include <catch2/catch.hpp>
+
+#include "model/templates.h"
+
+using namespace detent;
+
+namespace {
+
+constexpr const char* header = "stroke,displacement_mm,force_N\n";
+
+void requireRefusal(const Result<ForceGraph>& result, int exitCode, const std::string& part) {
+  REQUIRE_FALSE(result.ok());
+  INFO(result.failure().sentence());
+  CHECK(result.failure().exitCode() == exitCode);
+  CHECK_THAT(result.failure().sentence(), Catch::Contains(part));
+  CHECK(result.failure().subject == "a.csv");
+}
+
+Result<ForceGraph> read(const std::string& rows) { return graphFromCsv(header + rows, "a.csv"); }
+
+}  // namespace
+
+TEST_CASE("rows are written in the order travelled, ends and walls exact") {
+  const ForceGraph graph = tactileButton()->states()[0].graph;
+  const std::string text = csvFrom(graph);
+  CHECK(text.rfind(header, 0) == 0);
+  const auto lines = polylinesFromCsv(text, "a.csv");
+  REQUIRE(lines.ok());
+  CHECK(lines->press == polylinesOf(graph).press);
+  CHECK(lines->release == polylinesOf(graph).release);
+  CHECK(lines->press.front() == CurvePoint{0, 0.3});
+  CHECK(lines->press.back() == CurvePoint{4, 1.2});
+  CHECK(lines->release.front() == CurvePoint{4, 1.2});
+  CHECK(lines->press.size() < 400);
+}
+
+TEST_CASE("a graph survives the CSV within the stated tolerance") {
+  for (const auto& button : {linearButton(), tactileButton(), clickyButton(), twoLevelButton()}) {
+    const ForceGraph& graph = button->states()[0].graph;
+    const auto again = graphFromCsv(csvFrom(graph), "a.csv");
+    REQUIRE(again.ok());
+    const auto distance = compare(polylinesOf(graph), polylinesOf(*again));
+    REQUIRE(distance.ok());
+    CHECK(distance->maxOfSpan < 4e-4);
+    CHECK(again->press().knots().size() <= 2 * graph.press().knots().size() + 2);
+  }
+}
+
+TEST_CASE("a press alone is a graph without release") {
+  const auto graph = read("press,0,0\npress,1,1\n");
+  REQUIRE(graph.ok());
+  CHECK_FALSE(graph->release().has_value());
+  CHECK(csvFrom(*graph).find("release") == std::string::npos);
+}
+
+TEST_CASE("a byte order mark, CRLF, spaces, blank lines and a missing last newline are tolerated") {
+  const auto graph = graphFromCsv(
+      "\xEF\xBB\xBFstroke,displacement_mm,force_N\r\npress, 0 ,+0.5\r\n\r\npress,1e0,1", "a.csv");
+  REQUIRE(graph.ok());
+  CHECK(graph->press().force_N(0) == 0.5);
+}
+
+TEST_CASE("faults are refused with their line") {
+  requireRefusal(graphFromCsv("", "a.csv"), 3, "line 1: is \"\", not the header");
+  requireRefusal(graphFromCsv("time,force\n1,2\n", "a.csv"), 3, "Use detent-import");
+  requireRefusal(read(""), 4, "has a header but no rows");
+  requireRefusal(read("release,1,1\nrelease,0,0\n"), 4, "has no press rows");
+  requireRefusal(read("press,0,0\npress,1\n"), 3, "line 3: has not 3 fields");
+  requireRefusal(read("press,0,0\npush,1,1\n"), 3, "line 3: names the stroke \"push\"");
+  requireRefusal(read("press,0,0\npress,one,1\n"), 3, "line 3: displacement \"one\"");
+  for (const char* bad : {"nan", "inf", "-inf", "1e999", "", "1,5", "0x10", "1 2"})
+    CHECK(read(std::string("press,0,0\npress,1,") + bad + "\n").failure().exitCode() == 3);
+  requireRefusal(read("press,0,0\n"), 3, "press rows");
+  requireRefusal(read("press,0,0\npress,1,1\npress,0.5,1\n"), 3, "press rows, point 3: at 0.5 mm goes back");
+  requireRefusal(read("press,0,0\npress,1,1\nrelease,0,0\nrelease,1,1\n"), 3, "release rows, point 1");
+  requireRefusal(read("press,-1,0\npress,1,1\n"), 3, "starts at -1 mm");
+}

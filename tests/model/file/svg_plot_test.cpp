@@ -1,0 +1,89 @@
+#include "model/file/svg_plot.h"
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "model/edits.h"
+#include "model/templates.h"
+
+using namespace detent;
+
+namespace {
+
+std::size_t countOf(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) ++count;
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("ticks are 1, 2 or 5 times a power of ten and enclose the range") {
+  for (double low : {-1.0, 0.0, 0.3, 1e-9, 1e5})
+    for (double width : {0.0, 1e-6, 0.37, 1.0, 3.9, 4.0, 4.1, 99.0, 1e6}) {
+      const Ticks ticks = niceTicks(low, low + width, 8);
+      INFO(low << " + " << width);
+      CHECK(ticks.count >= 2);
+      CHECK(ticks.count <= 18);
+      CHECK(ticks.at(0) <= low + 1e-6 * ticks.step);
+      CHECK(ticks.last() >= low + width - 1e-6 * ticks.step);
+      const double mantissa = ticks.step / std::pow(10, std::floor(std::log10(ticks.step * 1.0000001)));
+      CHECK((mantissa == Approx(1) || mantissa == Approx(2) || mantissa == Approx(5)));
+    }
+  const Ticks cherry = niceTicks(0, 4, 8);
+  CHECK(cherry.step == 0.5);
+  CHECK(cherry.count == 9);
+  CHECK(cherry.decimals == 1);
+}
+
+TEST_CASE("a plot names its axes, units and strokes, and calls out its points") {
+  SvgPlotStyle style;
+  style.forceUnit = ForceUnit::centinewton;
+  const std::string svg = svgFrom(*tactileButton(), style);
+  CHECK_THAT(svg, Catch::Contains("Displacement (mm)") && Catch::Contains("Force (cN)"));
+  CHECK_THAT(svg, Catch::Contains("55 cN at 1.3 mm"));
+  CHECK(countOf(svg, "class=\"press\"") == 1);
+  CHECK(countOf(svg, "class=\"release\"") == 1);
+  CHECK(svg == svgFrom(*tactileButton(), style));
+  style.callouts = false;
+  CHECK(svgFrom(*tactileButton(), style).find("Tactile point") == std::string::npos);
+}
+
+TEST_CASE("one plot per state; a missing release is not drawn") {
+  CHECK(countOf(svgFrom(*selfLockingButton()), "class=\"press\"") == 2);
+  const auto pressOnly = editGraph(*linearButton(), 0, [](const ForceGraph& g) { return removeRelease(g); });
+  const auto free = setResetPoint(*pressOnly, 0, {});
+  REQUIRE(free.ok());
+  CHECK(countOf(svgFrom(*free), "class=\"release\"") == 0);
+}
+
+TEST_CASE("knots are on their pixels") {
+  LinearTemplate values;
+  values.endForce_N = 0.8;
+  // 640 x 460: the frame runs from 74 to 616 and from 44 to 400; ticks 0..4 mm and 0..0.8 N.
+  const std::string svg = svgFrom(*linearButton(values));
+  CHECK_THAT(svg, Catch::Contains("d=\"M74.00 266.50 C"));
+  CHECK_THAT(svg, Catch::Contains("616.00 44.00\""));
+}
+
+TEST_CASE("names cannot break the picture, extremes have numbers in it") {
+  const auto hostile = rename(*linearButton(), "<script>&\"\x01");
+  const std::string svg = svgFrom(*hostile);
+  CHECK(svg.find("<script>") == std::string::npos);
+  CHECK_THAT(svg, Catch::Contains("&lt;script&gt;&amp;&quot;"));
+  for (double force : {1e-6, 1.0, 1e6})
+    for (double travel : {1e-6, 1.0, 1e4}) {
+      const auto scaled = scaleTravel(*scaleForce(*tactileButton(), force), travel);
+      REQUIRE(scaled.ok());
+      const std::string extreme = svgFrom(*scaled);
+      CHECK(extreme.find("nan") == std::string::npos);
+      CHECK(extreme.find("inf") == std::string::npos);
+      CHECK(extreme.size() < 60000);
+    }
+  // All forces 0.
+  const auto flat = StrokeCurve::throughPoints({{0, 0}, {1, 0}});
+  const auto graph = ForceGraph::fromCurves(*flat, {});
+  const auto zero = Button::fromStates("zero", {ButtonState{"", *graph, {}, {}, {}}});
+  CHECK(svgFrom(*zero).find("nan") == std::string::npos);
+}
