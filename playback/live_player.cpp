@@ -143,7 +143,8 @@ class Player : public LivePlayer {
     }
     const double origin_s = std::min(0.0, trace.readings.front().time_s);
     ConditionerCounts counts;
-    std::vector<EngineInput> inputs = conditionedInputs(trace, session_.sampleRate_Hz(), origin_s, counts);
+    std::vector<EngineInput> inputs =
+        conditionedInputs(trace, session_.sampleRate_Hz(), origin_s, tracePeriod(), counts);
     status();
     const auto start =
         streamFrame() +
@@ -319,6 +320,11 @@ class Player : public LivePlayer {
                                                 [this](const SensorReading& reading) { forward(reading); });
     }
     return *finger_;
+  }
+
+  double tracePeriod() {
+    const std::lock_guard lock(readingMutex_);
+    return routeProgram_->interpolationDelay_s;
   }
 
   void feedTrace(const std::vector<EngineInput>& inputs) {

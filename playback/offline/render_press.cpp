@@ -10,6 +10,8 @@ namespace detent::playback {
 namespace {
 
 constexpr double lookForSilence_s = 0.01;
+constexpr double gapInPeriods = 1.5;   // a gap this long gets readings in between
+constexpr double mostBetween = 20000;  // per gap
 constexpr double longestRender_s = 7 * 24 * 3600.0;
 
 ConditionerSettings conditionerFor(PressTrace::Quantity quantity) {
@@ -45,17 +47,29 @@ Result<Done> check(const PressTrace& trace, const RenderSettings& s) {
 }  // namespace
 
 std::vector<EngineInput> conditionedInputs(const PressTrace& trace, double sampleRate_Hz, double origin_s,
-                                           ConditionerCounts& counts) {
+                                           double period_s, ConditionerCounts& counts) {
   ForceConditioner conditioner(conditionerFor(trace.quantity));
   std::vector<EngineInput> inputs;
   inputs.reserve(trace.readings.size());
+  EngineInput input;
+  input.kind = trace.quantity == PressTrace::Quantity::force_N ? InputKind::force : InputKind::displacement;
+  PressReading last;
+  const auto put = [&](double time_s, double value) {
+    input.time_frames = (time_s - origin_s) * sampleRate_Hz;
+    input.value = value;
+    inputs.push_back(input);
+  };
   for (const PressReading& r : trace.readings) {
     if (conditioner.judge(r.time_s, r.value) == ConditionerVerdict::reject) continue;
-    EngineInput input;
-    input.kind = trace.quantity == PressTrace::Quantity::force_N ? InputKind::force : InputKind::displacement;
-    input.time_frames = (r.time_s - origin_s) * sampleRate_Hz;
-    input.value = r.value;
-    inputs.push_back(input);
+    const double gap_s = r.time_s - last.time_s;
+    if (!inputs.empty() && r.value != last.value && gap_s > gapInPeriods * period_s) {
+      const double pieces = std::min(std::ceil(gap_s / period_s), mostBetween);
+      for (double k = 1; k < pieces; ++k) {
+        put(last.time_s + gap_s * (k / pieces), last.value + (r.value - last.value) * (k / pieces));
+      }
+    }
+    put(r.time_s, r.value);
+    last = r;
   }
   counts = conditioner.counts();
   return inputs;
@@ -67,8 +81,8 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
   const auto began = std::chrono::steady_clock::now();
   RenderSummary summary;
   const double origin_s = std::min(0.0, trace.readings.front().time_s);
-  const std::vector<EngineInput> inputs =
-      conditionedInputs(trace, settings.sampleRate_Hz, origin_s, summary.sensor);
+  const std::vector<EngineInput> inputs = conditionedInputs(trace, settings.sampleRate_Hz, origin_s,
+                                                            program.interpolationDelay_s, summary.sensor);
   const double last_frames = inputs.empty() ? 0 : inputs.back().time_frames;
   if (last_frames > longestRender_s * settings.sampleRate_Hz) {
     return Failure{FailureCode::wrongUsage, "press trace", "", "longer than a week", "Cut it into parts"};

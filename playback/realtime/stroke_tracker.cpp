@@ -372,8 +372,10 @@ void StrokeTracker::spreadTies() {
     const double fraction = crossings_.items[i].fraction;
     while (end < crossings_.count && crossings_.items[end].fraction - fraction < cellRounding) ++end;
     const double until = end < crossings_.count ? crossings_.items[end].fraction : 1.0;
+    std::size_t grains = 0;
+    for (std::size_t k = i; k < end; ++k) grains += crossings_.items[k].kind == CrossingKind::grain ? 1 : 0;
     const auto size = static_cast<double>(end - i);
-    for (std::size_t k = i + 1; k < end; ++k) {
+    for (std::size_t k = i + 1; grains > 1 && k < end; ++k) {
       crossings_.items[k].fraction = lerp(fraction, until, static_cast<double>(k - i) / size);
     }
     i = end;

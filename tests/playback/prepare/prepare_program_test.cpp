@@ -1,0 +1,134 @@
+#include "playback/prepare/prepare_program.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include <catch2/catch.hpp>
+
+#include "playback/prepare/stroke_table.h"
+#include "tests/playback/sample_buttons.h"
+
+using namespace detent;
+using namespace detent::playback;
+using namespace detent::test;
+
+TEST_CASE("prepare: jumps follow the paper's rules") {
+  PlaybackSettings settings;
+  settings.jumpAmplitudePerArea_per_mJ = 1.5;
+  const Button button = twoLevelButton();
+  const auto program = std::make_unique<HapticProgram>(programOf(button, settings));
+  const StrokeCurve& press = button.states()[0].graph.press();
+  std::size_t i = 0;
+  for (const Section& s : sectionsOf(press, Stroke::press)) {
+    if (s.kind != SectionKind::jump) continue;
+    const JumpEntry& jump = program->states[0].press.jumps[i++];
+    CHECK(jump.from_mm == s.from_mm);
+    CHECK(jump.burst.frequency_Hz == 390);
+    CHECK(jump.burst.duration_s == Approx(0.020 * (s.to_mm - s.from_mm)));
+    CHECK(jump.burst.amplitude == Approx(1.5 * jumpArea_mJ(press, s)));
+    CHECK(jump.burst.envelope == Envelope::falling);
+  }
+  CHECK(i == 2);
+  CHECK(program->states[0].press.jumpCount == 2);
+  CHECK(program->states[0].release.jumps[0].burst.frequency_Hz == 410);
+  CHECK(program->bottomOut.frequency_Hz == 200);
+  CHECK(program->bottomOut.duration_s == Approx(0.030));
+  CHECK(program->bottomOut.envelope == Envelope::rising);
+  CHECK(program->grain.frequency_Hz == 150);
+  CHECK(program->grainsPerMm == 20);
+}
+
+TEST_CASE("prepare: only what the button has") {
+  const auto linear = std::make_unique<HapticProgram>(programOf(linearButton()));
+  CHECK(linear->stateCount == 1);
+  CHECK(linear->states[0].press.jumpCount == 0);
+  CHECK(linear->equalizerBandCount == 0);
+  CHECK(linear->states[0].press.pointCount < 10);
+  PlaybackSettings off;
+  off.mode = FeedbackMode::off;
+  const auto silent = std::make_unique<HapticProgram>(programOf(tactileButton(), off));
+  CHECK(silent->grainsPerMm == 0);
+  CHECK(silent->states[0].press.jumpCount == 0);
+  CHECK_FALSE(silent->states[0].hasBottomOut);
+}
+
+TEST_CASE("prepare: the device's resonance and equalizer are used when asked for") {
+  DeviceProfile profile;
+  profile.resonances = {{780, 10, 20}, {260, 5, 9}, {370, 8, 12}};
+  profile.equalizer = {{370, 8, -12}};
+  PlaybackSettings settings;
+  settings.jumpFrequencySource = JumpFrequencySource::profile;
+  const auto program = std::make_unique<HapticProgram>(programOf(tactileButton(), settings, profile));
+  CHECK(program->states[0].press.jumps[0].burst.frequency_Hz == 370);
+  CHECK(program->states[0].release.jumps[0].burst.frequency_Hz == Approx(410.0 * 370 / 390));
+  CHECK(program->equalizerBandCount == 1);
+  settings.equalize = false;
+  CHECK(programOf(tactileButton(), settings, profile).equalizerBandCount == 0);
+  const Result<PreparedProgram> without = prepareProgram(tactileButton(), {}, settings);
+  REQUIRE(without);
+  CHECK_FALSE(without->summary.warnings.empty());
+}
+
+TEST_CASE("prepare: settings outside their range are refused by name") {
+  const double nan = std::nan("");
+  const auto refused = [](const PlaybackSettings& s, const char* name) {
+    const Result<PreparedProgram> r = prepareProgram(linearButton(), {}, s);
+    REQUIRE_FALSE(r);
+    CHECK(r.failure().exitCode() == 2);
+    CHECK(r.failure().sentence().find(name) != std::string::npos);
+  };
+  PlaybackSettings s;
+  s.grainsPerMm = -1;
+  refused(s, "grainsPerMm");
+  s = {};
+  s.grainFrequency_Hz = nan;
+  refused(s, "grainFrequency_Hz");
+  s = {};
+  s.hysteresis_N = 0;
+  refused(s, "hysteresis_N");
+  s = {};
+  s.limiterCeiling = 1.5;
+  refused(s, "limiterCeiling");
+  s = {};
+  s.shortestJump_s = 0.5;
+  refused(s, "shortestJump_s");
+  DeviceProfile profile;
+  profile.equalizer.resize(17, {390, 1, 0});
+  CHECK_FALSE(prepareProgram(linearButton(), profile, {}));
+}
+
+TEST_CASE("table: as close to the curve as its vertices allow, walls kept") {
+  const Button button = tactileButton();
+  const StrokeCurve& curve = button.states()[0].graph.press();
+  const TableFit fit = fitTable(curve, curve.start_mm(), curve.end_mm(), -1e9, {1.2});
+  CHECK(fit.points.size() <= maxTablePoints);
+  std::size_t k = 0;
+  for (int i = 0; i <= 10000; ++i) {
+    const double x = 4.0 * i / 10000;
+    while (k + 2 < fit.points.size() && fit.points[k + 1].displacement_mm <= x) ++k;
+    const TablePoint &a = fit.points[k], &b = fit.points[k + 1];
+    const double f = a.force_N + (b.force_N - a.force_N) * (x - a.displacement_mm) /
+                                     (b.displacement_mm - a.displacement_mm);
+    REQUIRE(std::fabs(f - curve.force_N(x)) <= fit.error_N + 1e-6);
+  }
+  const Result<StrokeCurve> wall =
+      StrokeCurve::fromKnots({{0, 0, 0, 0.1}, {2, 0.2, 0.1, 0}, {2, 5, 0, 0.1}, {3, 5.1, 0.1, 0}});
+  REQUIRE(wall);
+  const TableFit steep = fitTable(*wall, 0, 3, -1e9, {});
+  int atWall = 0;
+  for (const TablePoint& p : steep.points) atWall += p.displacement_mm == 2 ? 1 : 0;
+  CHECK(atWall == 2);
+  CHECK(steep.error_N < 1e-9);
+}
+
+TEST_CASE("prepare: many jumps and long names are cut with a warning, never out of bounds") {
+  std::vector<CurvePoint> wavy;
+  for (int i = 0; i <= 200; ++i)
+    wavy.push_back({i * 0.05, 1 + i * 0.02 + (i % 2 == 0 ? 0 : 0.9 + 0.001 * i)});
+  const Button button = buttonOf(std::string(200, 'n'), {stateOf("", wavy, {})});
+  const Result<PreparedProgram> prepared = prepareProgram(button, {}, {});
+  REQUIRE(prepared);
+  CHECK(prepared->program.states[0].press.jumpCount <= maxJumps);
+  CHECK(std::string(prepared->program.name.data()).size() == maxProgramName - 1);
+}
