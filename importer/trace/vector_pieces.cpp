@@ -255,7 +255,7 @@ std::vector<LinePiece> linePieces(const PageView& view, const PlotPlane& plane,
         maker.add(path.polylines[i], path.closed[i], path, path.strokeWidth, *path.stroke);
       } else if (path.fill) {
         const auto centre = centreOfOutline(path.polylines[i], 0.02 * plane.diagonal());
-        if (centre && lengthOf(centre->points) > 0.4 * letterSize * plane.diagonal())
+        if (centre && lengthOf(centre->points) > 0.2 * letterSize * plane.diagonal())
           maker.add(centre->points, false, path, centre->width_px, *path.fill);
       }
     }
