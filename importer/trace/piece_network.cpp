@@ -223,13 +223,19 @@ void PieceNetwork::linkTouchingEnds() {
   }
 }
 
+bool PieceNetwork::isLoose(std::size_t id) const {
+  if (pieces_[id / 2].onGridLine) return false;
+  return std::all_of(links_[id].begin(), links_[id].end(),
+                     [&](const Link& link) { return pieces_[link.piece].small; });
+}
+
 void PieceNetwork::bridgeGaps() {
   // Dashes that the document draws one by one, and lines that stop short of a text.
   const double reach = longestGap * plane_.diagonal();
   EndGrid grid(std::max(reach, 1e-6));
   std::vector<std::size_t> free;
   for (std::size_t id = 0; id < links_.size(); ++id)
-    if (links_[id].empty() && !pieces_[id / 2].onGridLine) free.push_back(id);
+    if (isLoose(id)) free.push_back(id);
   for (const std::size_t id : free) grid.add(endOf(id / 2, id % 2 == 1), id);
   for (const std::size_t id : free) {
     const Point here = endOf(id / 2, id % 2 == 1), direction = outwardDirection(id / 2, id % 2 == 1);
@@ -395,6 +401,7 @@ void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
 
 double PieceNetwork::unusedLength() const {
   // Some documents draw a curve twice; a copy is not another curve.
+  constexpr double straightChord = 0.995;  // of the length; leaders are straight
   EndGrid taken(std::max(0.006 * plane_.diagonal(), 1e-6));
   std::vector<Point> places;
   const double step = 0.004 * plane_.diagonal();
@@ -408,6 +415,8 @@ double PieceNetwork::unusedLength() const {
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const LinePiece& piece = pieces_[i];
     if (used_[i] > 0 || piece.axisParallel || piece.small || piece.points.size() < 3) continue;
+    const double length = lengthOf(piece.points);
+    if (distance(piece.points.front(), piece.points.back()) > straightChord * length) continue;
     const std::vector<Point> along = spacedAlong(piece.points, step);
     std::size_t fresh = 0;
     for (const Point& p : along) {

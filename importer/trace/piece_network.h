@@ -50,6 +50,8 @@ class PieceNetwork {
   void cutAtTouches();
   void linkTouchingEnds();
   void bridgeGaps();
+  /// The end (2 * piece + atEnd) meets nothing that could be a curve's continuation.
+  bool isLoose(std::size_t id) const;
   std::vector<Link>& linksOf(std::size_t piece, bool atEnd) { return links_[2 * piece + (atEnd ? 1 : 0)]; }
   const std::vector<Link>& linksOf(std::size_t piece, bool atEnd) const {
     return links_[2 * piece + (atEnd ? 1 : 0)];
