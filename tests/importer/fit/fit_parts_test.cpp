@@ -1,0 +1,146 @@
+// The steps inside a fit.
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "importer/fit/choose_knots.h"
+#include "importer/fit/segment_stroke.h"
+#include "tests/importer/fit/drawn_strokes.h"
+
+using namespace detent;
+using namespace detent::importer;
+using namespace detent::importer::drawn;
+
+namespace {
+
+std::vector<SigmaPoint> wave(int count, double noise = 0, unsigned seed = 1) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> normal(0, 1);
+  std::vector<SigmaPoint> points;
+  for (int i = 0; i < count; ++i) {
+    const double u = 600.0 * i / (count - 1);
+    points.push_back({u + noise * normal(random), 100 * std::sin(u / 80) + noise * normal(random), 1});
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("a piece never leaves the box of its ends, whatever its slopes") {
+  for (const double before : {-5.0, 0.0, 0.3, 40.0})
+    for (const double after : {-5.0, 0.0, 0.3, 40.0})
+      for (const double rise : {-10.0, 0.0, 10.0}) {
+        const ChainPiece piece(ChainKnot{{0, 0, before, before}, JointKind::smooth},
+                               ChainKnot{{20, rise, after, after}, JointKind::smooth});
+        for (double t = 0; t <= 1; t += 0.01) {
+          CHECK(piece.v(t) >= std::min(0.0, rise) - 1e-9);
+          CHECK(piece.v(t) <= std::max(0.0, rise) + 1e-9);
+          CHECK(piece.dv(t) * rise >= -1e-9);
+        }
+      }
+}
+
+TEST_CASE("the footpoint is where the line of sight is square to the curve") {
+  const ChainPiece piece(ChainKnot{{0, 0, 0, 0}, JointKind::flat},
+                         ChainKnot{{50, 80, 0.5, 0.5}, JointKind::smooth});
+  for (const double t : {0.1, 0.4, 0.5, 0.9})
+    for (const double off : {-3.0, 0.5, 4.0}) {
+      const double speed = std::hypot(piece.h, piece.dv(t));
+      const SigmaPoint p{piece.u(t) - off * piece.dv(t) / speed, piece.v(t) + off * piece.h / speed, 1};
+      const Footpoint foot = nearestOn(piece, p);
+      CHECK(foot.t == Approx(t).margin(1e-5));
+      CHECK(std::sqrt(foot.squaredDistance) == Approx(std::abs(off)).margin(1e-6));
+      CHECK(signedResidual(piece, p, foot.t) == Approx(off).margin(1e-6));
+    }
+}
+
+TEST_CASE("the first cut puts a knot at each extremum and leaves noise alone") {
+  const auto points = wave(800, 1);
+  const Segmentation cut = segmentStroke(points, 200, 30);
+  CHECK(cut.chain.size() >= 6);
+  CHECK(cut.chain.size() <= 12);
+  CHECK(cut.correlationPoints < 1.5);
+  CHECK(cut.chain.front().u() == points.front().u);
+  CHECK(cut.chain.back().u() == points.back().u);
+  for (std::size_t k = 0; k + 1 < cut.chain.size(); ++k) CHECK(cut.chain[k].u() <= cut.chain[k + 1].u());
+}
+
+TEST_CASE("correlation of residuals is found") {
+  std::mt19937 random(4);
+  std::normal_distribution<double> normal(0, 1);
+  std::vector<double> white, red;
+  double last = 0;
+  for (int i = 0; i < 20000; ++i) {
+    white.push_back(normal(random));
+    last = 0.6 * last + normal(random);
+    red.push_back(last);
+  }
+  CHECK(correlationOf(white) == Approx(1).margin(0.1));
+  CHECK(correlationOf(red) == Approx(1.6 / 0.4).margin(0.5));
+}
+
+TEST_CASE("the solver finds moved knots again") {
+  const KnotChain truth{{{0, 0, 1, 1}, JointKind::smooth},
+                        {{150, 120, 0, 0}, JointKind::flat},
+                        {{300, 30, 0, 0}, JointKind::flat},
+                        {{420, 90, 0.4, 0.9}, JointKind::corner},
+                        {{500, 160, 0.9, 0.9}, JointKind::smooth}};
+  std::vector<SigmaPoint> points;
+  for (const ChainPiece& piece : piecesOf(truth))
+    for (double t = 0; t < 1; t += 0.01) points.push_back({piece.u(t), piece.v(t), 1});
+  points.push_back({500, 160, 1});
+  KnotChain moved = truth;
+  moved[1].at = {158, 116, 0, 0};
+  moved[2].at = {290, 34, 0, 0};
+  moved[3].at = {430, 96, 0.5, 0.8};
+  SolveSettings settings;
+  settings.maxIterations = 100;
+  settings.associations = 3;
+  const SolveReport report = solveChain(moved, points, {0, moved.size()}, settings);
+  CHECK(report.chiSquare < 0.1);
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    CHECK(moved[k].u() == Approx(truth[k].u()).margin(0.5));
+    CHECK(moved[k].v() == Approx(truth[k].v()).margin(0.2));
+  }
+}
+
+TEST_CASE("knots outside the range stay where they are") {
+  KnotChain chain = segmentStroke(wave(400, 1), 100, 30).chain;
+  const KnotChain before = chain;
+  solveChain(chain, wave(400, 1), {2, 4}, {});
+  for (std::size_t k = 0; k < chain.size(); ++k)
+    if (k < 2 || k >= 4) CHECK(chain[k].at == before[k].at);
+}
+
+TEST_CASE("evidence takes out what is too much and adds what is missing") {
+  const auto points = wave(800, 1);
+  const Evidence evidence(800, 1);
+  KnotChain many = segmentStroke(points, 200, 2).chain, few = segmentStroke(points, 200, 1e9).chain;
+  CHECK(many.size() > few.size());
+  ChoiceSettings settings;
+  settings.rounds = 8;
+  chooseKnots(many, points, evidence, settings);
+  chooseKnots(few, points, evidence, settings);
+  CHECK(many.size() <= 10);
+  const double perPointMany = chiSquareOf(many, points, 3) / 800,
+               perPointFew = chiSquareOf(few, points, 3) / 800;
+  CHECK(perPointMany < 1.15);
+  CHECK(perPointFew < 1.3);
+}
+
+TEST_CASE("standard errors shrink with the number of points") {
+  const auto sigmaOfPeak = [](int count) {
+    const auto points = wave(count, 1);
+    KnotChain chain = segmentStroke(points, 200, 30).chain;
+    solveChain(chain, points, {0, chain.size()}, {});
+    const auto sigmas = knotSigmas(chain, points, {});
+    for (std::size_t k = 1; k + 1 < chain.size(); ++k)
+      if (chain[k].joint == JointKind::flat) return sigmas[k];
+    return KnotSigma{};
+  };
+  const KnotSigma coarse = sigmaOfPeak(200), fine = sigmaOfPeak(3200);
+  CHECK(coarse.v > 0);
+  CHECK(fine.v == Approx(coarse.v / 4).epsilon(0.4));
+  CHECK(fine.u == Approx(coarse.u / 4).epsilon(0.5));
+}
