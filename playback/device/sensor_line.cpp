@@ -110,12 +110,13 @@ void LineAssembler::finishLine(const std::function<void(const SensorLine&)>& onR
 double ClockAligner::hostTime_s(std::uint32_t device_us, double arrival_s) {
   constexpr double restartStep_s = 0.5;
   constexpr double drift = 500e-6;
+  constexpr double apart_s = 1e-6;
   if (!running_) {
     running_ = true;
     device_s_ = 0;
     offset_s_ = arrival_s;
     last_us_ = device_us;
-    return arrival_s;
+    return last_s_ = arrival_s;
   }
   const std::uint32_t forward_us = device_us - last_us_;  // modulo 2^32: a wrap is a small step forward
   const auto step_us = static_cast<std::int32_t>(forward_us);
@@ -125,15 +126,17 @@ double ClockAligner::hostTime_s(std::uint32_t device_us, double arrival_s) {
   const double offset_s = arrival_s - device_s_;
   if (std::fabs(offset_s - offset_s_) > restartStep_s) {
     offset_s_ = offset_s;
-    return arrival_s;
+    return last_s_ = arrival_s;
   }
   if (offset_s < offset_s_) {
     offset_s_ = offset_s;
   } else if (step_s > 0) {
-    const double allowed = drift * step_s;
-    offset_s_ += offset_s - offset_s_ < allowed ? offset_s - offset_s_ : allowed;
+    offset_s_ += std::fmin(offset_s - offset_s_, drift * step_s);
   }
-  return device_s_ + offset_s_;
+  double host_s = std::fmin(device_s_ + offset_s_, arrival_s);
+  // A smaller delay moves the line back; readings the sensor took one after the other stay in order.
+  if (step_s > 0 && host_s <= last_s_) host_s = last_s_ + apart_s;
+  return last_s_ = host_s;
 }
 
 }  // namespace detent::playback

@@ -53,7 +53,7 @@ class LineAssembler {
 /// is the bus. Follows drift between the two clocks up to 500 ppm; a jump (sensor restarted) starts anew.
 class ClockAligner {
  public:
-  /// Host time of the reading; never after `arrival_s`.
+  /// Host time of the reading: not after `arrival_s`, but for the microseconds that keep a packet's readings in order.
   double hostTime_s(std::uint32_t device_us, double arrival_s);
   void restart() { running_ = false; }
 
@@ -62,6 +62,7 @@ class ClockAligner {
   std::uint32_t last_us_ = 0;
   double device_s_ = 0;
   double offset_s_ = 0;
+  double last_s_ = 0;
 };
 
 }  // namespace detent::playback

@@ -1,0 +1,39 @@
+// Force sensor of the mockup: Interlink FSR 400 to the supply, a fixed resistor to ground, the middle to A0.
+// Sends one line per reading, 1000 times a second, as docs/serial-protocol.md says:
+//
+//     TIME_US,COUNTS*XX        time since start (wraps after 71.6 minutes), reading of the converter, checksum
+//
+// Board: any Arduino whose USB port is native (Leonardo, Micro, Nano Every, Zero, RP2040): behind an FTDI or CH340
+// chip set its latency timer to 1 ms, or readings come in packets of 16 ms. Divider: 10 kOhm spans about 0.2 N to 12 N.
+
+const uint8_t sensorPin = A0;
+const uint32_t period_us = 1000;
+const uint32_t baud = 230400;
+
+uint32_t next_us;
+
+void setup() {
+  Serial.begin(baud);
+  Serial.println("# detent-force 1 fsr400 divider 1023");
+  next_us = micros();
+}
+
+void loop() {
+  const uint32_t now_us = micros();
+  if ((int32_t)(now_us - next_us) < 0) return;
+  next_us += period_us;
+  // After a stall start anew instead of sending a burst of old times.
+  if ((int32_t)(now_us - next_us) > (int32_t)(10 * period_us)) next_us = now_us + period_us;
+  sendReading(now_us, analogRead(sensorPin));
+}
+
+void sendReading(uint32_t time_us, int counts) {
+  char line[32];
+  const int length = snprintf(line, sizeof line, "%lu,%d", (unsigned long)time_us, counts);
+  uint8_t checksum = 0;
+  for (int i = 0; i < length; ++i) checksum ^= (uint8_t)line[i];
+  char tail[8];
+  snprintf(tail, sizeof tail, "*%02X\n", checksum);
+  Serial.print(line);
+  Serial.print(tail);
+}
