@@ -225,8 +225,9 @@ void PieceNetwork::linkTouchingEnds() {
 
 bool PieceNetwork::isLoose(std::size_t id) const {
   if (pieces_[id / 2].onGridLine) return false;
-  return std::all_of(links_[id].begin(), links_[id].end(),
-                     [&](const Link& link) { return pieces_[link.piece].small; });
+  return std::all_of(links_[id].begin(), links_[id].end(), [&](const Link& link) {
+    return pieces_[link.piece].small || pieces_[link.piece].axisParallel;
+  });
 }
 
 void PieceNetwork::bridgeGaps() {
