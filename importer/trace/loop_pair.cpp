@@ -70,6 +70,12 @@ double ownInk(const std::vector<Point>& path, const Grid& left) {
   return own;
 }
 
+double distanceToSegment(Point p, Point a, Point b) {
+  const double vx = b.x - a.x, vy = b.y - a.y, length2 = vx * vx + vy * vy;
+  const double f = length2 > 0 ? std::clamp(((p.x - a.x) * vx + (p.y - a.y) * vy) / length2, 0.0, 1.0) : 0;
+  return std::hypot(p.x - a.x - f * vx, p.y - a.y - f * vy);
+}
+
 struct Stretch {
   std::size_t from = 0, to = 0;
   double length = 0;
@@ -153,12 +159,11 @@ std::vector<Point> directPath(LiftedSearch& search, Grid& reward, const std::vec
     while (detour && cutAtTurn(path, *detour, frame.width()))
       detour = findDetour(path, reward, strokeWidth, frame);
     if (!detour || i == kDetours) break;
+    // The base of the detour is curve: only what stands off it goes.
     const Point start = path[detour->from], end = path[detour->to];
-    const double spare = strokeWidth + 1;
     for (std::size_t k = detour->from; k < detour->to; ++k) {
       const Point p = path[k];
-      if (std::hypot(p.x - start.x, p.y - start.y) < spare || std::hypot(p.x - end.x, p.y - end.y) < spare)
-        continue;
+      if (distanceToSegment(p, start, end) < 1.5 * strokeWidth + 2) continue;
       forDisc(reward, p, strokeWidth / 2 + 1,
               [&](int x, int y) { reward.at(x, y) = std::min(reward.at(x, y), kNoCurve); });
     }

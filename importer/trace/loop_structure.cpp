@@ -338,7 +338,7 @@ bool areNeighbours(const Blob& a, const Blob& b) {
 
 Blob turned(const Blob& b) { return {b.y, b.x, b.height, b.width}; }
 
-/// Which blobs stand in a row of at least three glyphs, upright or turned by a quarter.
+/// Which blobs stand in a row of at least four glyphs, upright or turned by a quarter.
 std::vector<char> glyphsInRows(const std::vector<Blob>& blobs, double strokeWidth, double tallest) {
   std::vector<char> isText(blobs.size(), 0);
   for (bool vertical : {false, true}) {
@@ -359,7 +359,7 @@ std::vector<char> glyphsInRows(const std::vector<Blob>& blobs, double strokeWidt
           row.push_back(other);
         }
       }
-      if (row.size() < 3) continue;
+      if (row.size() < 4) continue;
       for (std::size_t i : row) isText[i] = 1;
     }
   }
@@ -388,8 +388,76 @@ std::vector<char> wordsRunTogether(const Components& c, const std::vector<Blob>&
   return isText;
 }
 
+/// Blobs that straight lines of the plot cut off on two sides are pieces of a curve, whatever their size.
+std::vector<char> piecesBetweenLines(const Components& c, const std::vector<Blob>& blobs,
+                                     const Grid& explained, float level) {
+  std::vector<char> isPiece(blobs.size(), 0);
+  constexpr int kReach = 3;
+  for (std::size_t i = 1; i < blobs.size(); ++i) {
+    const Blob& b = blobs[i];
+    const auto cutAt = [&](bool alongRow, int edge, int direction) {
+      const int from = alongRow ? b.y : b.x, to = alongRow ? b.y + b.height : b.x + b.width;
+      for (int k = from; k < to; ++k) {
+        const int x = alongRow ? edge : k, y = alongRow ? k : edge;
+        if (c.labels.at<int>(y, x) != static_cast<int>(i)) continue;
+        for (int r = 1; r <= kReach; ++r) {
+          const int u = alongRow ? x + direction * r : x, v = alongRow ? y : y + direction * r;
+          if (explained.inside(u, v) && explained.at(u, v) > 0.5F * level) return true;
+        }
+      }
+      return false;
+    };
+    const int sides = int(cutAt(true, b.x, -1)) + int(cutAt(true, b.x + b.width - 1, 1)) +
+                      int(cutAt(false, b.y, -1)) + int(cutAt(false, b.y + b.height - 1, 1));
+    isPiece[i] = sides >= 2 ? 1 : 0;
+  }
+  return isPiece;
+}
+
+/// Guide lines drawn from an axis to the curve: exactly straight, alone, starting in the frame's left or
+/// lower edge. They stay followable (a curve may begin flat) but lose against a curve beside them.
+void weakenGuides(Grid& curveInk, const Box& frame, double strokeWidth) {
+  constexpr float kWeak = 0.62F;
+  const int clear = static_cast<int>(std::ceil(strokeWidth / 2)) + 2;
+  const auto along = [&](bool row, int lane, int start, int end, int step, int shortest) {
+    const auto at = [&](int l, int i) {
+      const int x = row ? i : l, y = row ? l : i;
+      return curveInk.inside(x, y) ? curveInk.at(x, y) : 0.0F;
+    };
+    int inked = 0, alone = 0, gap = 0, last = start;
+    for (int i = start; i != end && gap <= 12; i += step) {
+      if (at(lane, i) < 0.4F) {
+        ++gap;
+        continue;
+      }
+      gap = 0;
+      ++inked;
+      const bool isAlone = at(lane - clear, i) < 0.3F && at(lane + clear, i) < 0.3F;
+      if (isAlone) {
+        ++alone;
+        last = i;
+      }
+    }
+    if (std::abs(last - start) < shortest || inked * 3 < std::abs(last - start) || alone * 10 < inked * 8)
+      return;
+    for (int i = start; i != last; i += step) {
+      for (int l = lane - clear + 1; l < lane + clear; ++l) {
+        const int x = row ? i : l, y = row ? l : i;
+        if (curveInk.inside(x, y)) curveInk.at(x, y) = std::min(curveInk.at(x, y), kWeak * 0.65F);
+      }
+    }
+  };
+  const int x0 = static_cast<int>(std::lround(frame.x0)) + clear,
+            x1 = static_cast<int>(std::lround(frame.x1));
+  const int y0 = static_cast<int>(std::lround(frame.y0)),
+            y1 = static_cast<int>(std::lround(frame.y1)) - clear;
+  for (int y = y0 + 4; y < y1 - 2; ++y) along(true, y, x0, x1, 1, static_cast<int>(0.12 * frame.width()));
+  for (int x = x0 + 8; x < x1 - 2; ++x) along(false, x, y1, y0, -1, static_cast<int>(0.12 * frame.height()));
+}
+
 /// Takes lettering out: ink wholly inside a box of read text, and rows of glyph-sized blobs.
-void fadeLettering(Grid& curveInk, const std::vector<Box>& lettering, double strokeWidth, const Box& frame) {
+void fadeLettering(Grid& curveInk, const Grid& explained, float level, const std::vector<Box>& lettering,
+                   double strokeWidth, const Box& frame) {
   const Components c = componentsOf(curveInk, 0.3F);
   std::vector<Blob> blobs(static_cast<std::size_t>(c.count));
   for (int i = 1; i < c.count; ++i) {
@@ -399,11 +467,13 @@ void fadeLettering(Grid& curveInk, const std::vector<Box>& lettering, double str
   }
   if (blobs.empty()) return;
   const double tallest = 0.075 * std::min(frame.height(), frame.width());
+  const std::vector<char> isPiece = piecesBetweenLines(c, blobs, explained, level);
   std::vector<char> isText = wordsRunTogether(c, blobs, strokeWidth, tallest);
   const std::vector<char> inRows = glyphsInRows(blobs, strokeWidth, tallest);
   for (std::size_t i = 1; i < blobs.size(); ++i) {
     const Blob& o = blobs[i];
     isText[i] |= inRows[i];
+    if (isPiece[i]) isText[i] = 0;
     isText[i] |= std::any_of(lettering.begin(), lettering.end(), [&](const Box& b) {
       return o.x >= b.x0 - 1.5 && o.y >= b.y0 - 1.5 && o.x + o.width - 1 <= b.x1 + 1.5 &&
              o.y + o.height - 1 <= b.y1 + 1.5;
@@ -443,7 +513,8 @@ Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& 
     s.curveInk.values[i] = std::min(1.0F, s.curveInk.values[i] / room);
   }
   s.strokeWidth_px = strokeWidthOf(s.curveInk);
-  fadeLettering(s.curveInk, lettering, s.strokeWidth_px, plane.frame);
+  fadeLettering(s.curveInk, s.explained, s.curveLevel, lettering, s.strokeWidth_px, plane.frame);
+  weakenGuides(s.curveInk, plane.frame, s.strokeWidth_px);
   cv::Mat paper = wrap(s.curveInk) < 0.35F;
   cv::Mat distance;
   cv::distanceTransform(paper, distance, cv::DIST_L2, 3);
