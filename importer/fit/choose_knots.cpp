@@ -186,13 +186,28 @@ std::vector<std::size_t> removable(const Workpiece& work, double limit) {
   return knots;
 }
 
-Workpiece::Trial withoutKnot(const Workpiece& work, std::size_t knot) {
+/// A flat joint that is no extremum any more gets a slope of its own.
+void freeSlope(KnotChain& chain, std::size_t k) {
+  if (k == 0 || k + 1 >= chain.size() || chain[k].joint != JointKind::flat || isExtremum(chain, k)) return;
+  const double before = secant(chain[k - 1], chain[k]), after = secant(chain[k], chain[k + 1]);
+  chain[k].joint = JointKind::smooth;
+  chain[k].at[2] = chain[k].at[3] =
+      std::copysign(std::min(std::abs(before), std::abs(after)), before + after);
+}
+
+/// The chain without `count` knots from `knot` on.
+Workpiece::Trial withoutKnots(const Workpiece& work, std::size_t knot, std::size_t count) {
   std::size_t at = 0;
   Workpiece::Trial trial = work.around(knot, at);
-  trial.knots.erase(trial.knots.begin() + static_cast<Index>(at));
+  const auto first = trial.knots.begin() + static_cast<Index>(at);
+  trial.knots.erase(first, first + static_cast<Index>(count));
+  freeSlope(trial.knots, at - 1);
+  freeSlope(trial.knots, at);
   work.judge(trial);
   return trial;
 }
+
+Workpiece::Trial withoutKnot(const Workpiece& work, std::size_t knot) { return withoutKnots(work, knot, 1); }
 
 Workpiece::Trial withJoint(const Workpiece& work, std::size_t knot, const ChainKnot& replacement) {
   std::size_t at = 0;
@@ -246,6 +261,23 @@ bool pays(const Workpiece& work, const Workpiece::Trial& trial, const Evidence& 
   return trial.gain > evidence.pricePerParameter * evidence.correlationPoints * added;
 }
 
+/// A small step back inside a rise (or the reverse) needs two extrema; they can only go together.
+bool straightenZigzags(Workpiece& work, const Evidence& evidence) {
+  constexpr double small = 6;  // sigmas
+  bool changed = false;
+  for (std::size_t k = 1; k + 2 < work.chain().size(); ++k) {
+    const KnotChain& chain = work.chain();
+    if (!isExtremum(chain, k) || !isExtremum(chain, k + 1)) continue;
+    if (std::abs(chain[k + 1].v() - chain[k].v()) > small) continue;
+    const Workpiece::Trial trial = withoutKnots(work, k, 2);
+    if (!pays(work, trial, evidence)) continue;
+    work.accept(trial);
+    changed = true;
+    --k;
+  }
+  return changed;
+}
+
 bool simplify(Workpiece& work, const Evidence& evidence) {
   bool changed = false;
   // What is at stake is an upper bound: neighbours that adapt take over most of it.
@@ -264,6 +296,7 @@ bool simplify(Workpiece& work, const Evidence& evidence) {
       break;
     }
   }
+  changed = straightenZigzags(work, evidence) || changed;
   for (std::size_t k = 1; k + 1 < work.chain().size(); ++k) {
     if (work.chain()[k].joint != JointKind::corner) continue;
     const Workpiece::Trial trial = withJoint(work, k, smoothOf(work.chain(), k));
@@ -323,7 +356,10 @@ std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaP
 SolveReport chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
                         const ChoiceSettings& settings) {
   settleJoints(chain);
-  SolveReport report = solveChain(chain, points, {0, chain.size()}, settings.solve);
+  // The first cut may be far off in places: there a robust loss would take the points for outliers.
+  SolveSettings first = settings.solve;
+  first.robustScale *= 10;
+  SolveReport report = solveChain(chain, points, {0, chain.size()}, first);
   dropRedundantKnots(chain);
   SolveSettings local = settings.solve;
   local.associations = 1;

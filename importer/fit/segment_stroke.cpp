@@ -254,22 +254,29 @@ double slopeOf(const Stretch& stretch, double z, bool steep) {
   return std::abs(slope) * steepest > 1 ? 1 / slope : std::copysign(steepest, slope);
 }
 
-/// A corner where forcing one slope would bend the curve visibly; else a smooth joint.
+/// The slope a joint would have on both sides: the gentler one never overshoots; between slopes of two signs
+/// it is 0.
+double sharedSlope(double before, double after) {
+  if (before * after <= 0) return 0;
+  return std::abs(before) < std::abs(after) ? before : after;
+}
+
+/// A corner where sharing one slope would bend the curve visibly on either side; else a smooth joint, or a
+/// flat one.
 JointKind jointFor(double slopeBefore, double slopeAfter, double lengthBefore, double lengthAfter) {
-  const double turn = std::abs(std::atan(slopeAfter) - std::atan(slopeBefore));
-  // A cubic whose end slope is off by `turn` leaves its course by 4/27 of turn times length; half for each
-  // side.
-  const double bend = 0.5 * (4.0 / 27) * turn * std::min(lengthBefore, lengthAfter);
-  return turn > 0.35 && bend > 1 ? JointKind::corner : JointKind::smooth;
+  const double shared = std::atan(sharedSlope(slopeBefore, slopeAfter));
+  // A cubic whose end slope is off by a small angle leaves its course by 4/27 of the angle times its length.
+  const auto bend = [&](double slope, double length) {
+    return 4.0 / 27 * std::abs(std::atan(slope) - shared) * length;
+  };
+  if (std::max(bend(slopeBefore, lengthBefore), bend(slopeAfter, lengthAfter)) > 1) return JointKind::corner;
+  return slopeBefore * slopeAfter <= 0 ? JointKind::flat : JointKind::smooth;
 }
 
 ChainKnot knotAt(double u, double v, double slopeBefore, double slopeAfter, JointKind joint) {
-  if (joint != JointKind::corner && slopeBefore * slopeAfter <= 0) joint = JointKind::flat;
-  // The gentler of two slopes of one sign never overshoots.
-  const double slope = std::abs(slopeBefore) < std::abs(slopeAfter) ? slopeBefore : slopeAfter;
   if (joint == JointKind::corner) return {{u, v, slopeBefore, slopeAfter}, joint};
-  if (joint == JointKind::flat) return {{u, v, 0, 0}, joint};
-  return {{u, v, slope, slope}, joint};
+  const double shared = sharedSlope(slopeBefore, slopeAfter);
+  return {{u, v, shared, shared}, joint};
 }
 
 /// Extrema inside one cubic that stand out from the noise become knots of their own.
