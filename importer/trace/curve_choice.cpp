@@ -99,11 +99,13 @@ std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
   CurveField field = pooledField(full, curve.pooling);
   const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
   const double thickness = curve.thickness_px / curve.pooling + (curve.pooling > 1 ? 1 : 0);
-  curve.course = followCurve(field, frame);
+  FollowOptions options;
+  options.thickness_px = curve.thickness_px;  // pooling by maxima keeps a full ridge full
+  curve.course = followCurve(field, frame, options);
   if (!isCurve(curve.course, frame, thickness, neutral)) return {};
   const double mass = massOf(field.own);
   double explained = eraseAlong(field.own, curve.course.points, thickness + 2);
-  const CoarseCurve second = followCurve(field, frame);
+  const CoarseCurve second = followCurve(field, frame, options);
   if (isCurve(second, frame, thickness, neutral) && second.span_px >= 0.25 * curve.course.span_px) {
     curve.secondStrand = second.gain_px / curve.course.gain_px;
     explained += eraseAlong(field.own, second.points, thickness + 2);

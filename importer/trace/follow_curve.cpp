@@ -9,14 +9,17 @@ namespace detent::importer::inks {
 
 namespace {
 
-constexpr float kFullFrom =
-    0.65F;  // a thin line's ridge shares its ink between two pixels: this much counts as all
+// The coverage that counts as no ink and as nothing but ink. A thin line's ridge shares its ink between two
+// pixels; a thick one's is full of it, so that paler things in the same hue are told apart.
+constexpr float kThinFrom = 0.0F, kThinFull = 0.65F;
+constexpr float kThickFrom = 0.3F, kThickFull = 0.9F;
+constexpr double kThick_px = 1.8;
 
 constexpr float kLeakWorth =
     0.6F;  // of a covered pixel with own ink at the cover's edge, against a pixel of plain ink
 constexpr float kLeakFull = 0.2F;  // own coverage at the edge that makes such a trace certain
 constexpr float kWallColumn =
-    2;  // what a column costs on an end wall: only a wall is worth it, not a stretch of curve
+    3;  // what a column costs on an end wall: only a wall is worth it, not a stretch of curve
 
 /// A path runs through these stages in order; the first and the last are optional. Only there does a rise or
 /// fall earn anything, and only in one direction: walls at the ends are followed to their tips, while in
@@ -51,6 +54,10 @@ class CurveSearch {
  public:
   CurveSearch(const CurveField& field, const Box& within, const FollowOptions& options)
       : field_(field), options_(options), near_(largestNearby(field.own)) {
+    if (options.thickness_px >= kThick_px) {
+      inkFrom_ = kThickFrom;
+      inkFull_ = kThickFull;
+    }
     x0_ = std::max(0, static_cast<int>(std::floor(within.x0)));
     y0_ = std::max(0, static_cast<int>(std::floor(within.y0)));
     x1_ = std::min(field.own.width - 1, static_cast<int>(std::ceil(within.x1)));
@@ -64,7 +71,9 @@ class CurveSearch {
   }
 
  private:
-  float inkAt(int x, int y) const { return std::min(1.0F, field_.own.at(x, y) / kFullFrom); }
+  float inkAt(int x, int y) const {
+    return std::clamp((field_.own.at(x, y) - inkFrom_) / (inkFull_ - inkFrom_), 0.0F, 1.0F);
+  }
   /// Ink, or where another curve covers the pixel the traces that a line beneath it leaves at the cover's
   /// edges.
   float evidenceAt(int x, int y) const {
@@ -72,8 +81,16 @@ class CurveSearch {
     return cover < 0.5F ? ink
                         : std::max(ink, kLeakWorth * cover * std::min(1.0F, near_.at(x, y) / kLeakFull));
   }
-  float hiddenAt(int x, int y) const {
-    return std::min(1.0F, std::max(field_.otherCurves.at(x, y), field_.clutter.at(x, y)));
+  /// Price of a pixel that shows nothing of the curve.
+  float bridgeCost(int x, int y) const {
+    const float cover = std::min(1.0F, field_.otherCurves.at(x, y));
+    const float clutter = std::min(1.0F - cover, field_.clutter.at(x, y));
+    return static_cast<float>(options_.paperCost) * (1 - cover - clutter) +
+           static_cast<float>(options_.hiddenCost) * cover +
+           static_cast<float>(options_.clutterCost) * clutter;
+  }
+  float visibleAt(int x, int y) const {
+    return std::max(0.0F, 1 - field_.otherCurves.at(x, y) - field_.clutter.at(x, y));
   }
   std::size_t rows() const { return static_cast<std::size_t>(y1_ - y0_ + 1); }
   std::uint16_t& stepsAt(int x, std::size_t row) {
@@ -94,9 +111,8 @@ class CurveSearch {
     for (int x = x0_; x <= x1_; ++x) {
       for (std::size_t r = 0; r < n; ++r) {
         const int y = y0_ + static_cast<int>(r);
-        const float ink = evidenceAt(x, y), hidden = hiddenAt(x, y);
-        cost_[r] = (1 - ink) * (static_cast<float>(options_.paperCost) * (1 - hidden) +
-                                static_cast<float>(options_.hiddenCost) * hidden);
+        const float ink = evidenceAt(x, y);
+        cost_[r] = (1 - ink) * bridgeCost(x, y);
         gain_[r] = ink - cost_[r];
       }
       for (std::size_t r = 0; r < n; ++r) arrive(x, r);
@@ -184,7 +200,7 @@ class CurveSearch {
       const double share = static_cast<double>(inkAt(x, y));
       ink += share;
       inColumn = std::max(inColumn, share);
-      visible += std::max(share, 1 - static_cast<double>(hiddenAt(x, y)));
+      visible += std::max(share, static_cast<double>(visibleAt(x, y)));
       const Step step = static_cast<Step>((stepsAt(x, row) >> (3 * stage)) & 7);
       if (step != Step::up && step != Step::down) {
         curve.inkColumns_px += inColumn;
@@ -212,6 +228,7 @@ class CurveSearch {
 
   const CurveField& field_;
   const FollowOptions& options_;
+  float inkFrom_ = kThinFrom, inkFull_ = kThinFull;
   Plane near_;  ///< own ink within two pixels
   int x0_ = 0, y0_ = 0, x1_ = -1, y1_ = -1;
   std::array<std::vector<float>, kStages> value_;

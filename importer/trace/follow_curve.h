@@ -18,9 +18,11 @@ struct CurveField {
 };
 
 struct FollowOptions {
-  double paperCost = 0.5;   ///< per bridged pixel of paper, in pixels of explained ink; (0, 10]
-  double hiddenCost = 0.1;  ///< per pixel under other ink
-  double riseCost = 0.03;   ///< per pixel of rise or fall on ink, away from the ends
+  double paperCost = 0.5;     ///< per bridged pixel of paper, in pixels of explained ink; (0, 10]
+  double hiddenCost = 0.1;    ///< per pixel under another curve
+  double clutterCost = 0.35;  ///< per pixel under text
+  double thickness_px = 1;    ///< of the line, see lineThickness
+  double riseCost = 0.03;     ///< per pixel of rise or fall on ink, away from the ends
 };
 
 struct CoarseCurve {

@@ -108,7 +108,9 @@ class ColouredCurves {
  private:
   CurveTrace traceOne(const CurveInk& curve, const std::vector<int>& curveInks) const {
     const CurveField field = fieldOf(plot_, curve.ink, curveInks);
-    const CoarseCurve course = followCurve(field, plot_.area.frame);
+    FollowOptions follow;
+    follow.thickness_px = curve.thickness_px;
+    const CoarseCurve course = followCurve(field, plot_.area.frame, follow);
     CentreLine line = centreLine(field, course, curve.thickness_px);
     finishEnds(line, field, plot_.area.frame);
     CurveTrace trace;
