@@ -8,6 +8,7 @@
 #include "importer/page/collect_device.h"
 #include "importer/page/mupdf_context.h"
 #include "importer/page/page_source.h"
+#include "importer/page/prepare_svg.h"
 #include "importer/page/text_boxes.h"
 #include "importer/page/view_grid.h"
 
@@ -197,7 +198,7 @@ Result<std::unique_ptr<RecordedPage>> MupdfSource::record(int number, const Prog
 
   CollectControl control;
   control.maxPathPoints = static_cast<std::size_t>(std::max(0, file_.limits.maxPathPoints));
-  control.maxOperations = control.maxPathPoints;
+  control.maxOperations = control.maxPathPoints / 4 + 1000;
   control.maxImagePixels = file_.limits.maxMegapixels * 1e6;
   control.deadline = std::chrono::steady_clock::now() +
                      std::chrono::milliseconds(
@@ -366,6 +367,16 @@ OpenedSource openWith(const SourceFile& file, const char* magic) {
 }  // namespace
 
 OpenedSource openPdfSource(const SourceFile& file) { return openWith(file, "application/pdf"); }
-OpenedSource openSvgSource(const SourceFile& file) { return openWith(file, "image/svg+xml"); }
+
+OpenedSource openSvgSource(const SourceFile& file) {
+  const std::string_view svg(reinterpret_cast<const char*>(file.bytes->data()), file.bytes->size());
+  const PreparedSvg prepared = prepareSvg(svg, file.limits.maxPathPoints);
+  if (!prepared.problem.empty())
+    return unreadable(file.name, "", "the SVG cannot be drawn: " + prepared.problem,
+                      "Export the drawing as a PDF or as a picture of at least 300 dpi and pass that");
+  SourceFile changed = file;
+  changed.bytes = std::make_shared<const Bytes>(prepared.text.begin(), prepared.text.end());
+  return openWith(changed, "image/svg+xml");
+}
 
 }  // namespace detent::importer

@@ -1,0 +1,415 @@
+#include "importer/page/prepare_svg.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <vector>
+
+namespace detent::importer {
+namespace {
+
+constexpr std::size_t deepestNesting = 256;  // MuPDF recurses once per level
+
+bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+
+std::string_view trimmed(std::string_view s) {
+  while (!s.empty() && isSpace(s.front())) s.remove_prefix(1);
+  while (!s.empty() && isSpace(s.back())) s.remove_suffix(1);
+  return s;
+}
+
+std::string_view withoutPrefix(std::string_view name) {
+  const std::size_t colon = name.find(':');
+  return colon == std::string_view::npos ? name : name.substr(colon + 1);
+}
+
+// ---- style sheets
+// ---------------------------------------------------------------------------------------------------
+
+using Declarations = std::map<std::string, std::string, std::less<>>;
+
+void addDeclarations(std::string_view block, Declarations& to) {
+  while (!block.empty()) {
+    const std::size_t end = std::min(block.find(';'), block.size());
+    const std::string_view one = block.substr(0, end);
+    block.remove_prefix(std::min(block.size(), end + 1));
+    const std::size_t colon = one.find(':');
+    if (colon == std::string_view::npos) continue;
+    std::string_view value = trimmed(one.substr(colon + 1));
+    if (const std::size_t mark = value.find('!'); mark != std::string_view::npos)
+      value = trimmed(value.substr(0, mark));
+    const std::string_view name = trimmed(one.substr(0, colon));
+    if (!name.empty() && !value.empty()) to[std::string(name)] = std::string(value);
+  }
+}
+
+struct Rule {
+  std::string type, className, id;  ///< empty: any
+  int specificity = 0;
+  Declarations declarations;
+};
+
+std::optional<Rule> ruleOf(std::string_view selector) {
+  selector = trimmed(selector);
+  const std::size_t last = selector.find_last_of(" \t\r\n>+~");
+  if (last != std::string_view::npos) selector.remove_prefix(last + 1);
+  if (selector.empty() || selector.find_first_of("[:") != std::string_view::npos) return std::nullopt;
+  Rule rule;
+  const std::size_t mark = std::min(selector.find_first_of(".#"), selector.size());
+  rule.type = std::string(selector.substr(0, mark));
+  if (rule.type == "*") rule.type.clear();
+  if (mark < selector.size()) {
+    const std::string name(selector.substr(mark + 1));
+    if (name.find_first_of(".#") != std::string::npos) return std::nullopt;
+    (selector[mark] == '.' ? rule.className : rule.id) = name;
+  }
+  rule.specificity =
+      (rule.id.empty() ? 0 : 4) + (rule.className.empty() ? 0 : 2) + (rule.type.empty() ? 0 : 1);
+  return rule;
+}
+
+std::string withoutComments(std::string_view css) {
+  std::string out;
+  while (!css.empty()) {
+    const std::size_t begin = css.find("/*");
+    out += css.substr(0, begin);
+    if (begin == std::string_view::npos) break;
+    const std::size_t end = css.find("*/", begin + 2);
+    if (end == std::string_view::npos) break;
+    css.remove_prefix(end + 2);
+  }
+  return out;
+}
+
+void addStyleSheet(std::string_view source, std::vector<Rule>& rules) {
+  const std::string text = withoutComments(source);
+  std::string_view css = text;
+  for (const std::string_view wrapper : {"<![CDATA[", "<!--"})
+    if (trimmed(css).substr(0, wrapper.size()) == wrapper) css = trimmed(css).substr(wrapper.size());
+  while (true) {
+    const std::size_t open = css.find('{');
+    if (open == std::string_view::npos) return;
+    const std::size_t close = std::min(css.find('}', open), css.size());
+    std::string_view selectors = trimmed(css.substr(0, open));
+    Declarations declarations;
+    addDeclarations(css.substr(open + 1, close - open - 1), declarations);
+    css.remove_prefix(std::min(css.size(), close + 1));
+    if (!selectors.empty() && selectors.front() == '@') continue;
+    while (!selectors.empty()) {
+      const std::size_t comma = std::min(selectors.find(','), selectors.size());
+      if (auto rule = ruleOf(selectors.substr(0, comma))) {
+        rule->declarations = declarations;
+        rules.push_back(std::move(*rule));
+      }
+      selectors.remove_prefix(std::min(selectors.size(), comma + 1));
+    }
+  }
+}
+
+// ---- tags
+// -----------------------------------------------------------------------------------------------------------
+
+struct Attribute {
+  std::string name, value;
+  char quote = '"';
+};
+
+struct Tag {
+  std::string name;
+  std::vector<Attribute> attributes;
+  bool closes = false, selfClosing = false;
+
+  const std::string* find(std::string_view attribute) const {
+    for (const Attribute& a : attributes)
+      if (a.name == attribute) return &a.value;
+    return nullptr;
+  }
+  void set(const std::string& attribute, const std::string& value) {
+    for (Attribute& a : attributes)
+      if (a.name == attribute) {
+        a.value = value;
+        return;
+      }
+    attributes.push_back({attribute, value, value.find('"') == std::string::npos ? '"' : '\''});
+  }
+  std::string text() const {
+    std::string out = closes ? "</" + name : "<" + name;
+    for (const Attribute& a : attributes) out += " " + a.name + "=" + a.quote + a.value + a.quote;
+    return out + (selfClosing ? "/>" : ">");
+  }
+};
+
+/// `at` stands behind '<'; ends behind '>'. Nothing if the tag never ends.
+std::optional<Tag> readTag(std::string_view svg, std::size_t& at) {
+  Tag tag;
+  const auto skipSpace = [&] {
+    while (at < svg.size() && isSpace(svg[at])) ++at;
+  };
+  const auto readName = [&] {
+    const std::size_t begin = at;
+    while (at < svg.size() && !isSpace(svg[at]) && svg[at] != '=' && svg[at] != '>' && svg[at] != '/') ++at;
+    return std::string(svg.substr(begin, at - begin));
+  };
+  if (at < svg.size() && svg[at] == '/') {
+    tag.closes = true;
+    ++at;
+  }
+  tag.name = readName();
+  while (true) {
+    skipSpace();
+    if (at >= svg.size()) return std::nullopt;
+    if (svg[at] == '>') {
+      ++at;
+      return tag;
+    }
+    if (svg[at] == '/') {
+      tag.selfClosing = true;
+      ++at;
+      continue;
+    }
+    Attribute attribute;
+    attribute.name = readName();
+    skipSpace();
+    if (attribute.name.empty()) {
+      ++at;  // a stray '='
+      continue;
+    }
+    if (at < svg.size() && svg[at] == '=') {
+      ++at;
+      skipSpace();
+      if (at >= svg.size()) return std::nullopt;
+      attribute.quote = svg[at];
+      if (attribute.quote != '"' && attribute.quote != '\'') return std::nullopt;
+      const std::size_t end = svg.find(attribute.quote, at + 1);
+      if (end == std::string_view::npos) return std::nullopt;
+      attribute.value = std::string(svg.substr(at + 1, end - at - 1));
+      at = end + 1;
+    }
+    tag.attributes.push_back(std::move(attribute));
+  }
+}
+
+// ---- references
+// -----------------------------------------------------------------------------------------------------
+
+/// How much an element draws, for itself and through references.
+struct Weight {
+  double elements = 0;
+  std::vector<std::string> references;
+};
+
+/// Elements drawn when all references are followed; infinite for references that run in a circle.
+class Expansion {
+ public:
+  explicit Expansion(const std::map<std::string, Weight>& named) : named_(named) {}
+
+  double of(const Weight& weight) {
+    double sum = weight.elements;
+    for (const std::string& id : weight.references) {
+      const auto target = named_.find(id);
+      if (target == named_.end()) continue;
+      sum += ofNamed(id, target->second);
+    }
+    return sum;
+  }
+  bool circular() const { return circular_; }
+
+ private:
+  double ofNamed(const std::string& id, const Weight& weight) {
+    const auto known = counted_.find(id);
+    if (known != counted_.end()) {
+      if (known->second < 0) circular_ = true;
+      return std::max(0.0, known->second);
+    }
+    counted_[id] = -1;  // under way
+    const double sum = depth_++ < maxDepth ? of(weight) : 0;
+    --depth_;
+    counted_[id] = sum;
+    return sum;
+  }
+
+  static constexpr int maxDepth = 1000;
+  const std::map<std::string, Weight>& named_;
+  std::map<std::string, double> counted_;
+  int depth_ = 0;
+  bool circular_ = false;
+};
+
+// ---- the pass over the drawing
+// --------------------------------------------------------------------------------------
+
+class Preparer {
+ public:
+  Preparer(std::string_view svg, double maxElements) : svg_(svg), maxElements_(maxElements) {}
+
+  PreparedSvg run() {
+    readStyleSheets();
+    PreparedSvg out;
+    if (!rewrite(out)) out.text.clear();
+    if (!out.problem.empty()) return out;
+    Expansion expansion(named_);
+    if (expansion.of(whole_) > maxElements_ || expansion.circular()) {
+      out.text.clear();
+      out.problem = expansion.circular() ? "its references run in a circle"
+                                         : "its references draw more elements than any real drawing has";
+    }
+    return out;
+  }
+
+ private:
+  struct Open {
+    std::string name, anchor, id;
+    Weight weight;
+  };
+
+  void readStyleSheets() {
+    for (std::size_t at = svg_.find("<style"); at != std::string_view::npos;
+         at = svg_.find("<style", at + 1)) {
+      const std::size_t begin = svg_.find('>', at), end = svg_.find("</style", at);
+      if (begin == std::string_view::npos || end == std::string_view::npos || end < begin) continue;
+      addStyleSheet(svg_.substr(begin + 1, end - begin - 1), rules_);
+    }
+    std::stable_sort(rules_.begin(), rules_.end(),
+                     [](const Rule& a, const Rule& b) { return a.specificity < b.specificity; });
+  }
+
+  /// Copies everything but start tags, which are restyled.
+  bool rewrite(PreparedSvg& out) {
+    std::size_t at = 0;
+    while (at < svg_.size()) {
+      const std::size_t open = std::min(svg_.find('<', at), svg_.size());
+      copyText(svg_.substr(at, open - at), out.text);
+      if (open == svg_.size()) break;
+      at = open;
+      if (copyVerbatim(at, out.text)) continue;
+      ++at;
+      auto tag = readTag(svg_, at);
+      if (!tag) break;  // cut off: MuPDF will say so
+      if (tag->closes) {
+        close(tag->name);
+      } else if (!enter(*tag)) {
+        out.problem = "it nests elements more than " + std::to_string(deepestNesting) + " deep";
+        return false;
+      }
+      out.text += tag->text();
+    }
+    while (!open_.empty()) close(open_.back().name);
+    return true;
+  }
+
+  /// Inside <text>, leading blanks do not show but would shift the words.
+  void copyText(std::string_view text, std::string& out) const {
+    const bool words = !open_.empty() && (open_.back().name == "text" || open_.back().name == "tspan");
+    out += words ? trimmed(text) : text;
+  }
+
+  /// Comments, declarations, character data.
+  bool copyVerbatim(std::size_t& at, std::string& out) const {
+    static constexpr std::pair<std::string_view, std::string_view> kinds[] = {
+        {"<!--", "-->"}, {"<![CDATA[", "]]>"}, {"<?", "?>"}};
+    for (const auto& [begin, finish] : kinds) {
+      if (svg_.substr(at, begin.size()) != begin) continue;
+      const std::size_t found = svg_.find(finish, at + begin.size());
+      const std::size_t end = found == std::string_view::npos ? svg_.size() : found + finish.size();
+      out += svg_.substr(at, end - at);
+      at = end;
+      return true;
+    }
+    if (svg_.substr(at, 2) != "<!") return false;
+    std::size_t end = at, brackets = 0;  // <!DOCTYPE ... [ entities ] >
+    for (; end < svg_.size(); ++end) {
+      if (svg_[end] == '[') ++brackets;
+      if (svg_[end] == ']' && brackets > 0) --brackets;
+      if (svg_[end] == '>' && brackets == 0) break;
+    }
+    end = std::min(svg_.size(), end + 1);
+    out += svg_.substr(at, end - at);
+    at = end;
+    return true;
+  }
+
+  bool enter(Tag& tag) {
+    const std::string name(withoutPrefix(tag.name));
+    restyle(tag, name);
+    const std::string* anchor = tag.find("text-anchor");
+    Open opened;
+    opened.name = name;
+    opened.anchor = anchor ? *anchor : open_.empty() ? std::string() : open_.back().anchor;
+    if (name == "text" && !anchor && !opened.anchor.empty()) tag.set("text-anchor", opened.anchor);
+    if (const std::string* id = tag.find("id")) opened.id = *id;
+    opened.weight.elements = 1;
+    if (name == "use")
+      for (const char* link : {"xlink:href", "href"})
+        if (const std::string* target = tag.find(link); target && !target->empty() && (*target)[0] == '#') {
+          opened.weight.references.push_back(target->substr(1));
+          break;
+        }
+    open_.push_back(std::move(opened));
+    const bool deep = open_.size() > deepestNesting;
+    if (tag.selfClosing) close(name);
+    return !deep;
+  }
+
+  void close(std::string_view name) {
+    if (open_.empty() || (open_.back().name != withoutPrefix(name) && open_.size() > deepestNesting)) return;
+    Open done = std::move(open_.back());
+    open_.pop_back();
+    Weight& outer = open_.empty() ? whole_ : open_.back().weight;
+    // What stands in <defs> is drawn by reference only; counting it once more does no harm.
+    outer.elements += done.weight.elements;
+    outer.references.insert(outer.references.end(), done.weight.references.begin(),
+                            done.weight.references.end());
+    if (!done.id.empty()) named_[done.id] = std::move(done.weight);
+  }
+
+  bool matches(const Rule& rule, const Tag& tag, const std::string& name) const {
+    if (!rule.type.empty() && rule.type != name) return false;
+    if (!rule.id.empty()) {
+      const std::string* id = tag.find("id");
+      if (!id || *id != rule.id) return false;
+    }
+    if (rule.className.empty()) return true;
+    const std::string* classes = tag.find("class");
+    if (!classes) return false;
+    std::string_view rest = *classes;
+    while (!(rest = trimmed(rest)).empty()) {
+      const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
+      if (rest.substr(0, end) == rule.className) return true;
+      rest.remove_prefix(end);
+    }
+    return false;
+  }
+
+  /// Cascade: presentation attributes, then rules by specificity, then the style attribute.
+  void restyle(Tag& tag, const std::string& name) const {
+    Declarations merged;
+    for (const Rule& rule : rules_)
+      if (matches(rule, tag, name))
+        for (const auto& [property, value] : rule.declarations) merged[property] = value;
+    const std::string* own = tag.find("style");
+    if (merged.empty() && !own) return;
+    if (own) addDeclarations(*own, merged);
+    std::string style;
+    for (const auto& [property, value] : merged) {
+      if (!style.empty()) style += ';';
+      style += property + ':' + value;
+      if (property == "text-anchor" || tag.find(property)) tag.set(property, value);
+    }
+    std::replace(style.begin(), style.end(), '"', '\'');
+    std::erase_if(tag.attributes, [](const Attribute& a) { return a.name == "style"; });
+    if (!style.empty()) tag.attributes.push_back({"style", style, '"'});
+  }
+
+  std::string_view svg_;
+  double maxElements_;
+  std::vector<Rule> rules_;
+  std::vector<Open> open_;
+  std::map<std::string, Weight> named_;
+  Weight whole_;
+};
+
+}  // namespace
+
+PreparedSvg prepareSvg(std::string_view svg, double maxElements) { return Preparer(svg, maxElements).run(); }
+
+}  // namespace detent::importer
