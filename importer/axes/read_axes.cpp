@@ -63,7 +63,7 @@ std::vector<Box> numberWords(Reading& r, const Box& band) {
       words.push_back(t.box);
   if (words.size() >= 2) return words;
   const double largest = 0.12 * std::min(r.box.width(), r.box.height()) + 10;
-  return wordBoxes(glyphsIn(r.glyphs, band, largest), 0.45);
+  return wordBoxes(glyphsIn(r.glyphs, band, largest), labelGapInHeights);
 }
 
 std::optional<AxisFit> fitRow(Reading& r, const LabelRow& row, const std::vector<double>& ticks,
@@ -281,7 +281,9 @@ double confidenceOf(const AxisFit& fit, bool unitFound) {
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints,
                            const Progress&) {
   Reading r{view, frame, frame.box(), {}, TextReader(view), {}, {}};
-  r.glyphs = glyphBoxes(darknessOf(view.raster), 1, largestGlyph(r.box));
+  r.glyphs = glyphBoxes(
+      withoutFrameInk(darknessOf(view.raster), r.box, positions(frame.xLines), positions(frame.yLines)), 1,
+      largestGlyph(r.box));
   const auto xFit = readAxis(r, true);
   const auto yFit = readAxis(r, false);
   const bool xGiven = hints.xMin && hints.xMax, yGiven = hints.yMin && hints.yMax;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <opencv2/imgproc.hpp>
@@ -17,7 +18,6 @@ namespace {
 struct Overview {
   cv::Mat darkness;
   double shrink = 1;  ///< overview pixels per pixel of this plane
-  std::vector<Box> glyphs;
 };
 
 constexpr int maxSide_px =
@@ -53,28 +53,68 @@ std::vector<double> turnedPositions(const PlotRectangle& r, int turns, bool alon
   return out;
 }
 
-Orientation orientationOf(const PlotRectangle& r, const std::vector<Box>& glyphs) {
-  std::vector<Box> near;
-  const double mx = 0.4 * r.box.width(), my = 0.4 * r.box.height();
-  const double largest = 0.15 * std::min(r.box.width(), r.box.height()) + 8;
-  for (const auto& g : glyphs)
-    if (g.x1 > r.box.x0 - mx && g.x0 < r.box.x1 + mx && g.y1 > r.box.y0 - my && g.y0 < r.box.y1 + my &&
-        std::max(g.width(), g.height()) <= largest)
-      near.push_back(g);
+/// Digits are taller than wide: share of a graph's label glyphs that say it is read along x.
+double uprightShare(const LabelRow& a, const LabelRow& b, const std::vector<Box>& glyphs) {
+  const auto in = [](const LabelRow& row, Point p) {
+    return std::any_of(row.words.begin(), row.words.end(), [&](const Box& w) { return w.contains(p); });
+  };
+  std::vector<Box> members;
+  for (const auto& g : glyphs) {
+    const Point middle{0.5 * (g.x0 + g.x1), 0.5 * (g.y0 + g.y1)};
+    if (std::max(g.width(), g.height()) >= 4 && (in(a, middle) || in(b, middle))) members.push_back(g);
+  }
+  // Digits that touch make wide blobs: the smaller half of the blobs are single ones.
+  const auto size = [](const Box& g) { return std::max(g.width(), g.height()); };
+  std::sort(members.begin(), members.end(), [&](const Box& p, const Box& q) { return size(p) < size(q); });
+  members.resize((members.size() + 1) / 2);
+  double tall = 0;
+  for (const auto& g : members) tall += g.height() > 1.05 * g.width();
+  return members.empty() ? 0 : tall / static_cast<double>(members.size());
+}
+
+/// One hand, one size: the numbers of both axes are about equally high.
+bool sameSize(const LabelRow& a, const LabelRow& b) {
+  return a.height_px <= 1.7 * b.height_px + 1 && b.height_px <= 1.7 * a.height_px + 1;
+}
+
+/// Glyphs around a rectangle, in the plane's pixels; those of its own grid and curves left out.
+std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& darkness) {
+  const double mx = 0.4 * r.box.width() + 8, my = 0.4 * r.box.height() + 8;
+  const int x0 = std::max(0, static_cast<int>(r.box.x0 - mx)),
+            x1 = std::min(darkness.cols, static_cast<int>(r.box.x1 + mx) + 1);
+  const int y0 = std::max(0, static_cast<int>(r.box.y0 - my)),
+            y1 = std::min(darkness.rows, static_cast<int>(r.box.y1 + my) + 1);
+  const auto shifted = [](std::vector<double> places, int by) {
+    for (auto& p : places) p -= by;
+    return places;
+  };
+  const Box inside{r.box.x0 - x0, r.box.y0 - y0, r.box.x1 - x0, r.box.y1 - y0};
+  const cv::Mat around = withoutFrameInk(darkness(cv::Rect(x0, y0, x1 - x0, y1 - y0)), inside,
+                                         shifted(r.xLines, x0), shifted(r.yLines, y0));
+  auto glyphs = glyphBoxes(around, 2, 0.15 * std::min(r.box.width(), r.box.height()) + 8);
+  for (auto& g : glyphs) g = {g.x0 + x0, g.y0 + y0, g.x1 + x0, g.y1 + y0};
+  return glyphs;
+}
+
+Orientation orientationOf(const PlotRectangle& r, const cv::Mat& darkness) {
+  const auto near = glyphsAround(r, darkness);
   Orientation best;
+  int bestWorth = 0;
   for (int turns = 0; turns < 4; ++turns) {
     std::vector<Box> upright;
     for (const auto& g : near) upright.push_back(turned(g, turns));
-    const auto words = wordBoxes(std::move(upright), 0.45);
+    const auto words = wordBoxes(upright, labelGapInHeights);
     const Box box = turned(r.box, turns);
-    const int below = labelsBelow(words, box, turnedPositions(r, turns, true)).regular;
-    const int left = labelsLeft(words, box, turnedPositions(r, turns, false)).regular;
-    // Upright graphs are the rule: another way up needs clearly more labels.
-    const int bias = best.quarterTurns == 0 && turns > 0 ? 1 : 0;
-    if (std::min(below, left) > std::min(best.below, best.left) + bias ||
-        (std::min(below, left) >= std::min(best.below, best.left) &&
-         below + left > best.below + best.left + 2 * bias))
-      best = {turns, below, left};
+    const auto below = labelsBelow(words, box, turnedPositions(r, turns, true));
+    const auto left = labelsLeft(words, box, turnedPositions(r, turns, false));
+    if (!sameSize(below, left) || uprightShare(below, left, upright) < 0.6) continue;
+    // Graphs stand upright, lie on their side on sideways sheets, and hardly ever stand on their head.
+    const int handicap = turns == 0 ? 0 : turns == 2 ? 3 : 1;
+    const int worth = 2 * std::min(below.regular, left.regular) + below.regular + left.regular - 4 * handicap;
+    if (worth > bestWorth) {
+      bestWorth = worth;
+      best = {turns, below.regular, left.regular};
+    }
   }
   return best;
 }
@@ -151,11 +191,10 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Docume
   if (progress.isCancelled()) return {};
   auto rectangles = findPlotRectangles(lines, minSide, 0.7 * minSide);
   if (rectangles.empty()) return {};
-  o.glyphs = glyphBoxes(o.darkness, 3, 0.12 * side);
 
   std::vector<Scored> all;
   for (const auto& r : rectangles) {
-    const auto way = orientationOf(r, o.glyphs);
+    const auto way = orientationOf(r, o.darkness);
     const int fewer = std::min(way.below, way.left);
     if (fewer < 3) continue;
     Scored s;

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstdlib>
 
 #include <opencv2/imgproc.hpp>
 
 namespace detent::importer {
 namespace {
 
+constexpr int maxHalfEdge_px = 12;  // half of the thickest frame line
+constexpr int paperWindow_px = 61;
 constexpr int inkThreshold =
     48;  // grey levels above paper; light grids stay below or are too long to be letters
 
@@ -18,11 +22,110 @@ bool besides(const Box& left, const Box& right, double gapInHeights) {
          right.x0 - left.x1 <= gapInHeights * height;
 }
 
+/// How far ink goes on downwards from row `edge` at each column, at most `atMost` pixels.
+std::vector<int> runsBelow(const cv::Mat& d, const std::vector<double>& columns, int edge, int atMost) {
+  std::vector<int> lengths;
+  for (const double at : columns) {
+    const int x = std::clamp(static_cast<int>(std::lround(at)), 1, d.cols - 2);
+    int n = 0;
+    while (n < atMost && edge + n < d.rows) {
+      const auto* row = d.ptr<std::uint8_t>(edge + n);
+      if (std::max({row[x - 1], row[x], row[x + 1]}) < inkThreshold) break;
+      ++n;
+    }
+    lengths.push_back(n);
+  }
+  return lengths;
+}
+
+/// The length most runs have, if so many agree that they can only be ticks; 0 if they are labels that touch
+/// the edge.
+int commonLength(const std::vector<int>& lengths) {
+  int best = 0, bestCount = 0, positive = 0;
+  for (const int n : lengths) {
+    if (n <= 0) continue;
+    ++positive;
+    const auto count = static_cast<int>(
+        std::count_if(lengths.begin(), lengths.end(), [n](int m) { return m > 0 && std::abs(m - n) <= 1; }));
+    if (count > bestCount || (count == bestCount && n < best)) {
+      best = n;
+      bestCount = count;
+    }
+  }
+  const bool ticks =
+      bestCount >= 3 && 2 * bestCount >= positive && 5 * positive >= static_cast<int>(lengths.size());
+  return ticks ? best : 0;
+}
+
+/// Blanks ticks below row `edge` (towards larger rows). A run longer than the others has a label at its end,
+/// of which nothing may be taken.
+void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, double frameHeight) {
+  if (edge >= d.rows || edge < 0 || d.cols < 4 || columns.empty()) return;
+  const int longest = std::max(4, static_cast<int>(0.1 * frameHeight));
+  const auto lengths = runsBelow(d, columns, edge, longest);
+  const int common = commonLength(lengths);
+  if (common == 0 || common >= longest) return;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    const int length = std::min(lengths[i], common + 1);
+    const int at = static_cast<int>(std::lround(columns[i]));
+    const int x0 = std::clamp(at - 2, 0, d.cols), x1 = std::clamp(at + 3, 0, d.cols);
+    const int y1 = std::min(d.rows, edge + length + 1);
+    d(cv::Rect(x0, edge, x1 - x0, y1 - edge)).setTo(0);
+  }
+}
+
 }  // namespace
+
+cv::Mat withoutFrameInk(const cv::Mat& darkness, const Box& frame, const std::vector<double>& xLines,
+                        const std::vector<double>& yLines) {
+  int x0 = std::clamp(static_cast<int>(std::floor(frame.x0)) - 1, 0, darkness.cols);
+  int x1 = std::clamp(static_cast<int>(std::ceil(frame.x1)) + 2, 0, darkness.cols);
+  int y0 = std::clamp(static_cast<int>(std::floor(frame.y0)) - 1, 0, darkness.rows);
+  int y1 = std::clamp(static_cast<int>(std::ceil(frame.y1)) + 2, 0, darkness.rows);
+  cv::Mat out = darkness.clone();
+  if (x1 <= x0 || y1 <= y0) return out;
+  // Thick edges reach beyond their middle.
+  const auto lined = [&](const cv::Mat& strip) {
+    cv::Mat ink;
+    cv::threshold(strip, ink, inkThreshold, 1, cv::THRESH_BINARY);
+    return cv::sum(ink)[0] > 0.35 * static_cast<double>(strip.total());
+  };
+  for (int k = 0; k < maxHalfEdge_px && x0 > 0 && lined(darkness(cv::Rect(x0 - 1, y0, 1, y1 - y0))); ++k)
+    --x0;
+  for (int k = 0; k < maxHalfEdge_px && x1 < darkness.cols && lined(darkness(cv::Rect(x1, y0, 1, y1 - y0)));
+       ++k)
+    ++x1;
+  for (int k = 0; k < maxHalfEdge_px && y0 > 0 && lined(darkness(cv::Rect(x0, y0 - 1, x1 - x0, 1))); ++k)
+    --y0;
+  for (int k = 0; k < maxHalfEdge_px && y1 < darkness.rows && lined(darkness(cv::Rect(x0, y1, x1 - x0, 1)));
+       ++k)
+    ++y1;
+  out(cv::Rect(x0, y0, x1 - x0, y1 - y0)).setTo(0);
+  const auto mirrored = [](std::vector<double> places, int size) {
+    for (auto& p : places) p = size - 1 - p;
+    return places;
+  };
+  // Every side in turn becomes "below".
+  eraseTicksBelow(out, xLines, y1, frame.height());
+  cv::flip(out, out, -1);
+  eraseTicksBelow(out, mirrored(xLines, out.cols), out.rows - y0, frame.height());
+  cv::flip(out, out, -1);
+  cv::Mat side = out.t();
+  eraseTicksBelow(side, yLines, x1, frame.width());
+  cv::flip(side, side, -1);
+  eraseTicksBelow(side, mirrored(yLines, side.cols), side.rows - x0, frame.width());
+  cv::flip(side, side, -1);
+  return side.t();
+}
 
 std::vector<Box> glyphBoxes(const cv::Mat& darkness, double minSize_px, double maxSize_px) {
   cv::Mat ink, labels, stats, centroids;
-  cv::threshold(darkness, ink, inkThreshold, 255, cv::THRESH_BINARY);
+  // Against the surroundings, for paper may shade; dense text raises them, but not above its own ink.
+  cv::Mat around;
+  cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
+           cv::BORDER_REPLICATE);
+  cv::subtract(darkness, around, ink);
+  cv::threshold(ink, ink, inkThreshold - 8, 255, cv::THRESH_BINARY);
   const int n = cv::connectedComponentsWithStats(ink, labels, stats, centroids, 8, CV_32S);
   std::vector<Box> boxes;
   for (int k = 1; k < n; ++k) {

@@ -13,6 +13,14 @@ namespace detent::importer {
 /// its larger extent.
 std::vector<Box> glyphBoxes(const cv::Mat& darkness, double minSize_px, double maxSize_px);
 
+/// A copy without the inside of an upright frame and without the ticks that stick out of it, so that labels
+/// stand free of them. `xLines`, `yLines`: where its gridlines and ticks are.
+cv::Mat withoutFrameInk(const cv::Mat& darkness, const Box& frame, const std::vector<double>& xLines,
+                        const std::vector<double>& yLines);
+
+/// Widest gap between the characters of one number: a decimal point leaves almost a digit's width.
+inline constexpr double labelGapInHeights = 0.6;
+
 /// Glyphs that stand side by side, closer than `gap` of their height, joined into words. Reading direction is
 /// +x.
 std::vector<Box> wordBoxes(std::vector<Box> glyphs, double gapInHeights);

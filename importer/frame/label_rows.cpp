@@ -36,10 +36,13 @@ int atLines(const std::vector<double>& places, const std::vector<double>& lines,
 double middleX(const Box& b) { return 0.5 * (b.x0 + b.x1); }
 double middleY(const Box& b) { return 0.5 * (b.y0 + b.y1); }
 
-/// Up to six characters: what a tick label can be wide.
+/// Up to six characters, and high enough to be read: what is lower is a rest of a tick.
 bool couldBeNumber(const Box& word) {
-  return word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
+  return word.height() >= 4.5 && word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
 }
+
+/// Labels stand next to their axis: gap in front of them.
+double farthest(const Box& word) { return 3.5 * word.height() + 4; }
 
 int regularity(const std::vector<double>& places, const std::vector<double>& lines, double height,
                double size) {
@@ -55,7 +58,7 @@ LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vec
   for (const auto& w : words)
     if (couldBeNumber(w) && middleX(w) >= r.x0 - 0.1 * r.width() && middleX(w) <= r.x1 + 0.1 * r.width() &&
         w.y0 >= r.y1 - 0.02 * r.height() && w.y1 <= r.y1 + 0.3 * r.height() &&
-        w.height() <= 0.12 * r.height() + 6)
+        w.y0 <= r.y1 + farthest(w) + 0.03 * r.height() && w.height() <= 0.12 * r.height() + 6)
       band.push_back(w);
   LabelRow best;
   for (const auto& seed : band) {
@@ -68,7 +71,9 @@ LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vec
     std::vector<double> places;
     for (const auto& w : row.words) places.push_back(middleX(w));
     row.regular = regularity(places, lines, seed.height(), r.width());
-    if (row.regular > best.regular) best = std::move(row);
+    row.height_px = seed.height();
+    if (row.regular > best.regular || (row.regular == best.regular && row.height_px > best.height_px))
+      best = std::move(row);
   }
   return best;
 }
@@ -78,7 +83,7 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
   for (const auto& w : words)
     if (couldBeNumber(w) && w.x1 <= r.x0 + 0.02 * r.width() && w.x0 >= r.x0 - 0.35 * r.width() &&
         middleY(w) >= r.y0 - 0.12 * r.height() && middleY(w) <= r.y1 + 0.06 * r.height() &&
-        w.height() <= 0.12 * r.height() + 6)
+        w.x1 >= r.x0 - farthest(w) - 0.03 * r.width() && w.height() <= 0.12 * r.height() + 6)
       band.push_back(w);
   LabelRow best;
   for (const auto& seed : band) {
@@ -93,6 +98,7 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
     std::vector<double> places;
     for (const auto& w : column.words) places.push_back(middleY(w));
     column.regular = regularity(places, lines, seed.height(), r.height());
+    column.height_px = seed.height();
     // Of equally regular columns the one nearest the axis: titles stand farther out.
     if (column.regular > best.regular ||
         (column.regular == best.regular && !best.words.empty() && seed.x1 > best.words.front().x1))

@@ -10,6 +10,7 @@ namespace detent::importer {
 /// Words that line up with an axis of an upright rectangle.
 struct LabelRow {
   std::vector<Box> words;  ///< in order along the axis
+  double height_px = 0;    ///< of a typical word
   int regular = 0;         ///< how many of them stand at evenly spaced places or at gridlines
 };
 

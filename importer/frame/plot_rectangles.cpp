@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -11,7 +12,8 @@ namespace {
 
 constexpr int maxPositions =
     14;  // per direction and group; a page border with drawings has more, a plot has not
-constexpr int maxRectanglesPerGroup = 6;
+constexpr std::size_t maxRectanglesPerGroup = 10;
+constexpr double minScore = 4;  // two drawn edges and lines that end where it ends
 constexpr double minEdgeCover = 0.55;
 
 struct Group {
@@ -34,9 +36,9 @@ class Groups {
 
 /// Axis lines of some programs stop short of the corner by a few per cent of their length.
 bool touches(const StraightLine& h, const StraightLine& v) {
-  const double reachH = std::max(4.0, 0.05 * h.length()), reachV = std::max(4.0, 0.05 * v.length());
+  const double reach = std::max(4.0, 0.05 * std::min(h.length(), v.length()));
   const double x = v.acrossAt(0.5 * (v.from + v.to)), y = h.acrossAt(std::clamp(x, h.from, h.to));
-  return x >= h.from - reachH && x <= h.to + reachH && y >= v.from - reachV && y <= v.to + reachV;
+  return x >= h.from - reach && x <= h.to + reach && y >= v.from - reach && y <= v.to + reach;
 }
 
 std::vector<Group> groupsOf(const LineSet& lines) {
@@ -114,17 +116,31 @@ double coverage(const std::vector<StraightLine>& lines, double at, double apart,
   return sum / (to - from);
 }
 
+/// Two directions of one group, seen from the direction whose lines run along an interval.
+struct Sides {
+  bool beyondFrom = false, beyondTo = false;  ///< a parallel line stands close beyond the edge
+};
+
 struct EdgeFit {
-  double overhang = 0;  // how far members stick out, in shares of the rectangle, summed
-  double inside = 0;    // length inside
+  double overhang = 0;  ///< how far members stick out, in shares of the rectangle, summed and weighted
+  double inside = 0;    ///< length inside
+  double length = 0;    ///< of the members, in all
   int members = 0, endAtFrom = 0, endAtTo = 0;
 };
 
+/// Sticking out is cheap where nothing comes after (ticks, grids open beyond their last line), dear where the
+/// grid goes on.
+double overhangCost(double by, double size, bool edgeDrawn, bool gridGoesOn) {
+  const double room = (edgeDrawn && !gridGoesOn ? 0.12 : 0.03) * size + 4;
+  if (by <= room) return 0;
+  return (edgeDrawn && !gridGoesOn ? 0.25 : 1.0) * std::min(1.0, by / (0.25 * size));
+}
+
 /// How the lines of one direction sit in the rectangle: do they end at its edges, or run on?
 EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to, double acrossFrom,
-                 double acrossTo) {
+                 double acrossTo, double coverFrom, double coverTo, const Sides& sides) {
   EdgeFit fit;
-  const double size = to - from, tick = 0.03 * size + 4, near = 0.015 * size + 3;
+  const double size = to - from, near = 0.015 * size + 3;
   for (const auto& line : lines) {
     const double at = line.acrossAt(std::clamp(0.5 * (from + to), line.from, line.to));
     if (at < acrossFrom - 4 || at > acrossTo + 4) continue;
@@ -132,19 +148,16 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
     if (inside < 0.12 * size) continue;
     ++fit.members;
     fit.inside += inside;
-    if (line.from < from - tick) fit.overhang += std::min(1.0, (from - line.from) / (0.25 * size));
-    if (line.to > to + tick) fit.overhang += std::min(1.0, (line.to - to) / (0.25 * size));
+    fit.length += line.length();
+    // An axis may run on to an arrow; a gridline may not.
+    const bool edge = at < acrossFrom + 4 || at > acrossTo - 4;
+    const double weight = edge ? 0.15 : 1.0;
+    fit.overhang += weight * overhangCost(from - line.from, size, coverFrom > 0.5, sides.beyondFrom);
+    fit.overhang += weight * overhangCost(line.to - to, size, coverTo > 0.5, sides.beyondTo);
     fit.endAtFrom += std::abs(line.from - from) <= near;
     fit.endAtTo += std::abs(line.to - to) <= near;
   }
   return fit;
-}
-
-double totalLength(const Group& g) {
-  double sum = 0;
-  for (const auto& line : g.h) sum += line.length();
-  for (const auto& line : g.v) sum += line.length();
-  return sum;
 }
 
 /// Lines that run through at least 60 % of the rectangle, each position once.
@@ -163,73 +176,124 @@ std::vector<double> spanningLines(const std::vector<StraightLine>& lines, double
   return out;
 }
 
-/// Ends that agree stand for an edge that is not drawn (grids open at the top).
-double openEdge(double drawn, int ends, int members) {
-  return members >= 3 ? std::max(drawn, 0.8 * ends / members) : drawn;
+/// A drawn edge counts as drawn; ends that agree stand for one that is not (grids open at the top).
+double edgeWorth(double drawn, int ends, int members) {
+  const double open = members >= 3 ? 0.5 * ends / members : 0;
+  return std::max(1.5 * drawn, open);
 }
 
-bool scoreRectangle(const Group& g, double groupLength, PlotRectangle& r) {
-  const auto& b = r.box;
-  const double apart = 2.5;
-  r.edgeCover = {coverage(g.v, b.x0, apart, b.y0, b.y1), coverage(g.h, b.y0, apart, b.x0, b.x1),
-                 coverage(g.v, b.x1, apart, b.y0, b.y1), coverage(g.h, b.y1, apart, b.x0, b.x1)};
+/// Shares of edges at candidate positions, worked out once per interval.
+class CoverTable {
+ public:
+  CoverTable(const std::vector<StraightLine>& lines, const std::vector<double>& at,
+             const std::vector<double>& ends)
+      : n_(ends.size()), cover_(at.size() * n_ * n_, 0.0F) {
+    for (std::size_t i = 0; i < at.size(); ++i)
+      for (std::size_t k = 0; k < n_; ++k)
+        for (std::size_t l = k + 1; l < n_; ++l)
+          cover_[(i * n_ + k) * n_ + l] = static_cast<float>(coverage(lines, at[i], apart, ends[k], ends[l]));
+  }
+  double operator()(std::size_t i, std::size_t k, std::size_t l) const {
+    return static_cast<double>(cover_[(i * n_ + k) * n_ + l]);
+  }
+  static constexpr double apart = 2.5;
+
+ private:
+  std::size_t n_;
+  std::vector<float> cover_;
+};
+
+/// Is there a line parallel to edge `i`, beyond it on the side `step`, close enough to be the grid's next
+/// one?
+bool gridGoesOn(const CoverTable& cover, const std::vector<double>& at, std::size_t i, int step,
+                std::size_t k, std::size_t l, double size) {
+  for (auto m = static_cast<std::ptrdiff_t>(i) + step; m >= 0 && m < static_cast<std::ptrdiff_t>(at.size());
+       m += step) {
+    const double away = std::abs(at[static_cast<std::size_t>(m)] - at[i]);
+    if (away > 0.45 * size) return false;
+    if (away > 0.03 * size + 4 && cover(static_cast<std::size_t>(m), k, l) > 0.5) return true;
+  }
+  return false;
+}
+
+struct Candidates {
+  std::vector<double> xs, ys;
+  CoverTable columns, rows;
+  explicit Candidates(const Group& g)
+      : xs(edgePositions(g.v, g.h)), ys(edgePositions(g.h, g.v)), columns(g.v, xs, ys), rows(g.h, ys, xs) {}
+};
+
+/// The rectangle between four candidate positions; nullopt if no two adjacent edges of it are drawn.
+std::optional<PlotRectangle> scored(const Group& g, const Candidates& c, std::size_t i, std::size_t j,
+                                    std::size_t k, std::size_t l) {
+  PlotRectangle r;
+  r.edgeCover = {c.columns(i, k, l), c.rows(k, i, j), c.columns(j, k, l), c.rows(l, i, j)};
   double corner = 0;
-  for (std::size_t k = 0; k < 4; ++k)
-    corner = std::max(corner, std::min(r.edgeCover[k], r.edgeCover[(k + 1) % 4]));
-  if (corner < minEdgeCover) return false;
-  const auto fitH = fitAlong(g.h, b.x0, b.x1, b.y0, b.y1), fitV = fitAlong(g.v, b.y0, b.y1, b.x0, b.x1);
-  r.xLines = spanningLines(g.v, b.x0, b.x1, b.y0, b.y1);
-  r.yLines = spanningLines(g.h, b.y0, b.y1, b.x0, b.x1);
-  const double edges = openEdge(r.edgeCover[0], fitH.endAtFrom, fitH.members) +
-                       openEdge(r.edgeCover[2], fitH.endAtTo, fitH.members) +
-                       openEdge(r.edgeCover[1], fitV.endAtFrom, fitV.members) +
-                       openEdge(r.edgeCover[3], fitV.endAtTo, fitV.members);
-  const double grid = 0.15 * std::min<double>(8, static_cast<double>(r.xLines.size() + r.yLines.size()));
-  r.score = 2 * corner + edges + grid - 1.2 * (fitH.overhang + fitV.overhang) +
-            4 * (fitH.inside + fitV.inside) / groupLength;
-  return true;
+  for (std::size_t e = 0; e < 4; ++e)
+    corner = std::max(corner, std::min(r.edgeCover[e], r.edgeCover[(e + 1) % 4]));
+  if (corner < minEdgeCover) return std::nullopt;
+  r.box = {c.xs[i], c.ys[k], c.xs[j], c.ys[l]};
+  const Box& b = r.box;
+  const Sides across{gridGoesOn(c.columns, c.xs, i, -1, k, l, b.width()),
+                     gridGoesOn(c.columns, c.xs, j, 1, k, l, b.width())};
+  const Sides down{gridGoesOn(c.rows, c.ys, k, -1, i, j, b.height()),
+                   gridGoesOn(c.rows, c.ys, l, 1, i, j, b.height())};
+  const auto fitH = fitAlong(g.h, b.x0, b.x1, b.y0, b.y1, r.edgeCover[0], r.edgeCover[2], across);
+  const auto fitV = fitAlong(g.v, b.y0, b.y1, b.x0, b.x1, r.edgeCover[1], r.edgeCover[3], down);
+  const double edges = edgeWorth(r.edgeCover[0], fitH.endAtFrom, fitH.members) +
+                       edgeWorth(r.edgeCover[2], fitH.endAtTo, fitH.members) +
+                       edgeWorth(r.edgeCover[1], fitV.endAtFrom, fitV.members) +
+                       edgeWorth(r.edgeCover[3], fitV.endAtTo, fitV.members);
+  const double grid = 0.08 * std::min(16, fitH.members + fitV.members);
+  r.score = corner + edges + grid - 1.2 * (fitH.overhang + fitV.overhang) +
+            3 * (fitH.inside + fitV.inside) / (fitH.length + fitV.length);
+  return r;
 }
 
-std::optional<PlotRectangle> bestRectangle(const Group& g, double minWidth, double minHeight) {
-  const auto xs = edgePositions(g.v, g.h), ys = edgePositions(g.h, g.v);
-  const double length = totalLength(g);
-  std::optional<PlotRectangle> best;
-  for (std::size_t i = 0; i < xs.size(); ++i)
-    for (std::size_t j = i + 1; j < xs.size(); ++j) {
-      if (xs[j] - xs[i] < minWidth) continue;
-      for (std::size_t k = 0; k < ys.size(); ++k)
-        for (std::size_t l = k + 1; l < ys.size(); ++l) {
-          if (ys[l] - ys[k] < minHeight) continue;
-          PlotRectangle r;
-          r.box = {xs[i], ys[k], xs[j], ys[l]};
-          if (scoreRectangle(g, length, r) && (!best || r.score > best->score)) best = std::move(r);
+double overlapOverUnion(const Box& a, const Box& b) {
+  const double w = std::min(a.x1, b.x1) - std::max(a.x0, b.x0),
+               h = std::min(a.y1, b.y1) - std::max(a.y0, b.y0);
+  if (w <= 0 || h <= 0) return 0;
+  return w * h / (a.width() * a.height() + b.width() * b.height() - w * h);
+}
+
+/// The best rectangles of one group, none of them a variant of a better one.
+std::vector<PlotRectangle> bestRectangles(const Group& g, double minWidth, double minHeight) {
+  const Candidates c(g);
+  std::vector<PlotRectangle> all;
+  for (std::size_t i = 0; i < c.xs.size(); ++i)
+    for (std::size_t j = i + 1; j < c.xs.size(); ++j) {
+      if (c.xs[j] - c.xs[i] < minWidth) continue;
+      for (std::size_t k = 0; k < c.ys.size(); ++k)
+        for (std::size_t l = k + 1; l < c.ys.size(); ++l) {
+          if (c.ys[l] - c.ys[k] < minHeight) continue;
+          if (auto r = scored(g, c, i, j, k, l); r && r->score > minScore) all.push_back(std::move(*r));
         }
     }
-  return best;
-}
-
-/// What belongs to a found rectangle goes, so that its neighbours in the same group can be found.
-void removeMembers(std::vector<StraightLine>& lines, double from, double to, double acrossFrom,
-                   double acrossTo) {
-  std::erase_if(lines, [&](const StraightLine& line) {
-    const double at = line.acrossAt(0.5 * (line.from + line.to));
-    const double inside = std::min(line.to, to) - std::max(line.from, from);
-    return at >= acrossFrom - 4 && at <= acrossTo + 4 && inside > 0.5 * line.length();
-  });
+  std::sort(all.begin(), all.end(),
+            [](const PlotRectangle& a, const PlotRectangle& b) { return a.score > b.score; });
+  std::vector<PlotRectangle> kept;
+  for (auto& r : all) {
+    if (kept.size() >= maxRectanglesPerGroup) break;
+    const bool variant = std::any_of(kept.begin(), kept.end(), [&](const PlotRectangle& k) {
+      return overlapOverUnion(k.box, r.box) > 0.5;
+    });
+    if (!variant) kept.push_back(std::move(r));
+  }
+  for (auto& r : kept) {
+    r.xLines = spanningLines(g.v, r.box.x0, r.box.x1, r.box.y0, r.box.y1);
+    r.yLines = spanningLines(g.h, r.box.y0, r.box.y1, r.box.x0, r.box.x1);
+  }
+  return kept;
 }
 
 }  // namespace
 
 std::vector<PlotRectangle> findPlotRectangles(const LineSet& lines, double minWidth_px, double minHeight_px) {
   std::vector<PlotRectangle> found;
-  for (auto& group : groupsOf(lines)) {
-    for (int n = 0; n < maxRectanglesPerGroup; ++n) {
-      auto best = bestRectangle(group, minWidth_px, minHeight_px);
-      if (!best) break;
-      removeMembers(group.h, best->box.x0, best->box.x1, best->box.y0, best->box.y1);
-      removeMembers(group.v, best->box.y0, best->box.y1, best->box.x0, best->box.x1);
-      found.push_back(std::move(*best));
-    }
+  for (const auto& group : groupsOf(lines)) {
+    auto best = bestRectangles(group, minWidth_px, minHeight_px);
+    found.insert(found.end(), std::make_move_iterator(best.begin()), std::make_move_iterator(best.end()));
   }
   return found;
 }
