@@ -6,6 +6,7 @@
 #include "importer/importer.h"
 #include "importer/locate_graphs.h"
 #include "importer/overlay/overlay.h"
+#include "importer/rest_position.h"
 #include "model/check.h"
 
 namespace detent::importer {
@@ -83,23 +84,28 @@ FitOptions fitOptionsFor(PointNoise noise, const QualitySettings& settings) {
   return options;
 }
 
-/// A button's axes start at the force-free key: a trace that begins a hair left of 0 mm is calibration noise.
-std::vector<CurvePoint> clampedToPress(std::vector<CurvePoint> points) {
-  for (CurvePoint& p : points) p.displacement_mm = std::max(p.displacement_mm, 0.0);
-  return points;
-}
-
 struct FittedStrokes {
   FittedStroke press;
   std::optional<FittedStroke> release;
 };
 
+/// A fitted stroke that starts at the force-free key or later: what lies left of 0 mm is noise of axis and
+/// trace.
+Result<FittedStroke> fitAtRest(const std::vector<CurvePoint>& points, Stroke stroke,
+                               const FitOptions& options) {
+  auto fitted = fitStroke(points, stroke, options);
+  if (!fitted) return fitted.failure();
+  auto moved = startingAtRest(fitted->curve);
+  if (!moved) return moved.failure();
+  return FittedStroke{std::move(moved).value(), fitted->summary};
+}
+
 Result<FittedStrokes> fitBoth(const StrokePair& strokes, const FitOptions& press, const FitOptions& release) {
-  auto fittedPress = fitStroke(clampedToPress(strokes.press.points), Stroke::press, press);
+  auto fittedPress = fitAtRest(strokes.press.points, Stroke::press, press);
   if (!fittedPress) return fittedPress.failure();
   FittedStrokes fitted{std::move(fittedPress).value(), {}};
   if (strokes.release) {
-    auto fittedRelease = fitStroke(clampedToPress(strokes.release->points), Stroke::release, release);
+    auto fittedRelease = fitAtRest(strokes.release->points, Stroke::release, release);
     if (!fittedRelease) return fittedRelease.failure();
     fitted.release = std::move(fittedRelease).value();
   }

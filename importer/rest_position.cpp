@@ -1,0 +1,30 @@
+#include "importer/rest_position.h"
+
+#include <algorithm>
+
+namespace detent::importer {
+
+Result<StrokeCurve> startingAtRest(const StrokeCurve& curve) {
+  if (curve.start_mm() >= 0) return curve;
+  const std::vector<Knot>& before = curve.knots();
+  std::vector<Knot> knots = before;
+  std::size_t atRest = 0;  // how many knots end up at 0 mm
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    knots[i].displacement_mm = std::max(knots[i].displacement_mm, 0.0);
+    if (knots[i].displacement_mm <= 0) ++atRest;
+    if (i == 0) continue;
+    // A piece squeezed along displacement gets steeper by the same factor; upright ones have no slope to
+    // keep.
+    const double width_mm = before[i].displacement_mm - before[i - 1].displacement_mm;
+    const double squeezed_mm = knots[i].displacement_mm - knots[i - 1].displacement_mm;
+    const double factor = squeezed_mm > 0 ? width_mm / squeezed_mm : 0;
+    knots[i - 1].slopeAfter_N_per_mm *= factor;
+    knots[i].slopeBefore_N_per_mm *= factor;
+  }
+  if (atRest > 2) {  // an upright wall has two ends
+    knots.erase(knots.begin() + 1, knots.begin() + static_cast<std::ptrdiff_t>(atRest) - 1);
+  }
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,13 @@
+#pragma once
+// Where a stroke may begin: at the force-free key, 0 mm, or later.
+
+#include "model/stroke_curve.h"
+
+namespace detent::importer {
+
+/// The curve with everything left of 0 mm pushed onto 0 mm: shapes are squeezed along displacement, forces
+/// stay, so a wall that leans a hair to the left becomes upright and keeps its height. Failure: nothing right
+/// of 0 mm.
+Result<StrokeCurve> startingAtRest(const StrokeCurve& curve);
+
+}  // namespace detent::importer
