@@ -1,0 +1,312 @@
+// PDF and SVG: paths, texts and images where the page has them; hostile documents are refused.
+
+#include <cmath>
+#include <string>
+
+#include <catch2/catch.hpp>
+
+#include "importer/page/page.h"
+#include "importer/page/prepare_svg.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+std::vector<unsigned char> bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
+
+std::string streamObject(const std::string& dictionary, const std::string& content) {
+  return "<<" + dictionary + "/Length " + std::to_string(content.size()) + ">>\nstream\n" + content +
+         "\nendstream";
+}
+
+/// A PDF file of these objects; the first is the catalogue.
+std::string pdfOf(const std::vector<std::string>& objects) {
+  std::string out = "%PDF-1.4\n", table;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    const std::string offset = std::to_string(out.size());
+    table += std::string(10 - offset.size(), '0') + offset + " 00000 n \n";
+    out += std::to_string(i + 1) + " 0 obj\n" + objects[i] + "\nendobj\n";
+  }
+  const std::string count = std::to_string(objects.size() + 1), start = std::to_string(out.size());
+  return out + "xref\n0 " + count + "\n0000000000 65535 f \n" + table + "trailer\n<</Size " + count +
+         "/Root 1 0 R>>\nstartxref\n" + start + "\n%%EOF\n";
+}
+
+/// One page of 200 x 100 points. Objects 5 and 6 are a font /F and an image /I of 4 x 2 grey pixels.
+std::string onePage(const std::string& content, const std::string& pageEntries = "") {
+  return pdfOf(
+      {"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>",
+       "<</Type/Page/Parent 2 0 R/MediaBox[0 0 200 100]" + pageEntries +
+           "/Contents 4 0 R/Resources<</Font<</F 5 0 R>>/XObject<</I 6 0 R/X 7 0 R>>>>>>",
+       streamObject("", content), "<</Type/Font/Subtype/Type1/BaseFont/Helvetica>>",
+       streamObject("/Type/XObject/Subtype/Image/Width 4/Height 2/ColorSpace/DeviceGray/BitsPerComponent 8",
+                    std::string("\x10\x20\x30\x40\x50\x60\x70\x80", 8)),
+       streamObject("/Type/XObject/Subtype/Form/BBox[0 0 200 100]", "0 0 1 RG 3 w 10 10 m 50 10 l S")});
+}
+
+struct Opened {
+  Document document;
+  Page page;
+};
+
+Opened open(const std::string& text, const std::string& name) {
+  auto document = Document::fromBytes(bytesOf(text), name);
+  INFO((document.ok() ? std::string() : document.failure().sentence()));
+  REQUIRE(document.ok());
+  auto page = document->page(1);
+  INFO((page.ok() ? std::string() : page.failure().sentence()));
+  REQUIRE(page.ok());
+  return {std::move(document).value(), std::move(page).value()};
+}
+
+Failure refusalOf(const std::string& text, const std::string& name, const PageLimits& limits = {}) {
+  const auto document = Document::fromBytes(bytesOf(text), name, limits);
+  if (!document) return document.failure();
+  const auto page = document->page(1);
+  REQUIRE_FALSE(page.ok());
+  return page.failure();
+}
+
+const TextBox* textNamed(const std::vector<TextBox>& texts, const std::string& words) {
+  for (const TextBox& text : texts)
+    if (text.utf8 == words) return &text;
+  return nullptr;
+}
+
+}  // namespace
+
+TEST_CASE("strokes and fills keep colour, width, dash and place") {
+  const auto opened = open(
+      onePage("1 0 0 RG 2 w 10 20 m 60 90 l 110 20 l S  0 1 0 rg 20 20 30 10 re f  [4 2] 0 d 0 0 0 1 K 1 w "
+              "0 50 m 200 50 l S"),
+      "plot.pdf");
+  REQUIRE(opened.page.paths.size() == 3);
+  const VectorPath& stroke = opened.page.paths[0];
+  REQUIRE(stroke.stroke);
+  CHECK(*stroke.stroke == Rgb{255, 0, 0});
+  CHECK_FALSE(stroke.fill);
+  CHECK(stroke.strokeWidth == Approx(2));
+  CHECK_FALSE(stroke.dashed);
+  REQUIRE(stroke.polylines.size() == 1);
+  REQUIRE(stroke.polylines[0].size() == 3);
+  CHECK(stroke.polylines[0][1].x == Approx(60));
+  CHECK(stroke.polylines[0][1].y == Approx(10));  // origin top left
+  CHECK(*opened.page.paths[1].fill == Rgb{0, 255, 0});
+  CHECK(opened.page.paths[1].closed[0]);
+  CHECK(opened.page.paths[2].dashed);
+  CHECK(opened.page.paths[2].stroke->r < 60);  // CMYK black
+  CHECK(opened.page.width == 200);
+  CHECK(opened.page.unit == PageUnit::point);
+}
+
+TEST_CASE("curves are flattened within the promised distance") {
+  const auto opened = open(onePage("0 0 m 0 80 200 80 200 0 c S"), "plot.pdf");
+  const auto& line = opened.page.paths[0].polylines[0];
+  double worst = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    const double t = i / 1000.0, s = 1 - t;
+    const Point p{3 * s * t * t * 200 + t * t * t * 200, 100 - 3 * s * s * t * 80 - 3 * s * t * t * 80};
+    double nearest = 1e9;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+      const double dx = line[k].x - line[k - 1].x, dy = line[k].y - line[k - 1].y;
+      const double u = std::clamp(
+          ((p.x - line[k - 1].x) * dx + (p.y - line[k - 1].y) * dy) / (dx * dx + dy * dy), 0.0, 1.0);
+      nearest = std::min(nearest, std::hypot(p.x - line[k - 1].x - u * dx, p.y - line[k - 1].y - u * dy));
+    }
+    worst = std::max(worst, nearest);
+  }
+  CHECK(worst < 0.005);
+}
+
+TEST_CASE("forms are followed; what is clipped away is left out, what is cut says by what") {
+  const auto opened =
+      open(onePage("/X Do q 100 0 50 100 re W n 10 40 m 90 40 l S 120 60 m 190 60 l S Q"), "plot.pdf");
+  REQUIRE(opened.page.paths.size() == 2);
+  CHECK(*opened.page.paths[0].stroke == Rgb{0, 0, 255});
+  REQUIRE(opened.page.paths[1].clip);
+  CHECK(opened.page.paths[1].clip->x1 == Approx(150));
+}
+
+TEST_CASE("page rotation and crop box: everything is where the page shows it") {
+  const auto opened = open(
+      onePage("10 20 m 60 20 l S BT /F 10 Tf 20 50 Td (2.5 mm) Tj ET", "/Rotate 90/CropBox[0 10 200 100]"),
+      "plot.pdf");
+  CHECK(opened.page.width == Approx(90));
+  CHECK(opened.page.height == Approx(200));
+  const auto& line = opened.page.paths[0].polylines[0];
+  CHECK(line[0].x == Approx(10));  // 20 - 10 above the crop box's floor becomes the distance from the left
+  CHECK(line[0].y == Approx(10));
+  CHECK(line[1].y == Approx(60));
+  const TextBox* text = textNamed(opened.page.texts, "2.5 mm");
+  REQUIRE(text);
+  CHECK(text->angle_deg == Approx(-90));
+  // Turned three quarters clockwise it reads upright again.
+  const auto view = opened.document.view(opened.page, {0, 0, 90, 200}, 3);
+  REQUIRE(view.ok());
+  REQUIRE(textNamed(view->texts, "2.5 mm"));
+  CHECK(textNamed(view->texts, "2.5 mm")->angle_deg == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("labels on one baseline are boxes of their own") {
+  const auto opened =
+      open(onePage("BT /F 8 Tf 10 10 Td (0.5) Tj 40 0 Td (1.0) Tj 40 0 Td (Travel [mm]) Tj ET"), "plot.pdf");
+  REQUIRE(opened.page.texts.size() == 3);
+  CHECK(textNamed(opened.page.texts, "1.0"));
+  CHECK(textNamed(opened.page.texts, "1.0")->box.contains({53, 87}));
+  CHECK(textNamed(opened.page.texts, "Travel [mm]"));
+}
+
+TEST_CASE("a region filled by an image is shown on the image's own pixels, whichever way it lies") {
+  struct Case {
+    std::string matrix;
+    int width, height;
+    std::vector<int> grey;  // as shown
+  };
+  const std::vector<Case> cases = {
+      {"4 0 0 2 50 40", 4, 2, {0x10, 0x20, 0x30, 0x40, 0x50, 0x60, 0x70, 0x80}},
+      {"-4 0 0 2 54 40", 4, 2, {0x40, 0x30, 0x20, 0x10, 0x80, 0x70, 0x60, 0x50}},
+      {"0 4 -2 0 52 40", 2, 4, {0x40, 0x80, 0x30, 0x70, 0x20, 0x60, 0x10, 0x50}},
+      {"0 -4 2 0 50 44", 2, 4, {0x50, 0x10, 0x60, 0x20, 0x70, 0x30, 0x80, 0x40}},
+  };
+  for (const Case& c : cases) {
+    INFO(c.matrix);
+    const auto opened = open(onePage("q " + c.matrix + " cm /I Do Q"), "scan.pdf");
+    REQUIRE(opened.page.images.size() == 1);
+    const PlacedImage& image = opened.page.images[0];
+    CHECK(image.width_px == 4);
+    const auto view = opened.document.view(opened.page, image.box);
+    REQUIRE(view.ok());
+    CHECK(view->nativePixels);
+    REQUIRE(view->raster.width_px == c.width);
+    REQUIRE(view->raster.height_px == c.height);
+    for (std::size_t i = 0; i < c.grey.size(); ++i) CHECK(int{view->raster.rgb[3 * i]} == c.grey[i]);
+    const Point first = view->viewToPage({-0.5, -0.5});
+    CHECK(first.x == Approx(image.box.x0));
+    CHECK(first.y == Approx(image.box.y0));
+  }
+}
+
+TEST_CASE("a drawing over a background image is rendered finely") {
+  std::string content = "q 200 0 0 100 0 0 cm /I Do Q ";
+  for (int i = 0; i < 20; ++i) content += std::to_string(10 * i) + " 0 m 100 90 l S ";
+  const auto opened = open(onePage(content), "plot.pdf");
+  const auto view = opened.document.view(opened.page, {0, 0, 200, 100});
+  REQUIRE(view.ok());
+  CHECK_FALSE(view->nativePixels);
+  CHECK(view->raster.width_px == 1000);
+}
+
+TEST_CASE("a view's paths lie on its pixels") {
+  const auto opened = open(onePage("1 0 0 RG 2 w 20 50 m 180 50 l S"), "plot.pdf");
+  for (int turns = 0; turns < 4; ++turns) {
+    const auto view = opened.document.view(opened.page, {10, 10, 190, 90}, turns);
+    REQUIRE(view.ok());
+    REQUIRE(view->paths.size() == 1);
+    const auto& line = view->paths[0].polylines[0];
+    const int x = static_cast<int>(std::lround((line[0].x + line[1].x) / 2));
+    const int y = static_cast<int>(std::lround((line[0].y + line[1].y) / 2));
+    const std::uint8_t* p = view->raster.at(x, y);
+    CHECK(p[0] == 255);
+    CHECK(p[1] == 0);
+  }
+}
+
+TEST_CASE("hostile and broken documents are refused") {
+  const std::string good = onePage("10 20 m 60 90 l S");
+  SECTION("truncated") {
+    const Failure failure = refusalOf(good.substr(0, good.size() / 2), "cut.pdf");
+    CHECK(failure.code == FailureCode::unreadableInput);
+    CHECK(failure.problem.find("truncated") != std::string::npos);
+  }
+  SECTION("ten thousand pages") {
+    std::string kids;
+    for (int i = 0; i < 10000; ++i) kids += "3 0 R ";
+    const std::string many =
+        pdfOf({"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[" + kids + "]/Count 10000>>",
+               "<</Type/Page/Parent 2 0 R/MediaBox[0 0 9 9]>>"});
+    CHECK(refusalOf(many, "many.pdf").problem.find("10000 pages") != std::string::npos);
+  }
+  SECTION("an image that claims more pixels than allowed") {
+    const std::string content = "q 9 0 0 9 0 0 cm /I Do Q";
+    std::string huge = onePage(content);
+    huge.replace(huge.find("/Width 4/Height 2"), 17, "/Width 60000/Height 60000");
+    const Failure failure = refusalOf(huge, "huge.pdf");
+    INFO(failure.sentence());
+    CHECK(failure.problem.find("60000 x 60000") != std::string::npos);
+  }
+  SECTION("more points than allowed") {
+    PageLimits limits;
+    limits.maxPathPoints = 50;
+    std::string content = "0 0 m ";
+    for (int i = 0; i < 100; ++i) content += std::to_string(i) + " 5 l ";
+    CHECK(refusalOf(onePage(content + "S"), "long.pdf", limits).problem.find("50 points") !=
+          std::string::npos);
+  }
+  SECTION("an SVG whose references multiply") {
+    std::string svg =
+        "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' width='9' "
+        "height='9'><g id='a0'><path d='M0 0L9 9' stroke='red'/></g>";
+    for (int i = 1; i < 12; ++i) {
+      svg += "<g id='a" + std::to_string(i) + "'>";
+      for (int k = 0; k < 8; ++k) svg += "<use xlink:href='#a" + std::to_string(i - 1) + "'/>";
+      svg += "</g>";
+    }
+    CHECK(refusalOf(svg + "</svg>", "bomb.svg").problem.find("more elements") != std::string::npos);
+  }
+  SECTION("an SVG that refers to itself") {
+    const std::string svg =
+        "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink'>"
+        "<g id='a'><use xlink:href='#a'/><use xlink:href='#a'/></g></svg>";
+    CHECK(refusalOf(svg, "circle.svg").problem.find("circle") != std::string::npos);
+  }
+  SECTION("an SVG nested too deep") {
+    std::string svg = "<svg xmlns='http://www.w3.org/2000/svg'>";
+    for (int i = 0; i < 100000; ++i) svg += "<g>";
+    CHECK(refusalOf(svg, "deep.svg").problem.find("deep") != std::string::npos);
+  }
+}
+
+TEST_CASE("cancelling ends the reading of a page") {
+  std::string content;
+  for (int i = 0; i < 2000; ++i) content += "0 0 m 9 9 l S ";
+  const auto document = Document::fromBytes(bytesOf(onePage(content)), "plot.pdf");
+  REQUIRE(document.ok());
+  Progress progress;
+  progress.cancelled = [] { return true; };
+  const auto page = document->page(1, progress);
+  REQUIRE_FALSE(page.ok());
+  CHECK(page.failure().code == FailureCode::wrongUsage);
+  CHECK(page.failure().problem == "cancelled");
+}
+
+TEST_CASE("SVG: classes, inherited anchors, references, clips") {
+  const std::string svg = R"(<?xml version="1.0"?>
+<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="200" height="100" viewBox="0 0 200 100">
+<style><![CDATA[ /* plot */ .curve, path.other { fill: none; stroke: #d00000; stroke-width: 2 } ]]></style>
+<defs><path id="tick" d="M0 0V5" stroke="blue"/></defs>
+<path class="thin curve" d="M10 90 L60 20 L150 40"/>
+<use xlink:href="#tick" x="30" y="80"/>
+<g text-anchor="end" font-size="10"><text x="100" y="50"><tspan> 1.5</tspan></text></g></svg>)";
+  const auto opened = open(svg, "plot.svg");
+  CHECK(opened.page.width == 200);
+  REQUIRE(opened.page.paths.size() == 2);
+  CHECK(*opened.page.paths[0].stroke == Rgb{208, 0, 0});
+  CHECK_FALSE(opened.page.paths[0].fill);
+  CHECK(opened.page.paths[0].strokeWidth == Approx(2));
+  CHECK(opened.page.paths[1].polylines[0][0].x == Approx(30));
+  REQUIRE(textNamed(opened.page.texts, "1.5"));
+  CHECK(textNamed(opened.page.texts, "1.5")->box.x1 == Approx(100).margin(0.2));
+}
+
+TEST_CASE("style sheets cascade: rules over attributes, ids over classes over types, own style over all") {
+  const PreparedSvg out = prepareSvg(
+      "<svg><style>path{stroke:red} .c{stroke:green} #i{stroke:blue}</style>"
+      "<path fill='none' stroke='black'/><path class='c'/><path id='i' class='c'/>"
+      "<path id='i' style='stroke:white'/></svg>",
+      1e6);
+  CHECK(out.problem.empty());
+  for (const std::string expected :
+       {"stroke='red'", "style=\"stroke:green\"", "style=\"stroke:blue\"", "style=\"stroke:white\""})
+    CHECK(out.text.find(expected) != std::string::npos);
+}

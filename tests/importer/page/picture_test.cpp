@@ -1,0 +1,284 @@
+// Pictures of every kind become upright opaque RGB; what is no picture is refused with a sentence that helps.
+
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+#include <opencv2/imgcodecs.hpp>
+
+#include "importer/page/page.h"
+#include "importer/page/picture_header.h"
+#include "importer/page/sha256.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+using Bytes = std::vector<unsigned char>;
+
+/// Every pixel differs from every other.
+cv::Mat numberedPixels(int width, int height) {
+  cv::Mat mat(height, width, CV_8UC3);
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      mat.at<cv::Vec3b>(y, x) =
+          cv::Vec3b(static_cast<unsigned char>(10 * x), static_cast<unsigned char>(20 * y), 7);
+  return mat;
+}
+
+Bytes encoded(const std::string& extension, const cv::Mat& mat) {
+  Bytes bytes;
+  REQUIRE(cv::imencode(extension, mat, bytes));
+  return bytes;
+}
+
+Page firstPage(const Bytes& bytes, const std::string& name = "plot") {
+  const auto document = Document::fromBytes(bytes, name);
+  REQUIRE(document.ok());
+  auto page = document->page(1);
+  REQUIRE(page.ok());
+  return std::move(page).value();
+}
+
+Rgb pixel(const Raster& raster, int x, int y) {
+  const std::uint8_t* p = raster.at(x, y);
+  return {p[0], p[1], p[2]};
+}
+
+Failure refusalOf(const Bytes& bytes, const std::string& name, const PageLimits& limits = {}) {
+  const auto document = Document::fromBytes(bytes, name, limits);
+  if (!document) return document.failure();
+  const auto page = document->page(1);
+  REQUIRE_FALSE(page.ok());
+  return page.failure();
+}
+
+void putBigEndian(Bytes& bytes, std::uint32_t value, std::size_t size) {
+  for (std::size_t i = size; i-- > 0;) bytes.push_back(static_cast<unsigned char>(value >> (8 * i) & 0xff));
+}
+
+/// A JPEG with an EXIF block that states this orientation and 300 dpi.
+Bytes withExif(const Bytes& jpeg, std::uint32_t orientation) {
+  Bytes tiff{'M', 'M', 0, 42, 0, 0, 0, 8};
+  putBigEndian(tiff, 3, 2);
+  const std::array<std::array<std::uint32_t, 4>, 3> entries = {
+      {{0x112, 3, 1, orientation << 16}, {0x11a, 5, 1, 50}, {0x128, 3, 1, 2 << 16}}};
+  for (const auto& entry : entries) {
+    putBigEndian(tiff, entry[0], 2);
+    putBigEndian(tiff, entry[1], 2);
+    putBigEndian(tiff, entry[2], 4);
+    putBigEndian(tiff, entry[3], 4);
+  }
+  putBigEndian(tiff, 0, 4);
+  putBigEndian(tiff, 300, 4);
+  putBigEndian(tiff, 1, 4);
+  Bytes out(jpeg.begin(), jpeg.begin() + 2);
+  out.insert(out.end(), {0xff, 0xe1});
+  putBigEndian(out, static_cast<std::uint32_t>(tiff.size() + 8), 2);
+  for (const char c : {'E', 'x', 'i', 'f', '\0', '\0'}) out.push_back(static_cast<unsigned char>(c));
+  out.insert(out.end(), tiff.begin(), tiff.end());
+  out.insert(out.end(), jpeg.begin() + 2, jpeg.end());
+  return out;
+}
+
+std::uint32_t crc32(const Bytes& bytes, std::size_t from) {
+  std::uint32_t crc = 0xffffffff;
+  for (std::size_t i = from; i < bytes.size(); ++i) {
+    crc ^= bytes[i];
+    for (int k = 0; k < 8; ++k) crc = crc & 1 ? 0xedb88320 ^ crc >> 1 : crc >> 1;
+  }
+  return ~crc;
+}
+
+/// The same PNG with another size in its header (and a header checksum that fits).
+Bytes claiming(Bytes png, std::uint32_t width, std::uint32_t height) {
+  Bytes head(png.begin(), png.begin() + 16);
+  putBigEndian(head, width, 4);
+  putBigEndian(head, height, 4);
+  head.insert(head.end(), png.begin() + 24, png.begin() + 29);
+  putBigEndian(head, crc32(head, 12), 4);
+  std::copy(head.begin(), head.end(), png.begin());
+  return png;
+}
+
+}  // namespace
+
+TEST_CASE("lossless formats give their pixels, and a view is a crop of them") {
+  const cv::Mat mat = numberedPixels(7, 5);
+  for (const std::string extension : {".png", ".bmp", ".tiff"}) {
+    INFO(extension);
+    const Page page = firstPage(encoded(extension, mat));
+    REQUIRE(page.overview.width_px == 7);
+    REQUIRE(page.overview.height_px == 5);
+    CHECK(page.unit == PageUnit::pixel);
+    CHECK(page.overviewToPage == Affine{});
+    for (int y = 0; y < 5; ++y)
+      for (int x = 0; x < 7; ++x)
+        CHECK(pixel(page.overview, x, y) ==
+              Rgb{7, static_cast<std::uint8_t>(20 * y), static_cast<std::uint8_t>(10 * x)});
+  }
+}
+
+TEST_CASE("a turned view shows the same pixels, and its map leads back to them") {
+  const auto document = Document::fromBytes(encoded(".png", numberedPixels(9, 6)), "plot.png");
+  REQUIRE(document.ok());
+  const auto page = document->page(1);
+  REQUIRE(page.ok());
+  for (int turns = 0; turns < 4; ++turns) {
+    INFO(turns);
+    const auto view = document->view(*page, {2, 1, 6, 3}, turns);
+    REQUIRE(view.ok());
+    CHECK(view->nativePixels);
+    CHECK(view->raster.width_px == (turns % 2 ? 3 : 5));
+    CHECK(view->raster.height_px == (turns % 2 ? 5 : 3));
+    for (int y = 0; y < view->raster.height_px; ++y)
+      for (int x = 0; x < view->raster.width_px; ++x) {
+        const Point p = view->viewToPage({static_cast<double>(x), static_cast<double>(y)});
+        CHECK(pixel(view->raster, x, y) ==
+              pixel(page->overview, static_cast<int>(p.x), static_cast<int>(p.y)));
+      }
+  }
+  // One clockwise turn brings the region's bottom left pixel to the top left.
+  CHECK(document->view(*page, {2, 1, 6, 3}, 1)->viewToPage({0, 0}) == Point{2, 3});
+}
+
+TEST_CASE("a region is clipped; one beside the page is refused") {
+  const auto document = Document::fromBytes(encoded(".png", numberedPixels(9, 6)), "plot.png");
+  const auto page = document->page(1);
+  const auto all = document->view(*page, {-100, -100, 100, 100});
+  REQUIRE(all.ok());
+  CHECK(all->raster.rgb == page->overview.rgb);
+  const auto beside = document->view(*page, {20, 20, 30, 30});
+  REQUIRE_FALSE(beside.ok());
+  CHECK(beside.failure().code == FailureCode::wrongUsage);
+}
+
+TEST_CASE("EXIF orientation is applied and its resolution read") {
+  cv::Mat mat(16, 32, CV_8UC3, cv::Scalar(255, 255, 255));
+  mat(cv::Rect(0, 0, 16, 8)) = cv::Scalar(0, 0, 0);  // the stored top left is dark
+  const Bytes jpeg = encoded(".jpg", mat);
+  struct Case {
+    std::uint32_t orientation;
+    int width, darkX, darkY;  // where the dark corner is shown
+  };
+  for (const Case& c : {Case{1, 32, 2, 2},
+                        {2, 32, 29, 2},
+                        {3, 32, 29, 13},
+                        {4, 32, 2, 13},
+                        {5, 16, 2, 2},
+                        {6, 16, 13, 2},
+                        {7, 16, 13, 29},
+                        {8, 16, 2, 29}}) {
+    INFO(c.orientation);
+    const Page page = firstPage(withExif(jpeg, c.orientation));
+    CHECK(page.width == c.width);
+    CHECK(pixel(page.overview, c.darkX, c.darkY).r < 60);
+    const auto opposite =
+        pixel(page.overview, page.overview.width_px - 1 - c.darkX, page.overview.height_px - 1 - c.darkY);
+    CHECK(opposite.r > 200);
+    REQUIRE(page.dpi);
+    CHECK(*page.dpi == 300);
+  }
+}
+
+TEST_CASE("16 bits, grey and transparency become opaque 8-bit colour") {
+  cv::Mat deep(2, 2, CV_16UC3, cv::Scalar(65535, 32896, 257));
+  CHECK(pixel(firstPage(encoded(".png", deep)).overview, 1, 1) == Rgb{1, 128, 255});
+  cv::Mat grey(2, 2, CV_8UC1, cv::Scalar(77));
+  CHECK(pixel(firstPage(encoded(".png", grey)).overview, 0, 0) == Rgb{77, 77, 77});
+  cv::Mat half(2, 2, CV_8UC4, cv::Scalar(0, 0, 255, 128));
+  CHECK(pixel(firstPage(encoded(".png", half)).overview, 0, 0) == Rgb{255, 127, 127});
+}
+
+TEST_CASE("transparent plots stand on the background on which their ink shows") {
+  const auto lettersIn = [](const cv::Scalar& ink, const cv::Scalar& grid) {
+    cv::Mat mat(60, 60, CV_8UC4, cv::Scalar(0, 0, 0, 0));
+    for (int i = 0; i < 60; i += 10) mat.row(i) = grid;  // many pixels of grid, few of letters
+    for (int i = 25; i < 35; ++i) mat.at<cv::Vec4b>(i, 5) = cv::Vec4b(ink);
+    return mat;
+  };
+  const cv::Scalar black(0, 0, 0, 255), white(255, 255, 255, 255), light(220, 220, 220, 255),
+      dark(60, 60, 60, 255);
+  CHECK(pixel(firstPage(encoded(".png", lettersIn(black, light))).overview, 50, 55) == Rgb{255, 255, 255});
+  CHECK(pixel(firstPage(encoded(".png", lettersIn(white, dark))).overview, 50, 55) == Rgb{0, 0, 0});
+}
+
+TEST_CASE("what cannot be read is refused with name, problem and remedy") {
+  const Bytes png = encoded(".png", numberedPixels(30, 30));
+  const std::string text = "travel,force\n1,2\n";
+  struct Case {
+    Bytes bytes;
+    std::string name, says;
+  };
+  const std::vector<Case> cases = {
+      {{}, "empty.png", "0 bytes"},
+      {Bytes(png.begin(), png.begin() + 60), "cut.png", "truncated"},
+      {claiming(png, 100000, 100000), "huge.png", "100000 x 100000"},
+      {Bytes(text.begin(), text.end()), "text.png", "plain text"},
+      {png, "plot.pdf", "PNG picture"},
+      {Bytes{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0}, "head.png", "no size"},
+      {claiming(png, 31, 30), "lies.png", "damaged"},
+  };
+  for (const Case& c : cases) {
+    const Failure failure = refusalOf(c.bytes, c.name);
+    INFO(failure.sentence());
+    CHECK(failure.code == FailureCode::unreadableInput);
+    CHECK(failure.subject == c.name);
+    CHECK(failure.problem.find(c.says) != std::string::npos);
+    CHECK_FALSE(failure.remedy.empty());
+  }
+  const Bytes jpeg = encoded(".jpg", numberedPixels(30, 30));
+  CHECK(refusalOf(Bytes(jpeg.begin(), jpeg.end() - 20), "cut.jpg").problem.find("truncated") !=
+        std::string::npos);
+}
+
+TEST_CASE("a picture under another picture's name is read as what it is") {
+  CHECK(firstPage(encoded(".bmp", numberedPixels(4, 4)), "plot.png").width == 4);
+}
+
+TEST_CASE("limits are options") {
+  PageLimits limits;
+  limits.maxMegapixels = 0.0001;
+  CHECK(refusalOf(encoded(".png", numberedPixels(20, 20)), "plot.png", limits).problem.find("limit") !=
+        std::string::npos);
+  limits = {};
+  limits.maxFileMegabytes = 0.00001;
+  CHECK(refusalOf(encoded(".png", numberedPixels(20, 20)), "plot.png", limits).problem.find("limit") !=
+        std::string::npos);
+}
+
+TEST_CASE("files: missing, a folder, and one that is there") {
+  const auto folder = std::filesystem::temp_directory_path();
+  CHECK(Document::open((folder / "detent-no-such-file.png").string()).failure().problem ==
+        "there is no such file");
+  CHECK(Document::open(folder.string()).failure().problem.find("folder") != std::string::npos);
+  const auto path = folder / "detent-page-test.png";
+  const Bytes png = encoded(".png", numberedPixels(4, 4));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(png.data()), static_cast<std::streamsize>(png.size()));
+  const auto document = Document::open(path.string());
+  REQUIRE(document.ok());
+  CHECK(document->name() == "detent-page-test.png");
+  CHECK(document->sha256() == sha256Hex(png));
+  std::filesystem::remove(path);
+}
+
+TEST_CASE("SHA-256 of the standard's examples") {
+  const auto of = [](const std::string& s) { return sha256Hex(Bytes(s.begin(), s.end())); };
+  CHECK(of("abc") == "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  CHECK(of("") == "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  CHECK(of("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq") ==
+        "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+}
+
+TEST_CASE("affine maps: composition and inverse") {
+  const Affine turn{0, 2, -3, 0, 5, 7}, shift{1, 0, 0, 1, -4, 9};
+  const Point p{1.5, -2};
+  CHECK(turn.after(shift)(p) == turn(shift(p)));
+  const Point back = turn.inverse()(turn(p));
+  CHECK(back.x == Approx(p.x));
+  CHECK(back.y == Approx(p.y));
+}
