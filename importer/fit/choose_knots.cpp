@@ -278,6 +278,29 @@ bool straightenZigzags(Workpiece& work, const Evidence& evidence) {
   return changed;
 }
 
+/// Two knots close together can be one corner; taking out either alone would lose a slope.
+bool mergeCloseKnots(Workpiece& work, const Evidence& evidence) {
+  constexpr double close = 15;  // sigmas
+  bool changed = false;
+  for (std::size_t k = 1; k + 2 < work.chain().size(); ++k) {
+    const ChainKnot &one = work.chain()[k], &other = work.chain()[k + 1];
+    if (std::hypot(other.u() - one.u(), other.v() - one.v()) > close) continue;
+    std::size_t at = 0;
+    Workpiece::Trial trial = work.around(k, at);
+    const double before = ChainPiece(work.chain()[k - 1], one).endSlope();
+    const double after = ChainPiece(other, work.chain()[k + 2]).startSlope();
+    trial.knots[at] = {{0.5 * (one.u() + other.u()), 0.5 * (one.v() + other.v()), before, after},
+                       JointKind::corner};
+    trial.knots.erase(trial.knots.begin() + static_cast<Index>(at) + 1);
+    work.judge(trial);
+    if (!pays(work, trial, evidence)) continue;
+    work.accept(trial);
+    changed = true;
+    --k;
+  }
+  return changed;
+}
+
 bool simplify(Workpiece& work, const Evidence& evidence) {
   bool changed = false;
   // What is at stake is an upper bound: neighbours that adapt take over most of it.
@@ -297,6 +320,7 @@ bool simplify(Workpiece& work, const Evidence& evidence) {
     }
   }
   changed = straightenZigzags(work, evidence) || changed;
+  changed = mergeCloseKnots(work, evidence) || changed;
   for (std::size_t k = 1; k + 1 < work.chain().size(); ++k) {
     if (work.chain()[k].joint != JointKind::corner) continue;
     const Workpiece::Trial trial = withJoint(work, k, smoothOf(work.chain(), k));

@@ -139,21 +139,13 @@ std::size_t nearestKnot(const KnotChain& chain, double u, double v) {
   return static_cast<std::size_t>(best - chain.begin());
 }
 
-double rms(const std::vector<double>& values) {
-  double sum = 0;
-  for (double v : values) sum += v * v;
-  return std::sqrt(sum / static_cast<double>(values.size()));
-}
-
 void addTactilePoints(FitSummary& summary, const StrokeCurve& curve, Stroke stroke, const ChosenChain& fit,
-                      const StrokeSamples& samples, const std::vector<double>& residuals,
-                      const FitOptions& options) {
+                      const StrokeSamples& samples, const FitOptions& options) {
   const std::vector<TactilePoint> found = tactilePoints(curve, stroke);
   if (found.empty()) return;
   const std::vector<KnotSigma> sigmas = knotSigmas(fit.chain, samples.points, choiceSettings(options).solve);
-  // The points may scatter more or less than the yardstick says, and `correlationPoints` of them share one
-  // error.
-  const double inflation = rms(residuals) * std::sqrt(summary.correlationPoints);
+  // `correlationPoints` residuals share one error.
+  const double inflation = std::sqrt(summary.correlationPoints);
   for (const TactilePoint& point : found) {
     const KnotSigma& sigma =
         sigmas[nearestKnot(fit.chain, samples.u(point.displacement_mm), samples.v(point.force_N))];
@@ -222,7 +214,7 @@ Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke str
   summary.bic = fit.evidence.score(chiSquareOf(fit.chain, samples.points, options.robustScale),
                                    parametersOf(fit.chain));
   addDistances(summary, fit, samples, options.noise);
-  addTactilePoints(summary, *curve, stroke, fit, samples, residuals, options);
+  addTactilePoints(summary, *curve, stroke, fit, samples, options);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return FittedStroke{std::move(*curve), std::move(summary)};
 }

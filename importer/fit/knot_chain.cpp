@@ -83,6 +83,12 @@ ChainPiece::ChainPiece(const ChainKnot& from, const ChainKnot& to)
 Footpoint nearestFrom(const ChainPiece& piece, const SigmaPoint& p, double t) {
   t = std::clamp(t, 0.0, 1.0);
   double best = squaredDistance(piece, p, t);
+  if (t <= 0 || t >= 1) {
+    // At an end the curve may stand still over t (a steep piece between two flat joints): no gradient leads
+    // away from it.
+    const double inside = t <= 0 ? 0.05 : 0.95, distance = squaredDistance(piece, p, inside);
+    if (distance < best) t = inside, best = distance;
+  }
   for (int step = 0; step < 8; ++step) {
     const double du = piece.u(t) - p.u, dv = piece.v(t) - p.v, tangent = piece.dv(t);
     const double gradient = du * piece.h + dv * tangent;

@@ -52,6 +52,8 @@ struct ChainPiece {
 
   ChainPiece(const ChainKnot& from, const ChainKnot& to);
 
+  double startSlope() const { return h > 0 ? a / h : 0; }  ///< 0 in a wall
+  double endSlope() const { return h > 0 ? b / h : 0; }
   double u(double t) const { return u0 + h * t; }
   double v(double t) const { return v0 + t * (a + t * ((3 * d - 2 * a - b) + t * (a + b - 2 * d))); }
   double dv(double t) const { return a + t * (2 * (3 * d - 2 * a - b) + 3 * t * (a + b - 2 * d)); }

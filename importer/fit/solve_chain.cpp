@@ -180,15 +180,17 @@ class StayWithPoints final : public ceres::SizedCostFunction<1, 4> {
     }
     const double distance = std::sqrt(best);
     const bool outside = distance > slack;
-    residuals[0] = outside ? distance - slack : 0;
+    residuals[0] = outside ? stiffness * (distance - slack) : 0;
     if (jacobians && jacobians[0]) {
       std::fill_n(jacobians[0], 4, 0.0);
-      if (outside) jacobians[0][0] = awayU / distance, jacobians[0][1] = awayV / distance;
+      if (outside)
+        jacobians[0][0] = stiffness * awayU / distance, jacobians[0][1] = stiffness * awayV / distance;
     }
     return true;
   }
 
  private:
+  static constexpr double stiffness = 3;  // as much as 9 points
   static constexpr double slack =
       1.5;  // sigmas: a true corner lies outside of a line that is drawn around it
   static constexpr std::size_t window = 30;  // points to each side of the nearest at the start
@@ -341,24 +343,33 @@ std::vector<KnotSigma> knotSigmas(const KnotChain& chain, const std::vector<Sigm
     columns += 4 - heldParameters(copy, k).size();
   }
   ceres::CRSMatrix jacobian;
+  std::vector<double> residuals;
   std::vector<KnotSigma> sigmas(copy.size());
-  if (!problem.problem().Evaluate(evaluation, nullptr, nullptr, nullptr, &jacobian)) return sigmas;
+  if (!problem.problem().Evaluate(evaluation, nullptr, &residuals, nullptr, &jacobian)) return sigmas;
   DETENT_CHECK(static_cast<std::size_t>(jacobian.num_cols) == columns,
                "free parameters as the solver counts them");
 
+  // J'J and, with the residuals as they are, J'RRJ.
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(jacobian.num_cols, jacobian.num_cols);
-  for (int row = 0; row < jacobian.num_rows; ++row) {
-    const auto from = static_cast<std::size_t>(jacobian.rows[static_cast<std::size_t>(row)]);
-    const auto to = static_cast<std::size_t>(jacobian.rows[static_cast<std::size_t>(row) + 1]);
+  Eigen::MatrixXd scatter = information;
+  for (std::size_t row = 0; row < residuals.size(); ++row) {
+    const auto from = static_cast<std::size_t>(jacobian.rows[row]);
+    const auto to = static_cast<std::size_t>(jacobian.rows[row + 1]);
     for (std::size_t i = from; i < to; ++i)
-      for (std::size_t j = from; j < to; ++j)
-        information(jacobian.cols[i], jacobian.cols[j]) += jacobian.values[i] * jacobian.values[j];
+      for (std::size_t j = from; j < to; ++j) {
+        const double product = jacobian.values[i] * jacobian.values[j];
+        information(jacobian.cols[i], jacobian.cols[j]) += product;
+        scatter(jacobian.cols[i], jacobian.cols[j]) += residuals[row] * residuals[row] * product;
+      }
   }
   // A slope that a limit holds has no influence and an empty row: it counts as fixed.
   for (Eigen::Index c = 0; c < information.cols(); ++c)
     if (information(c, c) <= 1e-12 * information.trace()) information(c, c) += 1;
-  const Eigen::MatrixXd covariance =
+  const Eigen::MatrixXd inverse =
       information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
+  const double n = static_cast<double>(points.size()),
+               freedom = std::max(1.0, n - static_cast<double>(columns));
+  const Eigen::MatrixXd covariance = inverse * scatter * inverse * (n / freedom);
   for (std::size_t k = 0; k < copy.size(); ++k) {
     const std::vector<int> held = heldParameters(copy, k);
     const auto isHeld = [&](int parameter) {

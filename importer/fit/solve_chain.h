@@ -32,11 +32,13 @@ SolveReport solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, 
 double chiSquareOf(const KnotChain& chain, const std::vector<SigmaPoint>& points, double robustScale);
 
 struct KnotSigma {
-  double u = 0,
-         v = 0;  ///< standard errors for independent residuals of 1 sigma; 0 where a coordinate is held
+  double u = 0, v = 0;  ///< standard errors; 0 where a coordinate is held
 };
 
-/// Standard errors of all knots' places from the covariance of the whole fit (all knots free; Gauss-Newton).
+/// Standard errors of all knots' places from the covariance of the whole fit, all knots free. Weights differ
+/// from the scatter of the points (resolution, averaging), so the covariance takes the residuals as they are
+/// (White 1980); residuals that share one error are not its business: the caller multiplies by the root of
+/// their number.
 std::vector<KnotSigma> knotSigmas(const KnotChain& chain, const std::vector<SigmaPoint>& points,
                                   const SolveSettings& settings);
 
