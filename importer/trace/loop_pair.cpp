@@ -23,7 +23,7 @@ std::vector<Point> densify(const std::vector<Point>& points) {
 
 /// Pixels a path may use: near left-over ink, and along explained lines a little farther.
 Grid openPixels(const Structure& s, const Plane& plane) {
-  constexpr float kNear = 10, kAlongLine = 40;
+  constexpr float kNear = 15, kAlongLine = 40;
   constexpr double kOutside = 2;
   Grid open(s.curveInk.width, s.curveInk.height);
   for (int y = 0; y < open.height; ++y) {
@@ -58,6 +58,11 @@ Grid rewardBeside(const Grid& reward, const std::vector<Point>& taken, double ra
     forDisc(left, p, radius, [&](int x, int y) { left.at(x, y) = std::min(left.at(x, y), kTaken); });
   }
   return left;
+}
+
+double strongPixels(const Grid& reward) {
+  return static_cast<double>(
+      std::count_if(reward.values.begin(), reward.values.end(), [](float r) { return r > 0.5F; }));
 }
 
 /// Length of curve ink on `path` that `other` does not cover.
@@ -204,13 +209,19 @@ void shareEnd(std::vector<Point>& shorter, const std::vector<Point>& longer, dou
   if (!onAxis) shorter.insert(shorter.end(), rest, longer.end());
 }
 
-void shareEnds(std::vector<Point>& a, std::vector<Point>& b, double within, const Box& frame) {
-  for (double axisColumn : {frame.x1 + frame.width(), frame.x0}) {
-    shareEnd(a, b, within, axisColumn);
-    shareEnd(b, a, within, axisColumn);
-    std::reverse(a.begin(), a.end());
-    std::reverse(b.begin(), b.end());
-  }
+/// At the bottom-out a hole in the wall (text) may stand between the strokes' ends, so that more is bridged
+/// there than at the start, where the strokes may begin apart on purpose.
+void shareEnds(std::vector<Point>& a, std::vector<Point>& b, double strokeWidth, const Box& frame) {
+  const double noAxis = frame.x1 + frame.width();
+  const double atBottomOut = 2.5 * strokeWidth + 2, atStart = strokeWidth + 1;
+  shareEnd(a, b, atBottomOut, noAxis);
+  shareEnd(b, a, atBottomOut, noAxis);
+  std::reverse(a.begin(), a.end());
+  std::reverse(b.begin(), b.end());
+  shareEnd(a, b, atStart, frame.x0);
+  shareEnd(b, a, atStart, frame.x0);
+  std::reverse(a.begin(), a.end());
+  std::reverse(b.begin(), b.end());
 }
 
 /// Ink on the force axis up to where the release leaves it belongs to the release: the press starts at its
@@ -305,27 +316,34 @@ PlanePair findPair(const Structure& structure, const Plane& plane) {
   // branch cut off.
   std::vector<Point> both = a;
   both.insert(both.end(), b.begin(), b.end());
-  std::vector<Point> third = follow(both, anywhere);
-  if (third.size() > 1 && ownInk(third, rewardBeside(reward, both, radius)) < 0.15 * plane.frame.width())
-    third.clear();
+  const Grid leftOver = rewardBeside(reward, both, stroke + 1);
+  const double enough = 0.15 * plane.frame.width();
+  std::vector<Point> third;
+  if (strongPixels(leftOver) > enough * std::max(1.0, stroke)) third = follow(both, anywhere);
+  if (third.size() > 1 && ownInk(third, leftOver) < enough) third.clear();
   for (int round = 0; round < 2; ++round) {
     PathLimits ends = endsOf();
     if (third.size() > 1) {
       ends.startTo = std::min(ends.startTo, static_cast<int>(third.front().x + tolerance));
       ends.endFrom = std::max(ends.endFrom, static_cast<int>(third.back().x - tolerance));
     }
+    const std::vector<Point> before = a;
     if (b.size() > 1) {
       std::vector<Point> again = follow(b, ends);
       if (again.size() > 1) a = std::move(again);
     }
+    const bool settled =
+        a == before && b.size() > 1 && b.front().x <= ends.startTo && b.back().x >= ends.endFrom;
+    if (settled) break;
     b = follow(a, ends);
   }
-  pair.ownRelease_px = b.size() > 1 ? ownInk(b, rewardBeside(reward, a, radius)) : 0;
+  // The rim of a stroke already taken is no second stroke.
+  pair.ownRelease_px = b.size() > 1 ? ownInk(b, rewardBeside(reward, a, stroke + 1)) : 0;
   if (pair.ownRelease_px < 0.05 * plane.frame.width()) {
     pair.press = a;
     return pair;
   }
-  shareEnds(a, b, stroke + 1, plane.frame);
+  shareEnds(a, b, stroke, plane.frame);
   std::tie(pair.press, pair.release) = partUpperLower(a, b, std::max(0.75, 0.35 * stroke));
   startOnAxis(pair.press, pair.release, plane.frame.x0, std::max(1.0, 0.6 * stroke));
   return pair;

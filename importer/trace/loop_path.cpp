@@ -61,16 +61,6 @@ const Moves& moves() {
   return table;
 }
 
-float stepGain(const Grid& reward, int x, int y, std::size_t d) {
-  const Moves& m = moves();
-  float sum = 0;
-  for (int i = 0; i < m.count[d]; ++i) {
-    const Step back = m.pixels[d][static_cast<std::size_t>(i)];
-    sum += reward.at(x - back.dx, y - back.dy);
-  }
-  return sum * m.weight[d] - m.fall[d] * static_cast<float>(m.count[d]);
-}
-
 /// Spreads gains over the directions of one node at the price of the turns.
 void turn(float* score, std::uint8_t* from, float price) {
   const Moves& m = moves();
@@ -111,10 +101,24 @@ LiftedSearch::LiftedSearch(const Grid& open, const PathOptions& options)
   left_.resize(nodes_.size() * kDirections);
   runStart_.resize(nodes_.size() * 2);
   arrivalScore_.resize(static_cast<std::size_t>(height_) * 2);
+  layOutSteps();
+}
+
+/// Where the pixels of each step lie in a raster of this width, counted back from the step's end.
+void LiftedSearch::layOutSteps() {
+  const Moves& m = moves();
+  for (std::size_t d = 0; d < kDirections; ++d) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m.count[d]); ++i) {
+      stepPixels_[d][i] = m.pixels[d][i].dy * width_ + m.pixels[d][i].dx;
+    }
+  }
 }
 
 void LiftedSearch::arrive(const Grid& reward, const PathLimits& limits, int node) {
+  const Moves& m = moves();
   const Node p = nodes_[static_cast<std::size_t>(node)];
+  const float* here = &reward.values[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) +
+                                     static_cast<std::size_t>(p.x)];
   const bool mayStart = p.x >= limits.startFrom && p.x <= limits.startTo;
   float* score = &score_[static_cast<std::size_t>(node) * kDirections];
   std::uint8_t* from = &arrived_[static_cast<std::size_t>(node) * kDirections];
@@ -127,7 +131,9 @@ void LiftedSearch::arrive(const Grid& reward, const PathLimits& limits, int node
     if (before < 0) continue;
     const float reached = score_[static_cast<std::size_t>(before) * kDirections + d];
     if (reached <= kNever) continue;
-    const float gain = reached + stepGain(reward, p.x, p.y, d);
+    float sum = 0;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(m.count[d]); ++i) sum += here[-stepPixels_[d][i]];
+    const float gain = reached + sum * m.weight[d] - m.fall[d] * static_cast<float>(m.count[d]);
     if (gain > score[d]) {
       score[d] = gain;
       from[d] = kMove;

@@ -5,6 +5,7 @@
 // sub-Riemannian geodesics in SE(2)", 2015); here in x-monotone form, which makes it a sweep over columns and
 // allows gains as well as costs.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -47,12 +48,14 @@ class LiftedSearch {
     return index_[static_cast<std::size_t>(x) * static_cast<std::size_t>(height_) +
                   static_cast<std::size_t>(y)];
   }
+  void layOutSteps();
   void arrive(const Grid& reward, const PathLimits& limits, int node);
   void runAlongColumn(const Grid& reward, int from, int to, int direction);
   LiftedPath walkBack(int node, int direction) const;
 
   int width_ = 0, height_ = 0;
   PathOptions options_;
+  std::array<std::array<int, 5>, kDirections> stepPixels_{};
   std::vector<int> index_;   ///< column-major, -1 where closed
   std::vector<Node> nodes_;  ///< by column, top to bottom
   std::vector<int> columnStart_;

@@ -371,7 +371,7 @@ RefinedPair refinePair(const PlanePair& pair, const Plane& plane, const InkLayer
   double width = structure.strokeWidth_px * plane.scale;
   width = measureWidth(press, profiler, width);
   const std::array<Pass, 2> passes{
-      Pass{1.2 * plane.scale + 1, std::max(0.5, plane.scale / 4), 4 * plane.scale}, Pass{1.5, 0.5, 3}};
+      Pass{1.2 * plane.scale + 1, std::max(0.6, plane.scale / 3), 4 * plane.scale}, Pass{1.5, 0.5, 3}};
   for (const Pass& pass : passes) {
     const Working pressBefore = press, releaseBefore = release;
     refineOnce(press, releaseBefore, 1, profiler, width, pass);

@@ -1,0 +1,454 @@
+// One-ink loops drawn by the test itself, with the faults of real vendor pages, and the exact curves beside
+// them.
+
+#include "importer/trace/trace_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+using Curve = std::vector<Point>;
+
+/// A plot in one ink; coordinates in view pixels, coverage of a stroke by exact distance.
+class Plot {
+ public:
+  Plot(int width, int height, double stroke) : stroke_(stroke) {
+    ink_.width_px = width;
+    ink_.height_px = height;
+    ink_.coverage.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+    ink_.paper = {255, 255, 255};
+    left_ = 0.1 * width;
+    right_ = 0.95 * width;
+    top_ = 0.06 * height;
+    bottom_ = 0.92 * height;
+    frame_.corners = {Point{left_, top_}, Point{right_, top_}, Point{right_, bottom_}, Point{left_, bottom_}};
+  }
+
+  /// Fractions of the frame, y upwards.
+  Point at(double x, double y) const {
+    return {left_ + x * (right_ - left_), bottom_ - y * (bottom_ - top_)};
+  }
+  Curve at(const Curve& fractions) const {
+    Curve out;
+    for (Point p : fractions) out.push_back(at(p.x, p.y));
+    return out;
+  }
+
+  void line(const Curve& points, double width) {
+    for (std::size_t i = 1; i < points.size(); ++i) segment(points[i - 1], points[i], width);
+  }
+  void curve(const Curve& points) { line(points, stroke_); }
+
+  void grid(int columns, int rows, double width) {
+    for (int i = 0; i <= columns; ++i) {
+      line({at(double(i) / columns, 0), at(double(i) / columns, 1)}, width);
+      frame_.xLines.push_back({at(double(i) / columns, 0).x, width, true});
+    }
+    for (int i = 0; i <= rows; ++i) {
+      line({at(0, double(i) / rows), at(1, double(i) / rows)}, width);
+      frame_.yLines.insert(frame_.yLines.begin(), {at(0, double(i) / rows).y, width, true});
+    }
+  }
+
+  void dashedGuide(double x, double width) {
+    for (double y = 0; y < 1; y += 0.024) line({at(x, y), at(x, y + 0.014)}, width);
+  }
+
+  /// Something as dense as a word, on a hole in whatever was below.
+  void word(double x, double y, int glyphs) {
+    const double h = 0.035 * (bottom_ - top_), w = 0.6 * h;
+    const Point corner = at(x, y);
+    erase({corner.x - 3, corner.y - h - 3, corner.x + glyphs * w * 1.35 + 3, corner.y + 3});
+    for (int g = 0; g < glyphs; ++g) {
+      const double x0 = corner.x + g * w * 1.35;
+      const double thin = std::max(1.0, 0.8 * stroke_);
+      line({{x0, corner.y}, {x0, corner.y - h}}, thin);
+      if (g % 3 != 1) line({{x0, corner.y - h}, {x0 + w, corner.y - h * 0.8}}, thin);
+      if (g % 2 == 0)
+        line({{x0, corner.y - 0.5 * h}, {x0 + w, corner.y - 0.4 * h}, {x0 + w, corner.y}}, thin);
+    }
+  }
+
+  void erase(const Box& box) {
+    for (int y = std::max(0, static_cast<int>(box.y0));
+         y < std::min(ink_.height_px, static_cast<int>(box.y1)); ++y)
+      for (int x = std::max(0, static_cast<int>(box.x0));
+           x < std::min(ink_.width_px, static_cast<int>(box.x1)); ++x)
+        pixel(x, y) = 0;
+  }
+
+  void dot(Point p, double radius) { segment(p, {p.x + 0.01, p.y}, 2 * radius); }
+
+  Result<std::vector<CurveTrace>> trace(const TraceHints& hints = {}, const Progress& progress = {}) const {
+    return traceLoop(ink_, frame_, {}, hints, {}, progress);
+  }
+
+  double stroke() const { return stroke_; }
+  PlotFrame& frame() { return frame_; }
+
+ private:
+  float& pixel(int x, int y) {
+    return ink_.coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(ink_.width_px) +
+                         static_cast<std::size_t>(x)];
+  }
+  void segment(Point a, Point b, double width) {
+    const double reach = width / 2 + 1;
+    const int x0 = std::max(0, static_cast<int>(std::min(a.x, b.x) - reach)),
+              x1 = std::min(ink_.width_px - 1, static_cast<int>(std::max(a.x, b.x) + reach) + 1);
+    const int y0 = std::max(0, static_cast<int>(std::min(a.y, b.y) - reach)),
+              y1 = std::min(ink_.height_px - 1, static_cast<int>(std::max(a.y, b.y) + reach) + 1);
+    const double vx = b.x - a.x, vy = b.y - a.y, l2 = vx * vx + vy * vy;
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) {
+        const double f = l2 > 0 ? std::clamp(((x - a.x) * vx + (y - a.y) * vy) / l2, 0.0, 1.0) : 0;
+        const double d = std::hypot(x - a.x - f * vx, y - a.y - f * vy);
+        const double c = std::clamp(width / 2 + 0.5 - d, 0.0, std::min(1.0, width));
+        pixel(x, y) = std::max(pixel(x, y), static_cast<float>(c));
+      }
+    }
+  }
+
+  InkLayer ink_;
+  PlotFrame frame_;
+  double stroke_, left_, right_, top_, bottom_;
+};
+
+/// Smooth through (x, y) anchors, in fractions of the frame.
+Curve through(const std::vector<Point>& anchors) {
+  Curve out;
+  for (std::size_t i = 1; i < anchors.size(); ++i) {
+    const Point a = anchors[i - 1], b = anchors[i];
+    constexpr int kPieces = 60;
+    for (int k = i == 1 ? 0 : 1; k <= kPieces; ++k) {
+      const double t = double(k) / kPieces, s = t * t * (3 - 2 * t);
+      out.push_back({a.x + t * (b.x - a.x), a.y + s * (b.y - a.y)});
+    }
+  }
+  return out;
+}
+
+double distanceTo(Point p, const Curve& curve) {
+  double best = 1e18;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const Point a = curve[i - 1], b = curve[i];
+    const double vx = b.x - a.x, vy = b.y - a.y, l2 = vx * vx + vy * vy;
+    const double f = l2 > 0 ? std::clamp(((p.x - a.x) * vx + (p.y - a.y) * vy) / l2, 0.0, 1.0) : 0;
+    best = std::min(best, std::hypot(p.x - a.x - f * vx, p.y - a.y - f * vy));
+  }
+  return best;
+}
+
+/// Mean of both directions, as score.py does it; truth must be dense.
+double meanDistance(const Curve& traced, const Curve& truth) {
+  double forth = 0, back = 0;
+  for (Point p : traced) forth += distanceTo(p, truth);
+  for (Point p : truth) back += distanceTo(p, traced);
+  return (forth / double(traced.size()) + back / double(truth.size())) / 2;
+}
+
+struct Loop {
+  Curve press, release;  ///< fractions of the frame, both rising in x
+};
+
+/// Tactile switch: hump, valley, a common rise, a leaning wall at the end.
+Loop tactileLoop(double apart = 0.02) {
+  const double x = 0.9;
+  return {through({{0.02, 0.0},
+                   {0.06, 0.33},
+                   {0.16, 0.38},
+                   {0.30, 0.55},
+                   {0.45, 0.33},
+                   {0.60, 0.42},
+                   {x, 0.50},
+                   {x + 0.03, 0.98}}),
+          through({{0.03, 0.0},
+                   {0.08, 0.16},
+                   {0.18, 0.22},
+                   {0.28, 0.36},
+                   {0.42, 0.12},
+                   {0.60, 0.42 - apart},
+                   {x + 0.003, 0.50 - apart},
+                   {x + 0.033, 0.98}})};
+}
+
+void draw(Plot& plot, const Loop& loop) {
+  plot.curve(plot.at(loop.press));
+  plot.curve(plot.at(loop.release));
+}
+
+/// Both strokes found, in order, each nearer to its own truth than `mean_px` on average.
+void checkLoop(const Plot& plot, const Loop& loop, double mean_px, double confidence = 0.6) {
+  const auto result = plot.trace();
+  REQUIRE(result.ok());
+  REQUIRE(result->size() == 2);
+  const CurveTrace& press = result->front();
+  const CurveTrace& release = result->back();
+  REQUIRE(press.stroke == Stroke::press);
+  REQUIRE(release.stroke == Stroke::release);
+  CHECK(press.points_px.front().x < press.points_px.back().x);
+  CHECK(release.points_px.front().x > release.points_px.back().x);
+  CHECK(press.width_px.size() == press.points_px.size());
+  CHECK(meanDistance(press.points_px, plot.at(loop.press)) < mean_px);
+  CHECK(meanDistance(release.points_px, plot.at(loop.release)) < mean_px);
+  CHECK(press.confidence >= confidence);
+}
+
+}  // namespace
+
+TEST_CASE("loop: two strokes on a grid of the same ink and width", "[trace_loop]") {
+  for (double stroke : {1.3, 2.0, 3.5}) {
+    Plot plot(640, 520, stroke);
+    plot.grid(8, 6, stroke);
+    const Loop loop = tactileLoop();
+    draw(plot, loop);
+    INFO("stroke " << stroke);
+    checkLoop(plot, loop, 0.35);
+  }
+}
+
+TEST_CASE("loop: without a grid the line is met to a few hundredths of a pixel", "[trace_loop]") {
+  Plot plot(640, 520, 2);
+  const Loop loop = tactileLoop(0.04);
+  draw(plot, loop);
+  const auto result = plot.trace();
+  REQUIRE(result.ok());
+  REQUIRE(result->size() == 2);
+  std::vector<double> off;
+  const Curve truth = plot.at(loop.press);
+  for (Point p : result->front().points_px) off.push_back(distanceTo(p, truth));
+  std::nth_element(off.begin(), off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2), off.end());
+  CHECK(off[off.size() / 2] < 0.06);
+  CHECK(result->front().width_px[result->front().width_px.size() / 2] == Approx(2).margin(0.35));
+}
+
+TEST_CASE("loop: leaders, dots, words and dashed guides are no curve", "[trace_loop]") {
+  Plot plot(640, 640, 1.8);
+  plot.grid(8, 6, 1.2);
+  const Loop loop = tactileLoop();
+  draw(plot, loop);
+  plot.word(0.10, 0.75, 14);
+  plot.line({plot.at(0.26, 0.74), plot.at(0.30, 0.55)}, 1.8);
+  plot.word(0.55, 0.70, 15);
+  plot.line({plot.at(0.56, 0.69), plot.at(0.47, 0.335)}, 1.8);
+  plot.dot(plot.at(0.47, 0.335), 4);
+  plot.word(0.55, 0.10, 11);
+  plot.line({plot.at(0.55, 0.12), plot.at(0.44, 0.13)}, 1.8);
+  plot.dashedGuide(0.30, 1.2);
+  plot.dashedGuide(0.47, 1.2);
+  checkLoop(plot, loop, 0.5);
+}
+
+TEST_CASE("loop: strokes that merge to one band keep their own sides", "[trace_loop]") {
+  const double stroke = 3;
+  Plot plot(800, 600, stroke);
+  plot.grid(8, 6, 1);
+  const Loop loop = tactileLoop(0.6 * stroke / (0.86 * 600));
+  draw(plot, loop);
+  const auto result = plot.trace();
+  REQUIRE(result.ok());
+  REQUIRE(result->size() == 2);
+  checkLoop(plot, loop, 0.45);
+  // On the merged stretch the press stays above the release by about what was drawn.
+  const auto rowAt = [&](const CurveTrace& t, double x) {
+    double y = 0, best = 1e9;
+    for (Point p : t.points_px)
+      if (std::abs(p.x - x) < best) {
+        best = std::abs(p.x - x);
+        y = p.y;
+      }
+    return y;
+  };
+  const double x = plot.at(0.75, 0).x;
+  CHECK(rowAt(result->back(), x) - rowAt(result->front(), x) == Approx(0.6 * stroke).margin(0.7));
+}
+
+TEST_CASE("loop: strokes that share one line follow it both", "[trace_loop]") {
+  Plot plot(640, 480, 2);
+  plot.grid(8, 6, 2);
+  Loop loop = tactileLoop();
+  loop.release = through({{0.03, 0.0}, {0.08, 0.16}, {0.18, 0.30}, {0.36, 0.08}, {0.48, 0.16}, {0.60, 0.42}});
+  for (Point p : loop.press)
+    if (p.x > 0.60) loop.release.push_back(p);
+  draw(plot, loop);
+  checkLoop(plot, loop, 0.5);
+}
+
+TEST_CASE("loop: a peak that touches a gridline stays", "[trace_loop]") {
+  Plot plot(640, 480, 2);
+  plot.grid(8, 6, 2);
+  Loop loop = tactileLoop();
+  // The top of the hump lies on the gridline at one half.
+  loop.press = through({{0.02, 0.0},
+                        {0.06, 0.25},
+                        {0.16, 0.30},
+                        {0.30, 0.5},
+                        {0.45, 0.29},
+                        {0.60, 0.42},
+                        {0.9, 0.53},
+                        {0.93, 0.98}});
+  draw(plot, loop);
+  checkLoop(plot, loop, 0.5);
+  const auto result = plot.trace();
+  double top = 1e9;
+  for (Point p : result->front().points_px)
+    if (p.x < plot.at(0.5, 0).x) top = std::min(top, p.y);
+  CHECK(top == Approx(plot.at(0, 0.5).y).margin(1.2));
+}
+
+TEST_CASE("loop: intercepts on the force axis and a wall on the last gridline", "[trace_loop]") {
+  Plot plot(640, 480, 2);
+  plot.grid(8, 6, 2);
+  const Loop loop{through({{0.0, 0.30}, {0.3, 0.45}, {0.96, 0.70}}),
+                  through({{0.0, 0.16}, {0.44, 0.36}, {0.50, 0.48}, {0.96, 0.66}})};
+  Loop drawn = loop;
+  drawn.press.push_back({0.999, 0.76});
+  drawn.release.push_back({0.999, 0.72});
+  draw(plot, drawn);
+  checkLoop(plot, drawn, 0.5);
+}
+
+TEST_CASE("loop: a latch branch is not part of the strokes", "[trace_loop]") {
+  Plot plot(800, 600, 2);
+  plot.grid(8, 6, 2);
+  const Loop loop{through({{0.01, 0.28}, {0.9, 0.80}, {0.93, 0.98}}),
+                  through({{0.01, 0.2}, {0.35, 0.38}, {0.38, 0.47}, {0.905, 0.77}, {0.933, 0.98}})};
+  draw(plot, loop);
+  plot.curve(plot.at({{0.532, 0.575}, {0.532, 0.0}}));
+  plot.curve(plot.at({{0.532, 0.20}, {0.56, 0.58}}));
+  checkLoop(plot, loop, 0.6);
+}
+
+TEST_CASE("loop: gaps in a stroke are bridged", "[trace_loop]") {
+  Plot plot(640, 480, 2);
+  const Loop loop = tactileLoop();
+  draw(plot, loop);
+  for (double x : {0.12, 0.36, 0.52, 0.7}) {
+    const Point p = plot.at(x, 0);
+    plot.erase({p.x - 4, 0, p.x + 4, 480});
+  }
+  checkLoop(plot, loop, 0.4);
+}
+
+TEST_CASE("loop: a press-only graph gives one stroke", "[trace_loop]") {
+  Plot plot(640, 480, 2);
+  plot.grid(8, 6, 1);
+  const Loop loop = tactileLoop();
+  plot.curve(plot.at(loop.press));
+  const auto result = plot.trace();
+  REQUIRE(result.ok());
+  REQUIRE(result->size() == 1);
+  CHECK(result->front().stroke == Stroke::press);
+  CHECK(meanDistance(result->front().points_px, plot.at(loop.press)) < 0.4);
+}
+
+TEST_CASE("loop: a large page is followed on a small plane and refined at full size", "[trace_loop]") {
+  Plot plot(2600, 1900, 5);
+  plot.grid(10, 6, 5);
+  const Loop loop = tactileLoop();
+  draw(plot, loop);
+  checkLoop(plot, loop, 0.9);
+}
+
+TEST_CASE("loop: a plot that stands slightly askew", "[trace_loop]") {
+  Plot plot(700, 560, 2);
+  const double angle = 0.02;
+  const auto turned = [&](Point p) -> Point {
+    const double dx = p.x - 350, dy = p.y - 280;
+    return {350 + dx * std::cos(angle) - dy * std::sin(angle),
+            280 + dx * std::sin(angle) + dy * std::cos(angle)};
+  };
+  const Loop loop = tactileLoop();
+  Curve press, release;
+  for (Point p : plot.at(loop.press)) press.push_back(turned(p));
+  for (Point p : plot.at(loop.release)) release.push_back(turned(p));
+  for (Point& c : plot.frame().corners) c = turned(c);
+  plot.curve(press);
+  plot.curve(release);
+  const auto result = plot.trace();
+  REQUIRE(result.ok());
+  REQUIRE(result->size() == 2);
+  CHECK(meanDistance(result->front().points_px, press) < 0.35);
+  CHECK(meanDistance(result->back().points_px, release) < 0.35);
+}
+
+TEST_CASE("loop: random loops are never swapped and never far off", "[trace_loop]") {
+  std::mt19937 random(20);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int n = 0; n < 8; ++n) {
+    Plot plot(560, 460, 1.2 + 1.5 * unit(random));
+    plot.grid(6 + n % 3, 5, 1 + 0.8 * unit(random));
+    const double level = 0.3 + 0.15 * unit(random), hump = 0.2 * unit(random),
+                 below = 0.06 + 0.12 * unit(random);
+    const double end = 0.8 + 0.12 * unit(random), operate = 0.5 + 0.15 * unit(random);
+    const Loop loop{through({{0.02, 0},
+                             {0.06, level - 0.03},
+                             {0.2, level},
+                             {0.32, level + hump},
+                             {0.47, level - 0.02},
+                             {operate + 0.05, level + 0.08},
+                             {end, level + 0.15},
+                             {end + 0.03, 0.98}}),
+                    through({{0.03, 0},
+                             {0.075, level - below - 0.03},
+                             {0.3, level - below + hump / 2},
+                             {operate - 0.08, level - below},
+                             {operate + 0.06, level + 0.065},
+                             {end + 0.002, level + 0.135},
+                             {end + 0.032, 0.98}})};
+    draw(plot, loop);
+    INFO("loop " << n);
+    checkLoop(plot, loop, 0.6, 0.3);
+  }
+}
+
+TEST_CASE("loop: rubbish is not believed", "[trace_loop]") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0.05, 0.95);
+  int believed = 0;
+  for (int n = 0; n < 6; ++n) {
+    Plot plot(600, 450, 2);
+    plot.grid(8, 6, 2);
+    for (int k = 0; k < 30; ++k) {
+      const double x = unit(random), y = unit(random);
+      plot.curve({plot.at(x, y), plot.at(x + 0.2 * (unit(random) - 0.5), y + 0.3 * (unit(random) - 0.5))});
+    }
+    const auto result = plot.trace();
+    if (result.ok() && result->front().confidence > 0.5) ++believed;
+  }
+  CHECK(believed == 0);
+}
+
+TEST_CASE("loop: an empty frame, words alone, a cancelled run and a mask over everything", "[trace_loop]") {
+  Plot empty(400, 300, 2);
+  empty.grid(6, 5, 2);
+  const auto nothing = empty.trace();
+  if (nothing.ok()) CHECK(nothing->front().confidence < 0.2);
+  Plot blank(400, 300, 2);
+  REQUIRE_FALSE(blank.trace().ok());
+  CHECK(blank.trace().failure().code == FailureCode::noForceGraph);
+  CHECK_FALSE(blank.trace().failure().remedy.empty());
+
+  Plot words(400, 300, 1.5);
+  for (int k = 0; k < 4; ++k) words.word(0.2, 0.2 + 0.15 * k, 12);
+  const auto text = words.trace();
+  if (text.ok()) CHECK(text->front().confidence < 0.2);
+
+  Plot plot(400, 300, 2);
+  const Loop loop = tactileLoop();
+  draw(plot, loop);
+  Progress stop;
+  stop.cancelled = [] { return true; };
+  const auto cancelled = plot.trace({}, stop);
+  REQUIRE_FALSE(cancelled.ok());
+  CHECK(cancelled.failure().code == FailureCode::wrongUsage);
+  TraceHints hidden;
+  hidden.masks_px = {{0, 0, 400, 300}};
+  CHECK_FALSE(plot.trace(hidden).ok());
+}
