@@ -1,0 +1,232 @@
+// detent-import as a program: exit code, what it prints, what it leaves behind.
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "tests/cli/run_program.h"
+
+using detent::tests::ProgramFolder;
+using detent::tests::ProgramResult;
+using nlohmann::json;
+using Names = std::set<std::string>;
+
+namespace {
+
+const std::string plots = std::string(DETENT_SOURCE_DIR) + "/samples/plots/";
+const std::string plot = plots + "two-level-legend.png";
+
+std::string bytesOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+ProgramResult import(const ProgramFolder& folder, const std::vector<std::string>& arguments) {
+  return folder.run(DETENT_IMPORT, arguments);
+}
+
+/// A failing import of a file with these bytes: its code, one sentence that names the file, and no output.
+void refused(const std::string& name, const std::string& bytes, int exitCode, const std::string& words) {
+  const ProgramFolder folder("import_refused");
+  folder.write(name, bytes);
+  INFO(name);
+  const ProgramResult run =
+      import(folder, {name, "-o", "b.button.json", "--csv", "b.csv", "--overlay", "b.png", "--json"});
+  CHECK(run.exitCode == exitCode);
+  CHECK_THAT(run.err, Catch::Contains(words, Catch::CaseSensitive::No));
+  CHECK_THAT(run.err, Catch::Contains(name));
+  const json report = json::parse(run.out);
+  CHECK(report["exit_code"] == exitCode);
+  CHECK_FALSE(report["remedy"].get<std::string>().empty());
+  CHECK(folder.files() == Names{name});
+}
+
+/// A white 24-bit BMP: the smallest picture anyone can write by hand.
+std::string whiteBmp(unsigned width, unsigned height) {
+  const std::size_t row = (3 * width + 3) / 4 * 4;
+  std::string bytes(54 + row * height, '\xff');
+  const auto put = [&](std::size_t at, std::size_t value) {
+    for (std::size_t i = 0; i < 4; ++i) bytes[at + i] = static_cast<char>(value >> (8 * i) & 255);
+  };
+  bytes[0] = 'B', bytes[1] = 'M';
+  put(2, bytes.size()), put(6, 0), put(10, 54), put(14, 40), put(18, width), put(22, height);
+  put(26, 1u | 24u << 16), put(30, 0), put(34, 0), put(38, 2835), put(42, 2835), put(46, 0), put(50, 0);
+  return bytes;
+}
+
+}  // namespace
+
+TEST_CASE("Inputs that cannot be read are refused with one helpful sentence and nothing written") {
+  refused("empty.png", "", 3, "empty");
+  refused("text.png", "These are words, not pixels.\n", 3, "text.png");
+  refused("lies.pdf", whiteBmp(40, 30).substr(0, 60), 3, "lies.pdf");
+  refused("truncated.pdf", bytesOf(plots + "white-vector.pdf").substr(0, 300), 3, "truncated.pdf");
+  refused("truncated.png", bytesOf(plot).substr(0, 2000), 3, "truncated.png");
+}
+
+TEST_CASE("A missing file and a folder are no inputs") {
+  const ProgramFolder folder("import_missing");
+  for (const std::string input : {"missing.png", "."}) {
+    const ProgramResult run = import(folder, {input, "-o", "b.button.json"});
+    CHECK(run.exitCode == 3);
+    CHECK_FALSE(run.err.empty());
+    CHECK(folder.files().empty());
+  }
+}
+
+TEST_CASE("Pictures without a force graph are told from broken ones") {
+  refused("dot.bmp", whiteBmp(1, 1), 4, "no force graph");
+  refused("blank.bmp", whiteBmp(640, 480), 4, "no force graph");
+}
+
+TEST_CASE("Force logs that cannot mean a stroke are refused") {
+  refused("words.csv", "displacement_mm,force_N\nabc,def\n", 4, "words.csv");
+  refused("one.csv", "displacement_mm,force_N\n1,2\n", 4, "one.csv");
+  refused("nan.csv", "displacement_mm,force_N\n0,nan\n1,nan\n2,nan\n", 4, "nan.csv");
+}
+
+TEST_CASE("Wrong usage exits 2 and says how it is meant") {
+  const ProgramFolder folder("import_usage");
+  const auto says = [&](const std::vector<std::string>& arguments, const std::string& words) {
+    const ProgramResult run = import(folder, arguments);
+    CHECK(run.exitCode == 2);
+    CHECK_THAT(run.err, Catch::Contains(words));
+  };
+  says({}, "INPUT");
+  says({"a.png", "b.png"}, "--batch");
+  says({"--batch", "a.png"}, "--out-dir");
+  says({"a.png", "--x-axis", "4"}, "MIN:MAX");
+  says({"a.png", "--x-axis", "4:4"}, "MIN:MAX");
+  says({"a.png", "--y-unit", "stone"}, "unit of force");
+  says({"a.png", "--press-color", "red"}, "#2a6099");
+  says({"a.png", "--frame", "1,2,3"}, "X0,Y0,X1,Y1");
+  says({"a.png", "--quality", "best"}, "--quality");
+  says({"a.png", "--page", "0"}, "--page");
+}
+
+TEST_CASE("Help states units, defaults and exit codes") {
+  const ProgramFolder folder("import_help");
+  const ProgramResult help = import(folder, {"--help"});
+  CHECK(help.exitCode == 0);
+  for (const char* words : {"--x-axis", "points (1/72 in)", "Exit codes", "mm", "default"}) {
+    CHECK_THAT(help.out, Catch::Contains(words));
+  }
+}
+
+TEST_CASE("A plot becomes a button, a CSV, a trace and an overlay, with the JSON of the contract") {
+  const ProgramFolder folder("import_plot");
+  const ProgramResult run = import(folder, {plot, "-o", "b.button.json", "--csv", "b.csv", "--trace-csv",
+                                            "t.csv", "--overlay", "o.png", "--json"});
+  INFO(run.err);
+  REQUIRE(run.exitCode == 0);
+  const json report = json::parse(run.out);
+  CHECK(report["status"] == "ok");
+  for (const char* key : {"page", "graph", "x_axis", "y_axis", "press", "release", "travel_mm", "quality",
+                          "seconds", "confidence", "warnings"}) {
+    INFO(key);
+    CHECK(report.contains(key));
+  }
+  for (const char* key : {"unit", "min", "max", "residual_px"}) CHECK(report["x_axis"].contains(key));
+
+  // samples/plots/MANIFEST.md: button D, tactile points at 0.90 mm 0.800 N and 2.10 mm 1.600 N.
+  const json tactile = report["press"]["tactile_points"];
+  REQUIRE(tactile.size() == 2);
+  CHECK(tactile[0]["displacement_mm"].get<double>() == Approx(0.90).margin(0.03));
+  CHECK(tactile[0]["force_N"].get<double>() == Approx(0.80).margin(0.01));
+  CHECK(tactile[1]["displacement_mm"].get<double>() == Approx(2.10).margin(0.03));
+  CHECK(tactile[1]["force_N"].get<double>() == Approx(1.60).margin(0.01));
+  CHECK(tactile[0]["sigma_mm"].get<double>() > 0);
+  CHECK(tactile[0]["sigma_N"].get<double>() > 0);
+
+  CHECK(folder.read("b.csv").rfind("stroke,displacement_mm,force_N\npress,", 0) == 0);
+  CHECK(folder.read("t.csv").rfind("stroke,displacement_mm,force_N\npress,", 0) == 0);
+  CHECK(folder.read("o.png").substr(1, 3) == "PNG");
+  const json button = json::parse(folder.read("b.button.json"));
+  CHECK(button["format"] == "detent-button");
+  CHECK(folder.files() == Names{"b.button.json", "b.csv", "o.png", "t.csv"});
+}
+
+TEST_CASE("The same import twice writes the same bytes") {
+  const ProgramFolder folder("import_twice");
+  REQUIRE(import(folder, {plot, "-o", "1.button.json", "--csv", "1.csv"}).exitCode == 0);
+  REQUIRE(import(folder, {plot, "-o", "2.button.json", "--csv", "2.csv"}).exitCode == 0);
+  CHECK(folder.read("1.button.json") == folder.read("2.button.json"));
+  CHECK(folder.read("1.csv") == folder.read("2.csv"));
+}
+
+TEST_CASE("What is given by hand is kept, changes what depends on it, and is recorded") {
+  const ProgramFolder folder("import_hints");
+  const ProgramResult found = import(folder, {plot, "--json"});
+  const ProgramResult given =
+      import(folder, {plot, "--y-axis", "0:5.6", "--y-unit", "N", "-o", "b.button.json", "--json"});
+  INFO(given.err);
+  REQUIRE(found.exitCode == 0);
+  REQUIRE(given.exitCode == 0);
+  const auto tactileForce = [](const ProgramResult& run) {
+    return json::parse(run.out)["press"]["tactile_points"][0]["force_N"].get<double>();
+  };
+  CHECK(tactileForce(given) == Approx(2 * tactileForce(found)).epsilon(0.01));  // the axis ends at 2.8 N
+  CHECK_THAT(folder.read("b.button.json"), Catch::Contains("--y-axis"));
+
+  const ProgramResult swapped = import(folder, {plot, "--swap-strokes", "--csv", "s.csv"});
+  CHECK(swapped.exitCode == 0);
+}
+
+TEST_CASE("--list shows where the graph is and how its axes read") {
+  const ProgramFolder folder("import_list");
+  const ProgramResult run = import(folder, {"--list", plots + "white-vector.pdf", "--json"});
+  INFO(run.err);
+  REQUIRE(run.exitCode == 0);
+  const json graphs = json::parse(run.out)["graphs"];
+  REQUIRE(graphs.size() == 1);
+  CHECK(graphs[0]["page"] == 1);
+  CHECK(graphs[0]["graph"] == 1);
+  CHECK(graphs[0]["frame_pt"].size() == 4);
+  CHECK(graphs[0]["x_axis"]["unit"] == "mm");
+  CHECK(graphs[0]["y_axis"]["unit"] == "cN");
+  CHECK(graphs[0]["y_axis"]["max"].get<double>() == Approx(100).margin(0.5));
+}
+
+TEST_CASE("A force meter's log becomes the same button as its plot") {
+  const ProgramFolder folder("import_log");
+  const ProgramResult run = import(folder, {plots + "force-meter-log.csv", "-o", "b.button.json", "--json"});
+  INFO(run.err);
+  REQUIRE(run.exitCode == 0);
+  const json tactile = json::parse(run.out)["press"]["tactile_points"];
+  REQUIRE(tactile.size() == 1);  // button C
+  CHECK(tactile[0]["displacement_mm"].get<double>() == Approx(1.60).margin(0.05));
+  CHECK(tactile[0]["force_N"].get<double>() == Approx(0.65).margin(0.01));
+}
+
+TEST_CASE("A batch handles every input, whatever happens to one, and resumes") {
+  const ProgramFolder folder("import_batch");
+  folder.write("broken.png", "not a picture");
+  const ProgramResult run =
+      import(folder, {"--batch", plot, "broken.png", "--out-dir", "out", "--jobs", "2"});
+  INFO(run.err);
+  REQUIRE(run.exitCode == 0);
+  std::istringstream report(folder.read("out/report.jsonl"));
+  std::string first, second, none;
+  REQUIRE(std::getline(report, first));
+  REQUIRE(std::getline(report, second));
+  CHECK_FALSE(std::getline(report, none));
+  CHECK(json::parse(first)["status"] == "ok");
+  CHECK(json::parse(second)["exit_code"] == 3);
+  CHECK(folder.read("out/two-level-legend.button.json").size() > 100);
+
+  const ProgramResult again = import(folder, {"--batch", plot, "broken.png", "--out-dir", "out", "--resume"});
+  CHECK(again.exitCode == 0);
+  CHECK_THAT(again.out, Catch::Contains("0 inputs handled, 0 failed, 2 already done"));
+}
+
+TEST_CASE("Two inputs of one name get results of their own") {
+  const ProgramFolder folder("import_names");
+  std::filesystem::create_directories(folder.path() / "a");
+  std::filesystem::create_directories(folder.path() / "b");
+  folder.write("a/p.png", bytesOf(plot));
+  folder.write("b/p.png", bytesOf(plot));
+  REQUIRE(import(folder, {"--batch", "a/p.png", "b/p.png", "--out-dir", "out"}).exitCode == 0);
+  CHECK_FALSE(folder.read("out/a-p.button.json").empty());
+  CHECK_FALSE(folder.read("out/b-p.button.json").empty());
+}
