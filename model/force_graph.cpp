@@ -33,6 +33,16 @@ std::optional<Failure> curveProblem(const StrokeCurve& curve, const char* name) 
   return {};
 }
 
+std::optional<Failure> releaseProblem(const StrokeCurve& press, const StrokeCurve& release) {
+  if (auto problem = curveProblem(release, "release curve")) return problem;
+  if (release.end_mm() > press.start_mm() && release.start_mm() < press.end_mm()) return {};
+  return graphFailure("release curve",
+                      "covers " + numberText(release.start_mm()) + " to " + numberText(release.end_mm()) +
+                          " mm, beside the press curve's " + numberText(press.start_mm()) + " to " +
+                          numberText(press.end_mm()) + " mm",
+                      "Bring both strokes to the same displacement axis");
+}
+
 }  // namespace
 
 Result<ForceGraph> ForceGraph::fromCurves(StrokeCurve press, std::optional<StrokeCurve> release) {
@@ -40,14 +50,8 @@ Result<ForceGraph> ForceGraph::fromCurves(StrokeCurve press, std::optional<Strok
     return graphFailure("press curve", "starts at " + numberText(press.start_mm()) + " mm, before 0 mm",
                         "Move the curve so that it starts at 0 mm or later");
   if (auto problem = curveProblem(press, "press curve")) return *problem;
-  if (!release) return ForceGraph(std::move(press), {});
-  if (auto problem = curveProblem(*release, "release curve")) return *problem;
-  if (release->end_mm() <= press.start_mm() || release->start_mm() >= press.end_mm())
-    return graphFailure("release curve",
-                        "covers " + numberText(release->start_mm()) + " to " + numberText(release->end_mm()) +
-                            " mm, beside the press curve's " + numberText(press.start_mm()) + " to " +
-                            numberText(press.end_mm()) + " mm",
-                        "Bring both strokes to the same displacement axis");
+  if (release)
+    if (auto problem = releaseProblem(press, *release)) return *problem;
   return ForceGraph(std::move(press), std::move(release));
 }
 
