@@ -442,4 +442,28 @@ SolveReport reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points,
   return report;
 }
 
+int returnStrayKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, double reach) {
+  int returned = 0;
+  for (ChainKnot& knot : chain) {
+    double best = std::numeric_limits<double>::infinity(), u = knot.u(), v = knot.v();
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const SigmaPoint &a = points[i], &b = points[i + 1];
+      const double du = b.u - a.u, dv = b.v - a.v, square = du * du + dv * dv;
+      const double t =
+          square > 0 ? std::clamp(((knot.u() - a.u) * du + (knot.v() - a.v) * dv) / square, 0.0, 1.0) : 0;
+      const double distance = std::hypot(knot.u() - a.u - t * du, knot.v() - a.v - t * dv);
+      if (distance < best) best = distance, u = a.u + t * du, v = a.v + t * dv;
+    }
+    if (best <= reach) continue;
+    knot.at[0] = u;
+    knot.at[1] = v;
+    ++returned;
+  }
+  if (returned > 0) {
+    levelDisplacements(chain);
+    dropRedundantKnots(chain);
+  }
+  return returned;
+}
+
 }  // namespace detent::importer

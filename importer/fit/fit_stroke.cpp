@@ -94,6 +94,8 @@ ChosenChain chooseChain(const StrokeSamples& samples, const FitOptions& options)
     if (static_cast<int>(cut.chain.size()) - 1 > options.maxPieces)
       solved = reachPieces(cut.chain, points, options.maxPieces, settings);
   }
+  // Corners of drawn lines lie up to the robust scale outside of them.
+  if (returnStrayKnots(cut.chain, points, options.robustScale + 2) > 0) solved.converged = false;
   return {std::move(cut.chain), evidence,
           solved.converged ? FitOutcome::converged : FitOutcome::iterationLimit};
 }

@@ -134,25 +134,25 @@ class PieceResiduals final : public ceres::CostFunction {
   std::vector<JointKind> joints_;
 };
 
-/// Holds a knot near its place where the points say nothing about it: a smooth joint may slide along a
-/// straight line, a short piece may hold no points.
-class WeakPlace final : public ceres::SizedCostFunction<2, 4> {
+/// Holds a knot near its place and slopes where the points say nothing about them: a smooth joint may slide
+/// along a straight line, a short piece may hold no points.
+class WeakPlace final : public ceres::SizedCostFunction<4, 4> {
  public:
-  WeakPlace(const ChainKnot& knot, double reachU, double reachV)
-      : u_(knot.u()), v_(knot.v()), perU_(0.1 / reachU), perV_(0.1 / reachV) {}
+  WeakPlace(const ChainKnot& knot, double reachU, double reachV) : at_(knot.at) {
+    per_ = {0.1 / reachU, 0.1 / reachV, slopePer(at_[2]), slopePer(at_[3])};
+  }
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    residuals[0] = (parameters[0][0] - u_) * perU_;
-    residuals[1] = (parameters[0][1] - v_) * perV_;
-    if (jacobians && jacobians[0]) {
-      std::fill_n(jacobians[0], 8, 0.0);
-      jacobians[0][0] = perU_;
-      jacobians[0][5] = perV_;
+    if (jacobians && jacobians[0]) std::fill_n(jacobians[0], 16, 0.0);
+    for (std::size_t i = 0; i < 4; ++i) {
+      residuals[i] = (parameters[0][i] - at_[i]) * per_[i];
+      if (jacobians && jacobians[0]) jacobians[0][5 * i] = per_[i];
     }
     return true;
   }
 
  private:
-  double u_, v_, perU_, perV_;
+  static double slopePer(double slope) { return 0.01 / std::max(1.0, std::abs(slope)); }
+  KnotParameters at_{}, per_{};
 };
 
 /// The points say where the curve runs, so a knot may not leave them: orthogonal distance alone would not
