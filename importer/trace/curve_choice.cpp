@@ -12,6 +12,8 @@ constexpr double kMinInkShare = 0.5;  // of the visible course: dashes have abou
 constexpr double kMinInkShareNeutral = 0.85;
 constexpr double kMinOwnColumns = 0.4;  // of the columns spanned: the rest may be hidden or bridged
 constexpr double kMinExplained = 0.3;   // of the ink's mass outside text and legend
+constexpr double kMinOfBest = 0.3;      // of the best curve's gain: less is a remnant of something else
+constexpr double kStrandsApart = 0.02;  // of the frame's height: two strokes in one ink get this far apart
 constexpr float kGreyChroma = 26;       // colour levels between the largest and the smallest channel
 
 double massOf(const Plane& plane) {
@@ -41,6 +43,25 @@ double eraseAlong(Plane& plane, const std::vector<Point>& course, double reach) 
     plane.at(x, y) = 0;
   });
   return erased;
+}
+
+/// Clears what lies on letters; the mask is `pooling` times as fine as the plane.
+void clearLetters(Plane& plane, const Mask& letters, int maskWidth, int pooling) {
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    if (!letters[i]) continue;
+    const int x = static_cast<int>(i % static_cast<std::size_t>(maskWidth));
+    const int y = static_cast<int>(i / static_cast<std::size_t>(maskWidth));
+    plane.at(x / pooling, y / pooling) = 0;
+  }
+}
+
+/// Columns in which the plane has ink.
+double inkedColumns(const Plane& plane) {
+  std::vector<char> inked(static_cast<std::size_t>(plane.width), 0);
+  for (int y = 0; y < plane.height; ++y)
+    for (int x = 0; x < plane.width; ++x)
+      if (plane.at(x, y) > 0.3F) inked[static_cast<std::size_t>(x)] = 1;
+  return static_cast<double>(std::count(inked.begin(), inked.end(), 1));
 }
 
 /// Share of a course that runs within `reach` of another one.
@@ -105,11 +126,13 @@ std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
   if (!isCurve(curve.course, frame, thickness, neutral)) return {};
   const double mass = massOf(field.own);
   double explained = eraseAlong(field.own, curve.course.points, thickness + 2);
-  const CoarseCurve second = followCurve(field, frame, options);
-  if (isCurve(second, frame, thickness, neutral) && second.span_px >= 0.25 * curve.course.span_px) {
-    curve.secondStrand = second.gain_px / curve.course.gain_px;
-    explained += eraseAlong(field.own, second.points, thickness + 2);
-  }
+  // What is left close to the line is markers, spikes and its own edges; what is left far from it is another
+  // line.
+  Plane rest = field.own;
+  clearLetters(rest, plot.text.mask, full.own.width, curve.pooling);
+  eraseAlong(rest, curve.course.points, std::max(thickness + 2, kStrandsApart * frame.height()));
+  curve.secondStrand = inkedColumns(rest) / std::max(1.0, curve.course.inkColumns_px);
+  if (curve.secondStrand > kSecondStrand) explained += massOf(field.own);
   if (explained < kMinExplained * mass) return {};
   return curve;
 }
@@ -223,9 +246,10 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   for (CurveInk& curve : found) {
     const Plane size((plot.coverage.unknown.width - 1) / curve.pooling + 1,
                      (plot.coverage.unknown.height - 1) / curve.pooling + 1);
+    if (!curves.empty() && curve.course.gain_px < kMinOfBest * curves.front().course.gain_px) break;
     if (!isSeam(curve, curves, size)) curves.push_back(std::move(curve));
   }
-  if (curves.size() != 1 || curves.front().secondStrand > 0.3) return curves;
+  if (curves.size() != 1 || curves.front().secondStrand > kSecondStrand) return curves;
   for (int k : neutral) {
     auto curve = curveOf(plot, k, true);
     // A lone coloured curve may have its partner in the ink of the frame; a leader or a callout is much

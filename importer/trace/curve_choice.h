@@ -16,8 +16,12 @@ struct CurveInk {
   CoarseCurve course;    ///< on planes pooled by `pooling`
   int pooling = 1;
   double thickness_px = 1;
-  double secondStrand = 0;  ///< gain of the best other line in the same ink, as a share of the first
+  double secondStrand = 0;  ///< columns with ink far from the course, as a share of the course's own
 };
+
+/// Above this share a second line runs in the same ink (dashes have about half the columns, and strokes touch
+/// in places).
+inline constexpr double kSecondStrand = 0.18;
 
 /// Everything measured on one plot area.
 struct PlotInks {

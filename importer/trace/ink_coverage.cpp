@@ -100,6 +100,10 @@ Coverage unmix(const PlotArea& area, const Backdrop& backdrop, const std::vector
       const float tolerance = kResidualFloor + 2 * backdrop.noise() + kResidualShare * length;
       const Mixture mixture = unmixer.explain(pixel, behind, tolerance);
       const std::size_t i = coverage.unknown.index(x, y);
+      if (mixture.residual > std::max(2.5F * tolerance, 0.2F * length)) {  // none of these inks
+        coverage.unknown.values[i] = std::min(1.0F, length / typical);
+        continue;
+      }
       if (mixture.first >= 0) coverage.ink[static_cast<std::size_t>(mixture.first)].values[i] = mixture.a;
       if (mixture.second >= 0) coverage.ink[static_cast<std::size_t>(mixture.second)].values[i] = mixture.b;
       if (mixture.residual > 2 * tolerance)

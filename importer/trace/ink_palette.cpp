@@ -125,6 +125,20 @@ std::vector<Ink> findInks(const PlotArea& area, const Backdrop& backdrop, const 
   return inks;
 }
 
+void addLetterInk(std::vector<Ink>& inks, const PlotArea& area, const Backdrop& backdrop,
+                  const Mask& letters) {
+  Mask others(letters.size());
+  std::transform(letters.begin(), letters.end(), others.begin(), [](std::uint8_t l) { return l ? 0 : 1; });
+  PaletteLimits one;
+  one.maxInks = 1;
+  for (const Ink& letter : findInks(area, backdrop, others, one)) {
+    const bool known = std::any_of(inks.begin(), inks.end(), [&](const Ink& ink) {
+      return dot(ink.direction, letter.direction) > 0.99F;
+    });
+    if (!known) inks.push_back(letter);
+  }
+}
+
 Ink inkOfColor(Rgb color, const Backdrop& backdrop) {
   const Color3 c{static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
   const Color3 difference = c - backdrop.paper();

@@ -36,6 +36,11 @@ float inkThreshold(const Backdrop& backdrop);
 std::vector<Ink> findInks(const PlotArea& area, const Backdrop& backdrop, const Mask& excluded,
                           const PaletteLimits& limits = {});
 
+/// Adds the ink most letters have, unless it is in the palette: `letters` marks them. Without it their pixels
+/// would be taken for the nearest curve's.
+void addLetterInk(std::vector<Ink>& inks, const PlotArea& area, const Backdrop& backdrop,
+                  const Mask& letters);
+
 /// Given inks (hints) measured on the area: direction from the colour itself.
 Ink inkOfColor(Rgb color, const Backdrop& backdrop);
 

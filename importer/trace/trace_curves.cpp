@@ -19,8 +19,7 @@ namespace {
 
 using namespace inks;
 
-constexpr double kSecondStrokeShare = 0.3;  // of the first line's gain: then both strokes share the ink
-constexpr double kSameInkAngle = 0.985;     // cosine between a given colour and an ink found
+constexpr double kSameInkAngle = 0.985;  // cosine between a given colour and an ink found
 
 Failure cancelled() { return {FailureCode::wrongUsage, "tracing", "", "cancelled", "run it again"}; }
 
@@ -242,6 +241,8 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
   Mask excluded = text.mask;
   for (std::size_t i = 0; i < masked.size(); ++i) excluded[i] = excluded[i] | masked[i];
   std::vector<Ink> palette = findInks(area, backdrop, excluded);
+  if (std::find(text.mask.begin(), text.mask.end(), 1) != text.mask.end())
+    addLetterInk(palette, area, backdrop, text.mask);
   const std::vector<int> given = addGivenInks(palette, hints, backdrop);
   if (palette.empty()) return noCurve("is empty: nothing but paper and grid lines in it");
   if (progress.isCancelled()) return cancelled();
@@ -257,7 +258,7 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
                  curves.end());
   if (progress.isCancelled()) return cancelled();
 
-  const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrokeShare;
+  const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrand;
   if (curves.empty() || oneInkBothStrokes) {
     const Ink ink = curves.empty() ? darkness(plot) : palette[static_cast<std::size_t>(curves.front().ink)];
     return traceLoop(inkLayer(view.raster, area, backdrop, ink, palette, curves.empty()), frame, axes, hints,
