@@ -8,7 +8,7 @@ namespace {
 
 using Polyline = std::vector<Point>;
 
-constexpr double leastSlenderness = 1.5;  // length over width
+constexpr double leastSlenderness = 2.5;  // length over width
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 

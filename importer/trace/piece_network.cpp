@@ -14,7 +14,7 @@ namespace {
 // Costs. Their unit is the price of one plot width that a stroke leaves uncovered, divided by four.
 constexpr double uncovered = 4;     // per plot width at either end
 constexpr double rightAngle = 0.4;  // of a join that turns by 90°
-constexpr double anyJoin = 0.02;
+constexpr double anyJoin = 0.005;
 constexpr double sharpestTurn_deg = 130;
 constexpr double backwards = 3;  // per plot width walked to the left
 constexpr double repeated =
@@ -23,8 +23,8 @@ constexpr double levelTravel =
     4;  // per plot width along one level line: it may be a gridline, so it gains nothing
 constexpr double axisParallelPiece = 0.1;
 constexpr double gridPiece = 0.8;
-constexpr double smallPiece = 0.03;
-constexpr double gapPerDiagonal = 6;
+constexpr double smallPiece = 0.005;
+constexpr double gapPerDiagonal = 2.5;
 constexpr double stopsWhereLineGoesOn = 0.3;
 constexpr double widthDoubling = 0.05;
 constexpr double surelyGoesOn = 0.24;
@@ -52,7 +52,7 @@ class EndGrid {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const auto found = cells_.find(keyOf(p, dx, dy));
-        if (found == cells_.end()) continue;
+        if (found == cells_.end() || found->second.size() > crowd) continue;
         for (const std::size_t id : found->second) visit(id);
       }
   }
@@ -63,6 +63,7 @@ class EndGrid {
     const auto y = static_cast<std::int64_t>(std::floor(p.y / cell_)) + dy;
     return static_cast<std::uint64_t>(x) << 32 ^ (static_cast<std::uint64_t>(y) & 0xffffffffu);
   }
+  static constexpr std::size_t crowd = 200;  // ends in one place: letters, hatching; not a curve's
   double cell_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
@@ -282,10 +283,29 @@ bool PieceNetwork::visiblyGoesOn(std::size_t from, bool fromEnd, const Link& lin
   constexpr double sameWidth =
       0.7;  // in powers of two; a thin plumb line on a thick curve is a continuation mark
   const LinePiece &here = pieces_[from], &next = pieces_[link.piece];
-  const bool level = next.axisParallel && std::abs(spans_[link.piece]) > levelSpan;  // rather a gridline
-  if (next.onGridLine || level || link.gap > touching || joinCost(from, fromEnd, link) > surelyGoesOn)
-    return false;
-  return !next.axisParallel || std::abs(std::log2(here.width_px / next.width_px)) < sameWidth;
+  if (next.onGridLine || link.gap > touching) return false;
+  if (!next.axisParallel) return joinCost(from, fromEnd, link) <= surelyGoesOn;
+  const bool level = std::abs(spans_[link.piece]) > levelSpan;  // rather a gridline
+  if (level || std::abs(std::log2(here.width_px / next.width_px)) > sameWidth) return false;
+  return joinCost(from, fromEnd, link) <= (isWallUp(link) ? rightAngle * 1.1 : surelyGoesOn);
+}
+
+bool PieceNetwork::isWallUp(const Link& link) const {
+  constexpr double leastHeight = 0.1;  // of the plot's
+  constexpr int mostParts = 8;         // strokes that end on the wall have cut it
+  double rise = 0;
+  Link part = link;
+  for (int i = 0; i < mostParts; ++i) {
+    rise += endOf(part.piece, part.atEnd).y - endOf(part.piece, !part.atEnd).y;
+    const auto& onward = linksOf(part.piece, !part.atEnd);
+    const auto next = std::find_if(onward.begin(), onward.end(), [&](const Link& l) {
+      return pieces_[l.piece].axisParallel && !pieces_[l.piece].onGridLine &&
+             joinCost(part.piece, !part.atEnd, l) < surelyGoesOn;
+    });
+    if (next == onward.end()) break;
+    part = *next;
+  }
+  return rise > leastHeight * plane_.box.height();
 }
 
 double PieceNetwork::endCost(const Step& step, bool atEnd) const {
@@ -402,7 +422,7 @@ void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
 
 double PieceNetwork::unusedLength() const {
   // Some documents draw a curve twice; a copy is not another curve.
-  constexpr double straightChord = 0.995;  // of the length; leaders are straight
+  constexpr double straightChord = 0.9995;  // of the length; leaders are straight
   EndGrid taken(std::max(0.006 * plane_.diagonal(), 1e-6));
   std::vector<Point> places;
   const double step = 0.004 * plane_.diagonal();

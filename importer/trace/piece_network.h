@@ -64,6 +64,8 @@ class PieceNetwork {
   double walkCost(std::size_t piece, bool forward) const;
   /// The line goes on there as one would draw it: touching, without a sharp turn, in the same thickness.
   bool visiblyGoesOn(std::size_t from, bool fromEnd, const Link& link) const;
+  /// A plumb line that leads up from here, long enough to be the bottom-out.
+  bool isWallUp(const Link& link) const;
   /// Of beginning or ending a stroke there: what it leaves uncovered, and if the line visibly goes on.
   double endCost(const Step& step, bool atEnd) const;
   void extend(std::vector<Step>& steps, bool atEnd) const;

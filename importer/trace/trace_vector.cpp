@@ -32,7 +32,6 @@ struct StyledStroke {
   double confidence = 1;
 };
 
-/// A third stroke in one ink means that the two best may not belong together.
 constexpr std::size_t strokesOfOneInk = 2;
 
 std::vector<StyledStroke> strokesOf(const LineStyle& style, std::vector<LinePiece> pieces,
@@ -45,6 +44,7 @@ std::vector<StyledStroke> strokesOf(const LineStyle& style, std::vector<LinePiec
     strokes.push_back({style, *stroke, std::clamp(1 - 0.3 * stroke->joinCost, 0.1, 1.0)});
   }
   constexpr double halfAnotherStroke = 0.25;
+  // A third curve in the ink: perhaps the two best do not belong together.
   if (!strokes.empty() && network.unusedLength() > halfAnotherStroke)
     for (StyledStroke& stroke : strokes) stroke.confidence *= 0.5;
   return strokes;

@@ -14,6 +14,7 @@ constexpr double overshoot = 0.04;    // of the plot's size; how far a curve may
 constexpr double turnRound = 0.05;    // of the plot's width; shorter returns are wiggles
 constexpr double letterSize = 0.025;  // of the plot's diagonal
 constexpr double outlinedLetterSize = 0.06;
+constexpr double shortestFoldArm = 0.01;  // of the plot's diagonal
 
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
@@ -117,6 +118,25 @@ std::vector<Polyline> cutAtTurns(const Polyline& line, double minReturn_px) {
   return parts;
 }
 
+/// Cuts where the line folds back on itself between two long straight arms: strokes that begin in one point.
+std::vector<Polyline> cutAtFolds(const Polyline& line, double leastArm_px) {
+  constexpr double foldCosine = -0.64;  // turns by more than 130°
+  std::vector<Polyline> parts;
+  std::size_t begin = 0;
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    const Point in{line[i].x - line[i - 1].x, line[i].y - line[i - 1].y};
+    const Point out{line[i + 1].x - line[i].x, line[i + 1].y - line[i].y};
+    const double inLength = std::hypot(in.x, in.y), outLength = std::hypot(out.x, out.y);
+    if (inLength < leastArm_px || outLength < leastArm_px) continue;
+    if (in.x * out.x + in.y * out.y > foldCosine * inLength * outLength) continue;
+    parts.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin),
+                       line.begin() + static_cast<std::ptrdiff_t>(i) + 1);
+    begin = i;
+  }
+  parts.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end());
+  return parts;
+}
+
 Box boundsOf(const Polyline& line) {
   Box box{line[0].x, line[0].y, line[0].x, line[0].y};
   for (const Point& p : line)
@@ -178,7 +198,8 @@ class PieceMaker {
     }
     for (const Polyline& part : parts)
       for (Polyline& run : cutAtTurns(part, turnRound * plane_.box.width()))
-        store(std::move(run), path, width_px, color);
+        for (Polyline& arm : cutAtFolds(run, shortestFoldArm * plane_.diagonal()))
+          store(std::move(arm), path, width_px, color);
   }
 
   std::vector<LinePiece> take() { return std::move(pieces_); }

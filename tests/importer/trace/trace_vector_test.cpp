@@ -1,0 +1,350 @@
+// Curves among a page's paths: told from everything else, joined from their pieces, cut into strokes; exact.
+
+#include "importer/trace/trace_vector.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "importer/trace/filled_outline.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+using Polyline = std::vector<Point>;
+
+const Box frameBox{100, 50, 900, 650};
+
+PlotFrame frameWithGrid() {
+  PlotFrame frame;
+  frame.corners = {Point{frameBox.x0, frameBox.y0},
+                   {frameBox.x1, frameBox.y0},
+                   {frameBox.x1, frameBox.y1},
+                   {frameBox.x0, frameBox.y1}};
+  for (int i = 0; i <= 4; ++i) frame.xLines.push_back({frameBox.x0 + 200.0 * i, 1, true});
+  for (int i = 0; i <= 4; ++i) frame.yLines.push_back({frameBox.y0 + 150.0 * i, 1, true});
+  return frame;
+}
+
+/// Shares of the frame to view pixels, v upwards.
+Point at(double u, double v) {
+  return {frameBox.x0 + u * frameBox.width(), frameBox.y1 - v * frameBox.height()};
+}
+
+double pressForce(double u) { return 0.35 + 0.2 * u + 0.12 * std::exp(-std::pow((u - 0.4) / 0.08, 2)); }
+double releaseForce(double u) { return pressForce(u) - 0.15 * (1 - u); }
+
+template <class Force>
+Polyline curve(Force force, double from = 0, double to = 0.95, int points = 200) {
+  Polyline line;
+  for (int i = 0; i <= points; ++i) {
+    const double u = from + (to - from) * i / points;
+    line.push_back(at(u, force(u)));
+  }
+  return line;
+}
+
+class Drawing {
+ public:
+  Drawing() {
+    const PlotFrame frame = frameWithGrid();
+    for (const GridLine& x : frame.xLines)
+      stroke({{x.position_px, frameBox.y0}, {x.position_px, frameBox.y1}});
+    for (const GridLine& y : frame.yLines)
+      stroke({{frameBox.x0, y.position_px}, {frameBox.x1, y.position_px}});
+    stroke({{frameBox.x0, frameBox.y0},
+            {frameBox.x1, frameBox.y0},
+            {frameBox.x1, frameBox.y1},
+            {frameBox.x0, frameBox.y1}},
+           true);
+  }
+
+  void stroke(const Polyline& line, bool closed = false) { stroke(std::vector<Polyline>{line}, closed); }
+  void stroke(const std::vector<Polyline>& lines, bool closed = false) {
+    VectorPath path;
+    path.polylines = lines;
+    path.closed.assign(lines.size(), closed);
+    path.stroke = color;
+    path.strokeWidth = width;
+    path.dashed = dashed;
+    path.clip = clip;
+    path.box = {0, 0, 1000, 800};
+    view.paths.push_back(path);
+  }
+  void fill(const Polyline& ring) {
+    VectorPath path;
+    path.polylines = {ring};
+    path.closed = {true};
+    path.fill = color;
+    path.box = {0, 0, 1000, 800};
+    view.paths.push_back(path);
+  }
+
+  std::vector<CurveTrace> traced(const TraceHints& hints = {}) const {
+    return traceVector(view, frameWithGrid(), axes, hints);
+  }
+
+  Rgb color{0, 0, 0};
+  double width = 2;
+  bool dashed = false;
+  std::optional<Box> clip;
+  PageView view;
+  AxesFound axes;
+};
+
+double distanceToSegment(Point p, Point a, Point b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
+  const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
+  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+double farthest(const Polyline& from, const Polyline& to) {
+  double worst = 0;
+  for (const Point& p : from) {
+    double nearest = 1e9;
+    for (std::size_t i = 1; i < to.size(); ++i)
+      nearest = std::min(nearest, distanceToSegment(p, to[i - 1], to[i]));
+    worst = std::max(worst, nearest);
+  }
+  return worst;
+}
+
+/// Largest distance between the two lines, both ways, pixels.
+double apart(const Polyline& a, const Polyline& b) { return std::max(farthest(a, b), farthest(b, a)); }
+
+const CurveTrace& strokeOf(const std::vector<CurveTrace>& traces, Stroke stroke) {
+  const auto found =
+      std::find_if(traces.begin(), traces.end(), [&](const CurveTrace& t) { return t.stroke == stroke; });
+  REQUIRE(found != traces.end());
+  return *found;
+}
+
+void checkPair(const std::vector<CurveTrace>& traces, const Polyline& press, const Polyline& release,
+               double tolerance_px) {
+  REQUIRE(traces.size() == 2);
+  CHECK(apart(strokeOf(traces, Stroke::press).points_px, press) <= tolerance_px);
+  CHECK(apart(strokeOf(traces, Stroke::release).points_px, release) <= tolerance_px);
+  for (const CurveTrace& trace : traces) {
+    CHECK(trace.fromVector);
+    CHECK(trace.width_px.empty());
+  }
+}
+
+Polyline part(const Polyline& line, std::size_t from, std::size_t to) {
+  return {line.begin() + static_cast<std::ptrdiff_t>(from),
+          line.begin() + static_cast<std::ptrdiff_t>(to) + 1};
+}
+
+const Polyline press = curve(pressForce), release = curve(releaseForce);
+
+}  // namespace
+
+TEST_CASE("no curve among the paths: nothing") {
+  Drawing drawing;
+  CHECK(drawing.traced().empty());
+  drawing.stroke({at(0.3, 0.9), at(0.45, 0.6)});   // a leader
+  drawing.stroke({at(0.1, 0.52), at(0.5, 0.52)});  // a level of force
+  CHECK(drawing.traced().empty());
+}
+
+TEST_CASE("two colours: exact points, each in its colour, legend words beside the samples") {
+  Drawing drawing;
+  drawing.color = {228, 26, 28};
+  drawing.stroke(press);
+  drawing.stroke({{700, 80}, {740, 80}});
+  drawing.color = {55, 126, 184};
+  drawing.stroke(release);
+  drawing.stroke({{700, 110}, {740, 110}});
+  drawing.axes.texts = {{"Press", {750, 72, 800, 88}, 1, 0}, {"Release", {750, 102, 810, 118}, 1, 0}};
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 2);
+  const bool redFirst = traces[0].color == Rgb{228, 26, 28};
+  const CurveTrace &red = traces[redFirst ? 0 : 1], &blue = traces[redFirst ? 1 : 0];
+  CHECK(red.points_px == press);
+  CHECK(blue.points_px == release);
+  CHECK(red.label == "Press");
+  CHECK(blue.label == "Release");
+  CHECK_FALSE(red.stroke);
+}
+
+TEST_CASE("one ink: press above release, whatever the order and direction of drawing") {
+  Drawing drawing;
+  drawing.stroke(Polyline(release.rbegin(), release.rend()));
+  drawing.stroke(press);
+  drawing.stroke({at(0.3, 0.9), at(0.4, pressForce(0.4))});  // leader that ends on the curve
+  drawing.stroke({at(0.7, 0.2), at(0.6, releaseForce(0.6))});
+  drawing.stroke(
+      std::vector<Polyline>{{{300, 100}, {306, 90}, {312, 100}}, {{302, 97}, {310, 97}}});  // a letter
+  checkPair(drawing.traced(), press, release, 1e-6);
+}
+
+TEST_CASE("pieces of one curve are joined: separate objects, subpaths, either direction, arcs and lines") {
+  Drawing drawing;
+  drawing.stroke(part(press, 120, 200));
+  drawing.stroke(Polyline(press.rend() - 61, press.rend()));  // 60..0
+  drawing.stroke(part(press, 60, 120));
+  drawing.stroke(
+      std::vector<Polyline>{part(release, 100, 200), part(release, 0, 30), part(release, 30, 100)});
+  checkPair(drawing.traced(), press, release, 1e-6);
+}
+
+TEST_CASE("dashes drawn one by one are one curve") {
+  Drawing drawing;
+  drawing.stroke(press);
+  std::vector<Polyline> dashes;
+  for (std::size_t i = 0; i + 3 <= 200; i += 5) dashes.push_back(part(release, i, i + 3));
+  drawing.stroke(dashes);
+  checkPair(drawing.traced(), press, part(release, 0, 198), 1);
+}
+
+TEST_CASE("a loop drawn as one line is cut at its turn") {
+  Polyline loop = press;
+  loop.push_back(at(0.95, 0.9));  // a wall, up and down again
+  loop.insert(loop.end(), release.rbegin(), release.rend());
+  Polyline up = press;
+  up.push_back(at(0.95, 0.9));
+  SECTION("open") {
+    Drawing drawing;
+    drawing.stroke(loop);
+    const auto traces = drawing.traced();
+    REQUIRE(traces.size() == 2);
+    CHECK(farthest(press, strokeOf(traces, Stroke::press).points_px) < 1e-6);
+    CHECK(farthest(release, strokeOf(traces, Stroke::release).points_px) < 1e-6);
+  }
+  SECTION("closed") {
+    Drawing drawing;
+    drawing.stroke(loop, true);
+    const auto traces = drawing.traced();
+    REQUIRE(traces.size() == 2);
+    CHECK(farthest(press, strokeOf(traces, Stroke::press).points_px) < 1e-6);
+  }
+}
+
+TEST_CASE("a release that runs into the press shares its rest") {
+  Drawing drawing;
+  drawing.stroke(press);
+  const auto falling = [](double u) { return pressForce(u) - 0.15 * std::max(0.0, 1 - u / 0.6); };
+  Polyline own = curve(falling, 0, 0.6, 120);
+  drawing.stroke(own);
+  Polyline whole = own;
+  for (const Point& p : press)
+    if (p.x > own.back().x) whole.push_back(p);
+  checkPair(drawing.traced(), press, whole, 0.3);
+}
+
+TEST_CASE("a wall drawn on its own belongs to both strokes; a thin continuation mark to none") {
+  Drawing drawing;
+  const double top = pressForce(0.95);
+  drawing.stroke(press);
+  Polyline down = release;
+  down.push_back(at(0.95, top));
+  drawing.stroke(release);
+  drawing.stroke({at(0.95, releaseForce(0.95)), at(0.95, 0.93)});
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 2);
+  for (const CurveTrace& trace : traces) CHECK(trace.points_px.back().y == Approx(at(0, 0.93).y));
+
+  Drawing marked;
+  marked.stroke(press);
+  marked.stroke(release);
+  marked.width = 0.5;
+  for (int i = 0; i < 5; ++i) marked.stroke({at(0.95, top + 0.05 * i), at(0.95, top + 0.05 * i + 0.03)});
+  for (const CurveTrace& trace : marked.traced()) CHECK(trace.points_px.back().y > at(0, top + 0.02).y);
+}
+
+TEST_CASE("curves are cut where the document clips them") {
+  Drawing drawing;
+  drawing.clip = frameBox;
+  drawing.stroke({at(0.0, 0.3), at(0.5, 0.4), at(0.6, 0.45), at(0.9, 1.5)});
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 1);
+  CHECK(traces[0].points_px.back().y == Approx(frameBox.y0));
+}
+
+TEST_CASE("a thick line turned into an outline gives its centre line") {
+  Polyline ring;
+  const Polyline middle = curve(pressForce);
+  const auto normalAt = [&](std::size_t i) {
+    const Point a = middle[i == 0 ? 0 : i - 1], b = middle[std::min(i + 1, middle.size() - 1)];
+    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    return Point{-(b.y - a.y) / length, (b.x - a.x) / length};
+  };
+  for (std::size_t i = 0; i < middle.size(); ++i)
+    ring.push_back({middle[i].x + 2 * normalAt(i).x, middle[i].y + 2 * normalAt(i).y});
+  for (std::size_t i = middle.size(); i-- > 0;)
+    ring.push_back({middle[i].x - 2 * normalAt(i).x, middle[i].y - 2 * normalAt(i).y});
+  const auto centre = centreOfOutline(ring, 20);
+  REQUIRE(centre);
+  CHECK(centre->width_px == Approx(4).epsilon(0.02));
+  CHECK(apart(centre->points, middle) < 0.15);
+
+  Drawing drawing;
+  drawing.fill(ring);
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 1);
+  CHECK(apart(traces[0].points_px, middle) < 0.15);
+
+  CHECK_FALSE(centreOfOutline({{0, 0}, {40, 0}, {40, 30}, {0, 30}}, 50));    // a box
+  CHECK_FALSE(centreOfOutline({{0, 0}, {20, 0}, {10, 17}}, 50));             // an arrow head
+  CHECK_FALSE(centreOfOutline({{0, 0}, {100, 0}, {100, 30}, {0, 30}}, 20));  // too wide for a line
+}
+
+TEST_CASE("hints: colours choose and name, masks cut") {
+  Drawing drawing;
+  drawing.color = {200, 0, 0};
+  drawing.stroke(press);
+  drawing.color = {0, 0, 200};
+  drawing.stroke(release);
+  drawing.color = {0, 160, 0};
+  drawing.stroke(curve([](double u) { return 0.1 + 0.1 * u * u; }));
+  TraceHints hints;
+  hints.pressColor = Rgb{0, 0, 190};
+  hints.releaseColor = Rgb{210, 0, 0};
+  const auto traces = drawing.traced(hints);
+  REQUIRE(traces.size() == 2);
+  CHECK(strokeOf(traces, Stroke::press).points_px == release);
+  hints.masks_px = {{800, 0, 1000, 800}};
+  for (const CurveTrace& trace : drawing.traced(hints)) CHECK(trace.points_px.back().x == Approx(800));
+}
+
+TEST_CASE("a copy drawn over a curve costs no confidence; another curve in the ink does") {
+  Drawing drawing;
+  drawing.stroke(press);
+  drawing.stroke(release);
+  const double alone = drawing.traced()[0].confidence;
+  Drawing other = drawing;
+  drawing.stroke(press);
+  REQUIRE(drawing.traced().size() == 2);
+  CHECK(drawing.traced()[0].confidence == Approx(alone));
+  other.stroke(curve([](double u) { return 0.05 + 0.2 * u * u; }));
+  for (const CurveTrace& trace : other.traced()) CHECK(trace.confidence < 0.6);
+}
+
+TEST_CASE("numbers at the extremes: an empty frame, a vertical curve, a hundred thousand letters") {
+  Drawing drawing;
+  PlotFrame flat = frameWithGrid();
+  for (Point& corner : flat.corners) corner.y = 50;
+  CHECK(traceVector(drawing.view, flat, drawing.axes).empty());
+  drawing.stroke(press);
+  drawing.stroke(release);
+  for (int i = 0; i < 100000; ++i) {
+    const Point p{120.0 + i % 700, 60.0 + (i / 700) % 80};
+    drawing.stroke({p, {p.x + 3, p.y + 4}, {p.x + 6, p.y}});
+  }
+  CHECK(drawing.traced().size() == 2);
+}
+
+TEST_CASE("strokes that begin in one point, drawn in one line through it") {
+  Drawing drawing;
+  const Point start = at(0, 0.1);
+  drawing.stroke({press[10], start, release[12]});
+  drawing.stroke(part(press, 10, 200));
+  drawing.stroke(part(release, 12, 200));
+  Polyline up{start}, down{start};
+  up.insert(up.end(), press.begin() + 10, press.end());
+  down.insert(down.end(), release.begin() + 12, release.end());
+  checkPair(drawing.traced(), up, down, 1e-6);
+}
