@@ -116,9 +116,9 @@ double coverage(const std::vector<StraightLine>& lines, double at, double apart,
   return sum / (to - from);
 }
 
-/// Two directions of one group, seen from the direction whose lines run along an interval.
-struct Sides {
-  bool beyondFrom = false, beyondTo = false;  ///< a parallel line stands close beyond the edge
+/// Where the next parallel lines stand beyond either edge; far away if none is near.
+struct NextLines {
+  double from = -1e9, to = 1e9;
 };
 
 struct EdgeFit {
@@ -128,9 +128,10 @@ struct EdgeFit {
   int members = 0, endAtFrom = 0, endAtTo = 0;
 };
 
-/// Sticking out is cheap where nothing comes after (ticks, grids open beyond their last line), dear where the
-/// grid goes on.
-double overhangCost(double by, double size, bool edgeDrawn, bool gridGoesOn) {
+/// Sticking out is cheap where the line ends soon (ticks, grids open beyond their last line), dear where it
+/// runs to the grid's next line.
+double overhangCost(double by, double size, bool edgeDrawn, double toNext) {
+  const bool gridGoesOn = by >= toNext - 4;
   const double room = (edgeDrawn && !gridGoesOn ? 0.12 : 0.03) * size + 4;
   if (by <= room) return 0;
   return (edgeDrawn && !gridGoesOn ? 0.25 : 1.0) * std::min(1.0, by / (0.25 * size));
@@ -138,7 +139,7 @@ double overhangCost(double by, double size, bool edgeDrawn, bool gridGoesOn) {
 
 /// How the lines of one direction sit in the rectangle: do they end at its edges, or run on?
 EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to, double acrossFrom,
-                 double acrossTo, double coverFrom, double coverTo, const Sides& sides) {
+                 double acrossTo, double coverFrom, double coverTo, const NextLines& next) {
   EdgeFit fit;
   const double size = to - from, near = 0.015 * size + 3;
   for (const auto& line : lines) {
@@ -152,8 +153,8 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
     // An axis may run on to an arrow; a gridline may not.
     const bool edge = at < acrossFrom + 4 || at > acrossTo - 4;
     const double weight = edge ? 0.15 : 1.0;
-    fit.overhang += weight * overhangCost(from - line.from, size, coverFrom > 0.5, sides.beyondFrom);
-    fit.overhang += weight * overhangCost(line.to - to, size, coverTo > 0.5, sides.beyondTo);
+    fit.overhang += weight * overhangCost(from - line.from, size, coverFrom > 0.5, from - next.from);
+    fit.overhang += weight * overhangCost(line.to - to, size, coverTo > 0.5, next.to - to);
     fit.endAtFrom += std::abs(line.from - from) <= near;
     fit.endAtTo += std::abs(line.to - to) <= near;
   }
@@ -203,17 +204,17 @@ class CoverTable {
   std::vector<float> cover_;
 };
 
-/// Is there a line parallel to edge `i`, beyond it on the side `step`, close enough to be the grid's next
-/// one?
-bool gridGoesOn(const CoverTable& cover, const std::vector<double>& at, std::size_t i, int step,
+/// The next line parallel to edge `i` on the side `step`, if it is close enough to belong to the same grid.
+double nextLine(const CoverTable& cover, const std::vector<double>& at, std::size_t i, int step,
                 std::size_t k, std::size_t l, double size) {
   for (auto m = static_cast<std::ptrdiff_t>(i) + step; m >= 0 && m < static_cast<std::ptrdiff_t>(at.size());
        m += step) {
     const double away = std::abs(at[static_cast<std::size_t>(m)] - at[i]);
-    if (away > 0.45 * size) return false;
-    if (away > 0.03 * size + 4 && cover(static_cast<std::size_t>(m), k, l) > 0.5) return true;
+    if (away > 0.45 * size) break;
+    if (away > 0.03 * size + 4 && cover(static_cast<std::size_t>(m), k, l) > 0.5)
+      return at[static_cast<std::size_t>(m)];
   }
-  return false;
+  return step < 0 ? -1e9 : 1e9;
 }
 
 struct Candidates {
@@ -234,10 +235,10 @@ std::optional<PlotRectangle> scored(const Group& g, const Candidates& c, std::si
   if (corner < minEdgeCover) return std::nullopt;
   r.box = {c.xs[i], c.ys[k], c.xs[j], c.ys[l]};
   const Box& b = r.box;
-  const Sides across{gridGoesOn(c.columns, c.xs, i, -1, k, l, b.width()),
-                     gridGoesOn(c.columns, c.xs, j, 1, k, l, b.width())};
-  const Sides down{gridGoesOn(c.rows, c.ys, k, -1, i, j, b.height()),
-                   gridGoesOn(c.rows, c.ys, l, 1, i, j, b.height())};
+  const NextLines across{nextLine(c.columns, c.xs, i, -1, k, l, b.width()),
+                         nextLine(c.columns, c.xs, j, 1, k, l, b.width())};
+  const NextLines down{nextLine(c.rows, c.ys, k, -1, i, j, b.height()),
+                       nextLine(c.rows, c.ys, l, 1, i, j, b.height())};
   const auto fitH = fitAlong(g.h, b.x0, b.x1, b.y0, b.y1, r.edgeCover[0], r.edgeCover[2], across);
   const auto fitV = fitAlong(g.v, b.y0, b.y1, b.x0, b.x1, r.edgeCover[1], r.edgeCover[3], down);
   const double edges = edgeWorth(r.edgeCover[0], fitH.endAtFrom, fitH.members) +

@@ -137,14 +137,51 @@ StraightLine straightened(const Chain& chain) {
   return line;
 }
 
+/// Ink of a line at one place along it: the darkest of three pixels across.
+int inkAt(const cv::Mat& d, const StraightLine& line, int along) {
+  const int y = std::clamp(static_cast<int>(std::lround(line.acrossAt(along))), 1, d.rows - 2);
+  return std::max(
+      {d.at<std::uint8_t>(y - 1, along), d.at<std::uint8_t>(y, along), d.at<std::uint8_t>(y + 1, along)});
+}
+
+/// Where another line runs close beside it, a line is no ridge any more, but its ink goes on: follow that
+/// from either end as long as one side stays lighter.
+void followInk(const cv::Mat& d, StraightLine& line) {
+  std::vector<int> inks;
+  for (int x = static_cast<int>(line.from); x <= static_cast<int>(line.to); x += 2)
+    inks.push_back(inkAt(d, line, x));
+  std::nth_element(inks.begin(), inks.begin() + static_cast<std::ptrdiff_t>(inks.size() / 2), inks.end());
+  const int usual = inks[inks.size() / 2];
+  const auto goesOn = [&](int x) {
+    const int y = static_cast<int>(std::lround(line.acrossAt(x)));
+    if (y < 4 || y + 4 >= d.rows || 3 * inkAt(d, line, x) < 2 * usual) return false;
+    return 2 * std::min(d.at<std::uint8_t>(y - 4, x), d.at<std::uint8_t>(y + 4, x)) < usual;
+  };
+  const int farthest =
+      static_cast<int>(0.25 * line.length());  // what is followed longer than this is another line
+  const auto follow = [&](int x, int step) {
+    for (int n = 0; n < farthest && x + step >= 0 && x + step < d.cols && goesOn(x + step); ++n) x += step;
+    return x;
+  };
+  const StraightLine seen = line;
+  const int from = follow(static_cast<int>(std::lround(seen.from)), -1),
+            to = follow(static_cast<int>(std::lround(seen.to)), 1);
+  line.from = std::min<double>(seen.from, from);
+  line.to = std::max<double>(seen.to, to);
+  line.acrossFrom = seen.acrossAt(line.from);
+  line.acrossTo = seen.acrossAt(line.to);
+}
+
 std::vector<StraightLine> horizontalLines(const cv::Mat& darkness, double minLength, double maxGap) {
   const int gap = static_cast<int>(std::lround(maxGap));
   const int minRun = std::max(6, std::min(12, static_cast<int>(minLength / 2)));
   std::vector<StraightLine> lines;
   for (const auto& chain : chainsOf(runsIn(horizontalCrests(darkness), minRun, gap), gap)) {
     if (chain.to - chain.from() + 1 < minLength) continue;
-    const auto line = straightened(chain);
-    if (line.fill > 0) lines.push_back(line);
+    auto line = straightened(chain);
+    if (line.fill <= 0) continue;
+    followInk(darkness, line);
+    lines.push_back(line);
   }
   return lines;
 }
