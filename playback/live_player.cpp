@@ -28,7 +28,8 @@ Failure failureOf(const DeviceTrouble& t) {
 }
 
 AudioSettings audioSettings(const PlayerSettings& s) {
-  return {s.device, s.sampleRate_Hz, s.bufferFrames, s.channels};
+  return {s.device, s.sampleRate_Hz, s.bufferFrames, s.channels,
+          s.jackThroughPortAudio ? JackRoute::portAudio : JackRoute::ownClient};
 }
 
 SensorCondition conditionOf(SensorState state) {

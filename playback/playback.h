@@ -68,6 +68,9 @@ struct PlayerSettings {
   double sampleRate_Hz = 0;   ///< 0: the device's own
   unsigned bufferFrames = 0;  ///< 0: the host's choice, the least delay on JACK
   int channels = 2;           ///< the same signal on each
+  /// JACK through PortAudio instead of a client of our own; cannot recover a lost server
+  /// (docs/decisions/0704).
+  bool jackThroughPortAudio = false;
 };
 
 enum class SensorCondition : std::uint8_t { none, starting, running, silent, stuck, unplugged };

@@ -15,6 +15,7 @@
 #include <portaudio.h>
 #include <unistd.h>
 
+#include "playback/device/jack_stream.h"
 #include "playback/device/steady_clock.h"
 #include "playback/realtime/stream_clock.h"
 
@@ -22,7 +23,7 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t largestBlock = 8192;
+constexpr const char* jackApi = "JACK";
 constexpr double lostAfter_s = 0.5;  // without a callback
 constexpr double lookEvery_s = 0.5;  // for a lost device
 
@@ -129,6 +130,9 @@ DeviceResult<PaDeviceIndex> findDevice(const std::string& wanted, Direction dire
     names += (names.empty() ? "" : ", ") + info.fullName();
   }
   if (partly.size() == 1) return partly.front();
+  // Each JACK client is a device to PortAudio; "JACK" alone means the one that is the default.
+  const PaDeviceIndex standard = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
+  if (std::find(partly.begin(), partly.end(), standard) != partly.end()) return standard;
   if (partly.empty()) {
     return DeviceTrouble{wanted, output ? "is no output of this machine" : "is no input of this machine",
                          "See `detent-play devices`"};
@@ -161,7 +165,7 @@ DeviceResult<double> sampleRateFor(const AudioSettings& settings) {
 class AudioOutput::Stream {
  public:
   Stream(const AudioSettings& settings, LiveSession& session, CallbackHooks hooks)
-      : settings_(settings), session_(session), hooks_(hooks) {}
+      : settings_(settings), session_(session), renderer_(session, hooks) {}
 
   ~Stream() {
     {
@@ -188,18 +192,41 @@ class AudioOutput::Stream {
 
  private:
   std::optional<DeviceTrouble> openStream() {
+    // A server that was there once is asked for by itself: PortAudio would have to look at all devices again.
+    if (!jackTarget_.empty()) return openJack(jackTarget_, channels_);
     const std::lock_guard lock(libraryMutex);
     library_ = std::make_unique<Library>();
     if (library_->error() != paNoError) return troubleOf("PortAudio", "cannot be started", library_->error());
     DeviceResult<PaDeviceIndex> index = findDevice(settings_.device, Direction::output);
     if (!index) return index.trouble();
     const AudioDeviceInfo info = infoOf(*index);
-    PaStreamParameters output{};
-    output.device = *index;
     channels_ = std::clamp(settings_.channels, 1, std::max(1, std::min(info.outputChannels, 32)));
+    const bool jack = info.hostApi.rfind(jackApi, 0) == 0;
+    if (jack && settings_.jackRoute == JackRoute::ownClient && JackStream::available()) {
+      library_.reset();
+      return openJack(info.name, channels_);
+    }
+    return openPortAudio(*index, info);
+  }
+
+  std::optional<DeviceTrouble> openJack(const std::string& target, int channels) {
+    renderer_.touch(now_s());
+    DeviceResult<std::unique_ptr<JackStream>> stream =
+        JackStream::open(target, channels, session_.sampleRate_Hz(), renderer_);
+    if (!stream) return stream.trouble();
+    jack_ = std::move(*stream);
+    jackTarget_ = target;
+    const std::lock_guard lock(watchMutex_);
+    name_ = "JACK: " + target;
+    return {};
+  }
+
+  std::optional<DeviceTrouble> openPortAudio(PaDeviceIndex index, const AudioDeviceInfo& info) {
+    PaStreamParameters output{};
+    output.device = index;
     output.channelCount = channels_;
     output.sampleFormat = paFloat32;
-    output.suggestedLatency = Pa_GetDeviceInfo(*index)->defaultLowOutputLatency;
+    output.suggestedLatency = Pa_GetDeviceInfo(index)->defaultLowOutputLatency;
     const QuietStderr quiet;
     const unsigned long frames =
         settings_.bufferFrames > 0 ? settings_.bufferFrames : paFramesPerBufferUnspecified;
@@ -211,15 +238,16 @@ class AudioOutput::Stream {
                        "cannot be opened at " + std::to_string(std::lround(session_.sampleRate_Hz())) + " Hz",
                        error);
     }
-    lastCallback_s_ = now_s();
+    renderer_.touch(now_s());
     error = Pa_StartStream(stream_);
     if (error != paNoError) return troubleOf(info.fullName(), "cannot be started", error);
-    const std::lock_guard watchLock(watchMutex_);
+    const std::lock_guard lock(watchMutex_);
     name_ = info.fullName();
     return {};
   }
 
   void closeStream() {
+    jack_.reset();
     const std::lock_guard lock(libraryMutex);
     if (stream_ != nullptr) {
       const QuietStderr quiet;
@@ -238,22 +266,16 @@ class AudioOutput::Stream {
 
   // Audio thread: nothing here allocates, locks or waits.
   void render(float* out, std::size_t frames, PaStreamCallbackFlags flags) {
-    if (hooks_.enter != nullptr) hooks_.enter();
     const double entry_s = now_s();
-    lastCallback_s_.store(entry_s, std::memory_order_relaxed);
+    if ((flags & paOutputUnderflow) != 0) renderer_.noteXrun();
     const auto channels = static_cast<std::size_t>(channels_);
-    const bool xrun = (flags & paOutputUnderflow) != 0;
-    for (std::size_t done = 0; done < frames;) {
-      const std::size_t count = std::min(frames - done, largestBlock);
-      session_.process(mono_.data(), count, entry_s + static_cast<double>(done) / session_.sampleRate_Hz());
-      float* target = out + done * channels;
-      for (std::size_t i = 0; i < count; ++i) {
-        for (std::size_t c = 0; c < channels; ++c) *target++ = mono_[i];
-      }
-      done += count;
-    }
-    session_.account(now_s() - entry_s, frames, xrun);
-    if (hooks_.leave != nullptr) hooks_.leave();
+    renderer_.render(frames, entry_s, &now_s,
+                     [&](std::size_t first, const float* samples, std::size_t count) {
+                       float* target = out + first * channels;
+                       for (std::size_t i = 0; i < count; ++i) {
+                         for (std::size_t c = 0; c < channels; ++c) *target++ = samples[i];
+                       }
+                     });
   }
 
   void watch() {
@@ -268,9 +290,8 @@ class AudioOutput::Stream {
   }
 
   void checkAlive() {
-    if (now_s() - lastCallback_s_.load(std::memory_order_relaxed) < lostAfter_s &&
-        Pa_IsStreamActive(stream_) == 1)
-      return;
+    const bool there = jack_ ? jack_->alive() : Pa_IsStreamActive(stream_) == 1;
+    if (there && now_s() - renderer_.lastEntry_s() < lostAfter_s) return;
     lost_ = true;
     ++losses_;
     closeStream();
@@ -286,12 +307,12 @@ class AudioOutput::Stream {
 
   AudioSettings settings_;
   LiveSession& session_;
-  CallbackHooks hooks_;
+  StreamRenderer renderer_;
   std::unique_ptr<Library> library_;
   PaStream* stream_ = nullptr;
+  std::unique_ptr<JackStream> jack_;
+  std::string jackTarget_;
   int channels_ = 2;
-  std::array<float, largestBlock> mono_{};
-  std::atomic<double> lastCallback_s_{0};
   std::atomic<bool> lost_{false};
   std::atomic<std::uint64_t> losses_{0};
   mutable std::mutex watchMutex_;

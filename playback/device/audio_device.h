@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "playback/device/device_trouble.h"
+#include "playback/device/stream_renderer.h"
 #include "playback/realtime/live_session.h"
 
 namespace detent::playback {
@@ -26,6 +27,9 @@ struct AudioDeviceInfo {
 /// All devices of all host APIs. Looks anew each time while no stream is open.
 DeviceResult<std::vector<AudioDeviceInfo>> listAudioDevices();
 
+/// How a JACK server is reached (jack_stream.h says why there are two).
+enum class JackRoute : std::uint8_t { ownClient, portAudio };
+
 struct AudioSettings {
   std::string device;        ///< empty: the default output; else a full name or an unambiguous part of one
   double sampleRate_Hz = 0;  ///< 0: the device's default (JACK knows only its own)
@@ -33,15 +37,10 @@ struct AudioSettings {
   /// (a fixed number doubles the delay of full-duplex streams: PortAudio issue 1007).
   unsigned bufferFrames = 0;
   int channels = 2;  ///< the same signal on each; fewer where the device has fewer
+  JackRoute jackRoute = JackRoute::ownClient;
 };
 
 enum class StreamState : std::uint8_t { running, lost };
-
-/// The callback's own hooks, for tests that count what happens inside it. Null: none.
-struct CallbackHooks {
-  void (*enter)() = nullptr;
-  void (*leave)() = nullptr;
-};
 
 /// An open output stream that renders a session. If the device goes away its thread closes the stream and
 /// looks for the device until it is back; the session, its program and its position live on.

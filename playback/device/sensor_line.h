@@ -53,7 +53,8 @@ class LineAssembler {
 /// is the bus. Follows drift between the two clocks up to 500 ppm; a jump (sensor restarted) starts anew.
 class ClockAligner {
  public:
-  /// Host time of the reading: not after `arrival_s`, but for the microseconds that keep a packet's readings in order.
+  /// Host time of the reading: not after `arrival_s`, but for the microseconds that keep a packet's readings
+  /// in order.
   double hostTime_s(std::uint32_t device_us, double arrival_s);
   void restart() { running_ = false; }
 

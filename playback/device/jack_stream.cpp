@@ -1,0 +1,94 @@
+#include "playback/device/jack_stream.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+
+#include <jack/jack.h>
+
+#include "playback/device/steady_clock.h"
+
+namespace detent::playback {
+
+namespace {
+constexpr int mostChannels = 32;
+void ignoreMessage(const char*) {}
+}  // namespace
+
+struct JackStream::Client {
+  explicit Client(StreamRenderer& r) : renderer(r) {}
+  ~Client() {
+    if (jack != nullptr) jack_client_close(jack);
+  }
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  StreamRenderer& renderer;
+  jack_client_t* jack = nullptr;
+  std::array<jack_port_t*, mostChannels> ports{};
+  std::size_t channels = 0;
+  std::atomic<bool> down{false};
+
+  static int process(jack_nframes_t frames, void* self) {
+    static_cast<Client*>(self)->render(frames);
+    return 0;
+  }
+  static int xrun(void* self) {
+    static_cast<Client*>(self)->renderer.noteXrun();
+    return 0;
+  }
+  static void shutdown(void* self) { static_cast<Client*>(self)->down = true; }
+
+  void render(jack_nframes_t frames) {
+    const double entry_s = now_s();
+    std::array<float*, mostChannels> out;
+    for (std::size_t c = 0; c < channels; ++c)
+      out[c] = static_cast<float*>(jack_port_get_buffer(ports[c], frames));
+    renderer.render(frames, entry_s, &now_s, [&](std::size_t first, const float* samples, std::size_t count) {
+      for (std::size_t c = 0; c < channels; ++c) std::copy_n(samples, count, out[c] + first);
+    });
+  }
+};
+
+JackStream::JackStream(std::unique_ptr<Client> client) : client_(std::move(client)) {}
+JackStream::~JackStream() = default;
+bool JackStream::available() { return true; }
+bool JackStream::alive() const { return !client_->down; }
+
+DeviceResult<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, int channels,
+                                                           double sampleRate_Hz, StreamRenderer& renderer) {
+  const auto trouble = [&](const char* problem, const char* remedy) {
+    return DeviceTrouble{"JACK: " + target, problem, remedy, false};
+  };
+  jack_set_error_function(ignoreMessage);
+  jack_set_info_function(ignoreMessage);
+  auto client = std::make_unique<Client>(renderer);
+  client->jack = jack_client_open("detent", JackNoStartServer, nullptr);
+  if (client->jack == nullptr) return trouble("the JACK server does not answer", "Start jackd");
+  if (std::fabs(jack_get_sample_rate(client->jack) - sampleRate_Hz) > 1) {
+    return trouble("runs at another sample rate", "Leave the rate to the device");
+  }
+  client->channels = static_cast<std::size_t>(std::clamp(channels, 1, mostChannels));
+  for (std::size_t c = 0; c < client->channels; ++c) {
+    const std::string name = "out_" + std::to_string(c + 1);
+    client->ports[c] =
+        jack_port_register(client->jack, name.c_str(), JACK_DEFAULT_AUDIO_TYPE, JackPortIsOutput, 0);
+    if (client->ports[c] == nullptr) return trouble("gives no more ports", "Close another JACK program");
+  }
+  jack_on_shutdown(client->jack, &Client::shutdown, client.get());
+  jack_set_xrun_callback(client->jack, &Client::xrun, client.get());
+  if (jack_set_process_callback(client->jack, &Client::process, client.get()) != 0 ||
+      jack_activate(client->jack) != 0) {
+    return trouble("refuses to start", "Restart jackd");
+  }
+  const char** inputs =
+      jack_get_ports(client->jack, ("^" + target + ":").c_str(), JACK_DEFAULT_AUDIO_TYPE, JackPortIsInput);
+  for (std::size_t c = 0; inputs != nullptr && c < client->channels && inputs[c] != nullptr; ++c) {
+    jack_connect(client->jack, jack_port_name(client->ports[c]), inputs[c]);
+  }
+  if (inputs != nullptr) jack_free(inputs);
+  return std::unique_ptr<JackStream>(new JackStream(std::move(client)));
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,32 @@
+#pragma once
+// An output stream as a JACK client of our own. PortAudio plays through JACK too, but once the server is gone
+// its stream waits ten minutes before it can be closed; a client of our own comes back at once
+// (docs/decisions/0704).
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "playback/device/device_trouble.h"
+#include "playback/device/stream_renderer.h"
+
+namespace detent::playback {
+
+class JackStream {
+ public:
+  /// False in a build without JACK.
+  static bool available();
+  /// Connects `channels` ports "detent:out_N" to the inputs of the JACK client `target` ("system").
+  static DeviceResult<std::unique_ptr<JackStream>> open(const std::string& target, int channels,
+                                                        double sampleRate_Hz, StreamRenderer& renderer);
+  ~JackStream();
+  /// The server is still there.
+  bool alive() const;
+
+ private:
+  struct Client;
+  explicit JackStream(std::unique_ptr<Client> client);
+  std::unique_ptr<Client> client_;
+};
+
+}  // namespace detent::playback

@@ -1,0 +1,18 @@
+// A build without JACK: PortAudio reaches a JACK server by itself where it can.
+
+#include "playback/device/jack_stream.h"
+
+namespace detent::playback {
+
+struct JackStream::Client {};
+JackStream::JackStream(std::unique_ptr<Client> client) : client_(std::move(client)) {}
+JackStream::~JackStream() = default;
+bool JackStream::available() { return false; }
+bool JackStream::alive() const { return false; }
+DeviceResult<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, int, double,
+                                                           StreamRenderer&) {
+  return DeviceTrouble{"JACK: " + target, "is not part of this build", "Build with libjack-jackd2-dev",
+                       false};
+}
+
+}  // namespace detent::playback
