@@ -91,7 +91,8 @@ double meanTrust(const RefinedStroke& stroke) {
 }  // namespace
 
 double LoopEvidence::confidence() const {
-  return ramp(onInk, 0.75, 0.95) * ramp(explained, 0.25, 0.6) * ramp(fit, 0.25, 0.6) * steadiness * reach;
+  return ramp(onInk, 0.75, 0.95) * ramp(explained, 0.25, 0.6) * (0.3 + 0.7 * ramp(fit, 0.15, 0.5)) *
+         steadiness * reach;
 }
 
 LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Structure& structure,

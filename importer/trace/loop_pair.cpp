@@ -267,6 +267,108 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
   return contacts;
 }
 
+/// One joint search for both strokes at one price of gaps.
+class PairSearch {
+ public:
+  PairSearch(const Structure& structure, const Plane& plane, const GapPrice& price)
+      : plane_(plane),
+        stroke_(structure.strokeWidth_px),
+        reward_(rewardOf(structure, plane, price)),
+        search_(openPixels(structure, plane), PathOptions{}) {}
+
+  /// False if there is nothing that could be a curve.
+  bool run() {
+    const int lastColumn = reward_.width - 1;
+    const PathLimits anywhere{0, lastColumn, 0, lastColumn};
+    a_ = follow({}, anywhere);
+    // Filled areas make a path that sweeps them; no force curve is that long.
+    const double longest = 4 * (plane_.frame.width() + plane_.frame.height());
+    if (a_.size() < 2 || static_cast<double>(a_.size()) > longest) return false;
+    b_ = follow(a_, anywhere);
+    const std::vector<Point> third = pieceLeftOut(anywhere);
+    for (int round = 0; round < 2; ++round) {
+      const PathLimits ends = endsFrom(third);
+      const std::vector<Point> before = a_;
+      if (b_.size() > 1) {
+        std::vector<Point> again = follow(b_, ends);
+        if (again.size() > 1) a_ = std::move(again);
+      }
+      const bool bReaches = b_.size() > 1 && b_.front().x <= ends.startTo && b_.back().x >= ends.endFrom;
+      if (a_ == before && bReaches) break;
+      b_ = follow(a_, ends);
+    }
+    return true;
+  }
+
+  /// Length of ink that the strokes explain together.
+  double explained_px() const { return ownInk(a_, reward_) + ownOfSecond(); }
+
+  /// Length of curve-like ink beside both, as if it were one line.
+  double leftOver_px() const {
+    return strongPixels(rewardBeside(reward_, both(), stroke_ + 1)) / std::max(1.0, stroke_);
+  }
+
+  PlanePair parted() {
+    PlanePair pair;
+    pair.ownRelease_px = ownOfSecond();
+    if (pair.ownRelease_px < 0.05 * plane_.frame.width()) {
+      pair.press = a_;
+      return pair;
+    }
+    shareEnds(a_, b_, stroke_, plane_.frame);
+    std::tie(pair.press, pair.release) = partUpperLower(a_, b_, std::max(0.75, 0.35 * stroke_));
+    startOnAxis(pair.press, pair.release, plane_.frame.x0, std::max(1.0, 0.6 * stroke_));
+    return pair;
+  }
+
+ private:
+  double radius() const { return stroke_ / 2 + 0.5; }
+
+  std::vector<Point> both() const {
+    std::vector<Point> points = a_;
+    points.insert(points.end(), b_.begin(), b_.end());
+    return points;
+  }
+
+  std::vector<Point> follow(const std::vector<Point>& beside, const PathLimits& limits) {
+    return directPath(search_, reward_, beside, radius(), limits, stroke_, plane_.frame);
+  }
+
+  /// The rim of a stroke already taken is no second stroke.
+  double ownOfSecond() const {
+    return b_.size() > 1 ? ownInk(b_, rewardBeside(reward_, a_, stroke_ + 1)) : 0;
+  }
+
+  /// A long path that both leave out: the part of the loop that a leader or a latch branch cut off.
+  std::vector<Point> pieceLeftOut(const PathLimits& anywhere) {
+    const double enough = 0.15 * plane_.frame.width();
+    if (leftOver_px() < enough) return {};
+    std::vector<Point> piece = follow(both(), anywhere);
+    if (piece.size() > 1 && ownInk(piece, rewardBeside(reward_, both(), stroke_ + 1)) >= enough) return piece;
+    return {};
+  }
+
+  /// Both strokes must start and end about where the outermost of what was found does.
+  PathLimits endsFrom(const std::vector<Point>& third) const {
+    const double tolerance = 0.05 * plane_.frame.width();
+    double first = a_.front().x, last = a_.back().x;
+    const auto reach = [&](const std::vector<Point>& p) {
+      first = std::min(first, p.front().x);
+      last = std::max(last, p.back().x);
+    };
+    if (b_.size() > 1 && ownInk(b_, rewardBeside(reward_, a_, radius())) > 0.06 * plane_.frame.width())
+      reach(b_);
+    if (third.size() > 1) reach(third);
+    return {0, static_cast<int>(first + tolerance), static_cast<int>(last - tolerance), reward_.width - 1};
+  }
+
+  const Plane& plane_;
+  double stroke_;
+  Grid reward_;
+  LiftedSearch search_;
+  std::vector<Point> a_, b_;
+};
+
 }  // namespace
 
 std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vector<Point>& a,
@@ -291,62 +393,14 @@ std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vect
 }
 
 PlanePair findPair(const Structure& structure, const Plane& plane) {
-  Grid reward = rewardOf(structure, plane);
-  LiftedSearch search(openPixels(structure, plane), PathOptions{});
-  const int lastColumn = reward.width - 1;
-  const double stroke = structure.strokeWidth_px, radius = stroke / 2 + 0.5;
-  const auto follow = [&](const std::vector<Point>& beside, const PathLimits& limits) {
-    return directPath(search, reward, beside, radius, limits, stroke, plane.frame);
-  };
-  const PathLimits anywhere{0, lastColumn, 0, lastColumn};
-  PlanePair pair;
-  std::vector<Point> a = follow({}, anywhere);
-  if (a.size() < 2) return pair;
-  std::vector<Point> b = follow(a, anywhere);
-  const double tolerance = 0.05 * plane.frame.width();
-  const auto endsOf = [&]() {
-    double first = a.front().x, last = a.back().x;
-    if (b.size() > 1 && ownInk(b, rewardBeside(reward, a, radius)) > 0.06 * plane.frame.width()) {
-      first = std::min(first, b.front().x);
-      last = std::max(last, b.back().x);
-    }
-    return PathLimits{0, static_cast<int>(first + tolerance), static_cast<int>(last - tolerance), lastColumn};
-  };
-  // What both leave over, if it is long and reaches farther, is the part of the loop that a leader or a latch
-  // branch cut off.
-  std::vector<Point> both = a;
-  both.insert(both.end(), b.begin(), b.end());
-  const Grid leftOver = rewardBeside(reward, both, stroke + 1);
-  const double enough = 0.15 * plane.frame.width();
-  std::vector<Point> third;
-  if (strongPixels(leftOver) > enough * std::max(1.0, stroke)) third = follow(both, anywhere);
-  if (third.size() > 1 && ownInk(third, leftOver) < enough) third.clear();
-  for (int round = 0; round < 2; ++round) {
-    PathLimits ends = endsOf();
-    if (third.size() > 1) {
-      ends.startTo = std::min(ends.startTo, static_cast<int>(third.front().x + tolerance));
-      ends.endFrom = std::max(ends.endFrom, static_cast<int>(third.back().x - tolerance));
-    }
-    const std::vector<Point> before = a;
-    if (b.size() > 1) {
-      std::vector<Point> again = follow(b, ends);
-      if (again.size() > 1) a = std::move(again);
-    }
-    const bool settled =
-        a == before && b.size() > 1 && b.front().x <= ends.startTo && b.back().x >= ends.endFrom;
-    if (settled) break;
-    b = follow(a, ends);
-  }
-  // The rim of a stroke already taken is no second stroke.
-  pair.ownRelease_px = b.size() > 1 ? ownInk(b, rewardBeside(reward, a, stroke + 1)) : 0;
-  if (pair.ownRelease_px < 0.05 * plane.frame.width()) {
-    pair.press = a;
-    return pair;
-  }
-  shareEnds(a, b, stroke, plane.frame);
-  std::tie(pair.press, pair.release) = partUpperLower(a, b, std::max(0.75, 0.35 * stroke));
-  startOnAxis(pair.press, pair.release, plane.frame.x0, std::max(1.0, 0.6 * stroke));
-  return pair;
+  PairSearch solid(structure, plane, GapPrice{});
+  if (!solid.run()) return {};
+  // Much ink left over although no path wants it: one stroke may be dashed, so that gaps must cost less.
+  const double much = 0.15 * plane.frame.width();
+  if (solid.leftOver_px() < much) return solid.parted();
+  PairSearch dashed(structure, plane, GapPrice{0.15F, 0.15F});
+  if (!dashed.run() || dashed.explained_px() < solid.explained_px() + much) return solid.parted();
+  return dashed.parted();
 }
 
 }  // namespace detent::importer::loop

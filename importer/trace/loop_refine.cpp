@@ -325,24 +325,41 @@ void refineOnce(Working& self, const Working& other, double side, const Profiler
   self.trust = weight;
 }
 
-/// Median ink across the stroke where nothing else is near, in pixels of full coverage.
-double measureWidth(const Working& stroke, const Profiler& profiler, double guess) {
-  std::vector<double> widths;
-  const double reach = 1.5 * guess + 2.5;
+/// Darkness on the ridge and width of a stroke, where nothing else is near.
+struct StrokeLook {
+  double level = 1;
+  double width_px = 1;
+};
+
+double quantileOf(std::vector<double>& values, double q) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+/// On the ink as it is (a profiler of level 1); `guess` where too little of the stroke stands alone.
+StrokeLook measureLook(const Working& stroke, const Profiler& plain, const StrokeLook& guess) {
+  std::vector<double> inks, peaks;
+  const double reach = 1.5 * guess.width_px + 2.5;
   for (std::size_t i = 0; i < stroke.points.size(); i += 3) {
-    const Profile p = profiler.across(stroke.points[i], stroke.normals[i], -reach, reach, 0.25);
+    const Profile p = plain.across(stroke.points[i], stroke.normals[i], -reach, reach, 0.25);
     bool clear = true;
-    double sum = 0;
+    double sum = 0, peak = 0;
     for (std::size_t k = 0; k < p.ink.size(); ++k) {
       clear = clear && p.known[k];
       sum += p.ink[k] * p.step;
+      peak = std::max(peak, p.ink[k]);
     }
-    if (clear && p.ink.front() < 0.12 && p.ink.back() < 0.12) widths.push_back(sum);
+    if (!clear || peak < 0.05 || std::max(p.ink.front(), p.ink.back()) > 0.15 * peak) continue;
+    inks.push_back(sum);
+    peaks.push_back(peak);
   }
-  if (widths.size() < 10) return guess;
-  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() * 2 / 5);
-  std::nth_element(widths.begin(), middle, widths.end());
-  return std::clamp(*middle, 0.9, 2.5 * guess + 1);
+  if (inks.size() < 10) return guess;
+  StrokeLook look;
+  look.level = std::clamp(quantileOf(peaks, 0.5), 0.05, 1.0);
+  // Blends of two lines are wider, never narrower: below the median lies the single line.
+  look.width_px = std::clamp(quantileOf(inks, 0.4) / look.level, 0.9, 2.5 * guess.width_px + 1);
+  return look;
 }
 
 Working start(const std::vector<Point>& planePoints, const Plane& plane) {
@@ -365,22 +382,24 @@ void renew(Working& w) {
 RefinedPair refinePair(const PlanePair& pair, const Plane& plane, const InkLayer& ink,
                        const std::vector<StraightLine>& lines, const Structure& structure) {
   RefinedPair out;
-  const Profiler profiler(ink, plane, lines, structure.curveLevel);
+  const Profiler plain(ink, plane, lines, 1);
   Working press = start(pair.press, plane), release;
   if (!pair.release.empty()) release = start(pair.release, plane);
-  double width = structure.strokeWidth_px * plane.scale;
-  width = measureWidth(press, profiler, width);
+  StrokeLook look{structure.curveLevel, structure.strokeWidth_px * plane.scale};
   const std::array<Pass, 2> passes{
       Pass{1.2 * plane.scale + 1, std::max(0.6, plane.scale / 3), 4 * plane.scale}, Pass{1.5, 0.5, 3}};
-  for (const Pass& pass : passes) {
-    const Working pressBefore = press, releaseBefore = release;
-    refineOnce(press, releaseBefore, 1, profiler, width, pass);
-    if (!release.points.empty()) refineOnce(release, pressBefore, -1, profiler, width, pass);
-    if (&pass == &passes.back()) break;
-    renew(press);
-    if (!release.points.empty()) renew(release);
-    width = measureWidth(press, profiler, width);
+  for (std::size_t k = 0; k < passes.size(); ++k) {
+    if (k > 0) {
+      renew(press);
+      if (!release.points.empty()) renew(release);
+    }
+    look = measureLook(press, plain, look);
+    const Profiler profiler(ink, plane, lines, look.level);
+    const Working pressBefore = press;
+    refineOnce(press, release, 1, profiler, look.width_px, passes[k]);
+    if (!release.points.empty()) refineOnce(release, pressBefore, -1, profiler, look.width_px, passes[k]);
   }
+  const double width = look.width_px;
   out.strokeWidth_px = width;
   out.press = {press.points, std::vector<double>(press.points.size(), width), press.trust};
   out.release = {release.points, std::vector<double>(release.points.size(), width), release.trust};

@@ -526,13 +526,13 @@ Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& 
   return s;
 }
 
-Grid rewardOf(const Structure& s, const Plane& plane) {
+Grid rewardOf(const Structure& s, const Plane& plane, const GapPrice& price) {
   constexpr float kOnLine = -0.5F;
   Grid reward(s.curveInk.width, s.curveInk.height);
   for (int y = 0; y < reward.height; ++y) {
     for (int x = 0; x < reward.width; ++x) {
       const float d = std::min(s.gapDistance.at(x, y), 20.0F);
-      const float gap = -(0.6F + 0.4F * d);
+      const float gap = -(price.perPixel + price.perPixelOfDistance * d);
       const float n = std::clamp((s.curveInk.at(x, y) - 0.15F) / 0.5F, 0.0F, 1.0F);
       const float open = gap + (1.0F - gap) * n;
       const float e = std::clamp((s.explained.at(x, y) / s.curveLevel - 0.3F) / 0.4F, 0.0F, 1.0F);

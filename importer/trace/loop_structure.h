@@ -39,8 +39,14 @@ struct Structure {
 Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& lines,
                            const std::vector<Box>& lettering);
 
-/// Gain per pixel of path length: 1 on curve ink, slightly below 0 on explained lines, falling with the
-/// distance to ink on paper, so that short gaps are cheap and leaps to other ink are not.
-Grid rewardOf(const Structure& structure, const Plane& plane);
+/// What a pixel of paper costs on a path: so much, and more with the distance to the nearest ink.
+struct GapPrice {
+  float perPixel = 0.6F;
+  float perPixelOfDistance = 0.4F;
+};
+
+/// Gain per pixel of path length: 1 on curve ink, below 0 on explained lines and on paper, so that short gaps
+/// are cheap and leaps to other ink are not.
+Grid rewardOf(const Structure& structure, const Plane& plane, const GapPrice& price);
 
 }  // namespace detent::importer::loop
