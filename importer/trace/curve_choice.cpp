@@ -13,6 +13,7 @@ constexpr double kMinInkShareNeutral = 0.85;
 constexpr double kMinOwnColumns = 0.4;  // of the columns spanned: the rest may be hidden or bridged
 constexpr double kMinExplained = 0.3;   // of the ink's mass outside text and legend
 constexpr double kMinOfBest = 0.3;      // of the best curve's gain: less is a remnant of something else
+constexpr double kMinStrength = 0.22;   // of the best curve's distance from the paper
 constexpr double kStrandsApart = 0.02;  // of the frame's height: two strokes in one ink get this far apart
 constexpr float kGreyChroma = 26;       // colour levels between the largest and the smallest channel
 
@@ -114,7 +115,7 @@ std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
   CurveInk curve;
   curve.ink = index;
   curve.neutral = neutral;
-  curve.pooling = std::max(1, static_cast<int>(plot.area.frame.width() / 350));
+  curve.pooling = std::max(1, static_cast<int>(plot.area.frame.width() / 260));
   const CurveField full = fieldOf(plot, index, others);
   curve.thickness_px = lineThickness(full.own);
   CurveField field = pooledField(full, curve.pooling);
@@ -242,10 +243,15 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   }
   std::sort(found.begin(), found.end(),
             [](const CurveInk& a, const CurveInk& b) { return a.course.gain_px > b.course.gain_px; });
+  const auto strength = [&](const CurveInk& curve) {
+    return static_cast<double>(plot.palette[static_cast<std::size_t>(curve.ink)].strength);
+  };
   std::vector<CurveInk> curves;
   for (CurveInk& curve : found) {
     const Plane size((plot.coverage.unknown.width - 1) / curve.pooling + 1,
                      (plot.coverage.unknown.height - 1) / curve.pooling + 1);
+    const bool faint = !curves.empty() && strength(curve) < kMinStrength * strength(curves.front());
+    if (faint) continue;  // shading of an uneven paper
     if (!curves.empty() && curve.course.gain_px < kMinOfBest * curves.front().course.gain_px) break;
     if (!isSeam(curve, curves, size)) curves.push_back(std::move(curve));
   }
