@@ -55,7 +55,6 @@ std::optional<double> plausibleDpi(double dpi) {
 }
 
 // ---- TIFF directories; also the form of EXIF
-// ------------------------------------------------------------------------
 
 struct TiffDirectory {
   long long width_px = 0, height_px = 0;
@@ -172,7 +171,6 @@ std::vector<PictureHeader> tiffHeaders(std::span<const unsigned char> bytes, int
 }
 
 // ---- the other formats
-// ----------------------------------------------------------------------------------------------
 
 std::optional<Rgb> pngTransparentColor(const ByteReader& in, std::size_t at, std::uint32_t size,
                                        std::uint32_t colorType, std::uint32_t bitDepth) {

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdio>
 #include <map>
 #include <vector>
+
+#include "importer/page/clip_line.h"
+#include "importer/page/svg_geometry.h"
 
 namespace detent::importer {
 namespace {
@@ -24,7 +28,6 @@ std::string_view withoutPrefix(std::string_view name) {
 }
 
 // ---- style sheets
-// ---------------------------------------------------------------------------------------------------
 
 using Declarations = std::map<std::string, std::string, std::less<>>;
 
@@ -107,7 +110,6 @@ void addStyleSheet(std::string_view source, std::vector<Rule>& rules) {
 }
 
 // ---- tags
-// -----------------------------------------------------------------------------------------------------------
 
 struct Attribute {
   std::string name, value;
@@ -189,8 +191,56 @@ std::optional<Tag> readTag(std::string_view svg, std::size_t& at) {
   }
 }
 
+// ---- clips
+
+Box boundsOf(const std::vector<Point>& line) {
+  Box box{line[0].x, line[0].y, line[0].x, line[0].y};
+  for (const Point& p : line)
+    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
+  return box;
+}
+
+Box mappedBox(const Box& box, const Affine& map) {
+  return boundsOf({map({box.x0, box.y0}), map({box.x1, box.y1})});
+}
+
+std::optional<Box> boxOfRect(const Tag& tag) {
+  double v[4] = {0, 0, 0, 0};
+  const char* const names[4] = {"x", "y", "width", "height"};
+  for (int i = 0; i < 4; ++i) {
+    const std::string* text = tag.find(names[i]);
+    if (!text) continue;
+    const auto number = svgNumber(*text);
+    if (!number || text->find('%') != std::string::npos) return std::nullopt;
+    v[i] = *number;
+  }
+  return Box{v[0], v[1], v[0] + v[2], v[1] + v[3]};
+}
+
+/// The box that a clip path's first child describes; nothing if it is no upright rectangle.
+std::optional<Box> boxOf(const Tag& tag) {
+  const std::string name(withoutPrefix(tag.name));
+  if (tag.find("transform")) return std::nullopt;
+  if (name == "rect") return boxOfRect(tag);
+  if (name != "path" || !tag.find("d")) return std::nullopt;
+  const auto lines = svgStraightLines(*tag.find("d"));
+  if (!lines || lines->empty()) return std::nullopt;
+  const std::vector<Point>& ring = lines->front();
+  for (std::size_t i = 1; i < ring.size(); ++i)
+    if (ring[i].x != ring[i - 1].x && ring[i].y != ring[i - 1].y) return std::nullopt;
+  return boundsOf(ring);
+}
+
+/// The id in "url(#id)"; empty if there is none.
+std::string urlTarget(std::string_view value) {
+  const std::size_t hash = value.find('#'), end = value.find(')');
+  if (value.substr(0, 4) != "url(" || hash >= end || end == std::string_view::npos) return {};
+  std::string_view id = trimmed(value.substr(hash + 1, end - hash - 1));
+  while (!id.empty() && (id.back() == '"' || id.back() == '\'')) id.remove_suffix(1);
+  return std::string(id);
+}
+
 // ---- references
-// -----------------------------------------------------------------------------------------------------
 
 /// How much an element draws, for itself and through references.
 struct Weight {
@@ -236,7 +286,6 @@ class Expansion {
 };
 
 // ---- the pass over the drawing
-// --------------------------------------------------------------------------------------
 
 class Preparer {
  public:
@@ -244,6 +293,7 @@ class Preparer {
 
   PreparedSvg run() {
     readStyleSheets();
+    readClipPaths();
     PreparedSvg out;
     if (!rewrite(out)) out.text.clear();
     if (!out.problem.empty()) return out;
@@ -258,9 +308,78 @@ class Preparer {
 
  private:
   struct Open {
-    std::string name, anchor, id;
+    std::string name, anchor, id, fill;
     Weight weight;
+    std::optional<Affine> toRoot = Affine{};  ///< nothing where the way is turned or unknown
+    std::optional<Box> clip;                  ///< of this and the outer elements, in the root's plane
   };
+
+  void readClipPaths() {
+    for (std::size_t at = svg_.find("<clipPath"); at != std::string_view::npos;
+         at = svg_.find("<clipPath", at)) {
+      const auto tag = readTag(svg_, ++at);
+      const std::size_t end = svg_.find("</clipPath", at);
+      if (!tag || end == std::string_view::npos) return;
+      const std::string* id = tag->find("id");
+      const std::string* units = tag->find("clipPathUnits");
+      std::size_t child = svg_.find('<', at);
+      if (!id || (units && *units != "userSpaceOnUse") || tag->find("transform") || child >= end) continue;
+      const auto shape = readTag(svg_, ++child);
+      if (const auto box = shape ? boxOf(*shape) : std::nullopt) clips_[*id] = *box;
+    }
+  }
+
+  /// A property as the attribute or the (already merged) style states it.
+  static std::string property(const Tag& tag, const std::string& name) {
+    Declarations style;
+    if (const std::string* own = tag.find("style")) addDeclarations(*own, style);
+    if (const auto found = style.find(name); found != style.end()) return found->second;
+    const std::string* attribute = tag.find(name);
+    return attribute ? *attribute : std::string();
+  }
+
+  void applyTransform(const Tag& tag, Open& opened) const {
+    if (opened.name == "svg" && !open_.empty()) opened.toRoot.reset();  // a nested viewport
+    const std::string* text = tag.find("transform");
+    if (!opened.toRoot || !text) return;
+    const auto own = svgUprightTransform(*text);
+    if (!own) {
+      opened.toRoot.reset();
+    } else {
+      opened.toRoot = opened.toRoot->after(*own);
+    }
+  }
+
+  void applyClip(const Tag& tag, Open& opened) const {
+    const auto found = clips_.find(urlTarget(property(tag, "clip-path")));
+    if (found == clips_.end() || !opened.toRoot) return;
+    const Box box = mappedBox(found->second, *opened.toRoot);
+    opened.clip = opened.clip ? Box{std::max(box.x0, opened.clip->x0), std::max(box.y0, opened.clip->y0),
+                                    std::min(box.x1, opened.clip->x1), std::min(box.y1, opened.clip->y1)}
+                              : box;
+  }
+
+  /// Lines without filling are cut here; MuPDF knows no clips in SVG.
+  static void cutLines(Tag& tag, const Open& opened) {
+    if (!opened.clip || !opened.toRoot || opened.clip->empty() || opened.fill != "none") return;
+    const Box box = mappedBox(*opened.clip, opened.toRoot->inverse());
+    const char* const attribute = opened.name == "path" ? "d" : "points";
+    const std::string* data = tag.find(attribute);
+    if (!data) return;
+    const auto lines = svgStraightLines(opened.name == "path" ? *data : "M" + *data);
+    if (!lines) return;
+    std::string cut;
+    for (const auto& line : *lines)
+      for (const auto& part : clippedLine(line, box))
+        for (std::size_t i = 0; i < part.size(); ++i) {
+          char text[80];
+          std::snprintf(text, sizeof text, "%c%.9g %.9g", i == 0 ? 'M' : 'L', part[i].x, part[i].y);
+          cut += text;
+        }
+    tag.name = "path";
+    std::erase_if(tag.attributes, [&](const Attribute& a) { return a.name == attribute; });
+    tag.attributes.push_back({"d", cut, '"'});
+  }
 
   void readStyleSheets() {
     for (std::size_t at = svg_.find("<style"); at != std::string_view::npos;
@@ -337,6 +456,15 @@ class Preparer {
     opened.anchor = anchor ? *anchor : open_.empty() ? std::string() : open_.back().anchor;
     if (name == "text" && !anchor && !opened.anchor.empty()) tag.set("text-anchor", opened.anchor);
     if (const std::string* id = tag.find("id")) opened.id = *id;
+    if (!open_.empty()) {
+      opened.toRoot = open_.back().toRoot;
+      opened.clip = open_.back().clip;
+      opened.fill = open_.back().fill;
+    }
+    if (const std::string fill = property(tag, "fill"); !fill.empty()) opened.fill = fill;
+    applyTransform(tag, opened);
+    applyClip(tag, opened);
+    if ((name == "path" || name == "polyline") && tag.selfClosing) cutLines(tag, opened);
     opened.weight.elements = 1;
     if (name == "use")
       for (const char* link : {"xlink:href", "href"})
@@ -403,6 +531,7 @@ class Preparer {
   std::string_view svg_;
   double maxElements_;
   std::vector<Rule> rules_;
+  std::map<std::string, Box> clips_;  ///< upright boxes, in the plane of the element that uses them
   std::vector<Open> open_;
   std::map<std::string, Weight> named_;
   Weight whole_;

@@ -82,6 +82,7 @@ struct LegendSample {
 /// Short level lines, anywhere in the view: what a legend shows beside its words.
 std::vector<LegendSample> legendSamples(const PageView& view, const PlotPlane& plane) {
   const double shortest = 0.01 * plane.box.width(), longest = 0.15 * plane.box.width();
+  constexpr double tickReach_px = 2;
   std::vector<LegendSample> samples;
   for (const VectorPath& path : view.paths) {
     if (!path.stroke) continue;
@@ -92,6 +93,10 @@ std::vector<LegendSample> legendSamples(const PageView& view, const PlotPlane& p
           std::minmax_element(line.begin(), line.end(), [](Point a, Point b) { return a.y < b.y; });
       const double length = right->x - left->x;
       if (length < shortest || length > longest || bottom->y - top->y > 0.1) continue;
+      const auto atEdge = [&](double x) {
+        return std::abs(x - plane.box.x0) < tickReach_px || std::abs(x - plane.box.x1) < tickReach_px;
+      };
+      if (atEdge(left->x) || atEdge(right->x)) continue;  // a tick
       samples.push_back({{left->x, top->y, right->x, bottom->y}, {*path.stroke, path.dashed}});
     }
   }

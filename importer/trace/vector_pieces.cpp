@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "importer/page/clip_line.h"
 #include "importer/trace/filled_outline.h"
 
 namespace detent::importer {
@@ -25,50 +26,6 @@ Polyline withoutRepeats(const Polyline& line) {
   return out;
 }
 
-/// The part of segment a-b inside the box, as parameters; false if none. Liang and Barsky.
-bool insideSpan(Point a, Point b, const Box& box, double& from, double& to) {
-  from = 0, to = 1;
-  const double dx = b.x - a.x, dy = b.y - a.y;
-  const double p[4] = {-dx, dx, -dy, dy};
-  const double q[4] = {a.x - box.x0, box.x1 - a.x, a.y - box.y0, box.y1 - a.y};
-  for (int i = 0; i < 4; ++i) {
-    if (p[i] == 0) {
-      if (q[i] < 0) return false;
-      continue;
-    }
-    const double t = q[i] / p[i];
-    if (p[i] < 0) {
-      from = std::max(from, t);
-    } else {
-      to = std::min(to, t);
-    }
-  }
-  return from <= to;
-}
-
-Point between(Point a, Point b, double t) {
-  if (t <= 0) return a;
-  if (t >= 1) return b;
-  return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)};
-}
-
-/// The parts of the line inside the box, cut exactly at its edges.
-std::vector<Polyline> clipped(const Polyline& line, const Box& box) {
-  std::vector<Polyline> parts;
-  bool open = false;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    double from = 0, to = 1;
-    if (!insideSpan(line[i - 1], line[i], box, from, to)) {
-      open = false;
-      continue;
-    }
-    if (!open || from > 0) parts.push_back({between(line[i - 1], line[i], from)});
-    parts.back().push_back(between(line[i - 1], line[i], to));
-    open = to >= 1;
-  }
-  return parts;
-}
-
 /// The parts of the line outside the box.
 std::vector<Polyline> cutOut(const Polyline& line, const Box& box) {
   std::vector<Polyline> parts;
@@ -83,8 +40,8 @@ std::vector<Polyline> cutOut(const Polyline& line, const Box& box) {
       extend(a, b);
       continue;
     }
-    if (from > 0) extend(a, between(a, b, from));
-    if (to < 1) extend(between(a, b, to), b);
+    if (from > 0) extend(a, pointBetween(a, b, from));
+    if (to < 1) extend(pointBetween(a, b, to), b);
   }
   return parts;
 }
@@ -189,7 +146,7 @@ class PieceMaker {
       window = {std::max(window.x0, path.clip->x0), std::max(window.y0, path.clip->y0),
                 std::min(window.x1, path.clip->x1), std::min(window.y1, path.clip->y1)};
     if (window.empty()) return;
-    std::vector<Polyline> parts = clipped(line, window);
+    std::vector<Polyline> parts = clippedLine(line, window);
     for (const Box& mask : masks_) {
       std::vector<Polyline> rest;
       for (const Polyline& part : parts)

@@ -170,6 +170,15 @@ TEST_CASE("two colours: exact points, each in its colour, legend words beside th
   CHECK_FALSE(red.stroke);
 }
 
+TEST_CASE("a tick with its number is no legend") {
+  Drawing drawing;
+  drawing.stroke(press);
+  drawing.stroke({{frameBox.x0 - 8, 350}, {frameBox.x0, 350}});
+  drawing.axes.texts = {{"50", {frameBox.x0 - 30, 342, frameBox.x0 - 12, 358}, 1, 0}};
+  REQUIRE(drawing.traced().size() == 1);
+  CHECK(drawing.traced()[0].label.empty());
+}
+
 TEST_CASE("one ink: press above release, whatever the order and direction of drawing") {
   Drawing drawing;
   drawing.stroke(Polyline(release.rbegin(), release.rend()));
