@@ -299,7 +299,7 @@ struct Working {
 void refineOnce(Working& self, const Working& other, double side, const Profiler& profiler,
                 double strokeWidth, const Pass& pass) {
   const double half = strokeWidth / 2;
-  std::vector<double> offset(self.points.size()), weight(self.points.size());
+  std::vector<double> offset(self.points.size()), weight(self.points.size()), trust(self.points.size());
   std::size_t hint = 0;
   for (std::size_t i = 0; i < self.points.size(); ++i) {
     const std::optional<double> beside =
@@ -315,14 +315,19 @@ void refineOnce(Working& self, const Working& other, double side, const Profiler
     offset[i] = fit.offset;
     const double good =
         std::clamp(1 - fit.misfit / 0.08, 0.0, 1.0) * std::clamp((fit.evidence - 0.15) / 0.35, 0.0, 1.0);
-    weight[i] = atLimit ? 0.1 * good : good;
+    trust[i] = atLimit ? 0.1 * good : good;
+    // Where nothing can be measured the path itself is the best guess, or the ends would drift off along
+    // their slope.
+    constexpr double kPath = 0.02;
+    offset[i] *= trust[i] / (trust[i] + kPath);
+    weight[i] = trust[i] + kPath;
   }
   const std::vector<double> smoothOffset = whittaker(offset, weight, pass.stiffness);
   for (std::size_t i = 0; i < self.points.size(); ++i) {
     self.points[i].x += smoothOffset[i] * self.normals[i].x;
     self.points[i].y += smoothOffset[i] * self.normals[i].y;
   }
-  self.trust = weight;
+  self.trust = trust;
 }
 
 /// Darkness on the ridge and width of a stroke, where nothing else is near.
