@@ -300,12 +300,12 @@ TEST_CASE("SVG: classes, inherited anchors, references, clips") {
 }
 
 TEST_CASE("SVG: lines are cut at rectangular clips, in the plane of whoever uses them") {
-  const std::string svg = R"(<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100">
+  const std::string svg = R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="200" height="100">
 <clipPath id="axes"><rect x="10" y="20" width="100" height="50"/></clipPath>
 <clipPath id="ring"><path d="M 10 20 H 110 V 70 H 10 Z"/></clipPath>
 <path d="M 0 30 L 150 30 L 150 60 L 50 60" clip-path="url(#axes)" style="fill: none; stroke: #ff0000"/>
 <g clip-path="url(#ring)" fill="none" stroke="#00ff00"><path d="m 0 10 l 100 0" transform="matrix(2,0,0,2,0,20)"/></g>
-<path d="M 0 90 L 150 90" fill="none" stroke="#0000ff"/></svg>)";
+<path d="M 0 90 L 150 90" fill="none" stroke="#0000ff"/></svg>)svg";
   const auto opened = open(svg, "plot.svg");
   REQUIRE(opened.page.paths.size() == 3);
   const VectorPath& cut = opened.page.paths[0];
