@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Keeps README.md and docs/ true: runs their command blocks, follows their links, holds their tables against the build.
+"""Keeps README.md and docs/ true: runs their command blocks, follows links to them, holds their tables against the build.
 
     documents_test.py --bin FOLDER [--root FOLDER]
 
@@ -35,6 +35,18 @@ def broken_links(root):
             target = match.group(1)
             if not re.match(r"[a-z]+:", target) and not (document.parent / target).exists():
                 yield f"{document.relative_to(root)}:{line_of(text, match.start())}: the link to {target} leads nowhere"
+
+
+def broken_references(root):
+    """Places of docs/ that code names and that are not there. "docs/decisions/0700" may leave the title out."""
+    for room in ("model", "importer", "playback", "editor", "tests", "samples"):
+        for file in sorted((root / room).rglob("*")):
+            if file.suffix not in (".h", ".cpp", ".txt"):
+                continue
+            text = file.read_text(encoding="utf-8", errors="replace")
+            for match in re.finditer(r"docs/[\w./-]*\w", text):
+                if not (root / match.group(0)).exists() and not list(root.glob(match.group(0) + "*.md")):
+                    yield f"{file.relative_to(root)}:{line_of(text, match.start())}: {match.group(0)} is not there"
 
 
 def undescribed(root):
@@ -75,7 +87,7 @@ def main():
     parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
     arguments = parser.parse_args()
     root = arguments.root.resolve()
-    found = [*broken_links(root), *undescribed(root), *failed_commands(root, arguments.bin.resolve())]
+    found = [*broken_links(root), *broken_references(root), *undescribed(root), *failed_commands(root, arguments.bin.resolve())]
     for finding in found:
         print(finding)
     return 1 if found else 0
