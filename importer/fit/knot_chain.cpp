@@ -78,35 +78,38 @@ ChainPiece::ChainPiece(const ChainKnot& from, const ChainKnot& to)
     : u0(from.u()), h(to.u() - from.u()), v0(from.v()), d(to.v() - from.v()) {
   limitTangent(from.slopeAfter(), h, d, a, aFree, aPerD);
   limitTangent(to.slopeBefore(), h, d, b, bFree, bPerD);
+  c2 = 3 * d - 2 * a - b;
+  c3 = a + b - 2 * d;
 }
 
 Footpoint nearestFrom(const ChainPiece& piece, const SigmaPoint& p, double t) {
   t = std::clamp(t, 0.0, 1.0);
-  double best = squaredDistance(piece, p, t);
   if (t <= 0 || t >= 1) {
     // At an end the curve may stand still over t (a steep piece between two flat joints): no gradient leads
     // away from it.
-    const double inside = t <= 0 ? 0.05 : 0.95, distance = squaredDistance(piece, p, inside);
-    if (distance < best) t = inside, best = distance;
+    const double inside = t <= 0 ? 0.05 : 0.95;
+    if (squaredDistance(piece, p, inside) < squaredDistance(piece, p, t)) t = inside;
   }
+  double du = piece.u(t) - p.u, dv = piece.v(t) - p.v, best = du * du + dv * dv;
   for (int step = 0; step < 8; ++step) {
-    const double du = piece.u(t) - p.u, dv = piece.v(t) - p.v, tangent = piece.dv(t);
+    const double tangent = piece.dv(t);
     const double gradient = du * piece.h + dv * tangent;
     const double speed = piece.h * piece.h + tangent * tangent;
     double curvature = speed + dv * piece.ddv(t);
     if (curvature < 0.1 * speed) curvature = speed;
     if (!(curvature > 0)) break;
     double next = std::clamp(t - gradient / curvature, 0.0, 1.0);
-    double distance = squaredDistance(piece, p, next);
+    double nextU = piece.u(next) - p.u, nextV = piece.v(next) - p.v, distance = nextU * nextU + nextV * nextV;
     for (int halving = 0; halving < 6 && distance > best; ++halving) {
       next = 0.5 * (next + t);
-      distance = squaredDistance(piece, p, next);
+      nextU = piece.u(next) - p.u, nextV = piece.v(next) - p.v;
+      distance = nextU * nextU + nextV * nextV;
     }
     if (distance > best) break;
     const double moved = std::abs(next - t);
-    t = next;
-    best = distance;
-    if (moved < 1e-7) break;
+    t = next, du = nextU, dv = nextV, best = distance;
+    // Convergence is quadratic: what is left after such a step is its square.
+    if (moved < 1e-4) break;
   }
   return {0, t, best};
 }
@@ -151,7 +154,7 @@ std::vector<Footpoint> footpointsOn(const KnotChain& chain, const std::vector<Si
 double signedResidual(const ChainPiece& piece, const SigmaPoint& p, double t) {
   const double du = p.u - piece.u(t), dv = p.v - piece.v(t);
   const double side = dv * piece.h - du * piece.dv(t);
-  return std::copysign(p.weight * std::hypot(du, dv), side);
+  return std::copysign(p.weight * std::sqrt(du * du + dv * dv), side);
 }
 
 }  // namespace detent::importer

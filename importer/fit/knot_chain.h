@@ -55,9 +55,12 @@ struct ChainPiece {
   double startSlope() const { return h > 0 ? a / h : 0; }  ///< 0 in a wall
   double endSlope() const { return h > 0 ? b / h : 0; }
   double u(double t) const { return u0 + h * t; }
-  double v(double t) const { return v0 + t * (a + t * ((3 * d - 2 * a - b) + t * (a + b - 2 * d))); }
-  double dv(double t) const { return a + t * (2 * (3 * d - 2 * a - b) + 3 * t * (a + b - 2 * d)); }
-  double ddv(double t) const { return 2 * (3 * d - 2 * a - b) + 6 * t * (a + b - 2 * d); }
+  double v(double t) const { return v0 + t * (a + t * (c2 + t * c3)); }
+  double dv(double t) const { return a + t * (2 * c2 + 3 * t * c3); }
+  double ddv(double t) const { return 2 * c2 + 6 * t * c3; }
+
+ private:
+  double c2 = 0, c3 = 0;
 };
 
 /// Nearest place of a piece to a point.

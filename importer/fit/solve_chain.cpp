@@ -91,7 +91,7 @@ class PieceResiduals final : public ceres::CostFunction {
                    double** jacobians) const {
     const SigmaPoint& p = points_[row].point;
     const double t = foot.t, du = p.u - piece.u(t), dv = p.v - piece.v(t), tangent = piece.dv(t);
-    const double distance = std::hypot(du, dv), side = dv * piece.h - du * tangent >= 0 ? 1 : -1;
+    const double distance = std::sqrt(du * du + dv * dv), side = dv * piece.h - du * tangent >= 0 ? 1 : -1;
     double nu = 0, nv = 0;  // unit vector from the curve to the point, turned to the positive side
     if (distance > 1e-9) {
       nu = side * du / distance, nv = side * dv / distance;
@@ -162,7 +162,7 @@ class StayWithPoints final : public ceres::SizedCostFunction<1, 4> {
   StayWithPoints(const std::vector<SigmaPoint>& points, const ChainKnot& knot) : points_(points) {
     double best = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double distance = std::hypot(points[i].u - knot.u(), points[i].v - knot.v());
+      const double du = points[i].u - knot.u(), dv = points[i].v - knot.v(), distance = du * du + dv * dv;
       if (distance < best) best = distance, nearest_ = i;
     }
   }
