@@ -3,6 +3,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "importer/assemble_report.h"
 #include "importer/importer.h"
 #include "importer/locate_graphs.h"
 #include "importer/overlay/overlay.h"
@@ -65,29 +66,18 @@ TraceHints inView(TraceHints hints, const PageView& view) {
   return hints;
 }
 
-PointNoise noiseOf(const StrokePoints& stroke, const LocatedGraph& graph, const QualitySettings& settings) {
-  const AxisCalibration& calibration = graph.axes.calibration.value;
-  double noise_px = settings.traceNoise_px;
-  if (stroke.fromVector) {
-    const Box frame = graph.frame.value.box();
-    noise_px = settings.vectorNoise_share * std::sqrt(frame.width() * frame.height());
-  }
-  return {noise_px * calibration.mmPerPx(), noise_px * calibration.newtonPerPx()};
+/// Expected noise of a stroke's points across the curve.
+double noisePx(const StrokePoints& stroke, const LocatedGraph& graph, const QualitySettings& settings) {
+  if (!stroke.fromVector) return settings.traceNoise_px;
+  const Box frame = graph.frame.value.box();
+  return settings.vectorNoise_share * std::sqrt(frame.width() * frame.height());
 }
 
-FitOptions fitOptionsFor(PointNoise noise, const QualitySettings& settings) {
-  FitOptions options;
-  options.noise = noise;
-  options.maxPieces = settings.maxPieces;
-  options.maxPoints = settings.maxFitPoints;
-  options.tolerance = settings.fitTolerance;
-  return options;
+FitOptions fitOptionsFor(double noise_px, const AxisCalibration& calibration,
+                         const QualitySettings& settings) {
+  return fitOptionsFor(settings.fit,
+                       {noise_px * calibration.mmPerPx(), noise_px * calibration.newtonPerPx()});
 }
-
-struct FittedStrokes {
-  FittedStroke press;
-  std::optional<FittedStroke> release;
-};
 
 /// A fitted stroke that starts at the force-free key or later: what lies left of 0 mm is noise of axis and
 /// trace.
@@ -110,64 +100,6 @@ Result<FittedStrokes> fitBoth(const StrokePair& strokes, const FitOptions& press
     fitted.release = std::move(fittedRelease).value();
   }
   return fitted;
-}
-
-/// The callout of a kind, pulled onto the stroke's travel (a leader may end on the wall's outer edge).
-std::optional<double> calloutAt(const std::vector<Callout>& callouts, CalloutKind kind,
-                                const StrokeCurve& curve) {
-  for (const Callout& callout : callouts) {
-    if (callout.kind == kind) return std::clamp(callout.at.displacement_mm, curve.start_mm(), curve.end_mm());
-  }
-  return {};
-}
-
-Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted,
-                          const std::vector<Callout>& callouts, Provenance provenance) {
-  std::optional<StrokeCurve> release;
-  if (fitted.release) release = fitted.release->curve;
-  auto graph = ForceGraph::fromCurves(fitted.press.curve, std::move(release));
-  if (!graph) return graph.failure();
-  const auto operating_mm = calloutAt(callouts, CalloutKind::operatingPoint, graph->press());
-  const auto reset_mm = calloutAt(callouts, CalloutKind::resetPoint, graph->curve(Stroke::release));
-  std::vector<ButtonState> states;
-  states.push_back({"", std::move(graph).value(), operating_mm, reset_mm, {}});
-  return Button::fromStates(name, std::move(states), std::move(provenance));
-}
-
-AxisProvenance provenanceOf(const AxisReading& axis, DecidedBy by) {
-  return {axis.unit, axis.min, axis.max, axis.residual_px, by};
-}
-
-std::vector<std::string> givenByHand(const ImportHints& hints) {
-  std::vector<std::string> given;
-  if (!hints.frame.empty()) given.emplace_back("--frame");
-  if (hints.axes.xMin || hints.axes.xMax) given.emplace_back("--x-axis");
-  if (hints.axes.yMin || hints.axes.yMax) given.emplace_back("--y-axis");
-  if (hints.axes.xUnit) given.emplace_back("--x-unit " + std::string(symbolOf(*hints.axes.xUnit)));
-  if (hints.axes.yUnit) given.emplace_back("--y-unit " + std::string(symbolOf(*hints.axes.yUnit)));
-  if (hints.trace.pressColor) given.emplace_back("--press-color");
-  if (hints.trace.releaseColor) given.emplace_back("--release-color");
-  if (!hints.trace.masks_px.empty()) given.emplace_back("--mask");
-  if (hints.strokes.swap) given.emplace_back("--swap-strokes");
-  if (hints.dpi) given.emplace_back("--dpi");
-  return given;
-}
-
-const char* nameOf(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return "draft";
-    case Quality::standard:
-      return "standard";
-    case Quality::precise:
-      return "precise";
-  }
-  return "";
-}
-
-/// Rms of the orthogonal residuals in view pixels: the fit's sigmas, undone.
-double rmsPx(const FitSummary& fit, const PointNoise& noise, const AxisCalibration& calibration) {
-  return fit.rmsSigma * noise.sigma_mm / calibration.mmPerPx();
 }
 
 }  // namespace
@@ -345,77 +277,31 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
 
   step(0.8, "fitting");
   const StrokePair& pair = strokes->value;
-  const PointNoise pressNoise = noiseOf(pair.press, graph, settings);
-  const PointNoise releaseNoise = pair.release ? noiseOf(*pair.release, graph, settings) : pressNoise;
+  const AxisCalibration& calibration = graph.axes.calibration.value;
+  const double press_px = noisePx(pair.press, graph, settings);
+  const double release_px = pair.release ? noisePx(*pair.release, graph, settings) : press_px;
   auto fitted = [&] {
     StepClock clock(seconds, "fit");
-    return fitBoth(pair, fitOptionsFor(pressNoise, settings), fitOptionsFor(releaseNoise, settings));
+    return fitBoth(pair, fitOptionsFor(press_px, calibration, settings),
+                   fitOptionsFor(release_px, calibration, settings));
   }();
   if (!fitted) return placed(fitted.failure(), *choice);
   if (progress.isCancelled()) return failure(FailureCode::wrongUsage, "", "cancelled", "");
 
-  const auto callouts = [&] {
+  auto callouts = [&] {
     StepClock clock(seconds, "callouts");
     return readCallouts(graph.view, graph.frame.value, graph.axes, pair);
   }();
-
-  const AxisCalibration& calibration = graph.axes.calibration.value;
-  const double confidence = std::min(graph.confidence(), strokes->confidence);
-  if (confidence < confidenceBar) {
-    const bool axesDoubted = graph.confidence() <= strokes->confidence;
-    return placed(
-        failure(FailureCode::notCertain, "",
-                axesDoubted ? "the axes are not certain (" + graph.axes.calibration.evidence + ")"
-                            : "the curves are not certain (" + strokes->evidence + ")",
-                axesDoubted ? "Pass --x-axis MIN:MAX and --y-axis MIN:MAX (values at the frame's edges), or "
-                              "--frame if the frame was missed"
-                            : "Pass --press-color and --release-color, or --mask over what is no curve"),
-        *choice);
-  }
-
-  Provenance provenance;
-  provenance.sourceFile = name();
-  provenance.sourceSha256 = document->sha256();
-  provenance.page = choice->page, provenance.graph = choice->graph;
-  const Box frame = graph.candidate.value.pageBox;
-  provenance.frame = {frame.x0, frame.y0, frame.x1, frame.y1};
-  const AxisHints& axes = request.hints.axes;
-  provenance.xAxis =
-      provenanceOf(calibration.x, axes.xMin && axes.xMax ? DecidedBy::given : DecidedBy::found);
-  provenance.yAxis =
-      provenanceOf(calibration.y, axes.yMin && axes.yMax ? DecidedBy::given : DecidedBy::found);
-  provenance.quality = nameOf(request.quality);
-  provenance.pressRms_px = rmsPx(fitted->press.summary, pressNoise, calibration);
-  if (fitted->release) provenance.releaseRms_px = rmsPx(fitted->release->summary, releaseNoise, calibration);
-  provenance.confidence = confidence;
-  provenance.given = givenByHand(request.hints);
-  provenance.warnings = choice->warnings;
-  provenance.warnings.insert(provenance.warnings.end(), graph.axes.warnings.begin(),
-                             graph.axes.warnings.end());
-
-  auto button = buttonFrom(stem(), *fitted, callouts, provenance);
-  if (!button) return placed(button.failure(), *choice);
-  ImportReport report(std::move(button).value());
-  report.strokes = pair;
-  report.page = choice->page, report.graph = choice->graph;
-  report.x = calibration.x, report.y = calibration.y;
-  report.press = {fitted->press.summary, provenance.pressRms_px};
-  if (fitted->release) report.release = StrokeReport{fitted->release->summary, provenance.releaseRms_px};
-  report.callouts = callouts;
-  report.specChecks = checkAgainst(printedSpecs(), report.button);
-  report.confidence = confidence;
-  report.quality = request.quality;
-  report.warnings = provenance.warnings;
-  for (const SpecCheck& check : report.specChecks) {
-    if (!check.agrees) report.warnings.push_back(check.sentence());
-  }
-  report.evidence = std::make_shared<const GraphEvidence>(
-      GraphEvidence{graph.view, graph.frame.value, graph.axes, **curves});
+  const GraphSource source{name(), stem(), document->sha256(), choice->page, choice->graph, choice->warnings};
+  auto report = assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(),
+                                press_px, release_px, std::move(callouts), printedSpecs()},
+                               source, request);
+  if (!report) return placed(report.failure(), *choice);
   if (request.wantOverlay) {
     StepClock clock(seconds, "overlay");
-    report.overlay = drawOverlay(*report.evidence, report.strokes, report.button);
+    report->overlay = drawOverlay(*report->evidence, report->strokes, report->button);
   }
-  report.seconds = std::move(seconds);
+  report->seconds = std::move(seconds);
   step(1, "done");
   return report;
 }
@@ -429,7 +315,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   }();
   if (!log) return log.failure();
   const QualitySettings settings = settingsFor(request.quality);
-  const FitOptions options = fitOptionsFor({log->noise_mm, log->noise_N}, settings);
+  const FitOptions options = fitOptionsFor(settings.fit, {log->noise_mm, log->noise_N});
   auto fitted = [&] {
     StepClock clock(seconds, "fit");
     return fitBoth(log->strokes, options, options);

@@ -1,6 +1,6 @@
 #pragma once
-// What draft, standard and precise mean: one documented set of settings each. docs/bench-importer.md has the
-// measured trade.
+// What draft, standard and precise mean: one documented set of settings each.
+// docs/bench-importer.md has the measured trade.
 
 #include "importer/fit/fit_stroke.h"
 #include "importer/page/page.h"
@@ -10,15 +10,16 @@ namespace detent::importer {
 
 enum class Quality { draft, standard, precise };
 
+/// "draft", "standard", "precise".
+const char* nameOf(Quality quality);
+
 /// Settings of one quality level, for all steps.
 struct QualitySettings {
   ViewOptions view;
   TraceOptions trace;
+  FitEffort fit = FitEffort::standard;
   double traceNoise_px = 0;      ///< expected noise of a traced point across the curve, raster
   double vectorNoise_share = 0;  ///< the same for vector curves, as a share of the plot frame's size
-  int maxPieces = 0;
-  int maxFitPoints = 0;
-  double fitTolerance = 0;
 };
 
 QualitySettings settingsFor(Quality quality);

@@ -9,18 +9,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* nameOf(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return "draft";
-    case Quality::standard:
-      return "standard";
-    case Quality::precise:
-      return "precise";
-  }
-  return "";
-}
-
 const char* statusOf(FailureCode code) {
   switch (code) {
     case FailureCode::internalFault:

@@ -52,8 +52,7 @@ Result<std::vector<std::string>> writeOutputs(const ImportReport& report, const 
     return outputs.stage(path, bytes());
   };
   const ForceGraph& graph = report.button.states().front().graph;
-  if (auto done = stage(paths.button, [&] { return jsonFrom(report.button); }); !done)
-    return done.failure();
+  if (auto done = stage(paths.button, [&] { return jsonFrom(report.button); }); !done) return done.failure();
   if (auto done = stage(paths.csv, [&] { return csvFrom(graph); }); !done) return done.failure();
   if (auto done = stage(paths.trace, [&] { return traceCsv(report.strokes); }); !done) return done.failure();
   if (!paths.overlay.empty() && report.overlay) {

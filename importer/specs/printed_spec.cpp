@@ -56,7 +56,7 @@ constexpr std::array abbreviations{Word{"tt", SpecQuantity::totalTravel}, Word{"
                                    Word{"of", SpecQuantity::operatingForce},
                                    Word{"tf", SpecQuantity::tactileForce}};
 
-bool isForce(SpecQuantity quantity) {
+bool measuredInNewton(SpecQuantity quantity) {
   return quantity == SpecQuantity::operatingForce || quantity == SpecQuantity::tactileForce ||
          quantity == SpecQuantity::endForce;
 }
@@ -98,7 +98,7 @@ std::optional<double> factorIn(const std::string& row, SpecQuantity quantity) {
   static const std::regex unitWord(R"((^|[^A-Za-z])(mm|cN|mN|gf|g|N|ozf?|in|inch)(?![A-Za-z]))");
   for (std::sregex_iterator it(row.begin(), row.end(), unitWord), end; it != end; ++it) {
     const std::string symbol = (*it)[2];
-    if (isForce(quantity)) {
+    if (measuredInNewton(quantity)) {
       if (const auto unit = forceUnitFrom(symbol)) return newtonsPer(*unit);
     } else if (const auto unit = lengthUnitFrom(symbol)) {
       return millimetresPer(*unit);
@@ -197,8 +197,10 @@ std::optional<double> readValue(SpecQuantity quantity, const ButtonState& state)
 
 }  // namespace
 
+bool PrintedSpec::isForce() const { return measuredInNewton(quantity); }
+
 std::string SpecCheck::sentence() const {
-  const bool force = isForce(spec.quantity);
+  const bool force = measuredInNewton(spec.quantity);
   char numbers[96];
   std::snprintf(numbers, sizeof numbers, "%.4g %s read, %.4g %s printed", read, force ? "N" : "mm",
                 spec.nominal, force ? "N" : "mm");

@@ -20,6 +20,7 @@ struct PrintedSpec {
   std::optional<double> smallest, largest;
   std::string text;  ///< the row as printed
   int page = 1;
+  bool isForce() const;  ///< in N; else in mm
 };
 
 /// A printed value beside the one that was read from the graph.

@@ -1,0 +1,143 @@
+#include "importer/assemble_report.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace detent::importer {
+namespace {
+
+/// The callout of a kind, pulled onto the stroke's travel (a leader may end on the wall's outer edge).
+std::optional<double> calloutAt(const std::vector<Callout>& callouts, CalloutKind kind,
+                                const StrokeCurve& curve) {
+  for (const Callout& callout : callouts) {
+    if (callout.kind == kind) return std::clamp(callout.at.displacement_mm, curve.start_mm(), curve.end_mm());
+  }
+  return {};
+}
+
+AxisProvenance provenanceOf(const AxisReading& axis, bool given) {
+  return {axis.unit, axis.min, axis.max, axis.residual_px, given ? DecidedBy::given : DecidedBy::found};
+}
+
+Provenance provenanceOf(const GraphFindings& findings, const GraphSource& source,
+                        const ImportRequest& request) {
+  const AxisCalibration& calibration = findings.graph.axes.calibration.value;
+  const AxisHints& axes = request.hints.axes;
+  const Box frame = findings.graph.candidate.value.pageBox;
+  Provenance p;
+  p.sourceFile = source.fileName;
+  p.sourceSha256 = source.sha256;
+  p.page = source.page, p.graph = source.graph;
+  p.frame = {frame.x0, frame.y0, frame.x1, frame.y1};
+  p.xAxis = provenanceOf(calibration.x, axes.xMin && axes.xMax);
+  p.yAxis = provenanceOf(calibration.y, axes.yMin && axes.yMax);
+  p.quality = nameOf(request.quality);
+  p.pressRms_px = findings.fitted.press.summary.rmsSigma * findings.pressNoise_px;
+  if (findings.fitted.release)
+    p.releaseRms_px = findings.fitted.release->summary.rmsSigma * findings.releaseNoise_px;
+  p.given = givenByHand(request.hints);
+  p.warnings = source.warnings;
+  p.warnings.insert(p.warnings.end(), findings.graph.axes.warnings.begin(),
+                    findings.graph.axes.warnings.end());
+  return p;
+}
+
+/// A printed value of one axis that is off by more than a factor of two, while none on that axis comes
+/// closer: then it is the axis that was misread. Null where the page says nothing or agrees in size.
+const SpecCheck* grossConflict(const std::vector<SpecCheck>& checks) {
+  for (const bool force : {false, true}) {
+    const SpecCheck* worst = nullptr;
+    bool anyNear = false;
+    for (const SpecCheck& check : checks) {
+      if (check.spec.isForce() != force) continue;
+      const double factor = check.read / check.spec.nominal;
+      const bool near = check.agrees || (factor > 0.5 && factor < 2);
+      anyNear = anyNear || near;
+      if (!near) worst = &check;
+    }
+    if (worst && !anyNear) return worst;
+  }
+  return nullptr;
+}
+
+std::optional<Failure> doubt(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
+                             bool axesGiven) {
+  static const std::string passAxes =
+      "Pass --x-axis MIN:MAX and --y-axis MIN:MAX (values at the frame's edges), or --frame if the frame was "
+      "missed";
+  const auto uncertain = [](std::string problem, std::string remedy) {
+    return Failure{FailureCode::notCertain, "", "", std::move(problem), std::move(remedy)};
+  };
+  if (findings.graph.confidence() < confidenceBar) {
+    return uncertain("the axes are not certain (" + findings.graph.axes.calibration.evidence + ")", passAxes);
+  }
+  if (findings.strokes.confidence < confidenceBar) {
+    return uncertain("the curves are not certain (" + findings.strokes.evidence + ")",
+                     "Pass --press-color and --release-color, or --mask over what is no curve");
+  }
+  const SpecCheck* conflict = grossConflict(checks);
+  if (conflict && !axesGiven) return uncertain("the graph " + conflict->sentence(), passAxes);
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> givenByHand(const ImportHints& hints) {
+  std::vector<std::string> given;
+  if (!hints.frame.empty()) given.emplace_back("--frame");
+  if (hints.axes.xMin || hints.axes.xMax) given.emplace_back("--x-axis");
+  if (hints.axes.yMin || hints.axes.yMax) given.emplace_back("--y-axis");
+  if (hints.axes.xUnit) given.emplace_back("--x-unit " + std::string(symbolOf(*hints.axes.xUnit)));
+  if (hints.axes.yUnit) given.emplace_back("--y-unit " + std::string(symbolOf(*hints.axes.yUnit)));
+  if (hints.trace.pressColor) given.emplace_back("--press-color");
+  if (hints.trace.releaseColor) given.emplace_back("--release-color");
+  if (!hints.trace.masks_px.empty()) given.emplace_back("--mask");
+  if (hints.strokes.swap) given.emplace_back("--swap-strokes");
+  if (hints.dpi) given.emplace_back("--dpi");
+  return given;
+}
+
+Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted,
+                          const std::vector<Callout>& callouts, Provenance provenance) {
+  std::optional<StrokeCurve> release;
+  if (fitted.release) release = fitted.release->curve;
+  auto graph = ForceGraph::fromCurves(fitted.press.curve, std::move(release));
+  if (!graph) return graph.failure();
+  const auto operating_mm = calloutAt(callouts, CalloutKind::operatingPoint, graph->press());
+  const auto reset_mm = calloutAt(callouts, CalloutKind::resetPoint, graph->curve(Stroke::release));
+  std::vector<ButtonState> states;
+  states.push_back({"", std::move(graph).value(), operating_mm, reset_mm, {}});
+  return Button::fromStates(name, std::move(states), std::move(provenance));
+}
+
+Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& source,
+                                    const ImportRequest& request) {
+  Provenance provenance = provenanceOf(findings, source, request);
+  provenance.confidence = std::min(findings.graph.confidence(), findings.strokes.confidence);
+  auto button = buttonFrom(source.stem, findings.fitted, findings.callouts, provenance);
+  if (!button) return button.failure();
+  const AxisHints& axes = request.hints.axes;
+  const auto checks = checkAgainst(findings.specs, *button);
+  if (const auto failure = doubt(findings, checks, axes.xMin && axes.yMin)) return *failure;
+
+  const AxisCalibration& calibration = findings.graph.axes.calibration.value;
+  ImportReport report(std::move(button).value());
+  report.page = source.page, report.graph = source.graph;
+  report.x = calibration.x, report.y = calibration.y;
+  report.press = {findings.fitted.press.summary, provenance.pressRms_px};
+  if (findings.fitted.release) report.release = {findings.fitted.release->summary, provenance.releaseRms_px};
+  report.callouts = std::move(findings.callouts);
+  report.confidence = provenance.confidence;
+  report.quality = request.quality;
+  report.warnings = provenance.warnings;
+  for (const SpecCheck& check : checks) {
+    if (!check.agrees) report.warnings.push_back(check.sentence());
+  }
+  report.specChecks = checks;
+  report.evidence = std::make_shared<const GraphEvidence>(
+      GraphEvidence{findings.graph.view, findings.graph.frame.value, findings.graph.axes, findings.traces});
+  report.strokes = std::move(findings.strokes.value);
+  return report;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,43 @@
+#pragma once
+// The last step of an import: from fitted strokes to a Button with its provenance, and how sure all of it is.
+
+#include "importer/importer.h"
+#include "importer/locate_graphs.h"
+
+namespace detent::importer {
+
+struct FittedStrokes {
+  FittedStroke press;
+  std::optional<FittedStroke> release;
+};
+
+/// Everything the steps before gave for one graph.
+struct GraphFindings {
+  const LocatedGraph& graph;
+  const std::vector<CurveTrace>& traces;
+  Found<StrokePair> strokes;
+  FittedStrokes fitted;
+  double pressNoise_px = 0, releaseNoise_px = 0;
+  std::vector<Callout> callouts;
+  std::vector<PrintedSpec> specs;
+};
+
+/// Where the graph stands and where its file came from.
+struct GraphSource {
+  std::string fileName, stem, sha256;
+  int page = 1, graph = 1;
+  std::vector<std::string> warnings;
+};
+
+/// Failure notCertain below `confidenceBar`, with what to pass; a broken rule of the model otherwise.
+Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& source,
+                                    const ImportRequest& request);
+
+/// The names of the options that were given, as provenance keeps them.
+std::vector<std::string> givenByHand(const ImportHints& hints);
+
+/// A button of one state; callouts become its operating and reset point.
+Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted,
+                          const std::vector<Callout>& callouts, Provenance provenance);
+
+}  // namespace detent::importer
