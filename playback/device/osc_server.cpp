@@ -2,6 +2,7 @@
 #include <atomic>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 #include <lo/lo.h>
 
@@ -40,6 +41,11 @@ class OscServer : public SignalServer {
       while (!stopping_) lo_server_recv_noblock(server_, stopCheck_ms);
     });
     return true;
+  }
+
+  void dispatch(std::string_view packet) {
+    std::vector<char> copy(packet.begin(), packet.end());  // liblo turns the bytes round in place
+    lo_server_dispatch_data(server_, copy.data(), copy.size());
   }
 
   std::uint16_t port() const override { return static_cast<std::uint16_t>(lo_server_get_port(server_)); }
@@ -81,6 +87,13 @@ class OscServer : public SignalServer {
 };
 
 }  // namespace
+
+bool handleOscPacket(SignalServer& server, std::string_view packet) {
+  auto* osc = dynamic_cast<OscServer*>(&server);
+  if (osc == nullptr) return false;
+  osc->dispatch(packet);
+  return true;
+}
 
 DeviceResult<std::unique_ptr<SignalServer>> openOscServer(std::uint16_t port, SignalReceiver receiver) {
   auto server = std::make_unique<OscServer>(std::move(receiver));

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
+#include <string_view>
 
 #include "playback/device/device_trouble.h"
 #include "playback/device/signal_message.h"
@@ -24,6 +26,10 @@ class SignalServer {
 DeviceResult<std::unique_ptr<SignalServer>> openFudiServer(std::uint16_t port, bool anyAddress,
                                                            SignalReceiver receiver);
 DeviceResult<std::unique_ptr<SignalServer>> openOscServer(std::uint16_t port, SignalReceiver receiver);
+
+/// Handles one packet on an OSC server as if it had arrived, on the calling thread; nothing may arrive
+/// meanwhile. For fuzzing; false if `server` is no OSC server.
+bool handleOscPacket(SignalServer& server, std::string_view packet);
 
 /// The other direction, the paper's own route: sends messages as UDP packets to a synthesizer such as
 /// samples/puredata/detent.pd. One thread.
