@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 namespace detent {
 namespace {
@@ -50,16 +51,26 @@ struct Findings {
   }
 };
 
-void checkStrokes(Findings& out, const ForceGraph& graph, const BottomOut& foot) {
+// Where the first of the two strokes meets its wall; infinity where neither has one.
+double firstWall(const StrokeCurve& press, const StrokeCurve& release, const SectionSettings& settings) {
+  double first = std::numeric_limits<double>::infinity();
+  for (const StrokeCurve* curve : {&press, &release})
+    if (const BottomOut foot = bottomOutOf(*curve, settings); foot.wall)
+      first = std::min(first, foot.displacement_mm);
+  return first;
+}
+
+void checkStrokes(Findings& out, const ForceGraph& graph, const SectionSettings& settings) {
   if (!graph.release()) {
     out.add(Rule::noRelease, "release curve", 0, "", "is not known; the press curve stands in for it");
     return;
   }
   const StrokeCurve &press = graph.press(), &release = *graph.release();
   const auto [low, high] = press.forceRange_N();
+  const double wall_mm = firstWall(press, release, settings);
   double worst = 0, worst_mm = 0;
   for (double x : sampleDisplacements(press, release)) {
-    if (foot.wall && x >= foot.displacement_mm) break;  // on a wall a hair of displacement is any force
+    if (x >= wall_mm) break;  // on a wall a hair of displacement is any force
     const double above = std::max(release.force_N(x), release.forceBefore_N(x)) -
                          std::max(press.force_N(x), press.forceBefore_N(x));
     if (above > worst) {
@@ -106,7 +117,7 @@ void checkCurve(Findings& out, const StrokeCurve& curve, Stroke stroke, const Se
 
 void checkState(Findings& out, const ButtonState& state, const SectionSettings& settings) {
   out.state = state.name.empty() ? "" : "state \"" + state.name + "\"";
-  checkStrokes(out, state.graph, bottomOutOf(state.graph.press(), settings));
+  checkStrokes(out, state.graph, settings);
   checkCurve(out, state.graph.press(), Stroke::press, settings);
   if (state.graph.release()) checkCurve(out, *state.graph.release(), Stroke::release, settings);
   if (state.operatingPoint_mm && state.resetPoint_mm && *state.resetPoint_mm > *state.operatingPoint_mm)
