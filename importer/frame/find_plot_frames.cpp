@@ -39,6 +39,7 @@ Overview seen(const Page& page) {
 struct Orientation {
   int quarterTurns = 0;
   int below = 0, left = 0;  ///< regular labels on either axis
+  double worth = 0;
 };
 
 std::vector<double> turnedPositions(const PlotRectangle& r, int turns, bool alongX) {
@@ -61,7 +62,8 @@ double uprightShare(const LabelRow& a, const LabelRow& b, const std::vector<Box>
   std::vector<Box> members;
   for (const auto& g : glyphs) {
     const Point middle{0.5 * (g.x0 + g.x1), 0.5 * (g.y0 + g.y1)};
-    if (std::max(g.width(), g.height()) >= 4 && (in(a, middle) || in(b, middle))) members.push_back(g);
+    const bool tiny = g.height() < 0.5 * a.height_px || g.height() < 0.5 * b.height_px;  // points, ticks
+    if (!tiny && (in(a, middle) || in(b, middle))) members.push_back(g);
   }
   // Digits that touch make wide blobs: the smaller half of the blobs are single ones.
   const auto size = [](const Box& g) { return std::max(g.width(), g.height()); };
@@ -96,10 +98,10 @@ std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& darkness) {
   return glyphs;
 }
 
-Orientation orientationOf(const PlotRectangle& r, const cv::Mat& darkness) {
+/// Ways up that its surroundings allow, likeliest first; empty if it is no graph.
+std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& darkness) {
   const auto near = glyphsAround(r, darkness);
-  Orientation best;
-  int bestWorth = 0;
+  std::vector<Orientation> ways;
   for (int turns = 0; turns < 4; ++turns) {
     std::vector<Box> upright;
     for (const auto& g : near) upright.push_back(turned(g, turns));
@@ -107,16 +109,26 @@ Orientation orientationOf(const PlotRectangle& r, const cv::Mat& darkness) {
     const Box box = turned(r.box, turns);
     const auto below = labelsBelow(words, box, turnedPositions(r, turns, true));
     const auto left = labelsLeft(words, box, turnedPositions(r, turns, false));
-    if (!sameSize(below, left) || uprightShare(below, left, upright) < 0.6) continue;
+    const double share = uprightShare(below, left, upright);
+    if (std::min(below.regular, left.regular) < 3 || !sameSize(below, left) || share < 0.3) continue;
     // Graphs stand upright, lie on their side on sideways sheets, and hardly ever stand on their head.
-    const int handicap = turns == 0 ? 0 : turns == 2 ? 3 : 1;
-    const int worth = 2 * std::min(below.regular, left.regular) + below.regular + left.regular - 4 * handicap;
-    if (worth > bestWorth) {
-      bestWorth = worth;
-      best = {turns, below.regular, left.regular};
-    }
+    const int handicap = turns == 0 ? 0 : turns == 2 ? 12 : 4;
+    const double worth =
+        (0.3 + share) * (2 * std::min(below.regular, left.regular) + below.regular + left.regular - handicap);
+    ways.push_back({turns, below.regular, left.regular, worth});
   }
-  return best;
+  std::sort(ways.begin(), ways.end(),
+            [](const Orientation& a, const Orientation& b) { return a.worth > b.worth; });
+  // A sideways reading that the labels' places suggest is settled by reading them: the upright one stays in
+  // the race.
+  if (!ways.empty() && ways.front().quarterTurns != 0) {
+    const int likeliest = ways.front().quarterTurns;
+    std::erase_if(ways,
+                  [&](const Orientation& w) { return w.quarterTurns != 0 && w.quarterTurns != likeliest; });
+  } else if (!ways.empty()) {
+    ways.resize(1);
+  }
+  return ways;
 }
 
 Box scaledToPage(const Box& b, double shrink, const Affine& toPage) {
@@ -158,7 +170,8 @@ std::vector<Scored> withoutOverlaps(std::vector<Scored> all) {
   std::vector<Scored> kept;
   for (auto& s : all) {
     const bool taken = std::any_of(kept.begin(), kept.end(), [&](const Scored& k) {
-      return overlapShare(k.candidate.value.pageBox, s.candidate.value.pageBox) > 0.3;
+      const bool otherWayUp = k.candidate.value.pageBox == s.candidate.value.pageBox;
+      return !otherWayUp && overlapShare(k.candidate.value.pageBox, s.candidate.value.pageBox) > 0.3;
     });
     if (!taken) kept.push_back(std::move(s));
   }
@@ -193,21 +206,20 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Docume
   if (rectangles.empty()) return {};
 
   std::vector<Scored> all;
-  for (const auto& r : rectangles) {
-    const auto way = orientationOf(r, o.darkness);
-    const int fewer = std::min(way.below, way.left);
-    if (fewer < 3) continue;
-    Scored s;
-    auto& c = s.candidate.value;
-    c.pageBox = scaledToPage(r.box, o.shrink, page.overviewToPage);
-    c.quarterTurns = way.quarterTurns;
-    c.regionBox = regionAround(c.pageBox, way.quarterTurns, pageBounds(page));
-    s.score = r.score + 0.5 * std::min(12, way.below + way.left);
-    s.candidate.confidence = std::clamp(0.5 + 0.1 * (fewer - 2) + 0.05 * (r.score - 5), 0.2, 1.0);
-    s.candidate.evidence = std::to_string(way.below) + " labels below and " + std::to_string(way.left) +
-                           " beside a rectangle of lines";
-    all.push_back(std::move(s));
-  }
+  for (const auto& r : rectangles)
+    for (const auto& way : orientationsOf(r, o.darkness)) {
+      Scored s;
+      auto& c = s.candidate.value;
+      c.pageBox = scaledToPage(r.box, o.shrink, page.overviewToPage);
+      c.quarterTurns = way.quarterTurns;
+      c.regionBox = regionAround(c.pageBox, way.quarterTurns, pageBounds(page));
+      s.score = r.score + 0.5 * std::min(12, way.below + way.left);
+      s.candidate.confidence =
+          std::clamp(0.5 + 0.1 * (std::min(way.below, way.left) - 2) + 0.05 * (r.score - 5), 0.2, 1.0);
+      s.candidate.evidence = std::to_string(way.below) + " labels below and " + std::to_string(way.left) +
+                             " beside a rectangle of lines";
+      all.push_back(std::move(s));
+    }
   all = withoutOverlaps(std::move(all));
   if (picture && all.size() == 1) all.front().candidate.value.regionBox = pageBounds(page);
   std::sort(all.begin(), all.end(), readsBefore);

@@ -125,7 +125,7 @@ std::vector<Box> glyphBoxes(const cv::Mat& darkness, double minSize_px, double m
   cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
            cv::BORDER_REPLICATE);
   cv::subtract(darkness, around, ink);
-  cv::threshold(ink, ink, inkThreshold - 8, 255, cv::THRESH_BINARY);
+  cv::threshold(ink, ink, inkThreshold - 14, 255, cv::THRESH_BINARY);
   const int n = cv::connectedComponentsWithStats(ink, labels, stats, centroids, 8, CV_32S);
   std::vector<Box> boxes;
   for (int k = 1; k < n; ++k) {

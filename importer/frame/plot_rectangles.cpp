@@ -126,6 +126,7 @@ struct EdgeFit {
   double inside = 0;    ///< length inside
   double length = 0;    ///< of the members, in all
   int members = 0, endAtFrom = 0, endAtTo = 0;
+  double reachFrom = 0, reachTo = 0;  ///< share of the grid's places with ink up to the edge
 };
 
 /// Sticking out is cheap where the line ends soon (ticks, grids open beyond their last line), dear where it
@@ -134,12 +135,17 @@ double overhangCost(double by, double size, bool edgeDrawn, double toNext) {
   const bool gridGoesOn = by >= toNext - 4;
   const double room = (edgeDrawn && !gridGoesOn ? 0.12 : 0.03) * size + 4;
   if (by <= room) return 0;
-  return (edgeDrawn && !gridGoesOn ? 0.25 : 1.0) * std::min(1.0, by / (0.25 * size));
+  return (edgeDrawn && !gridGoesOn ? 0.12 : 1.0) * std::min(1.0, by / (0.25 * size));
 }
 
 /// How the lines of one direction sit in the rectangle: do they end at its edges, or run on?
 EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to, double acrossFrom,
                  double acrossTo, double coverFrom, double coverTo, const NextLines& next) {
+  struct Place {
+    double at = 0;
+    bool from = false, to = false;
+  };
+  std::vector<Place> places;
   EdgeFit fit;
   const double size = to - from, near = 0.015 * size + 3;
   for (const auto& line : lines) {
@@ -157,6 +163,15 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
     fit.overhang += weight * overhangCost(line.to - to, size, coverTo > 0.5, next.to - to);
     fit.endAtFrom += std::abs(line.from - from) <= near;
     fit.endAtTo += std::abs(line.to - to) <= near;
+    auto place =
+        std::find_if(places.begin(), places.end(), [&](const Place& p) { return std::abs(p.at - at) < 4; });
+    if (place == places.end()) place = places.insert(places.end(), Place{at});
+    place->from |= line.from <= from + near;
+    place->to |= line.to >= to - near;
+  }
+  for (const auto& p : places) {
+    fit.reachFrom += p.from / static_cast<double>(places.size());
+    fit.reachTo += p.to / static_cast<double>(places.size());
   }
   return fit;
 }
@@ -177,10 +192,11 @@ std::vector<double> spanningLines(const std::vector<StraightLine>& lines, double
   return out;
 }
 
-/// A drawn edge counts as drawn; ends that agree stand for one that is not (grids open at the top).
-double edgeWorth(double drawn, int ends, int members) {
+/// A drawn edge that the grid reaches counts most; ends that agree stand for one that is not drawn (grids
+/// open at the top).
+double edgeWorth(double drawn, double reach, int ends, int members) {
   const double open = members >= 3 ? 0.5 * ends / members : 0;
-  return std::max(1.5 * drawn, open);
+  return std::max(1.5 * drawn * (0.4 + 0.6 * reach), open);
 }
 
 /// Shares of edges at candidate positions, worked out once per interval.
@@ -241,10 +257,10 @@ std::optional<PlotRectangle> scored(const Group& g, const Candidates& c, std::si
                        nextLine(c.rows, c.ys, l, 1, i, j, b.height())};
   const auto fitH = fitAlong(g.h, b.x0, b.x1, b.y0, b.y1, r.edgeCover[0], r.edgeCover[2], across);
   const auto fitV = fitAlong(g.v, b.y0, b.y1, b.x0, b.x1, r.edgeCover[1], r.edgeCover[3], down);
-  const double edges = edgeWorth(r.edgeCover[0], fitH.endAtFrom, fitH.members) +
-                       edgeWorth(r.edgeCover[2], fitH.endAtTo, fitH.members) +
-                       edgeWorth(r.edgeCover[1], fitV.endAtFrom, fitV.members) +
-                       edgeWorth(r.edgeCover[3], fitV.endAtTo, fitV.members);
+  const double edges = edgeWorth(r.edgeCover[0], fitH.reachFrom, fitH.endAtFrom, fitH.members) +
+                       edgeWorth(r.edgeCover[2], fitH.reachTo, fitH.endAtTo, fitH.members) +
+                       edgeWorth(r.edgeCover[1], fitV.reachFrom, fitV.endAtFrom, fitV.members) +
+                       edgeWorth(r.edgeCover[3], fitV.reachTo, fitV.endAtTo, fitV.members);
   const double grid = 0.08 * std::min(16, fitH.members + fitV.members);
   r.score = corner + edges + grid - 1.2 * (fitH.overhang + fitV.overhang) +
             3 * (fitH.inside + fitV.inside) / (fitH.length + fitV.length);
