@@ -1,5 +1,6 @@
 #pragma once
-// What a picture file says about itself before a single pixel is decoded. Private to importer/page.
+// What a picture file says about itself before a single pixel is decoded;
+// docs/decisions/0301-what-a-file-may-claim.md. Private to importer/page.
 
 #include <optional>
 #include <span>

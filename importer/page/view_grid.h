@@ -1,6 +1,6 @@
 #pragma once
 // On which pixels a region of a document page is drawn: the grid of its embedded image, or one of our own.
-// Private to importer/page.
+// docs/decisions/0300-views-on-native-pixels.md. Private to importer/page.
 
 #include <optional>
 

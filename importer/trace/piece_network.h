@@ -1,6 +1,6 @@
 #pragma once
-// Pieces of line joined end to end into strokes that run from the left of the plot to the right. Private to
-// importer/trace.
+// Pieces of line joined end to end into strokes that run from the left of the plot to the right;
+// docs/decisions/0303-curves-from-paths.md. Private to importer/trace.
 
 #include <cstddef>
 #include <optional>
