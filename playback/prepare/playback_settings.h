@@ -45,7 +45,7 @@ struct PlaybackSettings {
   double shortestJump_s = 0.005;  ///< 2 cycles of 390 Hz: shorter bursts carry no pitch and vanish; > 0
   double longestJump_s = 0.150;   ///< >= shortestJump_s, <= 1
   double jumpAmplitudePerArea_per_mJ =
-      4;                      ///< "amplitude ... proportional to the area"; full scale at 0.25 mJ; > 0
+      2.5;                    ///< "amplitude ... proportional to the area"; full scale at 0.4 mJ; > 0
   double faintestJump = 0.1;  ///< a tactile point is never silent; [0, 1]
   JumpFrequencySource jumpFrequencySource = JumpFrequencySource::paper;
   double pressJumpFrequency_Hz = 390;  ///< "the resonant frequency of the device, which is 390Hz"; (0, 2000]

@@ -23,13 +23,23 @@ const std::map<std::string, SensorCircuit> circuits{{"newtons", SensorCircuit::n
                                                     {"linear", SensorCircuit::linear},
                                                     {"divider", SensorCircuit::divider}};
 
-/// The transformer also prints the choices in --help.
+/// One of several words; --help lists them.
 template <class Enum>
 CLI::Option* choice(CLI::App& app, const std::string& name, Enum& target,
                     const std::map<std::string, Enum>& names, const std::string& help,
                     const std::string& standard) {
-  return app.add_option(name, target, help)
-      ->transform(CLI::CheckedTransformer(names, CLI::ignore_case))
+  std::string words;
+  std::vector<std::string> known;
+  for (const auto& [word, value] : names) {
+    words += (words.empty() ? "" : "|") + word;
+    known.push_back(word);
+  }
+  const auto take = [&target, &names](const std::string& word) { target = names.at(word); };
+  CLI::Validator isKnown = CLI::IsMember(known);
+  isKnown.description("");
+  return app.add_option_function<std::string>(name, take, help)
+      ->check(isKnown)
+      ->type_name(words)
       ->default_str(standard);
 }
 
@@ -53,6 +63,9 @@ void addFeel(CLI::App& app, Arguments& a) {
       ->capture_default_str()
       ->group(group);
   choice(app, "--low-pass", s.lowPassPlacement, lowPasses, "What the 150 Hz low-pass acts on", "slope")
+      ->group(group);
+  app.add_option("--low-pass-order", s.lowPassOrder, "Its order, 1 or 2")
+      ->capture_default_str()
       ->group(group);
   app.add_option("--jump-s-per-mm", s.jumpDurationPerTravel_s_per_mm, "Length of a jump's burst in s per mm")
       ->capture_default_str()

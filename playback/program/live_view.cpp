@@ -215,7 +215,7 @@ class LiveView {
         static_cast<unsigned long long>(s.counts.bottomOuts), static_cast<unsigned long long>(s.xruns),
         100 * s.meanLoad);
     if (!a_.json) return;
-    const nlohmann::ordered_json json{{"status", "done"},
+    const nlohmann::ordered_json json{{"status", "ok"},
                                       {"device", s.device},
                                       {"sample_rate_Hz", s.sampleRate_Hz},
                                       {"block_frames", s.blockFrames},
@@ -234,7 +234,7 @@ class LiveView {
                                       {"sensor_reconnects", s.sensorReconnects},
                                       {"signal_messages", s.signalMessages},
                                       {"malformed_messages", s.malformedMessages}};
-    std::cout << json.dump(2) << "\n";
+    std::cout << json.dump() << "\n";
   }
 
   const Arguments& a_;

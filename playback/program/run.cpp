@@ -42,7 +42,7 @@ const char* nameOf(EventKind kind) {
   return "trigger";
 }
 
-void print(const Json& json) { std::cout << json.dump(2) << "\n"; }
+void print(const Json& json) { std::cout << json.dump() << "\n"; }
 
 Result<DeviceProfile> profileOf(const std::string& file) {
   if (file.empty()) return DeviceProfile{};
@@ -100,7 +100,7 @@ int runRender(const Arguments& a, const Button& button, const DeviceProfile& pro
                static_cast<unsigned long long>(n.pressJumps), static_cast<unsigned long long>(n.releaseJumps),
                static_cast<unsigned long long>(n.bottomOuts), summary->timesRealTime());
   if (a.json) {
-    print({{"status", "done"},
+    print({{"status", "ok"},
            {"output", a.outputFile},
            {"sample_rate_Hz", a.sampleRate_Hz},
            {"duration_s", summary->duration_s},
@@ -135,7 +135,7 @@ int runDevices(const Arguments& a) {
                   d.defaultInput ? "  default input" : "");
     }
   }
-  if (a.json) print({{"status", "done"}, {"devices", list}});
+  if (a.json) print({{"status", "ok"}, {"devices", list}});
   if (devices->empty()) {
     return fail({FailureCode::deviceTrouble, "sound devices", "", "none is there",
                  "Connect one, or start a JACK server"});
@@ -181,10 +181,8 @@ int runSweep(const Arguments& a) {
     std::fprintf(stderr, "no resonance: the response is flat within %.0f dB\n",
                  settings.resonanceProminence_dB);
   if (a.json)
-    print({{"status", "done"},
-           {"profile", a.outputFile},
-           {"resonances", peaks},
-           {"delay_s", response->delay_s}});
+    print(
+        {{"status", "ok"}, {"profile", a.outputFile}, {"resonances", peaks}, {"delay_s", response->delay_s}});
   return 0;
 }
 
@@ -227,7 +225,7 @@ int runLatency(const Arguments& a, const DeviceProfile& profile, const Cancelled
     if (Result<Done> w = writeDeviceProfile(*extended, a.outputFile); !w) return fail(w.failure());
   }
   if (a.json) {
-    print({{"status", "done"},
+    print({{"status", "ok"},
            {"device", result->device},
            {"n", s.n},
            {"lost", s.lost},
@@ -296,7 +294,7 @@ int runCalibrate(const Arguments& a, const Cancelled& cancelled) {
   std::fprintf(stderr, "residual %.4f N over %.3g to %.3g N, %zu weights\n", calibration->residual_N,
                calibration->lowest_N, calibration->highest_N, calibration->weights);
   if (a.json) {
-    print({{"status", "done"},
+    print({{"status", "ok"},
            {"profile", a.outputFile},
            {"coefficients", coefficients},
            {"standard_errors", errors},
