@@ -55,7 +55,8 @@ double shareExplained(const PlanePair& pair, const Structure& s, const Plane& pl
   const cv::Mat strong = ink > 0.5F;
   cv::Mat labels, stats, centroids;
   const int count = cv::connectedComponentsWithStats(strong, labels, stats, centroids, 8, CV_32S);
-  const double longEnough = 0.08 * plane.frame.width();
+  // Where no second stroke was found even short pieces may be one: dashes.
+  const double longEnough = pair.release.empty() ? 0 : 0.08 * plane.frame.width();
   double all = 0, left = 0;
   for (int y = 0; y < labels.rows; ++y) {
     for (int x = 0; x < labels.cols; ++x) {

@@ -52,7 +52,7 @@ void forDisc(const Grid& grid, Point centre, double radius, const auto& visit) {
 
 /// The reward that is left for the other stroke.
 Grid rewardBeside(const Grid& reward, const std::vector<Point>& taken, double radius) {
-  constexpr float kTaken = 0.12F;  // above 0: where both share one line, both follow it to its end
+  constexpr float kTaken = 0.2F;  // above 0: where both share one line, both follow it to its end
   Grid left = reward;
   for (const Point& p : taken) {
     forDisc(left, p, radius, [&](int x, int y) { left.at(x, y) = std::min(left.at(x, y), kTaken); });

@@ -26,7 +26,7 @@ struct LiftedPath {
 };
 
 struct PathOptions {
-  double turnCost_px = 5;  ///< price of a turn by one radian, in pixels of full reward; [0, 100]
+  double turnCost_px = 4;  ///< price of a turn by one radian, in pixels of full reward; [0, 100]
 };
 
 /// Keeps its buffers between searches over the same pixels.
