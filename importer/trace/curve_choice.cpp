@@ -91,6 +91,11 @@ bool isStraight(const CoarseCurve& course, double thickness) {
 
 Box scaled(const Box& box, double by) { return {box.x0 * by, box.y0 * by, box.x1 * by, box.y1 * by}; }
 
+/// Line thickness on the planes the course was found on; pooling by maxima widens lines.
+double pooledThickness(const CurveInk& curve) {
+  return curve.thickness_px / curve.pooling + (curve.pooling > 1 ? 1 : 0);
+}
+
 CurveField pooledField(const CurveField& field, int factor) {
   if (factor == 1) return field;
   return {pooled(field.own, factor), pooled(field.otherCurves, factor), pooled(field.clutter, factor)};
@@ -106,9 +111,9 @@ bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool
   return !isAxisParallel(course, thickness) && !(neutral && isStraight(course, thickness));
 }
 
-std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
-  if (plot.palette[static_cast<std::size_t>(index)].mass_px < 0.5 * kMinSpan * plot.area.frame.width())
-    return {};
+/// The best line in an ink, its second strand measured; `explained`: share of the ink's mass that these
+/// account for.
+CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explained) {
   std::vector<int> others;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k)
     if (k != index) others.push_back(k);
@@ -120,21 +125,29 @@ std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
   curve.thickness_px = lineThickness(full.own);
   CurveField field = pooledField(full, curve.pooling);
   const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
-  const double thickness = curve.thickness_px / curve.pooling + (curve.pooling > 1 ? 1 : 0);
   FollowOptions options;
   options.thickness_px = curve.thickness_px;  // pooling by maxima keeps a full ridge full
   curve.course = followCurve(field, frame, options);
-  if (!isCurve(curve.course, frame, thickness, neutral)) return {};
-  const double mass = massOf(field.own);
-  double explained = eraseAlong(field.own, curve.course.points, thickness + 2);
+  const double thickness = pooledThickness(curve), mass = massOf(field.own);
+  double accounted = eraseAlong(field.own, curve.course.points, thickness + 2);
   // What is left close to the line is markers, spikes and its own edges; what is left far from it is another
   // line.
   Plane rest = field.own;
   clearLetters(rest, plot.text.mask, full.own.width, curve.pooling);
   eraseAlong(rest, curve.course.points, std::max(thickness + 2, kStrandsApart * frame.height()));
   curve.secondStrand = inkedColumns(rest) / std::max(1.0, curve.course.inkColumns_px);
-  if (curve.secondStrand > kSecondStrand) explained += massOf(field.own);
-  if (explained < kMinExplained * mass) return {};
+  if (curve.secondStrand > kSecondStrand) accounted += massOf(field.own);
+  explained = mass > 0 ? accounted / mass : 0;
+  return curve;
+}
+
+std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
+  if (plot.palette[static_cast<std::size_t>(index)].mass_px < 0.5 * kMinSpan * plot.area.frame.width())
+    return {};
+  double explained = 0;
+  CurveInk curve = bestLine(plot, index, neutral, explained);
+  const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
+  if (!isCurve(curve.course, frame, pooledThickness(curve), neutral) || explained < kMinExplained) return {};
   return curve;
 }
 
@@ -265,6 +278,19 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
       curves.push_back(std::move(*curve));
       break;
     }
+  }
+  return curves;
+}
+
+std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& inks) {
+  std::vector<CurveInk> curves;
+  for (int ink : inks) {
+    const bool known =
+        std::any_of(curves.begin(), curves.end(), [&](const CurveInk& c) { return c.ink == ink; });
+    if (ink < 0 || known) continue;
+    double explained = 0;
+    CurveInk curve = bestLine(plot, ink, isNeutral(plot, ink), explained);
+    if (curve.course.found()) curves.push_back(std::move(curve));
   }
   return curves;
 }

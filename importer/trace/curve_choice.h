@@ -49,4 +49,7 @@ std::vector<Ink> reducedPalette(const PlotInks& plot, std::vector<CurveInk>& cur
 /// coloured curve.
 std::vector<CurveInk> chooseCurveInks(const PlotInks& plot);
 
+/// The best line in each of these inks, however weak its claim; -1 and repeated ones are skipped.
+std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& inks);
+
 }  // namespace detent::importer::inks

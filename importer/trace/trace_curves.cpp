@@ -77,18 +77,28 @@ std::vector<double> linePositions(const std::vector<GridLine>& lines, const Plot
   return positions;
 }
 
+/// Inks the user named, as indices into the palette; -1: not named.
+struct GivenInks {
+  int press = -1, release = -1;
+
+  bool any() const { return press >= 0 || release >= 0; }
+};
+
 /// Given colours join the palette; an ink found in the same direction keeps its measured shade.
-std::vector<int> addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const Backdrop& backdrop) {
-  std::vector<int> given;
-  for (const std::optional<Rgb>& color : {hints.pressColor, hints.releaseColor}) {
-    if (!color) continue;
+GivenInks addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const Backdrop& backdrop) {
+  const auto indexOf = [&](const std::optional<Rgb>& color) {
+    if (!color) return -1;
     const Ink ink = inkOfColor(*color, backdrop);
     const auto same = std::find_if(palette.begin(), palette.end(), [&](const Ink& other) {
       return static_cast<double>(dot(other.direction, ink.direction)) > kSameInkAngle;
     });
-    given.push_back(static_cast<int>(same - palette.begin()));
+    const int index = static_cast<int>(same - palette.begin());
     if (same == palette.end()) palette.push_back(ink);
-  }
+    return index;
+  };
+  GivenInks given;
+  given.press = indexOf(hints.pressColor);
+  given.release = indexOf(hints.releaseColor);
   return given;
 }
 
@@ -221,6 +231,72 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const R
   }
 }
 
+Mask either(const Mask& a, const Mask& b) {
+  if (b.empty()) return a;
+  Mask both = a;
+  for (std::size_t i = 0; i < both.size(); ++i) both[i] = both[i] | b[i];
+  return both;
+}
+
+/// Strokes of curves whose colour the user gave.
+void nameGivenStrokes(std::vector<CurveTrace>& traces, const std::vector<CurveInk>& curves,
+                      const GivenInks& given) {
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (curves[i].ink == given.press) traces[i].stroke = Stroke::press;
+    if (curves[i].ink == given.release) traces[i].stroke = Stroke::release;
+  }
+}
+
+/// Given inks as they are; with only one of them given the other stroke is found.
+std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenInks& given) {
+  if (!given.any()) return chooseCurveInks(plot);
+  std::vector<CurveInk> curves = curvesOfInks(plot, {given.press, given.release});
+  if (given.press >= 0 && given.release >= 0) return curves;
+  for (CurveInk& found : chooseCurveInks(plot))
+    if (found.ink != given.press && found.ink != given.release) curves.push_back(std::move(found));
+  return curves;
+}
+
+Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView& view,
+                                            const PlotFrame& frame, const AxesFound& axes,
+                                            const TraceHints& hints, const TraceOptions& options,
+                                            const Progress& progress) {
+  const Backdrop backdrop = Backdrop::measure(area, linePositions(frame.xLines, area, true),
+                                              linePositions(frame.yLines, area, false));
+  if (progress.isCancelled()) return cancelled();
+  const PlotText text = findText(area, backdrop, wordsInside(axes, area));
+  const Mask masked = maskOf(hints.masks_px, area);
+  std::vector<Ink> palette = findInks(area, backdrop, either(text.mask, masked));
+  addLetterInk(palette, area, backdrop, text.mask);
+  const GivenInks given = addGivenInks(palette, hints, backdrop);
+  if (palette.empty()) return noCurve("is empty: nothing but paper and grid lines in it");
+  if (progress.isCancelled()) return cancelled();
+
+  const Coverage coverage = unmix(area, backdrop, palette);
+  const PlotInks plot{area,  backdrop, palette, coverage, text, findLegendSamples(coverage, text, area),
+                      masked};
+  std::vector<CurveInk> curves = findCurves(plot, given);
+  if (given.any() && curves.empty()) return noCurve("shows no line in the colours given");
+  if (progress.isCancelled()) return cancelled();
+  const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrand;
+  if (curves.empty() || oneInkBothStrokes) {
+    const Ink ink = curves.empty() ? darkness(plot) : palette[static_cast<std::size_t>(curves.front().ink)];
+    return traceLoop(inkLayer(view.raster, area, backdrop, ink, palette, curves.empty()), frame, axes, hints,
+                     options, progress);
+  }
+
+  const std::vector<CurveInk> chosen = curves;
+  const std::vector<Ink> finalPalette = reducedPalette(plot, curves);
+  const Coverage finalCoverage = unmix(area, backdrop, finalPalette);
+  const PlotInks finalPlot{area,          backdrop, finalPalette,
+                           finalCoverage, text,     findLegendSamples(finalCoverage, text, area),
+                           masked};
+  std::vector<CurveTrace> traces = ColouredCurves(finalPlot, options).trace(curves);
+  nameGivenStrokes(traces, chosen, given);
+  labelTraces(traces, axes, view.raster, backdrop);
+  return traces;
+}
+
 }  // namespace
 
 Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFrame& frame,
@@ -230,48 +306,9 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
     return Failure{FailureCode::wrongUsage, "point spacing", "", "must lie in (0, 16] px", "leave it at 1"};
   std::vector<CurveTrace> exact = traceVector(view, frame, axes, hints);
   if (!exact.empty()) return exact;
-
   const PlotArea area = makePlotArea(view.raster, frame);
   if (area.raster.empty()) return noCurve("lies outside the picture or has no area");
-  const Backdrop backdrop = Backdrop::measure(area, linePositions(frame.xLines, area, true),
-                                              linePositions(frame.yLines, area, false));
-  if (progress.isCancelled()) return cancelled();
-  const PlotText text = findText(area, backdrop, wordsInside(axes, area));
-  const Mask masked = maskOf(hints.masks_px, area);
-  Mask excluded = text.mask;
-  for (std::size_t i = 0; i < masked.size(); ++i) excluded[i] = excluded[i] | masked[i];
-  std::vector<Ink> palette = findInks(area, backdrop, excluded);
-  if (std::find(text.mask.begin(), text.mask.end(), 1) != text.mask.end())
-    addLetterInk(palette, area, backdrop, text.mask);
-  const std::vector<int> given = addGivenInks(palette, hints, backdrop);
-  if (palette.empty()) return noCurve("is empty: nothing but paper and grid lines in it");
-  if (progress.isCancelled()) return cancelled();
-  const Coverage coverage = unmix(area, backdrop, palette);
-  const std::vector<LegendSample> samples = findLegendSamples(coverage, text, area);
-  const PlotInks plot{area, backdrop, palette, coverage, text, samples, masked};
-  std::vector<CurveInk> curves = chooseCurveInks(plot);
-  if (!given.empty())
-    curves.erase(std::remove_if(curves.begin(), curves.end(),
-                                [&](const CurveInk& c) {
-                                  return std::find(given.begin(), given.end(), c.ink) == given.end();
-                                }),
-                 curves.end());
-  if (progress.isCancelled()) return cancelled();
-
-  const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrand;
-  if (curves.empty() || oneInkBothStrokes) {
-    const Ink ink = curves.empty() ? darkness(plot) : palette[static_cast<std::size_t>(curves.front().ink)];
-    return traceLoop(inkLayer(view.raster, area, backdrop, ink, palette, curves.empty()), frame, axes, hints,
-                     options, progress);
-  }
-  const std::vector<Ink> finalPalette = reducedPalette(plot, curves);
-  const Coverage finalCoverage = unmix(area, backdrop, finalPalette);
-  const PlotInks finalPlot{area,          backdrop, finalPalette,
-                           finalCoverage, text,     findLegendSamples(finalCoverage, text, area),
-                           masked};
-  std::vector<CurveTrace> traces = ColouredCurves(finalPlot, options).trace(curves);
-  labelTraces(traces, axes, view.raster, backdrop);
-  return traces;
+  return traceRaster(area, view, frame, axes, hints, options, progress);
 }
 
 }  // namespace detent::importer
