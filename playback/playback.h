@@ -69,7 +69,7 @@ struct PlayerSettings {
   unsigned bufferFrames = 0;  ///< 0: the host's choice, the least delay on JACK
   int channels = 2;           ///< the same signal on each
   /// JACK through PortAudio instead of a client of our own; cannot recover a lost server
-  /// (docs/decisions/0704).
+  /// (docs/decisions/0904).
   bool jackThroughPortAudio = false;
 };
 

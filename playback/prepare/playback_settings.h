@@ -35,9 +35,9 @@ struct PlaybackSettings {
   double grainDuration_s =
       0.020;  ///< not given by K&L. 3 cycles: PseudoBend (UIST 2019) uses 3, HapticButton 5; (0, 1]
   double grainAmplitude = 0.5;  ///< not given by K&L, only that jumps are clearly stronger; [0, 1]
-  LowPassPlacement lowPassPlacement = LowPassPlacement::slopeOnly;  ///< docs/decisions/0700
+  LowPassPlacement lowPassPlacement = LowPassPlacement::slopeOnly;  ///< docs/decisions/0900
   double lowPassCutoff_Hz = 150;  ///< "a low-pass filter with cutoff frequency of 150Hz"; (0, 20000]
-  unsigned lowPassOrder = 2;      ///< not given by K&L; 1 or 2 (0700)
+  unsigned lowPassOrder = 2;      ///< not given by K&L; 1 or 2 (docs/decisions/0900)
 
   // Jump. K&L, "Jump Feedback Generation".
   double jumpDurationPerTravel_s_per_mm =
@@ -65,7 +65,7 @@ struct PlaybackSettings {
                                   ///< way from the stroke's start to it; [0, 10]
 
   // Time.
-  EventPlacement placement = EventPlacement::timeStamped;  ///< docs/decisions/0701
+  EventPlacement placement = EventPlacement::timeStamped;  ///< docs/decisions/0901
   double sensorPeriod_s = 1.0 / 425;  ///< "at a refresh rate of 425Hz" (Apparatus); (0, 0.25]
   double burstSpacing_s = 0.005;      ///< two taps closer than about 5 ms are felt as one; [0, 0.1]
 

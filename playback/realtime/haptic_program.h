@@ -78,7 +78,7 @@ struct StateProgram {
   double reset_mm = 0;  ///< contact opens when a release arrives here
 };
 
-/// Where the 150 Hz low-pass stands (docs/decisions/0700).
+/// Where the 150 Hz low-pass stands (docs/decisions/0900).
 enum class LowPassPlacement : std::uint8_t { slopeOnly, wholeChain, none };
 
 struct LowPass {
@@ -94,7 +94,7 @@ struct EqualizerBand {
   double gain_dB = 0;
 };
 
-/// When an event sounds that happened between two sensor samples (docs/decisions/0701).
+/// When an event sounds that happened between two sensor samples (docs/decisions/0901).
 enum class EventPlacement : std::uint8_t {
   atOnce,      ///< as soon as the sample that shows it arrives: least mean delay, jitter of sensor and buffer
   timeStamped  ///< at its interpolated time plus a constant delay: a little later, but evenly
