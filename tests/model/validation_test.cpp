@@ -36,7 +36,7 @@ TEST_CASE("the templates give no warnings") {
 }
 
 TEST_CASE("exchanged strokes are noticed, with the worst place") {
-  const ForceGraph& graph = tactile().states()[0].graph;
+  const ForceGraph graph = tactile().states()[0].graph;
   const Button swapped = withGraph(*graph.release(), graph.press());
   const auto warnings = validate(swapped);
   REQUIRE(warnings.size() == 1);
