@@ -8,7 +8,8 @@
 namespace detent::importer {
 namespace {
 
-constexpr double agree_px = 1.6;  // a tick may be snapped to whole pixels at either end
+constexpr double agree_px = 1.6;        // a tick may be snapped to whole pixels at either end
+constexpr double agreeOfPitch = 0.025;  // pictures that were scaled without smoothing have uneven grids
 
 /// Greatest common divisor of the differences of decimal numbers; 0 if all are equal.
 double commonStep(const std::vector<double>& values) {
@@ -38,6 +39,7 @@ struct Trial {
 struct Places {
   std::vector<double> at;  ///< of the label: its tick or its centre
   std::vector<bool> hasTick;
+  double agree = agree_px;  ///< how far a label's tick may be off the progression
 };
 
 Places placesOf(const std::vector<LabelPlace>& labels, const std::vector<double>& ticks) {
@@ -54,6 +56,11 @@ Places placesOf(const std::vector<LabelPlace>& labels, const std::vector<double>
     places.at.push_back(at);
     places.hasTick.push_back(has);
   }
+  std::vector<double> apart;
+  for (std::size_t i = 1; i < places.at.size(); ++i)
+    apart.push_back(std::abs(places.at[i] - places.at[i - 1]));
+  std::sort(apart.begin(), apart.end());
+  if (!apart.empty()) places.agree = std::max(agree_px, agreeOfPitch * apart[apart.size() / 2]);
   return places;
 }
 
@@ -62,7 +69,8 @@ Trial countAgreeing(const std::vector<LabelPlace>& labels, const Places& places,
   Trial trial{offset, perPx, 0, std::vector<int>(labels.size(), -1)};
   for (std::size_t i = 0; i < labels.size(); ++i) {
     const double tolerance =
-        (places.hasTick[i] ? agree_px : std::max(agree_px, 0.8 * labels[i].reach_px)) * std::abs(perPx);
+        (places.hasTick[i] ? places.agree : std::max(places.agree, 0.8 * labels[i].reach_px)) *
+        std::abs(perPx);
     double best = 0;
     for (std::size_t k = 0; k < labels[i].readings.size(); ++k) {
       const auto& r = labels[i].readings[k];

@@ -196,11 +196,15 @@ TitleUnit<ForceUnit> readYTitle(Reading& r, const AxisFit& y) {
   const Box left{b.x0 - 0.45 * b.width(), b.y0 - 0.05 * b.height(), y.extent.x0 - 1,
                  b.y1 + 0.05 * b.height()};
   const Box above{b.x0 - 0.4 * b.width(), b.y0 - 0.4 * b.height(), b.x0 + 0.5 * b.width(), b.y0 - 1};
+  const Box corner{b.x0 - 0.35 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.12 * b.width(),
+                   b.y0 + 0.02 * b.height()};
   consider(best, ownTextsIn(r, left), forceUnitIn);
   consider(best, ownTextsIn(r, above), forceUnitIn);
+  consider(best, ownTextsIn(r, corner), forceUnitIn);
   if (best.unit) return best;
   consider(best, readLinesIn(r, left, 90, {y.extent.x0, 0.5 * (b.y0 + b.y1)}, 2), forceUnitIn);
   if (!best.unit) consider(best, readLinesIn(r, above, 0, {b.x0, b.y0}, 4), forceUnitIn);
+  if (!best.unit) consider(best, readLinesIn(r, corner, 90, {b.x0, b.y0}, 3), forceUnitIn);
   if (!best.unit) consider(best, readLinesIn(r, left, 0, {y.extent.x0, b.y0}, 2), forceUnitIn);
   return best;
 }

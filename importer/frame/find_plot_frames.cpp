@@ -151,7 +151,7 @@ Box clipped(const Box& b, const Box& to) {
 Box regionAround(const Box& frame, int turns, const Box& page) {
   const Box up = turned(frame, turns);
   const double w = up.width(), h = up.height();
-  return clipped(turned({up.x0 - 0.45 * w, up.y0 - 0.4 * h, up.x1 + 0.5 * w, up.y1 + 0.45 * h}, 4 - turns),
+  return clipped(turned({up.x0 - 0.45 * w, up.y0 - 0.6 * h, up.x1 + 0.5 * w, up.y1 + 0.45 * h}, 4 - turns),
                  page);
 }
 
@@ -163,9 +163,26 @@ double overlapShare(const Box& a, const Box& b) {
 struct Scored {
   Found<FrameCandidate> candidate;
   double score = 0;
+  double rectangleScore = 0;
 };
 
+/// Graphs do not nest: what surrounds another candidate that is as good is a border of the sheet.
+void dropSurrounding(std::vector<Scored>& all) {
+  const auto area = [](const Box& b) { return b.width() * b.height(); };
+  std::vector<bool> surrounds(all.size(), false);
+  for (std::size_t i = 0; i < all.size(); ++i)
+    for (const auto& inner : all) {
+      const Box &a = all[i].candidate.value.pageBox, &b = inner.candidate.value.pageBox;
+      if (area(a) > 2.5 * area(b) && overlapShare(a, b) > 0.9 &&
+          inner.rectangleScore > all[i].rectangleScore - 1.5)
+        surrounds[i] = true;
+    }
+  std::size_t k = 0;
+  std::erase_if(all, [&](const Scored&) { return surrounds[k++]; });
+}
+
 std::vector<Scored> withoutOverlaps(std::vector<Scored> all) {
+  dropSurrounding(all);
   std::sort(all.begin(), all.end(), [](const Scored& a, const Scored& b) { return a.score > b.score; });
   std::vector<Scored> kept;
   for (auto& s : all) {
@@ -213,6 +230,7 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Docume
       c.pageBox = scaledToPage(r.box, o.shrink, page.overviewToPage);
       c.quarterTurns = way.quarterTurns;
       c.regionBox = regionAround(c.pageBox, way.quarterTurns, pageBounds(page));
+      s.rectangleScore = r.score;
       s.score = r.score + 0.5 * std::min(12, way.below + way.left);
       s.candidate.confidence =
           std::clamp(0.5 + 0.1 * (std::min(way.below, way.left) - 2) + 0.05 * (r.score - 5), 0.2, 1.0);

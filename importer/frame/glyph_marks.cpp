@@ -22,15 +22,29 @@ bool besides(const Box& left, const Box& right, double gapInHeights) {
          right.x0 - left.x1 <= gapInHeights * height;
 }
 
-/// How far ink goes on downwards from row `edge` at each column, at most `atMost` pixels.
-std::vector<int> runsBelow(const cv::Mat& d, const std::vector<double>& columns, int edge, int atMost) {
+/// Width of the ink around column `x` in one row, at most `atMost`; 0 if there is none within a pixel.
+int inkWidth(const std::uint8_t* row, int cols, int x, int atMost) {
+  int middle = -1;
+  for (const int k : {x, x - 1, x + 1})
+    if (middle < 0 && k >= 0 && k < cols && row[k] >= inkThreshold) middle = k;
+  if (middle < 0) return 0;
+  int l = middle, r = middle;
+  while (l > 0 && r - l < atMost && row[l - 1] >= inkThreshold) --l;
+  while (r + 1 < cols && r - l < atMost && row[r + 1] >= inkThreshold) ++r;
+  return r - l + 1;
+}
+
+/// How far each column's line goes on downwards from row `edge` without getting wider: that is its tick; what
+/// is wider is a label that touches it.
+std::vector<int> ticksBelow(const cv::Mat& d, const std::vector<double>& columns, int edge, int atMost) {
   std::vector<int> lengths;
   for (const double at : columns) {
     const int x = std::clamp(static_cast<int>(std::lround(at)), 1, d.cols - 2);
+    const int width = inkWidth(d.ptr<std::uint8_t>(edge), d.cols, x, atMost);
     int n = 0;
-    while (n < atMost && edge + n < d.rows) {
-      const auto* row = d.ptr<std::uint8_t>(edge + n);
-      if (std::max({row[x - 1], row[x], row[x + 1]}) < inkThreshold) break;
+    while (width > 0 && n < atMost && edge + n < d.rows) {
+      const int here = inkWidth(d.ptr<std::uint8_t>(edge + n), d.cols, x, atMost);
+      if (here == 0 || here > width + 2) break;
       ++n;
     }
     lengths.push_back(n);
@@ -62,13 +76,14 @@ int commonLength(const std::vector<int>& lengths) {
 void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, double frameHeight) {
   if (edge >= d.rows || edge < 0 || d.cols < 4 || columns.empty()) return;
   const int longest = std::max(4, static_cast<int>(0.1 * frameHeight));
-  const auto lengths = runsBelow(d, columns, edge, longest);
+  const auto lengths = ticksBelow(d, columns, edge, longest);
   const int common = commonLength(lengths);
   if (common == 0 || common >= longest) return;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     const int length = std::min(lengths[i], common + 1);
-    const int at = static_cast<int>(std::lround(columns[i]));
-    const int x0 = std::clamp(at - 2, 0, d.cols), x1 = std::clamp(at + 3, 0, d.cols);
+    const int at = std::clamp(static_cast<int>(std::lround(columns[i])), 1, d.cols - 2);
+    const int half = inkWidth(d.ptr<std::uint8_t>(edge), d.cols, at, longest) / 2 + 2;
+    const int x0 = std::clamp(at - half, 0, d.cols), x1 = std::clamp(at + half + 1, 0, d.cols);
     const int y1 = std::min(d.rows, edge + length + 1);
     d(cv::Rect(x0, edge, x1 - x0, y1 - edge)).setTo(0);
   }
@@ -100,6 +115,11 @@ cv::Mat withoutFrameInk(const cv::Mat& darkness, const Box& frame, const std::ve
   for (int k = 0; k < maxHalfEdge_px && y1 < darkness.rows && lined(darkness(cv::Rect(x0, y1, x1 - x0, 1)));
        ++k)
     ++y1;
+  // Beside the ink of an edge its smoothing remains.
+  x0 = std::max(0, x0 - 1);
+  y0 = std::max(0, y0 - 1);
+  x1 = std::min(darkness.cols, x1 + 1);
+  y1 = std::min(darkness.rows, y1 + 1);
   out(cv::Rect(x0, y0, x1 - x0, y1 - y0)).setTo(0);
   const auto mirrored = [](std::vector<double> places, int size) {
     for (auto& p : places) p = size - 1 - p;

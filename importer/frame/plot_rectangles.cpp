@@ -10,8 +10,8 @@
 namespace detent::importer {
 namespace {
 
-constexpr int maxPositions =
-    14;  // per direction and group; a page border with drawings has more, a plot has not
+constexpr double samePlace_px = 2.5;  // lines this close are one line
+constexpr int maxPositions = 60;      // per direction and group; drawings have more, plots have not
 constexpr std::size_t maxRectanglesPerGroup = 10;
 constexpr double minScore = 4;  // two drawn edges and lines that end where it ends
 constexpr double minEdgeCover = 0.55;
@@ -98,24 +98,6 @@ std::vector<double> edgePositions(const std::vector<StraightLine>& along,
   return out;
 }
 
-/// Share of [from, to] that lines near `at` cover.
-double coverage(const std::vector<StraightLine>& lines, double at, double apart, double from, double to) {
-  std::vector<std::pair<double, double>> parts;
-  const double mid = 0.5 * (from + to);
-  for (const auto& line : lines)
-    if (std::abs(line.acrossAt(std::clamp(mid, line.from, line.to)) - at) <= apart && line.to > from &&
-        line.from < to)
-      parts.emplace_back(std::max(line.from, from), std::min(line.to, to));
-  std::sort(parts.begin(), parts.end());
-  double sum = 0, end = from;
-  for (const auto& [a, b] : parts) {
-    if (b <= end) continue;
-    sum += b - std::max(a, end);
-    end = b;
-  }
-  return sum / (to - from);
-}
-
 /// Where the next parallel lines stand beyond either edge; far away if none is near.
 struct NextLines {
   double from = -1e9, to = 1e9;
@@ -176,22 +158,6 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
   return fit;
 }
 
-/// Lines that run through at least 60 % of the rectangle, each position once.
-std::vector<double> spanningLines(const std::vector<StraightLine>& lines, double acrossFrom, double acrossTo,
-                                  double from, double to) {
-  std::vector<Position> positions;
-  for (const auto& line : lines) {
-    const double at = line.acrossAt(std::clamp(0.5 * (from + to), line.from, line.to));
-    if (at < acrossFrom - 3 || at > acrossTo + 3) continue;
-    addPosition(positions, at, line.length(), 2.5);
-  }
-  std::vector<double> out;
-  for (const auto& p : positions)
-    if (coverage(lines, p.at, 2.5, from, to) >= 0.6) out.push_back(p.at);
-  std::sort(out.begin(), out.end());
-  return out;
-}
-
 /// A drawn edge that the grid reaches counts most; ends that agree stand for one that is not drawn (grids
 /// open at the top).
 double edgeWorth(double drawn, double reach, int ends, int members) {
@@ -205,20 +171,62 @@ class CoverTable {
   CoverTable(const std::vector<StraightLine>& lines, const std::vector<double>& at,
              const std::vector<double>& ends)
       : n_(ends.size()), cover_(at.size() * n_ * n_, 0.0F) {
-    for (std::size_t i = 0; i < at.size(); ++i)
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const auto parts = mergedParts(lines, at[i]);
+      if (parts.empty()) continue;
       for (std::size_t k = 0; k < n_; ++k)
         for (std::size_t l = k + 1; l < n_; ++l)
-          cover_[(i * n_ + k) * n_ + l] = static_cast<float>(coverage(lines, at[i], apart, ends[k], ends[l]));
+          cover_[(i * n_ + k) * n_ + l] = static_cast<float>(share(parts, ends[k], ends[l]));
+    }
   }
   double operator()(std::size_t i, std::size_t k, std::size_t l) const {
     return static_cast<double>(cover_[(i * n_ + k) * n_ + l]);
   }
-  static constexpr double apart = 2.5;
 
  private:
+  using Parts = std::vector<std::pair<double, double>>;
+
+  static Parts mergedParts(const std::vector<StraightLine>& lines, double at) {
+    Parts parts, merged;
+    for (const auto& line : lines)
+      if (std::abs(line.acrossAt(0.5 * (line.from + line.to)) - at) <= samePlace_px)
+        parts.emplace_back(line.from, line.to);
+    std::sort(parts.begin(), parts.end());
+    for (const auto& part : parts) {
+      if (merged.empty() || part.first > merged.back().second)
+        merged.push_back(part);
+      else
+        merged.back().second = std::max(merged.back().second, part.second);
+    }
+    return merged;
+  }
+  static double share(const Parts& parts, double from, double to) {
+    double sum = 0;
+    for (const auto& [a, b] : parts) sum += std::max(0.0, std::min(b, to) - std::max(a, from));
+    return sum / (to - from);
+  }
+
   std::size_t n_;
   std::vector<float> cover_;
 };
+
+/// Lines that run through at least 60 % of the rectangle, each position once.
+std::vector<double> spanningLines(const std::vector<StraightLine>& lines, double acrossFrom, double acrossTo,
+                                  double from, double to) {
+  std::vector<Position> positions;
+  for (const auto& line : lines) {
+    const double at = line.acrossAt(std::clamp(0.5 * (from + to), line.from, line.to));
+    if (at < acrossFrom - 3 || at > acrossTo + 3) continue;
+    addPosition(positions, at, line.length(), 2.5);
+  }
+  std::vector<double> places, out;
+  for (const auto& p : positions) places.push_back(p.at);
+  const CoverTable cover(lines, places, {from, to});
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (cover(i, 0, 1) >= 0.6) out.push_back(places[i]);
+  std::sort(out.begin(), out.end());
+  return out;
+}
 
 /// The next line parallel to edge `i` on the side `step`, if it is close enough to belong to the same grid.
 double nextLine(const CoverTable& cover, const std::vector<double>& at, std::size_t i, int step,
@@ -278,15 +286,19 @@ double overlapOverUnion(const Box& a, const Box& b) {
 std::vector<PlotRectangle> bestRectangles(const Group& g, double minWidth, double minHeight) {
   const Candidates c(g);
   std::vector<PlotRectangle> all;
+  const auto consider = [&](std::size_t i, std::size_t j, std::size_t k, std::size_t l) {
+    if (c.xs[j] - c.xs[i] < minWidth) return;
+    if (auto r = scored(g, c, i, j, k, l); r && r->score > minScore) all.push_back(std::move(*r));
+  };
+  // Two adjacent edges are drawn, so one of the upright ones is: start from those.
   for (std::size_t i = 0; i < c.xs.size(); ++i)
-    for (std::size_t j = i + 1; j < c.xs.size(); ++j) {
-      if (c.xs[j] - c.xs[i] < minWidth) continue;
-      for (std::size_t k = 0; k < c.ys.size(); ++k)
-        for (std::size_t l = k + 1; l < c.ys.size(); ++l) {
-          if (c.ys[l] - c.ys[k] < minHeight) continue;
-          if (auto r = scored(g, c, i, j, k, l); r && r->score > minScore) all.push_back(std::move(*r));
-        }
-    }
+    for (std::size_t k = 0; k < c.ys.size(); ++k)
+      for (std::size_t l = k + 1; l < c.ys.size(); ++l) {
+        if (c.ys[l] - c.ys[k] < minHeight || c.columns(i, k, l) < minEdgeCover) continue;
+        for (std::size_t j = i + 1; j < c.xs.size(); ++j) consider(i, j, k, l);
+        for (std::size_t j = 0; j < i; ++j)
+          if (c.columns(j, k, l) < minEdgeCover) consider(j, i, k, l);
+      }
   std::sort(all.begin(), all.end(),
             [](const PlotRectangle& a, const PlotRectangle& b) { return a.score > b.score; });
   std::vector<PlotRectangle> kept;
