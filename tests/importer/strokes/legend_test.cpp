@@ -1,0 +1,30 @@
+#include "importer/strokes/legend.h"
+
+#include <catch2/catch.hpp>
+
+using detent::Stroke;
+using detent::importer::strokeNamedBy;
+
+TEST_CASE("Legend words in the languages of datasheets", "[legend]") {
+  for (const char* text :
+       {"Press", "downstroke", "DOWNSTROKE", "Downstroke (press)", "down stroke", "Loading", "Hinweg",
+        "Betätigung", "BETÄTIGUNG", "按压", "下压力曲线", "押し込み", "Harimau housing downstroke"})
+    CHECK(strokeNamedBy(text) == Stroke::press);
+  for (const char* text : {"Release", "upstroke", "Upstroke (release)", "Unloading", "Rückhub", "RÜCKLAUF",
+                           "return", "释放", "回弹", "戻り", "T1 housing upstroke"})
+    CHECK(strokeNamedBy(text) == Stroke::release);
+}
+
+TEST_CASE("One wrong letter of a long word is forgiven", "[legend]") {
+  CHECK(strokeNamedBy("downstr0ke") == std::nullopt);  // a digit splits the word
+  CHECK(strokeNamedBy("downstrake") == Stroke::press);
+  CHECK(strokeNamedBy("dwnstroke") == Stroke::press);
+  CHECK(strokeNamedBy("upstrokee") == Stroke::release);
+  CHECK(strokeNamedBy("prass") == std::nullopt);
+}
+
+TEST_CASE("What names no stroke, both, or a point", "[legend]") {
+  for (const char* text : {"", "Force (gf)", "pressure", "press and release", "reset point",
+                           "Operating position", "Druckpunkt", "复位点", "55gf", "\xff\xfe", "uptown"})
+    CHECK(strokeNamedBy(text) == std::nullopt);
+}

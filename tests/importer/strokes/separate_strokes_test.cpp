@@ -1,0 +1,142 @@
+#include <cmath>
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "importer/strokes/stroke_pair.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+/// 100 px per mm, 200 px per N, origin at (50, 450).
+AxesFound axes() {
+  AxesFound found;
+  found.calibration.value.viewToUnits = {0.01, 0, -0.5, 0, -0.005, 2.25, 0, 0, 1};
+  return found;
+}
+
+CurveTrace trace(double lift_N, Rgb color = {0, 0, 255}, double to_mm = 4) {
+  CurveTrace t;
+  t.color = color;
+  t.confidence = 1;
+  for (double mm = 0; mm <= to_mm; mm += 0.01) {
+    const double force = 0.3 + 0.1 * mm + lift_N * std::sin(M_PI * mm / 4);
+    t.points_px.push_back({50 + 100 * mm, 450 - 200 * force});
+  }
+  for (double f = 0; f < 0.5; f += 0.01) {
+    const Point last = t.points_px.back();
+    t.points_px.push_back({last.x + 0.01, last.y - 2});
+  }
+  return t;
+}
+
+Result<Found<StrokePair>> separate(const std::vector<CurveTrace>& traces, bool swap = false) {
+  StrokeHints hints;
+  hints.swap = swap;
+  return separateStrokes(traces, axes(), PlotFrame{}, hints);
+}
+
+}  // namespace
+
+TEST_CASE("Hysteresis: the press lies above", "[strokes]") {
+  for (bool pressFirst : {true, false}) {
+    std::vector<CurveTrace> traces = {trace(0.1, {255, 0, 0}), trace(-0.05, {0, 0, 255})};
+    if (!pressFirst) std::swap(traces[0], traces[1]);
+    const auto found = separate(traces);
+    REQUIRE(found.ok());
+    CHECK(found->confidence > 0.9);
+    CHECK(found->by == DecidedBy::found);
+    CHECK(found->evidence.find("above") != std::string::npos);
+    const StrokePair& pair = found->value;
+    REQUIRE(pair.release.has_value());
+    CHECK(pair.press.points[200].force_N == Approx(0.6).epsilon(0.01));
+    // In the order travelled: out and back.
+    CHECK(pair.press.points.front().displacement_mm < pair.press.points.back().displacement_mm);
+    CHECK(pair.release->points.front().displacement_mm > pair.release->points.back().displacement_mm);
+    CHECK(pair.press.points.size() == pair.press.points_px.size());
+    CHECK(pair.release->points.size() == pair.release->points_px.size());
+    // Millimetres, newtons and the wall as drawn.
+    CHECK(pair.press.points.front().displacement_mm == Approx(0).margin(1e-9));
+    CHECK(pair.press.points.front().force_N == Approx(0.3));
+    CHECK(pair.press.points.back().force_N - pair.release->points.back().force_N > 0.5);
+  }
+}
+
+TEST_CASE("The legend outweighs a faint hysteresis, a clear one outweighs nothing less", "[strokes]") {
+  std::vector<CurveTrace> traces = {trace(0.004), trace(0, {255, 0, 0})};
+  traces[0].label = "Upstroke";
+  traces[1].label = "Downstroke (press)";
+  const auto found = separate(traces);
+  REQUIRE(found.ok());
+  CHECK(found->evidence.find("legend") != std::string::npos);
+  CHECK(found->value.press.points_px.front() == traces[1].points_px.front());
+}
+
+TEST_CASE("What the tracer settled is kept", "[strokes]") {
+  std::vector<CurveTrace> traces = {trace(0.01), trace(0)};
+  traces[0].stroke = Stroke::release;
+  traces[1].stroke = Stroke::press;
+  const auto found = separate(traces);
+  REQUIRE(found.ok());
+  CHECK(found->value.press.points_px.front() == traces[1].points_px.front());
+}
+
+TEST_CASE("Exchanged by hand", "[strokes]") {
+  const std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05)};
+  const auto found = separate(traces, true);
+  REQUIRE(found.ok());
+  CHECK(found->by == DecidedBy::given);
+  CHECK(found->confidence == 1);
+  CHECK(found->value.press.points_px[100] == traces[1].points_px[100]);
+}
+
+TEST_CASE("Traces drawn backwards come out in the order travelled", "[strokes]") {
+  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05)};
+  std::reverse(traces[0].points_px.begin(), traces[0].points_px.end());
+  const auto found = separate(traces);
+  REQUIRE(found.ok());
+  CHECK(found->value.press.points.front().displacement_mm < 0.1);
+  CHECK(found->value.press.points[200].force_N > found->value.release->points[300].force_N);
+}
+
+TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
+  const auto found = separate({trace(0.05), trace(0.05, {255, 0, 0})});
+  REQUIRE_FALSE(found.ok());
+  CHECK(found.failure().code == FailureCode::notCertain);
+  CHECK(found.failure().remedy.find("--press-color") != std::string::npos);
+  CHECK(found.failure().problem.find("#ff0000") != std::string::npos);
+}
+
+TEST_CASE("One curve is a press; none is no graph; many need a choice", "[strokes]") {
+  const auto one = separate({trace(0.1)});
+  REQUIRE(one.ok());
+  CHECK_FALSE(one->value.release.has_value());
+  CHECK(one->confidence > 0.8);
+
+  CHECK(separate({}).failure().code == FailureCode::noForceGraph);
+  CHECK(separate({CurveTrace{}}).failure().code == FailureCode::noForceGraph);
+
+  std::vector<CurveTrace> many = {trace(0.1, {1, 2, 3}), trace(0.05, {255, 0, 0}), trace(0, {0, 255, 0})};
+  const auto unclear = separate(many);
+  REQUIRE_FALSE(unclear.ok());
+  CHECK(unclear.failure().code == FailureCode::notCertain);
+  CHECK(unclear.failure().problem.find("#010203") != std::string::npos);
+  many[0].label = "downstroke";
+  many[2].label = "upstroke";
+  const auto clear = separate(many);
+  REQUIRE(clear.ok());
+  CHECK(clear->value.press.points_px.front() == many[0].points_px.front());
+  CHECK(clear->value.release->points_px.back() == many[2].points_px.front());
+}
+
+TEST_CASE("A shorter release and points that are not finite", "[strokes]") {
+  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05, {255, 0, 0}, 2.5)};
+  traces[0].points_px[7] = {std::numeric_limits<double>::quiet_NaN(), 100};
+  const auto found = separate(traces);
+  REQUIRE(found.ok());
+  for (const CurvePoint& p : found->value.press.points) CHECK(std::isfinite(p.displacement_mm));
+  CHECK(found->value.press.points.size() + 1 == traces[0].points_px.size());
+  CHECK(found->value.press.points_px.back() == traces[0].points_px.back());
+}

@@ -1,0 +1,522 @@
+// Differently coloured curves on plots drawn by the test itself: exact curves beside them, pixels by exact
+// distance.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <catch2/catch.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "importer/trace/curve_trace.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+using Curve = std::vector<Point>;
+
+constexpr Rgb kWhite{255, 255, 255}, kBlack{0, 0, 0}, kGrey{180, 180, 180};
+constexpr Rgb kBlue{42, 96, 153}, kLime{187, 227, 61}, kRed{220, 30, 40}, kTeal{20, 150, 140};
+
+double toPiece(Point p, Point a, Point b) {
+  const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
+  const double t = l2 > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / l2, 0.0, 1.0) : 0;
+  return std::hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
+}
+
+double distanceTo(Point p, const Curve& curve) {
+  double best = INFINITY;
+  for (std::size_t i = 1; i < curve.size(); ++i) best = std::min(best, toPiece(p, curve[i - 1], curve[i]));
+  return best;
+}
+
+/// Points half a pixel apart along a curve.
+Curve dense(const Curve& curve) {
+  Curve out;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    const int n = std::max(
+        1, static_cast<int>(2 * std::hypot(curve[i].x - curve[i - 1].x, curve[i].y - curve[i - 1].y)));
+    for (int k = 0; k < n; ++k) {
+      const double t = static_cast<double>(k) / n;
+      out.push_back({curve[i - 1].x + t * (curve[i].x - curve[i - 1].x),
+                     curve[i - 1].y + t * (curve[i].y - curve[i - 1].y)});
+    }
+  }
+  out.push_back(curve.back());
+  return out;
+}
+
+double mean(const Curve& from, const Curve& to) {
+  double sum = 0;
+  const Curve points = dense(from);
+  for (Point p : points) sum += distanceTo(p, to);
+  return sum / static_cast<double>(points.size());
+}
+
+/// Symmetric mean distance, px.
+double apart(const Curve& a, const Curve& b) { return 0.5 * (mean(a, b) + mean(b, a)); }
+
+class Plot {
+ public:
+  Plot(int width, int height, Rgb paper = kWhite) {
+    view_.raster.width_px = width;
+    view_.raster.height_px = height;
+    view_.raster.rgb.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    for (std::size_t i = 0; i < view_.raster.rgb.size(); i += 3) {
+      view_.raster.rgb[i] = paper.r;
+      view_.raster.rgb[i + 1] = paper.g;
+      view_.raster.rgb[i + 2] = paper.b;
+    }
+    box_ = {std::round(0.1 * width), std::round(0.06 * height), std::round(0.93 * width),
+            std::round(0.9 * height)};
+    frame_.corners = {Point{box_.x0, box_.y0}, Point{box_.x1, box_.y0}, Point{box_.x1, box_.y1},
+                      Point{box_.x0, box_.y1}};
+    axes_.calibration.value.viewToUnits = {5 / box_.width(),
+                                           0,
+                                           -5 * box_.x0 / box_.width(),
+                                           0,
+                                           -1 / box_.height(),
+                                           box_.y1 / box_.height(),
+                                           0,
+                                           0,
+                                           1};
+  }
+
+  Point at(double x, double y) const { return {box_.x0 + x * box_.width(), box_.y1 - y * box_.height()}; }
+  Curve at(const Curve& fractions) const {
+    Curve out;
+    for (Point p : fractions) out.push_back(at(p.x, p.y));
+    return out;
+  }
+
+  /// One stroke of a pen: exact coverage, painted over what is there. Clipped to the frame if asked.
+  void line(const Curve& points, double width, Rgb color, bool clipped = false, double opacity = 1) {
+    Raster& r = view_.raster;
+    std::vector<float> coverage(static_cast<std::size_t>(r.width_px) * static_cast<std::size_t>(r.height_px),
+                                0);
+    const double reach = 0.5 * width + 1;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Point a = points[i - 1], b = points[i];
+      for (int y = std::max(0, static_cast<int>(std::min(a.y, b.y) - reach));
+           y <= std::min(r.height_px - 1, static_cast<int>(std::max(a.y, b.y) + reach) + 1); ++y)
+        for (int x = std::max(0, static_cast<int>(std::min(a.x, b.x) - reach));
+             x <= std::min(r.width_px - 1, static_cast<int>(std::max(a.x, b.x) + reach) + 1); ++x) {
+          if (clipped && (x < box_.x0 || x > box_.x1 || y < box_.y0 || y > box_.y1)) continue;
+          const double d = toPiece({static_cast<double>(x), static_cast<double>(y)}, a, b);
+          float& c = coverage[static_cast<std::size_t>(y * r.width_px + x)];
+          c = std::max(c, static_cast<float>(std::clamp(0.5 * width + 0.5 - d, 0.0, std::min(1.0, width))));
+        }
+    }
+    const double ink[3] = {double(color.r), double(color.g), double(color.b)};
+    for (std::size_t i = 0; i < coverage.size(); ++i)
+      for (std::size_t k = 0; k < 3 && coverage[i] > 0; ++k) {
+        const double c = opacity * static_cast<double>(coverage[i]), under = view_.raster.rgb[3 * i + k];
+        view_.raster.rgb[3 * i + k] = static_cast<std::uint8_t>(std::lround(c * ink[k] + (1 - c) * under));
+      }
+  }
+  void grid(int columns, int rows, Rgb color, double width = 1) {
+    for (int i = 0; i <= columns; ++i)
+      line(at({{double(i) / columns, 0}, {double(i) / columns, 1}}), width, color);
+    for (int i = 0; i <= rows; ++i) line(at({{0, double(i) / rows}, {1, double(i) / rows}}), width, color);
+  }
+  void letters(const std::string& words, double x, double y, double height, Rgb color, int stroke = 2) {
+    cv::Mat picture(view_.raster.height_px, view_.raster.width_px, CV_8UC3, view_.raster.rgb.data());
+    const Point p = at(x, y);
+    cv::putText(picture, words, {static_cast<int>(p.x), static_cast<int>(p.y)}, cv::FONT_HERSHEY_SIMPLEX,
+                height / 22, cv::Scalar(color.r, color.g, color.b), stroke, cv::LINE_AA);
+  }
+  void disc(double x, double y, double radius, Rgb color) {
+    const Point p = at(x, y);
+    line({p, {p.x + 0.01, p.y}}, 2 * radius, color);
+  }
+  void say(const std::string& words, const Box& box) { axes_.texts.push_back({words, box, 1, 0}); }
+
+  Result<std::vector<CurveTrace>> trace(const TraceHints& hints = {}, const TraceOptions& options = {},
+                                        const Progress& progress = {}) const {
+    return traceCurves(view_, frame_, axes_, hints, options, progress);
+  }
+  const Box& box() const { return box_; }
+  PageView& view() { return view_; }
+  PlotFrame& frame() { return frame_; }
+
+ private:
+  PageView view_;
+  PlotFrame frame_;
+  AxesFound axes_;
+  Box box_;
+};
+
+/// A tactile press: rise at 0, peak, valley, slope, wall that leaves the frame at the top.
+Curve press(double shift = 0) {
+  Curve c = {{0.004, 0}, {0.012, 0.2}, {0.02, 0.33}};
+  for (double x = 0.03; x <= 0.62; x += 0.01)
+    c.push_back({x, 0.34 + 0.12 * std::sin(8.5 * x) + 0.25 * x * x + 0.004 * std::sin(90 * x + shift)});
+  const double last = c.back().y;
+  c.push_back({0.635, last + 0.06});
+  c.push_back({0.648, 1.05});
+  return c;
+}
+
+Curve release() {
+  Curve c = {{0.006, 0}, {0.02, 0.14}};
+  for (double x = 0.04; x <= 0.62; x += 0.01)
+    c.push_back({x, 0.2 + 0.08 * std::sin(8.5 * x) + 0.28 * x * x + 0.1 * x});
+  c.push_back({0.642, 0.55});
+  c.push_back({0.655, 0.82});
+  return c;
+}
+
+Curve clippedAtTop(const Plot& plot, Curve c) {
+  while (c.size() > 1 && c[c.size() - 2].y < plot.box().y0) c.pop_back();
+  const Point a = c[c.size() - 2], b = c.back();
+  const double t = (plot.box().y0 - a.y) / (b.y - a.y);
+  if (b.y < plot.box().y0) c.back() = {a.x + t * (b.x - a.x), plot.box().y0};
+  return c;
+}
+
+const CurveTrace& ofColor(const std::vector<CurveTrace>& traces, Rgb color) {
+  const auto far = [&](const CurveTrace& t) {
+    return std::abs(t.color.r - color.r) + std::abs(t.color.g - color.g) + std::abs(t.color.b - color.b);
+  };
+  return *std::min_element(traces.begin(), traces.end(),
+                           [&](const CurveTrace& a, const CurveTrace& b) { return far(a) < far(b); });
+}
+
+}  // namespace
+
+TEST_CASE("Two coloured curves over a grid are traced to a tenth of a pixel", "[trace]") {
+  Plot plot(900, 550);
+  plot.grid(8, 10, kGrey);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(up, 2.5, kLime, true);
+  plot.line(down, 2.5, kBlue, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlue).points_px, clippedAtTop(plot, down)) < 0.1);
+  CHECK(apart(ofColor(*traces, kLime).points_px, up) < 0.12);
+  for (const CurveTrace& t : *traces) {
+    CHECK(t.width_px.size() == t.points_px.size());
+    CHECK(t.width_px.front() == Approx(2.5).margin(0.3));
+    CHECK(t.confidence > 0.8);
+    CHECK_FALSE(t.fromVector);
+  }
+  // Ends: the press runs to the frame's top edge, the release stops inside.
+  CHECK(ofColor(*traces, kBlue).points_px.back().y == Approx(plot.box().y0).margin(0.3));
+  CHECK(ofColor(*traces, kLime).points_px.back().y == Approx(up.back().y).margin(1.5));
+}
+
+TEST_CASE("Thin pale lines of a 300 px picture", "[trace]") {
+  Plot plot(300, 220);
+  plot.grid(4, 4, {235, 235, 235});
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(down, 0.9, {225, 120, 120}, true);
+  plot.line(up, 0.9, {120, 170, 210}, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, {225, 120, 120}).points_px, clippedAtTop(plot, down)) < 0.15);
+  CHECK(apart(ofColor(*traces, {120, 170, 210}).points_px, up) < 0.2);
+}
+
+TEST_CASE("Dark paper, light frame", "[trace]") {
+  const Rgb paper{0, 43, 54};
+  Plot plot(640, 480, paper);
+  plot.grid(1, 1, {131, 148, 150});
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(down, 1.4, {181, 137, 0}, true);
+  plot.line(up, 1.4, {42, 161, 152}, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, {181, 137, 0}).points_px, clippedAtTop(plot, down)) < 0.12);
+  CHECK(apart(ofColor(*traces, {42, 161, 152}).points_px, up) < 0.15);
+}
+
+TEST_CASE("A black curve beside a red one, in a black frame with grey grid", "[trace]") {
+  Plot plot(640, 480);
+  plot.grid(5, 5, {211, 211, 211});
+  plot.grid(1, 1, kBlack);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(down, 1.2, kBlack, true);
+  plot.line(up, 1.2, {255, 0, 0}, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlack).points_px, clippedAtTop(plot, down)) < 0.2);
+  CHECK(apart(ofColor(*traces, {255, 0, 0}).points_px, up) < 0.2);
+}
+
+TEST_CASE("Grid in a curve's own hue", "[trace]") {
+  Plot plot(800, 500);
+  plot.grid(6, 6, {170, 190, 215});
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(up, 2, kRed, true);
+  plot.line(down, 2, kBlue, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlue).points_px, clippedAtTop(plot, down)) < 0.15);
+  CHECK(apart(ofColor(*traces, kRed).points_px, up) < 0.15);
+}
+
+TEST_CASE("A curve that crosses the other and hides under it", "[trace]") {
+  Plot plot(900, 550);
+  plot.grid(8, 10, kGrey);
+  Curve down = press(), up;
+  for (Point p : down) {
+    // Apart at first, across it twice, then exactly under it from 0.4 of the width to the top.
+    const double lift = p.x < 0.4 ? -0.12 * std::sin(p.x / 0.4 * 3 * M_PI) : 0;
+    up.push_back({p.x, p.y + (p.x < 0.02 ? 0 : lift)});
+  }
+  down = plot.at(down);
+  up = plot.at(up);
+  plot.line(up, 2.5, kLime, true);
+  plot.line(down, 2.5, kBlue, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlue).points_px, clippedAtTop(plot, down)) < 0.12);
+  const Curve& hidden = ofColor(*traces, kLime).points_px;
+  CHECK(mean(clippedAtTop(plot, up), hidden) < 0.4);
+  CHECK(mean(hidden, clippedAtTop(plot, up)) < 0.3);
+}
+
+TEST_CASE("A title across the wall, arrows in the curve's hue, a legend beside its samples", "[trace]") {
+  Plot plot(908, 551);
+  plot.grid(9, 12, kGrey);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(up, 2.5, kLime, true);
+  plot.line(down, 2.5, kBlue, true);
+  plot.line(plot.at({{0.4, 0.6}, {0.4, 0.8}}), 3, kBlue, false, 0.35);
+  plot.line(plot.at({{0.3, 0.02}, {0.3, 0.14}}), 3, kLime, false, 0.4);
+  plot.disc(0.3, 0.14, 6, {230, 244, 180});
+  plot.letters("Housing with a long title", 0.2, 0.9, 24, kBlack, 3);
+  plot.letters("Press", 0.8, 0.25, 14, kBlack, 1);
+  plot.letters("Release", 0.8, 0.15, 14, kBlack, 1);
+  plot.line(plot.at({{0.73, 0.263}, {0.785, 0.263}}), 2.5, kBlue);
+  plot.line(plot.at({{0.73, 0.163}, {0.785, 0.163}}), 2.5, kLime);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlue).points_px, clippedAtTop(plot, down)) < 0.25);
+  CHECK(apart(ofColor(*traces, kLime).points_px, up) < 0.25);
+}
+
+TEST_CASE("A box over the curves is bridged", "[trace]") {
+  Plot plot(800, 500);
+  plot.grid(6, 6, kGrey);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(up, 2, kRed, true);
+  plot.line(down, 2, kTeal, true);
+  plot.line(plot.at({{0.30, 0.5}, {0.34, 0.5}}), 60, kWhite);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  // The gap is joined by a nearly straight piece; everywhere else the line is exact.
+  CHECK(mean(down, ofColor(*traces, kTeal).points_px) < 1);
+  CHECK(ofColor(*traces, kTeal).points_px.front().x < plot.at(0.03, 0).x);
+  CHECK(ofColor(*traces, kTeal).points_px.back().x > plot.at(0.63, 0).x);
+}
+
+TEST_CASE("Dashes of an ink of their own are linked", "[trace]") {
+  Plot plot(800, 500);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.grid(1, 1, kBlack);
+  plot.line(down, 2, kBlue, true);
+  const Curve points = dense(up);
+  for (std::size_t i = 0; i + 16 < points.size(); i += 28)
+    plot.line(Curve(points.begin() + static_cast<std::ptrdiff_t>(i),
+                    points.begin() + static_cast<std::ptrdiff_t>(i) + 16),
+              2, kRed, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kRed).points_px, up) < 0.5);
+}
+
+TEST_CASE("One curve alone is one trace; more than two are all given", "[trace]") {
+  Plot one(700, 450);
+  one.grid(5, 5, kGrey);
+  one.line(one.at(press()), 2, kBlue, true);
+  const auto single = one.trace();
+  REQUIRE(single.ok());
+  CHECK(single->size() == 1);
+
+  Plot many(700, 450);
+  many.grid(5, 5, kGrey);
+  const Rgb inks[] = {kBlue, kRed, kTeal, {230, 160, 20}};
+  for (int i = 0; i < 4; ++i) {
+    Curve c = press();
+    for (Point& p : c) p = {0.9 * p.x + 0.02 * i, 0.8 * p.y - 0.1 * i + 0.1};
+    many.line(many.at(c), 2, inks[i], true);
+  }
+  const auto all = many.trace();
+  REQUIRE(all.ok());
+  CHECK(all->size() == 4);
+}
+
+TEST_CASE("Both strokes in one coloured ink are told apart by their course", "[trace]") {
+  Plot plot(800, 500);
+  plot.grid(6, 6, kBlack);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(up, 2.5, kRed, true);
+  plot.line(down, 2.5, kRed, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(traces->front().stroke.has_value());
+  CHECK(traces->front().stroke != traces->back().stroke);
+}
+
+TEST_CASE("A drawing moved by a part of a pixel moves the trace by as much", "[trace]") {
+  const auto tracedAt = [](double dx, double dy) {
+    Plot plot(500, 350);
+    Curve down = plot.at(press()), up = plot.at(release());
+    for (Curve* c : {&down, &up})
+      for (Point& p : *c) p = {p.x + dx, p.y + dy};
+    plot.line(up, 1.6, kRed, true);
+    plot.line(down, 1.6, kBlue, true);
+    const auto traces = plot.trace();
+    REQUIRE(traces.ok());
+    REQUIRE(traces->size() == 2);
+    return ofColor(*traces, kBlue).points_px;
+  };
+  const Curve base = tracedAt(0, 0);
+  for (const Point shift : {Point{0.25, 0}, Point{0, 0.4}, Point{0.5, 0.5}, Point{-0.3, 0.7}}) {
+    Curve moved = tracedAt(shift.x, shift.y);
+    for (Point& p : moved) p = {p.x - shift.x, p.y - shift.y};
+    CHECK(apart(base, moved) < 0.12);
+  }
+}
+
+TEST_CASE("A frame that stands askew is traced upright and brought back", "[trace]") {
+  Plot plot(800, 600);
+  const double angle = 0.05;
+  const auto turned = [&](Point p) {
+    const Point c{400, 300};
+    return Point{c.x + std::cos(angle) * (p.x - c.x) - std::sin(angle) * (p.y - c.y),
+                 c.y + std::sin(angle) * (p.x - c.x) + std::cos(angle) * (p.y - c.y)};
+  };
+  Curve down = plot.at(press()), up = plot.at(release());
+  down.pop_back();
+  for (Curve* c : {&down, &up})
+    for (Point& p : *c) p = turned(p);
+  for (Point& p : plot.frame().corners) p = turned(p);
+  plot.line(up, 2.5, kRed);
+  plot.line(down, 2.5, kBlue);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlue).points_px, down) < 0.25);
+  CHECK(apart(ofColor(*traces, kRed).points_px, up) < 0.25);
+}
+
+TEST_CASE("Huge pictures are shrunk, not given up", "[trace]") {
+  Plot plot(4000, 2800);
+  plot.grid(5, 5, kGrey, 3);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(up, 9, kRed, true);
+  plot.line(down, 9, kBlue, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlue).points_px, clippedAtTop(plot, down)) < 0.4);
+  CHECK(apart(ofColor(*traces, kRed).points_px, up) < 0.5);
+}
+
+TEST_CASE("Hints: colours given decide, masks hide, spacing is kept", "[trace]") {
+  Plot plot(800, 500);
+  plot.grid(6, 6, kGrey);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  Curve third = release();
+  for (Point& p : third) p.y *= 0.6;
+  plot.line(plot.at(third), 2, kTeal, true);
+  plot.line(up, 2, kRed, true);
+  plot.line(down, 2, kBlue, true);
+  TraceHints hints;
+  hints.pressColor = kBlue;
+  hints.releaseColor = kRed;
+  TraceOptions options;
+  options.pointSpacing_px = 4;
+  const auto traces = plot.trace(hints, options);
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(ofColor(*traces, kBlue).stroke == Stroke::press);
+  CHECK(ofColor(*traces, kRed).stroke == Stroke::release);
+  const Curve& points = ofColor(*traces, kBlue).points_px;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i)
+    CHECK(std::hypot(points[i].x - points[i - 1].x, points[i].y - points[i - 1].y) > 3.5);
+
+  hints.pressColor = Rgb{200, 0, 255};
+  hints.releaseColor = Rgb{255, 230, 0};
+  const auto none = plot.trace(hints);
+  REQUIRE_FALSE(none.ok());
+  CHECK(none.failure().code == FailureCode::noForceGraph);
+  CHECK(none.failure().problem.find("colours given") != std::string::npos);
+
+  TraceHints masked;
+  masked.masks_px.push_back({plot.at(0, 0).x - 5, plot.at(0, 0.4).y, plot.at(1, 0).x, plot.at(0, 0).y + 5});
+  Plot upper(800, 500);
+  upper.line(upper.at({{0.05, 0.5}, {0.3, 0.6}, {0.6, 0.9}}), 2, kBlue);
+  upper.line(upper.at({{0.05, 0.1}, {0.3, 0.3}, {0.6, 0.35}}), 2, kRed);
+  const auto half = upper.trace(masked);
+  REQUIRE(half.ok());
+  CHECK(half->size() == 1);
+}
+
+TEST_CASE("The legend's words are put to the curve whose sample stands beside them", "[trace]") {
+  Plot plot(1000, 500);
+  plot.grid(6, 6, kGrey);
+  plot.line(plot.at(release()), 2, kRed, true);
+  plot.line(plot.at(press()), 2, kBlue, true);
+  plot.line({{935, 100}, {955, 100}}, 2, kRed);
+  plot.line({{935, 120}, {955, 120}}, 2, kBlue);
+  plot.say("upstroke", {960, 94, 996, 106});
+  plot.say("downstroke", {960, 114, 998, 126});
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(ofColor(*traces, kRed).label == "upstroke");
+  CHECK(ofColor(*traces, kBlue).label == "downstroke");
+}
+
+TEST_CASE("Nothing to trace is said in a sentence", "[trace]") {
+  Plot empty(600, 400);
+  empty.grid(5, 5, kGrey);
+  const auto none = empty.trace();
+  REQUIRE_FALSE(none.ok());
+  CHECK(none.failure().code == FailureCode::noForceGraph);
+  CHECK(none.failure().sentence().size() > 30);
+
+  Plot outside(600, 400);
+  outside.frame().corners = {Point{700, 500}, Point{900, 500}, Point{900, 700}, Point{700, 700}};
+  const auto gone = outside.trace();
+  REQUIRE_FALSE(gone.ok());
+  CHECK(gone.failure().code == FailureCode::noForceGraph);
+
+  Plot dot(600, 400);
+  dot.view().raster = Raster{1, 1, {255, 255, 255}};
+  CHECK_FALSE(dot.trace().ok());
+  dot.view().raster = Raster{};
+  CHECK_FALSE(dot.trace().ok());
+}
+
+TEST_CASE("Wrong spacing and a cancelled trace are refused", "[trace]") {
+  Plot plot(600, 400);
+  plot.line(plot.at(press()), 2, kBlue, true);
+  for (double spacing : {0.0, -1.0, 17.0, static_cast<double>(NAN)}) {
+    TraceOptions options;
+    options.pointSpacing_px = spacing;
+    const auto traces = plot.trace({}, options);
+    REQUIRE_FALSE(traces.ok());
+    CHECK(traces.failure().code == FailureCode::wrongUsage);
+  }
+  Progress progress;
+  progress.cancelled = [] { return true; };
+  const auto traces = plot.trace({}, {}, progress);
+  REQUIRE_FALSE(traces.ok());
+  CHECK(traces.failure().problem == "cancelled");
+}
