@@ -148,6 +148,14 @@ void addLimits(CLI::App& app, PageLimits& limits) {
   group->add_option("--max-file-megabytes", limits.maxFileMegabytes, "of the input file")
       ->check(CLI::Range(0.001, 1e6))
       ->capture_default_str();
+  group->add_option("--max-page-seconds", limits.maxPageSeconds, "to interpret one page of a document")
+      ->check(CLI::Range(0.01, 86400.0))
+      ->capture_default_str();
+  group
+      ->add_option("--max-document-megabytes", limits.maxDocumentMegabytes,
+                   "of memory that reading a document may take")
+      ->check(CLI::Range(17.0, 1e6))
+      ->capture_default_str();
 }
 
 void settle(const RawOptions& raw, Arguments& a) {
