@@ -51,7 +51,7 @@ struct ImportRequest {
 };
 
 /// Below this confidence an import says notCertain (exit 5) and what to pass. Set from the corpus
-/// (docs/decisions/0801-confidence.md).
+/// (docs/decisions/0800-import-confidence.md).
 inline constexpr double confidenceBar = 0.5;
 
 /// One graph of a document, as `--list` prints it.

@@ -6,7 +6,7 @@ namespace detent::importer {
 namespace {
 
 /// Below this a listed graph would more often be a dimension drawing than a force graph
-/// (docs/decisions/0801-confidence.md).
+/// (docs/decisions/0800-import-confidence.md).
 constexpr double listBar = 0.3;
 
 Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
