@@ -1,11 +1,14 @@
 #pragma once
-// Step 1: from a file to pages. In: png, jpg, bmp, tiff, webp, pdf, svg. Out: an upright `Page` (vector paths, text boxes,
-// overview raster) and, for any region of it, a `PageView`: the same things at the best resolution the page has.
+// Step 1: from a file to pages. In: png, jpg, bmp, tiff, webp, pdf, svg. Out: an upright `Page` (vector
+// paths, text boxes, overview raster) and, for any region of it, a `PageView`: the same things at the best
+// resolution the page has.
 //
 // Two planes:
-//  - *page units*: pixels of the picture as shown (after EXIF rotation), or PDF points; origin top left, y down.
+//  - *page units*: pixels of the picture as shown (after EXIF rotation), or PDF points; origin top left, y
+//  down.
 //    For pictures page units are pixel centres: the centre of the top left pixel is (0,0).
-//  - *view pixels*: pixels of a PageView's raster; (0,0) is the centre of its top left pixel. All later steps work there.
+//  - *view pixels*: pixels of a PageView's raster; (0,0) is the centre of its top left pixel. All later steps
+//  work there.
 
 #include <array>
 #include <memory>
@@ -28,16 +31,17 @@ struct TextBox {
   double angle_deg = 0;  ///< of the baseline, counter-clockwise; 90 = reads upwards
 };
 
-/// One stroked and/or filled path, flattened to polylines within 0.005 page units; clipped invisible ones are left out.
+/// One stroked and/or filled path, flattened to polylines within 0.005 page units; clipped invisible ones are
+/// left out.
 struct VectorPath {
   std::vector<std::vector<Point>> polylines;
-  std::vector<bool> closed;        ///< per polyline
-  std::optional<Rgb> stroke;       ///< colour if stroked and visible
-  std::optional<Rgb> fill;         ///< colour if filled and visible
-  double strokeWidth = 0;          ///< in the plane's units, 0 if not stroked
+  std::vector<bool> closed;   ///< per polyline
+  std::optional<Rgb> stroke;  ///< colour if stroked and visible
+  std::optional<Rgb> fill;    ///< colour if filled and visible
+  double strokeWidth = 0;     ///< in the plane's units, 0 if not stroked
   bool dashed = false;
   Box box;
-  std::optional<Box> clip;         ///< bounding box of the clip in force, if it cuts the path
+  std::optional<Box> clip;  ///< bounding box of the clip in force, if it cuts the path
 };
 
 /// An image placed on the page.
@@ -48,40 +52,41 @@ struct PlacedImage {
 
 /// What one page carries. Coordinates in page units.
 struct Page {
-  std::string source;               ///< file name without folder, for messages
+  std::string source;  ///< file name without folder, for messages
   int number = 1, count = 1;
   PageUnit unit = PageUnit::pixel;
   double width = 0, height = 0;
-  std::optional<double> dpi;        ///< of a picture, if it says so
+  std::optional<double> dpi;  ///< of a picture, if it says so
   std::vector<TextBox> texts;
   std::vector<VectorPath> paths;
   std::vector<PlacedImage> images;
-  Raster overview;                  ///< the whole page; pictures: the picture itself, documents: a render for finding graphs
+  Raster overview;  ///< the whole page; pictures: the picture itself, documents: a render for finding graphs
   Affine overviewToPage;
 };
 
-/// A region of the page, turned upright, at the best resolution available: the native pixels of the picture or of the one
-/// embedded image that fills the region, else a render. Coordinates of texts and paths in view pixels.
+/// A region of the page, turned upright, at the best resolution available: the native pixels of the picture
+/// or of the one embedded image that fills the region, else a render. Coordinates of texts and paths in view
+/// pixels.
 struct PageView {
   Raster raster;
   Affine viewToPage;
   std::vector<TextBox> texts;
   std::vector<VectorPath> paths;
-  bool nativePixels = false;        ///< raster is what the document stores, not a render
+  bool nativePixels = false;  ///< raster is what the document stores, not a render
 };
 
 /// Limits against hostile input; all are options of `detent-import`.
 struct PageLimits {
-  double maxMegapixels = 300;       ///< of a decoded picture or a render
-  int maxPages = 2000;              ///< of a document
+  double maxMegapixels = 300;  ///< of a decoded picture or a render
+  int maxPages = 2000;         ///< of a document
   double maxFileMegabytes = 512;
-  int maxPathPoints = 4000000;      ///< of one page; also bounds how many things it may draw
-  double maxPageSeconds = 20;       ///< to interpret one document page
+  int maxPathPoints = 4000000;         ///< of one page; also bounds how many things it may draw
+  double maxPageSeconds = 20;          ///< to interpret one document page
   double maxDocumentMegabytes = 1024;  ///< of memory that reading a document may take, > 16
 };
 
 struct ViewOptions {
-  double minFrameWidth_px = 1000;   ///< a rendered region is drawn so that it is about this wide; (0, 16384]
+  double minFrameWidth_px = 1000;  ///< a rendered region is drawn so that it is about this wide; (0, 16384]
   double maxScale_px_per_unit = 16;
 
   bool operator==(const ViewOptions&) const = default;
@@ -93,13 +98,16 @@ class Document {
   /// Failure codes: unreadableInput (missing, empty, truncated, lies about its type, encrypted, too large).
   static Result<Document> open(const std::string& path, const PageLimits& limits = {});
   /// The same from memory (pasted pictures, fuzzing); `name` is used in messages.
-  static Result<Document> fromBytes(std::vector<unsigned char> bytes, const std::string& name, const PageLimits& limits = {});
+  static Result<Document> fromBytes(std::vector<unsigned char> bytes, const std::string& name,
+                                    const PageLimits& limits = {});
 
   int pageCount() const;
   /// Page numbers count from 1.
   Result<Page> page(int number, const Progress& progress = {}) const;
-  /// Region in page units. `quarterTurns`: how many times the region is turned clockwise by 90° to stand upright (0..3).
-  Result<PageView> view(const Page& page, const Box& region, int quarterTurns = 0, const ViewOptions& options = {}) const;
+  /// Region in page units. `quarterTurns`: how many times the region is turned clockwise by 90° to stand
+  /// upright (0..3).
+  Result<PageView> view(const Page& page, const Box& region, int quarterTurns = 0,
+                        const ViewOptions& options = {}) const;
 
   const std::string& name() const;
   std::string sha256() const;

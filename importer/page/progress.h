@@ -11,7 +11,7 @@ namespace detent::importer {
 /// Passed down by every step. All members may be empty. Called on the thread that does the work.
 struct Progress {
   std::function<void(double fraction, std::string_view step)> report;  ///< 0..1 over the whole import
-  std::function<bool()> cancelled;                                     ///< true: stop soon, give wrongUsage "cancelled"
+  std::function<bool()> cancelled;  ///< true: stop soon, give wrongUsage "cancelled"
   /// Sink for a step's intermediate pictures (STYLE 9); costs nothing when empty.
   std::function<void(std::string_view label, const Raster& picture)> picture;
 

@@ -1,5 +1,6 @@
 #pragma once
-// Plain pixels and plain geometry; what the importer's steps hand each other (no third-party type in a header).
+// Plain pixels and plain geometry; what the importer's steps hand each other (no third-party type in a
+// header).
 
 #include <array>
 #include <cstddef>
@@ -31,7 +32,8 @@ struct Raster {
 
   bool empty() const { return width_px <= 0 || height_px <= 0; }
   const std::uint8_t* at(int x, int y) const {
-    return rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x));
+    return rgb.data() + 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
+                             static_cast<std::size_t>(x));
   }
 };
 

@@ -9,8 +9,8 @@ namespace detent::importer {
 
 /// Dense points of one stroke in the order travelled (release: decreasing displacement).
 struct StrokePoints {
-  std::vector<CurvePoint> points;   ///< mm, N
-  std::vector<Point> points_px;     ///< the same in view pixels, same length; empty for force logs
+  std::vector<CurvePoint> points;  ///< mm, N
+  std::vector<Point> points_px;    ///< the same in view pixels, same length; empty for force logs
   bool fromVector = false;
 };
 
@@ -25,7 +25,8 @@ struct StrokeHints {
   bool operator==(const StrokeHints&) const = default;
 };
 
-/// Failure noForceGraph: nothing that could be a press; notCertain: more curves than two, or press and release that cannot be told apart.
+/// Failure noForceGraph: nothing that could be a press; notCertain: more curves than two, or press and
+/// release that cannot be told apart.
 Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
                                           const PlotFrame& frame, const StrokeHints& hints = {});
 

@@ -46,7 +46,7 @@ class ModeOfColors {
           sum = sum + sum_[cell];
           n += count_[cell];
         }
-    if (share) *share = total_ ? n / total_ : 0;
+    if (share) *share = total_ > 0 ? n / total_ : 0;
     return n > 0 ? static_cast<float>(1 / n) * sum : centre;
   }
 

@@ -12,28 +12,28 @@ namespace detent::importer {
 /// One traced curve in view pixels, ordered along the line.
 struct CurveTrace {
   std::vector<Point> points_px;
-  std::vector<double> width_px;     ///< local line width, same length; empty for vector paths
+  std::vector<double> width_px;  ///< local line width, same length; empty for vector paths
   Rgb color;
-  bool fromVector = false;          ///< taken from the document's own paths: exact
+  bool fromVector = false;  ///< taken from the document's own paths: exact
   double confidence = 0;
   /// For graphs whose two strokes share one ink, the tracer separates them itself and says which is which.
   std::optional<Stroke> stroke;
-  std::string label;                ///< legend text that belongs to this colour/dash, if any
+  std::string label;  ///< legend text that belongs to this colour/dash, if any
 };
 
 struct TraceHints {
   std::optional<Rgb> pressColor, releaseColor;
-  std::vector<Box> masks_px;        ///< regions to ignore, view pixels
+  std::vector<Box> masks_px;  ///< regions to ignore, view pixels
 
   bool operator==(const TraceHints&) const = default;
 };
 
 struct TraceOptions {
-  double pointSpacing_px = 1;       ///< along the curve; (0, 16]
+  double pointSpacing_px = 1;  ///< along the curve; (0, 16]
 };
 
-Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
-                                            const TraceHints& hints = {}, const TraceOptions& options = {},
-                                            const Progress& progress = {});
+Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFrame& frame,
+                                            const AxesFound& axes, const TraceHints& hints = {},
+                                            const TraceOptions& options = {}, const Progress& progress = {});
 
 }  // namespace detent::importer

@@ -100,7 +100,8 @@ std::optional<OutlineCentre> centreOfOutline(const Polyline& outline, double max
   if (!(width > 0) || width > maxWidth_px || length < leastSlenderness * width) return std::nullopt;
   const auto caps = capEdges(ring, width);
   if (!caps) return std::nullopt;
-  // Edge i runs from vertex i to the next one: one side begins behind the first cap's edge and ends before the second's.
+  // Edge i runs from vertex i to the next one: one side begins behind the first cap's edge and ends before
+  // the second's.
   const auto vertex = [&](std::size_t i) { return ring.begin() + static_cast<std::ptrdiff_t>(i); };
   const Polyline one(vertex(caps->first + 1), vertex(caps->second + 1));
   Polyline other(vertex(caps->second + 1), ring.end());

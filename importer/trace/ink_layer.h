@@ -16,7 +16,8 @@ struct InkLayer {
   Rgb paper;                    ///< the background it was measured against
 
   float at(int x, int y) const {
-    return coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) + static_cast<std::size_t>(x)];
+    return coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_px) +
+                    static_cast<std::size_t>(x)];
   }
 };
 

@@ -5,8 +5,9 @@
 
 namespace detent::importer {
 
-/// Empty if the curves are not among the view's paths (then the raster is traced). Grid, frame, leaders, arrows, glyph
-/// outlines, legend samples and markers are told from curves. Where both strokes share one ink, `stroke` is set.
+/// Empty if the curves are not among the view's paths (then the raster is traced). Grid, frame, leaders,
+/// arrows, glyph outlines, legend samples and markers are told from curves. Where both strokes share one ink,
+/// `stroke` is set.
 std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame, const AxesFound& axes,
                                     const TraceHints& hints = {});
 

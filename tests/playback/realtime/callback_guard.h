@@ -1,7 +1,7 @@
 #pragma once
-// Test-only proof that the callback neither allocates nor blocks: interposes malloc, free, locks and the system calls that
-// wait or write (POSIX symbols of the test program win over the C library's) and counts what happens inside a guarded
-// scope. Never linked into a product.
+// Test-only proof that the callback neither allocates nor blocks: interposes malloc, free, locks and the
+// system calls that wait or write (POSIX symbols of the test program win over the C library's) and counts
+// what happens inside a guarded scope. Never linked into a product.
 
 #include <cstdint>
 #include <string>
