@@ -14,7 +14,7 @@ double ramp(double value, double bad, double good) {
   return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
 }
 
-double shareOnInk(const std::vector<Point>& path, const Structure& s) {
+double shareOnInk(const std::vector<Point>& path, const Structure& s, float gap_px) {
   int on = 0;
   for (const Point& p : path) {
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
@@ -26,7 +26,8 @@ double shareOnInk(const std::vector<Point>& path, const Structure& s) {
         best = std::max({best, s.curveInk.at(u, v), line ? 0.5F : 0.0F});
       }
     }
-    if (best > 0.35F) ++on;
+    const bool inGap = s.gapDistance.inside(x, y) && s.gapDistance.at(x, y) <= gap_px;
+    if (best > 0.35F || inGap) ++on;
   }
   return path.empty() ? 0 : double(on) / double(path.size());
 }
@@ -99,11 +100,12 @@ double LoopEvidence::confidence() const {
 LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Structure& structure,
                    const Plane& plane) {
   LoopEvidence e;
+  const float gap_px = pair.dashed ? 6.0F : 0.5F;  // half a gap between dashes
   const bool both = !pair.release.empty();
   const auto worse = [&](auto&& of) {
     return both ? std::min(of(pair.press), of(pair.release)) : of(pair.press);
   };
-  e.onInk = worse([&](const std::vector<Point>& p) { return shareOnInk(p, structure); }) -
+  e.onInk = worse([&](const std::vector<Point>& p) { return shareOnInk(p, structure, gap_px); }) -
             0.5 * (1 - worse([&](const std::vector<Point>& p) {
                      return 1 - std::max(0.0, shareAlongLines(p, structure) - 0.15);
                    }));

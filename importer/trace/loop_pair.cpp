@@ -50,12 +50,11 @@ void forDisc(const Grid& grid, Point centre, double radius, const auto& visit) {
   }
 }
 
-/// The reward that is left for the other stroke.
-Grid rewardBeside(const Grid& reward, const std::vector<Point>& taken, double radius) {
-  constexpr float kTaken = 0.2F;  // above 0: where both share one line, both follow it to its end
+/// The reward that is left for the other stroke; ink of the first is worth `shared` per pixel.
+Grid rewardBeside(const Grid& reward, const std::vector<Point>& taken, double radius, float shared = 0) {
   Grid left = reward;
   for (const Point& p : taken) {
-    forDisc(left, p, radius, [&](int x, int y) { left.at(x, y) = std::min(left.at(x, y), kTaken); });
+    forDisc(left, p, radius, [&](int x, int y) { left.at(x, y) = std::min(left.at(x, y), shared); });
   }
   return left;
 }
@@ -154,12 +153,13 @@ bool cutAtTurn(std::vector<Point>& path, const Stretch& detour, double frameWidt
 
 /// The best path that makes no detour. Ink of detours found is taken out of `reward` for later searches too.
 std::vector<Point> directPath(LiftedSearch& search, Grid& reward, const std::vector<Point>& taken,
-                              double radius, const PathLimits& limits, double strokeWidth, const Box& frame) {
+                              double radius, const PathLimits& limits, double strokeWidth, float shared,
+                              const Box& frame) {
   constexpr int kDetours = 6;
   constexpr float kNoCurve = -0.4F;
   std::vector<Point> path;
   for (int i = 0; i <= kDetours; ++i) {
-    path = densify(search.best(rewardBeside(reward, taken, radius), limits).points);
+    path = densify(search.best(rewardBeside(reward, taken, radius, shared), limits).points);
     std::optional<Stretch> detour = findDetour(path, reward, strokeWidth, frame);
     while (detour && cutAtTurn(path, *detour, frame.width()))
       detour = findDetour(path, reward, strokeWidth, frame);
@@ -270,9 +270,10 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
 /// One joint search for both strokes at one price of gaps.
 class PairSearch {
  public:
-  PairSearch(const Structure& structure, const Plane& plane, const GapPrice& price)
+  PairSearch(const Structure& structure, const Plane& plane, const GapPrice& price, float shared)
       : plane_(plane),
         stroke_(structure.strokeWidth_px),
+        shared_(shared),
         reward_(rewardOf(structure, plane, price)),
         search_(openPixels(structure, plane), PathOptions{}) {}
 
@@ -308,6 +309,26 @@ class PairSearch {
     return strongPixels(rewardBeside(reward_, both(), stroke_ + 1)) / std::max(1.0, stroke_);
   }
 
+  /// The second stroke's own stretch is broken often and evenly, as no way over leaders and words is.
+  bool secondIsDashed() const {
+    const Grid own = rewardBeside(reward_, a_, stroke_ + 1);
+    std::vector<int> gaps;
+    int run = 0;
+    for (const Point& p : b_) {
+      const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+      if (reward_.at(x, y) < 0) {
+        ++run;
+        continue;
+      }
+      if (run > 0 && own.at(x, y) > 0.3F) gaps.push_back(run);
+      run = 0;
+    }
+    if (gaps.size() < 8) return false;
+    std::sort(gaps.begin(), gaps.end());
+    const int usual = gaps[gaps.size() / 2], large = gaps[gaps.size() * 9 / 10];
+    return large <= 3 * usual + 2;
+  }
+
   PlanePair parted() {
     PlanePair pair;
     pair.ownRelease_px = ownOfSecond();
@@ -331,7 +352,7 @@ class PairSearch {
   }
 
   std::vector<Point> follow(const std::vector<Point>& beside, const PathLimits& limits) {
-    return directPath(search_, reward_, beside, radius(), limits, stroke_, plane_.frame);
+    return directPath(search_, reward_, beside, radius(), limits, stroke_, shared_, plane_.frame);
   }
 
   /// The rim of a stroke already taken is no second stroke.
@@ -364,6 +385,7 @@ class PairSearch {
 
   const Plane& plane_;
   double stroke_;
+  float shared_;
   Grid reward_;
   LiftedSearch search_;
   std::vector<Point> a_, b_;
@@ -393,14 +415,19 @@ std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vect
 }
 
 PlanePair findPair(const Structure& structure, const Plane& plane) {
-  PairSearch solid(structure, plane, GapPrice{});
+  // Shared ink is worth more than nothing: where both strokes share one line, both follow it to its end.
+  PairSearch solid(structure, plane, GapPrice{}, 0.2F);
   if (!solid.run()) return {};
-  // Much ink left over although no path wants it: one stroke may be dashed, so that gaps must cost less.
+  PlanePair pair = solid.parted();
+  // One stroke alone and much ink left over: the other may be dashed, so that gaps must cost less.
   const double much = 0.15 * plane.frame.width();
-  if (solid.leftOver_px() < much) return solid.parted();
-  PairSearch dashed(structure, plane, GapPrice{0.15F, 0.15F});
-  if (!dashed.run() || dashed.explained_px() < solid.explained_px() + much) return solid.parted();
-  return dashed.parted();
+  if (!pair.release.empty() || solid.leftOver_px() < much) return pair;
+  PairSearch dashed(structure, plane, GapPrice{0.1F, 0.1F}, 0.05F);
+  if (!dashed.run() || dashed.explained_px() < solid.explained_px() + much || !dashed.secondIsDashed())
+    return pair;
+  pair = dashed.parted();
+  pair.dashed = true;
+  return pair;
 }
 
 }  // namespace detent::importer::loop

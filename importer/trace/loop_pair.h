@@ -13,6 +13,7 @@ namespace detent::importer::loop {
 struct PlanePair {
   std::vector<Point> press;    ///< plane px, x never falls, at most 1 px apart; empty if nothing was found
   std::vector<Point> release;  ///< the same order as press (not yet the order travelled); empty: press only
+  bool dashed = false;         ///< gaps were taken as part of a stroke
   double ownRelease_px = 0;    ///< length of ink that only the second stroke explains
 };
 

@@ -336,6 +336,29 @@ TEST_CASE("loop: gaps in a stroke are bridged", "[trace_loop]") {
   checkLoop(plot, loop, 0.4);
 }
 
+TEST_CASE("loop: a dashed release is found, words beside a lone press are not", "[trace_loop]") {
+  const Loop loop = tactileLoop(0.04);
+  Plot dashed(640, 480, 2);
+  dashed.grid(8, 6, 1);
+  dashed.curve(dashed.at(loop.press));
+  const Curve release = dashed.at(loop.release);
+  double along = 0;
+  for (std::size_t i = 1; i < release.size(); ++i) {
+    along += std::hypot(release[i].x - release[i - 1].x, release[i].y - release[i - 1].y);
+    if (std::fmod(along, 14) < 8) dashed.curve({release[i - 1], release[i]});
+  }
+  checkLoop(dashed, loop, 0.8, 0.5);
+
+  Plot lone(640, 480, 2);
+  lone.curve(lone.at(loop.press));
+  lone.word(0.2, 0.15, 14);
+  lone.line({lone.at(0.28, 0.20), lone.at(0.30, 0.55)}, 2);
+  lone.word(0.5, 0.2, 14);
+  const auto result = lone.trace();
+  REQUIRE(result.ok());
+  CHECK(result->size() == 1);
+}
+
 TEST_CASE("loop: a press-only graph gives one stroke", "[trace_loop]") {
   Plot plot(640, 480, 2);
   plot.grid(8, 6, 1);
