@@ -117,18 +117,24 @@ std::vector<Knot> modelKnots(const KnotChain& chain, const StrokeSamples& sample
   return knots;
 }
 
-/// Distances in sigmas of the given noise, whatever yardstick the fit used.
+/// Distances in sigmas of the given noise, whatever yardstick the fit used: square to the curve in these
+/// units.
 void addDistances(FitSummary& summary, const ChosenChain& fit, const StrokeSamples& samples,
                   const PointNoise& noise) {
   const std::vector<ChainPiece> pieces = piecesOf(fit.chain);
   const std::vector<Footpoint> feet = footpointsOn(fit.chain, samples.points);
+  const double perU = samples.mmPerU / noise.sigma_mm, perV = samples.newtonsPerV / noise.sigma_N;
   double sum = 0;
   for (std::size_t i = 0; i < feet.size(); ++i) {
     const ChainPiece& piece = pieces[feet[i].piece];
-    const double du = (samples.points[i].u - piece.u(feet[i].t)) * samples.mmPerU / noise.sigma_mm;
-    const double dv = (samples.points[i].v - piece.v(feet[i].t)) * samples.newtonsPerV / noise.sigma_N;
-    sum += du * du + dv * dv;
-    summary.maxSigma = std::max(summary.maxSigma, std::hypot(du, dv));
+    const double t = feet[i].t;
+    const double du = (samples.points[i].u - piece.u(t)) * perU,
+                 dv = (samples.points[i].v - piece.v(t)) * perV;
+    const double alongU = piece.h * perU, alongV = piece.dv(t) * perV, along = std::hypot(alongU, alongV);
+    const bool inside = t > 0 && t < 1 && along > 0;
+    const double distance = inside ? std::abs(dv * alongU - du * alongV) / along : std::hypot(du, dv);
+    sum += distance * distance;
+    summary.maxSigma = std::max(summary.maxSigma, distance);
   }
   summary.rmsSigma = std::sqrt(sum / static_cast<double>(feet.size()));
 }
