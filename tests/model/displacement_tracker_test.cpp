@@ -102,6 +102,29 @@ TEST_CASE("hysteresis keeps sensor noise from turning the stroke") {
   CHECK(tracker.update(0.50).stroke == Stroke::press);
 }
 
+TEST_CASE("a turn by exactly the hysteresis is none") {
+  TrackerSettings settings;
+  settings.hysteresis_N = 0.0625;
+  DisplacementTracker tracker(jumpGraph(), settings);
+  tracker.update(0.5);
+  CHECK(tracker.update(0.4375).stroke == Stroke::press);
+  CHECK(tracker.update(std::nextafter(0.4375, 0)).stroke == Stroke::release);
+}
+
+TEST_CASE("another graph is felt from the next press on, not before") {
+  auto soft = strokeFrom({{{0, 0}, {4, 0.4}}, {0}});
+  REQUIRE(soft.ok());
+  const ForceGraph softGraph = *ForceGraph::fromCurves(*soft, {});
+  DisplacementTracker changed(jumpGraph()), unchanged(jumpGraph());
+  changed.update(0.8);
+  unchanged.update(0.8);
+  changed.continueOn(softGraph);
+  for (double force : {0.85, 0.7, 0.3, 0.12}) CHECK(changed.update(force) == unchanged.update(force));
+  const double before_mm = changed.position().displacement_mm;
+  CHECK(before_mm < 2);
+  CHECK(changed.update(0.3).displacement_mm == Approx(3));
+}
+
 TEST_CASE("a maximum that falls in a wall holds until it is exceeded") {
   auto press = StrokeCurve::fromKnots({{0, 0, 0, 1}, {1, 1, 1, 0}, {1, 0.2, 0, 1}, {3, 2.2, 1, 0}});
   REQUIRE(press.ok());

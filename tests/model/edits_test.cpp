@@ -168,6 +168,11 @@ TEST_CASE("a section moves as a whole, its neighbours stretch") {
   CHECK(after[1].from_mm == Approx(before[1].from_mm + 0.1));
   CHECK(after[1].fromForce_N == Approx(before[1].fromForce_N + 0.05));
   CHECK(moved.force_N(1.7) == Approx(curve.force_N(1.6) + 0.05));
+  // A quarter of the way up the neighbour: displacement by a quarter, force by 3s² - 2s³.
+  const StrokeCurve quarter =
+      require(moveSection(require(insertKnot(curve, 0.25)), Stroke::press, 1, 0.1, 0.05));
+  CHECK(quarter.knots()[1].displacement_mm == Approx(0.275));
+  CHECK(quarter.knots()[1].force_N == Approx(curve.force_N(0.25) + 0.05 * 0.15625));
   CHECK(moved.start_mm() == 0);
   CHECK(moved.knots().front().force_N == curve.knots().front().force_N);
   CHECK(moved.end_mm() == curve.end_mm());

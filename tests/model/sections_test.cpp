@@ -129,6 +129,8 @@ TEST_CASE("no false walls: stiffening springs, a steep start, a late peak") {
   CHECK_FALSE(bottomOutOf(through({{0, 0}, {1, 0.1}, {2, 0.3}, {3, 0.8}, {4, 1.6}})).wall);
   CHECK_FALSE(bottomOutOf(through({{0, 0}, {0.02, 0.5}, {4, 0.8}})).wall);
   CHECK_FALSE(bottomOutOf(through({{0, 0.2}, {3, 0.4}, {3.5, 0.9}, {4, 0.5}})).wall);
+  // A dead stroke before the spring: the spring is no wall, however steep against nothing.
+  CHECK_FALSE(bottomOutOf(through({{0, 0.1}, {1, 0.1001}, {4, 1}})).wall);
   // A wall at the *start* of a press is slope.
   const StrokeCurve start = through({{0, 0}, {0, 0.4}, {4, 0.8}});
   CHECK(kinds(sectionsOf(start, Stroke::press)) == std::vector{slope, bottomOut});
