@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <memory>
 
 #include <opencv2/imgproc.hpp>
 #include <tesseract/baseapi.h>
 
 #include "importer/frame/darkness.h"
+
+/// libgomp's, on which Debian's Tesseract runs; <omp.h> is not there for every compiler.
+extern "C" void omp_set_max_active_levels(int levels);
 
 namespace detent::importer {
 namespace {
@@ -22,8 +24,6 @@ constexpr int margin_px = 10;
 class Engine {
  public:
   Engine() {
-    // OpenMP inside a single line costs more than it gives, and would take the other cores of a batch.
-    setenv("OMP_THREAD_LIMIT", "1", 0);
     api_ = std::make_unique<tesseract::TessBaseAPI>();
     const std::array<std::string, 4> names{"load_system_dawg", "load_freq_dawg", "debug_file",
                                            "tessedit_do_invert"};
@@ -37,6 +37,8 @@ class Engine {
   SeenText line(const cv::Mat& grey, TextKind kind) {
     SeenText seen;
     if (!api_) return seen;
+    // Threads inside a single line cost more than they give (they spin), and take the other cores from a batch.
+    omp_set_max_active_levels(0);
     api_->SetPageSegMode(tesseract::PSM_SINGLE_LINE);
     api_->SetVariable("tessedit_char_whitelist", kind == TextKind::number ? "0123456789.,-" : "");
     api_->SetImage(grey.data, grey.cols, grey.rows, 1, static_cast<int>(grey.step));

@@ -166,23 +166,26 @@ struct Scored {
   double rectangleScore = 0;
 };
 
-/// Graphs do not nest: what surrounds another candidate that is as good is a border of the sheet.
-void dropSurrounding(std::vector<Scored>& all) {
-  const auto area = [](const Box& b) { return b.width() * b.height(); };
-  std::vector<bool> surrounds(all.size(), false);
-  for (std::size_t i = 0; i < all.size(); ++i)
-    for (const auto& inner : all) {
-      const Box &a = all[i].candidate.value.pageBox, &b = inner.candidate.value.pageBox;
-      if (area(a) > 2.5 * area(b) && overlapShare(a, b) > 0.9 &&
-          inner.rectangleScore > all[i].rectangleScore - 1.5)
-        surrounds[i] = true;
-    }
+/// Strictly: parts of a grid share an edge with it, a border leaves room on all sides.
+bool surrounds(const Box& outer, const Box& inner) {
+  const double mx = 0.03 * outer.width(), my = 0.03 * outer.height();
+  return inner.x0 > outer.x0 + mx && inner.x1 < outer.x1 - mx && inner.y0 > outer.y0 + my && inner.y1 < outer.y1 - my;
+}
+
+/// Graphs do not nest: what surrounds another candidate that is about as good is a border of the sheet.
+void dropBorders(std::vector<Scored>& all) {
+  std::vector<bool> border;
+  for (const auto& outer : all)
+    border.push_back(std::any_of(all.begin(), all.end(), [&](const Scored& inner) {
+      return surrounds(outer.candidate.value.pageBox, inner.candidate.value.pageBox) &&
+             inner.rectangleScore > outer.rectangleScore - 1.5;
+    }));
   std::size_t k = 0;
-  std::erase_if(all, [&](const Scored&) { return surrounds[k++]; });
+  std::erase_if(all, [&](const Scored&) { return border[k++]; });
 }
 
 std::vector<Scored> withoutOverlaps(std::vector<Scored> all) {
-  dropSurrounding(all);
+  dropBorders(all);
   std::sort(all.begin(), all.end(), [](const Scored& a, const Scored& b) { return a.score > b.score; });
   std::vector<Scored> kept;
   for (auto& s : all) {

@@ -162,7 +162,8 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
 /// open at the top).
 double edgeWorth(double drawn, double reach, int ends, int members) {
   const double open = members >= 3 ? 0.5 * ends / members : 0;
-  return std::max(1.5 * drawn * (0.4 + 0.6 * reach), open);
+  // Titles over the plot hide the ends of many lines; a third of them is enough.
+  return std::max(1.5 * drawn * (0.4 + 0.6 * std::min(1.0, 3 * reach)), open);
 }
 
 /// Shares of edges at candidate positions, worked out once per interval.
@@ -235,7 +236,7 @@ double nextLine(const CoverTable& cover, const std::vector<double>& at, std::siz
        m += step) {
     const double away = std::abs(at[static_cast<std::size_t>(m)] - at[i]);
     if (away > 0.45 * size) break;
-    if (away > 0.03 * size + 4 && cover(static_cast<std::size_t>(m), k, l) > 0.5)
+    if (away > 0.03 * size + 4 && cover(static_cast<std::size_t>(m), k, l) > 0.15)
       return at[static_cast<std::size_t>(m)];
   }
   return step < 0 ? -1e9 : 1e9;
