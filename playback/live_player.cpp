@@ -81,6 +81,7 @@ class Player : public LivePlayer {
     if (!session_.send(Lane::control, command)) programs_.pop_back();
     const std::lock_guard routeLock(readingMutex_);
     routeProgram_ = std::make_unique<HapticProgram>(program);
+    ownForce_.setSettings(limitsFor(strongestForce_N(program)));
     static_cast<void>(rebuildRoute());  // the target was good before; a lost one shows as lost packets
   }
 
@@ -116,6 +117,10 @@ class Player : public LivePlayer {
     settings.port = port;
     settings.baud = baud;
     settings.calibration = calibration;
+    {
+      const std::lock_guard lock(readingMutex_);
+      settings.conditioner = limitsFor(strongestForce_N(*routeProgram_));
+    }
     DeviceResult<std::unique_ptr<SerialSensor>> sensor =
         SerialSensor::open(settings, [this](const SensorReading& reading) { forward(reading); });
     if (!sensor) return failureOf(sensor.trouble());
@@ -143,9 +148,7 @@ class Player : public LivePlayer {
       return Failure{FailureCode::wrongUsage, "press trace", "", "holds no reading", "Give at least one"};
     }
     const double origin_s = std::min(0.0, trace.readings.front().time_s);
-    ConditionerCounts counts;
-    std::vector<EngineInput> inputs =
-        conditionedInputs(trace, session_.sampleRate_Hz(), origin_s, tracePeriod(), counts);
+    std::vector<EngineInput> inputs = traceInputs(trace, origin_s);
     status();
     const auto start =
         streamFrame() +
@@ -323,9 +326,10 @@ class Player : public LivePlayer {
     return *finger_;
   }
 
-  double tracePeriod() {
+  std::vector<EngineInput> traceInputs(const PressTrace& trace, double origin_s) {
     const std::lock_guard lock(readingMutex_);
-    return routeProgram_->interpolationDelay_s;
+    ConditionerCounts counts;
+    return conditionedInputs(trace, *routeProgram_, session_.sampleRate_Hz(), origin_s, counts);
   }
 
   void feedTrace(const std::vector<EngineInput>& inputs) {

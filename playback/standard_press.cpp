@@ -11,7 +11,8 @@ namespace {
 
 constexpr double tremorOfForce = 0.01;  // physiological tremor, 8-12 Hz
 constexpr double tremor_Hz = 10;
-constexpr double rest_s = 0.02;  // before and after, so that onset and end are seen
+constexpr double overPress = 1.25;  // a quarter more than the bottom-out needs
+constexpr double rest_s = 0.02;     // before and after, so that onset and end are seen
 
 double minimumJerk(double share) {
   if (share <= 0) return 0;
@@ -19,21 +20,12 @@ double minimumJerk(double share) {
   return share * share * share * (10 + share * (6 * share - 15));
 }
 
-/// A quarter above the strongest force of any state's press.
-double peakFor(const HapticProgram& program) {
-  double strongest = 0;
-  for (std::size_t s = 0; s < program.stateCount; ++s) {
-    const StrokeTable& press = program.states[s].press;
-    for (std::size_t i = 0; i < press.pointCount; ++i)
-      strongest = std::max(strongest, press.points[i].force_N);
-  }
-  return std::max(1.25 * strongest, 4 * program.hysteresis_N);
-}
-
 }  // namespace
 
 PressTrace standardPress(const HapticProgram& program, const StandardPress& press) {
-  const double peak_N = press.peak_N > 0 ? press.peak_N : peakFor(program);
+  const double peak_N = press.peak_N > 0
+                            ? press.peak_N
+                            : std::max(overPress * strongestForce_N(program), 4 * program.hysteresis_N);
   PressTrace trace;
   const double up_s = rest_s + press.press_s, hold_s = up_s + press.hold_s, down_s = hold_s + press.release_s;
   const auto count = static_cast<std::size_t>(std::ceil((down_s + rest_s) * press.sensor_Hz));

@@ -14,8 +14,8 @@ constexpr double gapInPeriods = 1.5;   // a gap this long gets readings in betwe
 constexpr double mostBetween = 20000;  // per gap
 constexpr double longestRender_s = 7 * 24 * 3600.0;
 
-ConditionerSettings conditionerFor(PressTrace::Quantity quantity) {
-  ConditionerSettings settings;
+ConditionerSettings conditionerFor(PressTrace::Quantity quantity, const HapticProgram& program) {
+  ConditionerSettings settings = limitsFor(strongestForce_N(program));
   if (quantity == PressTrace::Quantity::displacement_mm) {
     // A trace in mm is what somebody recorded or drew: any finite, ordered value is meant.
     settings.lowest = -1e9;
@@ -46,9 +46,10 @@ Result<Done> check(const PressTrace& trace, const RenderSettings& s) {
 
 }  // namespace
 
-std::vector<EngineInput> conditionedInputs(const PressTrace& trace, double sampleRate_Hz, double origin_s,
-                                           double period_s, ConditionerCounts& counts) {
-  ForceConditioner conditioner(conditionerFor(trace.quantity));
+std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const HapticProgram& program,
+                                           double sampleRate_Hz, double origin_s, ConditionerCounts& counts) {
+  const double period_s = program.interpolationDelay_s;
+  ForceConditioner conditioner(conditionerFor(trace.quantity, program));
   std::vector<EngineInput> inputs;
   inputs.reserve(trace.readings.size());
   EngineInput input;
@@ -81,8 +82,8 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
   const auto began = std::chrono::steady_clock::now();
   RenderSummary summary;
   const double origin_s = std::min(0.0, trace.readings.front().time_s);
-  const std::vector<EngineInput> inputs = conditionedInputs(trace, settings.sampleRate_Hz, origin_s,
-                                                            program.interpolationDelay_s, summary.sensor);
+  const std::vector<EngineInput> inputs =
+      conditionedInputs(trace, program, settings.sampleRate_Hz, origin_s, summary.sensor);
   const double last_frames = inputs.empty() ? 0 : inputs.back().time_frames;
   if (last_frames > longestRender_s * settings.sampleRate_Hz) {
     return Failure{FailureCode::wrongUsage, "press trace", "", "longer than a week", "Cut it into parts"};

@@ -4,6 +4,16 @@
 
 namespace detent::playback {
 
+ConditionerSettings limitsFor(double strongest_N) {
+  constexpr double overload = 5;           // a finger that presses a button five times too hard
+  constexpr double fastestPress_s = 1e-3;  // from nothing to the strongest force
+  ConditionerSettings settings;
+  settings.highest = std::fmax(settings.highest, overload * strongest_N);
+  settings.lowest = std::fmin(settings.lowest, -strongest_N);
+  settings.fastest_per_s = std::fmax(settings.fastest_per_s, strongest_N / fastestPress_s);
+  return settings;
+}
+
 ConditionerVerdict ForceConditioner::judge(double time_s, double value) {
   if (!std::isfinite(value) || !std::isfinite(time_s)) {
     ++counts_.notFinite;

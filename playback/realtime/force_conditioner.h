@@ -18,6 +18,9 @@ struct ConditionerSettings {
   double stuckAbove = 0.05;
 };
 
+/// Limits for a button whose strongest force is `strongest_N`: the defaults, widened for heavy buttons.
+ConditionerSettings limitsFor(double strongest_N);
+
 /// What was rejected so far.
 struct ConditionerCounts {
   std::uint64_t accepted = 0;
@@ -38,6 +41,9 @@ enum class ConditionerVerdict : std::uint8_t {
 class ForceConditioner {
  public:
   explicit ForceConditioner(const ConditionerSettings& settings = {}) : settings_(settings) {}
+
+  /// Keeps counts and history.
+  void setSettings(const ConditionerSettings& settings) { settings_ = settings; }
 
   /// `time_s` on any steady clock, the same for all readings.
   ConditionerVerdict judge(double time_s, double value);

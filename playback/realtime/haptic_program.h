@@ -130,6 +130,18 @@ struct HapticProgram {
   double gain = 1;                ///< of the device profile, before the limiter
 };
 
+/// Strongest force of any press stroke; 0 for an empty program.
+inline double strongestForce_N(const HapticProgram& program) {
+  double strongest = 0;
+  for (std::size_t s = 0; s < program.stateCount; ++s) {
+    const StrokeTable& press = program.states[s].press;
+    for (std::size_t i = 0; i < press.pointCount; ++i) {
+      if (press.points[i].force_N > strongest) strongest = press.points[i].force_N;
+    }
+  }
+  return strongest;
+}
+
 static_assert(std::is_trivially_copyable_v<HapticProgram>, "a program crosses threads by plain copy");
 static_assert(sizeof(HapticProgram) < 128 * 1024, "a program stays small enough to copy between callbacks");
 

@@ -71,7 +71,10 @@ double onsetWithin(JackListener& listener, double seconds) {
 }
 
 /// Messages at random times, each answered by a burst of 20 ms.
-Spread messagesTo(std::uint16_t port, JackListener& listener, int trials) {
+Spread sendMessages(std::uint16_t port, JackListener& listener, int trials) {
+  // An ordinary thread on a busy machine wakes when the sound server has just finished: its times would not
+  // be random.
+  requestRealtime(50);
   auto sender = SignalSender::open("127.0.0.1", port);
   std::mt19937 random(1);
   std::uniform_real_distribution<double> pause(0.040, 0.070);
@@ -94,6 +97,13 @@ Spread messagesTo(std::uint16_t port, JackListener& listener, int trials) {
     }
   }
   return {statisticsOf(delays, lost)};
+}
+
+/// On a thread of its own: programs started later must not inherit its priority.
+Spread messagesTo(std::uint16_t port, JackListener& listener, int trials) {
+  Spread spread;
+  std::thread([&] { spread = sendMessages(port, listener, trials); }).join();
+  return spread;
 }
 
 HapticProgram clickProgram(EventPlacement placement) {
@@ -153,7 +163,7 @@ void benchPd(const std::string& name, int period, const std::vector<std::string>
 }
 
 /// A sensor of 425 Hz on a pty: ramps of 50 N/s through 0.6 N, from the true crossing to the first sample.
-void benchSensor(int period, EventPlacement placement, int trials) {
+void pressSensor(int period, EventPlacement placement, int trials) {
   const auto program = std::make_unique<HapticProgram>(clickProgram(placement));
   const auto player = startPlayer(*program, JackRoute::ownClient);
   PtySensor pty;
@@ -208,6 +218,10 @@ void benchSensor(int period, EventPlacement placement, int trials) {
   const Spread spread{statisticsOf(delays, lost)};
   put(text("| %d | %s | ", period, placement == EventPlacement::atOnce ? "fast" : "time-stamped") +
       spread.cells() + text(" | %llu |", static_cast<unsigned long long>(listener.xruns())));
+}
+
+void benchSensor(int period, EventPlacement placement, int trials) {
+  std::thread([&] { pressSensor(period, placement, trials); }).join();
 }
 
 /// How evenly grains follow the finger: time of each grain against the true crossing, a minimum-jerk press of

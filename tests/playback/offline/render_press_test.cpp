@@ -101,6 +101,16 @@ TEST_CASE("render: not-a-numbers and glitches in a trace are left out and counte
   CHECK(dirty->samples == clean->samples);
 }
 
+TEST_CASE("render: an emergency stop of 60 N is no fault of the sensor") {
+  const Button heavy =
+      buttonOf("heavy", {stateOf("", {{0, 2}, {4, 60}, {6, 30}, {10, 70}}, {{0, 1}, {10, 60}})});
+  const auto program = std::make_unique<HapticProgram>(programOf(heavy));
+  const auto rendered = renderPress(*program, raisedCosine(0.05, 90), {});
+  REQUIRE(rendered);
+  CHECK(rendered->summary.counts.pressJumps == 1);
+  CHECK(rendered->summary.sensor.outOfRange + rendered->summary.sensor.glitches == 0);
+}
+
 TEST_CASE("render: bad settings are refused") {
   const auto program = std::make_unique<HapticProgram>(programOf(linearButton()));
   RenderSettings settings;
