@@ -8,7 +8,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t reach = 3;  // knots to each side that adapt to a change
+constexpr std::size_t knotsAdapting = 3;  // knots to each side that adapt to a change
 
 using Index = std::ptrdiff_t;
 
@@ -62,8 +62,8 @@ class Workpiece {
   /// The knots around `knot`, for a change to be made in them; `at` is the knot's index in the trial.
   Trial around(std::size_t knot, std::size_t& at) const {
     Trial trial;
-    trial.from = knot > reach ? knot - reach : 0;
-    trial.to = std::min(chain_.size() - 1, knot + reach);
+    trial.from = knot > knotsAdapting ? knot - knotsAdapting : 0;
+    trial.to = std::min(chain_.size() - 1, knot + knotsAdapting);
     trial.knots.assign(chain_.begin() + static_cast<Index>(trial.from),
                        chain_.begin() + static_cast<Index>(trial.to) + 1);
     at = knot - trial.from;
