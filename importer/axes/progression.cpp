@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "importer/axes/snapped_lines.h"
+
 namespace detent::importer {
 namespace {
 
@@ -42,17 +44,20 @@ struct Places {
   double agree = agree_px;  ///< how far a label's tick may be off the progression
 };
 
-Places placesOf(const std::vector<LabelPlace>& labels, const std::vector<double>& ticks) {
+Places placesOf(const std::vector<LabelPlace>& labels, const std::vector<GridLine>& ticks) {
   Places places;
   for (const auto& label : labels) {
-    double best = label.reach_px, at = label.center_px;
-    bool has = false;
-    for (const double t : ticks)
-      if (std::abs(t - label.center_px) <= best) {
-        best = std::abs(t - label.center_px);
-        at = t;
-        has = true;
-      }
+    const GridLine* tick = nullptr;
+    const auto nearer = [&](const GridLine& t) {
+      const double off = std::abs(t.position_px - label.center_px);
+      if (off > label.reach_px) return false;
+      if (tick == nullptr || t.spansFrame != tick->spansFrame) return tick == nullptr || t.spansFrame;
+      return off < std::abs(tick->position_px - label.center_px);
+    };
+    for (const auto& t : ticks)
+      if (nearer(t)) tick = &t;
+    const double at = tick != nullptr ? tick->position_px : label.center_px;
+    const bool has = tick != nullptr;
     places.at.push_back(at);
     places.hasTick.push_back(has);
   }
@@ -124,23 +129,45 @@ struct OnStep {
   double step = 0;
 };
 
-OnStep linesOnStep(const std::vector<double>& ticks, const Progression& p, double step, double origin) {
+OnStep linesOnStep(const std::vector<GridLine>& ticks, const Progression& p, double step, double origin) {
   OnStep on{{}, step};
   const double step_px = step / std::abs(p.perPx);
   const double tolerance = std::min(agree_px, 0.2 * step_px);
-  for (const double t : ticks) {
+  for (const auto& line : ticks) {
+    const double t = line.position_px;
     const double v = origin + std::round((p.value(t) - origin) / step) * step;
-    if (std::abs(p.position(v) - t) <= tolerance) on.pairs.emplace_back(t, v);
+    const double off = std::abs(p.position(v) - t);
+    if (off > tolerance) continue;
+    if (!on.pairs.empty() && std::abs(on.pairs.back().second - v) < 0.5 * step) {
+      // Two lines for one value: the one that fits.
+      if (off < std::abs(p.position(v) - on.pairs.back().first)) on.pairs.back().first = t;
+      continue;
+    }
+    on.pairs.emplace_back(t, v);
   }
   return on;
 }
 
-/// The coarsest subdivision that explains the lines: a finer one must bring more than it could by chance.
-OnStep chosenSubdivision(const std::vector<double>& ticks, const Progression& p, double origin) {
+/// How many lines a grid of this step would have between the outermost ones found.
+double expectedLines(const OnStep& on) {
+  if (on.pairs.size() < 2) return 0;
+  double low = on.pairs.front().second, high = low;
+  for (const auto& [x, v] : on.pairs) {
+    low = std::min(low, v);
+    high = std::max(high, v);
+  }
+  return (high - low) / on.step + 1;
+}
+
+/// The coarsest subdivision that explains the lines. A finer one must be nearly complete and add more than
+/// chance could: strokes of letters and leaders stand anywhere.
+OnStep chosenSubdivision(const std::vector<GridLine>& ticks, const Progression& p, double origin) {
   OnStep best = linesOnStep(ticks, p, p.step, origin);
   for (const double divide : {2.0, 4.0, 5.0, 10.0, 20.0}) {
     if (p.step / divide / std::abs(p.perPx) < 5) break;
     auto finer = linesOnStep(ticks, p, p.step / divide, origin);
+    const auto found = static_cast<double>(finer.pairs.size());
+    if (found < 0.8 * expectedLines(finer)) continue;
     if (finer.pairs.size() >= best.pairs.size() + std::max<std::size_t>(2, best.pairs.size() / 3))
       best = std::move(finer);
   }
@@ -165,10 +192,35 @@ void fitLine(const std::vector<std::pair<double, double>>& pairs, Progression& p
   p.residual_px = std::sqrt(sum / n);
 }
 
+/// Least squares, then again without lines that something beside them pulled aside.
+void fitLineRobustly(std::vector<std::pair<double, double>> pairs, Progression& p) {
+  fitLine(pairs, p);
+  for (int round = 0; round < 3 && pairs.size() > 3; ++round) {
+    std::vector<double> off;
+    for (const auto& [x, v] : pairs) off.push_back(std::abs(p.position(v) - x));
+    auto sorted = off;
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                     sorted.end());
+    const double bar = std::max(0.55, 3 * sorted[sorted.size() / 2]);
+    const auto worst = std::max_element(off.begin(), off.end());
+    if (*worst <= bar) break;
+    pairs.erase(pairs.begin() + (worst - off.begin()));
+    fitLine(pairs, p);
+  }
+  p.ticks = static_cast<int>(pairs.size());
+  if (const auto line = throughRoundedLines(pairs)) {
+    p.offset = line->offset;
+    p.perPx = line->perPx;
+    double sum = 0;
+    for (const auto& [x, v] : pairs) sum += std::pow(p.position(v) - x, 2);
+    p.residual_px = std::sqrt(sum / static_cast<double>(pairs.size()));
+  }
+}
+
 }  // namespace
 
 std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
-                                          const std::vector<double>& ticks, bool rising) {
+                                          const std::vector<GridLine>& ticks, bool rising) {
   const Places places = placesOf(labels, ticks);
   const auto trial = bestTrial(labels, places, rising);
   if (!trial) return std::nullopt;
@@ -204,8 +256,7 @@ std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
   const auto on = chosenSubdivision(ticks, p, values.front());
   p.substep = on.step;
   auto pairs = on.pairs.size() >= labelled.size() ? on.pairs : labelled;
-  fitLine(pairs, p);
-  p.ticks = static_cast<int>(pairs.size());
+  fitLineRobustly(std::move(pairs), p);
   return p;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "importer/axes/printed_number.h"
+#include "importer/frame/plot_frame.h"
 
 namespace detent::importer {
 
@@ -31,9 +32,9 @@ struct Progression {
   double position(double v) const { return (v - offset) / perPx; }
 };
 
-/// `ticks` increasing; `rising` = values grow with the position. nullopt if fewer than two labels agree on
-/// nice values.
+/// `ticks` increasing; lines that span the frame are believed before marks. `rising` = values grow with the
+/// position. nullopt if fewer than two labels agree on nice values.
 std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
-                                          const std::vector<double>& ticks, bool rising);
+                                          const std::vector<GridLine>& ticks, bool rising);
 
 }  // namespace detent::importer

@@ -66,7 +66,7 @@ std::vector<Box> numberWords(Reading& r, const Box& band) {
   return wordBoxes(glyphsIn(r.glyphs, band, largest), labelGapInHeights);
 }
 
-std::optional<AxisFit> fitRow(Reading& r, const LabelRow& row, const std::vector<double>& ticks,
+std::optional<AxisFit> fitRow(Reading& r, const LabelRow& row, const std::vector<GridLine>& ticks,
                               bool horizontal) {
   AxisFit fit;
   std::vector<LabelPlace> labels;
@@ -102,12 +102,15 @@ std::optional<AxisFit> readAxis(Reading& r, bool horizontal) {
   const Box band = horizontal ? Box{b.x0 - 0.12 * w, b.y1 + 1, b.x1 + 0.12 * w, b.y1 + 0.3 * h}
                               : Box{b.x0 - 0.36 * w, b.y0 - 0.1 * h, b.x0 - 1, b.y1 + 0.08 * h};
   auto words = numberWords(r, band);
-  const auto ticks = positions(horizontal ? r.frame.xLines : r.frame.yLines);
+  auto lines = horizontal ? r.frame.xLines : r.frame.yLines;
+  for (auto& line : lines)
+    line.position_px -= horizontal ? r.frame.drawnOffset_px.x : r.frame.drawnOffset_px.y;
+  const auto ticks = positions(lines);
   std::optional<AxisFit> best;
   for (int n = 0; n < rowAttempts; ++n) {
     const auto row = horizontal ? labelsBelow(words, b, ticks) : labelsLeft(words, b, ticks);
     if (row.words.size() < 2) break;
-    if (auto fit = fitRow(r, row, ticks, horizontal); fit && better(*fit, best)) best = std::move(fit);
+    if (auto fit = fitRow(r, row, lines, horizontal); fit && better(*fit, best)) best = std::move(fit);
     if (best && best->progression.labels >= 3 &&
         2 * best->progression.labels > static_cast<int>(best->words.size()))
       break;

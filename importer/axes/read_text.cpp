@@ -37,7 +37,8 @@ class Engine {
   SeenText line(const cv::Mat& grey, TextKind kind) {
     SeenText seen;
     if (!api_) return seen;
-    // Threads inside a single line cost more than they give (they spin), and take the other cores from a batch.
+    // Threads inside a single line cost more than they give (they spin), and take the other cores from a
+    // batch.
     omp_set_max_active_levels(0);
     api_->SetPageSegMode(tesseract::PSM_SINGLE_LINE);
     api_->SetVariable("tessedit_char_whitelist", kind == TextKind::number ? "0123456789.,-" : "");

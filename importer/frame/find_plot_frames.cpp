@@ -169,7 +169,8 @@ struct Scored {
 /// Strictly: parts of a grid share an edge with it, a border leaves room on all sides.
 bool surrounds(const Box& outer, const Box& inner) {
   const double mx = 0.03 * outer.width(), my = 0.03 * outer.height();
-  return inner.x0 > outer.x0 + mx && inner.x1 < outer.x1 - mx && inner.y0 > outer.y0 + my && inner.y1 < outer.y1 - my;
+  return inner.x0 > outer.x0 + mx && inner.x1 < outer.x1 - mx && inner.y0 > outer.y0 + my &&
+         inner.y1 < outer.y1 - my;
 }
 
 /// Graphs do not nest: what surrounds another candidate that is about as good is a border of the sheet.

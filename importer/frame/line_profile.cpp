@@ -175,6 +175,22 @@ std::optional<EdgeLine> locateColumnEdge(const cv::Mat& d, double across, double
   return consensusLine(peaks, along, across, 0.6, static_cast<std::size_t>(chunks));
 }
 
+std::optional<RimCover> rimCover(const cv::Mat& d, double across, double from, double to) {
+  const int x = static_cast<int>(std::lround(across));
+  const int y0 = clampedInt(from, 0, d.rows), y1 = clampedInt(to, 0, d.rows);
+  if (x < 2 || x + 2 >= d.cols || y1 - y0 < 16 || std::abs(across - x) > 0.1) return std::nullopt;
+  std::vector<double> left, right, beyond;
+  for (int y = y0; y < y1; ++y) {
+    const auto* row = d.ptr<std::uint8_t>(y);
+    if (row[x] < 40) continue;
+    left.push_back(row[x - 1] / static_cast<double>(row[x]));
+    right.push_back(row[x + 1] / static_cast<double>(row[x]));
+    beyond.push_back(std::max(row[x - 2], row[x + 2]) / static_cast<double>(row[x]));
+  }
+  if (left.size() < 16) return std::nullopt;
+  return RimCover{median(left), median(right), median(beyond)};
+}
+
 std::vector<GridLine> columnLines(const cv::Mat& d, double left, double right, double top, double bottom) {
   const int x0 = clampedInt(left - 4, 0, d.cols), x1 = clampedInt(right + 5, 0, d.cols);
   const int y0 = clampedInt(top + 2, 0, d.rows), y1 = clampedInt(bottom - 1, 0, d.rows);

@@ -23,6 +23,13 @@ struct EdgeLine {
 std::optional<EdgeLine> locateColumnEdge(const cv::Mat& darkness, double across, double from, double to,
                                          double reach);
 
+/// How a line near column `across` covers the pixels beside its crest, as shares of the crest's ink: left and
+/// right, and what is left two pixels away. Median over [from, to].
+struct RimCover {
+  double left = 0, right = 0, beyond = 0;
+};
+std::optional<RimCover> rimCover(const cv::Mat& darkness, double across, double from, double to);
+
 /// Lines that cross the whole strip of rows [top, bottom], left to right: gridlines of an upright rectangle.
 std::vector<GridLine> columnLines(const cv::Mat& darkness, double left, double right, double top,
                                   double bottom);

@@ -138,6 +138,28 @@ void findLinesLeaning(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
   for (auto& line : frame.yLines) line.position_px = mapped(back, {b.left, line.position_px}).y;
 }
 
+/// Agg (matplotlib) moves axis-parallel lines of odd rounded width to floor(x + 1/2) + 1/2, half a pixel
+/// right and down on average, but leaves their true width: a whole-pixel crest with equal thin rims, the same
+/// on every edge. Nothing else seen draws so: others either smooth lines where they stand, or round the width
+/// as well.
+bool roundedByAgg(const cv::Mat& d, const cv::Mat& turnedD, const Edges& e, const Box& box) {
+  std::vector<RimCover> rims;
+  const auto add = [&](const cv::Mat& plane, const EdgeLine& edge, double from, double to) {
+    if (edge.support == 0 || edge.slope != 0) return;
+    if (const auto rim = rimCover(plane, edge.at0, from, to)) rims.push_back(*rim);
+  };
+  add(d, e.left, box.y0, box.y1);
+  add(d, e.right, box.y0, box.y1);
+  add(turnedD, e.top, box.x0, box.x1);
+  add(turnedD, e.bottom, box.x0, box.x1);
+  if (rims.size() < 2) return false;
+  constexpr double same = 0.012;
+  const double rim = rims.front().left;
+  return rim >= 0.02 && rim <= 0.24 && std::all_of(rims.begin(), rims.end(), [&](const RimCover& r) {
+           return std::abs(r.left - rim) <= same && std::abs(r.right - rim) <= same && r.beyond <= same;
+         });
+}
+
 bool isUpright(const PlotFrame& f) {
   const auto& c = f.corners;
   return std::abs(c[0].x - c[3].x) <= alignedWithin_px && std::abs(c[1].x - c[2].x) <= alignedWithin_px &&
@@ -164,6 +186,7 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
                    crossing(e.left, e.bottom)};
   if (isUpright(frame)) {
     findLinesUpright(d, frame, e);
+    if (roundedByAgg(d, d.t(), e, frame.box())) frame.drawnOffset_px = {0.5, 0.5};
   } else {
     findLinesLeaning(d, frame, e);
   }

@@ -26,7 +26,10 @@ struct PlotFrame {
   std::vector<GridLine>
       xLines;  ///< vertical gridlines and ticks, left to right (position = x at the bottom edge)
   std::vector<GridLine> yLines;  ///< horizontal ones, top to bottom (position = y at the left edge)
-  Box box() const;               ///< bounding box of the corners
+  /// Drawn minus meant place of frame, gridlines and ticks: programs that round lines to whole pixels but not
+  /// curves shift them (docs/decisions/0402). Corners and lines here are where they are drawn.
+  Point drawnOffset_px;
+  Box box() const;  ///< bounding box of the corners
 };
 
 /// A graph found on a page: where, which way up. The view that later steps use is made from it.
