@@ -47,6 +47,12 @@ TEST_CASE("exchanged strokes are noticed, with the worst place") {
              Catch::Contains("release curve, ") && Catch::Contains("above the press curve"));
 }
 
+TEST_CASE("walls a hair apart are no crossing") {
+  const Button button =
+      withGraph(through({{0, 0.3}, {4, 0.6}, {4, 2}}), through({{0, 0.2}, {3.97, 0.5}, {4, 2}}));
+  CHECK(rulesOf(button) == std::vector<Rule>{});
+}
+
 TEST_CASE("each oddity is named") {
   CHECK(rulesOf(withGraph(through({{0, 0.3}, {4, 0.8}}), {})) == std::vector{Rule::noRelease});
   CHECK(rulesOf(withGraph(through({{0, 0.3}, {4, 0.8}}), through({{0, 0.2}, {3.5, 0.6}}))) ==
