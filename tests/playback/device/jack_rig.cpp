@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <jack/jack.h>
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -32,6 +33,7 @@ void silent(const char*) {}
 ChildProcess::ChildProcess(const std::vector<std::string>& command) {
   pid_ = ::fork();
   if (pid_ != 0) return;
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // a test that is killed leaves no server behind
   const int nowhere = ::open("/dev/null", O_RDWR);
   ::dup2(nowhere, 0);
   ::dup2(nowhere, 1);
