@@ -169,6 +169,14 @@ struct ImportSession::Impl {
     std::vector<std::string> warnings;
   };
 
+  /// Legend, callouts and titles of the chosen graph, read once; listing does without them.
+  const LocatedGraph& withAllTexts(const Choice& choice, const Progress& progress) {
+    LocatedGraph& graph = graphs.at(choice.page).located.graphs[static_cast<std::size_t>(choice.graph - 1)];
+    if (!graph.textsComplete) readGraphTexts(graph.view, graph.frame.value, graph.axes, progress);
+    graph.textsComplete = true;
+    return graph;
+  }
+
   /// The graph asked for, or the most certain one of the document.
   Result<Choice> choose(const ImportRequest& request, const LocateKey& key, const Progress& progress) {
     Choice best;
@@ -194,6 +202,7 @@ struct ImportSession::Impl {
       }
     }
     if (!best.located) return nothingFound(request, graphCount, bestRejection);
+    best.located = &withAllTexts(best, progress);
     if (graphCount > 1 && !request.graph) {
       best.warnings.push_back(std::to_string(graphCount) +
                               " graphs found; this is the most certain one (page " +

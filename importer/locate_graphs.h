@@ -15,6 +15,7 @@ struct LocatedGraph {
   PageView view;
   Found<PlotFrame> frame;
   AxesFound axes;
+  bool textsComplete = false;  ///< readGraphTexts has been here
   /// Sure that this is a force graph read with the right axes; 0..1.
   double confidence() const;
 };

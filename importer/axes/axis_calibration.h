@@ -62,7 +62,8 @@ struct SeenText {
 
 struct AxesFound {
   Found<AxisCalibration> calibration;
-  std::vector<SeenText> texts;  ///< everything read around and inside the frame: legend, titles, callouts
+  /// Tick labels, titles and the document's own texts; legend and callouts come with readGraphTexts.
+  std::vector<SeenText> texts;
   std::vector<std::string> warnings;
 };
 
@@ -70,5 +71,11 @@ struct AxesFound {
 /// --y-axis).
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints = {},
                            const Progress& progress = {});
+
+/// Adds to `axes.texts` what else is written in and beside the frame: callouts, legend, titles over the plot.
+/// Only lines of at least three letters that were read with some certainty, so their boxes may be masked.
+/// Apart from readAxes because who lists graphs needs none of it (5 to 10 ms per line).
+void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes,
+                    const Progress& progress = {});
 
 }  // namespace detent::importer

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include <opencv2/core/matx.hpp>
 #include <opencv2/imgproc.hpp>
@@ -355,7 +356,9 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
             : "given") +
       " on y";
   for (const auto* fit : {xFit ? &*xFit : nullptr, yFit ? &*yFit : nullptr})
-    if (fit) found.texts.insert(found.texts.end(), fit->words.begin(), fit->words.end());
+    if (fit)
+      std::copy_if(fit->words.begin(), fit->words.end(), std::back_inserter(found.texts),
+                   [](const SeenText& t) { return !t.utf8.empty(); });
   found.texts.insert(found.texts.end(), r.texts.begin(), r.texts.end());
   for (const auto& t : view.texts) found.texts.push_back({t.utf8, t.box, 1.0, t.angle_deg});
   found.warnings = std::move(r.warnings);

@@ -16,6 +16,29 @@ std::vector<Box> glyphsIn(const std::vector<Box>& glyphs, const Box& region, dou
   return inside;
 }
 
+std::vector<TextLine> groupedLines(std::vector<Box> glyphs, double gapInHeights) {
+  std::sort(glyphs.begin(), glyphs.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
+  std::vector<TextLine> lines;
+  for (const auto& g : glyphs) {
+    const auto follows = [&](const TextLine& line) {
+      const Box& l = line.box;
+      const double overlap = std::min(l.y1, g.y1) - std::max(l.y0, g.y0);
+      return overlap >= 0.4 * std::min(l.height(), g.height()) &&
+             g.x0 - l.x1 <= gapInHeights * std::max(l.height(), g.height()) &&
+             g.height() <= 2.5 * l.height() + 3;
+    };
+    const auto line = std::find_if(lines.rbegin(), lines.rend(), follows);
+    if (line == lines.rend()) {
+      lines.push_back({g, {g}});
+      continue;
+    }
+    Box& l = line->box;
+    l = {std::min(l.x0, g.x0), std::min(l.y0, g.y0), std::max(l.x1, g.x1), std::max(l.y1, g.y1)};
+    line->glyphs.push_back(g);
+  }
+  return lines;
+}
+
 std::vector<Box> textLines(const std::vector<Box>& glyphs, double gapInHeights) {
   auto lines = wordBoxes(glyphs, gapInHeights);
   std::erase_if(lines, [](const Box& b) { return b.height() < 4 || b.width() < 0.8 * b.height(); });

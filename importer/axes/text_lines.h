@@ -10,6 +10,15 @@ namespace detent::importer {
 /// Those of `glyphs` that lie in `region` (view pixels) and are no larger than `maxSize_px`.
 std::vector<Box> glyphsIn(const std::vector<Box>& glyphs, const Box& region, double maxSize_px);
 
+/// A line of text and its letters.
+struct TextLine {
+  Box box;
+  std::vector<Box> glyphs;
+};
+
+/// Glyphs side by side, up to `gapInHeights` apart, as lines; everything kept, even single marks.
+std::vector<TextLine> groupedLines(std::vector<Box> glyphs, double gapInHeights);
+
 /// Lines of text: words up to `gapInHeights` apart joined; dust and single marks left out.
 std::vector<Box> textLines(const std::vector<Box>& glyphs, double gapInHeights);
 

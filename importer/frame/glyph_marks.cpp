@@ -138,14 +138,18 @@ cv::Mat withoutFrameInk(const cv::Mat& darkness, const Box& frame, const std::ve
   return side.t();
 }
 
-std::vector<Box> glyphBoxes(const cv::Mat& darkness, double minSize_px, double maxSize_px) {
+std::vector<Box> glyphBoxes(const cv::Mat& darkness, double minSize_px, double maxSize_px, int threshold) {
   cv::Mat ink, labels, stats, centroids;
-  // Against the surroundings, for paper may shade; dense text raises them, but not above its own ink.
-  cv::Mat around;
-  cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
-           cv::BORDER_REPLICATE);
-  cv::subtract(darkness, around, ink);
-  cv::threshold(ink, ink, inkThreshold - 14, 255, cv::THRESH_BINARY);
+  if (threshold > 0) {
+    cv::threshold(darkness, ink, threshold, 255, cv::THRESH_BINARY);
+  } else {
+    // Against the surroundings, for paper may shade; dense text raises them, but not above its own ink.
+    cv::Mat around;
+    cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
+             cv::BORDER_REPLICATE);
+    cv::subtract(darkness, around, ink);
+    cv::threshold(ink, ink, inkThreshold - 14, 255, cv::THRESH_BINARY);
+  }
   const int n = cv::connectedComponentsWithStats(ink, labels, stats, centroids, 8, CV_32S);
   std::vector<Box> boxes;
   for (int k = 1; k < n; ++k) {

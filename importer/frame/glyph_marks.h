@@ -11,7 +11,8 @@ namespace detent::importer {
 
 /// Boxes (pixel edges: a single pixel has width 1) of connected ink between `minSize_px` and `maxSize_px` in
 /// its larger extent.
-std::vector<Box> glyphBoxes(const cv::Mat& darkness, double minSize_px, double maxSize_px);
+/// `threshold`: grey levels above paper that count as ink; 0: what stands out of its surroundings.
+std::vector<Box> glyphBoxes(const cv::Mat& darkness, double minSize_px, double maxSize_px, int threshold = 0);
 
 /// A copy without the inside of an upright frame and without the ticks that stick out of it, so that labels
 /// stand free of them. `xLines`, `yLines`: where its gridlines and ticks are.

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include "importer/axes/axis_calibration.h"
+#include "importer/axes/read_text.h"
+#include "importer/axes/text_lines.h"
+#include "importer/frame/darkness.h"
+#include "importer/frame/glyph_marks.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr std::size_t maxLines = 24;   // a plot with more writing is a page
+constexpr double minConfidence = 0.5;  // dashes and arrows read as text score less
+constexpr int minLetters = 3;
+
+/// Ink of gridlines (not of the frame's own edges), so that writing across them can be told from them; 0
+/// without a grid.
+int gridInk(const cv::Mat& d, const PlotFrame& frame) {
+  const Box box = frame.box();
+  std::vector<int> inks;
+  for (const auto& line : frame.yLines) {
+    if (!line.spansFrame || line.position_px < box.y0 + 4 || line.position_px > box.y1 - 4) continue;
+    const int y = std::clamp(static_cast<int>(std::lround(line.position_px)), 0, d.rows - 1);
+    for (int x = std::max(0, static_cast<int>(box.x0) + 3);
+         x < std::min<int>(d.cols, static_cast<int>(box.x1) - 3); x += 3)
+      inks.push_back(d.at<std::uint8_t>(y, x));
+  }
+  if (inks.empty()) return 0;
+  std::nth_element(inks.begin(), inks.begin() + static_cast<std::ptrdiff_t>(inks.size() / 2), inks.end());
+  return inks[inks.size() / 2];
+}
+
+double overlapShare(const Box& a, const Box& b) {
+  const double w = std::min(a.x1, b.x1) - std::max(a.x0, b.x0),
+               h = std::min(a.y1, b.y1) - std::max(a.y0, b.y0);
+  return w <= 0 || h <= 0 ? 0 : w * h / std::max(1e-9, a.width() * a.height());
+}
+
+/// The line without samples of a legend, leaders and arrowheads that stand beside its letters.
+TextLine lettersOnly(const TextLine& line) {
+  std::vector<double> heights;
+  for (const auto& g : line.glyphs)
+    if (g.height() > 0.4 * g.width()) heights.push_back(g.height());
+  if (heights.empty()) return {};
+  std::sort(heights.begin(), heights.end());
+  const double usual = heights[heights.size() / 2];
+  TextLine kept;
+  for (const auto& g : line.glyphs) {
+    const bool dash = g.height() < 0.4 * usual && g.width() > 0.9 * usual;
+    const bool atEnd = &g == &line.glyphs.front() || &g == &line.glyphs.back();
+    const bool sample = atEnd && line.glyphs.size() > 3 && g.width() > 2.2 * usual;
+    if (dash || sample || g.height() > 1.8 * usual) continue;
+    kept.box = kept.glyphs.empty() ? g
+                                   : Box{std::min(kept.box.x0, g.x0), std::min(kept.box.y0, g.y0),
+                                         std::max(kept.box.x1, g.x1), std::max(kept.box.y1, g.y1)};
+    kept.glyphs.push_back(g);
+  }
+  return kept;
+}
+
+/// Letters stand in a row: several, about equally high, none a dash.
+bool looksWritten(const TextLine& line) {
+  if (line.glyphs.size() < 3 || line.box.height() < 5 || line.box.width() < 1.2 * line.box.height())
+    return false;
+  std::vector<double> heights;
+  for (const auto& g : line.glyphs) heights.push_back(g.height());
+  std::sort(heights.begin(), heights.end());
+  const double usual = heights[heights.size() / 2];
+  const auto letters = std::count_if(heights.begin(), heights.end(),
+                                     [&](double h) { return h > 0.6 * usual && h < 1.9 * usual; });
+  return usual >= 0.4 * line.box.height() && 10 * letters >= 6 * static_cast<long>(heights.size());
+}
+
+int lettersIn(const std::string& text) {
+  return static_cast<int>(std::count_if(
+      text.begin(), text.end(), [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }));
+}
+
+/// Callouts and titles inside first, then a legend beside, then what stands above and below.
+int importance(const Box& line, const Box& frame) {
+  const Point middle{0.5 * (line.x0 + line.x1), 0.5 * (line.y0 + line.y1)};
+  if (frame.contains(middle)) return 0;
+  if (middle.x > frame.x1) return 1;
+  return 2;
+}
+
+}  // namespace
+
+void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes, const Progress& progress) {
+  const Box box = frame.box();
+  const cv::Mat d = darknessOf(view.raster);
+  const int grid = gridInk(d, frame);
+  // Writing darker than its grid stands out of it; where the grid is as dark, writing has a hole cut for it.
+  const int threshold = grid > 0 && grid < 150 ? grid + 30 : 0;
+  const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
+  const Box around{box.x0 - 0.05 * box.width(), box.y0 - 0.25 * box.height(), box.x1 + 0.5 * box.width(),
+                   box.y1 + 0.35 * box.height()};
+  auto lines = groupedLines(glyphsIn(glyphBoxes(d, 2, largest, threshold), around, largest), 0.9);
+  for (auto& line : lines) line = lettersOnly(line);
+  std::erase_if(lines, [&](const TextLine& line) {
+    return !looksWritten(line) || std::any_of(axes.texts.begin(), axes.texts.end(), [&](const SeenText& t) {
+      return overlapShare(line.box, t.box) > 0.4;
+    });
+  });
+  std::stable_sort(lines.begin(), lines.end(), [&](const TextLine& a, const TextLine& b) {
+    return importance(a.box, box) < importance(b.box, box);
+  });
+  if (lines.size() > maxLines) lines.resize(maxLines);
+  TextReader reader(view);
+  for (const auto& line : lines) {
+    if (progress.isCancelled()) return;
+    auto seen = reader.readLine(line.box, TextKind::words);
+    if (seen.confidence >= minConfidence && lettersIn(seen.utf8) >= minLetters)
+      axes.texts.push_back(std::move(seen));
+  }
+}
+
+}  // namespace detent::importer
