@@ -19,6 +19,7 @@ namespace {
 
 using namespace inks;
 
+constexpr double kCredibleLoop = 0.5;    // below: another ink may hold the curves
 constexpr double kSameInkAngle = 0.985;  // cosine between a given colour and an ink found
 
 Failure cancelled() { return {FailureCode::wrongUsage, "tracing", "", "cancelled", "run it again"}; }
@@ -280,9 +281,18 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
   if (progress.isCancelled()) return cancelled();
   const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrand;
   if (curves.empty() || oneInkBothStrokes) {
-    const Ink ink = curves.empty() ? darkness(plot) : palette[static_cast<std::size_t>(curves.front().ink)];
-    return traceLoop(inkLayer(view.raster, area, backdrop, ink, palette, curves.empty()), frame, axes, hints,
-                     options, progress);
+    const auto loopIn = [&](const Ink& ink, bool neutral) {
+      return traceLoop(inkLayer(view.raster, area, backdrop, ink, palette, neutral), frame, axes, hints,
+                       options, progress);
+    };
+    if (curves.empty()) return loopIn(darkness(plot), true);
+    Result<std::vector<CurveTrace>> loop =
+        loopIn(palette[static_cast<std::size_t>(curves.front().ink)], false);
+    const double believed = loop.ok() ? loop->front().confidence : 0;
+    if (given.any() || believed >= kCredibleLoop || progress.isCancelled()) return loop;
+    // Coloured leaders and dots can look like an ink of curves; then these are in the neutral ink.
+    Result<std::vector<CurveTrace>> neutral = loopIn(darkness(plot), true);
+    return neutral.ok() && neutral->front().confidence > believed ? neutral : loop;
   }
 
   const std::vector<CurveInk> chosen = curves;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "importer/trace/loop_confidence.h"
 #include "importer/trace/loop_pair.h"
@@ -19,6 +20,18 @@ Failure cancelledFailure() { return {FailureCode::wrongUsage, "trace", "", "canc
 Failure noCurveFailure() {
   return {FailureCode::noForceGraph, "plot", "", "no curve runs through the plot frame in this ink",
           "Pass --press-color, or --frame if another rectangle holds the graph"};
+}
+
+/// Below this what was followed is leaders, lettering or rubbish: true loops, also dotted and on scans, stay
+/// above 0.3.
+constexpr double kNotACurve = 0.15;
+
+Failure doubtfulFailure(double confidence) {
+  const int percent = static_cast<int>(std::lround(100 * confidence));
+  return {FailureCode::notCertain, "curves", "",
+          "what can be followed in this ink does not look like a force curve (confidence " +
+              std::to_string(percent) + " %)",
+          "Pass --press-color and --release-color, or --mask over what is no curve"};
 }
 
 InkLayer withoutMasks(InkLayer ink, const std::vector<Box>& masks) {
@@ -123,6 +136,7 @@ Result<std::vector<CurveTrace>> traceLoop(const InkLayer& ink, const PlotFrame& 
   if (progress.isCancelled()) return cancelledFailure();
   const loop::RefinedPair refined = loop::refinePair(pair, plane, used, lines, structure);
   const double confidence = loop::judge(pair, refined, structure, plane).confidence();
+  if (confidence < kNotACurve) return doubtfulFailure(confidence);
 
   std::vector<CurveTrace> traces;
   const auto add = [&](const loop::RefinedStroke& stroke, Stroke which) {
