@@ -47,7 +47,7 @@ struct FitOptions {
   int evidenceRounds = 2;        ///< rounds of taking out, adding and rounding off knots; 0..20
 };
 
-/// Settings of the three levels (figures: docs/decisions/0200-fit-knots.md).
+/// Settings of the three levels (figures: docs/decisions/0200-knots-by-evidence.md).
 FitOptions fitOptionsFor(FitEffort effort, PointNoise noise);
 
 /// A tactile point with standard errors from the covariance of the fit.
