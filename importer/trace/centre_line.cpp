@@ -185,6 +185,50 @@ void moveToCentroids(Polyline& line, const CurveField& field, double thickness) 
   move(line, normals, stiffened(offset, weight, 2 * kStiffness));
 }
 
+/// Direction of a piece of the line, from a to b; the chord's where the piece is too short.
+Point directionOf(const Polyline& line, std::size_t a, std::size_t b, Point chord) {
+  const double dx = line[b].x - line[a].x, dy = line[b].y - line[a].y, length = std::hypot(dx, dy);
+  if (length < 4) return chord;
+  const Point d{dx / length, dy / length};
+  // Across a gap a line goes on roughly as it came; what turns far off the chord ended in a corner.
+  return d.x * chord.x + d.y * chord.y > 0.7 ? d : chord;
+}
+
+/// Where neither the curve nor anything that follows it is seen, the coarse course is arbitrary (all ways
+/// across a box cost the same): a smooth piece joins what is seen on both sides.
+void bridgeUnseen(Polyline& line, const CurveField& field, double thickness) {
+  constexpr std::size_t kShortest = 4, kTangent = 12;
+  const double reach = 0.5 * thickness + 1.5;
+  const Polyline normals = normalsOf(line, 2.0);
+  std::vector<char> seen(line.size(), 0);
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const CrossSection s = crossSection(field, line[i], normals[i], reach);
+    seen[i] = s.own >= 0.25 * thickness || s.hidden >= 0.5 * thickness;
+  }
+  for (std::size_t i = 1; i + 1 < line.size(); ++i) {
+    if (seen[i] || !seen[i - 1]) continue;
+    std::size_t end = i;
+    while (end < line.size() && !seen[end]) ++end;
+    if (end == line.size()) return;
+    const std::size_t from = i - 1;
+    i = end;
+    if (end - from <= kShortest) continue;
+    const Point a = line[from], b = line[end];
+    const double length = distance(a, b);
+    if (length < 1) continue;
+    const Point chord{(b.x - a.x) / length, (b.y - a.y) / length};
+    const Point out = directionOf(line, from - std::min(from, kTangent), from, chord);
+    const Point in = directionOf(line, end, std::min(end + kTangent, line.size() - 1), chord);
+    for (std::size_t k = from + 1; k < end; ++k) {
+      const double t = static_cast<double>(k - from) / static_cast<double>(end - from), u = 1 - t;
+      const double fromOut = length * t * u * u, fromIn = -length * t * t * u;
+      const double atA = u * u * (1 + 2 * t), atB = t * t * (1 + 2 * u);
+      line[k] = {atA * a.x + atB * b.x + fromOut * out.x + fromIn * in.x,
+                 atA * a.y + atB * b.y + fromOut * out.y + fromIn * in.y};
+    }
+  }
+}
+
 /// Width and blur from cross-sections that nothing hides.
 LineProfile measureProfile(const Polyline& line, const CurveField& field, double thickness) {
   const double reach = 0.5 * thickness + 3;
@@ -304,6 +348,8 @@ CentreLine centreLine(const CurveField& field, const CoarseCurve& coarse, double
     moveToCentroids(line, field, thickness_px);
     line = resampled(smoothed(line, 0.7), 1);
   }
+  bridgeUnseen(line, field, thickness_px);
+  line = resampled(line, 1);
   result.profile = measureProfile(line, field, thickness_px);
   LineDrawing drawing(field.own.width, field.own.height);
   for (int round = 0; round < options.matchRounds; ++round) {

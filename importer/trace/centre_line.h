@@ -29,7 +29,7 @@ struct CentreLine {
 
 struct CentreLineOptions {
   int centroidRounds = 2;  ///< coarse to about half a pixel
-  int matchRounds = 4;     ///< drawn against seen
+  int matchRounds = 2;     ///< drawn against seen
 };
 
 CentreLine centreLine(const CurveField& field, const CoarseCurve& coarse, double thickness_px,

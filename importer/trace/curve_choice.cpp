@@ -98,7 +98,10 @@ double pooledThickness(const CurveInk& curve) {
 
 CurveField pooledField(const CurveField& field, int factor) {
   if (factor == 1) return field;
-  return {pooled(field.own, factor), pooled(field.otherCurves, factor), pooled(field.clutter, factor)};
+  CurveField out{
+      pooled(field.own, factor), pooled(field.otherCurves, factor), pooled(field.clutter, factor), {}};
+  for (const Box& box : field.opaque) out.opaque.push_back(scaled(box, 1.0 / factor));
+  return out;
 }
 
 /// Whether a line found in an ink is long, inked and curved enough to be a force curve.
@@ -190,7 +193,7 @@ void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& 
 
 CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveInks) {
   const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
-  CurveField field{own, Plane(own.width, own.height), plot.coverage.unknown};
+  CurveField field{own, Plane(own.width, own.height), plot.coverage.unknown, legendBoxes(plot.samples)};
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
     if (k == index) continue;
     const bool isCurve = std::find(curveInks.begin(), curveInks.end(), k) != curveInks.end();

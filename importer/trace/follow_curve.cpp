@@ -83,6 +83,9 @@ class CurveSearch {
   }
   /// Price of a pixel that shows nothing of the curve.
   float bridgeCost(int x, int y) const {
+    const Point p{static_cast<double>(x), static_cast<double>(y)};
+    for (const Box& box : field_.opaque)
+      if (box.contains(p)) return static_cast<float>(options_.opaqueCost);
     const float cover = std::min(1.0F, field_.otherCurves.at(x, y));
     const float clutter = std::min(1.0F - cover, field_.clutter.at(x, y));
     return static_cast<float>(options_.paperCost) * (1 - cover - clutter) +

@@ -12,15 +12,17 @@ namespace detent::importer::inks {
 
 /// What one curve is looked for on. All planes have the area's size.
 struct CurveField {
-  Plane own;          ///< coverage of the curve's ink; 0 where it is known to be something else
-  Plane otherCurves;  ///< coverage of other curves' inks: what may hide the curve
-  Plane clutter;      ///< text and things unexplained: may hide it too, but its course says nothing
+  Plane own;                ///< coverage of the curve's ink; 0 where it is known to be something else
+  Plane otherCurves;        ///< coverage of other curves' inks: what may hide the curve
+  Plane clutter;            ///< text and things unexplained: may hide it too, but its course says nothing
+  std::vector<Box> opaque;  ///< legend boxes: whatever runs behind them is not seen
 };
 
 struct FollowOptions {
   double paperCost = 0.5;     ///< per bridged pixel of paper, in pixels of explained ink; (0, 10]
   double hiddenCost = 0.1;    ///< per pixel under another curve
   double clutterCost = 0.35;  ///< per pixel under text
+  double opaqueCost = 0.03;   ///< per pixel behind a legend box
   double thickness_px = 1;    ///< of the line, see lineThickness
   double riseCost = 0.03;     ///< per pixel of rise or fall on ink, away from the ends
 };

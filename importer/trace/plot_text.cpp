@@ -221,13 +221,33 @@ std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const Plot
         const bool shaped =
             box.height() <= 1.1 * height && box.width() >= 1.5 * box.height() && box.width() >= 0.6 * height;
         if (level && shaped && gap > -1 && gap <= 1.8 * height) {
-          samples.push_back({box, static_cast<int>(k)});
+          samples.push_back({box, static_cast<int>(k), row.box});
           break;
         }
       }
     }
   }
   return samples;
+}
+
+std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples) {
+  std::vector<Box> boxes;
+  for (const LegendSample& sample : samples) {
+    // Entries stand one below the other about two letter heights apart; the box is drawn around them with a
+    // margin.
+    const double margin = 0.9 * sample.text.height();
+    const Box entry = joined(sample.box, sample.text);
+    const Box grown{entry.x0 - margin, entry.y0 - margin, entry.x1 + margin, entry.y1 + margin};
+    const auto home = std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) {
+      return overlap(box.x0, box.x1, grown.x0, grown.x1) > 0 &&
+             overlap(box.y0, box.y1, grown.y0, grown.y1) > 0;
+    });
+    if (home == boxes.end())
+      boxes.push_back(grown);
+    else
+      *home = joined(*home, grown);
+  }
+  return boxes;
 }
 
 }  // namespace detent::importer::inks

@@ -26,7 +26,11 @@ PlotText findText(const PlotArea& area, const Backdrop& backdrop, const std::vec
 struct LegendSample {
   Box box;
   int ink = 0;  ///< index into the coverage
+  Box text;     ///< of the row beside it
 };
+
+/// Boxes that legends fill, from their samples and texts; drawn over curves they hide them.
+std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples);
 
 std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const PlotText& text,
                                             const PlotArea& area);

@@ -321,6 +321,24 @@ TEST_CASE("A box over the curves is bridged", "[trace]") {
   CHECK(ofColor(*traces, kTeal).points_px.back().x > plot.at(0.63, 0).x);
 }
 
+TEST_CASE("A legend's box hides the middle of a curve and more than is left of its start", "[trace]") {
+  Plot plot(900, 550);
+  plot.grid(1, 1, kBlack);
+  Curve down = {{0.05, 0.3}, {0.15, 0.31}, {0.5, 0.34}, {0.8, 0.5}, {0.9, 0.95}};
+  Curve up = {{0.05, 0.6}, {0.5, 0.7}, {0.85, 0.75}};
+  plot.line(plot.at(down), 2, kBlue, true);
+  plot.line(plot.at(up), 2, kRed, true);
+  plot.line(plot.at({{0.2, 0.36}, {0.42, 0.36}}), 90, kWhite);
+  plot.letters("Downstroke", 0.24, 0.38, 14, kBlack, 1);
+  plot.letters("Upstroke", 0.24, 0.30, 14, kBlack, 1);
+  plot.line(plot.at({{0.18, 0.39}, {0.23, 0.39}}), 2, kBlue);
+  plot.line(plot.at({{0.18, 0.31}, {0.23, 0.31}}), 2, kRed);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlue).points_px, plot.at(down)) < 0.6);
+}
+
 TEST_CASE("Dashes of an ink of their own are linked", "[trace]") {
   Plot plot(800, 500);
   const Curve down = plot.at(press()), up = plot.at(release());
