@@ -124,11 +124,10 @@ void nameColumns(std::vector<ColumnFacts>& columns, const std::vector<std::strin
     splitCells(line, format.delimiter, cells);
     // Titles with blanks in a table set by blanks cannot be told apart by column.
     if (cells.size() > columns.size() && format.delimiter == ' ') cells.clear();
-    int known = 0, titles = 0;
+    int known = 0;
     for (std::string_view cell : cells) {
       const Role role = roleOf(cell);
       known += role == Role::displacement || role == Role::force;
-      titles += role != Role::unknown && lowered(cell) != "mm";
     }
     const bool unitsOnly = std::all_of(cells.begin(), cells.end(), [](std::string_view cell) {
       const std::vector<std::string> words = wordsOf(cell);
