@@ -11,7 +11,7 @@ namespace detent::importer {
 namespace {
 
 constexpr double agree_px = 1.6;        // a tick may be snapped to whole pixels at either end
-constexpr double agreeOfPitch = 0.025;  // pictures that were scaled without smoothing have uneven grids
+constexpr double agreeOfPitch = 0.035;  // pictures that were scaled without smoothing have uneven grids
 
 /// Greatest common divisor of the differences of decimal numbers; 0 if all are equal.
 double commonStep(const std::vector<double>& values) {
@@ -31,6 +31,12 @@ double niceness(double step) {
   for (const double fair : {2.5, 4.0, 3.0, 6.0, 8.0, 1.5, 1.2})
     if (std::abs(m - fair) < 1e-3 * fair) return 0.9;
   return 0.6;
+}
+
+/// Labels count on: of all values between the first and the last one, the share that is there.
+double completeness(const std::vector<double>& values, double step) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return static_cast<double>(values.size()) / ((*high - *low) / step + 1);
 }
 
 struct Trial {
@@ -83,7 +89,8 @@ Trial countAgreeing(const std::vector<LabelPlace>& labels, const Places& places,
       best = r.weight;
       trial.reading[i] = static_cast<int>(k);
     }
-    trial.weight += best;
+    // A label without a tick (the zero in the corner) stands where there was room.
+    trial.weight += places.hasTick[i] ? best : 0.5 * best;
   }
   return trial;
 }
@@ -112,9 +119,10 @@ std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Plac
           if (rising ? perPx <= 0 : perPx >= 0) continue;
           auto trial = countAgreeing(labels, places, a.value - perPx * places.at[i], perPx);
           if (agreeing(trial) < 2) continue;
-          const double step = commonStep(agreedValues(labels, trial));
+          const auto values = agreedValues(labels, trial);
+          const double step = commonStep(values);
           if (!(step > 0)) continue;
-          const double score = trial.weight + 0.8 * niceness(step);
+          const double score = trial.weight + 0.8 * niceness(step) + 0.8 * completeness(values, step);
           if (score <= bestScore + 1e-9) continue;
           bestScore = score;
           best = std::move(trial);

@@ -202,7 +202,8 @@ TitleUnit<ForceUnit> readYTitle(Reading& r, const AxisFit& y) {
   const Box above{b.x0 - 0.4 * b.width(), b.y0 - 0.4 * b.height(), b.x0 + 0.5 * b.width(), b.y0 - 1};
   const Box corner{b.x0 - 0.35 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.12 * b.width(),
                    b.y0 + 0.02 * b.height()};
-  consider(best, ownTextsIn(r, left), forceUnitIn);
+  const Box beside{left.x0, left.y0, b.x0, left.y1};
+  consider(best, ownTextsIn(r, beside), forceUnitIn);
   consider(best, ownTextsIn(r, above), forceUnitIn);
   consider(best, ownTextsIn(r, corner), forceUnitIn);
   if (best.unit) return best;
@@ -289,9 +290,9 @@ double confidenceOf(const AxisFit& fit, bool unitFound) {
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints,
                            const Progress&) {
   Reading r{view, frame, frame.box(), {}, TextReader(view), {}, {}};
-  r.glyphs = glyphBoxes(
-      withoutFrameInk(darknessOf(view.raster), r.box, positions(frame.xLines), positions(frame.yLines)), 1,
-      largestGlyph(r.box));
+  r.glyphs = glyphBoxes(withoutFrameInk(inkOf(darknessOf(view.raster)), r.box, positions(frame.xLines),
+                                        positions(frame.yLines)),
+                        1, largestGlyph(r.box));
   const auto xFit = readAxis(r, true);
   const auto yFit = readAxis(r, false);
   const bool xGiven = hints.xMin && hints.xMax, yGiven = hints.yMin && hints.yMax;

@@ -93,11 +93,11 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   const cv::Mat d = darknessOf(view.raster);
   const int grid = gridInk(d, frame);
   // Writing darker than its grid stands out of it; where the grid is as dark, writing has a hole cut for it.
-  const int threshold = grid > 0 && grid < 150 ? grid + 30 : 0;
+  const cv::Mat ink = grid > 0 && grid < 150 ? inkAbove(d, grid + 30) : inkOf(d);
   const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
   const Box around{box.x0 - 0.05 * box.width(), box.y0 - 0.25 * box.height(), box.x1 + 0.5 * box.width(),
                    box.y1 + 0.35 * box.height()};
-  auto lines = groupedLines(glyphsIn(glyphBoxes(d, 2, largest, threshold), around, largest), 0.9);
+  auto lines = groupedLines(glyphsIn(glyphBoxes(ink, 2, largest), around, largest), 0.9);
   for (auto& line : lines) line = lettersOnly(line);
   std::erase_if(lines, [&](const TextLine& line) {
     return !looksWritten(line) || std::any_of(axes.texts.begin(), axes.texts.end(), [&](const SeenText& t) {

@@ -80,18 +80,18 @@ bool sameSize(const LabelRow& a, const LabelRow& b) {
 }
 
 /// Glyphs around a rectangle, in the plane's pixels; those of its own grid and curves left out.
-std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& darkness) {
+std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& ink) {
   const double mx = 0.4 * r.box.width() + 8, my = 0.4 * r.box.height() + 8;
   const int x0 = std::max(0, static_cast<int>(r.box.x0 - mx)),
-            x1 = std::min(darkness.cols, static_cast<int>(r.box.x1 + mx) + 1);
+            x1 = std::min(ink.cols, static_cast<int>(r.box.x1 + mx) + 1);
   const int y0 = std::max(0, static_cast<int>(r.box.y0 - my)),
-            y1 = std::min(darkness.rows, static_cast<int>(r.box.y1 + my) + 1);
+            y1 = std::min(ink.rows, static_cast<int>(r.box.y1 + my) + 1);
   const auto shifted = [](std::vector<double> places, int by) {
     for (auto& p : places) p -= by;
     return places;
   };
   const Box inside{r.box.x0 - x0, r.box.y0 - y0, r.box.x1 - x0, r.box.y1 - y0};
-  const cv::Mat around = withoutFrameInk(darkness(cv::Rect(x0, y0, x1 - x0, y1 - y0)), inside,
+  const cv::Mat around = withoutFrameInk(ink(cv::Rect(x0, y0, x1 - x0, y1 - y0)), inside,
                                          shifted(r.xLines, x0), shifted(r.yLines, y0));
   auto glyphs = glyphBoxes(around, 2, 0.15 * std::min(r.box.width(), r.box.height()) + 8);
   for (auto& g : glyphs) g = {g.x0 + x0, g.y0 + y0, g.x1 + x0, g.y1 + y0};
@@ -99,8 +99,8 @@ std::vector<Box> glyphsAround(const PlotRectangle& r, const cv::Mat& darkness) {
 }
 
 /// Ways up that its surroundings allow, likeliest first; empty if it is no graph.
-std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& darkness) {
-  const auto near = glyphsAround(r, darkness);
+std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& ink) {
+  const auto near = glyphsAround(r, ink);
   std::vector<Orientation> ways;
   for (int turns = 0; turns < 4; ++turns) {
     std::vector<Box> upright;
@@ -226,9 +226,10 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Docume
   auto rectangles = findPlotRectangles(lines, minSide, 0.7 * minSide);
   if (rectangles.empty()) return {};
 
+  const cv::Mat ink = inkOf(o.darkness);
   std::vector<Scored> all;
   for (const auto& r : rectangles)
-    for (const auto& way : orientationsOf(r, o.darkness)) {
+    for (const auto& way : orientationsOf(r, ink)) {
       Scored s;
       auto& c = s.candidate.value;
       c.pageBox = scaledToPage(r.box, o.shrink, page.overviewToPage);

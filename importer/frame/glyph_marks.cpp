@@ -12,8 +12,7 @@ namespace {
 
 constexpr int maxHalfEdge_px = 12;  // half of the thickest frame line
 constexpr int paperWindow_px = 61;
-constexpr int inkThreshold =
-    48;  // grey levels above paper; light grids stay below or are too long to be letters
+constexpr int inkContrast = 34;  // grey levels; light grids stay below or are too long to be letters
 
 bool besides(const Box& left, const Box& right, double gapInHeights) {
   const double height = std::max(left.height(), right.height());
@@ -26,11 +25,11 @@ bool besides(const Box& left, const Box& right, double gapInHeights) {
 int inkWidth(const std::uint8_t* row, int cols, int x, int atMost) {
   int middle = -1;
   for (const int k : {x, x - 1, x + 1})
-    if (middle < 0 && k >= 0 && k < cols && row[k] >= inkThreshold) middle = k;
+    if (middle < 0 && k >= 0 && k < cols && row[k] >= 128) middle = k;
   if (middle < 0) return 0;
   int l = middle, r = middle;
-  while (l > 0 && r - l < atMost && row[l - 1] >= inkThreshold) --l;
-  while (r + 1 < cols && r - l < atMost && row[r + 1] >= inkThreshold) ++r;
+  while (l > 0 && r - l < atMost && row[l - 1] >= 128) --l;
+  while (r + 1 < cols && r - l < atMost && row[r + 1] >= 128) ++r;
   return r - l + 1;
 }
 
@@ -91,35 +90,27 @@ void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, d
 
 }  // namespace
 
-cv::Mat withoutFrameInk(const cv::Mat& darkness, const Box& frame, const std::vector<double>& xLines,
+cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<double>& xLines,
                         const std::vector<double>& yLines) {
-  int x0 = std::clamp(static_cast<int>(std::floor(frame.x0)) - 1, 0, darkness.cols);
-  int x1 = std::clamp(static_cast<int>(std::ceil(frame.x1)) + 2, 0, darkness.cols);
-  int y0 = std::clamp(static_cast<int>(std::floor(frame.y0)) - 1, 0, darkness.rows);
-  int y1 = std::clamp(static_cast<int>(std::ceil(frame.y1)) + 2, 0, darkness.rows);
-  cv::Mat out = darkness.clone();
+  int x0 = std::clamp(static_cast<int>(std::floor(frame.x0)) - 1, 0, ink.cols);
+  int x1 = std::clamp(static_cast<int>(std::ceil(frame.x1)) + 2, 0, ink.cols);
+  int y0 = std::clamp(static_cast<int>(std::floor(frame.y0)) - 1, 0, ink.rows);
+  int y1 = std::clamp(static_cast<int>(std::ceil(frame.y1)) + 2, 0, ink.rows);
+  cv::Mat out = ink.clone();
   if (x1 <= x0 || y1 <= y0) return out;
   // Thick edges reach beyond their middle.
   const auto lined = [&](const cv::Mat& strip) {
-    cv::Mat ink;
-    cv::threshold(strip, ink, inkThreshold, 1, cv::THRESH_BINARY);
-    return cv::sum(ink)[0] > 0.35 * static_cast<double>(strip.total());
+    return cv::countNonZero(strip) > 0.35 * static_cast<double>(strip.total());
   };
-  for (int k = 0; k < maxHalfEdge_px && x0 > 0 && lined(darkness(cv::Rect(x0 - 1, y0, 1, y1 - y0))); ++k)
-    --x0;
-  for (int k = 0; k < maxHalfEdge_px && x1 < darkness.cols && lined(darkness(cv::Rect(x1, y0, 1, y1 - y0)));
-       ++k)
-    ++x1;
-  for (int k = 0; k < maxHalfEdge_px && y0 > 0 && lined(darkness(cv::Rect(x0, y0 - 1, x1 - x0, 1))); ++k)
-    --y0;
-  for (int k = 0; k < maxHalfEdge_px && y1 < darkness.rows && lined(darkness(cv::Rect(x0, y1, x1 - x0, 1)));
-       ++k)
-    ++y1;
+  for (int k = 0; k < maxHalfEdge_px && x0 > 0 && lined(ink(cv::Rect(x0 - 1, y0, 1, y1 - y0))); ++k) --x0;
+  for (int k = 0; k < maxHalfEdge_px && x1 < ink.cols && lined(ink(cv::Rect(x1, y0, 1, y1 - y0))); ++k) ++x1;
+  for (int k = 0; k < maxHalfEdge_px && y0 > 0 && lined(ink(cv::Rect(x0, y0 - 1, x1 - x0, 1))); ++k) --y0;
+  for (int k = 0; k < maxHalfEdge_px && y1 < ink.rows && lined(ink(cv::Rect(x0, y1, x1 - x0, 1))); ++k) ++y1;
   // Beside the ink of an edge its smoothing remains.
   x0 = std::max(0, x0 - 1);
   y0 = std::max(0, y0 - 1);
-  x1 = std::min(darkness.cols, x1 + 1);
-  y1 = std::min(darkness.rows, y1 + 1);
+  x1 = std::min(ink.cols, x1 + 1);
+  y1 = std::min(ink.rows, y1 + 1);
   out(cv::Rect(x0, y0, x1 - x0, y1 - y0)).setTo(0);
   const auto mirrored = [](std::vector<double> places, int size) {
     for (auto& p : places) p = size - 1 - p;
@@ -138,18 +129,24 @@ cv::Mat withoutFrameInk(const cv::Mat& darkness, const Box& frame, const std::ve
   return side.t();
 }
 
-std::vector<Box> glyphBoxes(const cv::Mat& darkness, double minSize_px, double maxSize_px, int threshold) {
-  cv::Mat ink, labels, stats, centroids;
-  if (threshold > 0) {
-    cv::threshold(darkness, ink, threshold, 255, cv::THRESH_BINARY);
-  } else {
-    // Against the surroundings, for paper may shade; dense text raises them, but not above its own ink.
-    cv::Mat around;
-    cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
-             cv::BORDER_REPLICATE);
-    cv::subtract(darkness, around, ink);
-    cv::threshold(ink, ink, inkThreshold - 14, 255, cv::THRESH_BINARY);
-  }
+cv::Mat inkOf(const cv::Mat& darkness) {
+  // Dense writing raises its surroundings, but not above its own ink.
+  cv::Mat around, ink;
+  cv::blur(darkness, around, cv::Size(paperWindow_px, paperWindow_px), cv::Point(-1, -1),
+           cv::BORDER_REPLICATE);
+  cv::subtract(darkness, around, ink);
+  cv::threshold(ink, ink, inkContrast, 255, cv::THRESH_BINARY);
+  return ink;
+}
+
+cv::Mat inkAbove(const cv::Mat& darkness, int threshold) {
+  cv::Mat ink;
+  cv::threshold(darkness, ink, threshold, 255, cv::THRESH_BINARY);
+  return ink;
+}
+
+std::vector<Box> glyphBoxes(const cv::Mat& ink, double minSize_px, double maxSize_px) {
+  cv::Mat labels, stats, centroids;
   const int n = cv::connectedComponentsWithStats(ink, labels, stats, centroids, 8, CV_32S);
   std::vector<Box> boxes;
   for (int k = 1; k < n; ++k) {

@@ -9,14 +9,19 @@
 
 namespace detent::importer {
 
+/// What stands out of its surroundings by writing's contrast: 255, else 0. Paper may shade.
+cv::Mat inkOf(const cv::Mat& darkness);
+
+/// What is darker than `threshold` grey levels above paper: 255, else 0.
+cv::Mat inkAbove(const cv::Mat& darkness, int threshold);
+
 /// Boxes (pixel edges: a single pixel has width 1) of connected ink between `minSize_px` and `maxSize_px` in
 /// its larger extent.
-/// `threshold`: grey levels above paper that count as ink; 0: what stands out of its surroundings.
-std::vector<Box> glyphBoxes(const cv::Mat& darkness, double minSize_px, double maxSize_px, int threshold = 0);
+std::vector<Box> glyphBoxes(const cv::Mat& ink, double minSize_px, double maxSize_px);
 
-/// A copy without the inside of an upright frame and without the ticks that stick out of it, so that labels
-/// stand free of them. `xLines`, `yLines`: where its gridlines and ticks are.
-cv::Mat withoutFrameInk(const cv::Mat& darkness, const Box& frame, const std::vector<double>& xLines,
+/// A copy of the ink without the inside of an upright frame and without the ticks that stick out of it, so
+/// that labels stand free of them. `xLines`, `yLines`: where its gridlines and ticks are.
+cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<double>& xLines,
                         const std::vector<double>& yLines);
 
 /// Widest gap between the characters of one number: a decimal point leaves almost a digit's width.

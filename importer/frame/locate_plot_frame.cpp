@@ -176,7 +176,7 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
                    "the plot frame is smaller than 16 pixels", "Give a larger region with --frame"};
   const cv::Mat d = darknessOf(view.raster);
   const double reach =
-      std::clamp(2.5 * viewPerOverview(view, page), 2.5, 0.02 * std::min(box.width(), box.height()) + 3);
+      std::clamp(4 * viewPerOverview(view, page), 3.0, 0.02 * std::min(box.width(), box.height()) + 3);
   Edges e = locateEdges(d, d.t(), box, reach);
   leanTogether(e.left, e.right, 0.5 * (box.y0 + box.y1));
   leanTogether(e.top, e.bottom, 0.5 * (box.x0 + box.x1));
