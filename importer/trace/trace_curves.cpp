@@ -196,38 +196,69 @@ Ink darkness(const PlotInks& plot) {
   return dark;
 }
 
-/// What stands beside a legend's sample line, or is written in the curve's own colour.
+/// Where and how much of each trace's ink lies in a box of the view.
+struct InkSeen {
+  double inside_px = 0;   ///< full pixels within the middle band
+  double outside_px = 0;  ///< above and below it
+  bool runsOut = false;   ///< touches the far end of the box
+};
+
+/// Looks beside a word, in a strip as long as a legend's sample may be; `direction` -1: left of it, +1:
+/// right.
+std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vector<Ink>& inks,
+                                const Raster& raster, const Backdrop& backdrop) {
+  constexpr double kGap = 0.15, kLength = 6, kBand = 0.4, kAround = 0.9;  // in letter heights
+  const double height = word.height(), middle = 0.5 * (word.y0 + word.y1);
+  const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
+  const double far = near + direction * kLength * height;
+  const int x0 = std::max(0, static_cast<int>(std::min(near, far)));
+  const int x1 = std::min(raster.width_px - 1, static_cast<int>(std::max(near, far)));
+  const int y0 = std::max(0, static_cast<int>(middle - kAround * height));
+  const int y1 = std::min(raster.height_px - 1, static_cast<int>(middle + kAround * height));
+  std::vector<InkSeen> seen(inks.size());
+  for (int y = y0; y <= y1; ++y)
+    for (int x = x0; x <= x1; ++x) {
+      const Color3 difference = colorAt(raster, x, y) - backdrop.paper();
+      const float length = norm(difference);
+      if (length < 24) continue;
+      for (std::size_t k = 0; k < inks.size(); ++k) {
+        if (dot(difference, inks[k].direction) <= static_cast<float>(kSameInkAngle) * length) continue;
+        const double full = static_cast<double>(length / inks[k].strength);
+        (std::abs(y - middle) <= kBand * height ? seen[k].inside_px : seen[k].outside_px) += full;
+        if (std::abs(x - far) < 1.5) seen[k].runsOut = true;
+      }
+    }
+  return seen;
+}
+
+/// Which trace's sample stands beside a word: level, ended, and of one ink only.
+std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>& inks, const Raster& raster,
+                                        const Backdrop& backdrop) {
+  for (int direction : {-1, 1}) {
+    const std::vector<InkSeen> seen = lookBeside(word, direction, inks, raster, backdrop);
+    std::optional<std::size_t> found;
+    bool several = false;
+    for (std::size_t k = 0; k < seen.size(); ++k) {
+      if (seen[k].runsOut || seen[k].inside_px < 0.8 * word.height()) continue;
+      if (seen[k].outside_px > 0.3 * seen[k].inside_px) continue;
+      several = several || found.has_value();
+      found = k;
+    }
+    if (found && !several) return found;
+  }
+  return {};
+}
+
+/// Gives each trace the words that its legend sample stands beside.
 void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const Raster& raster,
                  const Backdrop& backdrop) {
+  std::vector<Ink> inks;
+  for (const CurveTrace& trace : traces) inks.push_back(inkOfColor(trace.color, backdrop));
   for (const SeenText& text : axes.texts) {
-    if (std::abs(text.angle_deg) > 20 || text.utf8.empty()) continue;
-    const double height = text.box.height();
-    const int y0 = std::max(0, static_cast<int>(text.box.y0 + 0.15 * height));
-    const int y1 = std::min(raster.height_px - 1, static_cast<int>(text.box.y1 - 0.15 * height));
-    std::vector<double> seen(traces.size(), 0);
-    const auto look = [&](double from, double to) {
-      for (int y = y0; y <= y1; ++y)
-        for (int x = std::max(0, static_cast<int>(from));
-             x <= std::min(raster.width_px - 1, static_cast<int>(to)); ++x) {
-          const Color3 difference = colorAt(raster, x, y) - backdrop.paper();
-          const float length = norm(difference);
-          if (length < 24) continue;
-          for (std::size_t k = 0; k < traces.size(); ++k) {
-            const Ink ink = inkOfColor(traces[k].color, backdrop);
-            if (dot(difference, ink.direction) > 0.985F * length)
-              seen[k] += static_cast<double>(length / ink.strength);
-          }
-        }
-    };
-    look(text.box.x0 - 3.5 * height, text.box.x0 - 0.15 * height);
-    look(text.box.x1 + 0.15 * height, text.box.x1 + 3.5 * height);
-    const auto most = std::max_element(seen.begin(), seen.end());
-    if (most == seen.end() || *most < 0.8 * height) continue;
-    double others = 0;
-    for (double s : seen) others += s;
-    others -= *most;
-    if (others > 0.35 * *most) continue;
-    std::string& label = traces[static_cast<std::size_t>(most - seen.begin())].label;
+    if (std::abs(text.angle_deg) > 20 || text.utf8.empty() || text.box.empty()) continue;
+    const std::optional<std::size_t> trace = sampledTrace(text.box, inks, raster, backdrop);
+    if (!trace) continue;
+    std::string& label = traces[*trace].label;
     label += (label.empty() ? "" : " ") + text.utf8;
   }
 }
