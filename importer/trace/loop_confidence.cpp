@@ -43,6 +43,16 @@ double shareAlongLines(const std::vector<Point>& path, const Structure& s) {
   return path.empty() ? 0 : double(along) / double(path.size());
 }
 
+/// Pixels of ink, and those of them on no stroke.
+struct Share {
+  double all = 0, left = 0;
+  void add(bool isLeft) {
+    all += 1;
+    left += isLeft ? 1 : 0;
+  }
+  double explained() const { return all > 0 ? 1 - left / all : 0; }
+};
+
 double shareExplained(const PlanePair& pair, const Structure& s, const Plane& plane) {
   cv::Mat free(s.curveInk.height, s.curveInk.width, CV_8U, cv::Scalar(1));
   for (const std::vector<Point>* path : {&pair.press, &pair.release}) {
@@ -56,20 +66,22 @@ double shareExplained(const PlanePair& pair, const Structure& s, const Plane& pl
   const cv::Mat strong = ink > 0.5F;
   cv::Mat labels, stats, centroids;
   const int count = cv::connectedComponentsWithStats(strong, labels, stats, centroids, 8, CV_32S);
-  // Where no second stroke was found even short pieces may be one: dashes.
-  const double longEnough = pair.release.empty() ? 0 : 0.08 * plane.frame.width();
-  double all = 0, left = 0;
+  const double longEnough = 0.08 * plane.frame.width();
+  Share longOnes, every;
   for (int y = 0; y < labels.rows; ++y) {
     for (int x = 0; x < labels.cols; ++x) {
       const int i = labels.at<int>(y, x);
       if (i == 0 || i >= count) continue;
-      if (std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT)) < longEnough)
-        continue;
-      all += 1;
-      left += free.at<unsigned char>(y, x);
+      const bool left = free.at<unsigned char>(y, x) != 0;
+      every.add(left);
+      const int extent = std::max(stats.at<int>(i, cv::CC_STAT_WIDTH), stats.at<int>(i, cv::CC_STAT_HEIGHT));
+      if (extent >= longEnough) longOnes.add(left);
     }
   }
-  return all > 0 ? 1 - left / all : 0;
+  // Short pieces are mostly rests of lettering. But a fine grid cuts the curves themselves up, and where no
+  // second stroke was found short pieces may be one: dashes.
+  const bool shortCounts = pair.release.empty() || longOnes.all < 0.3 * every.all;
+  return (shortCounts ? every : longOnes).explained();
 }
 
 /// Sum of absolute turns along the path, radian, over steps that look through pixel noise.
