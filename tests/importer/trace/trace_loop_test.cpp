@@ -9,6 +9,9 @@
 
 #include <catch2/catch.hpp>
 
+#include "importer/trace/loop_pair.h"
+#include "importer/trace/loop_structure.h"
+
 using namespace detent;
 using namespace detent::importer;
 
@@ -91,6 +94,7 @@ class Plot {
   }
 
   double stroke() const { return stroke_; }
+  const InkLayer& ink() const { return ink_; }
   PlotFrame& frame() { return frame_; }
 
  private:
@@ -429,6 +433,69 @@ TEST_CASE("loop: a plot that stands slightly askew", "[trace_loop]") {
   REQUIRE(result->size() == 2);
   CHECK(meanDistance(result->front().points_px, press) < 0.35);
   CHECK(meanDistance(result->back().points_px, release) < 0.35);
+}
+
+namespace {
+
+struct Explained {
+  loop::Plane plane;
+  loop::Structure structure;
+};
+
+Explained explain(Plot& plot) {
+  Explained out;
+  out.plane = loop::makePlane(plot.ink(), plot.frame(), {});
+  out.structure = loop::explainStructure(out.plane, loop::findStraightLines(out.plane, {}, {}), {});
+  return out;
+}
+
+/// Mean ink left to the curves along a line given in view pixels.
+double meanInk(const Explained& e, const Curve& view) {
+  double sum = 0;
+  for (Point p : view) sum += loop::sampleAt(e.structure.curveInk, e.plane.plane(p));
+  return sum / double(view.size());
+}
+
+Curve straight(Point a, Point b) {
+  Curve out;
+  for (int k = 0; k <= 200; ++k) out.push_back({a.x + (b.x - a.x) * k / 200, a.y + (b.y - a.y) * k / 200});
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("loop: gridlines are explained, a guide to the curve is weakened, the curve keeps its ink",
+          "[trace_loop]") {
+  Plot plot(500, 420, 2);
+  plot.grid(8, 6, 2);
+  const Loop loop = tactileLoop(0.04);
+  draw(plot, loop);
+  const Curve guide = straight(plot.at(0.005, 0.42), plot.at(0.36, 0.42));
+  plot.curve(guide);
+  const Explained e = explain(plot);
+  CHECK(meanInk(e, straight(plot.at(0.05, 5.0 / 6), plot.at(0.85, 5.0 / 6))) < 0.1);
+  CHECK(meanInk(e, straight(plot.at(0.01, 0.42), plot.at(0.12, 0.42))) < 0.5);
+  CHECK(meanInk(e, plot.at(loop.release)) > 0.6);
+}
+
+TEST_CASE("loop: flat waves cut up by a grid are no row of letters", "[trace_loop]") {
+  Plot plot(500, 420, 1.5);
+  plot.grid(24, 6, 1.5);
+  std::vector<Point> anchors;
+  for (int k = 0; k <= 48; ++k) anchors.push_back({0.01 + 0.02 * k, k % 2 ? 0.425 : 0.395});
+  const Curve wave = plot.at(through(anchors));
+  plot.curve(wave);
+  CHECK(meanInk(explain(plot), wave) > 0.5);
+}
+
+TEST_CASE("loop: a path that climbs a leader is sent back", "[trace_loop]") {
+  // Ends short of the frame, with a thick, long, nearly upright leader: up it there is more ink than beyond.
+  Plot plot(640, 560, 4);
+  const Loop loop{through({{0.02, 0.3}, {0.25, 0.45}, {0.5, 0.35}, {0.8, 0.45}}),
+                  through({{0.02, 0.15}, {0.3, 0.25}, {0.45, 0.1}, {0.8, 0.40}})};
+  draw(plot, loop);
+  plot.line(plot.at({{0.5, 0.36}, {0.53, 0.97}}), 4);
+  checkLoop(plot, loop, 0.9, 0.3);
 }
 
 TEST_CASE("loop: random loops are never swapped and never far off", "[trace_loop]") {
