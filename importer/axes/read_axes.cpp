@@ -274,16 +274,19 @@ std::array<double, 9> homographyOf(const PlotFrame& frame, const EndValues& x, c
   return out;
 }
 
-/// 1 if everything agrees; falls with labels that do not fit, few labels, a large residual, a missing unit.
-double confidenceOf(const AxisFit& fit, bool unitFound) {
+/// 1 if everything agrees; falls with labels that do not fit, few labels, a large residual.
+double confidenceOf(const AxisFit& fit) {
   const auto& p = fit.progression;
   int read = 0;
   for (const auto& w : fit.words) read += !numberReadings(w.utf8).empty();
   const double agree = read > 0 ? static_cast<double>(p.labels) / read : 0;
   const double many = p.labels >= 4 ? 1.0 : p.labels == 3 ? 0.9 : 0.5;
   const double sharp = p.fromTicks ? std::clamp(1.15 - 0.25 * p.residual_px, 0.3, 1.0) : 0.6;
-  return std::clamp(std::sqrt(agree), 0.0, 1.0) * many * sharp * (unitFound ? 1.0 : 0.75);
+  return std::clamp(std::sqrt(agree), 0.0, 1.0) * many * sharp;
 }
+
+/// One unit by default may be right; with none, the numbers could be of anything.
+double confidenceOfUnits(bool x, bool y) { return x && y ? 1.0 : x || y ? 0.7 : 0.28; }
 
 }  // namespace
 
@@ -346,9 +349,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   cal.viewToUnits =
       homographyOf(frame, {x.atStart * mm, x.atEnd * mm}, {y.atStart * newton, y.atEnd * newton});
 
-  const double sureX = xGiven ? 1 : confidenceOf(*xFit, cal.x.unitFound),
-               sureY = yGiven ? 1 : confidenceOf(*yFit, cal.y.unitFound);
-  found.calibration.confidence = sureX * sureY;
+  const double sureX = xGiven ? 1 : confidenceOf(*xFit), sureY = yGiven ? 1 : confidenceOf(*yFit);
+  found.calibration.confidence = sureX * sureY * confidenceOfUnits(cal.x.unitFound, cal.y.unitFound);
   found.calibration.evidence =
       (xFit ? std::to_string(xFit->progression.labels) + " of " + std::to_string(xFit->words.size())
             : "given") +

@@ -109,32 +109,77 @@ std::vector<Chain> chainsOf(std::vector<Run> runs, int maxGap) {
   return chains;
 }
 
-/// Least squares line through a chain's runs (each weighted by its length); nullopt-like fill 0 if it bends.
-StraightLine straightened(const Chain& chain) {
+/// Least squares line through runs, each weighted by its length, and how far the worst run is off it.
+StraightLine leastSquares(const std::vector<Run>& runs, double& worst) {
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
-  for (const auto& run : chain.runs) {
+  StraightLine line;
+  line.from = runs.front().from;
+  line.to = runs.front().to;
+  for (const auto& run : runs) {
     const double len = run.to - run.from + 1, mid = 0.5 * (run.from + run.to);
     n += len;
     sx += len * mid;
     sy += len * run.y;
     sxx += len * (mid * mid + len * len / 12);
     sxy += len * mid * run.y;
+    line.from = std::min<double>(line.from, run.from);
+    line.to = std::max<double>(line.to, run.to);
   }
   const double det = n * sxx - sx * sx;
   const double slope = det > 0 ? (n * sxy - sx * sy) / det : 0;
   const double mean = sx / n, level = sy / n;
-  double worst = 0;
-  for (const auto& run : chain.runs)
+  worst = 0;
+  for (const auto& run : runs)
     worst = std::max(worst, std::abs(run.y - (level + slope * (0.5 * (run.from + run.to) - mean))));
-  StraightLine line;
-  line.from = chain.from();
-  line.to = chain.to;
   line.acrossFrom = level + slope * (line.from - mean);
   line.acrossTo = level + slope * (line.to - mean);
-  line.fill = worst <= maxResidual_px && std::abs(slope) <= maxSlope
-                  ? std::min(1.0, chain.ink / (line.length() + 1))
+  return line;
+}
+
+/// The straight part of a chain: letters and curves that touch its ends are let go of, as long as most of it
+/// stays. Fill 0 if it bends.
+StraightLine straightened(const Chain& chain) {
+  auto runs = chain.runs;
+  double ink = chain.ink, worst = 0;
+  auto line = leastSquares(runs, worst);
+  while (worst > maxResidual_px && runs.size() > 1 && ink > 0.6 * chain.ink) {
+    const auto drop = runs.front().ink < runs.back().ink ? runs.begin() : runs.end() - 1;
+    ink -= drop->ink;
+    runs.erase(drop);
+    line = leastSquares(runs, worst);
+  }
+  line.fill = worst <= maxResidual_px && std::abs(line.slope()) <= maxSlope
+                  ? std::min(1.0, ink / (line.length() + 1))
                   : 0;
   return line;
+}
+
+/// Crests of lines several pixels wide are found on one of their rows: moves the line to the middle of its
+/// ink.
+void centreOnInk(const cv::Mat& d, StraightLine& line) {
+  constexpr int reach = 4, samples = 31;
+  std::vector<double> offsets;
+  for (int k = 0; k < samples; ++k) {
+    const int x = static_cast<int>(std::lround(line.from + line.length() * (k + 0.5) / samples));
+    const double at = line.acrossAt(x);
+    const int y = static_cast<int>(std::lround(at));
+    if (x < 0 || x >= d.cols || y < reach || y + reach >= d.rows) continue;
+    int base = 255;
+    for (const int dy : {-reach, reach}) base = std::min<int>(base, d.at<std::uint8_t>(y + dy, x));
+    double mass = 0, moment = 0;
+    for (int dy = -reach; dy <= reach; ++dy) {
+      const double v = std::max(0, d.at<std::uint8_t>(y + dy, x) - base);
+      mass += v;
+      moment += v * dy;
+    }
+    if (mass >= minContrast) offsets.push_back(y + moment / mass - at);
+  }
+  if (offsets.size() < samples / 3) return;
+  const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
+  std::nth_element(offsets.begin(), middle, offsets.end());
+  if (std::abs(*middle) > 2) return;
+  line.acrossFrom += *middle;
+  line.acrossTo += *middle;
 }
 
 /// Ink of a line at one place along it: the darkest of three pixels across.
@@ -181,6 +226,7 @@ std::vector<StraightLine> horizontalLines(const cv::Mat& darkness, double minLen
     auto line = straightened(chain);
     if (line.fill <= 0) continue;
     followInk(darkness, line);
+    centreOnInk(darkness, line);
     lines.push_back(line);
   }
   return lines;
