@@ -33,8 +33,8 @@ Result<PressTrace> readPressTrace(const std::filesystem::path& file);
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name);
 
 /// The readings that survive conditioning, with times in samples from `origin_s`. What the live path plays of
-/// a trace too. Between readings a trace is a straight line: where they lie further apart than the program's sensor
-/// period, readings are put between, so that every event gets its own time.
+/// a trace too. Between readings a trace is a straight line: where they lie further apart than the program's
+/// sensor period, readings are put between, so that every event gets its own time.
 std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const HapticProgram& program,
                                            double sampleRate_Hz, double origin_s, ConditionerCounts& counts);
 
