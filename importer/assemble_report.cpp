@@ -1,6 +1,7 @@
 #include "importer/assemble_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace detent::importer {
@@ -60,6 +61,17 @@ const SpecCheck* grossConflict(const std::vector<SpecCheck>& checks) {
   return nullptr;
 }
 
+double worstRms_px(const GraphFindings& findings) {
+  const double press_px = findings.fitted.press.summary.rmsSigma * findings.pressNoise_px;
+  if (!findings.fitted.release) return press_px;
+  return std::max(press_px, findings.fitted.release->summary.rmsSigma * findings.releaseNoise_px);
+}
+
+double diagonal_px(const PlotFrame& frame) {
+  const Box box = frame.box();
+  return std::hypot(box.width(), box.height());
+}
+
 std::optional<Failure> doubt(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
                              bool axesGiven) {
   static const std::string passAxes =
@@ -74,6 +86,11 @@ std::optional<Failure> doubt(const GraphFindings& findings, const std::vector<Sp
   if (findings.strokes.confidence < confidenceBar) {
     return uncertain("the curves are not certain (" + findings.strokes.evidence + ")",
                      "Pass --press-color and --release-color, or --mask over what is no curve");
+  }
+  if (const double rms_px = worstRms_px(findings); rms_px > 0.01 * diagonal_px(findings.graph.frame.value)) {
+    return uncertain("the traced points make no curve (the fit is " + std::to_string(std::lround(rms_px)) +
+                         " px off them)",
+                     "Pass --mask over what is no curve, or --dpi to trace a picture of the page");
   }
   const SpecCheck* conflict = grossConflict(checks);
   if (conflict && !axesGiven) return uncertain("the graph " + conflict->sentence(), passAxes);
