@@ -1,0 +1,123 @@
+#include "importer/axes/axis_labels.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "importer/axes/text_lines.h"
+#include "importer/frame/glyph_marks.h"
+#include "importer/frame/label_rows.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr int rowAttempts = 3;
+
+Box joined(const Box& a, const Box& b) {
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
+
+bool overlap(const Box& a, const Box& b) { return a.x1 > b.x0 && a.x0 < b.x1 && a.y1 > b.y0 && a.y0 < b.y1; }
+
+/// One number without a blank in it: lines of several numbers do not say where each stands.
+bool isNumberText(const TextBox& t) {
+  return std::abs(t.angle_deg) < 20 && t.utf8.find(' ') == std::string::npos &&
+         printedNumber(t.utf8).has_value();
+}
+
+/// Words of the document's own text that are numbers; where there are none, words of ink.
+std::vector<Box> labelWords(const GraphReading& r, const Box& band) {
+  std::vector<Box> words;
+  for (const auto& t : r.view.texts)
+    if (isNumberText(t) && overlap(t.box, band)) words.push_back(t.box);
+  if (words.size() >= 2) return words;
+  const double largest = 0.12 * std::min(r.box.width(), r.box.height()) + 10;
+  return wordBoxes(glyphsIn(r.glyphs, band, largest), labelGapInHeights);
+}
+
+SeenText readLabel(GraphReading& r, const Box& word, TextKind kind) {
+  for (const auto& t : r.view.texts) {
+    const Point middle{0.5 * (t.box.x0 + t.box.x1), 0.5 * (t.box.y0 + t.box.y1)};
+    if (word.contains(middle) && isNumberText(t)) return {t.utf8, word, 1.0, 0.0};
+  }
+  return r.reader.readLine(word, kind);
+}
+
+/// "20gf" -> "20" and "gf"; no digits in front: nothing.
+std::pair<std::string, std::string> numberAndSuffix(const std::string& text) {
+  const auto end = text.find_first_not_of("0123456789.,- ");
+  if (end == std::string::npos || end == 0) return {text, ""};
+  return {text.substr(0, end), text.substr(end)};
+}
+
+AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLine>& ticks, Axis axis,
+                  TextKind kind) {
+  AxisLabels found;
+  std::vector<LabelPlace> places;
+  double height = 0;
+  for (const auto& w : row.words) height = std::max(height, w.height());
+  for (const auto& w : row.words) {
+    if (w.height() < 0.5 * height) continue;
+    auto seen = readLabel(r, w, kind);
+    const auto [number, suffix] = numberAndSuffix(seen.utf8);
+    if (kind == TextKind::words && found.suffix.empty()) found.suffix = suffix;
+    LabelPlace place;
+    place.center_px = axis == Axis::x ? 0.5 * (w.x0 + w.x1) : 0.5 * (w.y0 + w.y1);
+    place.reach_px = 0.45 * height + 1.5;
+    place.readings = numberReadings(kind == TextKind::words ? number : seen.utf8);
+    found.readings.push_back(place.readings);
+    found.extent = found.words.empty() ? w : joined(found.extent, w);
+    found.words.push_back(std::move(seen));
+    places.push_back(std::move(place));
+  }
+  found.progression = fitProgression(places, ticks, axis == Axis::x);
+  return found;
+}
+
+int agreed(const AxisLabels& a) { return a.progression ? a.progression->labels : 0; }
+
+bool settles(const AxisLabels& a) {
+  return agreed(a) >= 3 && 2 * agreed(a) > static_cast<int>(a.words.size());
+}
+
+std::optional<AxisLabels> tryRows(GraphReading& r, Axis axis, std::vector<Box> words,
+                                  const std::vector<GridLine>& lines, TextKind kind) {
+  std::vector<double> ticks;
+  for (const auto& line : lines) ticks.push_back(line.position_px);
+  std::optional<AxisLabels> best;
+  for (int n = 0; n < rowAttempts; ++n) {
+    const auto row = axis == Axis::x ? labelsBelow(words, r.box, ticks) : labelsLeft(words, r.box, ticks);
+    if (row.words.size() < 2) break;
+    auto fit = fitRow(r, row, lines, axis, kind);
+    if (!best || agreed(fit) > agreed(*best)) best = std::move(fit);
+    if (settles(*best)) break;
+    std::erase_if(words, [&](const Box& w) {
+      return std::find(row.words.begin(), row.words.end(), w) != row.words.end();
+    });
+  }
+  return best;
+}
+
+}  // namespace
+
+int AxisLabels::numbers() const {
+  return static_cast<int>(
+      std::count_if(readings.begin(), readings.end(), [](const auto& r) { return !r.empty(); }));
+}
+
+std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
+  const Box& b = r.box;
+  const double w = b.width(), h = b.height();
+  const bool x = axis == Axis::x;
+  const Box band = x ? Box{b.x0 - 0.12 * w, b.y1 + 1, b.x1 + 0.12 * w, b.y1 + 0.3 * h}
+                     : Box{b.x0 - 0.36 * w, b.y0 - 0.1 * h, b.x0 - 1, b.y1 + 0.08 * h};
+  auto lines = x ? r.frame.xLines : r.frame.yLines;
+  for (auto& line : lines) line.position_px -= x ? r.frame.drawnOffset_px.x : r.frame.drawnOffset_px.y;
+  const auto words = labelWords(r, band);
+  auto best = tryRows(r, axis, words, lines, TextKind::number);
+  if (best && agreed(*best) >= 2) return best;
+  // "20gf" read as digits alone is nonsense: once more with letters.
+  auto lettered = tryRows(r, axis, words, lines, TextKind::words);
+  return lettered && (!best || agreed(*lettered) > agreed(*best)) ? lettered : best;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,29 @@
+#pragma once
+// The numbers along one axis, and the relation of value and place that they agree on.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "importer/axes/graph_reading.h"
+#include "importer/axes/progression.h"
+
+namespace detent::importer {
+
+enum class Axis { x, y };
+
+/// One axis with its numbers.
+struct AxisLabels {
+  std::optional<Progression> progression;            ///< empty: numbers, but no progression
+  std::vector<SeenText> words;                       ///< in order along the axis
+  std::vector<std::vector<NumberReading>> readings;  ///< per word
+  Box extent;                                        ///< around the words
+  std::string suffix;   ///< unit that stands in the labels themselves ("20gf"), if it does
+  int numbers() const;  ///< how many words can be read as numbers
+};
+
+/// Rows (columns for y) of words beside the frame are tried from the most regular one on, until one makes a
+/// progression. nullopt if no row of two or more words is there.
+std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis);
+
+}  // namespace detent::importer
