@@ -79,6 +79,28 @@ FitOptions fitOptionsFor(double noise_px, const AxisCalibration& calibration,
                        {noise_px * calibration.mmPerPx(), noise_px * calibration.newtonPerPx()});
 }
 
+/// The points of a stroke with none of its lines longer than two pixels: a document draws a straight stretch
+/// with its two ends, and the fit must see what lies between them.
+std::vector<CurvePoint> withoutGaps(const StrokePoints& stroke) {
+  constexpr double longest_px = 2;
+  if (!stroke.fromVector || stroke.points_px.size() != stroke.points.size()) return stroke.points;
+  std::vector<CurvePoint> dense;
+  for (std::size_t i = 0; i < stroke.points.size(); ++i) {
+    if (i > 0) {
+      const CurvePoint a = stroke.points[i - 1], b = stroke.points[i];
+      const Point p = stroke.points_px[i - 1], q = stroke.points_px[i];
+      const int steps = static_cast<int>(std::min(std::hypot(q.x - p.x, q.y - p.y) / longest_px, 1e4));
+      for (int k = 1; k < steps; ++k) {
+        const double share = double(k) / steps;
+        dense.push_back({a.displacement_mm + share * (b.displacement_mm - a.displacement_mm),
+                         a.force_N + share * (b.force_N - a.force_N)});
+      }
+    }
+    dense.push_back(stroke.points[i]);
+  }
+  return dense;
+}
+
 /// A fitted stroke that starts at the force-free key or later: what lies left of 0 mm is noise of axis and
 /// trace.
 Result<FittedStroke> fitAtRest(const std::vector<CurvePoint>& points, Stroke stroke,
@@ -91,11 +113,11 @@ Result<FittedStroke> fitAtRest(const std::vector<CurvePoint>& points, Stroke str
 }
 
 Result<FittedStrokes> fitBoth(const StrokePair& strokes, const FitOptions& press, const FitOptions& release) {
-  auto fittedPress = fitAtRest(strokes.press.points, Stroke::press, press);
+  auto fittedPress = fitAtRest(withoutGaps(strokes.press), Stroke::press, press);
   if (!fittedPress) return fittedPress.failure();
   FittedStrokes fitted{std::move(fittedPress).value(), {}};
   if (strokes.release) {
-    auto fittedRelease = fitAtRest(strokes.release->points, Stroke::release, release);
+    auto fittedRelease = fitAtRest(withoutGaps(*strokes.release), Stroke::release, release);
     if (!fittedRelease) return fittedRelease.failure();
     fitted.release = std::move(fittedRelease).value();
   }
