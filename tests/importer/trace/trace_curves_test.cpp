@@ -127,6 +127,22 @@ class Plot {
     cv::putText(picture, words, {static_cast<int>(p.x), static_cast<int>(p.y)}, cv::FONT_HERSHEY_SIMPLEX,
                 height / 22, cv::Scalar(color.r, color.g, color.b), stroke, cv::LINE_AA);
   }
+  /// As a display with sub-pixels draws black letters: an orange edge on one side, a blue one on the other.
+  void fringedLetters(const std::string& words, double x, double y, double height) {
+    const double px = 1 / box_.width();
+    letters(words, x - px, y, height, {255, 190, 98}, 3);
+    letters(words, x + px, y, height, {98, 190, 255}, 3);
+    letters(words, x, y, height, kBlack, 3);
+  }
+  /// A pale arrow of a curve's hue between two points of the frame, heads at both ends.
+  void arrow(double x, double y0, double y1, Rgb color) {
+    line(at({{x, y0}, {x, y1}}), 3, color);
+    for (double y : {y0, y1})
+      for (int i = 0; i < 12; ++i) {
+        const Point tip = at(x, y);
+        line({{tip.x - 0.5 * i, tip.y + i}, {tip.x + 0.5 * i, tip.y + i}}, 1.5, color);
+      }
+  }
   void disc(double x, double y, double radius, Rgb color) {
     const Point p = at(x, y);
     line({p, {p.x + 0.01, p.y}}, 2 * radius, color);
@@ -284,6 +300,51 @@ TEST_CASE("A curve that crosses the other and hides under it", "[trace]") {
   CHECK(mean(hidden, clippedAtTop(plot, up)) < 0.3);
 }
 
+TEST_CASE("A line half hidden along most of its length is not drawn to its visible side", "[trace]") {
+  Plot plot(900, 550);
+  plot.grid(1, 1, kGrey);
+  const Curve down = plot.at(Curve{{0.05, 0.5}, {0.3, 0.55}, {0.6, 0.52}, {0.9, 0.62}});
+  // Open at first, where its width shows; then with more than half of it under the other.
+  Curve up = plot.at(Curve{{0.05, 0.3}, {0.2, 0.35}});
+  for (Point p : down)
+    if (p.x > plot.at(0.25, 0).x) up.push_back({p.x, p.y + 1.3});
+  plot.line(up, 2.5, kLime, true);
+  plot.line(down, 2.5, kBlue, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlue).points_px, down) < 0.1);
+  CHECK(apart(ofColor(*traces, kLime).points_px, up) < 0.25);
+}
+
+TEST_CASE("Coloured edges of letters are no curves", "[trace]") {
+  Plot plot(908, 551);
+  plot.grid(9, 12, kGrey);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.line(up, 2.5, {255, 150, 60}, true);
+  plot.line(down, 2.5, kBlue, true);
+  plot.fringedLetters("A title as long as the plot is wide,", 0.03, 0.92, 26);
+  plot.fringedLetters("in two rows over the upper wall of it", 0.03, 0.84, 26);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kBlue).points_px, clippedAtTop(plot, down)) < 0.5);
+  CHECK(apart(ofColor(*traces, {255, 150, 60}).points_px, up) < 0.5);
+}
+
+TEST_CASE("A pale arrow that stands on the curve near its wall is no part of it", "[trace]") {
+  Plot plot(908, 551);
+  plot.grid(9, 12, kGrey);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.arrow(0.6, 0.1, 0.39, {226, 240, 170});
+  plot.line(up, 2.5, kLime, true);
+  plot.line(down, 2.5, kBlue, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kLime).points_px, up) < 0.3);
+}
+
 TEST_CASE("A title across the wall, arrows in the curve's hue, a legend beside its samples", "[trace]") {
   Plot plot(908, 551);
   plot.grid(9, 12, kGrey);
@@ -412,7 +473,7 @@ TEST_CASE("A drawing moved by a part of a pixel moves the trace by as much", "[t
 
 TEST_CASE("A frame that stands askew is traced upright and brought back", "[trace]") {
   Plot plot(800, 600);
-  const double angle = 0.05;
+  const double angle = 0.15;
   const auto turned = [&](Point p) {
     const Point c{400, 300};
     return Point{c.x + std::cos(angle) * (p.x - c.x) - std::sin(angle) * (p.y - c.y),
