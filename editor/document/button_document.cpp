@@ -1,0 +1,52 @@
+#include "editor/document/button_document.h"
+
+#include <algorithm>
+#include <QFileInfo>
+
+#include "model/check.h"
+
+namespace detent::editor {
+
+ButtonDocument::ButtonDocument(Button button, QObject* parent)
+    : QObject(parent), history_(std::move(button)) {
+  connect(&history_, &EditHistory::changed, this, [this] {
+    emit changed();
+    emit titleChanged();
+  });
+  connect(&history_.stack(), &QUndoStack::cleanChanged, this, &ButtonDocument::titleChanged);
+}
+
+// Undo can take the second state away while it is the active one.
+std::size_t ButtonDocument::activeState() const {
+  return std::min(activeState_, button().states().size() - 1);
+}
+
+void ButtonDocument::setActiveState(std::size_t state) {
+  DETENT_CHECK(state < button().states().size(), "the active state is one of the button's");
+  if (state == activeState_) return;
+  activeState_ = state;
+  emit activeStateChanged();
+}
+
+void ButtonDocument::setPath(const QString& path) {
+  if (path == path_) return;
+  path_ = path;
+  emit titleChanged();
+}
+
+QString ButtonDocument::title() const {
+  if (!path_.isEmpty()) {
+    const QString name = QFileInfo(path_).fileName();
+    return name.endsWith(QLatin1String(".button.json")) ? name.chopped(12)
+                                                        : QFileInfo(path_).completeBaseName();
+  }
+  const QString name = QString::fromStdString(button().name());
+  return name.isEmpty() ? tr("Untitled") : name;
+}
+
+void ButtonDocument::setOrigin(std::shared_ptr<const importer::ImportReport> origin) {
+  origin_ = std::move(origin);
+  emit originChanged();
+}
+
+}  // namespace detent::editor

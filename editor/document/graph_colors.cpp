@@ -1,0 +1,56 @@
+#include "editor/document/graph_colors.h"
+
+namespace detent::editor {
+namespace {
+
+QColor withAlpha(const char* name, int alpha) {
+  QColor color(name);
+  color.setAlpha(alpha);
+  return color;
+}
+
+}  // namespace
+
+GraphColors graphColors(bool dark) {
+  if (dark)
+    return {"#1b1e22",
+            "#353a41",
+            "#8d949d",
+            "#dfe3e8",  // grounds
+            "#56b4e9",
+            "#e69f00",  // strokes
+            "#f0e442",
+            "#2ac99a",
+            "#e58bb9",
+            "#b0b6be",  // points, wall
+            withAlpha("#56b4e9", 26),
+            withAlpha("#f0a35e", 48),
+            withAlpha("#b0b6be", 44),
+            "#a7b0ba",
+            "#ff8a5c",
+            "#ffffff",
+            "#ff6b4a"};
+  return {"#ffffff",
+          "#e3e6ea",
+          "#5b626b",
+          "#1d2126",
+          "#0072b2",
+          "#c46f00",
+          "#8a6d00",
+          "#00805c",
+          "#b0527f",
+          "#6b727b",
+          withAlpha("#0072b2", 18),
+          withAlpha("#e69f00", 44),
+          withAlpha("#6b727b", 36),
+          "#7b838d",
+          "#d55e00",
+          "#000000",
+          "#c8102e"};
+}
+
+bool isDark(const QPalette& palette) {
+  return palette.color(QPalette::Window).lightness() < palette.color(QPalette::WindowText).lightness();
+}
+
+}  // namespace detent::editor

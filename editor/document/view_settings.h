@@ -1,0 +1,53 @@
+#pragma once
+// How things are shown and snapped, shared by all windows' parts; no part of any button.
+
+#include <QObject>
+
+#include "editor/document/display_units.h"
+
+namespace detent::editor {
+
+/// What a dragged point clings to. Distances are screen pixels, so they mean the same at every zoom.
+struct SnapSettings {
+  bool toGrid = false;
+  bool toTracedPoints = false;
+  bool toOtherStroke = false;
+  double gridLength_mm = 0.05;  ///< > 0
+  double gridForce_N = 0.01;    ///< > 0
+  double within_px = 8;         ///< (0, 64]
+  friend bool operator==(const SnapSettings&, const SnapSettings&) = default;
+};
+
+enum class Appearance { system, light, dark };
+
+/// Settings of the view; one object per program, kept between runs by the window. GUI thread.
+class ViewSettings : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  const DisplayUnits& units() const { return units_; }
+  void setUnits(const DisplayUnits& units);
+  const SnapSettings& snap() const { return snap_; }
+  void setSnap(const SnapSettings& snap);
+  /// 0 hides the datasheet page.
+  double underlayOpacity() const { return underlayOpacity_; }
+  void setUnderlayOpacity(double opacity);  ///< 0..1
+  bool residualsShown() const { return residualsShown_; }
+  void setResidualsShown(bool shown);
+  Appearance appearance() const { return appearance_; }
+  void setAppearance(Appearance appearance);
+
+ signals:
+  void changed();
+
+ private:
+  DisplayUnits units_;
+  SnapSettings snap_;
+  double underlayOpacity_ = 0.5;
+  bool residualsShown_ = false;
+  Appearance appearance_ = Appearance::system;
+};
+
+}  // namespace detent::editor
