@@ -24,6 +24,7 @@
 #include "playback/prepare/device_profile.h"
 #include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
+#include "playback/study/spectrogram.h"
 
 namespace detent::playback {
 
