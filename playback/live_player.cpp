@@ -21,6 +21,7 @@ namespace {
 constexpr std::size_t mostKeptEvents = 8192;
 constexpr double traceAhead_s = 0.25;
 constexpr double traceStep_s = 0.05;
+constexpr double silentRate_Hz = 48000;  // in which a player without a device numbers its events
 
 Failure failureOf(const DeviceTrouble& t) {
   return {t.wrongUsage ? FailureCode::wrongUsage : FailureCode::deviceTrouble, t.device, "", t.problem,
@@ -48,9 +49,36 @@ SensorCondition conditionOf(SensorState state) {
   return SensorCondition::unplugged;
 }
 
+EventKind kindOf(CrossingKind kind) {
+  switch (kind) {
+    case CrossingKind::grain:
+      return EventKind::grain;
+    case CrossingKind::pressJump:
+      return EventKind::pressJump;
+    case CrossingKind::releaseJump:
+      return EventKind::releaseJump;
+    case CrossingKind::bottomOut:
+      return EventKind::bottomOut;
+    case CrossingKind::contactClosed:
+      return EventKind::contactClosed;
+    case CrossingKind::contactOpened:
+      break;
+  }
+  return EventKind::contactOpened;
+}
+
+void count(EngineCounts& counts, const Crossing& crossing) {
+  if (crossing.kind == CrossingKind::grain) counts.grains += crossing.count;
+  if (crossing.kind == CrossingKind::pressJump) ++counts.pressJumps;
+  if (crossing.kind == CrossingKind::releaseJump) ++counts.releaseJumps;
+  if (crossing.kind == CrossingKind::bottomOut) ++counts.bottomOuts;
+}
+
 class Player : public LivePlayer {
  public:
-  explicit Player(double sampleRate_Hz) : session_(sampleRate_Hz) {}
+  /// `sounding` false: no output will be opened, and nothing is sent to the session.
+  Player(double sampleRate_Hz, bool sounding)
+      : sounding_(sounding), session_(sampleRate_Hz), began_s_(now_s()) {}
 
   ~Player() override {
     stopTrace();
@@ -74,18 +102,25 @@ class Player : public LivePlayer {
   void setProgram(const HapticProgram& program) override {
     receive();
     const std::lock_guard lock(controlMutex_);
-    programs_.push_back(std::make_unique<HapticProgram>(program));
-    SessionCommand command;
-    command.kind = CommandKind::program;
-    command.program = programs_.back().get();
-    if (!session_.send(Lane::control, command)) programs_.pop_back();
+    if (sounding_) {
+      programs_.push_back(std::make_unique<HapticProgram>(program));
+      SessionCommand command;
+      command.kind = CommandKind::program;
+      command.program = programs_.back().get();
+      if (!session_.send(Lane::control, command)) programs_.pop_back();
+    }
     const std::lock_guard routeLock(readingMutex_);
-    routeProgram_ = std::make_unique<HapticProgram>(program);
+    const double force_N = follower_.position().force_N;
+    auto taken = std::make_unique<HapticProgram>(program);
+    follower_.use(taken.get());
+    follower_.placeAtForce(force_N);
+    routeProgram_ = std::move(taken);
     ownForce_.setSettings(limitsFor(strongestForce_N(program)));
     static_cast<void>(rebuildRoute());  // the target was good before; a lost one shows as lost packets
   }
 
   void setGain(double gain) override {
+    if (!sounding_) return;
     SessionCommand command;
     command.kind = CommandKind::gain;
     command.value = gain;
@@ -128,6 +163,10 @@ class Player : public LivePlayer {
     sensor_ = std::move(*sensor);
     return Done{};
   }
+  void detachSensor() override {
+    const std::lock_guard lock(controlMutex_);
+    sensor_.reset();
+  }
 
   Result<std::uint16_t> listenFudi(std::uint16_t port) override {
     return keep(fudi_, openFudiServer(port, false, receiver()));
@@ -144,6 +183,10 @@ class Player : public LivePlayer {
 
   Result<std::int64_t> playTrace(const PressTrace& trace, double lead_s) override {
     stopTrace();
+    if (!sounding_) {
+      return Failure{FailureCode::wrongUsage, "press trace", "", "cannot be played without a sound device",
+                     "Start a player on a device"};
+    }
     if (trace.readings.empty()) {
       return Failure{FailureCode::wrongUsage, "press trace", "", "holds no reading", "Give at least one"};
     }
@@ -166,23 +209,20 @@ class Player : public LivePlayer {
     PlayerStatus s;
     const std::lock_guard lock(controlMutex_);
     const SessionStatus& last = lastStatus_;
-    s.sampleRate_Hz = session_.sampleRate_Hz();
+    s.sounding = sounding_;
+    if (sounding_) s.sampleRate_Hz = session_.sampleRate_Hz();
     if (output_) {
       s.device = output_->deviceName();
       s.deviceLost = output_->state() == StreamState::lost;
       s.deviceLosses = output_->losses();
     }
     s.blockFrames = last.blockFrames;
-    s.force_N = last.position.force_N;
-    s.displacement_mm = last.position.displacement_mm;
-    s.releasing = last.position.releasing;
-    s.contact = last.position.contact;
-    s.state = last.position.state;
+    s.counts = last.counts;
+    follow(s);
     s.level = static_cast<double>(last.peak);
     s.load = last.load;
     s.meanLoad = last.meanLoad;
     s.xruns = last.xruns;
-    s.counts = last.counts;
     if (sensor_) {
       const SensorHealth health = sensor_->health();
       s.sensor = conditionOf(health.state);
@@ -203,8 +243,10 @@ class Player : public LivePlayer {
   std::vector<EngineEvent> takeEvents() override {
     receive();
     const std::lock_guard lock(controlMutex_);
-    std::vector<EngineEvent> events(events_.begin(), events_.end());
-    events_.clear();
+    const std::lock_guard readingLock(readingMutex_);
+    std::deque<EngineEvent>& kept = sounding_ ? events_ : followedEvents_;
+    std::vector<EngineEvent> events(kept.begin(), kept.end());
+    kept.clear();
     return events;
   }
 
@@ -213,6 +255,20 @@ class Player : public LivePlayer {
     const std::lock_guard lock(controlMutex_);
     // The last status is up to 20 ms old; what it lags is added generously by the caller's lead.
     return lastStatus_.frame;
+  }
+
+  /// Position, and without a device the counts, of the readings themselves: the callback's are one status
+  /// interval or one buffer old.
+  void follow(PlayerStatus& s) {
+    StrokePosition position = lastStatus_.position;
+    const std::lock_guard lock(readingMutex_);
+    if (!tracePlaying_) position = follower_.position();
+    if (!sounding_) s.counts = followedCounts_;
+    s.force_N = position.force_N;
+    s.displacement_mm = position.displacement_mm;
+    s.releasing = position.releasing;
+    s.contact = position.contact;
+    s.state = position.state;
   }
 
   void receive() {
@@ -255,12 +311,34 @@ class Player : public LivePlayer {
       if (kind == CommandKind::resync) route_->onResume(value);
     }
     if (tracePlaying_) return;  // one finger at a time
+    follow(kind, time_s, value);
+    if (!sounding_) return;
     SessionCommand command;
     command.kind = kind;
     command.timeBase = TimeBase::clock;
     command.time = time_s;
     command.value = value;
     session_.send(Lane::sensor, command);
+  }
+
+  /// readingMutex_ is held.
+  void follow(CommandKind kind, double time_s, double value) {
+    ++followedCounts_.inputs;
+    if (kind == CommandKind::resync) {
+      follower_.placeAtForce(value);
+      return;
+    }
+    const Crossings& crossings =
+        kind == CommandKind::force ? follower_.updateForce(value) : follower_.updateDisplacement(value);
+    if (sounding_) return;  // the callback reports what it plays
+    const double frame = (time_s - began_s_) * session_.sampleRate_Hz();
+    for (std::size_t i = 0; i < crossings.count; ++i) {
+      const Crossing& c = crossings.items[i];
+      count(followedCounts_, c);
+      if (followedEvents_.size() == mostKeptEvents) followedEvents_.pop_front();
+      followedEvents_.push_back(
+          {kindOf(c.kind), c.state, c.jump, c.count, static_cast<std::int64_t>(frame), c.displacement_mm});
+    }
   }
 
   SignalReceiver receiver() {
@@ -288,6 +366,7 @@ class Player : public LivePlayer {
           setGain(m.value);
           return;
       }
+      if (!sounding_) return;
       const std::lock_guard lock(networkMutex_);
       session_.send(Lane::network, command);
     };
@@ -361,8 +440,10 @@ class Player : public LivePlayer {
     tracePlaying_ = false;
   }
 
+  const bool sounding_;
   LiveSession session_;
-  std::mutex controlMutex_, readingMutex_, networkMutex_;
+  const double began_s_;
+  std::mutex controlMutex_, readingMutex_, networkMutex_;  // control before reading where both are held
   std::vector<std::unique_ptr<HapticProgram>> programs_;
   SessionStatus lastStatus_;
   std::deque<EngineEvent> events_;
@@ -370,6 +451,9 @@ class Player : public LivePlayer {
   ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12}};
   std::optional<std::pair<std::string, std::uint16_t>> target_;
   std::unique_ptr<HapticProgram> routeProgram_;
+  StrokeTracker follower_;  // of routeProgram_
+  EngineCounts followedCounts_;
+  std::deque<EngineEvent> followedEvents_;
   std::unique_ptr<PdRoute> route_;
   double fingerPeak_N_ = 0;
   std::atomic<bool> tracePlaying_{false}, stopTrace_{false};
@@ -404,8 +488,14 @@ Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings& sett
                    std::to_string(std::lround(*rate)) + " Hz lies outside 8000..192000",
                    "Choose another rate"};
   }
-  auto player = std::make_unique<Player>(*rate);
+  auto player = std::make_unique<Player>(*rate, true);
   if (Result<Done> opened = player->open(settings, program, {}); !opened) return opened.failure();
+  return std::unique_ptr<LivePlayer>(std::move(player));
+}
+
+Result<std::unique_ptr<LivePlayer>> LivePlayer::startSilent(const HapticProgram& program) {
+  auto player = std::make_unique<Player>(silentRate_Hz, false);
+  player->setProgram(program);
   return std::unique_ptr<LivePlayer>(std::move(player));
 }
 

@@ -16,6 +16,7 @@ Result<std::vector<SoundDevice>> listSoundDevices() { return withoutDevices(); }
 Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings&, const HapticProgram&) {
   return withoutDevices();
 }
+Result<std::unique_ptr<LivePlayer>> LivePlayer::startSilent(const HapticProgram&) { return withoutDevices(); }
 Result<std::vector<float>> playAndRecordSamples(const PlayerSettings&, const std::string&,
                                                 const std::vector<float>&) {
   return withoutDevices();

@@ -78,11 +78,13 @@ enum class SensorCondition : std::uint8_t { none, starting, running, silent, stu
 
 /// What a display shows; a snapshot.
 struct PlayerStatus {
+  bool sounding = true;  ///< false: a player without a sound device (LivePlayer::startSilent)
   std::string device;
   double sampleRate_Hz = 0;
   std::uint32_t blockFrames = 0;
   bool deviceLost = false;  ///< gone just now; playing goes on when it is back
   std::uint64_t deviceLosses = 0;
+  /// Where the last reading led; a recorded trace's as the callback plays it, up to 20 ms late.
   double force_N = 0, displacement_mm = 0;
   bool releasing = false, contact = false;
   int state = 0;                  ///< of a self-locking button
@@ -101,6 +103,10 @@ class LivePlayer {
  public:
   static Result<std::unique_ptr<LivePlayer>> start(const PlayerSettings& settings,
                                                    const HapticProgram& program);
+  /// The same finger, sensor and messages on the same program without a sound device: position, contact,
+  /// state and events are followed, nothing sounds. For displays on machines that have no device, or until
+  /// one is open. Traces are not played. Failure: deviceTrouble in a library built without devices.
+  static Result<std::unique_ptr<LivePlayer>> startSilent(const HapticProgram& program);
   virtual ~LivePlayer() = default;
 
   /// Exchanges the button under the finger without a click.
@@ -121,6 +127,8 @@ class LivePlayer {
   /// A serial force sensor (docs/serial-protocol.md), calibrated by the profile.
   virtual Result<Done> attachSensor(const std::string& port, unsigned baud,
                                     const SensorCalibration& calibration) = 0;
+  /// Lets go of the sensor's port; nothing to do where there is none.
+  virtual void detachSensor() = 0;
   /// Signal messages of other programs (docs/osc.md): FUDI over UDP, OSC. Port 0: the system chooses. Gives
   /// the port.
   virtual Result<std::uint16_t> listenFudi(std::uint16_t port) = 0;
