@@ -1,0 +1,87 @@
+#include "editor/files/document_files.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QRegularExpression>
+
+#include "editor/files/input_kind.h"
+#include "model/file/button_file.h"
+#include "model/file/curve_csv.h"
+#include "model/file/text_file.h"
+
+namespace detent::editor {
+namespace {
+
+// Paths are bytes to the model, UTF-8 by this program's locale.
+std::string bytesOf(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+Result<Button> buttonFromCsv(const QString& path) {
+  auto text = readTextFile(bytesOf(path));
+  if (!text) return text.failure();
+  auto graph = graphFromCsv(*text, bytesOf(path));
+  if (!graph) return graph.failure();
+  return Button::fromStates(QFileInfo(path).completeBaseName().toStdString(),
+                            {ButtonState{"", *std::move(graph), {}, {}, {}}});
+}
+
+}  // namespace
+
+Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
+  const auto kind = inputKindOf(path);
+  if (!kind) return kind.failure();
+  if (*kind == InputKind::page)
+    return Failure{FailureCode::wrongUsage, path.toStdString(), "", "is a page to import, no button",
+                   "Open it with Import"};
+  if (*kind == InputKind::curveCsv) {
+    auto button = buttonFromCsv(path);
+    if (!button) return button.failure();
+    return std::make_unique<ButtonDocument>(*std::move(button));
+  }
+  auto button = readButtonFile(bytesOf(path));
+  if (!button) return button.failure();
+  auto document = std::make_unique<ButtonDocument>(*std::move(button));
+  document->setPath(QFileInfo(path).absoluteFilePath());
+  return document;
+}
+
+std::unique_ptr<ButtonDocument> importedDocument(std::shared_ptr<const importer::ImportReport> report) {
+  auto document = std::make_unique<ButtonDocument>(report->button);
+  document->setOrigin(std::move(report));
+  document->history().stack().resetClean();
+  return document;
+}
+
+Result<Done> saveDocument(ButtonDocument& document, const QString& path) {
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  if (auto written = writeButtonFile(bytesOf(absolute), document.history().committed()); !written)
+    return written.failure();
+  document.setPath(absolute);
+  document.history().markSaved();
+  return Done{};
+}
+
+Result<Done> reloadDocument(ButtonDocument& document) {
+  auto button = readButtonFile(bytesOf(document.path()));
+  if (!button) return button.failure();
+  if (document.history().dragging()) document.history().cancelDrag();
+  document.history().apply(*button, ButtonDocument::tr("Reload from disk"));
+  document.history().markSaved();
+  return Done{};
+}
+
+QString withButtonEnding(const QString& path) {
+  if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) return path;
+  if (path.endsWith(QLatin1String(".button"), Qt::CaseInsensitive)) return path + ".json";
+  return path + ".button.json";
+}
+
+QString suggestedPath(const ButtonDocument& document, const QString& folder, const QString& ending) {
+  static const QRegularExpression unsafe(QStringLiteral(R"([/\\:*?"<>|\x00-\x1f])"));
+  QString name = document.title();
+  name.replace(unsafe, QStringLiteral("-"));
+  while (name.startsWith('.')) name.remove(0, 1);
+  if (name.isEmpty()) name = QStringLiteral("button");
+  return QDir(folder).filePath(name.left(120) + ending);
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,32 @@
+#pragma once
+// Documents in and out: what is opened, what is saved, and under which name.
+
+#include <memory>
+#include <QString>
+
+#include "editor/document/button_document.h"
+
+namespace detent::editor {
+
+/// Opens a button file, or a CSV of our own header as a new, unnamed document. Reads nothing twice and
+/// changes no other document. Failures: those of readButtonFile and graphFromCsv, and of inputKindOf;
+/// wrongUsage for pages, which go through the import dialogue.
+Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path);
+
+/// A new document of an import: unsaved from the start, because finding it may have cost an hour of work.
+std::unique_ptr<ButtonDocument> importedDocument(std::shared_ptr<const importer::ImportReport> report);
+
+/// Writes the committed button atomically; on success the document has this path and is unmodified. On
+/// failure file and document are as before.
+Result<Done> saveDocument(ButtonDocument& document, const QString& path);
+
+/// Exchanges the button for what the file holds now, as one step that can be undone; unmodified afterwards.
+Result<Done> reloadDocument(ButtonDocument& document);
+
+/// "x" and "x.button" become "x.button.json"; a name that ends in ".json" stays.
+QString withButtonEnding(const QString& path);
+
+/// Where saving offers to put a document that has no path: its title as a safe file name, in `folder`.
+QString suggestedPath(const ButtonDocument& document, const QString& folder, const QString& ending);
+
+}  // namespace detent::editor

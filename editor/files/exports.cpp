@@ -1,0 +1,55 @@
+#include "editor/files/exports.h"
+
+#include <filesystem>
+#include <QCoreApplication>
+#include <QFile>
+#include <QSaveFile>
+
+#include "model/check.h"
+#include "model/file/curve_csv.h"
+#include "model/file/svg_plot.h"
+#include "model/file/text_file.h"
+#include "playback/playback.h"
+
+namespace detent::editor {
+namespace {
+
+std::string bytesOf(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+}  // namespace
+
+QString csvText(const Button& button, std::size_t state) {
+  DETENT_CHECK(state < button.states().size(), "the state to export is one of the button's");
+  return QString::fromStdString(csvFrom(button.states()[state].graph));
+}
+
+Result<Done> exportCsv(const Button& button, std::size_t state, const QString& path) {
+  return writeTextFileAtomically(bytesOf(path), csvText(button, state).toStdString());
+}
+
+Result<Done> exportSvg(const Button& button, const DisplayUnits& units, const QString& path) {
+  SvgPlotStyle style;
+  style.forceUnit = units.force;
+  style.lengthUnit = units.length;
+  return writeTextFileAtomically(bytesOf(path), svgFrom(button, style));
+}
+
+Result<Done> exportPng(const QImage& picture, const QString& path) {
+  QSaveFile file(path);
+  if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.commit()) return Done{};
+  return Failure{FailureCode::internalFault, path.toStdString(), "",
+                 "cannot be written: " + file.errorString().toStdString(),
+                 "Check the folder's permissions and free space"};
+}
+
+Result<Done> exportWav(const Button& button, const QString& path) {
+  const auto prepared = playback::prepareProgram(button, {}, {});
+  if (!prepared) return prepared.failure();
+  const auto written =
+      playback::renderPressToFile(prepared->program, playback::standardPress(prepared->program), {},
+                                  std::filesystem::path(bytesOf(path)));
+  if (!written) return written.failure();
+  return Done{};
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,25 @@
+#pragma once
+// What leaves the editor besides button files: samples, drawings, pictures, sound. Every file is written
+// whole or not at all.
+
+#include <QImage>
+#include <QString>
+
+#include "editor/document/display_units.h"
+#include "model/button.h"
+
+namespace detent::editor {
+
+/// Samples of one state in the CSV of the programs' contract (mm, N).
+QString csvText(const Button& button, std::size_t state);
+Result<Done> exportCsv(const Button& button, std::size_t state, const QString& path);
+
+/// A plot as datasheets print it, axes in `units`; the curves are exact.
+Result<Done> exportSvg(const Button& button, const DisplayUnits& units, const QString& path);
+
+Result<Done> exportPng(const QImage& picture, const QString& path);
+
+/// The vibration of a standard press (playback/playback.h) on a perfect device: mono float WAV, 48 kHz.
+Result<Done> exportWav(const Button& button, const QString& path);
+
+}  // namespace detent::editor

@@ -1,0 +1,66 @@
+#include "editor/files/file_watch.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QFileInfo>
+
+namespace detent::editor {
+namespace {
+
+constexpr int settle_ms = 150;
+
+// Empty where the file cannot be read.
+QByteArray hashOf(const QString& path) {
+  QFile file(path);
+  QCryptographicHash hash(QCryptographicHash::Sha1);
+  if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file)) return {};
+  return hash.result();
+}
+
+}  // namespace
+
+FileWatch::FileWatch(QObject* parent) : QObject(parent) {
+  settle_.setSingleShot(true);
+  settle_.setInterval(settle_ms);
+  const auto soon = [this] { settle_.start(); };
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, this, soon);
+  connect(&watcher_, &QFileSystemWatcher::directoryChanged, this, soon);
+  connect(&settle_, &QTimer::timeout, this, &FileWatch::check);
+}
+
+void FileWatch::watch(const QString& path) {
+  known_[path] = hashOf(path);
+  watchOnDisk(path);
+}
+
+void FileWatch::forget(const QString& path) {
+  known_.remove(path);
+  watcher_.removePath(path);
+  const QString folder = QFileInfo(path).absolutePath();
+  for (auto it = known_.cbegin(); it != known_.cend(); ++it)
+    if (QFileInfo(it.key()).absolutePath() == folder) return;
+  watcher_.removePath(folder);
+}
+
+// A file that was renamed over has to be added again: the watcher follows the old one.
+void FileWatch::watchOnDisk(const QString& path) {
+  if (QFileInfo::exists(path) && !watcher_.files().contains(path)) watcher_.addPath(path);
+  const QString folder = QFileInfo(path).absolutePath();
+  if (QFileInfo::exists(folder) && !watcher_.directories().contains(folder)) watcher_.addPath(folder);
+}
+
+void FileWatch::check() {
+  const QStringList paths = known_.keys();
+  for (const QString& path : paths) {
+    watchOnDisk(path);
+    const QByteArray now = hashOf(path), before = known_.value(path);
+    if (now == before) continue;
+    known_[path] = now;
+    if (now.isEmpty())
+      emit vanished(path);
+    else
+      emit changedOutside(path);
+  }
+}
+
+}  // namespace detent::editor

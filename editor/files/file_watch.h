@@ -1,0 +1,38 @@
+#pragma once
+// Notices when another program changes a file that is open here.
+
+#include <QFileSystemWatcher>
+#include <QHash>
+#include <QObject>
+#include <QTimer>
+
+namespace detent::editor {
+
+/// Compares contents, so touching a file or writing the same again is no change. Writers that rename a new
+/// file over the old one are followed: folders are watched as well. GUI thread.
+class FileWatch : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit FileWatch(QObject* parent = nullptr);
+
+  /// What the file holds now is known from here on; called again after saving.
+  void watch(const QString& path);
+  void forget(const QString& path);
+
+ signals:
+  /// Its contents are others than known. Said once per content.
+  void changedOutside(const QString& path);
+  /// It was there and is not any more. Said once; coming back with other contents is a change.
+  void vanished(const QString& path);
+
+ private:
+  void check();
+  void watchOnDisk(const QString& path);
+
+  QFileSystemWatcher watcher_;
+  QTimer settle_;                     // writers are given a moment to finish
+  QHash<QString, QByteArray> known_;  // hash of the contents; empty: the file was gone
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,64 @@
+#include "editor/files/input_kind.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+
+namespace detent::editor {
+namespace {
+
+const QStringList& pageEndings() {
+  static const QStringList endings = {"png", "jpg", "jpeg", "bmp", "tif", "tiff", "webp", "pdf", "svg"};
+  return endings;
+}
+
+Failure unreadable(const QString& path, const QString& problem, const QString& remedy) {
+  return {FailureCode::unreadableInput, QDir::toNativeSeparators(path).toStdString(), "", problem.toStdString(),
+          remedy.toStdString()};
+}
+
+struct InputKinds {
+  Q_DECLARE_TR_FUNCTIONS(InputKinds)
+};
+
+// The first line without byte order mark, spaces and line end.
+QByteArray firstLine(const QByteArray& bytes) {
+  QByteArray line = bytes.left(bytes.indexOf('\n') < 0 ? bytes.size() : bytes.indexOf('\n'));
+  if (line.startsWith("\xEF\xBB\xBF")) line.remove(0, 3);
+  return line.trimmed();
+}
+
+}  // namespace
+
+Result<InputKind> inputKindOf(const QString& path) {
+  const QFileInfo info(path);
+  if (!info.exists())
+    return unreadable(path, InputKinds::tr("is not there"), InputKinds::tr("Check the name; it may have been moved or renamed"));
+  if (info.isDir()) return unreadable(path, InputKinds::tr("is a folder"), InputKinds::tr("Choose a file in it"));
+  const QString ending = info.suffix().toLower();
+  if (ending == "json") return InputKind::button;
+  if (pageEndings().contains(ending)) return InputKind::page;
+
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly))
+    return unreadable(path, InputKinds::tr("cannot be opened: %1").arg(file.errorString()), InputKinds::tr("Check its permissions"));
+  const QByteArray start = file.read(4096);
+  if (firstLine(start) == "stroke,displacement_mm,force_N") return InputKind::curveCsv;
+  if (start.trimmed().startsWith('{')) return InputKind::button;
+  return InputKind::page;
+}
+
+QStringList openFilters() {
+  QStringList pages;
+  for (const QString& ending : pageEndings()) pages << "*." + ending;
+  const QString buttons = "*.button.json *.json", csv = "*.csv";
+  return {InputKinds::tr("Everything Detent reads") + " (" + buttons + " " + csv + " " + pages.join(' ') + ")",
+          InputKinds::tr("Buttons") + " (" + buttons + ")",
+          InputKinds::tr("Datasheets and pictures") + " (" + pages.join(' ') + ")",
+          InputKinds::tr("Force-displacement CSV") + " (" + csv + ")", InputKinds::tr("All files") + " (*)"};
+}
+
+QString sentenceOf(const Failure& failure) { return QString::fromStdString(failure.sentence()); }
+
+}  // namespace detent::editor

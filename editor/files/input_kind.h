@@ -1,0 +1,27 @@
+#pragma once
+// What a file on the disk is to the editor, before anything of it is read in full.
+
+#include <QString>
+#include <QStringList>
+
+#include "model/result.h"
+
+namespace detent::editor {
+
+enum class InputKind {
+  button,    ///< *.button.json
+  curveCsv,  ///< CSV with the header of our own exports: opens directly
+  page       ///< picture, PDF, SVG or a force meter's log: goes to the import dialogue
+};
+
+/// Decided by the file's ending; a CSV and a file without a known ending by their first bytes. Failure
+/// unreadableInput where there is no file, or it is a folder.
+Result<InputKind> inputKindOf(const QString& path);
+
+/// Filters of an open dialogue, first one: everything the editor can open.
+QStringList openFilters();
+
+/// For messages and command lines: "cannot be opened" with a sentence for people.
+QString sentenceOf(const Failure& failure);
+
+}  // namespace detent::editor

@@ -1,0 +1,34 @@
+#pragma once
+// The files opened and saved last, kept between runs.
+
+#include <QObject>
+#include <QSettings>
+#include <QStringList>
+
+namespace detent::editor {
+
+/// Newest first, each once, at most `kept`. Files that have gone stay listed (a drive may be away) until
+/// opening them fails. GUI thread; two running editors share the list through the settings.
+class RecentFiles : public QObject {
+  Q_OBJECT
+
+ public:
+  static constexpr int kept = 12;
+
+  /// `settings` must outlive this.
+  explicit RecentFiles(QSettings& settings, QObject* parent = nullptr);
+
+  QStringList paths() const;
+  void add(const QString& path);
+  void remove(const QString& path);
+  void clear();
+
+ signals:
+  void changed();
+
+ private:
+  void store(const QStringList& paths);
+  QSettings& settings_;
+};
+
+}  // namespace detent::editor

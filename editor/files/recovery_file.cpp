@@ -1,0 +1,46 @@
+#include "editor/files/recovery_file.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "model/file/button_file.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr int recoveryVersion = 1;
+
+Failure broken(const QString& subject, const std::string& problem) {
+  return {FailureCode::unreadableInput, subject.toStdString(), "", problem,
+          "It was left by an editor that ended too early; it can be deleted"};
+}
+
+}  // namespace
+
+std::string recoveryText(const RecoveryRecord& record) {
+  const QJsonObject object{{"format", "detent-recovery"},
+                           {"version", recoveryVersion},
+                           {"path", record.path},
+                           {"title", record.title},
+                           {"written", record.written.toUTC().toString(Qt::ISODateWithMs)},
+                           {"button", QString::fromStdString(jsonFrom(record.button))}};
+  return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
+}
+
+Result<RecoveryRecord> recoveryFromText(const std::string& text, const QString& subject) {
+  QJsonParseError error;
+  const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text), &error);
+  if (error.error != QJsonParseError::NoError)
+    return broken(subject, "is no recovery file: " + error.errorString().toStdString());
+  const QJsonObject object = document.object();
+  if (object["format"].toString() != "detent-recovery")
+    return broken(subject, "is no recovery file: its format is not detent-recovery");
+  if (object["version"].toInt() != recoveryVersion)
+    return broken(subject, "has version " + std::to_string(object["version"].toInt()) + ", not 1");
+  auto button = buttonFromJson(object["button"].toString().toStdString(), subject.toStdString());
+  if (!button) return button.failure();
+  return RecoveryRecord{*std::move(button), object["path"].toString(), object["title"].toString(),
+                        QDateTime::fromString(object["written"].toString(), Qt::ISODateWithMs)};
+}
+
+}  // namespace detent::editor

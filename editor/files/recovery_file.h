@@ -1,0 +1,24 @@
+#pragma once
+// One unsaved document on the disk, so that a killed editor loses nothing that is older than a few seconds.
+
+#include <QDateTime>
+#include <QString>
+
+#include "model/button.h"
+
+namespace detent::editor {
+
+/// What a recovery file keeps. `path` is empty for a document that was never saved.
+struct RecoveryRecord {
+  Button button;
+  QString path;
+  QString title;
+  QDateTime written;  ///< UTC
+};
+
+/// One JSON object: format, version, path, title, time, and the text of the button file.
+std::string recoveryText(const RecoveryRecord& record);
+/// Failure unreadableInput names what is wrong with it; newer versions are refused.
+Result<RecoveryRecord> recoveryFromText(const std::string& text, const QString& subject);
+
+}  // namespace detent::editor

@@ -1,0 +1,79 @@
+#pragma once
+// Autosave and recovery: one folder per running editor with a file per modified document
+// (docs/decisions/1060-recovery.md).
+
+#include <memory>
+#include <QHash>
+#include <QList>
+#include <QLockFile>
+#include <QObject>
+#include <QThreadPool>
+#include <QTimer>
+#include <vector>
+
+#include "editor/document/button_document.h"
+#include "editor/files/recovery_file.h"
+
+namespace detent::editor {
+
+/// A document that an editor which is no longer running left unsaved.
+struct LeftBehind {
+  QString file;
+  RecoveryRecord record;
+};
+
+/// Keeps a recovery file beside every modified document it watches, and finds those of dead editors. An
+/// editor's files are guarded by a lock with its process id, so two running ones never take each other's. GUI
+/// thread; files are written by one thread of its own.
+class RecoveryStore : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Longest time a change stays unwritten (plus the writing itself). A change after a quiet time starts it.
+  static constexpr int writeAfter_ms = 2000;
+
+  /// `folder` is created when something is written for the first time. Nothing is read or locked here.
+  explicit RecoveryStore(QString folder, QObject* parent = nullptr);
+  /// Waits for the writer. Files of documents that are still watched stay, as after a kill.
+  ~RecoveryStore() override;
+
+  /// Watches until forget(); a document that is modified now is written soon.
+  void watch(ButtonDocument& document);
+  /// Closed by the person: whatever it held is saved or given up, its file goes.
+  void forget(ButtonDocument& document);
+  /// Writes what waits and returns when it is on the disk.
+  void flush();
+
+  /// Documents of dead editors, newest first. They stay reserved for this editor until it ends. Files that
+  /// cannot be read are named in `unreadable` and stay where they are.
+  QList<LeftBehind> leftBehind(QStringList* unreadable = nullptr);
+  /// Recovered or not wanted: deletes the file.
+  void discard(const LeftBehind& left);
+
+ signals:
+  /// A recovery file could not be written; a sentence for the status bar. Said once until one succeeds.
+  void failed(const QString& sentence);
+
+ private:
+  struct Watched {
+    std::unique_ptr<QTimer> timer;
+    QString file;
+    bool onDisk = false;
+  };
+  void documentChanged(ButtonDocument& document);
+  void write(ButtonDocument& document);
+  void removeFile(Watched& watched);
+  bool openSession();
+  void report(const QString& sentence);
+
+  QString folder_;
+  QString session_;  // name of this editor's folder
+  std::unique_ptr<QLockFile> lock_;
+  std::vector<std::unique_ptr<QLockFile>> reserved_;
+  QHash<ButtonDocument*, std::shared_ptr<Watched>> watched_;
+  QThreadPool writer_;  // one thread: what is asked later is done later
+  int nextFile_ = 1;
+  bool failing_ = false;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,37 @@
+#pragma once
+// Two button states side by side, as rows of one figure each.
+
+#include <optional>
+#include <QString>
+#include <vector>
+
+#include "editor/document/display_units.h"
+#include "model/button.h"
+#include "model/compare.h"
+
+namespace detent::editor {
+
+enum class Measure { length, force, slope, work, share, count };
+
+/// One figure of both; empty where a button has no such thing. mm, N, N/mm, mJ, a share, or a count.
+struct DifferenceRow {
+  QString name;
+  Measure measure = Measure::length;
+  std::optional<double> a, b;
+};
+
+/// Travel, forces, tactile points (in the order travelled, as many as the richer one has), slopes, bottom-out,
+/// work, operating and reset point. Rows that neither has are left out.
+std::vector<DifferenceRow> differencesOf(const ButtonState& a, const ButtonState& b);
+
+/// As shown in tables, without the unit; "–" for what is not there.
+QString shownValue(std::optional<double> value, Measure measure, const DisplayUnits& units);
+/// B minus A with its sign; "–" unless both are there.
+QString shownDifference(const DifferenceRow& row, const DisplayUnits& units);
+/// Unit of a measure: "cN", "cN/mm", "mJ", "%"; empty for counts.
+QString shownUnit(Measure measure, const DisplayUnits& units);
+
+/// The distance of the curves in one line of the person's units.
+QString shownDistance(const GraphDistance& distance, const DisplayUnits& units);
+
+}  // namespace detent::editor

@@ -1,0 +1,145 @@
+#include "editor/library/library_panel.h"
+
+#include <QDir>
+#include <QEvent>
+#include <QFileDialog>
+#include <QMenu>
+#include <QSplitter>
+#include <QVBoxLayout>
+
+namespace detent::editor {
+namespace {
+
+QListView* pictureList(QAbstractItemModel* model, const QString& objectName, const QString& accessibleName) {
+  auto* list = new QListView;
+  list->setObjectName(objectName);
+  list->setAccessibleName(accessibleName);
+  list->setModel(model);
+  list->setIconSize(LibraryPanel::pictureSize_px);
+  list->setUniformItemSizes(true);  // pictures are asked for only where they are seen
+  list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  list->setContextMenuPolicy(Qt::CustomContextMenu);
+  list->setFrameShape(QFrame::NoFrame);
+  list->setSpacing(1);
+  return list;
+}
+
+}  // namespace
+
+LibraryPanel::LibraryPanel(QWidget* parent) : QWidget(parent) {
+  setObjectName("libraryPanel");
+  auto* sections = new QSplitter(Qt::Vertical);
+  sections->addWidget(openSection());
+  sections->addWidget(folderSection());
+  sections->setChildrenCollapsible(false);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(sections);
+  updateLook();
+  showFolderName();
+}
+
+QWidget* LibraryPanel::openSection() {
+  auto* section = new QWidget;
+  auto* layout = new QVBoxLayout(section);
+  layout->setContentsMargins(6, 6, 6, 6);
+  auto* title = new QLabel(tr("Open"));
+  layout->addWidget(title);
+  openList_ = pictureList(&open_, "libraryOpenButtons", tr("Open buttons"));
+  title->setBuddy(openList_);
+  layout->addWidget(openList_);
+  const auto choose = [this](const QModelIndex& index) {
+    if (ButtonDocument* document = open_.documentAt(index)) emit documentChosen(document);
+  };
+  connect(openList_, &QListView::clicked, this, choose);
+  connect(openList_, &QListView::activated, this, choose);
+  connect(openList_, &QListView::customContextMenuRequested, this, &LibraryPanel::openMenu);
+  return section;
+}
+
+QWidget* LibraryPanel::folderSection() {
+  auto* section = new QWidget;
+  auto* layout = new QVBoxLayout(section);
+  layout->setContentsMargins(6, 6, 6, 6);
+  folderButton_ = new QToolButton;
+  folderButton_->setObjectName("libraryFolder");
+  folderButton_->setAccessibleName(tr("Folder of the library"));
+  folderButton_->setToolTip(tr("Choose the folder whose buttons are listed here"));
+  folderButton_->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  folderButton_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  connect(folderButton_, &QToolButton::clicked, this, &LibraryPanel::askFolder);
+  filter_ = new QLineEdit;
+  filter_->setObjectName("libraryFilter");
+  filter_->setAccessibleName(tr("Filter by name"));
+  filter_->setPlaceholderText(tr("Filter by name"));
+  filter_->setClearButtonEnabled(true);
+  connect(filter_, &QLineEdit::textChanged, &files_, &FolderModel::setFilter);
+  fileList_ = pictureList(&files_, "libraryFolderButtons", tr("Buttons of the folder"));
+  connect(fileList_, &QListView::activated, this,
+          [this](const QModelIndex& index) { emit fileChosen(files_.pathAt(index)); });
+  connect(fileList_, &QListView::customContextMenuRequested, this, &LibraryPanel::folderMenu);
+  emptyHint_ = new QLabel;
+  emptyHint_->setWordWrap(true);
+  emptyHint_->setEnabled(false);
+  connect(&files_, &FolderModel::modelReset, this, &LibraryPanel::showFolderName);
+  layout->addWidget(folderButton_);
+  layout->addWidget(filter_);
+  layout->addWidget(emptyHint_);
+  layout->addWidget(fileList_, 1);
+  return section;
+}
+
+void LibraryPanel::setDocuments(const std::vector<ButtonDocument*>& documents, ButtonDocument* active) {
+  open_.setDocuments(documents);
+  for (int row = 0; row < open_.rowCount(); ++row)
+    if (open_.documentAt(open_.index(row)) == active) openList_->setCurrentIndex(open_.index(row));
+}
+
+void LibraryPanel::setFolder(const QString& folder) { files_.setFolder(folder); }
+
+void LibraryPanel::showFolderName() {
+  const QString name = QDir(files_.folder()).dirName();
+  folderButton_->setText(files_.folder().isEmpty() ? tr("Choose a folder…") : name);
+  emptyHint_->setText(files_.folder().isEmpty() ? tr("The buttons of a folder can be listed here.")
+                                                : tr("No button files (*.button.json) with this name here."));
+  emptyHint_->setVisible(files_.rowCount() == 0);
+  filter_->setVisible(!files_.folder().isEmpty());
+}
+
+void LibraryPanel::askFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of the library"), files_.folder());
+  if (folder.isEmpty()) return;
+  setFolder(folder);
+  emit folderChanged(folder);
+}
+
+void LibraryPanel::openMenu(QPoint at) {
+  ButtonDocument* document = open_.documentAt(openList_->indexAt(at));
+  if (!document) return;
+  QMenu menu;
+  menu.addAction(tr("Show"), this, [this, document] { emit documentChosen(document); });
+  menu.addAction(tr("Compare with the one shown"), this, [this, document] { emit compareRequested(document); });
+  menu.exec(openList_->viewport()->mapToGlobal(at));
+}
+
+void LibraryPanel::folderMenu(QPoint at) {
+  const QString path = files_.pathAt(fileList_->indexAt(at));
+  if (path.isEmpty()) return;
+  QMenu menu;
+  menu.addAction(tr("Open"), this, [this, path] { emit fileChosen(path); });
+  menu.addAction(tr("Compare with the one shown"), this, [this, path] { emit compareFileRequested(path); });
+  menu.exec(fileList_->viewport()->mapToGlobal(at));
+}
+
+void LibraryPanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && openList_) updateLook();
+}
+
+void LibraryPanel::updateLook() {
+  pictures_.setLook(graphColors(isDark(palette())), devicePixelRatioF());
+  open_.redraw();
+  files_.redraw();
+}
+
+}  // namespace detent::editor

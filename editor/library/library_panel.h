@@ -1,0 +1,58 @@
+#pragma once
+// The side list: open buttons and those of a folder.
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QListView>
+#include <QToolButton>
+#include <QWidget>
+
+#include "editor/library/library_model.h"
+
+namespace detent::editor {
+
+/// GUI thread.
+class LibraryPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LibraryPanel(QWidget* parent = nullptr);
+
+  /// In the order of the tabs; `active` is marked.
+  void setDocuments(const std::vector<ButtonDocument*>& documents, ButtonDocument* active);
+  void setFolder(const QString& folder);
+  const QString& folder() const { return files_.folder(); }
+
+  static constexpr QSize pictureSize_px{84, 60};
+
+ signals:
+  void documentChosen(ButtonDocument* document);
+  void fileChosen(const QString& path);
+  /// Beside the active one.
+  void compareRequested(ButtonDocument* document);
+  void compareFileRequested(const QString& path);
+  void folderChanged(const QString& folder);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  QWidget* openSection();
+  QWidget* folderSection();
+  void askFolder();
+  void showFolderName();
+  void updateLook();
+  void openMenu(QPoint at);
+  void folderMenu(QPoint at);
+
+  PictureCache pictures_{pictureSize_px};
+  OpenButtonsModel open_{pictures_};
+  FolderModel files_{pictures_};
+  QListView* openList_ = nullptr;
+  QListView* fileList_ = nullptr;
+  QToolButton* folderButton_ = nullptr;
+  QLineEdit* filter_ = nullptr;
+  QLabel* emptyHint_ = nullptr;
+};
+
+}  // namespace detent::editor

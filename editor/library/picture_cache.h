@@ -1,0 +1,63 @@
+#pragma once
+// Graph pictures for lists, drawn beside the window's thread and kept.
+
+#include <QCache>
+#include <QImage>
+#include <QObject>
+#include <QSet>
+#include <QThreadPool>
+
+#include "editor/document/graph_colors.h"
+#include "model/button.h"
+
+namespace detent::editor {
+
+/// GUI thread; reading files and drawing happen on a thread of its own.
+class PictureCache : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `size_px` in logical pixels.
+  PictureCache(QSize size_px, QObject* parent = nullptr);
+  /// Waits for the picture being drawn; those not begun are dropped.
+  ~PictureCache() override;
+
+  /// The picture of a button file as it stands on the disk; null while it is being made (ready() follows) and
+  /// for files that hold no button. A changed file gets a new picture.
+  QImage ofFile(const QString& path);
+  /// Asks for the picture of an open button; `key` is stable per document. ready(key) follows.
+  void draw(const QString& key, const Button& button);
+  /// The last one drawn under this key.
+  QImage drawn(const QString& key) const;
+  void forget(const QString& key);
+
+  QSize size_px() const { return size_px_; }
+  /// Why a file has no picture: a sentence for a tool tip, empty if it has one.
+  QString trouble(const QString& path) const;
+
+  /// Colours and pixel ratio of the pictures made from now on; what was made with others is dropped.
+  void setLook(const GraphColors& colors, double devicePixelRatio);
+
+ signals:
+  /// `key`: a path or a document's key.
+  void ready(const QString& key);
+
+ private:
+  void finished(const QString& key, const QString& stamp, const QImage& image, const QString& trouble, int look);
+
+  struct Entry {
+    QString stamp;  // of the file it was made from
+    QImage image;
+    QString trouble;
+  };
+  QSize size_px_;
+  GraphColors colors_ = graphColors(false);
+  double devicePixelRatio_ = 1;
+  int look_ = 0;
+  QCache<QString, Entry> files_{400};
+  QHash<QString, QImage> open_;
+  QSet<QString> making_;
+  QThreadPool painter_;
+};
+
+}  // namespace detent::editor
