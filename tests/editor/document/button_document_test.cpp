@@ -1,0 +1,96 @@
+#include "editor/document/button_document.h"
+
+#include <catch2/catch.hpp>
+
+#include "editor/document/view_settings.h"
+#include "model/edits.h"
+#include "model/templates.h"
+
+using namespace detent;
+using namespace detent::editor;
+
+namespace {
+
+ForceGraph line(double end_N) {
+  return ForceGraph::fromCurves(
+             StrokeCurve::fromKnots({{0, 0, end_N / 4, end_N / 4}, {4, end_N, end_N / 4, end_N / 4}}).value(),
+             {})
+      .value();
+}
+
+Button latch() {
+  return Button::fromStates("latch", {{"unlocked", line(1), {}, {}, {}}, {"locked", line(2), {}, {}, {}}})
+      .value();
+}
+
+int countedChanges(ButtonDocument& document, void (ButtonDocument::*signal)(),
+                   const std::function<void()>& act) {
+  int count = 0;
+  const auto connection = QObject::connect(&document, signal, &document, [&] { ++count; });
+  act();
+  QObject::disconnect(connection);
+  return count;
+}
+
+}  // namespace
+
+TEST_CASE("A document is called after its file, else after its button") {
+  ButtonDocument document(rename(latch(), "Blue").value());
+  CHECK(document.title() == "Blue");
+  document.setPath("/somewhere/Clicky 3.5.button.json");
+  CHECK(document.title() == "Clicky 3.5");
+  document.setPath("/somewhere/log.2024.csv");
+  CHECK(document.title() == "log.2024");
+  CHECK(ButtonDocument(rename(latch(), "").value()).title() == "Untitled");
+}
+
+TEST_CASE("The shown graph is that of the active state, and follows a drag") {
+  ButtonDocument document(latch());
+  document.setActiveState(1);
+  CHECK(document.graph().press().force_N(4) == 2);
+  document.history().beginDrag("Scale");
+  document.history().preview(scaleForce(latch(), 3).value());
+  CHECK(document.graph().press().force_N(4) == 6);
+  document.history().cancelDrag();
+  CHECK(document.graph().press().force_N(4) == 2);
+}
+
+TEST_CASE("The active state stays one the button has when an undo takes the second away") {
+  const Button momentary = Button::fromStates("b", {{"", line(1), {}, {}, {}}}).value();
+  ButtonDocument document(momentary);
+  document.history().apply(latch(), "Add state");
+  document.setActiveState(1);
+  document.history().stack().undo();
+  CHECK(document.activeState() == 0);
+  CHECK(document.graph() == momentary.states()[0].graph);
+  document.history().stack().redo();
+  CHECK(document.activeState() == 1);
+}
+
+TEST_CASE("Views hear of a new value, title marks of saving and edits") {
+  ButtonDocument document(latch());
+  const Button heavier = scaleForce(latch(), 2).value();
+  CHECK(countedChanges(document, &ButtonDocument::changed,
+                       [&] { document.history().apply(heavier, "Scale"); }) == 1);
+  CHECK(countedChanges(document, &ButtonDocument::changed,
+                       [&] { document.history().apply(heavier, "Scale"); }) == 0);
+  CHECK(countedChanges(document, &ButtonDocument::titleChanged, [&] { document.history().markSaved(); }) ==
+        1);
+  CHECK_FALSE(document.history().modified());
+}
+
+TEST_CASE("Settings of the view tell of a change once, and only of a change") {
+  ViewSettings settings;
+  int count = 0;
+  QObject::connect(&settings, &ViewSettings::changed, &settings, [&] { ++count; });
+  settings.setUnits({LengthUnit::inch, ForceUnit::ounceForce});
+  settings.setUnits({LengthUnit::inch, ForceUnit::ounceForce});
+  settings.setUnderlayOpacity(0.25);
+  settings.setSnap({.toGrid = true});
+  settings.setAppearance(Appearance::dark);
+  settings.setAppearance(Appearance::dark);
+  settings.setResidualsShown(true);
+  CHECK(count == 5);
+  CHECK(settings.units().length == LengthUnit::inch);
+  CHECK(settings.snap().toGrid);
+}
