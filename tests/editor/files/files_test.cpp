@@ -1,0 +1,226 @@
+// Opening, saving, recent files, changes from outside, exports.
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "editor/files/document_files.h"
+#include "editor/files/exports.h"
+#include "editor/files/file_watch.h"
+#include "editor/files/input_kind.h"
+#include "editor/files/recent_files.h"
+#include "model/edits.h"
+#include "model/templates.h"
+
+using namespace detent;
+using namespace detent::editor;
+
+namespace {
+
+Button stronger(const Button& button, double factor) { return *scaleForce(button, factor); }
+
+void writeFile(const QString& path, const QByteArray& bytes) {
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(bytes);
+}
+
+QByteArray contentsOf(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+QString sample(const char* name) { return QStringLiteral(DETENT_SOURCE_DIR "/samples/") + name; }
+
+}  // namespace
+
+class FilesTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+  void tellsButtonsFromPages() {
+    QCOMPARE(*inputKindOf(sample("buttons/B.button.json")), InputKind::button);
+    QCOMPARE(*inputKindOf(sample("plots/two-level-legend.png")), InputKind::page);
+    QCOMPARE(*inputKindOf(sample("plots/white-vector.pdf")), InputKind::page);
+    QCOMPARE(*inputKindOf(sample("plots/force-meter-log.csv")), InputKind::page);
+    writeFile(at("curve.csv"), "\xEF\xBB\xBFstroke,displacement_mm,force_N\r\npress,0,0\r\npress,1,1\r\n");
+    QCOMPARE(*inputKindOf(at("curve.csv")), InputKind::curveCsv);
+    writeFile(at("without-ending"), "  {\"format\": \"detent-button\"}");
+    QCOMPARE(*inputKindOf(at("without-ending")), InputKind::button);
+    QCOMPARE(inputKindOf(at("nothing.json")).failure().code, FailureCode::unreadableInput);
+    QCOMPARE(inputKindOf(folder_->path()).failure().code, FailureCode::unreadableInput);
+  }
+
+  void savesWhatItOpens() {
+    auto opened = openDocument(sample("buttons/B.button.json"));
+    QVERIFY(opened.ok());
+    ButtonDocument& document = **opened;
+    QCOMPARE(document.title(), QString("B"));
+    QVERIFY(!document.history().modified());
+    const Button edited = stronger(document.button(), 1.25);
+    document.history().apply(edited, "Scale force");
+    QVERIFY(document.history().modified());
+
+    QVERIFY(saveDocument(document, at("copy.button.json")).ok());
+    QCOMPARE(document.path(), at("copy.button.json"));
+    QVERIFY(!document.history().modified());
+    auto again = openDocument(at("copy.button.json"));
+    QVERIFY(again.ok());
+    QVERIFY((*again)->button() == edited);
+  }
+
+  void aDragIsNotSaved() {
+    ButtonDocument document(*tactileButton());
+    const Button before = document.button();
+    document.history().beginDrag("Drag");
+    document.history().preview(stronger(before, 2));
+    QVERIFY(saveDocument(document, at("a.button.json")).ok());
+    QVERIFY((*openDocument(at("a.button.json")))->button() == before);
+    document.history().cancelDrag();
+  }
+
+  void aFailedSaveChangesNothing() {
+    ButtonDocument document(*tactileButton());
+    document.history().apply(stronger(document.button(), 2), "Scale force");
+    const auto saved = saveDocument(document, at("no/such/folder/a.button.json"));
+    QVERIFY(!saved.ok());
+    QVERIFY(sentenceOf(saved.failure()).contains("folder"));
+    QVERIFY(document.path().isEmpty());
+    QVERIFY(document.history().modified());
+  }
+
+  void aBrokenFileIsRefusedWithItsPlace() {
+    writeFile(at("broken.button.json"), "{\"format\": \"detent-button\",\n  \"version\": }");
+    const auto opened = openDocument(at("broken.button.json"));
+    QVERIFY(!opened.ok());
+    QVERIFY(sentenceOf(opened.failure()).contains("broken.button.json"));
+    QVERIFY(sentenceOf(opened.failure()).contains("line 2"));
+  }
+
+  void aCsvOpensAsANewDocument() {
+    ButtonDocument source(*tactileButton());
+    QVERIFY(exportCsv(source.button(), 0, at("bump.csv")).ok());
+    auto opened = openDocument(at("bump.csv"));
+    QVERIFY(opened.ok());
+    QVERIFY((*opened)->path().isEmpty());
+    QCOMPARE((*opened)->title(), QString("bump"));
+  }
+
+  void reloadCanBeUndone() {
+    auto opened = openDocument(sample("buttons/B.button.json"));
+    QVERIFY(opened.ok());
+    ButtonDocument& document = **opened;
+    QVERIFY(saveDocument(document, at("b.button.json")).ok());
+    const Button mine = stronger(document.button(), 1.5);
+    document.history().apply(mine, "Scale force");
+    ButtonDocument other(stronger(mine, 2));
+    QVERIFY(saveDocument(other, at("b.button.json")).ok());
+
+    QVERIFY(reloadDocument(document).ok());
+    QVERIFY(document.button() == other.button());
+    QVERIFY(!document.history().modified());
+    document.history().stack().undo();
+    QVERIFY(document.button() == mine);
+    QVERIFY(document.history().modified());
+  }
+
+  void suggestsSafeNames() {
+    ButtonDocument document(*rename(*tactileButton(), "../a:b/c"));
+    QCOMPARE(suggestedPath(document, "/tmp", ".button.json"), QString("/tmp/-a-b-c.button.json"));
+    QCOMPARE(withButtonEnding("x"), QString("x.button.json"));
+    QCOMPARE(withButtonEnding("x.button"), QString("x.button.json"));
+    QCOMPARE(withButtonEnding("x.JSON"), QString("x.JSON"));
+  }
+
+  void recentFilesAreNewestFirstOnceAndKept() {
+    QSettings settings(at("settings.ini"), QSettings::IniFormat);
+    RecentFiles recent(settings);
+    QSignalSpy changed(&recent, &RecentFiles::changed);
+    for (int i = 0; i < RecentFiles::kept + 3; ++i) recent.add(at(QString::number(i)));
+    recent.add(at("5"));
+    QCOMPARE(recent.paths().size(), RecentFiles::kept);
+    QCOMPARE(recent.paths().first(), at("5"));
+    QCOMPARE(recent.paths().count(at("5")), 1);
+    recent.remove(at("5"));
+    QVERIFY(!recent.paths().contains(at("5")));
+    QVERIFY(changed.count() >= RecentFiles::kept);
+    settings.sync();
+    QSettings later(at("settings.ini"), QSettings::IniFormat);
+    QCOMPARE(RecentFiles(later).paths(), recent.paths());
+  }
+
+  void noticesChangesFromOutsideOnly() {
+    writeFile(at("w.button.json"), "one");
+    FileWatch watch;
+    QSignalSpy changed(&watch, &FileWatch::changedOutside), vanished(&watch, &FileWatch::vanished);
+    watch.watch(at("w.button.json"));
+
+    writeFile(at("w.button.json"), "two");
+    QTRY_COMPARE(changed.count(), 1);
+    writeFile(at("w.button.json"), "two");  // the same again: nothing to say
+    QTest::qWait(400);
+    QCOMPARE(changed.count(), 1);
+
+    writeFile(at("other"), "three");  // what editors do: write beside, rename over
+    QVERIFY(std::rename(qPrintable(at("other")), qPrintable(at("w.button.json"))) == 0);
+    QTRY_COMPARE(changed.count(), 2);
+    writeFile(at("other"), "four");  // and again: the watch has followed the new file
+    QVERIFY(std::rename(qPrintable(at("other")), qPrintable(at("w.button.json"))) == 0);
+    QTRY_COMPARE(changed.count(), 3);
+    writeFile(at("w.button.json"), "five");
+    QTRY_COMPARE(changed.count(), 4);
+
+    QFile::remove(at("w.button.json"));
+    QTRY_COMPARE(vanished.count(), 1);
+    writeFile(at("w.button.json"), "six");
+    QTRY_COMPARE(changed.count(), 5);
+
+    watch.watch(at("w.button.json"));  // saved by ourselves
+    watch.forget(at("w.button.json"));
+    writeFile(at("w.button.json"), "seven");
+    QTest::qWait(400);
+    QCOMPARE(changed.count(), 5);
+  }
+
+  void ownSavesAreNoChanges() {
+    ButtonDocument document(*tactileButton());
+    QVERIFY(saveDocument(document, at("own.button.json")).ok());
+    FileWatch watch;
+    QSignalSpy changed(&watch, &FileWatch::changedOutside);
+    watch.watch(document.path());
+    document.history().apply(stronger(document.button(), 2), "Scale force");
+    QVERIFY(saveDocument(document, document.path()).ok());
+    watch.watch(document.path());
+    QTest::qWait(500);
+    QCOMPARE(changed.count(), 0);
+  }
+
+  void exportsAreWhole() {
+    const Button button = *tactileButton();
+    QVERIFY(exportCsv(button, 0, at("a.csv")).ok());
+    QVERIFY(contentsOf(at("a.csv")).startsWith("stroke,displacement_mm,force_N\npress,0,0.3"));
+    DisplayUnits grams;
+    grams.force = ForceUnit::gramForce;
+    QVERIFY(exportSvg(button, grams, at("a.svg")).ok());
+    QVERIFY(contentsOf(at("a.svg")).contains("gf"));
+    QImage picture(20, 10, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    QVERIFY(exportPng(picture, at("a.png")).ok());
+    QCOMPARE(QImage(at("a.png")).size(), QSize(20, 10));
+    QVERIFY(exportWav(button, at("a.wav")).ok());
+    const QByteArray sound = contentsOf(at("a.wav"));
+    QVERIFY(sound.startsWith("RIFF"));
+    QVERIFY(sound.size() > 48000 / 4 * 4);  // a quarter of a second of floats at least
+    QVERIFY(!exportWav(button, at("no/folder/a.wav")).ok());
+    QVERIFY(!exportPng(picture, at("no/folder/a.png")).ok());
+  }
+
+ private:
+  QString at(const QString& name) const { return folder_->filePath(name); }
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+QTEST_GUILESS_MAIN(FilesTest)
+#include "files_test.moc"

@@ -1,0 +1,199 @@
+// Pictures, lists, templates, differences.
+
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QListView>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "editor/files/document_files.h"
+#include "editor/library/compare_dialog.h"
+#include "editor/library/graph_picture.h"
+#include "editor/library/library_panel.h"
+#include "editor/library/template_dialog.h"
+#include "model/edits.h"
+#include "model/templates.h"
+
+using namespace detent;
+using namespace detent::editor;
+
+namespace {
+
+int pixelsLike(const QImage& image, const QColor& color) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor at = image.pixelColor(x, y);
+      if (std::abs(at.red() - color.red()) + std::abs(at.green() - color.green()) +
+              std::abs(at.blue() - color.blue()) < 60)
+        ++count;
+    }
+  return count;
+}
+
+const DifferenceRow* rowNamed(const std::vector<DifferenceRow>& rows, const QString& name) {
+  for (const DifferenceRow& row : rows)
+    if (row.name == name) return &row;
+  return nullptr;
+}
+
+}  // namespace
+
+class LibraryTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void picturesShowBothStrokes() {
+    const GraphColors colors = graphColors(false);
+    const QImage both = graphPicture(*tactileButton(), {84, 60}, 2, colors);
+    QCOMPARE(both.size(), QSize(168, 120));
+    QVERIFY(pixelsLike(both, colors.press) > 80);
+    QVERIFY(pixelsLike(both, colors.release) > 40);
+    const Button pressOnly =
+        *editGraph(*tactileButton(), 0, [](const ForceGraph& g) { return removeRelease(g); });
+    QCOMPARE(pixelsLike(graphPicture(pressOnly, {84, 60}, 2, colors), colors.release), 0);
+  }
+
+  void picturesOfOddButtonsAreDrawn() {
+    const auto flat = StrokeCurve::fromKnots({{0, 0, 0, 0}, {1, 0, 0, 0}});
+    const auto graph = ForceGraph::fromCurves(*flat, {});
+    const Button nothing = *Button::fromStates("flat", {ButtonState{"", *graph, {}, {}, {}}});
+    QVERIFY(!graphPicture(nothing, {84, 60}, 1, graphColors(true)).isNull());
+    QVERIFY(!graphPicture(*scaleForce(*selfLockingButton(), 1e5), {84, 60}, 1, graphColors(true)).isNull());
+  }
+
+  void aFolderIsListedWithPicturesAndFollowed() {
+    QTemporaryDir folder;
+    ButtonDocument document(*tactileButton());
+    QVERIFY(saveDocument(document, folder.filePath("one.button.json")).ok());
+    QFile broken(folder.filePath("broken.button.json"));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("{");
+    broken.close();
+
+    PictureCache pictures({84, 60});
+    FolderModel model(pictures);
+    model.setFolder(folder.path());
+    QCOMPARE(model.rowCount(), 2);
+    QCOMPARE(model.index(1).data().toString(), QString("one"));
+    QSignalSpy ready(&pictures, &PictureCache::ready);
+    model.index(0).data(Qt::DecorationRole);
+    model.index(1).data(Qt::DecorationRole);
+    QTRY_COMPARE(ready.count(), 2);
+    QVERIFY(!pictures.ofFile(folder.filePath("one.button.json")).isNull());
+    QVERIFY(pictures.ofFile(folder.filePath("broken.button.json")).isNull());
+    QVERIFY(model.index(0).data(Qt::ToolTipRole).toString().contains("broken.button.json"));
+
+    QVERIFY(saveDocument(document, folder.filePath("two.button.json")).ok());
+    QTRY_COMPARE(model.rowCount(), 3);
+    model.setFilter("TWO");
+    QCOMPARE(model.rowCount(), 1);
+    QCOMPARE(model.pathAt(model.index(0)), folder.filePath("two.button.json"));
+  }
+
+  void openButtonsShowTheirState() {
+    PictureCache pictures({84, 60});
+    OpenButtonsModel model(pictures);
+    ButtonDocument a(*tactileButton());
+    auto b = std::make_unique<ButtonDocument>(*linearButton());
+    model.setDocuments({&a, b.get()});
+    QSignalSpy ready(&pictures, &PictureCache::ready);
+    QTRY_COMPARE(ready.count(), 2);
+    QCOMPARE(model.index(0).data().toString(), QString("tactile"));
+    a.history().apply(*scaleForce(a.button(), 2), "Scale force");
+    QCOMPARE(model.index(0).data().toString(), QString("tactile *"));
+    QTRY_COMPARE(ready.count(), 3);
+    model.setDocuments({&a});
+    b.reset();
+    QCOMPARE(model.rowCount(), 1);
+  }
+
+  void thePanelTellsWhatWasChosen() {
+    QTemporaryDir folder;
+    ButtonDocument document(*tactileButton());
+    QVERIFY(saveDocument(document, folder.filePath("one.button.json")).ok());
+    LibraryPanel panel;
+    panel.setDocuments({&document}, &document);
+    panel.setFolder(folder.path());
+    panel.show();
+    QSignalSpy documents(&panel, &LibraryPanel::documentChosen), files(&panel, &LibraryPanel::fileChosen);
+    auto* open = panel.findChild<QListView*>("libraryOpenButtons");
+    emit open->clicked(open->model()->index(0, 0));
+    QCOMPARE(documents.count(), 1);
+    auto* list = panel.findChild<QListView*>("libraryFolderButtons");
+    emit list->activated(list->model()->index(0, 0));
+    QCOMPARE(files.at(0).at(0).toString(), folder.filePath("one.button.json"));
+  }
+
+  void templatesAreValidAndDifferent() {
+    const auto templates = buttonTemplates();
+    QCOMPARE(templates.size(), std::size_t{5});
+    for (std::size_t i = 1; i < templates.size(); ++i) {
+      QVERIFY(!(templates[i].button.states() == templates[i - 1].button.states()));
+      QVERIFY(templates[i].id != templates[i - 1].id);
+      QCOMPARE(QString::fromStdString(templates[i].button.name()), templates[i].name);
+    }
+    TemplateDialog dialog;
+    dialog.choose("clicky");
+    QCOMPARE(dialog.chosen().id, QString("clicky"));
+  }
+
+  void differencesAreThoseOfTheButtons() {
+    const Button a = *tactileButton(), b = *scaleForce(a, 2);
+    const auto rows = differencesOf(a.states()[0], b.states()[0]);
+    const DifferenceRow* travel = rowNamed(rows, "Travel");
+    QVERIFY(travel && *travel->a == *travel->b);
+    const DifferenceRow* force = rowNamed(rows, "Press: tactile point, force");
+    QVERIFY(force);
+    QCOMPARE(*force->b, 2 * *force->a);
+    const DisplayUnits units;
+    QCOMPARE(shownValue(force->a, Measure::force, units), QString("55.00"));
+    QCOMPARE(shownDifference(*force, units), QString("+55.00"));
+    QCOMPARE(shownUnit(Measure::force, units), QString("cN"));
+    DisplayUnits inches;
+    inches.length = LengthUnit::inch;
+    QCOMPARE(shownValue(travel->a, Measure::length, inches), QString("0.1575"));
+  }
+
+  void whatOneHasAndTheOtherNotIsADash() {
+    const auto rows = differencesOf(linearButton()->states()[0], twoLevelButton()->states()[0]);
+    const DifferenceRow* second = rowNamed(rows, "Press: tactile point 2, force");
+    QVERIFY(second && !second->a && second->b);
+    QCOMPARE(shownDifference(*second, {}), QString("\u2013"));
+  }
+
+  void theDialogueComparesAndFollows() {
+    ViewSettings settings;
+    ButtonDocument a(*tactileButton()), b(*selfLockingButton());
+    CompareDialog dialog(settings);
+    dialog.setDocuments({&a, &b});
+    dialog.compare(&a, &b);
+    dialog.show();
+    auto* table = dialog.findChild<QTableWidget*>("compareTable");
+    QVERIFY(table->rowCount() > 8);
+    QVERIFY(dialog.findChild<QComboBox*>("compareStateB")->isVisible());
+    QVERIFY(!dialog.findChild<QComboBox*>("compareStateA")->isVisible());
+    const QString before = dialog.tableText();
+    a.history().apply(*scaleTravel(a.button(), 0.5), "Scale travel");
+    QTRY_VERIFY(dialog.tableText() != before);
+    DisplayUnits units;
+    units.force = ForceUnit::gramForce;
+    settings.setUnits(units);
+    QTRY_VERIFY(dialog.tableText().contains("gf"));
+    dialog.findChild<QPushButton*>("compareCopy")->click();
+    QCOMPARE(QApplication::clipboard()->text(), dialog.tableText());
+    dialog.findChild<QPushButton*>("compareExchange")->click();
+    QVERIFY(dialog.findChild<QComboBox*>("compareStateA")->isVisible());
+    a.history().stack().undo();
+    dialog.setDocuments({&a});
+    dialog.setDocuments({});
+    QCOMPARE(table->rowCount(), 0);
+  }
+};
+
+QTEST_MAIN(LibraryTest)
+#include "library_test.moc"
