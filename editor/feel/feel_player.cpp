@@ -1,0 +1,281 @@
+#include "editor/feel/feel_player.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace detent::editor {
+namespace {
+
+constexpr int movingTick_ms = 8;    // 125 Hz wanted, so that a late timer still shows 60
+constexpr int restingTick_ms = 40;  // meters, and a sensor that begins to press
+constexpr double lift_s = 0.06;     // as playback's own finger
+constexpr double goesOn_s = 1;      // how long after the last movement meters stay quick
+
+QString sentence(const Failure& failure) { return QString::fromStdString(failure.sentence()); }
+
+/// 1 to 0 without jerk at the ends (Flash & Hogan 1985).
+double fading(double share) {
+  const double t = std::clamp(share, 0.0, 1.0);
+  return 1 - t * t * t * (10 + t * (6 * t - 15));
+}
+
+}  // namespace
+
+FeelPlayer::FeelPlayer(QObject* parent, Opener opener) : QObject(parent), opener_(std::move(opener)) {
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &FeelPlayer::tick);
+  status_.sounding = false;
+}
+
+FeelPlayer::~FeelPlayer() {
+  if (worker_.joinable()) worker_.join();
+}
+
+void FeelPlayer::setProgram(std::shared_ptr<const playback::HapticProgram> program) {
+  program_ = std::move(program);
+  if (!program_) {
+    if (finger_ == Finger::timed && player_) player_->fingerUp();
+    finger_ = Finger::none;
+    return;
+  }
+  if (waiting_) waiting_->setProgram(*program_);
+  if (player_) {
+    player_->setProgram(*program_);
+  } else {
+    startSilent();
+  }
+}
+
+void FeelPlayer::startSilent() {
+  player_.reset();
+  if (!program_) return;
+  Result<Player> silent = playback::LivePlayer::startSilent(*program_);
+  if (!silent) {
+    setSound(SoundState::failed, sentence(silent.failure()));
+    return;
+  }
+  player_ = *std::move(silent);
+  if (!sensor_.port.empty())
+    static_cast<void>(player_->attachSensor(sensor_.port, sensor_.baud, sensor_.calibration));
+  pace();
+}
+
+// ---------------------------------------------------------------------------------------------- sound
+
+void FeelPlayer::setSoundWanted(bool wanted) {
+  if (wanted == soundWanted_) return;
+  soundWanted_ = wanted;
+  const bool open = sound_ != SoundState::off && sound_ != SoundState::failed;
+  if (!wanted && open) exchangeDevice();
+  setSound(SoundState::off);
+}
+
+void FeelPlayer::setOutput(const playback::PlayerSettings& settings) {
+  output_ = settings;
+  if (sound_ != SoundState::off) exchangeDevice();
+}
+
+void FeelPlayer::startSound() {
+  if (!program_ || !soundWanted_ || !playback::livePlaybackAvailable()) return;
+  if (sound_ == SoundState::off || sound_ == SoundState::failed) exchangeDevice();
+}
+
+// A device may take seconds to open or close, and can be open only once: the one in use goes first, on the
+// thread that opens the next.
+void FeelPlayer::exchangeDevice() {
+  exchangeAgain_ = busy_;
+  if (busy_) return;
+  if (worker_.joinable()) worker_.join();
+  std::shared_ptr<playback::LivePlayer> old = std::move(waiting_);
+  if (player_ && status_.sounding) {
+    player_->detachSensor();
+    old = std::move(player_);
+    startSilent();
+  }
+  const bool open = soundWanted_ && program_;
+  if (!open && !old) return;
+  busy_ = true;
+  if (open) setSound(SoundState::starting);
+  worker_ = std::thread([this, old = std::move(old), open, settings = output_, program = program_]() mutable {
+    old.reset();
+    std::shared_ptr<Result<Player>> result;
+    if (open) result = std::make_shared<Result<Player>>(opener_(settings, *program));
+    QMetaObject::invokeMethod(
+        this, [this, result] { exchanged(result.get()); }, Qt::QueuedConnection);
+  });
+}
+
+void FeelPlayer::exchanged(Result<Player>* result) {
+  busy_ = false;
+  if (result != nullptr && *result) waiting_ = *std::move(*result);
+  if (std::exchange(exchangeAgain_, false)) {
+    exchangeDevice();
+    return;
+  }
+  if (!soundWanted_ || result == nullptr) return;
+  if (!waiting_) {
+    setSound(SoundState::failed, sentence(result->failure()));
+    return;
+  }
+  if (program_) waiting_->setProgram(*program_);
+  waiting_->setGain(gain_);
+  adopt();
+}
+
+// A press that has begun is finished on the player that knows it.
+void FeelPlayer::adopt() {
+  if (!waiting_ || pressed_ || finger_ != Finger::none) return;
+  player_ = std::move(waiting_);
+  if (!sensor_.port.empty())
+    static_cast<void>(player_->attachSensor(sensor_.port, sensor_.baud, sensor_.calibration));
+  status_ = player_->status();
+  setSound(SoundState::on);
+  pace();
+}
+
+void FeelPlayer::setGain(double gain) {
+  gain_ = gain;
+  if (player_) player_->setGain(gain);
+  if (waiting_) waiting_->setGain(gain);
+}
+
+void FeelPlayer::setSound(SoundState state, const QString& trouble) {
+  if (state == sound_ && trouble == trouble_) return;
+  sound_ = state;
+  trouble_ = trouble;
+  emit soundChanged();
+}
+
+void FeelPlayer::followSound() {
+  if (!status_.sounding) return;
+  setSound(status_.deviceLost ? SoundState::lost : SoundState::on);
+}
+
+// --------------------------------------------------------------------------------------------- sensor
+
+Result<Done> FeelPlayer::setSensor(const SensorPort& sensor) {
+  sensor_ = sensor;
+  if (!player_) return Done{};
+  player_->detachSensor();
+  if (sensor.port.empty()) {
+    pace();
+    return Done{};
+  }
+  Result<Done> attached = player_->attachSensor(sensor.port, sensor.baud, sensor.calibration);
+  if (!attached) sensor_ = {};
+  pace();
+  return attached;
+}
+
+// --------------------------------------------------------------------------------------------- finger
+
+bool FeelPlayer::take(Finger finger) {
+  if (!player_ || !program_) return false;
+  if (finger_ == Finger::lifting) finger_ = Finger::none;
+  if (finger_ != Finger::none && finger_ != finger) return false;
+  if (finger_ == Finger::none) {
+    startSound();
+    finger_ = finger;
+    pressed_ = true;
+    pace();
+  }
+  return true;
+}
+
+bool FeelPlayer::down(double peak_N) {
+  if (!take(Finger::timed)) return false;
+  player_->fingerDown(peak_N);
+  return true;
+}
+
+void FeelPlayer::up() {
+  if (finger_ != Finger::timed) return;
+  finger_ = Finger::none;
+  if (player_) player_->fingerUp();
+}
+
+bool FeelPlayer::pushForce(double force_N) {
+  const bool begins = finger_ == Finger::none || finger_ == Finger::lifting;
+  if (!take(Finger::force)) return false;
+  // A first reading after a pause is taken as where the finger already was; it was nowhere.
+  if (begins) player_->pushForce(0);
+  value_ = force_N;
+  pushFinger();
+  return true;
+}
+
+bool FeelPlayer::pushDepth(double displacement_mm) {
+  if (!take(Finger::depth)) return false;
+  value_ = displacement_mm;
+  pushFinger();
+  return true;
+}
+
+void FeelPlayer::lift() {
+  if (finger_ != Finger::force && finger_ != Finger::depth) return;
+  liftsForce_ = finger_ == Finger::force;
+  finger_ = Finger::lifting;
+  liftedFrom_ = value_;
+  liftedAt_ = Clock::now();
+}
+
+// Readings have to go on while a finger rests, or the engine takes the next one for a sensor that came back.
+void FeelPlayer::pushFinger() {
+  switch (finger_) {
+    case Finger::force:
+      player_->pushForce(value_);
+      break;
+    case Finger::depth:
+      player_->pushDisplacement(value_);
+      break;
+    case Finger::lifting: {
+      const double share = std::chrono::duration<double>(Clock::now() - liftedAt_).count() / lift_s;
+      const double value = liftedFrom_ * fading(share);
+      liftsForce_ ? player_->pushForce(value) : player_->pushDisplacement(value);
+      if (share >= 1) finger_ = Finger::none;
+      break;
+    }
+    case Finger::none:
+    case Finger::timed:
+      break;
+  }
+}
+
+// ----------------------------------------------------------------------------------------------- time
+
+bool FeelPlayer::atRest() const {
+  if (finger_ != Finger::none) return false;
+  if (!program_) return true;
+  const std::size_t state = std::min<std::size_t>(static_cast<std::size_t>(status_.state), 1);
+  return status_.force_N <= program_->hysteresis_N ||
+         status_.displacement_mm <= program_->states[state].start_mm;
+}
+
+void FeelPlayer::tick() {
+  if (!player_) {
+    timer_.stop();
+    return;
+  }
+  pushFinger();
+  status_ = player_->status();
+  followSound();
+  pressed_ = !atRest();
+  if (pressed_) movedAt_ = Clock::now();
+  if (!pressed_) adopt();
+  const std::vector<playback::EngineEvent> events = player_->takeEvents();
+  if (!events.empty()) emit felt(events);
+  emit moved();
+  pace();
+}
+
+void FeelPlayer::pace() {
+  const bool idle = !pressed_ && std::chrono::duration<double>(Clock::now() - movedAt_).count() > goesOn_s;
+  if (idle && !status_.sounding && sensor_.port.empty() && !waiting_ && finger_ == Finger::none) {
+    timer_.stop();  // nothing can move by itself
+    return;
+  }
+  const int interval = idle ? restingTick_ms : movingTick_ms;
+  if (!timer_.isActive() || timer_.interval() != interval) timer_.start(interval);
+}
+
+}  // namespace detent::editor

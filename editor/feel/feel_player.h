@@ -1,0 +1,123 @@
+#pragma once
+// The finger and its sound: a playback::LivePlayer that is silent until a sound device is open, and silent
+// again where there is none, so that the pad works in every case.
+
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <thread>
+#include <vector>
+
+#include "playback/playback.h"
+
+namespace detent::editor {
+
+enum class SoundState {
+  off,       ///< not asked for, or not yet: it starts with the first press
+  starting,  ///< the device is being opened; the finger is followed silently meanwhile
+  on,
+  lost,   ///< the device went away; it is taken up again when it is back
+  failed  ///< it could not be opened; trouble() says why and what to do
+};
+
+/// Where force readings come from besides the pad.
+struct SensorPort {
+  std::string port;  ///< "/dev/ttyACM0"; empty: none
+  unsigned baud = 230400;
+  playback::SensorCalibration calibration;
+};
+
+/// One finger on one program at a time. A press is timed (down, up) or followed (force or depth, then lift);
+/// what begins while another finger holds the button is ignored. GUI thread; devices are opened and closed on
+/// a thread of its own.
+class FeelPlayer : public QObject {
+  Q_OBJECT
+
+ public:
+  /// How devices are opened; tests put something else here. Called on a thread of its own.
+  using Opener = std::function<Result<std::unique_ptr<playback::LivePlayer>>(const playback::PlayerSettings&,
+                                                                             const playback::HapticProgram&)>;
+
+  explicit FeelPlayer(QObject* parent = nullptr, Opener opener = playback::LivePlayer::start);
+  ~FeelPlayer() override;  ///< stops the sound; waits for a device that is just being opened
+
+  /// What is pressed; exchanged under the finger. Null: nothing can be pressed.
+  void setProgram(std::shared_ptr<const playback::HapticProgram> program);
+
+  /// Whether a press may open the sound device. Off closes it.
+  void setSoundWanted(bool wanted);
+  bool soundWanted() const { return soundWanted_; }
+  /// Another device, rate or buffer; opened again if one is open.
+  void setOutput(const playback::PlayerSettings& settings);
+  const playback::PlayerSettings& output() const { return output_; }
+  /// Opens the device now (a press does so too), or once more after a failure.
+  void startSound();
+  void setGain(double gain);  ///< factor >= 0, before the limiter
+
+  /// An empty port lets go. Kept over a change of the sound device. Failure where it cannot be opened.
+  Result<Done> setSensor(const SensorPort& sensor);
+
+  // The finger. False: nothing to press, or another finger holds it.
+  bool down(double peak_N);  ///< a timed press: human-like rise up to peak_N
+  void up();
+  bool pushForce(double force_N);
+  bool pushDepth(double displacement_mm);
+  void lift();  ///< ends a followed press: back to nothing within 60 ms
+
+  /// A finger, or a force above rest on the sensor.
+  bool pressed() const { return pressed_; }
+  const playback::PlayerStatus& status() const { return status_; }
+  SoundState sound() const { return sound_; }
+  /// Why there is no sound, and what to do; empty where nothing is wrong.
+  const QString& trouble() const { return trouble_; }
+
+ signals:
+  /// About 100 times a second while something moves, less often at rest.
+  void moved();
+  void felt(const std::vector<detent::playback::EngineEvent>& events);
+  void soundChanged();
+
+ private:
+  enum class Finger { none, timed, force, depth, lifting };
+  using Player = std::unique_ptr<playback::LivePlayer>;
+  using Clock = std::chrono::steady_clock;
+
+  bool take(Finger finger);
+  void startSilent();
+  void exchangeDevice();
+  void exchanged(Result<Player>* result);
+  void adopt();
+  void setSound(SoundState state, const QString& trouble = {});
+  void tick();
+  void pushFinger();
+  void followSound();
+  bool atRest() const;
+  void pace();
+
+  Opener opener_;
+  std::shared_ptr<const playback::HapticProgram> program_;
+  Player player_;   // null without a program, or in a build without devices
+  Player waiting_;  // open, taken up as soon as no finger is down
+  std::thread worker_;
+  bool busy_ = false, exchangeAgain_ = false;  // the worker opens or closes a device
+  playback::PlayerSettings output_;
+  double gain_ = 1;
+  bool soundWanted_ = true;
+  SensorPort sensor_;
+  SoundState sound_ = SoundState::off;
+  QString trouble_;
+
+  Finger finger_ = Finger::none;
+  double value_ = 0, liftedFrom_ = 0;  // N or mm
+  bool liftsForce_ = true;
+  Clock::time_point liftedAt_, movedAt_;
+  bool pressed_ = false;
+  playback::PlayerStatus status_;
+  QTimer timer_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,41 @@
+#include "editor/feel/press_signal.h"
+
+#include <chrono>
+
+namespace detent::editor {
+namespace {
+
+PressSignal failed(const Failure& failure) {
+  PressSignal signal;
+  signal.failure = failure;
+  return signal;
+}
+
+PressSignal computed(const PressSignalRequest& request) {
+  Result<playback::PreparedProgram> prepared =
+      playback::prepareProgram(request.button, request.profile, request.settings);
+  if (!prepared) return failed(prepared.failure());
+  PressSignal signal;
+  signal.program = std::make_shared<const playback::HapticProgram>(prepared->program);
+  signal.summary = prepared->summary.line();
+  signal.warnings = prepared->summary.warnings;
+  Result<playback::RenderedPress> rendered = playback::renderStandardPress(*signal.program, drawnRate_Hz);
+  if (!rendered) return failed(rendered.failure());
+  signal.samples = std::move(rendered->samples);
+  signal.peak = static_cast<double>(rendered->summary.peak);
+  signal.events = std::move(rendered->summary.events);
+  signal.press = playback::standardPress(*signal.program);
+  signal.spectrogram = playback::spectrogramOf(signal.samples, drawnRate_Hz);
+  return signal;
+}
+
+}  // namespace
+
+PressSignal pressSignalOf(const PressSignalRequest& request) {
+  const auto began = std::chrono::steady_clock::now();
+  PressSignal signal = computed(request);
+  signal.computing_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  return signal;
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,45 @@
+#pragma once
+// Press signals off the GUI thread: the latest request wins, what it overtook is never computed.
+
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <QObject>
+#include <thread>
+
+#include "editor/feel/press_signal.h"
+
+namespace detent::editor {
+
+/// One worker thread, begun with the first request. At most one request waits while one is computed, so an
+/// answer is never older than two computations. GUI thread, except where said.
+class PressSignalSource : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit PressSignalSource(QObject* parent = nullptr);
+  ~PressSignalSource() override;  ///< waits for the running computation, some milliseconds
+
+  /// Gives the revision that the answer will carry, unless a later request overtakes it.
+  std::uint64_t request(PressSignalRequest request);
+  std::uint64_t lastRequested() const { return requested_; }
+
+ signals:
+  void ready(std::shared_ptr<const detent::editor::PressSignal> signal);
+
+ private:
+  void run();  // worker thread
+
+  struct Waiting {
+    std::uint64_t revision;
+    PressSignalRequest request;
+  };
+  std::uint64_t requested_ = 0;
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::optional<Waiting> waiting_;
+  bool stopping_ = false;
+  std::thread worker_;
+};
+
+}  // namespace detent::editor

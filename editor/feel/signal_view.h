@@ -1,0 +1,63 @@
+#pragma once
+// What a standard press feels like, drawn: vibration and its spectrogram over one time axis.
+
+#include <memory>
+#include <optional>
+#include <QImage>
+#include <QWidget>
+
+#include "editor/document/graph_colors.h"
+#include "editor/feel/press_signal.h"
+
+namespace detent::editor {
+
+/// GUI thread.
+class SignalView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SignalView(QWidget* parent = nullptr);
+
+  /// Null: nothing to show.
+  void setSignal(std::shared_ptr<const PressSignal> signal);
+  const std::shared_ptr<const PressSignal>& pressSignal() const { return signal_; }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ signals:
+  /// The signal of this revision is on the screen.
+  void shown(quint64 revision);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  struct Layout {
+    QRectF wave, marks, spectrum;
+    double toX(double time_s) const { return wave.left() + time_s / duration_s * wave.width(); }
+    double duration_s = 1;
+  };
+  Layout layoutOf() const;
+  void paintWave(QPainter& painter, const Layout& layout, const GraphColors& colors) const;
+  void paintMarks(QPainter& painter, const Layout& layout, const GraphColors& colors) const;
+  void paintSpectrum(QPainter& painter, const Layout& layout, const GraphColors& colors);
+  void paintTime(QPainter& painter, const Layout& layout, const GraphColors& colors) const;
+  void paintCursor(QPainter& painter, const Layout& layout, const GraphColors& colors) const;
+  QString readout(const Layout& layout) const;
+
+  std::shared_ptr<const PressSignal> signal_;
+  QImage picture_;  ///< of the spectrogram, one pixel per column and row; made when first drawn
+  std::optional<QPointF> cursor_;
+};
+
+/// A level as a colour: dark violet to yellow, evenly brighter, so that it reads in grey and with any colour
+/// vision (after matplotlib's viridis). From `floor_dB` up to 0.
+QRgb levelColor(double level_dB, double floor_dB);
+/// Below this the spectrogram is as dark as silence.
+inline constexpr double spectrogramFloor_dB = -60;
+
+}  // namespace detent::editor
