@@ -14,8 +14,8 @@ const QStringList& pageEndings() {
 }
 
 Failure unreadable(const QString& path, const QString& problem, const QString& remedy) {
-  return {FailureCode::unreadableInput, QDir::toNativeSeparators(path).toStdString(), "", problem.toStdString(),
-          remedy.toStdString()};
+  return {FailureCode::unreadableInput, QDir::toNativeSeparators(path).toStdString(), "",
+          problem.toStdString(), remedy.toStdString()};
 }
 
 struct InputKinds {
@@ -34,15 +34,18 @@ QByteArray firstLine(const QByteArray& bytes) {
 Result<InputKind> inputKindOf(const QString& path) {
   const QFileInfo info(path);
   if (!info.exists())
-    return unreadable(path, InputKinds::tr("is not there"), InputKinds::tr("Check the name; it may have been moved or renamed"));
-  if (info.isDir()) return unreadable(path, InputKinds::tr("is a folder"), InputKinds::tr("Choose a file in it"));
+    return unreadable(path, InputKinds::tr("is not there"),
+                      InputKinds::tr("Check the name; it may have been moved or renamed"));
+  if (info.isDir())
+    return unreadable(path, InputKinds::tr("is a folder"), InputKinds::tr("Choose a file in it"));
   const QString ending = info.suffix().toLower();
   if (ending == "json") return InputKind::button;
   if (pageEndings().contains(ending)) return InputKind::page;
 
   QFile file(path);
   if (!file.open(QIODevice::ReadOnly))
-    return unreadable(path, InputKinds::tr("cannot be opened: %1").arg(file.errorString()), InputKinds::tr("Check its permissions"));
+    return unreadable(path, InputKinds::tr("cannot be opened: %1").arg(file.errorString()),
+                      InputKinds::tr("Check its permissions"));
   const QByteArray start = file.read(4096);
   if (firstLine(start) == "stroke,displacement_mm,force_N") return InputKind::curveCsv;
   if (start.trimmed().startsWith('{')) return InputKind::button;
@@ -53,10 +56,11 @@ QStringList openFilters() {
   QStringList pages;
   for (const QString& ending : pageEndings()) pages << "*." + ending;
   const QString buttons = "*.button.json *.json", csv = "*.csv";
-  return {InputKinds::tr("Everything Detent reads") + " (" + buttons + " " + csv + " " + pages.join(' ') + ")",
-          InputKinds::tr("Buttons") + " (" + buttons + ")",
-          InputKinds::tr("Datasheets and pictures") + " (" + pages.join(' ') + ")",
-          InputKinds::tr("Force-displacement CSV") + " (" + csv + ")", InputKinds::tr("All files") + " (*)"};
+  return {
+      InputKinds::tr("Everything Detent reads") + " (" + buttons + " " + csv + " " + pages.join(' ') + ")",
+      InputKinds::tr("Buttons") + " (" + buttons + ")",
+      InputKinds::tr("Datasheets and pictures") + " (" + pages.join(' ') + ")",
+      InputKinds::tr("Force-displacement CSV") + " (" + csv + ")", InputKinds::tr("All files") + " (*)"};
 }
 
 QString sentenceOf(const Failure& failure) { return QString::fromStdString(failure.sentence()); }

@@ -85,7 +85,8 @@ void RecoveryStore::write(ButtonDocument& document) {
   writer_.start([this, record, file = entry->file] {
     const auto written = writeTextFileAtomically(bytesOf(file), recoveryText(record));
     const QString sentence = written ? QString() : sentenceOf(written.failure());
-    QMetaObject::invokeMethod(this, [this, sentence] { report(sentence); }, Qt::QueuedConnection);
+    QMetaObject::invokeMethod(
+        this, [this, sentence] { report(sentence); }, Qt::QueuedConnection);
   });
 }
 

@@ -27,12 +27,16 @@ Button named(Button button, const QString& name) {
 
 std::vector<ButtonTemplate> buttonTemplates() {
   std::vector<ButtonTemplate> all;
-  const auto add = [&](const char* id, const QString& name, const QString& description, Result<Button> button) {
+  const auto add = [&](const char* id, const QString& name, const QString& description,
+                       Result<Button> button) {
     all.push_back({QString::fromLatin1(id), name, description, named(whole(std::move(button)), name)});
   };
-  add("linear", Templates::tr("Linear"), Templates::tr("Force rises evenly; no tactile point"), linearButton());
-  add("tactile", Templates::tr("Tactile"), Templates::tr("One soft bump on the way down and up"), tactileButton());
-  add("clicky", Templates::tr("Clicky"), Templates::tr("The force collapses at the tactile point"), clickyButton());
+  add("linear", Templates::tr("Linear"), Templates::tr("Force rises evenly; no tactile point"),
+      linearButton());
+  add("tactile", Templates::tr("Tactile"), Templates::tr("One soft bump on the way down and up"),
+      tactileButton());
+  add("clicky", Templates::tr("Clicky"), Templates::tr("The force collapses at the tactile point"),
+      clickyButton());
   add("two-level", Templates::tr("Two-level"),
       Templates::tr("Two tactile points, the second stronger, as of a camera shutter"), twoLevelButton());
   add("self-locking", Templates::tr("Self-locking"),

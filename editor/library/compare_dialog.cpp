@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QVBoxLayout>
+
 #include <qcustomplot.h>
 
 #include "editor/document/graph_colors.h"
@@ -235,11 +236,13 @@ void CompareDialog::fillTable(const ButtonState& a, const ButtonState& b) {
   table_->setRowCount(static_cast<int>(rows.size()));
   for (int i = 0; i < table_->rowCount(); ++i) {
     const DifferenceRow& row = rows[static_cast<std::size_t>(i)];
-    const QString texts[] = {row.name, shownValue(row.a, row.measure, units), shownValue(row.b, row.measure, units),
-                             shownDifference(row, units), shownUnit(row.measure, units)};
+    const QString texts[] = {row.name, shownValue(row.a, row.measure, units),
+                             shownValue(row.b, row.measure, units), shownDifference(row, units),
+                             shownUnit(row.measure, units)};
     for (int column = 0; column < columnCount; ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
-      if (column != nameColumn && column != unitColumn) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      if (column != nameColumn && column != unitColumn)
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       table_->setItem(i, column, item);
     }
   }

@@ -37,16 +37,19 @@ Value of(const TactileEvent* event, Get get) {
   return event ? Value(get(*event)) : Value();
 }
 
-void addTactilePoint(Rows& rows, const QString& prefix, bool press, const TactileEvent* a, const TactileEvent* b) {
+void addTactilePoint(Rows& rows, const QString& prefix, bool press, const TactileEvent* a,
+                     const TactileEvent* b) {
   const auto both = [&](const QString& name, Measure measure, auto get) {
     rows.add(prefix + name, measure, of(a, get), of(b, get));
   };
-  both(Differences::tr("displacement"), Measure::length, [](const TactileEvent& e) { return e.point.displacement_mm; });
+  both(Differences::tr("displacement"), Measure::length,
+       [](const TactileEvent& e) { return e.point.displacement_mm; });
   both(Differences::tr("force"), Measure::force, [](const TactileEvent& e) { return e.point.force_N; });
   const auto followingForce = [](const TactileEvent* e) {
     return e && e->following ? Value(e->following->force_N) : Value();
   };
-  rows.add(prefix + (press ? Differences::tr("force of the valley after it") : Differences::tr("force of the hump after it")),
+  rows.add(prefix + (press ? Differences::tr("force of the valley after it")
+                           : Differences::tr("force of the hump after it")),
            Measure::force, followingForce(a), followingForce(b));
   const auto snap = [](const TactileEvent* e) { return e ? e->snapRatio : Value(); };
   rows.add(prefix + Differences::tr("snap ratio"), Measure::share, snap(a), snap(b));
@@ -80,7 +83,8 @@ void addStroke(Rows& rows, const QString& name, bool press, const StrokeMetrics*
   const std::size_t count = std::max(a ? a->tactile.size() : 0, b ? b->tactile.size() : 0);
   for (std::size_t i = 0; i < count; ++i) {
     const QString number = count > 1 ? " " + QString::number(i + 1) : QString();
-    addTactilePoint(rows, name + ": " + Differences::tr("tactile point%1, ").arg(number), press, eventOf(a, i), eventOf(b, i));
+    addTactilePoint(rows, name + ": " + Differences::tr("tactile point%1, ").arg(number), press,
+                    eventOf(a, i), eventOf(b, i));
   }
   if (press)
     both(Differences::tr("bottom-out begins at"), Measure::length,
@@ -94,12 +98,17 @@ Value place(const std::optional<CurvePoint>& point) {
 
 double inUnits(double value, Measure measure, const DisplayUnits& units) {
   switch (measure) {
-    case Measure::length: return units.lengthFrom(value);
-    case Measure::force: return units.forceFrom(value);
-    case Measure::slope: return units.slopeFrom(value);
-    case Measure::share: return value * 100;
+    case Measure::length:
+      return units.lengthFrom(value);
+    case Measure::force:
+      return units.forceFrom(value);
+    case Measure::slope:
+      return units.slopeFrom(value);
+    case Measure::share:
+      return value * 100;
     case Measure::work:
-    case Measure::count: return value;
+    case Measure::count:
+      return value;
   }
   return value;
 }
@@ -119,12 +128,15 @@ std::vector<DifferenceRow> differencesOf(const ButtonState& a, const ButtonState
   const StateMetrics first = metricsOf(a), second = metricsOf(b);
   Rows rows;
   rows.add(Differences::tr("Travel"), Measure::length, first.travel_mm, second.travel_mm);
-  rows.add(Differences::tr("Operating point"), Measure::length, place(first.operatingPoint), place(second.operatingPoint));
-  rows.add(Differences::tr("Reset point"), Measure::length, place(first.resetPoint), place(second.resetPoint));
+  rows.add(Differences::tr("Operating point"), Measure::length, place(first.operatingPoint),
+           place(second.operatingPoint));
+  rows.add(Differences::tr("Reset point"), Measure::length, place(first.resetPoint),
+           place(second.resetPoint));
   addStroke(rows, Differences::tr("Press"), true, &first.press, &second.press);
   addStroke(rows, Differences::tr("Release"), false, first.release ? &*first.release : nullptr,
             second.release ? &*second.release : nullptr);
-  rows.add(Differences::tr("Work lost between the strokes"), Measure::work, first.hysteresisArea_mJ, second.hysteresisArea_mJ);
+  rows.add(Differences::tr("Work lost between the strokes"), Measure::work, first.hysteresisArea_mJ,
+           second.hysteresisArea_mJ);
   return rows.take();
 }
 
@@ -144,12 +156,18 @@ QString shownDifference(const DifferenceRow& row, const DisplayUnits& units) {
 
 QString shownUnit(Measure measure, const DisplayUnits& units) {
   switch (measure) {
-    case Measure::length: return units.lengthSymbol();
-    case Measure::force: return units.forceSymbol();
-    case Measure::slope: return units.slopeSymbol();
-    case Measure::work: return QStringLiteral("mJ");
-    case Measure::share: return QStringLiteral("%");
-    case Measure::count: return {};
+    case Measure::length:
+      return units.lengthSymbol();
+    case Measure::force:
+      return units.forceSymbol();
+    case Measure::slope:
+      return units.slopeSymbol();
+    case Measure::work:
+      return QStringLiteral("mJ");
+    case Measure::share:
+      return QStringLiteral("%");
+    case Measure::count:
+      return {};
   }
   return {};
 }
@@ -158,8 +176,8 @@ QString shownDistance(const GraphDistance& distance, const DisplayUnits& units) 
   const auto line = [&](const QString& name, const StrokeDistance& stroke) {
     return Differences::tr("%1: mean %2 % of A's range, largest %3 % (up to %4 %5, %6 %7)")
         .arg(name, number(stroke.meanOfSpan * 100), number(stroke.maxOfSpan * 100),
-             number(units.lengthFrom(stroke.max_mm)), units.lengthSymbol(), number(units.forceFrom(stroke.max_N)),
-             units.forceSymbol());
+             number(units.lengthFrom(stroke.max_mm)), units.lengthSymbol(),
+             number(units.forceFrom(stroke.max_N)), units.forceSymbol());
   };
   QStringList lines;
   if (distance.press) lines << line(Differences::tr("Press"), *distance.press);

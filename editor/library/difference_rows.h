@@ -20,8 +20,8 @@ struct DifferenceRow {
   std::optional<double> a, b;
 };
 
-/// Travel, forces, tactile points (in the order travelled, as many as the richer one has), slopes, bottom-out,
-/// work, operating and reset point. Rows that neither has are left out.
+/// Travel, forces, tactile points (in the order travelled, as many as the richer one has), slopes,
+/// bottom-out, work, operating and reset point. Rows that neither has are left out.
 std::vector<DifferenceRow> differencesOf(const ButtonState& a, const ButtonState& b);
 
 /// As shown in tables, without the unit; "–" for what is not there.

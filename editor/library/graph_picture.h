@@ -8,8 +8,8 @@
 
 namespace detent::editor {
 
-/// All states of a button, press solid and release dashed, without axes. `size_px` in logical pixels, at least
-/// 16 x 16; `devicePixelRatio` > 0. Any thread.
+/// All states of a button, press solid and release dashed, without axes. `size_px` in logical pixels, at
+/// least 16 x 16; `devicePixelRatio` > 0. Any thread.
 QImage graphPicture(const Button& button, QSize size_px, double devicePixelRatio, const GraphColors& colors);
 
 }  // namespace detent::editor

@@ -36,7 +36,8 @@ void OpenButtonsModel::setDocuments(const std::vector<ButtonDocument*>& document
   beginResetModel();
   std::vector<Row> rows;
   for (ButtonDocument* document : documents) {
-    const auto known = std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.document == document; });
+    const auto known =
+        std::find_if(rows_.begin(), rows_.end(), [&](const Row& r) { return r.document == document; });
     if (known != rows_.end()) {
       rows.push_back(*known);
       continue;
@@ -91,14 +92,18 @@ QVariant OpenButtonsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Row& row = rows_[static_cast<std::size_t>(index.row())];
   switch (role) {
-    case Qt::DisplayRole: return row.document->title() + (row.document->history().modified() ? " *" : "");
-    case Qt::DecorationRole: return shown(pictures_.drawn(row.key), pictures_.size_px());
+    case Qt::DisplayRole:
+      return row.document->title() + (row.document->history().modified() ? " *" : "");
+    case Qt::DecorationRole:
+      return shown(pictures_.drawn(row.key), pictures_.size_px());
     case Qt::ToolTipRole:
-      return row.document->path().isEmpty() ? tr("Not saved yet") : QDir::toNativeSeparators(row.document->path());
+      return row.document->path().isEmpty() ? tr("Not saved yet")
+                                            : QDir::toNativeSeparators(row.document->path());
     case Qt::AccessibleTextRole:
       return row.document->history().modified() ? tr("%1, with unsaved changes").arg(row.document->title())
                                                 : row.document->title();
-    default: return {};
+    default:
+      return {};
   }
 }
 
@@ -160,13 +165,16 @@ QVariant FolderModel::data(const QModelIndex& index, int role) const {
   const QString& path = paths_[index.row()];
   switch (role) {
     case Qt::DisplayRole:
-    case Qt::AccessibleTextRole: return nameOf(path);
-    case Qt::DecorationRole: return shown(pictures_.ofFile(path), pictures_.size_px());
+    case Qt::AccessibleTextRole:
+      return nameOf(path);
+    case Qt::DecorationRole:
+      return shown(pictures_.ofFile(path), pictures_.size_px());
     case Qt::ToolTipRole: {
       const QString trouble = pictures_.trouble(path);
       return trouble.isEmpty() ? QDir::toNativeSeparators(path) : trouble;
     }
-    default: return {};
+    default:
+      return {};
   }
 }
 

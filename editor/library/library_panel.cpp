@@ -107,7 +107,8 @@ void LibraryPanel::showFolderName() {
 }
 
 void LibraryPanel::askFolder() {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of the library"), files_.folder());
+  const QString folder =
+      QFileDialog::getExistingDirectory(this, tr("Folder of the library"), files_.folder());
   if (folder.isEmpty()) return;
   setFolder(folder);
   emit folderChanged(folder);
@@ -118,7 +119,8 @@ void LibraryPanel::openMenu(QPoint at) {
   if (!document) return;
   QMenu menu;
   menu.addAction(tr("Show"), this, [this, document] { emit documentChosen(document); });
-  menu.addAction(tr("Compare with the one shown"), this, [this, document] { emit compareRequested(document); });
+  menu.addAction(tr("Compare with the one shown"), this,
+                 [this, document] { emit compareRequested(document); });
   menu.exec(openList_->viewport()->mapToGlobal(at));
 }
 

@@ -40,13 +40,14 @@ QImage PictureCache::ofFile(const QString& path) {
   if (const Entry* entry = files_.object(path); entry && entry->stamp == stamp) return entry->image;
   if (making_.contains(path)) return {};
   making_.insert(path);
-  painter_.start([this, path, stamp, size = size_px_, ratio = devicePixelRatio_, colors = colors_, look = look_] {
-    const auto button = readButtonFile(QFile::encodeName(path).toStdString());
-    const QImage image = button ? graphPicture(*button, size, ratio, colors) : QImage();
-    const QString why = button ? QString() : sentenceOf(button.failure());
-    QMetaObject::invokeMethod(
-        this, [=, this] { finished(path, stamp, image, why, look); }, Qt::QueuedConnection);
-  });
+  painter_.start(
+      [this, path, stamp, size = size_px_, ratio = devicePixelRatio_, colors = colors_, look = look_] {
+        const auto button = readButtonFile(QFile::encodeName(path).toStdString());
+        const QImage image = button ? graphPicture(*button, size, ratio, colors) : QImage();
+        const QString why = button ? QString() : sentenceOf(button.failure());
+        QMetaObject::invokeMethod(
+            this, [=, this] { finished(path, stamp, image, why, look); }, Qt::QueuedConnection);
+      });
   return {};
 }
 
@@ -64,17 +65,18 @@ QString PictureCache::trouble(const QString& path) const {
 }
 
 void PictureCache::draw(const QString& key, const Button& button) {
-  painter_.start([this, key, button, size = size_px_, ratio = devicePixelRatio_, colors = colors_, look = look_] {
-    const QImage image = graphPicture(button, size, ratio, colors);
-    QMetaObject::invokeMethod(
-        this,
-        [=, this] {
-          if (look != look_) return;
-          open_.insert(key, image);
-          emit ready(key);
-        },
-        Qt::QueuedConnection);
-  });
+  painter_.start(
+      [this, key, button, size = size_px_, ratio = devicePixelRatio_, colors = colors_, look = look_] {
+        const QImage image = graphPicture(button, size, ratio, colors);
+        QMetaObject::invokeMethod(
+            this,
+            [=, this] {
+              if (look != look_) return;
+              open_.insert(key, image);
+              emit ready(key);
+            },
+            Qt::QueuedConnection);
+      });
 }
 
 QImage PictureCache::drawn(const QString& key) const { return open_.value(key); }

@@ -43,7 +43,8 @@ class PictureCache : public QObject {
   void ready(const QString& key);
 
  private:
-  void finished(const QString& key, const QString& stamp, const QImage& image, const QString& trouble, int look);
+  void finished(const QString& key, const QString& stamp, const QImage& image, const QString& trouble,
+                int look);
 
   struct Entry {
     QString stamp;  // of the file it was made from

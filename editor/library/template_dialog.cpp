@@ -26,14 +26,16 @@ TemplateDialog::TemplateDialog(QWidget* parent) : QDialog(parent), templates_(bu
   const GraphColors colors = graphColors(isDark(palette()));
   for (const ButtonTemplate& entry : templates_) {
     const QImage picture = graphPicture(entry.button, pictureSize_px, devicePixelRatioF(), colors);
-    auto* item = new QListWidgetItem(QIcon(QPixmap::fromImage(picture)), entry.name + "\n" + entry.description);
+    auto* item =
+        new QListWidgetItem(QIcon(QPixmap::fromImage(picture)), entry.name + "\n" + entry.description);
     item->setData(Qt::AccessibleTextRole, entry.name + ": " + entry.description);
     list_->addItem(item);
   }
   list_->setCurrentRow(1);
   connect(list_, &QListWidget::itemActivated, this, &QDialog::accept);
 
-  auto* hint = new QLabel(tr("Start from a template and shape it, or drop a datasheet on the window instead."));
+  auto* hint =
+      new QLabel(tr("Start from a template and shape it, or drop a datasheet on the window instead."));
   hint->setWordWrap(true);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
   buttons->button(QDialogButtonBox::Ok)->setText(tr("Create"));

@@ -29,7 +29,8 @@ int pixelsLike(const QImage& image, const QColor& color) {
     for (int x = 0; x < image.width(); ++x) {
       const QColor at = image.pixelColor(x, y);
       if (std::abs(at.red() - color.red()) + std::abs(at.green() - color.green()) +
-              std::abs(at.blue() - color.blue()) < 60)
+              std::abs(at.blue() - color.blue()) <
+          60)
         ++count;
     }
   return count;
