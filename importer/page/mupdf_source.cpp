@@ -5,6 +5,7 @@
 #include <list>
 #include <string_view>
 
+#include "importer/page/broken_images.h"
 #include "importer/page/collect_device.h"
 #include "importer/page/mupdf_context.h"
 #include "importer/page/page_source.h"
@@ -26,11 +27,18 @@ struct RecordedPage {
   fz_display_list* list = nullptr;
   double width = 0, height = 0;
   CollectedPage collected;
+  bool pathsHandedOut = false;  ///< there can be a hundred thousand: they are moved, not copied
 
   RecordedPage(int pageNumber, fz_context* itsContext) : number(pageNumber), context(itsContext) {}
   RecordedPage(const RecordedPage&) = delete;
   RecordedPage& operator=(const RecordedPage&) = delete;
   ~RecordedPage() { fz_drop_display_list(context, list); }
+
+  void startOver() {
+    fz_drop_display_list(context, list);
+    list = nullptr;
+    collected = {};
+  }
 };
 
 class MupdfSource : public PageSource {
@@ -67,12 +75,14 @@ class MupdfSource : public PageSource {
   bool runIntoList(RecordedPage& page, fz_page* loaded, CollectControl& control, std::string& error);
   Result<std::vector<TextBox>> textsOf(const RecordedPage& page);
   Result<Raster> render(const RecordedPage& page, const ViewGrid& grid, int antialiasBits);
+  std::vector<std::string> warningsFor(int number) const;
 
   SourceFile file_;
   const char* magic_;
   MupdfContext context_;
   fz_document* document_ = nullptr;
   int pageCount_ = 0;
+  int brokenImages_ = 0;  ///< taken out of the document so that its pages can be read
   std::list<std::unique_ptr<RecordedPage>> recorded_;  ///< most recent first; a few
 };
 
@@ -204,7 +214,14 @@ Result<std::unique_ptr<RecordedPage>> MupdfSource::record(int number, const Prog
                      std::chrono::milliseconds(
                          static_cast<long long>(std::clamp(file_.limits.maxPageSeconds, 0.0, 1e6) * 1000));
   control.progress = &progress;
-  const bool done = measure(*page, loaded, error) && runIntoList(*page, loaded, control, error);
+  bool done = measure(*page, loaded, error) && runIntoList(*page, loaded, control, error);
+  if (!done && control.stop == CollectStop::none) {
+    if (const int broken = leaveOutBrokenImages(context, loaded); broken > 0) {
+      brokenImages_ += broken;
+      page->startOver();
+      done = runIntoList(*page, loaded, control, error);
+    }
+  }
   fz_drop_page(context, loaded);
   if (auto failure = refusal(control, number)) return *failure;
   if (!done) return damaged(placeOf(number), error);
@@ -309,10 +326,18 @@ Result<Raster> MupdfSource::render(const RecordedPage& page, const ViewGrid& gri
   }
 }
 
+std::vector<std::string> MupdfSource::warningsFor(int number) const {
+  if (brokenImages_ == 0) return {};
+  return {placeOf(number) + ": " + std::to_string(brokenImages_) +
+          (brokenImages_ == 1 ? " image" : " images") +
+          " of the document cannot be decoded; the rest was read"};
+}
+
 Result<Page> MupdfSource::page(int number, const Progress& progress) {
+  recorded_.remove_if([&](const auto& p) { return p->number == number && p->pathsHandedOut; });
   auto found = recorded(number, progress);
   if (!found) return found.failure();
-  const RecordedPage& source = **found;
+  RecordedPage& source = **found;
   auto texts = textsOf(source);
   if (!texts) return texts.failure();
   const ViewGrid grid = overviewGrid(source.width, source.height, overviewDpi / 72, overviewMaxSide_px);
@@ -327,8 +352,10 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
   page.width = source.width;
   page.height = source.height;
   page.texts = std::move(texts.value());
-  page.paths = source.collected.paths;
+  page.paths = std::move(source.collected.paths);
+  source.pathsHandedOut = true;
   for (const ImagePlacement& placement : source.collected.images) page.images.push_back(placement.image);
+  page.warnings = warningsFor(number);
   page.overview = std::move(overview.value());
   page.overviewToPage = grid.viewToPage(0);
   return page;
@@ -339,7 +366,7 @@ Result<PageView> MupdfSource::view(const Page& page, const Box& region, int quar
   auto found = recorded(page.number, {});
   if (!found) return found.failure();
   const RecordedPage& source = **found;
-  const auto grid = chooseGrid(region, quarterTurns, source.width, source.height, source.collected, options,
+  const auto grid = chooseGrid(region, quarterTurns, page, source.collected.images, options,
                                file_.limits.maxMegapixels * 1e6);
   if (!grid)
     return Failure{FailureCode::wrongUsage, file_.name, placeOf(page.number),

@@ -42,11 +42,11 @@ bool samePitch(const AlignedImage& a, const AlignedImage& b) {
 
 /// The image on whose pixels the region is to be shown: images of its pitch (scanners and word processors cut
 /// one picture into strips) cover most of the region. Stretched backgrounds of a few pixels are no pictures.
-std::optional<AlignedImage> dominating(const CollectedPage& page, const Box& region) {
+std::optional<AlignedImage> dominating(const std::vector<ImagePlacement>& placements, const Box& region) {
   constexpr double mostOf = 0.5;
   constexpr double coarsestPitch = 72.0 / 40;  // points per pixel: 40 dpi
   std::vector<AlignedImage> images;
-  for (const ImagePlacement& placement : page.images) {
+  for (const ImagePlacement& placement : placements) {
     const auto image = aligned(placement);
     if (image && coverage(image->box, region) > 0 &&
         std::max(image->pitchX, image->pitchY) <= coarsestPitch && std::min(image->pitchX, image->pitchY) > 0)
@@ -65,7 +65,7 @@ std::optional<AlignedImage> dominating(const CollectedPage& page, const Box& reg
 }
 
 /// A drawing over a background image, not a picture with a box or a remark on it.
-bool carriesDrawing(const CollectedPage& page, const Box& region) {
+bool carriesDrawing(const Page& page, const Box& region) {
   constexpr std::size_t drawingStartsAt = 8;  // polylines
   std::size_t polylines = 0;
   for (const VectorPath& path : page.paths) {
@@ -78,10 +78,10 @@ bool carriesDrawing(const CollectedPage& page, const Box& region) {
 }
 
 /// Pixels per unit of the finest image that holds a fair part of the region: a render is never coarser.
-double finestImageScale(const CollectedPage& page, const Box& region) {
+double finestImageScale(const std::vector<ImagePlacement>& images, const Box& region) {
   constexpr double fairPart = 0.05;
   double scale = 0;
-  for (const ImagePlacement& placement : page.images) {
+  for (const ImagePlacement& placement : images) {
     if (coverage(placement.image.box, region) < fairPart) continue;
     const Affine& map = placement.pixelsToPage;
     const double pitch = std::min(std::hypot(map.a, map.b), std::hypot(map.c, map.d));
@@ -107,12 +107,12 @@ bool fits(const ViewGrid& grid, const Box& region, double maxPixels) {
   return width <= maxSide && height <= maxSide && width * height <= maxPixels;
 }
 
-ViewGrid rendered(const Box& region, int quarterTurns, const CollectedPage& page, const ViewOptions& options,
-                  double maxPixels) {
+ViewGrid rendered(const Box& region, int quarterTurns, const std::vector<ImagePlacement>& images,
+                  const ViewOptions& options, double maxPixels) {
   constexpr double maxSide_px = 16384;
   const double uprightWidth = quarterTurns % 2 == 0 ? region.width() : region.height();
   double scale = std::min(options.minFrameWidth_px / uprightWidth, options.maxScale_px_per_unit);
-  scale = std::max(scale, finestImageScale(page, region));
+  scale = std::max(scale, finestImageScale(images, region));
   scale = std::min({scale, maxSide_px / region.width(), maxSide_px / region.height(),
                     std::sqrt(maxPixels / (region.width() * region.height()))});
   ViewGrid grid;
@@ -166,12 +166,13 @@ ViewGrid overviewGrid(double width, double height, double scale, double maxSide_
   return grid;
 }
 
-std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, double pageWidth, double pageHeight,
-                                   const CollectedPage& page, const ViewOptions& options, double maxPixels) {
-  const Box seen{std::max(region.x0, 0.0), std::max(region.y0, 0.0), std::min(region.x1, pageWidth),
-                 std::min(region.y1, pageHeight)};
+std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, const Page& page,
+                                   const std::vector<ImagePlacement>& images, const ViewOptions& options,
+                                   double maxPixels) {
+  const Box seen{std::max(region.x0, 0.0), std::max(region.y0, 0.0), std::min(region.x1, page.width),
+                 std::min(region.y1, page.height)};
   if (seen.empty()) return std::nullopt;
-  const auto image = dominating(page, seen);
+  const auto image = dominating(images, seen);
   if (image && !carriesDrawing(page, seen)) {
     ViewGrid grid;
     grid.origin = {image->box.x0, image->box.y0};
@@ -183,7 +184,7 @@ std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, double p
       return grid;
     }
   }
-  return rendered(seen, quarterTurns, page, options, maxPixels);
+  return rendered(seen, quarterTurns, images, options, maxPixels);
 }
 
 void carryContent(const Page& page, const Box& region, int quarterTurns, PageView& view) {

@@ -3,6 +3,7 @@
 // docs/decisions/0300-views-on-native-pixels.md. Private to importer/page.
 
 #include <optional>
+#include <vector>
 
 #include "importer/page/collect_device.h"
 #include "importer/page/crop.h"
@@ -26,9 +27,10 @@ struct ViewGrid {
 /// The whole page at `scale` pixels per unit, or less so that no side exceeds maxSide_px.
 ViewGrid overviewGrid(double width, double height, double scale, double maxSide_px);
 
-/// Nothing if the region lies outside the page.
-std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, double pageWidth, double pageHeight,
-                                   const CollectedPage& page, const ViewOptions& options, double maxPixels);
+/// Nothing if the region lies outside the page. `images`: the page's.
+std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, const Page& page,
+                                   const std::vector<ImagePlacement>& images, const ViewOptions& options,
+                                   double maxPixels);
 
 /// Texts and paths of the page that touch the region, in view pixels. `view.viewToPage` is set.
 void carryContent(const Page& page, const Box& region, int quarterTurns, PageView& view);

@@ -267,6 +267,33 @@ TEST_CASE("hostile and broken documents are refused") {
   }
 }
 
+TEST_CASE("one image that cannot be decoded costs that image only") {
+  // Drawn by the page itself and through a form; a curve before and one after each.
+  const std::string broken =
+      streamObject("/Type/XObject/Subtype/Image/Width 4/Height 2/Filter/JPXDecode", "these are no wavelets");
+  const std::string form = "/Type/XObject/Subtype/Form/BBox[0 0 200 100]/Resources<</XObject<</I 5 0 R>>>>";
+  const auto page = [&](const std::string& image) {
+    return pdfOf({"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>",
+                  "<</Type/Page/Parent 2 0 R/MediaBox[0 0 200 100]/Contents 4 0 R"
+                  "/Resources<</XObject<</I 5 0 R/X 6 0 R>>>>>>",
+                  streamObject("", "10 20 m 60 90 l S q 50 0 0 50 0 0 cm /I Do Q /X Do 10 20 m 90 20 l S"),
+                  image, streamObject(form, "q 50 0 0 50 9 9 cm /I Do Q 10 30 m 90 30 l S")});
+  };
+  const auto opened = open(page(broken), "plot.pdf");
+  CHECK(opened.page.paths.size() == 3);
+  REQUIRE(opened.page.warnings.size() == 1);
+  CHECK(opened.page.warnings[0] == "page 1: 1 image of the document cannot be decoded; the rest was read");
+  CHECK(opened.document.view(opened.page, {0, 0, 200, 100}).ok());
+
+  const auto whole = open(page(streamObject("/Type/XObject/Subtype/Image/Width 4/Height 2"
+                                            "/ColorSpace/DeviceGray/BitsPerComponent 8",
+                                            "12345678")),
+                          "plot.pdf");
+  CHECK(whole.page.paths.size() == 3);
+  CHECK(whole.page.images.size() == 2);
+  CHECK(whole.page.warnings.empty());
+}
+
 TEST_CASE("cancelling ends the reading of a page") {
   std::string content;
   for (int i = 0; i < 2000; ++i) content += "0 0 m 9 9 l S ";
