@@ -1,4 +1,4 @@
-# One ink, release dashed, no grid, ticks inside: the plainest drawing.
+# Black and blue, no grid, ticks inside: the plainest drawing.
 set terminal pngcairo size 800,560 enhanced font "DejaVu Sans,12"
 set output out
 set key top left Left reverse samplen 4
@@ -13,4 +13,4 @@ set ylabel "Force [gf]"
 set border 15
 gf = 1 / 0.00980665
 plot press using 1:(gf*$2) with lines lt 1 lw 1.6 lc rgb "black" title "Downstroke", \
-     release using 1:(gf*$2) with lines lt 1 lw 1.6 dt (9,6) lc rgb "black" title "Upstroke"
+     release using 1:(gf*$2) with lines lt 1 lw 1.6 lc rgb "#0050b0" title "Upstroke"
