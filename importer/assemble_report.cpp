@@ -135,7 +135,8 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   if (!button) return button.failure();
   const AxisHints& axes = request.hints.axes;
   const auto checks = checkAgainst(findings.specs, *button);
-  if (const auto failure = doubt(findings, checks, axes.xMin && axes.yMin)) return *failure;
+  const auto uncertain = doubt(findings, checks, axes.xMin && axes.yMin);
+  if (uncertain && !request.acceptDoubt) return *uncertain;
 
   const AxisCalibration& calibration = findings.graph.axes.calibration.value;
   ImportReport report(std::move(button).value());
@@ -145,14 +146,18 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   if (findings.fitted.release) report.release = {findings.fitted.release->summary, provenance.releaseRms_px};
   report.callouts = std::move(findings.callouts);
   report.confidence = provenance.confidence;
+  report.doubt = uncertain;
   report.quality = request.quality;
   report.warnings = provenance.warnings;
   for (const SpecCheck& check : checks) {
     if (!check.agrees) report.warnings.push_back(check.sentence());
   }
   report.specChecks = checks;
+  auto steps = findings.graph.findings();
+  steps.push_back({"strokes", findings.strokes.confidence, findings.strokes.by, findings.strokes.evidence});
   report.evidence = std::make_shared<const GraphEvidence>(
-      GraphEvidence{findings.graph.view, findings.graph.frame.value, findings.graph.axes, findings.traces});
+      GraphEvidence{findings.graph.view, findings.graph.frame.value, findings.graph.axes, findings.traces,
+                    std::move(steps)});
   report.strokes = std::move(findings.strokes.value);
   return report;
 }

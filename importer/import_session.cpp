@@ -124,48 +124,100 @@ Result<FittedStrokes> fitBoth(const StrokePair& strokes, const FitOptions& press
   return fitted;
 }
 
+/// Axes of one graph: as its page was searched, and what they are read with now.
+struct AxesReading {
+  AxisHints hints;
+  std::optional<AxesFound> asLocated;  // empty: never read with other hints
+};
+
+/// The graphs of one page.
+struct PageGraphs {
+  LocateKey key;
+  LocatedPage located;
+  std::vector<AxesReading> axes;  // per graph
+  PageUnit unit = PageUnit::pixel;
+  std::uint64_t serial = 0;  // a new one each time the page is searched
+  std::uint64_t usedAt = 0;
+};
+
+std::size_t bytesOf(const PageGraphs& graphs) {
+  std::size_t bytes = 0;
+  for (const LocatedGraph& graph : graphs.located.graphs) bytes += graph.view.raster.rgb.size();
+  return bytes;
+}
+
+/// Labels are not read on an axis whose range is given; they still stand there and can be shown, unused.
+void keepUnusedTicks(AxisReading& axis, const AxisReading& asRead) {
+  if (!axis.ticks.empty()) return;
+  axis.ticks = asRead.ticks;
+  for (TickLabel& tick : axis.ticks) tick.used = false;
+}
+
 }  // namespace
 
 struct ImportSession::Impl {
-  std::string path;
+  std::string path, fileName;
   PageLimits limits;
   std::optional<Document> document;  // empty: a force log
-  std::map<int, Page> pages;
-  std::map<int, std::vector<PrintedSpec>> specs;  // of every page read so far
 
-  struct PageGraphs {
-    LocateKey key;
-    LocatedPage located;
+  struct KeptPage {
+    Page page;
+    std::uint64_t usedAt = 0;
   };
-  std::map<int, PageGraphs> graphs;
+  std::map<int, KeptPage> pages;                    // the few used last
+  std::map<int, std::vector<PrintedSpec>> specs;    // of every page read so far
+  std::map<int, std::vector<std::string>> remarks;  // what of a page could not be read
 
-  // The last graph's tracing and strokes, kept while only later hints change.
+  using GraphsKey = std::pair<int, bool>;  // page, and whether its plot frame is given
+  std::map<GraphsKey, PageGraphs> graphs;  // used last, within a bound
+  std::uint64_t clock = 0;
+  std::map<int, std::vector<RejectedFrame>> rejected;  // of every page searched so far
+
+  // The last graph's tracing, kept while only later hints change.
   struct Traced {
-    int page = 0, graph = 0;
-    LocateKey key;
+    std::uint64_t locatedAs = 0;
+    int graph = 0;
     TraceHints hints;
     double spacing_px = 0;
     std::vector<CurveTrace> traces;
   };
   std::optional<Traced> traced;
+  std::shared_ptr<const GraphEvidence> failed;  // how far the last import came
+  std::map<std::string, double> seconds;        // of the steps that ran since the last import began
 
-  std::string name() const { return std::filesystem::path(path).filename().string(); }
-  std::string stem() const { return std::filesystem::path(path).stem().string(); }
+  const std::string& name() const { return fileName; }
+  std::string stem() const { return std::filesystem::path(fileName).stem().string(); }
 
   Failure failure(FailureCode code, std::string place, std::string problem, std::string remedy) const {
     return {code, name(), std::move(place), std::move(problem), std::move(remedy)};
   }
 
   Result<const Page*> page(int number, const Progress& progress) {
-    if (const auto kept = pages.find(number); kept != pages.end()) return &kept->second;
+    constexpr std::size_t keptPages = 3;
+    if (const auto kept = pages.find(number); kept != pages.end()) {
+      kept->second.usedAt = ++clock;
+      return &kept->second.page;
+    }
     if (number < 1 || number > document->pageCount()) {
       return failure(FailureCode::wrongUsage, numbered("page", number), "there is no such page",
                      "Pass --page 1 to " + std::to_string(document->pageCount()));
     }
     auto read = document->page(number, progress);
-    if (!read) return read.failure();
-    specs.emplace(number, readPrintedSpecs(*read));
-    return &pages.emplace(number, std::move(read).value()).first->second;
+    if (!read) {
+      if (read.failure().code == FailureCode::unreadableInput) remarks[number] = {read.failure().sentence()};
+      return read.failure();
+    }
+    remarks[number] = read->warnings;
+    specs.insert_or_assign(number, readPrintedSpecs(*read));
+    const auto used = [](const auto& a, const auto& b) { return a.second.usedAt < b.second.usedAt; };
+    while (pages.size() >= keptPages) pages.erase(std::min_element(pages.begin(), pages.end(), used));
+    return &pages.emplace(number, KeptPage{std::move(read).value(), ++clock}).first->second.page;
+  }
+
+  std::vector<std::string> allRemarks() const {
+    std::vector<std::string> all;
+    for (const auto& onPage : remarks) all.insert(all.end(), onPage.second.begin(), onPage.second.end());
+    return all;
   }
 
   std::vector<PrintedSpec> printedSpecs() const {
@@ -174,33 +226,118 @@ struct ImportSession::Impl {
     return all;
   }
 
-  Result<const LocatedPage*> located(int number, const LocateKey& key, const Progress& progress) {
-    if (const auto kept = graphs.find(number); kept != graphs.end() && kept->second.key == key) {
-      return &kept->second.located;
+  /// Forgets what was used longest ago until the rest is within the bound; never `keep`.
+  void forgetOldGraphs(const std::vector<GraphsKey>& keep) {
+    constexpr std::size_t mostBytes = std::size_t{96} << 20;
+    const auto total = [&] {
+      std::size_t bytes = 0;
+      for (const auto& each : graphs) bytes += bytesOf(each.second);
+      return bytes;
+    };
+    for (std::size_t bytes = total(); bytes > mostBytes; bytes = total()) {
+      auto oldest = graphs.end();
+      for (auto it = graphs.begin(); it != graphs.end(); ++it) {
+        if (std::find(keep.begin(), keep.end(), it->first) != keep.end()) continue;
+        if (oldest == graphs.end() || it->second.usedAt < oldest->second.usedAt) oldest = it;
+      }
+      if (oldest == graphs.end()) return;
+      graphs.erase(oldest);
     }
+  }
+
+  /// The graphs of a page, searched with these hints.
+  Result<PageGraphs*> located(int number, const LocateKey& key, const Progress& progress) {
+    const GraphsKey at{number, !key.frame.empty()};
+    if (const auto kept = graphs.find(at); kept != graphs.end() && kept->second.key == key) {
+      kept->second.usedAt = ++clock;
+      return &kept->second;
+    }
+    StepClock time(seconds, "locate");
     auto onPage = page(number, progress);
     if (!onPage) return onPage.failure();
     auto found = locateGraphs(*document, **onPage, {key.view, key.axes, key.frame}, progress);
     if (!found) return found.failure();
-    return &graphs.insert_or_assign(number, PageGraphs{key, std::move(found).value()}).first->second.located;
+    PageGraphs fresh{key, std::move(found).value(), {}, (*onPage)->unit, ++clock, clock};
+    for (std::size_t i = 0; i < fresh.located.graphs.size(); ++i) fresh.axes.push_back({key.axes, {}});
+    if (key.frame.empty()) rejected[number] = fresh.located.rejected;
+    PageGraphs* kept = &graphs.insert_or_assign(at, std::move(fresh)).first->second;
+    return kept;
+  }
+
+  /// Reads the axes of one graph again if its hints changed; its frame and texts stay as they are.
+  Result<Done> readAxesWith(const AxisHints& hints, PageGraphs& onPage, std::size_t index,
+                            const Progress& progress) {
+    LocatedGraph& graph = onPage.located.graphs[index];
+    AxesReading& reading = onPage.axes[index];
+    if (reading.hints == hints) return Done{};
+    if (!reading.asLocated) reading.asLocated = graph.axes;
+    AxesFound axes = *reading.asLocated;
+    if (!(hints == onPage.key.axes)) {
+      StepClock time(seconds, "axes");
+      auto read = readAxes(graph.view, graph.frame.value, hints, progress);
+      if (!read) return read.failure();
+      axes = std::move(read).value();
+      keepUnusedTicks(axes.calibration.value.x, reading.asLocated->calibration.value.x);
+      keepUnusedTicks(axes.calibration.value.y, reading.asLocated->calibration.value.y);
+    }
+    axes.texts = std::move(graph.axes.texts);
+    graph.axes = std::move(axes);
+    reading.hints = hints;
+    return Done{};
   }
 
   struct Choice {
     int page = 1, graph = 1;
-    const LocatedGraph* located = nullptr;
+    PageGraphs* onPage = nullptr;
+    std::size_t index = 0;
     std::vector<std::string> warnings;
+    LocatedGraph& located() const { return onPage->located.graphs[index]; }
   };
 
   /// Legend, callouts and titles of the chosen graph, read once; listing does without them.
-  const LocatedGraph& withAllTexts(const Choice& choice, const Progress& progress) {
-    LocatedGraph& graph = graphs.at(choice.page).located.graphs[static_cast<std::size_t>(choice.graph - 1)];
-    if (!graph.textsComplete) readGraphTexts(graph.view, graph.frame.value, graph.axes, progress);
+  void readAllTexts(LocatedGraph& graph, const Progress& progress) {
+    if (graph.textsComplete) return;
+    StepClock time(seconds, "texts");
+    readGraphTexts(graph.view, graph.frame.value, graph.axes, progress);
     graph.textsComplete = true;
-    return graph;
+  }
+
+  /// The graphs of a page that its axis hints do not change: those found without hints, or the given frame's.
+  Result<PageGraphs*> locatedBeforeHints(int number, LocateKey key, const Progress& progress) {
+    const bool frameGiven = !key.frame.empty();
+    const auto kept = graphs.find({number, frameGiven});
+    if (frameGiven && kept != graphs.end() && !kept->second.located.graphs.empty()) {
+      LocateKey asKept = key;
+      asKept.axes = kept->second.key.axes;
+      if (asKept == kept->second.key) return located(number, asKept, progress);
+    }
+    if (!frameGiven) key.axes = {};
+    return located(number, key, progress);
+  }
+
+  /// One graph of one page, its own axes read with the request's hints; nothing if the page does not have it
+  /// without hints.
+  Result<std::optional<Choice>> chooseNumbered(const ImportRequest& request, const LocateKey& key,
+                                               const Progress& progress) {
+    auto onPage = locatedBeforeHints(*request.page, key, progress);
+    if (!onPage) return onPage.failure();
+    const auto index = key.frame.empty() ? static_cast<std::size_t>(*request.graph - 1) : std::size_t{0};
+    if (index >= (*onPage)->located.graphs.size()) return std::optional<Choice>{};
+    if (auto read = readAxesWith(key.axes, **onPage, index, progress); !read) return read.failure();
+    return std::optional<Choice>{Choice{*request.page, *request.graph, *onPage, index, {}}};
   }
 
   /// The graph asked for, or the most certain one of the document.
   Result<Choice> choose(const ImportRequest& request, const LocateKey& key, const Progress& progress) {
+    if (request.page && request.graph && *request.graph > 0) {
+      auto numbered = chooseNumbered(request, key, progress);
+      if (!numbered) return numbered.failure();
+      if (*numbered) return std::move(**numbered);
+    }
+    return chooseBest(request, key, progress);
+  }
+
+  Result<Choice> chooseBest(const ImportRequest& request, const LocateKey& key, const Progress& progress) {
     Choice best;
     std::optional<Failure> bestRejection;
     int graphCount = 0;
@@ -212,19 +349,21 @@ struct ImportSession::Impl {
         best.warnings.push_back(onPage.failure().sentence());  // one broken page costs that page only
         continue;
       }
-      const auto& found = (*onPage)->graphs;
-      if ((*onPage)->bestRejection && !bestRejection) bestRejection = (*onPage)->bestRejection;
+      const auto& found = (*onPage)->located.graphs;
+      const auto& rejection = (*onPage)->located.bestRejection;
+      if (rejection && !bestRejection) bestRejection = rejection;
       graphCount += static_cast<int>(found.size());
-      for (int i = 0; i < static_cast<int>(found.size()); ++i) {
-        if (request.graph && *request.graph != i + 1) continue;
-        const LocatedGraph& graph = found[static_cast<std::size_t>(i)];
-        if (!best.located || graph.confidence() > best.located->confidence()) {
-          best.page = number, best.graph = i + 1, best.located = &graph;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        const bool frameGiven = !key.frame.empty();
+        if (request.graph && *request.graph != static_cast<int>(i) + 1 && !frameGiven) continue;
+        if (!best.onPage || found[i].confidence() > best.located().confidence()) {
+          best.page = number, best.graph = static_cast<int>(i) + 1, best.onPage = *onPage, best.index = i;
+          if (frameGiven) best.graph = request.graph.value_or(1);
         }
       }
+      forgetOldGraphs({{best.page, !key.frame.empty()}, {number, !key.frame.empty()}});
     }
-    if (!best.located) return nothingFound(request, graphCount, bestRejection);
-    best.located = &withAllTexts(best, progress);
+    if (!best.onPage) return nothingFound(request, graphCount, bestRejection);
     if (graphCount > 1 && !request.graph) {
       best.warnings.push_back(std::to_string(graphCount) +
                               " graphs found; this is the most certain one (page " +
@@ -241,25 +380,35 @@ struct ImportSession::Impl {
                      "--list shows the graphs that were found");
     }
     if (rejection) return *rejection;
+    const std::vector<std::string> unread = allRemarks();
     return failure(
         FailureCode::noForceGraph, request.page ? numbered("page", *request.page) : "",
-        "no force graph found",
+        "no force graph found" + (unread.empty() ? "" : " (" + unread.front() + ")"),
         "If there is one, pass its corners with --frame X0,Y0,X1,Y1, and --page if the document has several");
   }
 
-  Result<const std::vector<CurveTrace>*> traces(const Choice& choice, const LocateKey& key,
-                                                const TraceHints& hints, const TraceOptions& options,
-                                                const Progress& progress) {
-    if (traced && traced->page == choice.page && traced->graph == choice.graph && traced->key == key &&
-        traced->hints == hints && traced->spacing_px == options.pointSpacing_px) {
-      return &traced->traces;
-    }
-    const LocatedGraph& graph = *choice.located;
+  bool isTraced(const Choice& choice, const TraceHints& hints, const TraceOptions& options) const {
+    return traced && traced->locatedAs == choice.onPage->serial && traced->graph == choice.graph &&
+           traced->hints == hints && traced->spacing_px == options.pointSpacing_px;
+  }
+
+  Result<const std::vector<CurveTrace>*> traces(const Choice& choice, const TraceHints& hints,
+                                                const TraceOptions& options, const Progress& progress) {
+    if (isTraced(choice, hints, options)) return &traced->traces;
+    const LocatedGraph& graph = choice.located();
+    StepClock time(seconds, "trace");
     auto found =
         traceCurves(graph.view, graph.frame.value, graph.axes, inView(hints, graph.view), options, progress);
     if (!found) return found.failure();
-    traced = Traced{choice.page, choice.graph, key, hints, options.pointSpacing_px, std::move(found).value()};
+    traced =
+        Traced{choice.onPage->serial, choice.graph, hints, options.pointSpacing_px, std::move(found).value()};
     return &traced->traces;
+  }
+
+  /// What a person needs to see where it went wrong.
+  void keepEvidence(const LocatedGraph& graph, std::vector<CurveTrace> curves) {
+    failed = std::make_shared<const GraphEvidence>(
+        GraphEvidence{graph.view, graph.frame.value, graph.axes, std::move(curves), graph.findings()});
   }
 
   Failure placed(Failure f, const Choice& choice) const {
@@ -279,32 +428,35 @@ struct ImportSession::Impl {
 Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& request, const Progress& progress) {
   const QualitySettings settings = settingsFor(request.quality);
   const LocateKey key{viewOptionsFor(settings, request.hints), request.hints.axes, request.hints.frame};
-  std::map<std::string, double> seconds;
+  seconds.clear();
+  failed.reset();
   const auto step = [&](double fraction, std::string_view what) {
     if (progress.report) progress.report(fraction, what);
   };
 
   step(0.05, "finding graphs and reading axes");
-  auto choice = [&] {
-    StepClock clock(seconds, "locate");
-    return choose(request, key, progress);
-  }();
+  auto choice = choose(request, key, progress);
   if (!choice) return choice.failure();
-  const LocatedGraph& graph = *choice->located;
+  LocatedGraph& graph = choice->located();
+  readAllTexts(graph, progress);
+  forgetOldGraphs({{choice->page, !key.frame.empty()}});
 
   step(0.5, "tracing curves");
-  auto curves = [&] {
-    StepClock clock(seconds, "trace");
-    return traces(*choice, key, request.hints.trace, settings.trace, progress);
-  }();
-  if (!curves) return placed(curves.failure(), *choice);
+  auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
+  if (!curves) {
+    keepEvidence(graph, {});
+    return placed(curves.failure(), *choice);
+  }
 
   step(0.7, "telling press from release");
   auto strokes = [&] {
-    StepClock clock(seconds, "strokes");
+    StepClock time(seconds, "strokes");
     return separateStrokes(**curves, graph.axes, graph.frame.value, request.hints.strokes);
   }();
-  if (!strokes) return placed(strokes.failure(), *choice);
+  if (!strokes) {
+    keepEvidence(graph, **curves);
+    return placed(strokes.failure(), *choice);
+  }
 
   step(0.8, "fitting");
   const StrokePair& pair = strokes->value;
@@ -312,35 +464,44 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   const double press_px = noisePx(pair.press, graph, settings);
   const double release_px = pair.release ? noisePx(*pair.release, graph, settings) : press_px;
   auto fitted = [&] {
-    StepClock clock(seconds, "fit");
+    StepClock time(seconds, "fit");
     return fitBoth(pair, fitOptionsFor(press_px, calibration, settings),
                    fitOptionsFor(release_px, calibration, settings));
   }();
-  if (!fitted) return placed(fitted.failure(), *choice);
+  if (!fitted) {
+    keepEvidence(graph, **curves);
+    return placed(fitted.failure(), *choice);
+  }
   if (progress.isCancelled()) return failure(FailureCode::wrongUsage, "", "cancelled", "");
 
   auto callouts = [&] {
-    StepClock clock(seconds, "callouts");
+    StepClock time(seconds, "callouts");
     return readCallouts(graph.view, graph.frame.value, graph.axes, pair);
   }();
+  const auto& unread = remarks[choice->page];
+  choice->warnings.insert(choice->warnings.end(), unread.begin(), unread.end());
   const GraphSource source{name(), stem(), document->sha256(), choice->page, choice->graph, choice->warnings};
   auto report = assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(),
                                 press_px, release_px, std::move(callouts), printedSpecs()},
                                source, request);
-  if (!report) return placed(report.failure(), *choice);
+  if (!report) {
+    keepEvidence(graph, **curves);
+    return placed(report.failure(), *choice);
+  }
+  if (report->doubt) report->doubt = placed(std::move(*report->doubt), *choice);
   if (request.wantOverlay) {
-    StepClock clock(seconds, "overlay");
+    StepClock time(seconds, "overlay");
     report->overlay = drawOverlay(*report->evidence, report->strokes, report->button);
   }
-  report->seconds = std::move(seconds);
+  report->seconds = seconds;
   step(1, "done");
   return report;
 }
 
 Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request, const Progress& progress) {
-  std::map<std::string, double> seconds;
+  seconds.clear();
   auto log = [&] {
-    StepClock clock(seconds, "read");
+    StepClock time(seconds, "read");
     return readForceLog(
         path, {request.hints.axes.xUnit, request.hints.axes.yUnit, request.hints.strokes.swap}, progress);
   }();
@@ -348,7 +509,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   const QualitySettings settings = settingsFor(request.quality);
   const FitOptions options = fitOptionsFor(settings.fit, {log->noise_mm, log->noise_N});
   auto fitted = [&] {
-    StepClock clock(seconds, "fit");
+    StepClock time(seconds, "fit");
     return fitBoth(log->strokes, options, options);
   }();
   if (!fitted) {
@@ -371,7 +532,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   report.confidence = 1;
   report.quality = request.quality;
   report.warnings = provenance.warnings;
-  report.seconds = std::move(seconds);
+  report.seconds = seconds;
   return report;
 }
 
@@ -383,12 +544,24 @@ ImportSession::~ImportSession() = default;
 Result<ImportSession> ImportSession::open(const std::string& path, const PageLimits& limits) {
   auto impl = std::make_unique<Impl>();
   impl->path = path;
+  impl->fileName = std::filesystem::path(path).filename().string();
   impl->limits = limits;
   if (!hasSuffix(path, ".csv")) {
     auto document = Document::open(path, limits);
     if (!document) return document.failure();
     impl->document = std::move(document).value();
   }
+  return ImportSession(std::move(impl));
+}
+
+Result<ImportSession> ImportSession::fromBytes(std::vector<unsigned char> bytes, const std::string& name,
+                                               const PageLimits& limits) {
+  auto impl = std::make_unique<Impl>();
+  impl->fileName = name;
+  impl->limits = limits;
+  auto document = Document::fromBytes(std::move(bytes), name, limits);
+  if (!document) return document.failure();
+  impl->document = std::move(document).value();
   return ImportSession(std::move(impl));
 }
 
@@ -412,22 +585,39 @@ Result<std::vector<ListedGraph>> ImportSession::list(std::optional<int> page, Qu
   const LocateKey key{viewOptionsFor(settingsFor(quality), hints), hints.axes, hints.frame};
   std::vector<ListedGraph> listed;
   const int first = page.value_or(1), last = page.value_or(pageCount());
+  std::optional<Failure> firstFault;
+  int unreadable = 0;
   for (int number = first; number <= last; ++number) {
     if (progress.report) progress.report(double(number - first) / (last - first + 1), "finding graphs");
     auto located = impl_->located(number, key, progress);
-    if (!located) return located.failure();
+    if (!located) {
+      const bool onlyThisPage = located.failure().code == FailureCode::unreadableInput && first < last;
+      if (!onlyThisPage || progress.isCancelled()) return located.failure();
+      if (!firstFault) firstFault = located.failure();
+      ++unreadable;
+      continue;  // one broken page costs that page only; remarks() names it
+    }
     int graphNumber = 0;
-    for (const LocatedGraph& graph : (*located)->graphs) {
+    for (const LocatedGraph& graph : (*located)->located.graphs) {
       const AxisCalibration& calibration = graph.axes.calibration.value;
-      listed.push_back({number, ++graphNumber, impl_->pages.at(number).unit, graph.candidate.value.pageBox,
+      listed.push_back({number, ++graphNumber, (*located)->unit, graph.candidate.value.pageBox,
                         graph.candidate.value.quarterTurns, calibration.x, calibration.y,
                         graph.confidence()});
     }
-    // A long document's pages are not all kept: only what was found on them.
-    if (!page) impl_->pages.erase(number);
+    impl_->forgetOldGraphs({{number, !key.frame.empty()}});
   }
+  if (unreadable == last - first + 1) return *firstFault;
   return listed;
 }
+
+std::vector<std::string> ImportSession::remarks() const { return impl_->allRemarks(); }
+
+std::vector<RejectedFrame> ImportSession::rejected(int page) const {
+  const auto kept = impl_->rejected.find(page);
+  return kept == impl_->rejected.end() ? std::vector<RejectedFrame>{} : kept->second;
+}
+
+std::shared_ptr<const GraphEvidence> ImportSession::evidenceOfFailure() const { return impl_->failed; }
 
 Result<ImportReport> ImportSession::importGraph(const ImportRequest& request, const Progress& progress) {
   return isForceLog() ? impl_->importLog(request, progress) : impl_->importPlot(request, progress);

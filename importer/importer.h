@@ -48,6 +48,9 @@ struct ImportRequest {
   ImportHints hints;
   PageLimits limits;
   bool wantOverlay = false;
+  /// The caller shows doubts to a person: what is below `confidenceBar` comes back as a report with its
+  /// `doubt`, not as a Failure.
+  bool acceptDoubt = false;
 };
 
 /// Below this confidence an import says notCertain (exit 5) and what to pass. Set from the corpus
@@ -64,12 +67,28 @@ struct ListedGraph {
   double confidence = 0;
 };
 
+/// A rectangle of lines on a page that could hold a graph but was not listed, and why.
+struct RejectedFrame {
+  Box frame;  ///< page units
+  int quarterTurns = 0;
+  Failure why;
+};
+
+/// How sure one step was, and of what.
+struct StepFinding {
+  std::string step;  ///< "plot frame", "axes", "strokes"
+  double confidence = 0;
+  DecidedBy by = DecidedBy::found;
+  std::string evidence;  ///< a short sentence
+};
+
 /// What an import looked at, for drawing it back over the page. Shared, never changed.
 struct GraphEvidence {
   PageView view;
   PlotFrame frame;
   AxesFound axes;
-  std::vector<CurveTrace> traces;
+  std::vector<CurveTrace> traces;  ///< empty if it did not come so far
+  std::vector<StepFinding> steps;  ///< those that ran, in flow order; an import is as sure as its weakest
 };
 
 struct StrokeReport {
@@ -78,7 +97,7 @@ struct StrokeReport {
 };
 
 /// Everything an import found. Usable as it stands: anything not certain enough came back as a Failure
-/// instead.
+/// instead, or says so in `doubt` where the request asked for that.
 struct ImportReport {
   explicit ImportReport(Button imported) : button(std::move(imported)) {}
 
@@ -91,8 +110,9 @@ struct ImportReport {
   std::vector<Callout> callouts;      ///< operating and reset points that the page points at
   std::vector<SpecCheck> specChecks;  ///< what the page says in words, beside what was read
   double confidence = 0;
+  std::optional<Failure> doubt;  ///< only with ImportRequest::acceptDoubt: what is not certain, what to do
   Quality quality = Quality::standard;
-  std::map<std::string, double> seconds;  ///< per step
+  std::map<std::string, double> seconds;  ///< per step that ran; steps whose result was kept are not in it
   std::vector<std::string> warnings;
   std::shared_ptr<const GraphEvidence> evidence;  ///< null for force logs
   std::optional<Raster> overlay;                  ///< if asked for
@@ -100,20 +120,35 @@ struct ImportReport {
 };
 
 /// An open input that is imported again and again while hints change: a step is recomputed only if something
-/// it depends on changed (STYLE 8). One thread at a time; `Progress::cancelled` may be asked from it.
+/// it depends on changed (STYLE 8). What was found is kept for the pages used last, within a bound on memory
+/// (docs/decisions/1020-what-an-open-document-keeps.md). One thread at a time; `Progress::cancelled` may be
+/// asked from it.
 class ImportSession {
  public:
   static Result<ImportSession> open(const std::string& path, const PageLimits& limits = {});
+  /// A picture or document from memory (pasted); `name` is used in messages and as the button's name.
+  static Result<ImportSession> fromBytes(std::vector<unsigned char> bytes, const std::string& name,
+                                         const PageLimits& limits = {});
 
   int pageCount() const;
   bool isForceLog() const;
-  /// Pages are read once and kept.
+  /// Valid until the next call of any function: the pages used last are kept.
   Result<const Page*> page(int number, const Progress& progress = {});
-  /// Graphs of one page (or of all, without a number), reading order.
+  /// Graphs of one page (or of all, without a number), reading order. A page that cannot be read costs only
+  /// itself, unless it is the only one; remarks() names it.
   Result<std::vector<ListedGraph>> list(std::optional<int> page = {}, Quality quality = Quality::standard,
                                         const ImportHints& hints = {}, const Progress& progress = {});
-  /// `path` and `limits` of the request are those of the session.
+  /// What could not be read of the pages seen so far: broken images, broken pages; one sentence each.
+  std::vector<std::string> remarks() const;
+  /// What was looked at on a page and not listed, as the last `list` of that page found it.
+  std::vector<RejectedFrame> rejected(int page) const;
+  /// `path` and `limits` of the request are those of the session. With `page` and `graph`, the axis hints
+  /// belong to that graph alone and numbers count as `list` without hints does; with a given frame `graph`
+  /// only names it.
   Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress = {});
+  /// How far the last `importGraph` came if it failed: frame and axes, curves if they were traced. Null if it
+  /// succeeded or found no frame.
+  std::shared_ptr<const GraphEvidence> evidenceOfFailure() const;
 
   ImportSession(ImportSession&&) noexcept;
   ImportSession& operator=(ImportSession&&) noexcept;

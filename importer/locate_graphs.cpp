@@ -22,6 +22,16 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
                       std::move(axes).value()};
 }
 
+RejectedFrame rejection(const FrameCandidate& candidate, const Result<LocatedGraph>& graph,
+                        const std::string& source) {
+  if (!graph) return {candidate.pageBox, candidate.quarterTurns, graph.failure()};
+  return {candidate.pageBox,
+          candidate.quarterTurns,
+          {FailureCode::notCertain, source, "plot frame",
+           "this is more likely a drawing than a force graph (" + graph->axes.calibration.evidence + ")",
+           "If it is a force graph, pass its corners with --frame"}};
+}
+
 /// Of two rejections the more telling one: doubt about numbers that were read beats "no numbers".
 bool moreTelling(const Failure& a, const std::optional<Failure>& b) {
   return !b || (a.code == FailureCode::notCertain && b->code != FailureCode::notCertain);
@@ -31,6 +41,11 @@ bool moreTelling(const Failure& a, const std::optional<Failure>& b) {
 
 double LocatedGraph::confidence() const {
   return std::min({candidate.confidence, frame.confidence, axes.calibration.confidence});
+}
+
+std::vector<StepFinding> LocatedGraph::findings() const {
+  return {{"plot frame", std::min(candidate.confidence, frame.confidence), frame.by, frame.evidence},
+          {"axes", axes.calibration.confidence, axes.calibration.by, axes.calibration.evidence}};
 }
 
 Result<LocatedPage> locateGraphs(const Document& document, const Page& page, const LocateOptions& options,
@@ -46,12 +61,15 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
   }
 
   LocatedPage located;
-  for (auto& candidate : candidates) {
+  for (const auto& candidate : candidates) {
     if (progress.isCancelled()) return Failure{FailureCode::wrongUsage, page.source, "", "cancelled", ""};
-    auto graph = readCandidate(document, page, std::move(candidate), options, progress);
+    auto graph = readCandidate(document, page, candidate, options, progress);
     if (graph && (frameGiven || graph->confidence() >= listBar)) {
       located.graphs.push_back(std::move(graph).value());
-    } else if (!graph && moreTelling(graph.failure(), located.bestRejection)) {
+      continue;
+    }
+    located.rejected.push_back(rejection(candidate.value, graph, page.source));
+    if (!graph && moreTelling(graph.failure(), located.bestRejection)) {
       located.bestRejection = graph.failure();
     }
   }

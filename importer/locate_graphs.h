@@ -5,6 +5,7 @@
 
 #include "importer/axes/axis_calibration.h"
 #include "importer/frame/plot_frame.h"
+#include "importer/importer.h"
 #include "importer/page/page.h"
 
 namespace detent::importer {
@@ -18,11 +19,14 @@ struct LocatedGraph {
   bool textsComplete = false;  ///< readGraphTexts has been here
   /// Sure that this is a force graph read with the right axes; 0..1.
   double confidence() const;
+  /// The two steps behind it: plot frame, axes.
+  std::vector<StepFinding> findings() const;
 };
 
-/// What came of one page: graphs in reading order, and why the best rejected candidate was rejected.
+/// What came of one page: graphs in reading order, what was rejected, and why the best of those was.
 struct LocatedPage {
   std::vector<LocatedGraph> graphs;
+  std::vector<RejectedFrame> rejected;
   std::optional<Failure> bestRejection;
 };
 

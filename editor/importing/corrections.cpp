@@ -1,0 +1,133 @@
+#include "editor/importing/corrections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QPolygonF>
+#include <QTransform>
+
+namespace detent::editor {
+namespace {
+
+/// Page units to the unit square: x to the right, y down, as the corners lie.
+std::optional<QTransform> toSquare(const FrameCorners& corners) {
+  QPolygonF quad;
+  for (const auto& corner : corners) quad << QPointF(corner.x, corner.y);
+  QTransform map;
+  if (!QTransform::quadToSquare(quad, map)) return {};
+  return map;
+}
+
+struct Placed {
+  double share = 0, value = 0;
+};
+
+std::vector<Placed> placed(GraphAxis axis, const FrameCorners& corners, const std::vector<AxisTick>& ticks) {
+  std::vector<Placed> out;
+  for (const AxisTick& tick : ticks) {
+    if (const auto share = shareAlong(axis, corners, tick.at)) out.push_back({*share, tick.value});
+  }
+  return out;
+}
+
+/// Least squares; nothing if all places are one.
+std::optional<AxisEnds> throughAll(const std::vector<Placed>& points) {
+  double meanShare = 0, meanValue = 0;
+  for (const Placed& p : points) meanShare += p.share, meanValue += p.value;
+  meanShare /= static_cast<double>(points.size()), meanValue /= static_cast<double>(points.size());
+  double spread = 0, along = 0;
+  for (const Placed& p : points) {
+    spread += (p.share - meanShare) * (p.share - meanShare);
+    along += (p.share - meanShare) * (p.value - meanValue);
+  }
+  constexpr double leastSpread = 1e-8;  // two places closer than this are one
+  if (spread < leastSpread || along == 0) return {};
+  const double perShare = along / spread;
+  const double atStart = meanValue - perShare * meanShare;
+  return AxisEnds{atStart, atStart + perShare};
+}
+
+void setEnds(const AxisCorrection& axis, const std::optional<AxisEnds>& fromTicks, std::optional<double>& min,
+             std::optional<double>& max) {
+  min = axis.min, max = axis.max;
+  if (!fromTicks) return;
+  min = fromTicks->min, max = fromTicks->max;
+}
+
+}  // namespace
+
+std::optional<double> shareAlong(GraphAxis axis, const FrameCorners& corners, importer::Point at) {
+  const auto square = toSquare(corners);
+  if (!square) return {};
+  const QPointF p = square->map(QPointF(at.x, at.y));
+  const double share = axis == GraphAxis::x ? p.x() : 1 - p.y();
+  if (!std::isfinite(share)) return {};
+  return share;
+}
+
+importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double share) {
+  const auto square = toSquare(corners);
+  if (!square) return corners[3];
+  const QPointF inSquare = axis == GraphAxis::x ? QPointF(share, 1) : QPointF(0, 1 - share);
+  const QPointF p = square->inverted().map(inSquare);
+  return {p.x(), p.y()};
+}
+
+std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,
+                                      const std::vector<AxisTick>& given,
+                                      const std::vector<AxisTick>& found) {
+  auto points = placed(axis, corners, given);
+  if (points.empty()) return {};
+  if (points.size() == 1) {
+    const double at = points.front().share;
+    const auto others = placed(axis, corners, found);
+    const auto nearer = [at](const Placed& a, const Placed& b) {
+      return std::abs(a.share - at) < std::abs(b.share - at);
+    };
+    const auto farthest = std::max_element(others.begin(), others.end(), nearer);
+    if (farthest == others.end()) return {};
+    points.push_back(*farthest);
+  }
+  return throughAll(points);
+}
+
+importer::ImportHints hintsFrom(const Corrections& corrections, const std::optional<FoundAxes>& found) {
+  importer::ImportHints hints;
+  if (corrections.frame) hints.frame.assign(corrections.frame->begin(), corrections.frame->end());
+  std::optional<FrameCorners> corners = corrections.frame;
+  if (!corners && found) corners = found->corners;
+  const auto ends = [&](GraphAxis axis, const std::vector<AxisTick>& foundTicks) -> std::optional<AxisEnds> {
+    if (!corners) return {};
+    return endsFromTicks(axis, *corners, corrections.axis(axis).ticks, foundTicks);
+  };
+  const std::vector<AxisTick> none;
+  setEnds(corrections.x, ends(GraphAxis::x, found ? found->xTicks : none), hints.axes.xMin, hints.axes.xMax);
+  setEnds(corrections.y, ends(GraphAxis::y, found ? found->yTicks : none), hints.axes.yMin, hints.axes.yMax);
+  hints.axes.xUnit = corrections.xUnit, hints.axes.yUnit = corrections.yUnit;
+  hints.trace = {corrections.pressColor, corrections.releaseColor, corrections.masks};
+  hints.strokes.swap = corrections.swapStrokes;
+  hints.dpi = corrections.dpi;
+  return hints;
+}
+
+bool CorrectionHistory::apply(const Corrections& next, const QString& label, const QString& mergeKey) {
+  if (next == now()) return false;
+  steps_.resize(at_ + 1);
+  const bool merges = at_ > 0 && !mergeKey.isEmpty() && steps_[at_].mergeKey == mergeKey;
+  if (merges) {
+    steps_[at_].value = next;
+  } else {
+    steps_.push_back({next, label, mergeKey});
+    ++at_;
+  }
+  return true;
+}
+
+void CorrectionHistory::undo() {
+  if (canUndo()) --at_;
+}
+
+void CorrectionHistory::redo() {
+  if (canRedo()) ++at_;
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,101 @@
+#pragma once
+// What a person settled by hand about one graph of the import dialogue, as they see it on the page: ticks
+// with values, corners, units, colours, masks. The importer takes the same as ImportHints.
+
+#include <array>
+#include <optional>
+#include <QString>
+#include <vector>
+
+#include "importer/importer.h"
+
+namespace detent::editor {
+
+/// Corners of a plot frame in page units: top left, top right, bottom right, bottom left of the upright
+/// graph.
+using FrameCorners = std::array<importer::Point, 4>;
+
+enum class GraphAxis { x, y };
+
+/// A place on an axis and the value that stands there.
+struct AxisTick {
+  importer::Point at;  ///< page units, on or beside the axis' edge of the frame
+  double value = 0;    ///< in the axis' unit
+  friend bool operator==(const AxisTick&, const AxisTick&) = default;
+};
+
+/// How one axis is scaled by hand: by the values at its two ends, or by ticks. Empty: as found.
+struct AxisCorrection {
+  std::optional<double> min, max;  ///< at the frame's left/bottom and right/top edge
+  std::vector<AxisTick> ticks;     ///< if any, min and max are empty: the ticks say it all
+  bool empty() const { return !min && !max && ticks.empty(); }
+  friend bool operator==(const AxisCorrection&, const AxisCorrection&) = default;
+};
+
+/// Everything given by hand for one graph; a value that is not given is found. Plain value.
+struct Corrections {
+  std::optional<FrameCorners> frame;
+  AxisCorrection x, y;
+  std::optional<LengthUnit> xUnit;
+  std::optional<ForceUnit> yUnit;
+  std::optional<importer::Rgb> pressColor, releaseColor;
+  std::vector<importer::Box> masks;  ///< page units
+  bool swapStrokes = false;
+  std::optional<double> dpi;  ///< (0, 1200]
+  friend bool operator==(const Corrections&, const Corrections&) = default;
+
+  const AxisCorrection& axis(GraphAxis which) const { return which == GraphAxis::x ? x : y; }
+  AxisCorrection& axis(GraphAxis which) { return which == GraphAxis::x ? x : y; }
+};
+
+/// Values at the two ends of an axis.
+struct AxisEnds {
+  double min = 0, max = 0;
+};
+
+/// Where along an axis a place lies: 0 at the left/bottom edge, 1 at the right/top one, as the frame's
+/// perspective has it. Any finite place; corners must enclose an area (else nothing).
+std::optional<double> shareAlong(GraphAxis axis, const FrameCorners& corners, importer::Point at);
+/// The place on the axis' edge with this share.
+importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double share);
+
+/// The ends that given ticks define: the line through them, by least squares. A single given tick is joined
+/// with the farthest found one. Nothing if that leaves fewer than two places or two equal ones.
+std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,
+                                      const std::vector<AxisTick>& given, const std::vector<AxisTick>& found);
+
+/// What the importer knows of a graph when corrections are turned into hints.
+struct FoundAxes {
+  FrameCorners corners;
+  std::vector<AxisTick> xTicks, yTicks;  ///< those that agreed with the progression
+};
+
+/// Hints for the importer. Ticks become the values at the edges of the frame: the given one, else the found
+/// one; without either they say nothing yet.
+importer::ImportHints hintsFrom(const Corrections& corrections, const std::optional<FoundAxes>& found);
+
+/// Undo by value for one graph: every state the corrections have been in, with the label of the step that led
+/// there. Steps that change nothing are dropped; steps with the same non-empty key directly after each other
+/// become one.
+class CorrectionHistory {
+ public:
+  const Corrections& now() const { return steps_[at_].value; }
+  /// False if nothing changed.
+  bool apply(const Corrections& next, const QString& label, const QString& mergeKey = {});
+  bool canUndo() const { return at_ > 0; }
+  bool canRedo() const { return at_ + 1 < steps_.size(); }
+  void undo();
+  void redo();
+  QString undoLabel() const { return canUndo() ? steps_[at_].label : QString(); }
+  QString redoLabel() const { return canRedo() ? steps_[at_ + 1].label : QString(); }
+
+ private:
+  struct Step {
+    Corrections value;
+    QString label, mergeKey;
+  };
+  std::vector<Step> steps_{Step{}};
+  std::size_t at_ = 0;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,66 @@
+#pragma once
+// Keeps what is still to be asked of the import thread, in the order of its urgency, one question at a time.
+
+#include <list>
+#include <memory>
+#include <optional>
+#include <QObject>
+#include <QPointer>
+#include <QThread>
+
+#include "editor/importing/import_worker.h"
+
+namespace detent::editor {
+
+/// How soon an answer is wanted. A running `background` query makes way for a more urgent one and is asked
+/// again later.
+enum class Urgency { background, visible, now };
+
+/// The GUI thread's end of the conversation. Never waits: its end stops the running work, and the thread ends
+/// by itself.
+class ImportDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  using Ticket = quint64;  ///< 0 is none
+
+  explicit ImportDesk(QObject* parent = nullptr);
+  ~ImportDesk() override;
+  ImportDesk(const ImportDesk&) = delete;
+  ImportDesk& operator=(const ImportDesk&) = delete;
+
+  /// Queued after what is as urgent. The answer comes as `answered`, unless the ticket is forgotten.
+  Ticket ask(Query query, Urgency urgency);
+  /// Its answer is not wanted any more: stops it if it runs. Unknown tickets and 0 are ignored.
+  void forget(Ticket ticket);
+  void forgetAll();
+  /// Queued or running.
+  bool isOpen(Ticket ticket) const;
+
+ signals:
+  void answered(ImportDesk::Ticket ticket, std::shared_ptr<const Answer> answer);
+  void progressed(ImportDesk::Ticket ticket, double fraction, const QString& step);
+
+ private:
+  struct Question {
+    Ticket ticket = 0;
+    Query query;
+    Urgency urgency = Urgency::background;
+  };
+  struct Running {
+    Question question;
+    ImportWorker::StopFlag stop;
+    bool forgotten = false, interrupted = false;
+  };
+  void enqueue(Question question, bool before);
+  void startNext();
+  void finish(Ticket ticket, const std::shared_ptr<const Answer>& answer);
+
+  QThread* thread_;  ///< deletes itself when it has ended
+  QPointer<ImportWorker> worker_;
+  std::list<Question> queue_;  ///< most urgent first
+  std::optional<Running> running_;
+  Ticket last_ = 0;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,43 @@
+#pragma once
+// The way from a datasheet to a button: pages and graphs, what was found drawn over the page, and every
+// finding open to correction.
+
+#include <memory>
+#include <QDialog>
+
+#include "editor/document/view_settings.h"
+#include "importer/importer.h"
+
+namespace detent::editor {
+
+/// Open a file or a pasted picture in it, look, correct, import. One per import; may be used again. GUI
+/// thread; the work is done on a thread of its own and the dialogue never waits for it.
+class ImportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `settings` (units of what is shown) must outlive it.
+  explicit ImportDialog(ViewSettings& settings, QWidget* parent = nullptr);
+  ~ImportDialog() override;
+
+  /// A picture, PDF, SVG or force meter's CSV. Returns at once; what is wrong with it is said in the
+  /// dialogue.
+  void openFile(const QString& path);
+  /// A pasted image.
+  void openPicture(const QImage& picture);
+
+ signals:
+  /// Once per accepted graph. Shared and never changed.
+  void imported(std::shared_ptr<const importer::ImportReport> report);
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,409 @@
+#include "editor/importing/import_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QFileInfo>
+
+#include "model/check.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr GraphId logGraph{1, 1};  // a force meter's log has one graph and no page
+
+std::vector<AxisTick> usedTicks(GraphAxis axis, const importer::GraphEvidence& evidence) {
+  const auto& calibration = evidence.axes.calibration.value;
+  std::vector<AxisTick> ticks;
+  for (const auto& tick : (axis == GraphAxis::x ? calibration.x : calibration.y).ticks) {
+    if (tick.used) ticks.push_back({placeOfTick(axis, evidence, tick.position_px), tick.value});
+  }
+  return ticks;
+}
+
+bool wasCancelled(const ImportedGraph& imported) {
+  return imported.failure && imported.failure->code == FailureCode::wrongUsage &&
+         imported.failure->problem == "cancelled";
+}
+
+}  // namespace
+
+importer::Point placeOfTick(GraphAxis axis, const importer::GraphEvidence& evidence, double position_px) {
+  const auto& corners = evidence.frame.corners;
+  const importer::Point from = corners[3], to = axis == GraphAxis::x ? corners[2] : corners[0];
+  const double length = axis == GraphAxis::x ? to.x - from.x : to.y - from.y;
+  const double share = length == 0 ? 0 : (position_px - (axis == GraphAxis::x ? from.x : from.y)) / length;
+  return evidence.view.viewToPage({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)});
+}
+
+FrameCorners cornersOf(const importer::GraphEvidence& evidence) {
+  FrameCorners corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = evidence.view.viewToPage(evidence.frame.corners[i]);
+  return corners;
+}
+
+std::optional<FrameCorners> ImportGraph::corners() const {
+  if (history.now().frame) return history.now().frame;
+  if (found) return found->corners;
+  if (!listed) return {};
+  const importer::Box& box = listed->frame;
+  FrameCorners corners{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}};
+  // Upright is what a reader sees after the page's quarter turns.
+  std::rotate(corners.begin(), corners.begin() + (4 - listed->quarterTurns) % 4, corners.end());
+  return corners;
+}
+
+bool ImportGraph::upToDate(importer::Quality quality) const {
+  return pending == 0 && last && last->report && asked && askedWith == history.now() &&
+         askedQuality == quality;
+}
+
+ImportState::ImportState(QObject* parent) : QObject(parent), desk_(this) {
+  connect(&desk_, &ImportDesk::answered, this,
+          [this](ImportDesk::Ticket ticket, const std::shared_ptr<const Answer>& answer) {
+            if (const auto* imported = std::get_if<ImportedGraph>(answer.get())) {
+              takeImport(ticket, answer, *imported);
+            } else {
+              take(ticket, *answer);
+            }
+          });
+  connect(&desk_, &ImportDesk::progressed, this,
+          [this](ImportDesk::Ticket ticket, double fraction, const QString& step) {
+            const ImportGraph* graph = current();
+            if (ticket == openTicket_ || (graph && graph->pending == ticket)) emit progressed(fraction, step);
+          });
+}
+
+void ImportState::openFile(const QString& path) { open(OpenFile{path}, QFileInfo(path).fileName()); }
+
+void ImportState::openPicture(const QImage& picture) {
+  const QString name = tr("Pasted picture");
+  open(OpenPicture{picture, name}, name);
+}
+
+void ImportState::open(Query query, const QString& name) {
+  desk_.forgetAll();
+  toAccept_.clear();
+  name_ = name;
+  facts_.reset(), openFailure_.reset();
+  pages_.clear(), graphs_.clear();
+  currentPage_ = 0, current_.reset(), sheet_.reset();
+  sheetTicket_ = 0;
+  openTicket_ = desk_.ask(std::move(query), Urgency::now);
+  emit documentChanged();
+}
+
+void ImportState::take(ImportDesk::Ticket ticket, const Answer& answer) {
+  if (const auto* failure = std::get_if<Failure>(&answer)) return takeFailure(ticket, *failure);
+  if (const auto* facts = std::get_if<DocumentFacts>(&answer)) return takeFacts(*facts);
+  if (const auto* thumbnail = std::get_if<PageThumbnail>(&answer)) return takeThumbnail(*thumbnail);
+  if (const auto* found = std::get_if<FoundGraphs>(&answer)) return takeGraphs(*found);
+  if (const auto* sheet = std::get_if<PageSheet>(&answer)) {
+    sheet_ = std::make_shared<const PageSheet>(*sheet);
+    sheetTicket_ = 0;
+    emit currentChanged();
+  }
+}
+
+void ImportState::takeFailure(ImportDesk::Ticket ticket, const Failure& failure) {
+  if (ticket == openTicket_) {
+    openTicket_ = 0;
+    openFailure_ = failure;
+    emit documentChanged();
+    return;
+  }
+  const bool sheetFailed = ticket == sheetTicket_;
+  if (sheetFailed) sheetTicket_ = 0;
+  for (int number = 1; number <= pageCount(); ++number) {
+    ImportPage& page = pageRef(number);
+    const bool ofSheet = sheetFailed && number == currentPage_;
+    if (page.thumbnailTicket != ticket && page.searchTicket != ticket && !ofSheet) continue;
+    if (page.thumbnailTicket == ticket) page.thumbnailTicket = 0;
+    if (page.searchTicket == ticket) page.searched = true, page.searchTicket = 0;
+    page.failure = failure;
+    emit pageChanged(number);
+    if (number == currentPage_) emit currentChanged();
+    return;
+  }
+}
+
+void ImportState::takeFacts(const DocumentFacts& facts) {
+  openTicket_ = 0;
+  facts_ = facts;
+  pages_.resize(static_cast<std::size_t>(facts.pages));
+  emit documentChanged();
+  if (isForceLog()) {
+    graphs_[logGraph].id = logGraph;
+    emit graphsChanged();
+    selectGraph(logGraph);
+    return;
+  }
+  askForPages();
+  showPage(1);
+}
+
+void ImportState::askForPages() {
+  constexpr int firstLook = 8;  // as many as a list shows before it says which are visible
+  for (int number = 1; number <= std::min(firstLook, pageCount()); ++number)
+    pageRef(number).thumbnailTicket =
+        desk_.ask(ReadThumbnail{number}, number == 1 ? Urgency::visible : Urgency::background);
+  for (int number = 1; number <= pageCount(); ++number)
+    pageRef(number).searchTicket = desk_.ask(FindGraphs{number, quality_}, Urgency::background);
+}
+
+void ImportState::setVisiblePages(int first, int last) {
+  for (int number = std::max(1, first); number <= std::min(last, pageCount()); ++number) {
+    ImportPage& page = pageRef(number);
+    if (!page.thumbnail.isNull() || page.failure) continue;
+    desk_.forget(page.thumbnailTicket);
+    page.thumbnailTicket = desk_.ask(ReadThumbnail{number}, Urgency::visible);
+  }
+}
+
+void ImportState::takeThumbnail(const PageThumbnail& thumbnail) {
+  ImportPage& page = pageRef(thumbnail.page);
+  page.thumbnail = thumbnail.picture;
+  page.bounds = thumbnail.bounds;
+  page.thumbnailTicket = 0;
+  emit pageChanged(thumbnail.page);
+}
+
+void ImportState::takeGraphs(const FoundGraphs& found) {
+  const int number = found.thumbnail.page;
+  takeThumbnail(found.thumbnail);
+  ImportPage& page = pageRef(number);
+  page.searched = true;
+  page.searchTicket = 0;
+  page.rejected = found.rejected;
+  for (const FoundGraph& each : found.graphs) {
+    const GraphId id{number, each.listed.graph};
+    ImportGraph& graph = graphs_[id];
+    graph.id = id;
+    graph.listed = each.listed;
+    graph.thumbnail = each.thumbnail;
+  }
+  emit pageChanged(number);
+  emit graphsChanged();
+  if (!current_ && !found.graphs.empty()) {
+    const auto surest = std::max_element(
+        found.graphs.begin(), found.graphs.end(),
+        [](const FoundGraph& a, const FoundGraph& b) { return a.listed.confidence < b.listed.confidence; });
+    selectGraph({number, surest->listed.graph});
+  } else if (number == currentPage_) {
+    emit currentChanged();
+  }
+}
+
+int ImportState::searchedPages() const {
+  return static_cast<int>(
+      std::count_if(pages_.begin(), pages_.end(), [](const ImportPage& page) { return page.searched; }));
+}
+
+std::vector<GraphId> ImportState::graphs() const {
+  std::vector<GraphId> ids;
+  for (const auto& each : graphs_) ids.push_back(each.first);
+  return ids;
+}
+
+const ImportGraph* ImportState::graph(GraphId id) const {
+  const auto found = graphs_.find(id);
+  return found == graphs_.end() ? nullptr : &found->second;
+}
+
+ImportGraph* ImportState::currentRef() {
+  if (!current_) return nullptr;
+  const auto found = graphs_.find(*current_);
+  return found == graphs_.end() ? nullptr : &found->second;
+}
+
+int ImportState::tickedCount() const {
+  return static_cast<int>(
+      std::count_if(graphs_.begin(), graphs_.end(), [](const auto& each) { return each.second.ticked; }));
+}
+
+void ImportState::setTicked(GraphId id, bool ticked) {
+  const auto found = graphs_.find(id);
+  if (found == graphs_.end() || found->second.ticked == ticked) return;
+  found->second.ticked = ticked;
+  emit graphsChanged();
+}
+
+void ImportState::showPage(int number) {
+  if (number < 1 || number > pageCount()) return;
+  const bool another = number != currentPage_;
+  currentPage_ = number;
+  if (another) sheet_.reset();
+  if (another || !sheet_) askForSheet();
+  if (current_ && current_->page != number) current_.reset();
+  emit currentChanged();
+}
+
+void ImportState::askForSheet() {
+  desk_.forget(sheetTicket_);
+  sheetTicket_ = desk_.ask(ReadSheet{currentPage_}, Urgency::visible);
+}
+
+void ImportState::selectGraph(GraphId id) {
+  if (!graph(id)) return;
+  if (!isForceLog() && id.page != currentPage_) {
+    currentPage_ = id.page;
+    sheet_.reset();
+    askForSheet();
+  }
+  current_ = id;
+  ImportGraph& graph = *currentRef();
+  if (graph.pending == 0 && !graph.upToDate(quality_)) askForImport(graph, Urgency::now);
+  emit currentChanged();
+  emit correctionsChanged();
+  emit resultChanged();
+}
+
+void ImportState::setQuality(importer::Quality quality) {
+  if (quality == quality_) return;
+  quality_ = quality;
+  if (ImportGraph* graph = currentRef()) askForImport(*graph, Urgency::now);
+  emit correctionsChanged();
+  emit resultChanged();
+}
+
+void ImportState::apply(const Corrections& next, const QString& label, const QString& mergeKey) {
+  ImportGraph* graph = currentRef();
+  if (!graph || !graph->history.apply(next, label, mergeKey)) return;
+  graph->confirmed = false;
+  askForImport(*graph, Urgency::now);
+  emit correctionsChanged();
+  emit resultChanged();
+}
+
+void ImportState::undo() {
+  ImportGraph* graph = currentRef();
+  if (!graph || !graph->history.canUndo()) return;
+  graph->history.undo();
+  askForImport(*graph, Urgency::now);
+  emit correctionsChanged();
+  emit resultChanged();
+}
+
+void ImportState::redo() {
+  ImportGraph* graph = currentRef();
+  if (!graph || !graph->history.canRedo()) return;
+  graph->history.redo();
+  askForImport(*graph, Urgency::now);
+  emit correctionsChanged();
+  emit resultChanged();
+}
+
+void ImportState::addGraph(const FrameCorners& frame) {
+  if (currentPage_ < 1) return;
+  GraphId id{currentPage_, 1};
+  while (graphs_.contains(id)) ++id.graph;
+  ImportGraph& graph = graphs_[id];
+  graph.id = id;
+  Corrections corrections;
+  corrections.frame = frame;
+  graph.history.apply(corrections, tr("Draw plot frame"));
+  emit graphsChanged();
+  selectGraph(id);
+}
+
+void ImportState::setConfirmed(bool confirmed) {
+  if (ImportGraph* graph = currentRef()) graph->confirmed = confirmed;
+  emit resultChanged();
+}
+
+bool ImportState::working() const { return current() && current()->pending != 0; }
+
+void ImportState::cancel() {
+  toAccept_.clear();
+  ImportGraph* graph = currentRef();
+  if (!graph || graph->pending == 0) return;
+  desk_.forget(graph->pending);
+  graph->pending = 0;
+  graph->asked = false;
+  emit resultChanged();
+}
+
+void ImportState::retry() {
+  if (ImportGraph* graph = currentRef()) askForImport(*graph, Urgency::now);
+  emit resultChanged();
+}
+
+void ImportState::askForImport(ImportGraph& graph, Urgency urgency) {
+  desk_.forget(graph.pending);
+  graph.askedWith = graph.history.now();
+  graph.askedQuality = quality_;
+  graph.asked = true;
+  graph.pending = desk_.ask(ImportOne{graph.id, hintsFrom(graph.askedWith, graph.found), quality_}, urgency);
+}
+
+void ImportState::rememberFound(ImportGraph& graph, const ImportedGraph& imported) {
+  if (!imported.evidence) return;
+  const Corrections& given = graph.askedWith;
+  const bool axesFound = given.x.empty() && given.y.empty();
+  if (!graph.found) graph.found = FoundAxes{cornersOf(*imported.evidence), {}, {}};
+  if (!given.frame) graph.found->corners = cornersOf(*imported.evidence);
+  if (!axesFound) return;
+  graph.found->xTicks = usedTicks(GraphAxis::x, *imported.evidence);
+  graph.found->yTicks = usedTicks(GraphAxis::y, *imported.evidence);
+  graph.foundX = imported.evidence->axes.calibration.value.x;
+  graph.foundY = imported.evidence->axes.calibration.value.y;
+}
+
+void ImportState::takeImport(ImportDesk::Ticket ticket, const std::shared_ptr<const Answer>& kept,
+                             const ImportedGraph& imported) {
+  const auto place = graphs_.find(imported.graph);
+  if (place == graphs_.end() || place->second.pending != ticket) return;  // stale
+  ImportGraph& graph = place->second;
+  graph.pending = 0;
+  if (wasCancelled(imported)) {
+    graph.asked = false;
+  } else {
+    graph.last = std::shared_ptr<const ImportedGraph>(kept, &imported);
+    if (imported.report) graph.good = graph.last;
+    rememberFound(graph, imported);
+  }
+  if (current_ == imported.graph) {
+    emit correctionsChanged();
+    emit resultChanged();
+  }
+  emit graphsChanged();
+  if (accepting()) acceptNext();
+}
+
+void ImportState::acceptAll() {
+  toAccept_.clear();
+  for (const auto& each : graphs_) {
+    if (each.second.ticked) toAccept_.push_back(each.first);
+  }
+  if (toAccept_.empty() && current_) toAccept_.push_back(*current_);
+  acceptNext();
+}
+
+void ImportState::acceptNext() {
+  while (!toAccept_.empty()) {
+    ImportGraph& graph = graphs_.at(toAccept_.front());
+    if (graph.pending != 0) return;  // goes on with its answer
+    if (!graph.upToDate(quality_)) {
+      const bool failed =
+          graph.asked && graph.askedWith == graph.history.now() && graph.askedQuality == quality_;
+      if (!failed) {
+        askForImport(graph, Urgency::now);
+        if (current_ == graph.id) emit resultChanged();
+        return;
+      }
+    }
+    const bool usable = graph.upToDate(quality_) && (!graph.last->report->doubt || graph.confirmed);
+    if (!usable) {
+      const GraphId id = graph.id;
+      toAccept_.clear();
+      selectGraph(id);
+      emit acceptStopped();
+      return;
+    }
+    graph.ticked = false;
+    toAccept_.erase(toAccept_.begin());
+    emit accepted(graph.last->report);
+  }
+  emit allAccepted();
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,157 @@
+#pragma once
+// What the import dialogue knows: the open document, its pages and graphs, what was given by hand for each,
+// and the last results. Widgets draw it and call it; it asks the import thread and never waits.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <QObject>
+#include <vector>
+
+#include "editor/importing/corrections.h"
+#include "editor/importing/import_desk.h"
+
+namespace detent::editor {
+
+/// One page of the document, as far as it is known.
+struct ImportPage {
+  QImage thumbnail;  ///< null until it was drawn
+  QRectF bounds;     ///< page units
+  bool searched = false;
+  std::optional<Failure> failure;  ///< it cannot be read
+  std::vector<importer::RejectedFrame> rejected;
+  ImportDesk::Ticket thumbnailTicket = 0, searchTicket = 0;
+};
+
+/// One graph, found or framed by hand, with its corrections and results.
+struct ImportGraph {
+  GraphId id;
+  std::optional<importer::ListedGraph> listed;  ///< empty if framed by hand, and for a force meter's log
+  QImage thumbnail;
+  bool ticked = false;     ///< to be imported with the others
+  bool confirmed = false;  ///< a person has checked the doubtful result against the page
+  CorrectionHistory history;
+
+  std::shared_ptr<const ImportedGraph> last;  ///< newest answer, good or not; null before the first
+  std::shared_ptr<const ImportedGraph> good;  ///< newest answer with a report; stays while later ones fail
+  std::optional<FoundAxes> found;             ///< ticks and corners as found, to which "reset" goes back
+  std::optional<importer::AxisReading> foundX, foundY;
+
+  ImportDesk::Ticket pending = 0;
+  Corrections askedWith;  ///< of the newest question
+  importer::Quality askedQuality = importer::Quality::standard;
+  bool asked = false;
+
+  bool framedByHand() const { return history.now().frame.has_value(); }
+  /// Corners in force, page units: given, else found; nothing before either is known.
+  std::optional<FrameCorners> corners() const;
+  /// A finished report for exactly what is set now.
+  bool upToDate(importer::Quality quality) const;
+};
+
+/// GUI thread.
+class ImportState : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ImportState(QObject* parent = nullptr);
+
+  /// Both drop what was open.
+  void openFile(const QString& path);
+  void openPicture(const QImage& picture);
+
+  bool opening() const { return openTicket_ != 0; }
+  bool isOpen() const { return facts_.has_value(); }
+  bool isForceLog() const { return facts_ && facts_->pages == 0; }
+  QString documentName() const { return name_; }
+  int pageCount() const { return facts_ ? facts_->pages : 0; }
+  const std::optional<Failure>& openFailure() const { return openFailure_; }
+
+  const ImportPage& page(int number) const { return pages_[static_cast<std::size_t>(number - 1)]; }
+  /// Pages searched so far; when it reaches pageCount() all graphs are known.
+  int searchedPages() const;
+  std::vector<GraphId> graphs() const;
+  const ImportGraph* graph(GraphId id) const;
+  int tickedCount() const;
+
+  int currentPage() const { return currentPage_; }
+  const ImportGraph* current() const { return current_ ? graph(*current_) : nullptr; }
+  /// Picture of the current page; while a new one is read, null.
+  const PageSheet* sheet() const { return sheet_.get(); }
+  void showPage(int number);
+  void selectGraph(GraphId id);
+  void setTicked(GraphId id, bool ticked);
+  /// These thumbnails are read next.
+  void setVisiblePages(int first, int last);
+
+  importer::Quality quality() const { return quality_; }
+  void setQuality(importer::Quality quality);
+
+  /// A step of the current graph's corrections, undoable.
+  void apply(const Corrections& next, const QString& label, const QString& mergeKey = {});
+  void undo();
+  void redo();
+  /// A graph that was not found: the frame is given on the current page.
+  void addGraph(const FrameCorners& frame);
+  void setConfirmed(bool confirmed);
+
+  bool working() const;
+  /// Stops the running import; the last good result stays.
+  void cancel();
+  void retry();
+
+  /// Gives out the ticked graphs (without any, the current one), each by `accepted` when its result is there;
+  /// then `allAccepted`, or `acceptStopped` at the first that failed or is in doubt, which is then the
+  /// current one.
+  void acceptAll();
+  bool accepting() const { return !toAccept_.empty(); }
+
+ signals:
+  void documentChanged();  ///< opened, failed to open
+  void pageChanged(int number);
+  void graphsChanged();
+  void currentChanged();  ///< another page or graph is looked at, or its sheet has come
+  void correctionsChanged();
+  void resultChanged();  ///< of the current graph: a new answer, or work began or ended
+  void progressed(double fraction, const QString& step);
+  void accepted(std::shared_ptr<const importer::ImportReport> report);
+  void allAccepted();
+  void acceptStopped();
+
+ private:
+  void open(Query query, const QString& name);
+  void take(ImportDesk::Ticket ticket, const Answer& answer);
+  void takeFacts(const DocumentFacts& facts);
+  void takeThumbnail(const PageThumbnail& thumbnail);
+  void takeGraphs(const FoundGraphs& found);
+  void takeImport(ImportDesk::Ticket ticket, const std::shared_ptr<const Answer>& kept,
+                  const ImportedGraph& imported);
+  void takeFailure(ImportDesk::Ticket ticket, const Failure& failure);
+  void askForPages();
+  void askForSheet();
+  void askForImport(ImportGraph& graph, Urgency urgency);
+  void rememberFound(ImportGraph& graph, const ImportedGraph& imported);
+  void acceptNext();
+  ImportPage& pageRef(int number) { return pages_[static_cast<std::size_t>(number - 1)]; }
+  ImportGraph* currentRef();
+
+  ImportDesk desk_;
+  ImportDesk::Ticket openTicket_ = 0, sheetTicket_ = 0;
+  QString name_;
+  std::optional<DocumentFacts> facts_;
+  std::optional<Failure> openFailure_;
+  std::vector<ImportPage> pages_;
+  std::map<GraphId, ImportGraph> graphs_;
+  int currentPage_ = 0;
+  std::optional<GraphId> current_;
+  std::shared_ptr<const PageSheet> sheet_;
+  importer::Quality quality_ = importer::Quality::standard;
+  std::vector<GraphId> toAccept_;
+};
+
+/// A found tick's place on the page.
+importer::Point placeOfTick(GraphAxis axis, const importer::GraphEvidence& evidence, double position_px);
+/// Corners of the evidence's frame in page units.
+FrameCorners cornersOf(const importer::GraphEvidence& evidence);
+
+}  // namespace detent::editor

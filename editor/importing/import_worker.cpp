@@ -1,0 +1,18 @@
+#include "editor/importing/import_worker.h"
+
+namespace detent::editor {
+
+void ImportWorker::answer(quint64 ticket, const Query& query, const StopFlag& stop) {
+  constexpr qint64 reportEvery_ms = 25;
+  sinceReport_.invalidate();
+  importer::Progress progress;
+  progress.cancelled = [stop] { return stop->load(std::memory_order_relaxed); };
+  progress.report = [this, ticket](double fraction, std::string_view step) {
+    if (sinceReport_.isValid() && sinceReport_.elapsed() < reportEvery_ms) return;
+    sinceReport_.start();
+    emit progressed(ticket, fraction, QString::fromUtf8(step.data(), static_cast<qsizetype>(step.size())));
+  };
+  emit answered(ticket, std::make_shared<const Answer>(answers_.answer(query, progress)));
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,32 @@
+#pragma once
+// The import thread's end of the conversation.
+
+#include <atomic>
+#include <memory>
+#include <QElapsedTimer>
+#include <QObject>
+
+#include "editor/importing/import_queries.h"
+
+namespace detent::editor {
+
+/// Lives on the import thread and owns the open document. Every ask gives exactly one `answered`; `stop` may
+/// be set from any thread and ends the work soon, with a Failure.
+class ImportWorker : public QObject {
+  Q_OBJECT
+
+ public:
+  using StopFlag = std::shared_ptr<std::atomic<bool>>;
+  void answer(quint64 ticket, const Query& query, const StopFlag& stop);
+
+ signals:
+  void answered(quint64 ticket, std::shared_ptr<const Answer> answer);
+  /// At most 40 times a second.
+  void progressed(quint64 ticket, double fraction, const QString& step);
+
+ private:
+  ImportAnswers answers_;
+  QElapsedTimer sinceReport_;
+};
+
+}  // namespace detent::editor
