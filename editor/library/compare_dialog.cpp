@@ -22,7 +22,7 @@ constexpr int updateDelay_ms = 50;
 
 enum Column { nameColumn, aColumn, bColumn, differenceColumn, unitColumn, columnCount };
 
-void style(QCustomPlot& plot, const GraphColors& colors) {
+void dress(QCustomPlot& plot, const GraphColors& colors) {
   plot.setBackground(colors.background);
   for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
     axis->setBasePen(QPen(colors.axis));
@@ -208,7 +208,7 @@ void CompareDialog::update() {
 void CompareDialog::drawCurves(const ButtonState& a, const ButtonState& b) {
   const DisplayUnits& units = settings_.units();
   const GraphColors colors = graphColors(isDark(palette()));
-  style(*plot_, colors);
+  dress(*plot_, colors);
   plot_->clearPlottables();
   const auto draw = [&](const ButtonState& state, const QString& letter, const QColor& color) {
     for (const Stroke stroke : {Stroke::press, Stroke::release}) {
