@@ -48,7 +48,7 @@ QPainterPath pathOf(const std::vector<CurvePoint>& points, const Plane& plane) {
   QPointF last;
   for (const CurvePoint& point : points) {
     const QPointF at = plane.at(point);
-    if (path.isEmpty())
+    if (path.elementCount() == 0)  // isEmpty() holds after a moveTo too
       path.moveTo(at);
     else if (std::abs(at.x() - last.x()) < 0.5 && std::abs(at.y() - last.y()) < 0.5)
       continue;
