@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <QLinearGradient>
+#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTabletEvent>

@@ -11,6 +11,8 @@
 #include "editor/document/view_settings.h"
 #include "model/sections.h"
 
+class QTouchEvent;
+
 namespace detent::editor {
 
 /// What a mouse drag or a touch without pressure means. Keys always press by time, pens by pressure.
