@@ -154,6 +154,26 @@ Result<Button> setDamping(const Button& button, std::size_t state, std::vector<D
   });
 }
 
+Result<Button> addState(const Button& button, std::size_t of) {
+  std::vector<ButtonState> states = button.states();
+  if (of >= states.size())
+    return refusal("button", "", "has no state " + std::to_string(of + 1), "Choose one of its states");
+  if (states.size() > 1) return refusal("button", "", "has two states already", "Remove one of them first");
+  if (states[of].name.empty()) states[of].name = "unlocked";
+  states.push_back(states[of]);
+  states.back().name = states[of].name == "locked" ? "unlocked" : "locked";
+  return Button::fromStates(button.name(), std::move(states), button.provenance());
+}
+
+Result<Button> removeState(const Button& button, std::size_t state) {
+  std::vector<ButtonState> states = button.states();
+  if (state >= states.size())
+    return refusal("button", "", "has no state " + std::to_string(state + 1), "Choose one of its states");
+  if (states.size() == 1) return refusal("button", "", "has this state alone", "Add a second one first");
+  states.erase(states.begin() + static_cast<std::ptrdiff_t>(state));
+  return Button::fromStates(button.name(), std::move(states), button.provenance());
+}
+
 Result<Button> scaleForce(const Button& button, double factor) {
   return editAllStates(button, [&](ButtonState& s) -> std::optional<Failure> {
     auto scaled = scaleForce(s.graph, factor);

@@ -273,6 +273,17 @@ Result<StrokeCurve> moveTactilePoint(const StrokeCurve& curve, Stroke stroke, st
   return moveApex(curve, hill, to, "tactile point " + std::to_string(index + 1));
 }
 
+Result<StrokeCurve> moveTurn(const StrokeCurve& curve, CurvePoint turn, CurvePoint to,
+                             const SectionSettings& settings) {
+  std::vector<CurvePoint> turns = curve.localMaxima();
+  for (const CurvePoint& p : curve.localMinima()) turns.push_back(p);
+  const std::string place = "turn at " + numberText(turn.displacement_mm) + " mm";
+  if (std::find(turns.begin(), turns.end(), turn) == turns.end())
+    return refusal(place, "is no extremum of the curve", "Choose a valley or a hump");
+  const double foot_mm = bottomOutOf(curve, settings).displacement_mm;
+  return moveApex(curve, hillAt(curve, turn, foot_mm), to, place);
+}
+
 Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIndex, double ratio,
                                  const SectionSettings& settings) {
   const std::vector<TactilePoint> points = tactilePoints(press, Stroke::press, settings);

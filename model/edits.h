@@ -46,6 +46,11 @@ Result<StrokeCurve> removeKnot(const StrokeCurve& curve, std::size_t index);
 Result<StrokeCurve> moveTactilePoint(const StrokeCurve& curve, Stroke stroke, std::size_t index,
                                      CurvePoint to, const SectionSettings& settings = {});
 
+/// The same for any local extremum: a valley, a hump, or a turn too small for a tactile point. `turn` is one
+/// of localMaxima() or localMinima(), exactly.
+Result<StrokeCurve> moveTurn(const StrokeCurve& curve, CurvePoint turn, CurvePoint to,
+                             const SectionSettings& settings = {});
+
 /// Moves the valley that follows a tactile point of the press so that
 /// (tactile force - valley force) / tactile force == ratio. ratio > 0; the valley must have a flank on both
 /// sides.
@@ -107,6 +112,11 @@ Result<Button> setOperatingPoint(const Button& button, std::size_t state,
                                  std::optional<double> displacement_mm);
 Result<Button> setResetPoint(const Button& button, std::size_t state, std::optional<double> displacement_mm);
 Result<Button> setDamping(const Button& button, std::size_t state, std::vector<DampingPoint> damping);
+/// A second state as a copy of `of`; a momentary button becomes self-locking. States without a name become
+/// "unlocked" and "locked". Refused where there are two already.
+Result<Button> addState(const Button& button, std::size_t of);
+/// Takes a state away; the button becomes momentary. Refused for the only one.
+Result<Button> removeState(const Button& button, std::size_t state);
 /// All states together; damping follows (forces at one speed keep their share of the spring's).
 Result<Button> scaleForce(const Button& button, double factor);
 /// All states together, with operating points, reset points and damping.

@@ -5,7 +5,7 @@
 
 namespace detent::editor {
 
-PageUnderlay::PageUnderlay(QCustomPlot* plot) : QCPLayerable(plot) {}
+PageUnderlay::PageUnderlay(UnitPlot& plot) : QCPLayerable(&plot, QStringLiteral("background")), plot_(plot) {}
 
 void PageUnderlay::setPage(const QImage& page, const QTransform& pixelToAxes) {
   pixelToAxes_ = pixelToAxes;
@@ -24,23 +24,20 @@ void PageUnderlay::clear() { pyramid_.clear(); }
 
 void PageUnderlay::setOpacity(double opacity) { opacity_ = std::clamp(opacity, 0.0, 1.0); }
 
+// QCustomPlot shifts antialiased drawing by half a pixel; PlotMapping has that already.
 void PageUnderlay::applyDefaultAntialiasingHint(QCPPainter* painter) const {
-  applyAntialiasingHint(painter, mAntialiased, QCP::aeOther);
+  applyAntialiasingHint(painter, false, QCP::aeOther);
 }
 
-QRect PageUnderlay::clipRect() const { return mParentPlot->axisRect()->rect(); }
+QRect PageUnderlay::clipRect() const { return plot_.axisRect()->rect(); }
 
-void PageUnderlay::draw(QCPPainter* painter) {
+void PageUnderlay::draw(QCPPainter* painter) { paint(*painter, plot_.mapping()); }
+
+void PageUnderlay::paint(QPainter& painter, const PlotMapping& map) const {
   if (pyramid_.empty() || opacity_ <= 0) return;
-  // Plot coordinates to screen is linear on both axes: two points give it.
-  const QCPRange x = mParentPlot->xAxis->range(), y = mParentPlot->yAxis->range();
-  const QRect rect = clipRect();
-  QTransform axesToScreen;
-  axesToScreen.translate(rect.left(), rect.bottom() + 1);
-  axesToScreen.scale(rect.width() / x.size(), -rect.height() / y.size());
-  axesToScreen.translate(-x.lower, -y.lower);
-  const QTransform pixelToScreen = pixelToAxes_ * axesToScreen;
+  const QTransform pixelToScreen = pixelToAxes_ * map.transform();
 
+  // Half-size copies as far as the middle of what is shown allows.
   const QPointF origin = pixelToScreen.map(QPointF(0, 0));
   const QPointF across = pixelToScreen.map(QPointF(pyramid_[0].width(), 0));
   const double screenPerPixel =
@@ -60,15 +57,15 @@ void PageUnderlay::draw(QCPPainter* painter) {
   const QTransform screenToLevel = levelToScreen.inverted(&invertible);
   if (!invertible) return;
   const QRect visible =
-      screenToLevel.mapRect(QRectF(rect)).toAlignedRect().adjusted(-1, -1, 1, 1).intersected(picture.rect());
+      screenToLevel.mapRect(map.clip_px).toAlignedRect().adjusted(-1, -1, 1, 1).intersected(picture.rect());
   if (visible.isEmpty()) return;
-  painter->save();
-  painter->setClipRect(rect);
-  painter->setOpacity(opacity_);
-  painter->setRenderHint(QPainter::SmoothPixmapTransform);
-  painter->setTransform(levelToScreen, true);
-  painter->drawImage(visible, picture, visible);
-  painter->restore();
+  painter.save();
+  painter.setClipRect(map.clip_px, Qt::IntersectClip);
+  painter.setOpacity(opacity_);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.setTransform(levelToScreen, true);
+  painter.drawImage(visible, picture, visible);
+  painter.restore();
 }
 
 }  // namespace detent::editor

@@ -5,7 +5,7 @@
 #include <QTransform>
 #include <vector>
 
-#include <qcustomplot.h>
+#include "editor/canvas/unit_plot.h"
 
 namespace detent::editor {
 
@@ -13,7 +13,7 @@ namespace detent::editor {
 /// costs what the screen shows, not what the page has. GUI thread.
 class PageUnderlay : public QCPLayerable {
  public:
-  explicit PageUnderlay(QCustomPlot* plot);
+  explicit PageUnderlay(UnitPlot& plot);  ///< owned by the plot
 
   /// `pixelToAxes`: from picture pixels (centre of the top left one at 0,0) to plot coordinates (may be
   /// projective).
@@ -25,12 +25,16 @@ class PageUnderlay : public QCPLayerable {
   void setOpacity(double opacity);
   double opacity() const { return opacity_; }
 
+  /// Draws the part that the map shows, clipped to it; the magnifier looks through a map of its own.
+  void paint(QPainter& painter, const PlotMapping& map) const;
+
  protected:
   void applyDefaultAntialiasingHint(QCPPainter* painter) const override;
   void draw(QCPPainter* painter) override;
   QRect clipRect() const override;
 
  private:
+  UnitPlot& plot_;
   std::vector<QImage> pyramid_;  ///< [0] the page, each next one half as wide
   QTransform pixelToAxes_;
   double opacity_ = 0.5;

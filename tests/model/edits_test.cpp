@@ -55,6 +55,21 @@ constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
+TEST_CASE("a valley moves with its flanks and stays the valley") {
+  const StrokeCurve curve = tactile();
+  const CurvePoint valley = curve.localMinima().front();
+  const StrokeCurve moved = require(moveTurn(curve, valley, {1.7, 0.35}));
+  REQUIRE(moved.localMinima().size() == 1);
+  CHECK(moved.localMinima().front() == CurvePoint{1.7, 0.35});
+  // The tactile point and the ends stay.
+  CHECK(moved.localMaxima() == curve.localMaxima());
+  CHECK(moved.knots().front() == curve.knots().front());
+  CHECK(moved.knots().back() == curve.knots().back());
+  requireRefusal(moveTurn(curve, valley, {1.7, 0.65}), "no extremum");
+  requireRefusal(moveTurn(curve, valley, {0.9, 0.35}), "outside its flanks");
+  requireRefusal(moveTurn(curve, {1.65, 0.4}, {1.7, 0.35}), "is no extremum of the curve");
+}
+
 TEST_CASE("knots move between their neighbours and keep their slopes") {
   const StrokeCurve moved = require(moveKnot(tactile(), 2, {1.2, 0.65}));
   CHECK(moved.force_N(1.2) == 0.65);
@@ -274,4 +289,19 @@ TEST_CASE("edits of a button reach its state, and keep its rules") {
                  "has no state 3");
   requireRefusal(editGraph(button, 0, [](const ForceGraph& g) { return scaleTravel(g, 0.1); }),
                  "operating point");
+}
+
+TEST_CASE("a state is added as a copy and taken away again") {
+  const Button momentary = require(tactileButton());
+  const Button both = require(addState(momentary, 0));
+  REQUIRE(both.states().size() == 2);
+  CHECK(both.states()[0].name == "unlocked");
+  CHECK(both.states()[1].name == "locked");
+  CHECK(both.states()[1].graph == momentary.states()[0].graph);
+  requireRefusal(addState(both, 0), "two states already");
+  const Button left = require(removeState(both, 0));
+  REQUIRE(left.states().size() == 1);
+  CHECK(left.states()[0].name == "locked");
+  requireRefusal(removeState(momentary, 0), "this state alone");
+  requireRefusal(removeState(both, 2), "no state 3");
 }

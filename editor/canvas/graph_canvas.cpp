@@ -1,0 +1,245 @@
+#include "editor/canvas/graph_canvas.h"
+
+#include <algorithm>
+
+#include "editor/canvas/page_underlay.h"
+#include "editor/canvas/traced_points.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr double lens_px = 190, lensTimes = 5;
+
+QImage imageOf(const importer::Raster& raster) {
+  const QImage view(raster.rgb.data(), raster.width_px, raster.height_px, 3 * qsizetype(raster.width_px),
+                    QImage::Format_RGB888);
+  return view.copy();
+}
+
+// The importer writes column vectors, Qt row vectors.
+QTransform transformOf(const std::array<double, 9>& h) {
+  return {h[0], h[3], h[6], h[1], h[4], h[7], h[2], h[5], h[8]};
+}
+
+}  // namespace
+
+GraphCanvas::GraphCanvas(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
+    : UnitPlot(settings, PlotQuantity::displacement, PlotQuantity::force, parent),
+      document_(document),
+      underlay_(new PageUnderlay(*this)),
+      traced_(new TracedPoints(*this)) {
+  setObjectName(QStringLiteral("graphCanvas"));
+  setAccessibleName(tr("Force graph"));
+  setAccessibleDescription(
+      tr("Tab goes through the points of the graph, arrow keys move the selected one, Delete removes it."));
+  connect(&document_, &ButtonDocument::changed, this, &GraphCanvas::graphChanged);
+  connect(&document_, &ButtonDocument::activeStateChanged, this, &GraphCanvas::graphChanged);
+  connect(&document_, &ButtonDocument::originChanged, this, &GraphCanvas::takeOrigin);
+  connect(&settings, &ViewSettings::changed, this, &GraphCanvas::takeSettings);
+  takeOrigin();
+  fit();
+}
+
+const ButtonState& GraphCanvas::state() const { return document_.button().states()[document_.activeState()]; }
+
+const GraphValues& GraphCanvas::values() const {
+  if (!values_) values_ = valuesOf(document_.graph());
+  return *values_;
+}
+
+const std::vector<CurvePoint>& GraphCanvas::tracedPoints(Stroke stroke) const { return traced_->of(stroke); }
+
+bool GraphCanvas::hasUnderlay() const { return !underlay_->empty(); }
+
+void GraphCanvas::graphChanged() {
+  values_.reset();
+  if (selected_ && !placeOf(*selected_, state(), values())) setSelected({});
+  update();
+}
+
+void GraphCanvas::takeOrigin() {
+  underlay_->clear();
+  traced_->setPoints({}, {});
+  if (const auto& origin = document_.origin()) {
+    traced_->setPoints(origin->strokes.press.points,
+                       origin->strokes.release ? origin->strokes.release->points : std::vector<CurvePoint>{});
+    if (origin->evidence && !origin->evidence->view.raster.empty())
+      underlay_->setPage(imageOf(origin->evidence->view.raster),
+                         transformOf(origin->evidence->axes.calibration.value.viewToUnits));
+  }
+  takeSettings();
+}
+
+void GraphCanvas::takeSettings() {
+  underlay_->setOpacity(settings().underlayOpacity());
+  traced_->setShown(settings().residualsShown() || settings().snap().toTracedPoints);
+  replot(QCustomPlot::rpQueuedReplot);
+}
+
+void GraphCanvas::setFeedback(const CanvasFeedback& feedback) {
+  if (feedback == feedback_) return;
+  feedback_ = feedback;
+  update();
+}
+
+void GraphCanvas::setSelected(const std::optional<MarkId>& selected) {
+  if (selected == selected_) return;
+  selected_ = selected;
+  const auto at = selected ? placeOf(*selected, state(), values()) : std::nullopt;
+  setAccessibleName(at ? tr("Force graph: %1").arg(describe({*selected, *at}, settings().units()))
+                       : tr("Force graph"));
+  emit selectionChanged();
+  update();
+}
+
+void GraphCanvas::showFinger(std::optional<FingerPosition> finger) {
+  if (!finger && !finger_) return;
+  finger_ = finger;
+  update();
+}
+
+void GraphCanvas::setMagnifierShown(bool shown) {
+  magnifierShown_ = shown;
+  update();
+}
+
+void GraphCanvas::setHandlesShown(bool shown) {
+  handlesShown_ = shown;
+  update();
+}
+
+GraphScene GraphCanvas::scene() const {
+  GraphScene scene{state(), values(), colors(), settings().units(), feedback_, selected_, finger_,
+                   nullptr, {},       {},       handlesShown_};
+  const auto& states = document_.button().states();
+  if (states.size() > 1) scene.otherState = &states[document_.activeState() == 0 ? 1 : 0];
+  if (settings().residualsShown()) {
+    scene.tracedPress = traced_->of(Stroke::press);
+    scene.tracedRelease = traced_->of(Stroke::release);
+  }
+  return scene;
+}
+
+QRectF GraphCanvas::contentRange() const {
+  const ForceGraph& graph = document_.graph();
+  double start = std::min(0.0, graph.press().start_mm()), end = graph.travel_mm();
+  double low = std::min(0.0, values().lowest_N), high = values().highest_N;
+  const auto& states = document_.button().states();
+  for (const ButtonState& other : states) {
+    start = std::min(start, other.graph.press().start_mm());
+    end = std::max(end, other.graph.travel_mm());
+    const auto [lowest, highest] = other.graph.press().forceRange_N();
+    low = std::min(low, lowest);
+    high = std::max(high, highest);
+  }
+  if (graph.release()) {
+    start = std::min(start, graph.release()->start_mm());
+    end = std::max(end, graph.release()->end_mm());
+  }
+  return {start, low, end - start, high - low};
+}
+
+void GraphCanvas::drawContent(QPainter& painter, const PlotMapping& map) const {
+  paintGraph(painter, map, scene());
+  if (magnifierShown_ && feedback_.dragged) drawMagnifier(painter, map);
+}
+
+// In the corner that is farthest from the dragged point, so that it never hides it.
+void GraphCanvas::drawMagnifier(QPainter& painter, const PlotMapping& map) const {
+  const QPointF at_px = map.toPixel(feedback_.dragged->displacement_mm, feedback_.dragged->force_N);
+  const double size = std::min({lens_px, 0.45 * map.clip_px.width(), 0.6 * map.clip_px.height()});
+  if (size < 60) return;
+  QRectF lens(0, 0, size, size);
+  const bool right = at_px.x() < map.clip_px.center().x(), below = at_px.y() < map.clip_px.center().y();
+  lens.moveTopLeft({right ? map.clip_px.right() - size - 12 : map.clip_px.left() + 12,
+                    below ? map.clip_px.bottom() - size - 12 : map.clip_px.top() + 12});
+  const PlotMapping magnified =
+      map.magnified({feedback_.dragged->displacement_mm, feedback_.dragged->force_N}, lens, lensTimes);
+  painter.save();
+  painter.fillRect(lens, colors().background);
+  underlay_->paint(painter, magnified);
+  paintCurves(painter, magnified, scene());
+  const QPointF middle = lens.center();
+  painter.setPen(QPen(feedback_.refused ? colors().refused : colors().selection, 1));
+  painter.drawLine(middle + QPointF(-14, 0), middle + QPointF(14, 0));
+  painter.drawLine(middle + QPointF(0, -14), middle + QPointF(0, 14));
+  painter.setPen(QPen(colors().axis, 1.5));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(lens);
+  painter.restore();
+}
+
+// ---------------------------------------------------------------------------------------------------- events
+
+PointerInput GraphCanvas::inputOf(const QMouseEvent* event) const {
+  const QPointF at = mapping().toPlot(event->position());
+  return {event->position(), {at.x(), at.y()}, event->button(), event->buttons(), event->modifiers()};
+}
+
+// Tab walks through the points before it leaves the widget, and keys the tools want are no shortcuts.
+bool GraphCanvas::event(QEvent* event) {
+  if (events_ && event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if (events_->wantsKey(key->key(), key->modifiers())) {
+      event->accept();
+      return true;
+    }
+  }
+  if (events_ && event->type() == QEvent::KeyPress) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    if ((key->key() == Qt::Key_Tab || key->key() == Qt::Key_Backtab) &&
+        events_->keyPressed(key->key(), key->modifiers()))
+      return true;
+  }
+  return UnitPlot::event(event);
+}
+
+void GraphCanvas::mousePressEvent(QMouseEvent* event) {
+  if (panWith(event, Qt::MiddleButton)) return;
+  if (events_) events_->pointerPressed(inputOf(event));
+}
+
+void GraphCanvas::mouseMoveEvent(QMouseEvent* event) {
+  const PointerInput input = inputOf(event);
+  if (!panWith(event, Qt::MiddleButton) && events_) events_->pointerMoved(input);
+  emit cursorMoved(input.at);
+}
+
+void GraphCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  if (panWith(event, Qt::MiddleButton)) return;
+  if (events_) events_->pointerReleased(inputOf(event));
+}
+
+void GraphCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (events_ && event->button() == Qt::LeftButton) events_->doubleClicked(inputOf(event));
+}
+
+void GraphCanvas::keyPressEvent(QKeyEvent* event) {
+  if (events_ && events_->keyPressed(event->key(), event->modifiers())) return;
+  UnitPlot::keyPressEvent(event);
+}
+
+void GraphCanvas::leaveEvent(QEvent* event) {
+  UnitPlot::leaveEvent(event);
+  if (events_) events_->pointerLeft();
+  emit cursorMoved({});
+}
+
+void GraphCanvas::contextMenuEvent(QContextMenuEvent* event) {
+  if (!events_) return;
+  QPointF at_px = event->pos();
+  if (event->reason() == QContextMenuEvent::Keyboard && selected_) {
+    if (const auto place = placeOf(*selected_, state(), values()))
+      at_px = mapping().toPixel(place->displacement_mm, place->force_N);
+  }
+  const QPointF at = mapping().toPlot(at_px);
+  events_->contextMenu({at_px, {at.x(), at.y()}, Qt::NoButton, Qt::NoButton, event->modifiers()},
+                       mapToGlobal(at_px.toPoint()));
+}
+
+void GraphCanvas::resizeEvent(QResizeEvent* event) {
+  UnitPlot::resizeEvent(event);
+  if (fitted()) fit();
+}
+
+}  // namespace detent::editor

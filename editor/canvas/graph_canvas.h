@@ -1,0 +1,81 @@
+#pragma once
+// The force graph of a document's active state, over the page it came from.
+
+#include <memory>
+#include <optional>
+
+#include "editor/canvas/canvas_events.h"
+#include "editor/canvas/canvas_feedback.h"
+#include "editor/canvas/graph_painting.h"
+#include "editor/canvas/unit_plot.h"
+#include "editor/document/button_document.h"
+
+namespace detent::editor {
+
+class PageUnderlay;
+class TracedPoints;
+
+/// Draws the document; hands mouse and keys to whoever holds the tools. GUI thread.
+class GraphCanvas : public UnitPlot {
+  Q_OBJECT
+
+ public:
+  GraphCanvas(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
+
+  /// Not owned; null: the canvas can be looked at, zoomed and panned only.
+  void setEvents(CanvasEvents* events) { events_ = events; }
+
+  const ButtonState& state() const;
+  /// Of the active state; derived once per change.
+  const GraphValues& values() const;
+  /// In mm and N, in the order travelled; empty without an origin.
+  const std::vector<CurvePoint>& tracedPoints(Stroke stroke) const;
+  bool hasUnderlay() const;
+
+  const CanvasFeedback& feedback() const { return feedback_; }
+  void setFeedback(const CanvasFeedback& feedback);
+  const std::optional<MarkId>& selected() const { return selected_; }
+  void setSelected(const std::optional<MarkId>& selected);
+  void showFinger(std::optional<FingerPosition> finger);
+  void setMagnifierShown(bool shown);
+  bool magnifierShown() const { return magnifierShown_; }
+  /// Knots and handles; without them the picture is that of a datasheet.
+  void setHandlesShown(bool shown);
+
+ signals:
+  void cursorMoved(std::optional<CurvePoint> at);
+  void selectionChanged();
+
+ protected:
+  void drawContent(QPainter& painter, const PlotMapping& map) const override;
+  QRectF contentRange() const override;
+  bool event(QEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  GraphScene scene() const;
+  PointerInput inputOf(const QMouseEvent* event) const;
+  void takeOrigin();
+  void takeSettings();
+  void graphChanged();
+  void drawMagnifier(QPainter& painter, const PlotMapping& map) const;
+
+  ButtonDocument& document_;
+  CanvasEvents* events_ = nullptr;
+  PageUnderlay* underlay_;  // owned by QCustomPlot
+  TracedPoints* traced_;    // owned by QCustomPlot
+  mutable std::optional<GraphValues> values_;
+  CanvasFeedback feedback_;
+  std::optional<MarkId> selected_;
+  std::optional<FingerPosition> finger_;
+  bool magnifierShown_ = true, handlesShown_ = true;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,456 @@
+#include "editor/canvas/graph_painting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLocale>
+
+#include "editor/canvas/curve_path.h"
+
+namespace detent::editor {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("GraphPainting", text); }
+
+// More knots than this are drawn small: circles would hide the curve and cost time.
+constexpr std::size_t fewKnots = 120;
+
+QColor withAlpha(QColor color, double alpha) {
+  color.setAlphaF(static_cast<float>(alpha));
+  return color;
+}
+
+QPointF pixelOf(const PlotMapping& map, CurvePoint at) { return map.toPixel(at.displacement_mm, at.force_N); }
+
+// ---------------------------------------------------------------------------------------------------- ground
+
+const QColor& shadeOf(SectionKind kind, const GraphColors& colors) {
+  switch (kind) {
+    case SectionKind::slope:
+      return colors.slopeSection;
+    case SectionKind::jump:
+      return colors.jumpSection;
+    case SectionKind::bottomOut:
+      return colors.bottomOutSection;
+  }
+  return colors.slopeSection;
+}
+
+// The area under the press curve, one shade for each section.
+void shadePress(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const double base_px = std::clamp(map.toPixel(0, 0).y(), map.clip_px.top(), map.clip_px.bottom());
+  for (const Section& section : scene.values.press.sections) {
+    if (section.from_mm == section.to_mm) continue;
+    QPolygonF area = curveOutline(scene.state.graph.press(), section.from_mm, section.to_mm, map);
+    if (area.size() < 2) continue;
+    area.push_back({area.back().x(), base_px});
+    area.push_back({area.front().x(), base_px});
+    painter.setBrush(shadeOf(section.kind, scene.colors));
+    painter.drawPolygon(area);
+  }
+}
+
+// Between the curve and the horizontal through the jump's tactile point: the paper's measure of its strength.
+void shadeJumpAreas(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
+  for (const Section& section : scene.values.of(stroke).sections) {
+    if (section.kind != SectionKind::jump) continue;
+    QPolygonF area = curveOutline(scene.state.graph.curve(stroke), section.from_mm, section.to_mm, map);
+    if (area.size() < 2) continue;
+    const double level_px = map.toPixel(section.from_mm, section.fromForce_N).y();
+    for (QPointF& p : area)  // a wall at the jump's end rises beyond the level
+      p.setY(stroke == Stroke::press ? std::max(p.y(), level_px) : std::min(p.y(), level_px));
+    area.push_back({area.back().x(), level_px});
+    area.push_back({area.front().x(), level_px});
+    painter.setBrush(withAlpha(scene.colors.jumpSection, scene.colors.jumpSection.alphaF() * 1.4));
+    painter.drawPolygon(area);
+    painter.setPen(QPen(withAlpha(scene.colors.tactilePoint, 0.6), 1, Qt::DotLine));
+    painter.drawLine(QPointF(area.front().x(), level_px), QPointF(area[area.size() - 3].x(), level_px));
+    painter.setPen(Qt::NoPen);
+  }
+}
+
+// Where the travel ends: a line with hatching behind it, as in mechanical drawings.
+void paintWall(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const double at_px = map.toPixel(scene.state.graph.travel_mm(), 0).x();
+  const QRectF& clip = map.clip_px;
+  if (at_px < clip.left() - 1 || at_px > clip.right() + 1) return;
+  painter.setPen(QPen(scene.colors.wall, 1.5));
+  painter.drawLine(QPointF(at_px, clip.top()), QPointF(at_px, clip.bottom()));
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QBrush(withAlpha(scene.colors.wall, 0.55), Qt::BDiagPattern));
+  painter.drawRect(QRectF(at_px, clip.top(), 9, clip.height()));
+}
+
+void drawPolylines(QPainter& painter, const std::vector<QPolygonF>& lines) {
+  for (const QPolygonF& line : lines) painter.drawPolyline(line);
+}
+
+QPen strokePen(Stroke stroke, const GraphColors& colors, double width) {
+  QPen pen(stroke == Stroke::press ? colors.press : colors.release, width);
+  pen.setJoinStyle(Qt::RoundJoin);
+  pen.setCapStyle(Qt::FlatCap);
+  if (stroke == Stroke::release) pen.setDashPattern({7, 3});
+  return pen;
+}
+
+void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  for (const Stroke stroke : {Stroke::release, Stroke::press}) {
+    const ForceGraph& graph = scene.otherState->graph;
+    if (stroke == Stroke::release && !graph.release()) continue;
+    QPen pen = strokePen(stroke, scene.colors, 1.5);
+    pen.setColor(withAlpha(pen.color(), 0.4));
+    painter.setPen(pen);
+    drawPolylines(painter, curvePolylines(graph.curve(stroke), map));
+  }
+}
+
+void paintStrokes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  painter.setBrush(Qt::NoBrush);
+  const ForceGraph& graph = scene.state.graph;
+  if (graph.release()) {
+    painter.setPen(strokePen(Stroke::release, scene.colors, 2));
+    drawPolylines(painter, curvePolylines(*graph.release(), map));
+  }
+  painter.setPen(strokePen(Stroke::press, scene.colors, 2.2));
+  drawPolylines(painter, curvePolylines(graph.press(), map));
+}
+
+// ------------------------------------------------------------------------------------------------- residuals
+
+double squared(QPointF v) { return v.x() * v.x() + v.y() * v.y(); }
+
+QPointF nearestOnLine(QPointF p, QPointF a, QPointF b) {
+  const QPointF along = b - a;
+  const double length = squared(along);
+  if (length == 0) return a;
+  return a + std::clamp(QPointF::dotProduct(p - a, along) / length, 0.0, 1.0) * along;
+}
+
+// Nearest place of a line whose points go from left to right.
+std::optional<QPointF> nearestOn(const QPolygonF& line, QPointF p) {
+  if (line.size() < 2) return {};
+  const auto leftOf = [](QPointF a, double x) { return a.x() < x; };
+  const auto start = std::lower_bound(line.begin(), line.end(), p.x(), leftOf) - line.begin();
+  QPointF best = line[std::min<qsizetype>(start, line.size() - 1)];
+  double distance = squared(best - p);
+  const auto tryLine = [&](qsizetype i) {
+    const QPointF candidate = nearestOnLine(p, line[i], line[i + 1]);
+    if (squared(candidate - p) >= distance) return;
+    best = candidate;
+    distance = squared(candidate - p);
+  };
+  for (qsizetype i = start; i + 1 < line.size(); ++i) {
+    if (std::pow(std::max(0.0, line[i].x() - p.x()), 2) > distance) break;
+    tryLine(i);
+  }
+  for (qsizetype i = std::min<qsizetype>(start, line.size() - 1) - 1; i >= 0; --i) {
+    tryLine(i);
+    if (std::pow(std::max(0.0, p.x() - line[i].x()), 2) > distance) break;
+  }
+  return best;
+}
+
+void paintResiduals(QPainter& painter, const PlotMapping& map, const StrokeCurve& curve,
+                    std::span<const CurvePoint> traced, const QColor& color) {
+  const std::vector<QPolygonF> lines = curvePolylines(curve, map);
+  QPolygonF ends;
+  QPointF last(-1e9, -1e9);
+  for (const CurvePoint& point : traced) {
+    const QPointF p = pixelOf(map, point);
+    if (!map.clip_px.contains(p) || squared(p - last) < 9) continue;
+    last = p;
+    std::optional<QPointF> nearest;
+    for (const QPolygonF& line : lines) {
+      const auto candidate = nearestOn(line, p);
+      if (candidate && (!nearest || squared(*candidate - p) < squared(*nearest - p))) nearest = candidate;
+    }
+    if (!nearest) continue;
+    ends << *nearest << *nearest + residualMagnification * (p - *nearest);
+  }
+  painter.setPen(QPen(color, 1));
+  for (qsizetype i = 0; i + 1 < ends.size(); i += 2) painter.drawLine(ends[i], ends[i + 1]);
+}
+
+// ----------------------------------------------------------------------------------------------------- marks
+
+void paintKnots(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
+  const std::vector<Knot>& knots = scene.state.graph.curve(stroke).knots();
+  const QColor ink = stroke == Stroke::press ? scene.colors.press : scene.colors.release;
+  QVector<QRectF> squares;
+  const QRectF near = map.clip_px.adjusted(-4, -4, 4, 4);
+  const double half = knots.size() > fewKnots ? 1.5 : 3;
+  for (const Knot& k : knots) {
+    const QPointF at = map.toPixel(k.displacement_mm, k.force_N);
+    if (near.contains(at)) squares.push_back({at.x() - half, at.y() - half, 2 * half, 2 * half});
+  }
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing, squares.size() <= qsizetype(fewKnots));
+  painter.setPen(QPen(ink, knots.size() > fewKnots ? 1 : 1.4));
+  painter.setBrush(scene.colors.background);
+  painter.drawRects(squares);
+  painter.restore();
+}
+
+void paintTurns(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
+  const QColor ink = stroke == Stroke::press ? scene.colors.press : scene.colors.release;
+  painter.setPen(QPen(ink, 1.5));
+  painter.setBrush(scene.colors.background);
+  for (const CurvePoint& turn : scene.values.of(stroke).turns) {
+    const QPointF at = pixelOf(map, turn);
+    if (map.clip_px.contains(at)) painter.drawEllipse(at, 4.2, 4.2);
+  }
+}
+
+QString shortForce(double force_N, const DisplayUnits& units) {
+  return QLocale().toString(units.forceFrom(force_N), 'g', 4) + QStringLiteral("\u2009") +
+         units.forceSymbol();
+}
+
+void paintTactilePoints(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
+  for (const TactilePoint& point : scene.values.of(stroke).tactile) {
+    const QPointF at = map.toPixel(point.displacement_mm, point.force_N);
+    if (!map.clip_px.contains(at)) continue;
+    painter.setPen(QPen(scene.colors.background, 1.5));
+    painter.setBrush(scene.colors.tactilePoint);
+    const double r = 6.5;
+    painter.drawPolygon(
+        QPolygonF({{at.x(), at.y() - r}, {at.x() + r, at.y()}, {at.x(), at.y() + r}, {at.x() - r, at.y()}}));
+    const double away = stroke == Stroke::press ? -20 : 20;
+    paintTag(painter, at + QPointF(0, away), shortForce(point.force_N, scene.units), scene.colors.text,
+             scene.colors.background, map.clip_px);
+  }
+}
+
+// A contact's place: a thin line through the plot and a marker on its stroke.
+void paintContact(QPainter& painter, const PlotMapping& map, const GraphScene& scene, double at_mm,
+                  Stroke stroke) {
+  const bool operating = stroke == Stroke::press;
+  const QPointF at = map.toPixel(at_mm, scene.state.graph.curve(stroke).force_N(at_mm));
+  if (at.x() < map.clip_px.left() || at.x() > map.clip_px.right()) return;
+  const QColor ink = operating ? scene.colors.operatingPoint : scene.colors.resetPoint;
+  painter.setPen(QPen(withAlpha(ink, 0.75), 1, Qt::DashDotLine));
+  painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
+  painter.setPen(QPen(scene.colors.background, 1.5));
+  painter.setBrush(ink);
+  const double r = 6, up = operating ? 1 : -1;  // points down where the contact closes, up where it opens
+  painter.drawPolygon(QPolygonF(
+      {{at.x() - r, at.y() - up * r}, {at.x() + r, at.y() - up * r}, {at.x(), at.y() + up * 0.9 * r}}));
+  paintTag(painter, QPointF(at.x(), map.clip_px.bottom() - (operating ? 12 : 30)),
+           operating ? tr("operating") : tr("reset"), ink, scene.colors.background, map.clip_px);
+}
+
+void paintSlopeHandles(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const MarkId id = *scene.selected;
+  if (id.kind != MarkKind::knot && id.kind != MarkKind::slopeBefore && id.kind != MarkKind::slopeAfter)
+    return;
+  const StrokeCurve& curve = scene.state.graph.curve(id.stroke);
+  if (id.index >= curve.knots().size()) return;
+  const Knot& k = curve.knots()[id.index];
+  const QPointF at = map.toPixel(k.displacement_mm, k.force_N);
+  const SlopeHandles handles = slopeHandlesOf(curve, id.index, map);
+  for (const auto& [end, kind] : {std::pair{handles.before_px, MarkKind::slopeBefore},
+                                  std::pair{handles.after_px, MarkKind::slopeAfter}}) {
+    if (!end) continue;
+    painter.setPen(QPen(scene.colors.selection, 1.2));
+    painter.drawLine(at, *end);
+    painter.setBrush(id.kind == kind ? scene.colors.selection : scene.colors.background);
+    painter.drawEllipse(*end, 4, 4);
+  }
+}
+
+void paintSectionOutline(QPainter& painter, const PlotMapping& map, const GraphScene& scene, MarkId id,
+                         double alpha) {
+  const std::vector<Section>& sections = scene.values.of(id.stroke).sections;
+  if (id.index >= sections.size()) return;
+  const Section& section = sections[id.index];
+  const QPolygonF line =
+      curveOutline(scene.state.graph.curve(id.stroke), section.from_mm, section.to_mm, map);
+  painter.setPen(
+      QPen(withAlpha(scene.colors.selection, alpha), 5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPolyline(line);
+}
+
+void paintHighlight(QPainter& painter, const PlotMapping& map, const GraphScene& scene, MarkId id,
+                    bool selected) {
+  if (id.kind == MarkKind::section) {
+    paintSectionOutline(painter, map, scene, id, selected ? 0.3 : 0.15);
+    return;
+  }
+  const auto at = placeOf(id, scene.state, scene.values);
+  if (!at || id.kind == MarkKind::slopeBefore || id.kind == MarkKind::slopeAfter) return;
+  painter.setPen(QPen(withAlpha(scene.colors.selection, selected ? 1 : 0.5), selected ? 2 : 1.5));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(pixelOf(map, *at), 10, 10);
+}
+
+void paintMarks(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const ButtonState& state = scene.state;
+  for (const Stroke stroke : {Stroke::release, Stroke::press}) {
+    if (stroke == Stroke::release && !state.graph.release()) continue;
+    if (scene.handlesShown) {
+      paintKnots(painter, map, scene, stroke);
+      if (scene.values.of(stroke).turns.size() <= fewKnots) paintTurns(painter, map, scene, stroke);
+    }
+  }
+  if (state.operatingPoint_mm) paintContact(painter, map, scene, *state.operatingPoint_mm, Stroke::press);
+  if (state.resetPoint_mm) paintContact(painter, map, scene, *state.resetPoint_mm, Stroke::release);
+  for (const Stroke stroke : {Stroke::release, Stroke::press})
+    if (stroke == Stroke::press || state.graph.release()) paintTactilePoints(painter, map, scene, stroke);
+}
+
+// -------------------------------------------------------------------------------------------------- feedback
+
+QString snapText(SnapKind kind) {
+  switch (kind) {
+    case SnapKind::grid:
+      return tr("grid");
+    case SnapKind::tracedPoint:
+      return tr("traced point");
+    case SnapKind::otherStroke:
+      return tr("other stroke");
+  }
+  return {};
+}
+
+void paintSnap(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const QPointF at = pixelOf(map, scene.feedback.snap->at);
+  painter.setPen(QPen(scene.colors.operatingPoint, 1.5));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(QRectF(at.x() - 7, at.y() - 7, 14, 14));
+  painter.setPen(QPen(withAlpha(scene.colors.operatingPoint, 0.5), 1, Qt::DashLine));
+  painter.drawLine(QPointF(map.clip_px.left(), at.y()), QPointF(map.clip_px.right(), at.y()));
+  painter.drawLine(QPointF(at.x(), map.clip_px.top()), QPointF(at.x(), map.clip_px.bottom()));
+  paintTag(painter, at + QPointF(0, 24), snapText(scene.feedback.snap->kind), scene.colors.operatingPoint,
+           scene.colors.background, map.clip_px);
+}
+
+void paintRefusal(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const RefusedMove& refused = *scene.feedback.refused;
+  const QPointF at = pixelOf(map, refused.wanted);
+  painter.setPen(QPen(scene.colors.refused, 2));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(at, 8, 8);
+  painter.drawLine(at + QPointF(-5.6, -5.6), at + QPointF(5.6, 5.6));
+  if (scene.feedback.dragged) {
+    painter.setPen(QPen(scene.colors.refused, 1, Qt::DashLine));
+    painter.drawLine(at, pixelOf(map, *scene.feedback.dragged));
+  }
+  paintTag(painter, at + QPointF(0, -26), refused.why, scene.colors.refused, scene.colors.background,
+           map.clip_px);
+}
+
+void paintProposal(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const Proposal& proposal = *scene.feedback.proposal;
+  const QColor ink = proposal.stroke == Stroke::press ? scene.colors.press : scene.colors.release;
+  const QPointF at = pixelOf(map, proposal.at);
+  painter.setPen(QPen(ink, 1.6));
+  painter.setBrush(withAlpha(ink, 0.25));
+  painter.drawEllipse(at, 7, 7);
+  painter.drawLine(at + QPointF(-3.5, 0), at + QPointF(3.5, 0));
+  painter.drawLine(at + QPointF(0, -3.5), at + QPointF(0, 3.5));
+  if (!proposal.to) return;
+  painter.setPen(QPen(ink, 1, Qt::DashLine));
+  painter.drawLine(at, pixelOf(map, *proposal.to));
+}
+
+void paintDragReadout(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const QPointF at = pixelOf(map, *scene.feedback.dragged);
+  painter.setPen(QPen(withAlpha(scene.colors.selection, 0.35), 1));
+  painter.drawLine(QPointF(map.clip_px.left(), at.y()), at);
+  painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
+  paintTag(painter, at + QPointF(0, scene.feedback.refused ? 34 : -34),
+           placeText(*scene.feedback.dragged, scene.units), scene.colors.text, scene.colors.background,
+           map.clip_px);
+}
+
+void paintFinger(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const FingerPosition& finger = *scene.finger;
+  const QPointF at = map.toPixel(finger.displacement_mm, finger.force_N);
+  const QColor ink = finger.stroke == Stroke::press ? scene.colors.press : scene.colors.release;
+  painter.setPen(QPen(withAlpha(ink, 0.5), 1));
+  painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
+  painter.setPen(QPen(scene.colors.background, 2));
+  painter.setBrush(ink);
+  painter.drawEllipse(at, 7, 7);
+}
+
+void paintFeedback(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  if (scene.selected) paintHighlight(painter, map, scene, *scene.selected, true);
+  if (scene.feedback.hovered && scene.feedback.hovered != scene.selected)
+    paintHighlight(painter, map, scene, *scene.feedback.hovered, false);
+  if (scene.selected && scene.handlesShown) paintSlopeHandles(painter, map, scene);
+  if (scene.feedback.proposal) paintProposal(painter, map, scene);
+  if (scene.feedback.snap) paintSnap(painter, map, scene);
+  if (scene.feedback.dragged) paintDragReadout(painter, map, scene);
+  if (scene.feedback.refused) paintRefusal(painter, map, scene);
+}
+
+// Names the line styles once; nothing to name where there is one stroke.
+void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  if (!scene.state.graph.release()) return;
+  const QFontMetricsF metrics(painter.font());
+  QPointF at = map.clip_px.topLeft() + QPointF(14, 16);
+  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+    const QString name = stroke == Stroke::press ? tr("press") : tr("release");
+    painter.setPen(strokePen(stroke, scene.colors, 2));
+    painter.drawLine(at, at + QPointF(28, 0));
+    painter.setPen(scene.colors.text);
+    painter.drawText(at + QPointF(35, metrics.ascent() / 2 - 1), name);
+    at += QPointF(0, metrics.height() + 2);
+  }
+}
+
+}  // namespace
+
+void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& ink, const QColor& ground,
+              const QRectF& bounds_px) {
+  const QFontMetricsF metrics(painter.font());
+  const double width = std::min(metrics.boundingRect(text).width() + 10, 0.8 * bounds_px.width());
+  QRectF box = metrics.boundingRect(QRectF(0, 0, width, 1000), Qt::AlignCenter | Qt::TextWordWrap, text)
+                   .adjusted(-5, -2, 5, 2);
+  box.moveCenter(at_px);
+  const QRectF inside = bounds_px.adjusted(3, 3, -3, -3);
+  if (box.right() > inside.right()) box.moveRight(inside.right());
+  if (box.left() < inside.left()) box.moveLeft(inside.left());
+  if (box.bottom() > inside.bottom()) box.moveBottom(inside.bottom());
+  if (box.top() < inside.top()) box.moveTop(inside.top());
+  painter.save();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(withAlpha(ground, 0.85));
+  painter.drawRoundedRect(box, 3, 3);
+  painter.setPen(ink);
+  painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, text);
+  painter.restore();
+}
+
+void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  painter.save();
+  painter.setClipRect(map.clip_px, Qt::IntersectClip);
+  painter.setPen(Qt::NoPen);
+  shadePress(painter, map, scene);
+  shadeJumpAreas(painter, map, scene, Stroke::press);
+  if (scene.state.graph.release()) shadeJumpAreas(painter, map, scene, Stroke::release);
+  paintWall(painter, map, scene);
+  if (scene.otherState) paintGhost(painter, map, scene);
+  if (!scene.tracedPress.empty())
+    paintResiduals(painter, map, scene.state.graph.press(), scene.tracedPress, scene.colors.residual);
+  if (!scene.tracedRelease.empty() && scene.state.graph.release())
+    paintResiduals(painter, map, *scene.state.graph.release(), scene.tracedRelease, scene.colors.residual);
+  paintStrokes(painter, map, scene);
+  painter.restore();
+}
+
+void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  paintCurves(painter, map, scene);
+  painter.save();
+  painter.setClipRect(map.clip_px, Qt::IntersectClip);
+  paintLegend(painter, map, scene);
+  paintMarks(painter, map, scene);
+  paintFeedback(painter, map, scene);
+  if (scene.finger) paintFinger(painter, map, scene);
+  painter.restore();
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,44 @@
+#pragma once
+// How a force graph looks: pure drawing of values, the same for screen, magnifier, pictures and SVG.
+
+#include <QPainter>
+#include <span>
+#include <vector>
+
+#include "editor/canvas/canvas_feedback.h"
+#include "editor/canvas/graph_values.h"
+#include "editor/canvas/plot_mapping.h"
+#include "editor/document/display_units.h"
+#include "editor/document/finger_position.h"
+#include "editor/document/graph_colors.h"
+
+namespace detent::editor {
+
+/// Everything a picture of the graph shows. References must outlive the call.
+struct GraphScene {
+  const ButtonState& state;
+  const GraphValues& values;
+  const GraphColors& colors;
+  const DisplayUnits& units;
+  const CanvasFeedback& feedback;
+  std::optional<MarkId> selected;
+  std::optional<FingerPosition> finger;
+  const ButtonState* otherState = nullptr;                 ///< of a self-locking button: drawn as a ghost
+  std::span<const CurvePoint> tracedPress, tracedRelease;  ///< residuals are drawn to these; empty: none
+  bool handlesShown = true;  ///< knots and handles; pictures for others go without
+};
+
+/// Sections, wall, curves, points, handles and feedback, clipped to the map.
+void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& scene);
+
+/// Shading and curves alone: for the magnifier and small pictures.
+void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& scene);
+
+/// A short text in a box of the background's colour near a point, kept inside `bounds_px`.
+void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& ink, const QColor& ground,
+              const QRectF& bounds_px);
+
+/// Residuals are drawn this many times as long as they are.
+inline constexpr double residualMagnification = 10;
+
+}  // namespace detent::editor

@@ -1,0 +1,269 @@
+#include "editor/canvas/unit_plot.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/canvas/unit_ticker.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr double smallestSpan = 1e-6;  // mm or N: far below any instrument, far above a double's rounding
+constexpr double largestSpan = 1e9;
+
+QCPRange limited(double lower, double upper) {
+  const double middle = lower + 0.5 * (upper - lower);
+  const double span = std::clamp(upper - lower, smallestSpan, largestSpan);
+  return {middle - 0.5 * span, middle + 0.5 * span};
+}
+
+}  // namespace
+
+/// Draws the content where no widget is painted: pictures and SVG.
+class UnitPlot::Content : public QCPLayerable {
+ public:
+  explicit Content(UnitPlot& plot) : QCPLayerable(&plot, QStringLiteral("overlay")), plot_(plot) {}
+
+ protected:
+  void applyDefaultAntialiasingHint(QCPPainter* painter) const override {
+    applyAntialiasingHint(painter, false, QCP::aeOther);
+  }
+  void draw(QCPPainter* painter) override {
+    if (!plot_.exporting_) return;
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    plot_.drawContent(*painter, plot_.mapping());
+    painter->restore();
+  }
+
+ private:
+  UnitPlot& plot_;
+};
+
+UnitPlot::UnitPlot(ViewSettings& settings, PlotQuantity x, PlotQuantity y, QWidget* parent)
+    : QCustomPlot(parent),
+      settings_(settings),
+      xQuantity_(x),
+      yQuantity_(y),
+      xTicker_(new UnitTicker),
+      yTicker_(new UnitTicker) {
+  // One buffer for everything that rests.
+  layer(QStringLiteral("overlay"))->setMode(QCPLayer::lmLogical);
+  new Content(*this);  // QCustomPlot owns it
+  setInteractions(QCP::Interactions());
+  setNoAntialiasingOnDrag(false);
+  xAxis->setTicker(xTicker_);
+  yAxis->setTicker(yTicker_);
+  xAxis2->setVisible(true);
+  yAxis2->setVisible(true);
+  for (QCPAxis* axis : {xAxis2, yAxis2}) {
+    axis->setTicks(false);
+    axis->setTickLabels(false);
+  }
+  xTicker_->setTickCount(8);
+  yTicker_->setTickCount(7);
+  for (QCPAxis* axis : {xAxis, yAxis}) {
+    axis->grid()->setSubGridVisible(true);
+    axis->setTickLength(0, 4);
+    axis->setSubTickLength(0, 2);
+  }
+  axisRect()->setMinimumMargins(QMargins(8, 10, 14, 8));
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(160, 120);
+  connect(&settings_, &ViewSettings::changed, this, &UnitPlot::applySettings);
+  connect(this, &QCustomPlot::afterLayout, this, [this] {
+    if (!exporting_) emit viewChanged();
+  });
+  colors_ = graphColors(isDark(palette()));
+  applySettings();
+  applyColors();
+}
+
+double UnitPlot::unitOf(PlotQuantity quantity) const {
+  const DisplayUnits& units = settings_.units();
+  switch (quantity) {
+    case PlotQuantity::displacement:
+      return units.toMm(1);
+    case PlotQuantity::force:
+      return units.toN(1);
+    case PlotQuantity::damping:
+      return units.toSlope(1);  // force·s / length
+  }
+  return 1;
+}
+
+QString UnitPlot::labelOf(PlotQuantity quantity) const {
+  const DisplayUnits& units = settings_.units();
+  switch (quantity) {
+    case PlotQuantity::displacement:
+      return tr("Displacement (%1)").arg(units.lengthSymbol());
+    case PlotQuantity::force:
+      return tr("Force (%1)").arg(units.forceSymbol());
+    case PlotQuantity::damping:
+      return tr("Damping (%1·s/%2)").arg(units.forceSymbol(), units.lengthSymbol());
+  }
+  return {};
+}
+
+void UnitPlot::applySettings() {
+  xTicker_->setUnit(unitOf(xQuantity_));
+  yTicker_->setUnit(unitOf(yQuantity_));
+  xAxis->setLabel(labelOf(xQuantity_));
+  yAxis->setLabel(labelOf(yQuantity_));
+  replot(QCustomPlot::rpQueuedReplot);
+}
+
+void UnitPlot::applyColors() {
+  setBackground(QBrush(colors_.background));
+  QFont labelFont = font();
+  QFont tickFont = font();
+  tickFont.setPointSizeF(std::max(6.0, font().pointSizeF() * 0.92));
+  for (QCPAxis* axis : {xAxis, yAxis, xAxis2, yAxis2}) {
+    axis->setBasePen(QPen(colors_.axis, 1));
+    axis->setTickPen(QPen(colors_.axis, 1));
+    axis->setSubTickPen(QPen(colors_.axis, 1));
+    axis->setTickLabelColor(colors_.text);
+    axis->setLabelColor(colors_.text);
+    axis->setLabelFont(labelFont);
+    axis->setTickLabelFont(tickFont);
+  }
+  QColor fine = colors_.grid;
+  fine.setAlphaF(0.45F);
+  for (QCPAxis* axis : {xAxis, yAxis}) {
+    axis->grid()->setPen(QPen(colors_.grid, 1));
+    axis->grid()->setSubGridPen(QPen(fine, 1));
+    axis->grid()->setZeroLinePen(QPen(colors_.axis, 1));
+  }
+  replot(QCustomPlot::rpQueuedReplot);
+}
+
+void UnitPlot::changeEvent(QEvent* event) {
+  QCustomPlot::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange && event->type() != QEvent::FontChange) return;
+  colors_ = graphColors(isDark(palette()));
+  if (xTicker_) applyColors();
+}
+
+// QCustomPlot draws a value's gridline through the centre of the pixel that its rounded-down place names.
+PlotMapping UnitPlot::mapping() const {
+  const QRect rect = const_cast<UnitPlot*>(this)->axisRect()->rect();  // QCustomPlot has no const access
+  const QCPRange x = xAxis->range(), y = yAxis->range();
+  return {QRectF(rect), {rect.left() + 0.5, rect.bottom() + 0.5}, x.lower,
+          y.lower,      std::max(1, rect.width()) / x.size(),     std::max(1, rect.height()) / y.size()};
+}
+
+void UnitPlot::showRange(const QRectF& range) {
+  const QCPRange x = limited(range.left(), range.left() + range.width());
+  const QCPRange y = limited(range.top(), range.top() + range.height());
+  if (x == xAxis->range() && y == yAxis->range()) return;
+  xAxis->setRange(x);
+  yAxis->setRange(y);
+  replot(QCustomPlot::rpQueuedReplot);
+  emit viewChanged();
+}
+
+QRectF UnitPlot::shownRange() const {
+  const QCPRange x = xAxis->range(), y = yAxis->range();
+  return {x.lower, y.lower, x.size(), y.size()};
+}
+
+void UnitPlot::zoomAt(QPointF at_px, double factorX, double factorY) {
+  const QPointF at = mapping().toPlot(at_px);
+  const QRectF shown = shownRange();
+  const double width = std::clamp(shown.width() / factorX, smallestSpan, largestSpan);
+  const double height = std::clamp(shown.height() / factorY, smallestSpan, largestSpan);
+  fitted_ = false;
+  showRange({at.x() - (at.x() - shown.left()) * width / shown.width(),
+             at.y() - (at.y() - shown.top()) * height / shown.height(), width, height});
+}
+
+void UnitPlot::panBy(QPointF by_px) {
+  const PlotMapping map = mapping();
+  fitted_ = false;
+  showRange(shownRange().translated(-by_px.x() / map.pxPerX, by_px.y() / map.pxPerY));
+}
+
+void UnitPlot::fit() {
+  fitted_ = true;
+  const QRectF content = contentRange();
+  const double width = std::max(content.width(), smallestSpan);
+  const double height = std::max(content.height(), smallestSpan);
+  showRange(QRectF(content.left(), content.top(), width, height)
+                .adjusted(-0.03 * width, -0.06 * height, 0.04 * width, 0.08 * height));
+}
+
+void UnitPlot::renderTo(QPaintDevice& device, QSize size) {
+  QCPPainter painter(&device);
+  painter.setMode(QCPPainter::pmVectorized, true);
+  painter.setMode(QCPPainter::pmNoCaching, true);
+  exporting_ = true;
+  toPainter(&painter, size.width(), size.height());
+  exporting_ = false;
+}
+
+QImage UnitPlot::renderImage(QSize size_px, double devicePixelRatio) {
+  QImage image(size_px, QImage::Format_ARGB32_Premultiplied);
+  image.fill(colors_.background);
+  image.setDevicePixelRatio(devicePixelRatio);
+  QCPPainter painter(&image);
+  exporting_ = true;
+  toPainter(&painter, static_cast<int>(size_px.width() / devicePixelRatio),
+            static_cast<int>(size_px.height() / devicePixelRatio));
+  exporting_ = false;
+  return image;
+}
+
+void UnitPlot::paintEvent(QPaintEvent* event) {
+  QCustomPlot::paintEvent(event);
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawContent(painter, mapping());
+}
+
+void UnitPlot::resizeEvent(QResizeEvent* event) {
+  QCustomPlot::resizeEvent(event);
+  emit viewChanged();
+}
+
+void UnitPlot::wheelEvent(QWheelEvent* event) {
+  const QPoint turned = event->angleDelta();
+  const QPointF pixels = event->pixelDelta();
+  if (event->modifiers() & Qt::ShiftModifier && !pixels.isNull()) {
+    panBy(pixels);
+  } else {
+    // One notch of 120 units: a quarter closer. Alt zooms displacement alone, Ctrl force alone.
+    const double steps = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
+    const double factor = std::pow(1.25, steps);
+    const bool onlyX = event->modifiers() & Qt::AltModifier, onlyY = event->modifiers() & Qt::ControlModifier;
+    zoomAt(event->position(), onlyY ? 1 : factor, onlyX ? 1 : factor);
+  }
+  event->accept();
+}
+
+bool UnitPlot::panWith(QMouseEvent* event, Qt::MouseButton button) {
+  if (event->type() == QEvent::MouseButtonPress && event->button() == button) {
+    panFrom_px_ = event->position();
+    setCursor(Qt::ClosedHandCursor);
+    return true;
+  }
+  if (!panFrom_px_) return false;
+  if (event->type() == QEvent::MouseMove) {
+    panBy(event->position() - *panFrom_px_);
+    panFrom_px_ = event->position();
+    return true;
+  }
+  if (event->type() == QEvent::MouseButtonRelease && event->button() == button) {
+    panFrom_px_.reset();
+    unsetCursor();
+    return true;
+  }
+  return false;
+}
+
+void UnitPlot::mousePressEvent(QMouseEvent* event) { panWith(event, Qt::MiddleButton); }
+void UnitPlot::mouseMoveEvent(QMouseEvent* event) { panWith(event, Qt::MiddleButton); }
+void UnitPlot::mouseReleaseEvent(QMouseEvent* event) { panWith(event, Qt::MiddleButton); }
+void UnitPlot::mouseDoubleClickEvent(QMouseEvent*) {}
+
+}  // namespace detent::editor

@@ -1,0 +1,326 @@
+#include "editor/panels/graph_workspace.h"
+
+#include <algorithm>
+#include <QActionGroup>
+#include <QBuffer>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QSaveFile>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSplitter>
+#include <QSvgGenerator>
+#include <QVBoxLayout>
+
+#include "editor/canvas/displacement_force_view.h"
+#include "editor/canvas/graph_canvas.h"
+#include "editor/panels/operation_menu.h"
+#include "editor/tools/damping_view.h"
+#include "editor/tools/tool_box.h"
+
+namespace detent::editor {
+
+GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
+    : QWidget(parent),
+      document_(document),
+      settings_(settings),
+      canvas_(new GraphCanvas(document, settings)),
+      reverse_(new DisplacementForceView(document, settings, *canvas_)),
+      damping_(new DampingView(document, settings)),
+      tools_(std::make_unique<ToolBox>(document, settings, *canvas_)),
+      operations_(std::make_unique<OperationMenu>(document, settings, *canvas_, *tools_, *this)) {
+  auto* left = new QSplitter(Qt::Vertical);
+  left->addWidget(canvas_);
+  left->addWidget(damping_);
+  left->setStretchFactor(0, 3);
+  left->setStretchFactor(1, 1);
+  left->setChildrenCollapsible(false);
+  auto* whole = new QSplitter(Qt::Horizontal);
+  whole->addWidget(left);
+  whole->addWidget(reverse_);
+  whole->setStretchFactor(0, 5);
+  whole->setStretchFactor(1, 2);
+  whole->setChildrenCollapsible(false);
+  reverse_->hide();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(makeBar());
+  layout->addWidget(whole, 1);
+  setFocusProxy(canvas_);
+
+  makeToolActions();
+  makeEditActions();
+  makeViewActions();
+  // Shortcuts work while the focus is anywhere in the workspace.
+  for (const auto* actions : {&toolActions_, &editActions_, &viewActions_})
+    for (QAction* action : *actions) {
+      action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+      addAction(action);
+    }
+
+  connect(canvas_, &GraphCanvas::cursorMoved, this, &GraphWorkspace::cursorMoved);
+  connect(canvas_, &GraphCanvas::selectionChanged, this, &GraphWorkspace::followDocument);
+  connect(tools_.get(), &ToolBox::said, this, &GraphWorkspace::statusMessage);
+  connect(tools_.get(), &ToolBox::contextMenuRequested, this, &GraphWorkspace::showContextMenu);
+  connect(damping_, &DampingView::said, this, &GraphWorkspace::statusMessage);
+  connect(operations_.get(), &OperationMenu::said, this, &GraphWorkspace::statusMessage);
+  connect(&document_, &ButtonDocument::changed, this, &GraphWorkspace::followDocument);
+  connect(&document_, &ButtonDocument::activeStateChanged, this, &GraphWorkspace::followDocument);
+  connect(&document_, &ButtonDocument::originChanged, this, &GraphWorkspace::followSettings);
+  connect(&settings_, &ViewSettings::changed, this, &GraphWorkspace::followSettings);
+  followDocument();
+  followSettings();
+}
+
+GraphWorkspace::~GraphWorkspace() = default;
+
+// State and underlay; hidden where there is neither a choice of states nor a page.
+QWidget* GraphWorkspace::makeBar() {
+  bar_ = new QWidget;
+  auto* row = new QHBoxLayout(bar_);
+  row->setContentsMargins(10, 4, 14, 4);
+  statesLabel_ = new QLabel(tr("&State"));
+  states_ = new QComboBox;
+  states_->setObjectName(QStringLiteral("stateSwitcher"));
+  states_->setAccessibleName(tr("State of the button"));
+  states_->setToolTip(tr("The state that is edited; the other one is drawn pale behind it."));
+  statesLabel_->setBuddy(states_);
+  underlayLabel_ = new QLabel(tr("&Page"));
+  underlay_ = new QSlider(Qt::Horizontal);
+  underlay_->setObjectName(QStringLiteral("underlayOpacity"));
+  underlay_->setAccessibleName(tr("Opacity of the datasheet page"));
+  underlay_->setToolTip(tr("How strongly the datasheet page shows under the curves, in %"));
+  underlay_->setRange(0, 100);
+  underlay_->setMaximumWidth(160);
+  underlayLabel_->setBuddy(underlay_);
+  row->addWidget(statesLabel_);
+  row->addWidget(states_);
+  row->addStretch(1);
+  row->addWidget(underlayLabel_);
+  row->addWidget(underlay_);
+  connect(states_, &QComboBox::activated, this, [this](int index) {
+    if (index >= 0 && static_cast<std::size_t>(index) < document_.button().states().size())
+      document_.setActiveState(static_cast<std::size_t>(index));
+  });
+  connect(underlay_, &QSlider::valueChanged, this,
+          [this](int percent) { settings_.setUnderlayOpacity(percent / 100.0); });
+  return bar_;
+}
+
+void GraphWorkspace::makeToolActions() {
+  struct Entry {
+    ToolKind kind;
+    const char* name;
+    QString text, tip;
+    QKeySequence key;
+  };
+  const Entry entries[] = {
+      {ToolKind::select, "toolSelect", tr("&Select and move"),
+       tr("Drag tactile points, knots, slope handles and sections"), QKeySequence(Qt::Key_V)},
+      {ToolKind::addKnot, "toolAddKnot", tr("Add &knot"), tr("Click on a curve to add a knot"),
+       QKeySequence(Qt::Key_K)},
+      {ToolKind::addJump, "toolAddJump", tr("Add &jump"),
+       tr("Press where the jump begins, pull its valley into place"), QKeySequence(Qt::Key_J)},
+      {ToolKind::pan, "toolPan", tr("&Pan"), tr("Drag the view; the middle button does it in every tool"),
+       QKeySequence(Qt::Key_H)},
+  };
+  auto* group = new QActionGroup(this);
+  for (const Entry& entry : entries) {
+    auto* action = new QAction(entry.text, group);
+    action->setObjectName(QString::fromLatin1(entry.name));
+    action->setToolTip(
+        QStringLiteral("%1 (%2)").arg(entry.tip, entry.key.toString(QKeySequence::NativeText)));
+    action->setShortcut(entry.key);
+    action->setCheckable(true);
+    action->setChecked(entry.kind == tools_->tool());
+    action->setData(static_cast<int>(entry.kind));
+    connect(action, &QAction::triggered, this, [this, kind = entry.kind] { tools_->setTool(kind); });
+    toolActions_.push_back(action);
+  }
+  connect(tools_.get(), &ToolBox::toolChanged, this, [this](ToolKind kind) {
+    for (QAction* action : toolActions_)
+      if (action->data().toInt() == static_cast<int>(kind)) action->setChecked(true);
+  });
+}
+
+void GraphWorkspace::makeEditActions() {
+  deleteAction_ = new QAction(tr("&Delete"), this);
+  deleteAction_->setObjectName(QStringLiteral("editDelete"));
+  deleteAction_->setShortcut(QKeySequence::Delete);
+  deleteAction_->setToolTip(tr("Removes the selected knot, jump, operating or reset point"));
+  connect(deleteAction_, &QAction::triggered, this, [this] { tools_->keyboard().removeSelected(); });
+  cornerAction_ = new QAction(tr("&Corner or smooth"), this);
+  cornerAction_->setObjectName(QStringLiteral("editCorner"));
+  cornerAction_->setShortcut(Qt::Key_C);
+  cornerAction_->setToolTip(tr("Turns the selected knot into a corner, or smooths it"));
+  connect(cornerAction_, &QAction::triggered, this, [this] { tools_->keyboard().toggleSelectedCorner(); });
+  editActions_ = {deleteAction_, cornerAction_};
+  addSeparator(editActions_);
+  editActions_ += operations_->actions();
+}
+
+QAction* GraphWorkspace::addViewAction(const QString& name, const QString& text, const QString& tip,
+                                       const QKeySequence& key) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(name);
+  action->setToolTip(tip);
+  action->setShortcut(key);
+  viewActions_.push_back(action);
+  return action;
+}
+
+QAction* GraphWorkspace::addViewSwitch(const QString& name, const QString& text, const QString& tip,
+                                       bool on) {
+  QAction* action = addViewAction(name, text, tip);
+  action->setCheckable(true);
+  action->setChecked(on);
+  return action;
+}
+
+void GraphWorkspace::addSeparator(QList<QAction*>& actions) {
+  auto* separator = new QAction(this);
+  separator->setSeparator(true);
+  actions.push_back(separator);
+}
+
+void GraphWorkspace::makeViewActions() {
+  const auto zoom = [this](double factor) {
+    canvas_->zoomAt(canvas_->mapping().clip_px.center(), factor, factor);
+  };
+  connect(addViewAction("viewFit", tr("&Fit"), tr("Shows the whole graph"), Qt::Key_F), &QAction::triggered,
+          this, [this] {
+            canvas_->fit();
+            reverse_->fit();
+            damping_->fit();
+          });
+  connect(addViewAction("viewZoomIn", tr("Zoom &in"),
+                        tr("The wheel zooms at the pointer; with Alt displacement "
+                           "alone, with Ctrl force alone"),
+                        QKeySequence::ZoomIn),
+          &QAction::triggered, this, [zoom] { zoom(1.25); });
+  connect(addViewAction("viewZoomOut", tr("Zoom &out"), tr("Shows more of the plane"), QKeySequence::ZoomOut),
+          &QAction::triggered, this, [zoom] { zoom(0.8); });
+  addSeparator(viewActions_);
+  connect(addViewSwitch("viewDisplacementForce", tr("Displacement over &force"),
+                        tr("The graph the other way round, jumps as vertical lines"), false),
+          &QAction::toggled, this, [this](bool on) {
+            reverse_->setVisible(on);
+            if (on) reverse_->fit();
+          });
+  dampingShown_ = addViewSwitch("viewDamping", tr("&Damping"), tr("b(x), where the button has it"), true);
+  connect(dampingShown_, &QAction::toggled, this, &GraphWorkspace::followDocument);
+  residualsShown_ =
+      addViewSwitch("viewResiduals", tr("&Traced points and residuals"),
+                    tr("The traced points, and how far the curve misses them, ten times enlarged"),
+                    settings_.residualsShown());
+  connect(residualsShown_, &QAction::toggled, &settings_, &ViewSettings::setResidualsShown);
+  connect(addViewSwitch("viewMagnifier", tr("&Magnifier"),
+                        tr("Five times as large, while something is dragged"), true),
+          &QAction::toggled, canvas_, &GraphCanvas::setMagnifierShown);
+  connect(addViewSwitch("viewHandles", tr("&Knots"), tr("Knots and turns; without them the picture is plain"),
+                        true),
+          &QAction::toggled, canvas_, &GraphCanvas::setHandlesShown);
+  addSeparator(viewActions_);
+  addSnapActions();
+}
+
+void GraphWorkspace::addSnapActions() {
+  const auto connectSnap = [this](QAction* action, bool SnapSettings::*which) {
+    connect(action, &QAction::toggled, this, [this, which](bool on) {
+      SnapSettings snap = settings_.snap();
+      snap.*which = on;
+      settings_.setSnap(snap);
+    });
+  };
+  snapGrid_ =
+      addViewSwitch("snapGrid", tr("Snap to &grid"), tr("Dragged points cling to the snap grid"), false);
+  snapTraced_ = addViewSwitch("snapTraced", tr("Snap to tr&aced points"),
+                              tr("Dragged points cling to what was traced on the page"), false);
+  snapOther_ =
+      addViewSwitch("snapOther", tr("Snap to the other &stroke"),
+                    tr("Points of the press cling to the release curve, and the other way round"), false);
+  connectSnap(snapGrid_, &SnapSettings::toGrid);
+  connectSnap(snapTraced_, &SnapSettings::toTracedPoints);
+  connectSnap(snapOther_, &SnapSettings::toOtherStroke);
+}
+
+void GraphWorkspace::followDocument() {
+  const auto& states = document_.button().states();
+  const QSignalBlocker quiet(states_);
+  QStringList names;
+  for (std::size_t i = 0; i < states.size(); ++i)
+    names << (states[i].name.empty() ? tr("State %1").arg(i + 1) : QString::fromStdString(states[i].name));
+  QStringList shown;
+  for (int i = 0; i < states_->count(); ++i) shown << states_->itemText(i);
+  if (shown != names) {
+    states_->clear();
+    states_->addItems(names);
+  }
+  states_->setCurrentIndex(static_cast<int>(document_.activeState()));
+  statesLabel_->setVisible(states.size() > 1);
+  states_->setVisible(states.size() > 1);
+  bar_->setVisible(states.size() > 1 || canvas_->hasUnderlay());
+  damping_->setVisible(dampingShown_->isChecked() && !states[document_.activeState()].damping.empty());
+  dampingShown_->setEnabled(!states[document_.activeState()].damping.empty());
+  deleteAction_->setEnabled(canvas_->selected().has_value());
+  cornerAction_->setEnabled(tools_->keyboard().selectedKnot().has_value());
+  operations_->updateActions();
+}
+
+void GraphWorkspace::followSettings() {
+  const bool page = canvas_->hasUnderlay();
+  underlayLabel_->setVisible(page);
+  underlay_->setVisible(page);
+  bar_->setVisible(page || document_.button().states().size() > 1);
+  const bool traced = !canvas_->tracedPoints(Stroke::press).empty();
+  residualsShown_->setEnabled(traced);
+  snapTraced_->setEnabled(traced);
+  const QSignalBlocker quiet(underlay_);
+  underlay_->setValue(qRound(100 * settings_.underlayOpacity()));
+  residualsShown_->setChecked(settings_.residualsShown());
+  snapGrid_->setChecked(settings_.snap().toGrid);
+  snapTraced_->setChecked(settings_.snap().toTracedPoints);
+  snapOther_->setChecked(settings_.snap().toOtherStroke);
+}
+
+void GraphWorkspace::showContextMenu(QPoint global_px) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addActions({deleteAction_, cornerAction_});
+  menu->addSeparator();
+  menu->addActions(operations_->actions());
+  menu->addSeparator();
+  menu->addActions(viewActions_.mid(0, 1));
+  menu->popup(global_px);
+}
+
+void GraphWorkspace::showFinger(std::optional<FingerPosition> finger) {
+  canvas_->showFinger(finger);
+  reverse_->showFinger(finger);
+}
+
+QImage GraphWorkspace::renderImage(QSize size_px, double devicePixelRatio) const {
+  return canvas_->renderImage(size_px, devicePixelRatio);
+}
+
+Result<Done> GraphWorkspace::renderSvg(const QString& path, QSize size) const {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QSvgGenerator generator;
+  generator.setOutputDevice(&buffer);
+  generator.setSize(size);
+  generator.setViewBox(QRect(QPoint(0, 0), size));
+  generator.setTitle(document_.title());
+  canvas_->renderTo(generator, size);
+  QSaveFile file(path);
+  if (file.open(QIODevice::WriteOnly) && file.write(buffer.data()) == buffer.data().size() && file.commit())
+    return Done{};
+  return Failure{FailureCode::unreadableInput, path.toStdString(), "",
+                 "cannot be written: " + file.errorString().toStdString(),
+                 "Choose another folder, or check free space and permissions"};
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,93 @@
+#pragma once
+// The middle of a tab: the force graph with its tools, the displacement-force view, damping where a button
+// has it, and the bar that says which state is shown.
+
+#include <memory>
+#include <optional>
+#include <QAction>
+#include <QImage>
+#include <QList>
+#include <QWidget>
+
+#include "editor/document/button_document.h"
+#include "editor/document/finger_position.h"
+#include "editor/document/view_settings.h"
+#include "model/result.h"
+
+class QComboBox;
+class QLabel;
+class QSlider;
+
+namespace detent::editor {
+
+class DampingView;
+class DisplacementForceView;
+class GraphCanvas;
+class OperationDialog;
+class OperationMenu;
+class ToolBox;
+
+/// GUI thread. `document` and `settings` must outlive it.
+class GraphWorkspace : public QWidget {
+  Q_OBJECT
+
+ public:
+  GraphWorkspace(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
+  ~GraphWorkspace() override;
+
+  /// Checkable, exclusive: select, add knot, add jump, pan.
+  QList<QAction*> toolActions() const { return toolActions_; }
+  /// Delete, corner or smooth, and the operations, with shortcuts and tool tips. Separators among them.
+  QList<QAction*> editActions() const { return editActions_; }
+  /// Fit, zoom, second view, damping, residuals, magnifier, handles, snapping. Separators among them.
+  QList<QAction*> viewActions() const { return viewActions_; }
+
+  /// Where a finger of the feel panel is; nullopt: nowhere.
+  void showFinger(std::optional<FingerPosition> finger);
+
+  /// The force graph as it is shown, without handles, for copy and export.
+  QImage renderImage(QSize size_px, double devicePixelRatio) const;
+  /// Failure unreadableInput if the file cannot be written; then there is none.
+  Result<Done> renderSvg(const QString& path, QSize size) const;
+
+  GraphCanvas& canvas() { return *canvas_; }
+  ToolBox& tools() { return *tools_; }
+
+ signals:
+  /// mm and N; nullopt where the pointer left.
+  void cursorMoved(std::optional<detent::CurvePoint> at);
+  /// Refusals and hints for the status bar; empty: nothing to say any more.
+  void statusMessage(const QString& text);
+
+ private:
+  QWidget* makeBar();
+  void makeToolActions();
+  void makeEditActions();
+  void makeViewActions();
+  QAction* addViewAction(const QString& name, const QString& text, const QString& tip,
+                         const QKeySequence& key = {});
+  QAction* addViewSwitch(const QString& name, const QString& text, const QString& tip, bool on);
+  void addSeparator(QList<QAction*>& actions);
+  void addSnapActions();
+  void followDocument();
+  void followSettings();
+  void showContextMenu(QPoint global_px);
+
+  ButtonDocument& document_;
+  ViewSettings& settings_;
+  GraphCanvas* canvas_;
+  DisplacementForceView* reverse_;
+  DampingView* damping_;
+  std::unique_ptr<ToolBox> tools_;
+  std::unique_ptr<OperationMenu> operations_;
+  QWidget* bar_ = nullptr;
+  QComboBox* states_ = nullptr;
+  QLabel* statesLabel_ = nullptr;
+  QLabel* underlayLabel_ = nullptr;
+  QSlider* underlay_ = nullptr;
+  QList<QAction*> toolActions_, editActions_, viewActions_;
+  QAction *deleteAction_ = nullptr, *cornerAction_ = nullptr, *dampingShown_ = nullptr,
+          *residualsShown_ = nullptr, *snapGrid_ = nullptr, *snapTraced_ = nullptr, *snapOther_ = nullptr;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,23 @@
+#include "editor/panels/history_panel.h"
+
+#include <QUndoView>
+#include <QVBoxLayout>
+
+namespace detent::editor {
+
+HistoryPanel::HistoryPanel(ButtonDocument& document, QWidget* parent)
+    : QWidget(parent), view_(new QUndoView(&document.history().stack())) {
+  setObjectName(QStringLiteral("historyPanel"));
+  view_->setObjectName(QStringLiteral("historyView"));
+  view_->setAccessibleName(tr("Steps of this button"));
+  view_->setToolTip(tr("Every step since the button was opened; click one to go there."));
+  view_->setEmptyLabel(document.path().isEmpty() ? tr("New") : tr("Opened"));
+  view_->setAlternatingRowColors(true);
+  view_->setUniformItemSizes(true);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(view_);
+  setFocusProxy(view_);
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,23 @@
+#pragma once
+// The steps of a document as a list; a click goes there.
+
+#include <QWidget>
+
+#include "editor/document/button_document.h"
+
+class QUndoView;
+
+namespace detent::editor {
+
+/// GUI thread. `document` must outlive it.
+class HistoryPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HistoryPanel(ButtonDocument& document, QWidget* parent = nullptr);
+
+ private:
+  QUndoView* view_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,97 @@
+#include "editor/panels/operation_menu.h"
+
+namespace detent::editor {
+namespace {
+
+bool always(const OperationTarget&) { return true; }
+bool hasTactilePoint(const OperationTarget& t) {
+  return !t.values.press.tactile.empty() || (t.values.release && !t.values.release->tactile.empty());
+}
+bool pressHasTactilePoint(const OperationTarget& t) { return !t.values.press.tactile.empty(); }
+bool hasRelease(const OperationTarget& t) { return t.graph().release().has_value(); }
+bool hasOrigin(const OperationTarget& t) { return t.origin && !t.origin->strokes.press.points.empty(); }
+bool hasOneState(const OperationTarget& t) { return t.button.states().size() == 1; }
+bool hasTwoStates(const OperationTarget& t) { return t.button.states().size() > 1; }
+
+}  // namespace
+
+OperationMenu::OperationMenu(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas,
+                             ToolBox& tools, QWidget& window)
+    : document_(document), settings_(settings), canvas_(canvas), tools_(tools), window_(window) {
+  const auto key = [](int code) {
+    return QKeySequence(QKeyCombination(Qt::CTRL | Qt::SHIFT, Qt::Key(code)));
+  };
+  add("operationAddJump", tr("Add &jump…"), tr("A tactile point with its valley, by numbers"), key(Qt::Key_J),
+      addJumpOperation, always);
+  add("operationRemoveJump", tr("&Remove jump…"), tr("A straight line instead of tactile point and valley"),
+      {}, removeJumpOperation, hasTactilePoint);
+  add("operationSnapRatio", tr("Snap r&atio…"), tr("How deep the valley lies below the tactile force"),
+      key(Qt::Key_R), snapRatioOperation, pressHasTactilePoint);
+  add("operationMakeLinear", tr("Make &linear…"), tr("A straight line up to the bottom-out"), key(Qt::Key_L),
+      makeLinearOperation, always);
+  addSeparator();
+  add("operationMirror", tr("&Mirror press to release…"),
+      tr("A release curve from the press, with hysteresis"), key(Qt::Key_M), mirrorOperation, always);
+  add("operationRemoveRelease", tr("Remove release &curve…"),
+      tr("The release is then felt on the press curve"), {}, removeReleaseOperation, hasRelease);
+  add("operationScaleForce", tr("Scale &force…"), tr("All forces by one factor"), key(Qt::Key_F),
+      scaleForceOperation, always);
+  add("operationScaleTravel", tr("Scale &travel…"), tr("All displacements by one factor"), key(Qt::Key_T),
+      scaleTravelOperation, always);
+  add("operationRefit", tr("Ref&it to the traced points…"), tr("With more or fewer pieces"), key(Qt::Key_I),
+      refitOperation, hasOrigin);
+  addSeparator();
+  add("operationContacts", tr("&Operating and reset point…"), tr("Where the contact closes and opens"),
+      key(Qt::Key_O), contactsOperation, always);
+  add("operationDamping", tr("&Damping…"), tr("b(x) for force feedback, on or off"), key(Qt::Key_D),
+      dampingOperation, always);
+  addSeparator();
+  add("operationTwoLevel", tr("T&wo-level button…"), tr("Two tactile points, like a camera shutter"), {},
+      twoLevelOperation, always);
+  add("operationSelfLocking", tr("&Self-locking button…"), tr("Two states that alternate at each actuation"),
+      {}, selfLockingOperation, always);
+  add("operationAddState", tr("Add s&tate…"), tr("A second state, as a copy of this one"), {},
+      addStateOperation, hasOneState);
+  add("operationRemoveState", tr("Remove st&ate…"), tr("The other state alone remains"), {},
+      removeStateOperation, hasTwoStates);
+  updateActions();
+}
+
+void OperationMenu::add(const char* name, const QString& text, const QString& tip, const QKeySequence& key,
+                        Operation (*make)(const OperationTarget&), bool (*offered)(const OperationTarget&)) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(QString::fromLatin1(name));
+  action->setToolTip(
+      key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, [this, make] { open(make); });
+  actions_.push_back(action);
+  offers_.emplace_back(action, offered);
+}
+
+void OperationMenu::addSeparator() {
+  auto* separator = new QAction(this);
+  separator->setSeparator(true);
+  actions_.push_back(separator);
+}
+
+OperationTarget OperationMenu::target() const {
+  return {document_.button(), document_.activeState(), canvas_.values(), canvas_.selected(),
+          document_.origin().get()};
+}
+
+void OperationMenu::updateActions() {
+  // While something moves the menu cannot be opened: no need to look at every frame.
+  if (document_.history().dragging()) return;
+  const OperationTarget now = target();
+  for (const auto& [action, offered] : offers_) action->setEnabled(offered(now));
+}
+
+void OperationMenu::open(Operation (*make)(const OperationTarget&)) {
+  tools_.cancelDrag();
+  if (document_.history().dragging()) return;  // another dialog or view holds the button
+  dialog_ = new OperationDialog(document_, settings_, make(target()), &window_);
+  dialog_->open();
+}
+
+}  // namespace detent::editor

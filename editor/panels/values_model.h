@@ -1,0 +1,63 @@
+#pragma once
+// The exact values of a document's active state as a table.
+
+#include <optional>
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "editor/canvas/graph_marks.h"
+#include "editor/document/button_document.h"
+#include "editor/document/view_settings.h"
+#include "editor/panels/quantity_text.h"
+
+namespace detent::editor {
+
+/// Rows: tactile points, turns, sections (with the place of their end and their mean slope), knots, operating
+/// and reset point; headings between them. Values in the user's units; what is typed becomes one undo step,
+/// or is refused with a sentence and changes nothing. GUI thread.
+class ValuesModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { name, displacement, force, slopeBefore, slopeAfter, columns };
+
+  ValuesModel(ButtonDocument& document, ViewSettings& settings, QObject* parent = nullptr);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+  /// The mark a row speaks about; nullopt for headings.
+  std::optional<MarkId> markOf(const QModelIndex& index) const;
+  std::optional<int> rowOf(MarkId mark) const;
+
+ signals:
+  /// Something typed was refused; `why` says it to the person.
+  void refused(const QModelIndex& index, const QString& why);
+  void accepted();
+
+ private:
+  /// Without a mark: a heading.
+  struct Row {
+    std::optional<MarkId> mark;
+    QString heading;
+    friend bool operator==(const Row&, const Row&) = default;
+  };
+  std::vector<Row> rowsNow() const;
+  void follow();
+  const ButtonState& state() const;
+  std::optional<double> valueAt(const MarkId& mark, int column) const;
+  Result<Button> edited(const MarkId& mark, int column, double value) const;
+  static Quantity quantityOf(int column);
+  bool editable(const MarkId& mark, int column) const;
+
+  ButtonDocument& document_;
+  ViewSettings& settings_;
+  GraphValues values_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,43 @@
+#pragma once
+// Exact values, typed in the user's units.
+
+#include <QWidget>
+
+#include "editor/canvas/graph_marks.h"
+#include "editor/document/button_document.h"
+#include "editor/document/view_settings.h"
+
+class QLabel;
+class QTableView;
+
+namespace detent::editor {
+
+class ValuesModel;
+
+/// What cannot be is said under the table, in the cell's own words, and the old value stands again. GUI
+/// thread.
+class ValuesPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
+  ValuesModel& model() { return *model_; }
+
+ public slots:
+  /// Brings a mark's row into view.
+  void showMark(std::optional<detent::editor::MarkId> mark);
+
+ signals:
+  /// A row was chosen.
+  void markChosen(detent::editor::MarkId mark);
+
+ private:
+  void showRefusal(const QModelIndex& index, const QString& why);
+  void spanHeadings();
+
+  ValuesModel* model_;
+  QTableView* table_;
+  QLabel* refusal_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,159 @@
+#include "editor/tools/adding_tools.h"
+
+#include <cmath>
+#include <QCoreApplication>
+
+#include "editor/tools/hit_test.h"
+#include "editor/tools/mark_edits.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr double reach_px = 24;  // adding aims at a curve, not at a point: a wide reach
+// A jump by a click: an eighth of the travel wide, a fifth of its tactile force deep.
+constexpr double usualWidthOfTravel = 0.125, usualDropOfForce = 0.2;
+
+QString tr(const char* text) { return QCoreApplication::translate("AddingTools", text); }
+
+void propose(ToolContext& context, const PointerInput& input) {
+  CanvasFeedback feedback;
+  if (const auto hit = curveAt(context.canvas, input.at_px, reach_px))
+    feedback.proposal = Proposal{hit->at, hit->stroke, {}};
+  context.canvas.setFeedback(feedback);
+}
+
+bool missed(ToolContext& context, const QString& what) {
+  context.say(what);
+  return true;
+}
+
+NewJump usualJump(const StrokeCurve& curve, CurvePoint at) {
+  return {at.displacement_mm, usualWidthOfTravel * curve.travel_mm(),
+          std::max(usualDropOfForce * std::abs(at.force_N), 1e-3)};
+}
+
+// The pointer pulls the turn of the jump, half its width away.
+NewJump jumpTowards(CurvePoint at, CurvePoint turn) {
+  return {at.displacement_mm, 2 * std::abs(turn.displacement_mm - at.displacement_mm),
+          std::abs(turn.force_N - at.force_N)};
+}
+
+}  // namespace
+
+// ------------------------------------------------------------------------------------------------------ knot
+
+QString AddKnotTool::hint() const {
+  return tr("Click on a curve to add a knot; keep the button down to move it.");
+}
+
+void AddKnotTool::leave() { context_.canvas.setFeedback({}); }
+
+bool AddKnotTool::pressed(const PointerInput& input) {
+  if (input.button != Qt::LeftButton || context_.busy()) return false;
+  const auto hit = curveAt(context_.canvas, input.at_px, reach_px);
+  if (!hit) return missed(context_, tr("There is no curve here. Click nearer to one."));
+  const std::size_t state = context_.document.activeState();
+  const auto added =
+      addKnot(context_.document.history().committed(), state, hit->stroke, hit->at.displacement_mm);
+  if (!added) return missed(context_, QString::fromStdString(added.failure().sentence()));
+  const auto knot = knotAt(added->states()[state].graph.curve(hit->stroke), hit->at.displacement_mm);
+  if (!knot) return false;
+  const MarkId id{MarkKind::knot, hit->stroke, *knot};
+  DragTask task;
+  task.label = tr("Add knot");
+  task.from = hit->at;
+  task.stroke = hit->stroke;
+  task.mark = id;
+  task.edit = [state, id, from = hit->at, base = *added](const Button&, CurvePoint to) {
+    return to == from ? Result<Button>(base) : moveMark(base, state, {id, from}, to);
+  };
+  context_.drag.begin(std::move(task), input.at);
+  // Snapping waits for the first move: a click does not change the shape.
+  context_.drag.moveTo(input.at, Qt::ControlModifier);
+  context_.canvas.setSelected(id);
+  return true;
+}
+
+bool AddKnotTool::moved(const PointerInput& input) {
+  if (context_.drag.running())
+    context_.drag.moveTo(input.at, input.modifiers);
+  else
+    propose(context_, input);
+  return true;
+}
+
+bool AddKnotTool::released(const PointerInput& input) {
+  if (input.button != Qt::LeftButton || !context_.drag.running()) return false;
+  context_.drag.finish();
+  return true;
+}
+
+// ------------------------------------------------------------------------------------------------------ jump
+
+QString AddJumpTool::hint() const {
+  return tr("Press on a rising curve where the jump begins, and pull its valley into place.");
+}
+
+void AddJumpTool::leave() { context_.canvas.setFeedback({}); }
+
+bool AddJumpTool::pressed(const PointerInput& input) {
+  if (input.button != Qt::LeftButton || context_.busy()) return false;
+  const auto hit = curveAt(context_.canvas, input.at_px, reach_px);
+  if (!hit) return missed(context_, tr("There is no curve here. Press nearer to one."));
+  const std::size_t state = context_.document.activeState();
+  DragTask task;
+  task.label = tr("Add jump");
+  task.from = hit->at;
+  task.stroke = hit->stroke;
+  task.edit = [state, stroke = hit->stroke, at = hit->at](const Button& start, CurvePoint to) {
+    const NewJump jump =
+        to == at ? usualJump(start.states()[state].graph.curve(stroke), at) : jumpTowards(at, to);
+    return addJumpAt(start, state, stroke, jump);
+  };
+  context_.drag.begin(std::move(task), input.at);
+  context_.drag.moveTo(input.at, Qt::ControlModifier);
+  return true;
+}
+
+bool AddJumpTool::moved(const PointerInput& input) {
+  if (context_.drag.running())
+    context_.drag.moveTo(input.at, input.modifiers);
+  else
+    propose(context_, input);
+  return true;
+}
+
+bool AddJumpTool::released(const PointerInput& input) {
+  if (input.button != Qt::LeftButton || !context_.drag.running()) return false;
+  context_.drag.finish();
+  return true;
+}
+
+// ------------------------------------------------------------------------------------------------------- pan
+
+QString PanTool::hint() const { return tr("Drag to move the view; the wheel zooms at the pointer."); }
+
+void PanTool::leave() { last_px_.reset(); }
+
+bool PanTool::pressed(const PointerInput& input) {
+  if (input.button != Qt::LeftButton) return false;
+  last_px_ = input.at_px;
+  context_.canvas.setCursor(Qt::ClosedHandCursor);
+  return true;
+}
+
+bool PanTool::moved(const PointerInput& input) {
+  if (!last_px_) return false;
+  context_.canvas.panBy(input.at_px - *last_px_);
+  last_px_ = input.at_px;
+  return true;
+}
+
+bool PanTool::released(const PointerInput& input) {
+  if (input.button != Qt::LeftButton || !last_px_) return false;
+  last_px_.reset();
+  context_.canvas.setCursor(Qt::OpenHandCursor);
+  return true;
+}
+
+}  // namespace detent::editor

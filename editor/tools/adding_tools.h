@@ -1,0 +1,48 @@
+#pragma once
+// Tools that add something where the mouse is pressed, and shape it while it is held.
+
+#include "editor/tools/tool.h"
+
+namespace detent::editor {
+
+/// A click on a stroke adds a knot there without changing the shape; dragged on, the new knot moves along.
+class AddKnotTool : public Tool {
+ public:
+  using Tool::Tool;
+  void leave() override;
+  bool pressed(const PointerInput& input) override;
+  bool moved(const PointerInput& input) override;
+  bool released(const PointerInput& input) override;
+  Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+  QString hint() const override;
+};
+
+/// A press on a stroke sets the tactile point, the drag pulls the valley (release: the hump) out of the
+/// curve; a click alone adds a jump of usual size.
+class AddJumpTool : public Tool {
+ public:
+  using Tool::Tool;
+  void leave() override;
+  bool pressed(const PointerInput& input) override;
+  bool moved(const PointerInput& input) override;
+  bool released(const PointerInput& input) override;
+  Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+  QString hint() const override;
+};
+
+/// Pans with the left button.
+class PanTool : public Tool {
+ public:
+  using Tool::Tool;
+  void leave() override;
+  bool pressed(const PointerInput& input) override;
+  bool moved(const PointerInput& input) override;
+  bool released(const PointerInput& input) override;
+  Qt::CursorShape cursor() const override { return Qt::OpenHandCursor; }
+  QString hint() const override;
+
+ private:
+  std::optional<QPointF> last_px_;
+};
+
+}  // namespace detent::editor

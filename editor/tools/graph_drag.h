@@ -1,0 +1,50 @@
+#pragma once
+// One drag over a document: previews while it moves, one step at its end, exactly as before if cancelled.
+
+#include <functional>
+#include <optional>
+#include <QString>
+
+#include "editor/canvas/graph_canvas.h"
+#include "model/result.h"
+
+namespace detent::editor {
+
+/// What is dragged and how it changes the button.
+struct DragTask {
+  using Edit = std::function<Result<Button>(const Button& start, CurvePoint to)>;
+
+  QString label;    ///< of the undo step
+  CurvePoint from;  ///< where the dragged thing stands
+  Stroke stroke = Stroke::press;
+  std::optional<MarkId> mark;  ///< whose place is shown while it moves; none: the wanted place
+  bool snaps = true;
+  Edit edit;  ///< from the button before the drag; its Failure is shown, the last shape stays
+};
+
+/// GUI thread. `say` gets the sentence of a refusal, and an empty one when it is over.
+class GraphDrag {
+ public:
+  GraphDrag(ButtonDocument& document, GraphCanvas& canvas, std::function<void(const QString&)> say);
+
+  bool running() const { return task_.has_value(); }
+  /// `pointer` keeps its distance from the dragged thing.
+  void begin(DragTask task, CurvePoint pointer);
+  /// Snaps if the settings and the task want it; Ctrl lets go.
+  void moveTo(CurvePoint pointer, Qt::KeyboardModifiers modifiers = {});
+  void finish();
+  void cancel();
+
+ private:
+  void clear();
+  CurvePoint wantedPlace(CurvePoint pointer, Qt::KeyboardModifiers modifiers, CanvasFeedback& feedback) const;
+
+  ButtonDocument& document_;
+  GraphCanvas& canvas_;
+  std::function<void(const QString&)> say_;
+  std::optional<DragTask> task_;
+  CurvePoint grabOffset_;
+  bool refused_ = false;
+};
+
+}  // namespace detent::editor

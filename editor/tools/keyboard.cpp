@@ -1,0 +1,154 @@
+#include "editor/tools/keyboard.h"
+
+#include <QCoreApplication>
+
+#include "editor/tools/mark_edits.h"
+
+namespace detent::editor {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Keyboard", text); }
+
+bool isArrow(int key) {
+  return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
+}
+
+bool isSlope(MarkKind kind) { return kind == MarkKind::slopeBefore || kind == MarkKind::slopeAfter; }
+
+}  // namespace
+
+bool Keyboard::wants(int key, Qt::KeyboardModifiers modifiers) const {
+  if (key == Qt::Key_Escape) return context_.drag.running() || context_.canvas.selected().has_value();
+  if (!context_.canvas.selected()) return false;
+  if (isArrow(key)) return !(modifiers & Qt::ControlModifier);
+  const bool plain = (modifiers & ~Qt::KeypadModifier) == Qt::NoModifier;
+  return plain && (key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_C || key == Qt::Key_S);
+}
+
+bool Keyboard::pressed(int key, Qt::KeyboardModifiers modifiers) {
+  if (context_.busy()) return isArrow(key) || key == Qt::Key_Tab || key == Qt::Key_Backtab;
+  if (key == Qt::Key_Tab && modifiers == Qt::NoModifier) return walk(1);
+  if (key == Qt::Key_Backtab) return walk(-1);
+  if (!wants(key, modifiers)) return false;
+  if (isArrow(key)) return nudge(key, modifiers);
+  if (key == Qt::Key_Escape) context_.canvas.setSelected({});
+  if (key == Qt::Key_Delete || key == Qt::Key_Backspace) removeSelected();
+  if (key == Qt::Key_C) toggleSelectedCorner();
+  if (key == Qt::Key_S) return nextSlopeHandle();
+  return true;
+}
+
+bool Keyboard::walk(int by) {
+  const std::vector<Mark> marks = pointMarks(context_.canvas.state(), context_.canvas.values());
+  const int count = static_cast<int>(marks.size());
+  int next = by > 0 ? 0 : count - 1;
+  for (int i = 0; i < count; ++i)
+    if (marks[static_cast<std::size_t>(i)].id == context_.canvas.selected()) next = i + by;
+  if (next < 0 || next >= count) {
+    context_.canvas.setSelected({});
+    return false;  // focus goes on
+  }
+  const Mark& mark = marks[static_cast<std::size_t>(next)];
+  context_.canvas.setSelected(mark.id);
+  context_.say(describe(mark, context_.settings.units()));
+  return true;
+}
+
+void Keyboard::apply(const Result<Button>& next, const QString& label, const QString& mergeKey) {
+  if (!next) {
+    const QString why = QString::fromStdString(next.failure().sentence());
+    CanvasFeedback feedback;
+    const auto at = placeOf(*context_.canvas.selected(), context_.canvas.state(), context_.canvas.values());
+    if (at) feedback.refused = RefusedMove{*at, why};
+    context_.canvas.setFeedback(feedback);
+    context_.say(why);
+    return;
+  }
+  context_.canvas.setFeedback({});
+  context_.document.history().apply(*next, label, mergeKey);
+}
+
+bool Keyboard::nudge(int key, Qt::KeyboardModifiers modifiers) {
+  const MarkId id = *context_.canvas.selected();
+  const auto at = placeOf(id, context_.canvas.state(), context_.canvas.values());
+  if (!at) return false;
+  const double times = modifiers & Qt::ShiftModifier ? 10 : modifiers & Qt::AltModifier ? 0.1 : 1;
+  const double right = key == Qt::Key_Right ? times : key == Qt::Key_Left ? -times : 0;
+  const double up = key == Qt::Key_Up ? times : key == Qt::Key_Down ? -times : 0;
+  const std::size_t state = context_.document.activeState();
+  const Button& button = context_.document.history().committed();
+  const QString mergeKey = QStringLiteral("nudge/%1/%2/%3/%4")
+                               .arg(state)
+                               .arg(static_cast<int>(id.kind))
+                               .arg(static_cast<int>(id.stroke))
+                               .arg(id.index);
+  if (isSlope(id.kind)) {
+    const Knot& knot = context_.canvas.state().graph.curve(id.stroke).knots()[id.index];
+    const double slope =
+        id.kind == MarkKind::slopeBefore ? knot.slopeBefore_N_per_mm : knot.slopeAfter_N_per_mm;
+    apply(setMarkSlope(button, state, id, slope + (right + up) * nudgeSlope_N_per_mm), moveLabel(id),
+          mergeKey);
+    return true;
+  }
+  const CurvePoint to{at->displacement_mm + right * nudge_mm, at->force_N + up * nudge_N};
+  apply(moveMark(button, state, {id, *at}, to), moveLabel(id), mergeKey);
+  if (const auto now = placeOf(id, context_.canvas.state(), context_.canvas.values());
+      now && !context_.canvas.feedback().refused)
+    context_.say(describe({id, *now}, context_.settings.units()));
+  return true;
+}
+
+std::optional<MarkId> Keyboard::selectedKnot() const {
+  const auto selected = context_.canvas.selected();
+  if (!selected) return {};
+  if (selected->kind == MarkKind::knot) return selected;
+  if (isSlope(selected->kind)) return MarkId{MarkKind::knot, selected->stroke, selected->index};
+  if (selected->kind != MarkKind::tactilePoint && selected->kind != MarkKind::turn) return {};
+  const auto at = placeOf(*selected, context_.canvas.state(), context_.canvas.values());
+  if (!at) return {};
+  const auto knot = knotAt(context_.canvas.state().graph.curve(selected->stroke), at->displacement_mm);
+  if (!knot) return {};
+  return MarkId{MarkKind::knot, selected->stroke, *knot};
+}
+
+void Keyboard::removeSelected() {
+  auto selected = context_.canvas.selected();
+  if (!selected || context_.busy()) return;
+  if (selected->kind == MarkKind::turn || isSlope(selected->kind)) selected = selectedKnot();
+  if (!selected) {
+    context_.say(tr("No knot stands at this turn. Select a knot or a tactile point."));
+    return;
+  }
+  apply(removeMark(context_.document.history().committed(), context_.document.activeState(), *selected),
+        removeLabel(*selected));
+}
+
+void Keyboard::toggleSelectedCorner() {
+  if (context_.busy()) return;
+  const auto knot = selectedKnot();
+  if (!knot) {
+    context_.say(tr("Select a knot to make it a corner or smooth."));
+    return;
+  }
+  apply(toggleCorner(context_.document.history().committed(), context_.document.activeState(), *knot),
+        tr("Corner or smooth: %1").arg(nameOf(*knot)));
+}
+
+bool Keyboard::nextSlopeHandle() {
+  const auto knot = selectedKnot();
+  if (!knot) return true;
+  const SlopeHandles handles = slopeHandlesOf(context_.canvas.state().graph.curve(knot->stroke), knot->index,
+                                              context_.canvas.mapping());
+  const MarkKind now = context_.canvas.selected()->kind;
+  MarkKind next = MarkKind::knot;
+  if (now != MarkKind::slopeBefore && now != MarkKind::slopeAfter && handles.before_px)
+    next = MarkKind::slopeBefore;
+  else if (now != MarkKind::slopeAfter && handles.after_px)
+    next = MarkKind::slopeAfter;
+  const MarkId id{next, knot->stroke, knot->index};
+  context_.canvas.setSelected(id);
+  context_.say(nameOf(id));
+  return true;
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,35 @@
+#pragma once
+// Working on the graph without a mouse.
+
+#include "editor/tools/tool.h"
+
+namespace detent::editor {
+
+/// One press of an arrow key; Shift: ten times, Alt: a tenth.
+inline constexpr double nudge_mm = 0.01, nudge_N = 0.001, nudgeSlope_N_per_mm = 0.001;
+
+/// Tab and Shift+Tab go through the points and leave the canvas after the last, arrow keys nudge the selected
+/// mark (one undo step as long as it is the same one), Delete removes it, C makes a corner smooth and back,
+/// S goes through a knot's slope handles, Escape lets go.
+class Keyboard {
+ public:
+  explicit Keyboard(ToolContext& context) : context_(context) {}
+  bool pressed(int key, Qt::KeyboardModifiers modifiers);
+  bool wants(int key, Qt::KeyboardModifiers modifiers) const;
+
+  /// Also behind the menu's actions. They say why not, where something stands in the way.
+  void removeSelected();
+  void toggleSelectedCorner();
+  /// The selected knot, or the one under the selected tactile point or turn.
+  std::optional<MarkId> selectedKnot() const;
+
+ private:
+  bool walk(int by);
+  bool nudge(int key, Qt::KeyboardModifiers modifiers);
+  bool nextSlopeHandle();
+  void apply(const Result<Button>& next, const QString& label, const QString& mergeKey = {});
+
+  ToolContext& context_;
+};
+
+}  // namespace detent::editor

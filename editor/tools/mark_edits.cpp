@@ -1,0 +1,137 @@
+#include "editor/tools/mark_edits.h"
+
+#include <QCoreApplication>
+
+namespace detent::editor {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("MarkEdits", text); }
+
+Failure refusal(std::string place, std::string problem, std::string remedy) {
+  return {FailureCode::wrongUsage, "force graph", std::move(place), std::move(problem), std::move(remedy)};
+}
+
+Result<Button> editCurve(const Button& button, std::size_t state, Stroke stroke, const CurveEdit& edit) {
+  return editGraph(button, state, [&](const ForceGraph& graph) { return editStroke(graph, stroke, edit); });
+}
+
+// The slope that a handle dragged to a place means; none where that lies straight above or on the other side.
+Result<double> slopeTowards(const Knot& knot, MarkKind side, CurvePoint to) {
+  const double away_mm = to.displacement_mm - knot.displacement_mm;
+  if (side == MarkKind::slopeBefore ? away_mm < 0 : away_mm > 0) return (to.force_N - knot.force_N) / away_mm;
+  return refusal("slope handle", "would point to the other side of its knot",
+                 side == MarkKind::slopeBefore ? "Keep it left of the knot" : "Keep it right of the knot");
+}
+
+Result<StrokeCurve> withSlope(const StrokeCurve& curve, MarkId handle, double slope, SlopeSides sides) {
+  if (sides == SlopeSides::asItIs && !isCorner(curve, handle.index))
+    return setSlope(curve, handle.index, slope);
+  return handle.kind == MarkKind::slopeBefore ? setSlopeBefore(curve, handle.index, slope)
+                                              : setSlopeAfter(curve, handle.index, slope);
+}
+
+Result<StrokeCurve> moveOnStroke(const StrokeCurve& curve, const Mark& mark, CurvePoint to,
+                                 SlopeSides sides) {
+  const MarkId id = mark.id;
+  switch (id.kind) {
+    case MarkKind::tactilePoint:
+      return moveTactilePoint(curve, id.stroke, id.index, to);
+    case MarkKind::turn:
+      return moveTurn(curve, mark.at, to);
+    case MarkKind::section:
+      return moveSection(curve, id.stroke, id.index, to.displacement_mm - mark.at.displacement_mm,
+                         to.force_N - mark.at.force_N);
+    case MarkKind::slopeBefore:
+    case MarkKind::slopeAfter: {
+      if (id.index >= curve.knots().size()) return moveKnot(curve, id.index, to);  // says which is missing
+      auto slope = slopeTowards(curve.knots()[id.index], id.kind, to);
+      if (!slope) return slope.failure();
+      return withSlope(curve, id, *slope, sides);
+    }
+    default:
+      return moveKnot(curve, id.index, to);
+  }
+}
+
+}  // namespace
+
+Result<Button> moveMark(const Button& button, std::size_t state, const Mark& mark, CurvePoint to,
+                        SlopeSides sides) {
+  if (mark.id.kind == MarkKind::operatingPoint) return setOperatingPoint(button, state, to.displacement_mm);
+  if (mark.id.kind == MarkKind::resetPoint) return setResetPoint(button, state, to.displacement_mm);
+  return editCurve(button, state, mark.id.stroke,
+                   [&](const StrokeCurve& curve) { return moveOnStroke(curve, mark, to, sides); });
+}
+
+Result<Button> setMarkSlope(const Button& button, std::size_t state, MarkId handle, double slope_N_per_mm,
+                            SlopeSides sides) {
+  return editCurve(button, state, handle.stroke,
+                   [&](const StrokeCurve& curve) { return withSlope(curve, handle, slope_N_per_mm, sides); });
+}
+
+Result<Button> moveSectionEnd(const Button& button, std::size_t state, Stroke stroke, const Section& section,
+                              CurvePoint to) {
+  const double end_mm = section.to_mm;
+  return editCurve(button, state, stroke, [&](const StrokeCurve& curve) -> Result<StrokeCurve> {
+    const std::vector<TactilePoint> tactile = tactilePoints(curve, stroke);
+    for (std::size_t i = 0; i < tactile.size(); ++i)
+      if (tactile[i].displacement_mm == end_mm) return moveTactilePoint(curve, stroke, i, to);
+    for (const auto& turns : {curve.localMaxima(), curve.localMinima()})
+      for (const CurvePoint& turn : turns)
+        if (turn.displacement_mm == end_mm) return moveTurn(curve, turn, to);
+    if (const auto knot = knotAt(curve, end_mm)) return moveKnot(curve, *knot, to);
+    auto added = insertKnot(curve, end_mm);
+    if (!added) return added;
+    return moveKnot(*added, *knotAt(*added, end_mm), to);
+  });
+}
+
+Result<Button> removeMark(const Button& button, std::size_t state, MarkId mark) {
+  switch (mark.kind) {
+    case MarkKind::operatingPoint:
+      return setOperatingPoint(button, state, {});
+    case MarkKind::resetPoint:
+      return setResetPoint(button, state, {});
+    case MarkKind::tactilePoint:
+      return editCurve(button, state, mark.stroke,
+                       [&](const StrokeCurve& curve) { return removeJump(curve, mark.stroke, mark.index); });
+    case MarkKind::knot:
+      return editCurve(button, state, mark.stroke,
+                       [&](const StrokeCurve& curve) { return removeKnot(curve, mark.index); });
+    default:
+      return refusal(nameOf(mark).toStdString(), "cannot be removed on its own",
+                     "Select a knot, a tactile point, or the operating or reset point");
+  }
+}
+
+Result<Button> toggleCorner(const Button& button, std::size_t state, MarkId knot) {
+  return editCurve(button, state, knot.stroke, [&](const StrokeCurve& curve) {
+    return isCorner(curve, knot.index) ? makeSmooth(curve, knot.index) : makeCorner(curve, knot.index);
+  });
+}
+
+Result<Button> addKnot(const Button& button, std::size_t state, Stroke stroke, double displacement_mm) {
+  return editCurve(button, state, stroke,
+                   [&](const StrokeCurve& curve) { return insertKnot(curve, displacement_mm); });
+}
+
+Result<Button> addJumpAt(const Button& button, std::size_t state, Stroke stroke, NewJump jump) {
+  return editCurve(button, state, stroke,
+                   [&](const StrokeCurve& curve) { return addJump(curve, stroke, jump); });
+}
+
+std::optional<std::size_t> knotAt(const StrokeCurve& curve, double displacement_mm) {
+  for (std::size_t i = 0; i < curve.knots().size(); ++i)
+    if (curve.knots()[i].displacement_mm == displacement_mm) return i;
+  return {};
+}
+
+QString moveLabel(MarkId mark) {
+  if (mark.kind == MarkKind::slopeBefore || mark.kind == MarkKind::slopeAfter)
+    return tr("Change: %1").arg(nameOf(mark));
+  return tr("Move: %1").arg(nameOf(mark));
+}
+
+QString removeLabel(MarkId mark) { return tr("Remove: %1").arg(nameOf(mark)); }
+
+}  // namespace detent::editor

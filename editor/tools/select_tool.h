@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "editor/canvas/graph_marks.h"
+#include "editor/tools/tool.h"
+
+namespace detent::editor {
+
+/// Selects and moves points, slope handles and whole sections; a drag on empty ground pans. A click on what
+/// is selected takes what lies beneath it; a double click adds a knot, or turns a knot into a corner and
+/// back.
+class SelectTool : public Tool {
+ public:
+  using Tool::Tool;
+  void leave() override;
+  bool pressed(const PointerInput& input) override;
+  bool moved(const PointerInput& input) override;
+  bool released(const PointerInput& input) override;
+  bool doubleClicked(const PointerInput& input) override;
+  void dragCancelled() override;
+  QString hint() const override;
+
+ private:
+  enum class Holding { nothing, mark, ground };
+  void hover(const PointerInput& input);
+  void beginDrag(const PointerInput& input);
+  void takeBeneath(const PointerInput& input);
+
+  Holding holding_ = Holding::nothing;
+  std::optional<Mark> held_;
+  bool wasSelected_ = false;
+  QPointF pressed_px_, last_px_;
+  CurvePoint pressedAt_;
+  bool travelled_ = false;
+};
+
+}  // namespace detent::editor

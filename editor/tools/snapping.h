@@ -1,0 +1,25 @@
+#pragma once
+// What a dragged point clings to.
+
+#include <optional>
+#include <span>
+
+#include "editor/canvas/canvas_feedback.h"
+#include "editor/canvas/plot_mapping.h"
+#include "editor/document/view_settings.h"
+#include "model/stroke_curve.h"
+
+namespace detent::editor {
+
+/// What there is to cling to. References must outlive the call.
+struct SnapSources {
+  std::span<const CurvePoint> traced;        ///< of the dragged point's stroke
+  const StrokeCurve* otherStroke = nullptr;  ///< null: there is none
+};
+
+/// The nearest traced point or place on the other stroke within the settings' reach; else the nearest grid
+/// lines, each axis for itself (a point may cling to one of them); nullopt where nothing is near enough.
+std::optional<SnapHit> snapOf(CurvePoint wanted, const PlotMapping& map, const SnapSettings& settings,
+                              const SnapSources& sources);
+
+}  // namespace detent::editor

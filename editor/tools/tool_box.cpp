@@ -1,0 +1,77 @@
+#include "editor/tools/tool_box.h"
+
+#include "editor/tools/adding_tools.h"
+#include "editor/tools/hit_test.h"
+#include "editor/tools/select_tool.h"
+
+namespace detent::editor {
+
+ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas, QObject* parent)
+    : QObject(parent),
+      canvas_(canvas),
+      drag_(document, canvas, [this](const QString& text) { emit said(text); }),
+      context_{document, settings, canvas, drag_, [this](const QString& text) { emit said(text); }},
+      keyboard_(context_),
+      tools_{std::make_unique<SelectTool>(context_), std::make_unique<AddKnotTool>(context_),
+             std::make_unique<AddJumpTool>(context_), std::make_unique<PanTool>(context_)} {
+  canvas_.setEvents(this);
+  // What the drag started from is no longer there.
+  connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::cancelDrag);
+  connect(&document, &ButtonDocument::activeStateChanged, this, &ToolBox::cancelDrag);
+}
+
+ToolBox::~ToolBox() { canvas_.setEvents(nullptr); }
+
+void ToolBox::setTool(ToolKind kind) {
+  if (kind == current_) return;
+  cancelDrag();
+  currentTool().leave();
+  current_ = kind;
+  currentTool().enter();
+  canvas_.setCursor(currentTool().cursor());
+  emit toolChanged(kind);
+  emit said(currentTool().hint());
+}
+
+void ToolBox::cancelDrag() {
+  if (!drag_.running()) return;
+  drag_.cancel();
+  currentTool().dragCancelled();
+}
+
+bool ToolBox::pointerPressed(const PointerInput& input) {
+  if (input.button == Qt::RightButton && !drag_.running()) {
+    // The menu speaks about what lies under the pointer.
+    const auto marks = marksAt(canvas_, input.at_px);
+    if (!marks.empty()) canvas_.setSelected(marks.front().id);
+    return true;
+  }
+  return currentTool().pressed(input);
+}
+
+bool ToolBox::pointerMoved(const PointerInput& input) { return currentTool().moved(input); }
+bool ToolBox::pointerReleased(const PointerInput& input) { return currentTool().released(input); }
+bool ToolBox::doubleClicked(const PointerInput& input) { return currentTool().doubleClicked(input); }
+
+bool ToolBox::wantsKey(int key, Qt::KeyboardModifiers modifiers) const {
+  if (drag_.running() && key == Qt::Key_Escape) return true;
+  return keyboard_.wants(key, modifiers);
+}
+
+bool ToolBox::keyPressed(int key, Qt::KeyboardModifiers modifiers) {
+  if (drag_.running() && key == Qt::Key_Escape) {
+    cancelDrag();
+    return true;
+  }
+  return keyboard_.pressed(key, modifiers);
+}
+
+void ToolBox::pointerLeft() {
+  if (!drag_.running()) canvas_.setFeedback({});
+}
+
+void ToolBox::contextMenu(const PointerInput&, QPoint global_px) {
+  if (!drag_.running()) emit contextMenuRequested(global_px);
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,56 @@
+#pragma once
+// Which tool has the mouse. Hands the canvas' events to it and keeps the rules that hold for all tools.
+
+#include <array>
+#include <memory>
+#include <QObject>
+
+#include "editor/tools/keyboard.h"
+#include "editor/tools/tool.h"
+
+namespace detent::editor {
+
+enum class ToolKind { select, addKnot, addJump, pan };
+inline constexpr std::size_t toolCount = 4;
+
+/// Escape cancels a drag, undo and a change of state end it; a tool is left without one. GUI thread.
+class ToolBox : public QObject, public CanvasEvents {
+  Q_OBJECT
+
+ public:
+  /// All three must outlive it.
+  ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas, QObject* parent = nullptr);
+  ~ToolBox() override;
+
+  ToolKind tool() const { return current_; }
+  void setTool(ToolKind kind);
+  bool dragging() const { return drag_.running(); }
+  void cancelDrag();
+  Keyboard& keyboard() { return keyboard_; }
+
+  bool pointerPressed(const PointerInput& input) override;
+  bool pointerMoved(const PointerInput& input) override;
+  bool pointerReleased(const PointerInput& input) override;
+  bool doubleClicked(const PointerInput& input) override;
+  bool keyPressed(int key, Qt::KeyboardModifiers modifiers) override;
+  bool wantsKey(int key, Qt::KeyboardModifiers modifiers) const override;
+  void pointerLeft() override;
+  void contextMenu(const PointerInput& input, QPoint global_px) override;
+
+ signals:
+  void toolChanged(detent::editor::ToolKind kind);
+  void said(const QString& text);
+  void contextMenuRequested(QPoint global_px);
+
+ private:
+  Tool& currentTool() { return *tools_[static_cast<std::size_t>(current_)]; }
+
+  GraphCanvas& canvas_;
+  GraphDrag drag_;
+  ToolContext context_;
+  Keyboard keyboard_;
+  std::array<std::unique_ptr<Tool>, toolCount> tools_;
+  ToolKind current_ = ToolKind::select;
+};
+
+}  // namespace detent::editor
