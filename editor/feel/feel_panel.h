@@ -10,6 +10,8 @@
 #include "editor/document/finger_position.h"
 #include "editor/document/view_settings.h"
 
+class QAction;
+
 namespace detent::editor {
 
 /// A pad to press with mouse, keys, pen, touch or a force sensor; the vibration and spectrogram of a standard
@@ -30,8 +32,11 @@ class FeelPanel : public QWidget {
   ButtonDocument* feltDocument() const;
   /// From A to B and back; nothing where one of them is missing.
   void exchange();
+  /// The same as an action (X), for menus and the list of shortcuts.
+  QAction* exchangeAction() const;
 
-  /// Choices that outlive a run (device, gain, drive, placement ...), as plain text and numbers.
+  /// Choices that outlive a run (device, gain, drive, placement ...), as plain text and numbers. Restoring
+  /// opens no device: sound begins with the next press, the sensor is offered.
   QVariantMap saveState() const;
   void restoreState(const QVariantMap& state);
 
@@ -43,6 +48,10 @@ class FeelPanel : public QWidget {
   void otherFingerMoved(std::optional<detent::editor::FingerPosition> position);
   void feltDocumentChanged(detent::editor::ButtonDocument* document);
   void statusMessage(const QString& message);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   class Parts;

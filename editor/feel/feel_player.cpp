@@ -55,8 +55,7 @@ void FeelPlayer::startSilent() {
     return;
   }
   player_ = *std::move(silent);
-  if (!sensor_.port.empty())
-    static_cast<void>(player_->attachSensor(sensor_.port, sensor_.baud, sensor_.calibration));
+  attachSensor();
   pace();
 }
 
@@ -126,8 +125,7 @@ void FeelPlayer::exchanged(Result<Player>* result) {
 void FeelPlayer::adopt() {
   if (!waiting_ || pressed_ || finger_ != Finger::none) return;
   player_ = std::move(waiting_);
-  if (!sensor_.port.empty())
-    static_cast<void>(player_->attachSensor(sensor_.port, sensor_.baud, sensor_.calibration));
+  attachSensor();
   status_ = player_->status();
   setSound(SoundState::on);
   pace();
@@ -153,18 +151,22 @@ void FeelPlayer::followSound() {
 
 // --------------------------------------------------------------------------------------------- sensor
 
-Result<Done> FeelPlayer::setSensor(const SensorPort& sensor) {
+void FeelPlayer::setSensor(const SensorPort& sensor) {
   sensor_ = sensor;
-  if (!player_) return Done{};
-  player_->detachSensor();
-  if (sensor.port.empty()) {
-    pace();
-    return Done{};
-  }
-  Result<Done> attached = player_->attachSensor(sensor.port, sensor.baud, sensor.calibration);
-  if (!attached) sensor_ = {};
+  sensorTrouble_.clear();
+  if (player_) player_->detachSensor();
+  attachSensor();
   pace();
-  return attached;
+  emit sensorChanged();
+}
+
+void FeelPlayer::attachSensor() {
+  if (!player_ || sensor_.port.empty()) return;
+  const Result<Done> attached = player_->attachSensor(sensor_.port, sensor_.baud, sensor_.calibration);
+  if (attached) return;
+  sensorTrouble_ = sentence(attached.failure());
+  sensor_ = {};
+  emit sensorChanged();
 }
 
 // --------------------------------------------------------------------------------------------- finger
@@ -269,6 +271,7 @@ void FeelPlayer::tick() {
 }
 
 void FeelPlayer::pace() {
+  if (!player_) return;
   const bool idle = !pressed_ && std::chrono::duration<double>(Clock::now() - movedAt_).count() > goesOn_s;
   if (idle && !status_.sounding && sensor_.port.empty() && !waiting_ && finger_ == Finger::none) {
     timer_.stop();  // nothing can move by itself

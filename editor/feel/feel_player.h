@@ -58,8 +58,10 @@ class FeelPlayer : public QObject {
   void startSound();
   void setGain(double gain);  ///< factor >= 0, before the limiter
 
-  /// An empty port lets go. Kept over a change of the sound device. Failure where it cannot be opened.
-  Result<Done> setSensor(const SensorPort& sensor);
+  /// An empty port lets go. Kept over a change of the sound device, and while there is nothing to press.
+  void setSensor(const SensorPort& sensor);
+  /// Why the sensor's port could not be opened, and what to do; empty where nothing is wrong.
+  const QString& sensorTrouble() const { return sensorTrouble_; }
 
   // The finger. False: nothing to press, or another finger holds it.
   bool down(double peak_N);  ///< a timed press: human-like rise up to peak_N
@@ -80,6 +82,7 @@ class FeelPlayer : public QObject {
   void moved();
   void felt(const std::vector<detent::playback::EngineEvent>& events);
   void soundChanged();
+  void sensorChanged();
 
  private:
   enum class Finger { none, timed, force, depth, lifting };
@@ -88,6 +91,7 @@ class FeelPlayer : public QObject {
 
   bool take(Finger finger);
   void startSilent();
+  void attachSensor();
   void exchangeDevice();
   void exchanged(Result<Player>* result);
   void adopt();
@@ -108,6 +112,7 @@ class FeelPlayer : public QObject {
   double gain_ = 1;
   bool soundWanted_ = true;
   SensorPort sensor_;
+  QString sensorTrouble_;
   SoundState sound_ = SoundState::off;
   QString trouble_;
 

@@ -1,0 +1,89 @@
+#include "editor/feel/feel_settings.h"
+
+#include <cmath>
+
+namespace detent::editor {
+namespace {
+
+/// Enumerations are kept as words, so that a new value in the middle changes nothing.
+template <class Value>
+struct Word {
+  Value value;
+  const char* word;
+};
+constexpr Word<Drive> drives[] = {{Drive::time, "time"}, {Drive::depth, "depth"}, {Drive::force, "force"}};
+constexpr Word<playback::FeedbackMode> modes[] = {{playback::FeedbackMode::full, "full"},
+                                                  {playback::FeedbackMode::clickOnly, "click-only"},
+                                                  {playback::FeedbackMode::slopeOnly, "slope-only"},
+                                                  {playback::FeedbackMode::off, "off"}};
+constexpr Word<playback::EventPlacement> placements[] = {
+    {playback::EventPlacement::atOnce, "fast"}, {playback::EventPlacement::timeStamped, "time-stamped"}};
+
+template <class Value, std::size_t n>
+QString wordOf(const Word<Value> (&words)[n], Value value) {
+  for (const auto& w : words)
+    if (w.value == value) return QString::fromLatin1(w.word);
+  return {};
+}
+
+template <class Value, std::size_t n>
+void read(const QVariantMap& map, const QString& key, const Word<Value> (&words)[n], Value& value) {
+  for (const auto& w : words)
+    if (map.value(key).toString() == QLatin1String(w.word)) value = w.value;
+}
+
+void read(const QVariantMap& map, const QString& key, double low, double high, double& value) {
+  bool isNumber = false;
+  const double read = map.value(key).toDouble(&isNumber);
+  if (isNumber && read >= low && read <= high) value = read;
+}
+
+void read(const QVariantMap& map, const QString& key, unsigned low, unsigned high, unsigned& value) {
+  double number = value;
+  read(map, key, low, high, number);
+  value = static_cast<unsigned>(std::lround(number));
+}
+
+void read(const QVariantMap& map, const QString& key, bool& value) {
+  if (map.contains(key)) value = map.value(key).toBool();
+}
+
+}  // namespace
+
+double gainOf(double dB) { return std::pow(10, dB / 20); }
+
+QVariantMap toMap(const FeelSettings& s) {
+  return {{"drive", wordOf(drives, s.drive)},
+          {"full_N", s.full_N},
+          {"followState", s.followState},
+          {"mode", wordOf(modes, s.mode)},
+          {"placement", wordOf(placements, s.placement)},
+          {"profileFile", s.profileFile},
+          {"sound", s.sound},
+          {"device", s.device},
+          {"rate_Hz", s.rate_Hz},
+          {"buffer", s.buffer},
+          {"gain_dB", s.gain_dB},
+          {"sensorPort", s.sensorPort},
+          {"sensorBaud", s.sensorBaud}};
+}
+
+FeelSettings feelSettingsFrom(const QVariantMap& map) {
+  FeelSettings s;
+  read(map, "drive", drives, s.drive);
+  read(map, "full_N", 0, 1000, s.full_N);
+  read(map, "followState", s.followState);
+  read(map, "mode", modes, s.mode);
+  read(map, "placement", placements, s.placement);
+  s.profileFile = map.value("profileFile").toString();
+  read(map, "sound", s.sound);
+  s.device = map.value("device").toString();
+  read(map, "rate_Hz", 0, 192000, s.rate_Hz);
+  read(map, "buffer", 0U, 8192U, s.buffer);
+  read(map, "gain_dB", lowestGain_dB, highestGain_dB, s.gain_dB);
+  s.sensorPort = map.value("sensorPort").toString();
+  read(map, "sensorBaud", 300U, 4000000U, s.sensorBaud);
+  return s;
+}
+
+}  // namespace detent::editor

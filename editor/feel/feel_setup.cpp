@@ -1,0 +1,395 @@
+#include "editor/feel/feel_setup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QShowEvent>
+#include <QSignalBlocker>
+
+#include "editor/feel/placement_delays.h"
+
+namespace detent::editor {
+namespace {
+
+template <class Value>
+void addChoice(QComboBox* box, const QString& text, Value value, const QString& tip = {}) {
+  box->addItem(text, QVariant::fromValue(value));
+  if (!tip.isEmpty()) box->setItemData(box->count() - 1, tip, Qt::ToolTipRole);
+}
+
+void select(QComboBox* box, const QVariant& value) {
+  const int at = box->findData(value);
+  if (at >= 0) box->setCurrentIndex(at);
+}
+
+QLabel* noteLabel(const QString& name) {
+  auto* label = new QLabel;
+  label->setObjectName(name);
+  label->setWordWrap(true);
+  QFont font = label->font();
+  font.setPointSizeF(0.88 * font.pointSizeF());
+  label->setFont(font);
+  label->setForegroundRole(QPalette::PlaceholderText);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QWidget* rowOf(std::initializer_list<QWidget*> widgets) {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  bool first = true;
+  for (QWidget* widget : widgets) {
+    layout->addWidget(widget, first ? 1 : 0);
+    first = false;
+  }
+  return row;
+}
+
+/// Serial ports that a sensor can be behind.
+QStringList serialPorts() {
+  QStringList ports;
+  const QDir devices(QStringLiteral("/dev"));
+  for (const QString& name :
+       devices.entryList({"ttyACM*", "ttyUSB*", "ttyAMA*", "cu.usb*"}, QDir::System, QDir::Name))
+    ports << devices.filePath(name);
+  return ports;
+}
+
+QComboBox* comboBox(const QString& name, const QString& tip) {
+  auto* box = new QComboBox;
+  box->setObjectName(name);
+  box->setToolTip(tip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(12);
+  return box;
+}
+
+}  // namespace
+
+FeelSetup::FeelSetup(ViewSettings& view, SoundDeviceList& devices, QWidget* parent)
+    : QWidget(parent), view_(view), devices_(devices) {
+  filling_ = true;
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(0, 4, 0, 0);
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+  form->setVerticalSpacing(5);
+  addPressing(*form);
+  addFeeling(*form);
+  addSound(*form);
+  addSensor(*form);
+  filling_ = false;
+  connect(&view_, &ViewSettings::changed, this, &FeelSetup::showUnits);
+  connect(&devices_, &SoundDeviceList::changed, this, &FeelSetup::showDevices);
+  setSettings({});
+  setSensor({}, {});
+}
+
+void FeelSetup::addPressing(QFormLayout& form) {
+  drive_ = comboBox("driveChoice",
+                    tr("What mouse and touch do on the pad. Keys press by time, a pen by its pressure."));
+  addChoice(drive_, tr("Hold: a human-like press"), static_cast<int>(Drive::time));
+  addChoice(drive_, tr("Drag down: depth"), static_cast<int>(Drive::depth));
+  addChoice(drive_, tr("Drag down: force"), static_cast<int>(Drive::force));
+  connect(drive_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
+  form.addRow(tr("&Press with mouse:"), drive_);
+
+  full_ = new QDoubleSpinBox;
+  full_->setObjectName("fullForce");
+  full_->setSpecialValueText(tr("automatic"));
+  full_->setToolTip(
+      tr("Force of a full press: at the end of a timed press, at full pen pressure, at the end of a "
+         "drag. Automatic: a quarter more than the button's strongest force."));
+  connect(full_, &QDoubleSpinBox::valueChanged, this, &FeelSetup::take);
+  form.addRow(tr("&Full press:"), full_);
+
+  followState_ = new QCheckBox(tr("Graph follows the state"));
+  followState_->setObjectName("followState");
+  followState_->setToolTip(
+      tr("Of a self-locking button the graph shows the state that is felt: unlocked, locked."));
+  connect(followState_, &QCheckBox::toggled, this, &FeelSetup::take);
+  form.addRow(QString(), followState_);
+}
+
+void FeelSetup::addFeeling(QFormLayout& form) {
+  using playback::FeedbackMode;
+  mode_ = comboBox("modeChoice", tr("Which parts of the button are felt; for comparing with the base case."));
+  addChoice(mode_, tr("Everything"), static_cast<int>(FeedbackMode::full));
+  addChoice(mode_, tr("Clicks only (jumps, bottom-out)"), static_cast<int>(FeedbackMode::clickOnly));
+  addChoice(mode_, tr("Slopes only (grains)"), static_cast<int>(FeedbackMode::slopeOnly));
+  addChoice(mode_, tr("Nothing"), static_cast<int>(FeedbackMode::off));
+  connect(mode_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
+  form.addRow(tr("Fe&lt:"), mode_);
+
+  stamped_ = new QRadioButton(tr("Even: every event equally late"));
+  stamped_->setObjectName("placementStamped");
+  stamped_->setToolTip(
+      tr("Events sound at the time at which the finger passed them, plus a constant delay."));
+  fast_ = new QRadioButton(tr("Fast: every event at once"));
+  fast_->setObjectName("placementFast");
+  fast_->setToolTip(tr("Events sound as soon as a reading shows them: earlier on average, less evenly."));
+  stampedDelay_ = noteLabel("placementStampedDelay");
+  fastDelay_ = noteLabel("placementFastDelay");
+  auto* placement = new QWidget;
+  auto* column = new QVBoxLayout(placement);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(1);
+  for (QWidget* widget : std::initializer_list<QWidget*>{stamped_, stampedDelay_, fast_, fastDelay_}) {
+    if (qobject_cast<QLabel*>(widget) != nullptr) widget->setContentsMargins(22, 0, 0, 3);
+    column->addWidget(widget);
+  }
+  connect(stamped_, &QRadioButton::toggled, this, &FeelSetup::take);
+  form.addRow(tr("Timing:"), placement);
+
+  profileFile_ = new QPushButton;
+  profileFile_->setObjectName("profileFile");
+  profileFile_->setToolTip(
+      tr("A .device file: response of the transducer, calibration of the sensor, as measured "
+         "by detent-play sweep and calibrate."));
+  connect(profileFile_, &QPushButton::clicked, this, &FeelSetup::chooseProfile);
+  noProfile_ = new QPushButton(tr("None"));
+  noProfile_->setObjectName("noProfile");
+  noProfile_->setToolTip(tr("Play as for a perfect device"));
+  connect(noProfile_, &QPushButton::clicked, this, [this] {
+    settings_.profileFile.clear();
+    emit changed(settings_);
+  });
+  form.addRow(tr("&Device profile:"), rowOf({profileFile_, noProfile_}));
+  profileNote_ = noteLabel("profileNote");
+  form.addRow(QString(), profileNote_);
+}
+
+void FeelSetup::addSound(QFormLayout& form) {
+  device_ = comboBox("soundDevice", tr("Sound device that drives the transducer"));
+  connect(device_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
+  refresh_ = new QPushButton(tr("Look again"));
+  refresh_->setObjectName("refreshDevices");
+  refresh_->setToolTip(tr("Look for sound devices again"));
+  connect(refresh_, &QPushButton::clicked, &devices_, &SoundDeviceList::refresh);
+  form.addRow(tr("&Sound device:"), rowOf({device_, refresh_}));
+  deviceNote_ = noteLabel("deviceNote");
+  form.addRow(QString(), deviceNote_);
+
+  rate_ = comboBox("sampleRate", tr("Sample rate in Hz"));
+  addChoice(rate_, tr("the device's own"), 0.0);
+  for (const double rate : {44100.0, 48000.0, 88200.0, 96000.0, 192000.0})
+    addChoice(rate_, tr("%1 Hz").arg(QLocale().toString(rate, 'f', 0)), rate);
+  connect(rate_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
+  bufferChoice_ = comboBox("bufferFrames",
+                           tr("Samples per buffer: smaller is faster, larger is safer against drop-outs"));
+  addChoice(bufferChoice_, tr("the host's choice"), 0U);
+  for (const unsigned frames : {32U, 64U, 128U, 256U, 512U, 1024U})
+    addChoice(bufferChoice_, tr("%n frame(s)", nullptr, static_cast<int>(frames)), frames);
+  connect(bufferChoice_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
+  form.addRow(tr("Sample &rate:"), rate_);
+  form.addRow(tr("&Buffer:"), bufferChoice_);
+}
+
+void FeelSetup::addSensor(QFormLayout& form) {
+  port_ = comboBox("sensorPort", tr("Serial port of the force sensor, for example /dev/ttyACM0"));
+  port_->setEditable(true);
+  baud_ = comboBox("sensorBaud", tr("Bits per second; USB sensors ignore it"));
+  baud_->setEditable(true);
+  for (const int baud : {9600, 57600, 115200, 230400, 460800, 921600}) baud_->addItem(QString::number(baud));
+  connect_ = new QPushButton(tr("Connect"));
+  connect_->setObjectName("sensorConnect");
+  connect_->setCheckable(true);
+  connect_->setToolTip(tr("Press with the force sensor; calibrated by the device profile"));
+  connect(connect_, &QPushButton::clicked, this, &FeelSetup::take);
+  form.addRow(tr("Force se&nsor:"), rowOf({port_, connect_}));
+  form.addRow(tr("Ba&ud rate:"), baud_);
+  sensorNote_ = noteLabel("sensorNote");
+  form.addRow(QString(), sensorNote_);
+}
+
+void FeelSetup::setSettings(const FeelSettings& settings) {
+  settings_ = settings;
+  filling_ = true;
+  select(drive_, static_cast<int>(settings.drive));
+  select(mode_, static_cast<int>(settings.mode));
+  followState_->setChecked(settings.followState);
+  (settings.placement == playback::EventPlacement::atOnce ? fast_ : stamped_)->setChecked(true);
+  select(rate_, settings.rate_Hz);
+  select(bufferChoice_, settings.buffer);
+  baud_->setCurrentText(QString::number(settings.sensorBaud));
+  connect_->setChecked(!settings.sensorPort.isEmpty());
+  connect_->setText(settings.sensorPort.isEmpty() ? tr("Connect") : tr("Disconnect"));
+  showPorts();
+  if (!settings.sensorPort.isEmpty()) port_->setCurrentText(settings.sensorPort);
+  const bool none = settings.profileFile.isEmpty();
+  profileFile_->setText(none ? tr("Choose…") : QFileInfo(settings.profileFile).fileName());
+  noProfile_->setEnabled(!none);
+  filling_ = false;
+  showUnits();
+  showDevices();
+  showDelays();
+}
+
+void FeelSetup::take() {
+  if (filling_) return;
+  settings_.drive = static_cast<Drive>(drive_->currentData().toInt());
+  settings_.mode = static_cast<playback::FeedbackMode>(mode_->currentData().toInt());
+  settings_.full_N = view_.units().toN(full_->value());
+  settings_.followState = followState_->isChecked();
+  settings_.placement =
+      fast_->isChecked() ? playback::EventPlacement::atOnce : playback::EventPlacement::timeStamped;
+  settings_.device = device_->currentData().toString();
+  settings_.rate_Hz = rate_->currentData().toDouble();
+  settings_.buffer = bufferChoice_->currentData().toUInt();
+  settings_.sensorPort = connect_->isChecked() ? port_->currentText().trimmed() : QString();
+  bool isNumber = false;
+  const unsigned baud = baud_->currentText().toUInt(&isNumber);
+  if (isNumber && baud > 0) settings_.sensorBaud = baud;
+  emit changed(settings_);
+}
+
+void FeelSetup::showUnits() {
+  const QSignalBlocker blocked(full_);
+  const DisplayUnits& units = view_.units();
+  const double newton = units.forceFrom(1);
+  const int decimals = newton >= 50 ? 0 : (newton >= 5 ? 1 : 2);
+  full_->setDecimals(decimals);
+  full_->setRange(0, units.forceFrom(100));
+  full_->setSingleStep(std::max(units.forceFrom(0.05), std::pow(10, -decimals)));
+  full_->setSuffix(" " + units.forceSymbol());
+  full_->setValue(units.forceFrom(settings_.full_N));
+}
+
+void FeelSetup::showDevices() {
+  filling_ = true;
+  device_->clear();
+  QString standard;
+  for (const playback::SoundDevice& device : devices_.outputs())
+    if (device.defaultOutput) standard = QString::fromStdString(device.name);
+  device_->addItem(standard.isEmpty() ? tr("Default output") : tr("Default output (%1)").arg(standard),
+                   QString());
+  for (const playback::SoundDevice& device : devices_.outputs()) {
+    const QString name = QString::fromStdString(device.name);
+    device_->addItem(name, name);
+    device_->setItemData(device_->count() - 1,
+                         tr("%n output channel(s), ", nullptr, device.outputChannels) +
+                             tr("%1 Hz").arg(QLocale().toString(device.sampleRate_Hz, 'f', 0)),
+                         Qt::ToolTipRole);
+  }
+  // One that is chosen but away stays chosen: it may come back.
+  if (device_->findData(settings_.device) < 0)
+    device_->addItem(tr("%1 (not there now)").arg(settings_.device), settings_.device);
+  select(device_, settings_.device);
+  filling_ = false;
+  const QString note =
+      devices_.asking()               ? tr("Looking for sound devices…")
+      : !devices_.trouble().isEmpty() ? devices_.trouble()
+      : asked_ && devices_.outputs().empty()
+          ? tr("No sound device was found. Connect one or start the sound server, then look again.")
+          : QString();
+  deviceNote_->setText(note);
+  deviceNote_->setVisible(!note.isEmpty());
+  refresh_->setEnabled(!devices_.asking());
+}
+
+void FeelSetup::showPorts() {
+  const QString typed = port_->currentText();
+  port_->clear();
+  port_->addItems(serialPorts());
+  if (!typed.isEmpty()) port_->setCurrentText(typed);
+}
+
+void FeelSetup::offerPort(const QString& port) { port_->setCurrentText(port); }
+
+void FeelSetup::showDelays() {
+  using playback::EventPlacement;
+  fastDelay_->setText(tr("measured %1").arg(measuredDelay(EventPlacement::atOnce, buffer_)));
+  stampedDelay_->setText(tr("measured %1").arg(measuredDelay(EventPlacement::timeStamped, buffer_)));
+  const QString tip =
+      tr("From the force crossing on a 425 Hz sensor to the first sample, on a JACK server, without "
+         "converter, amplifier and transducer (docs/bench-playback.md)");
+  fastDelay_->setToolTip(tip);
+  stampedDelay_->setToolTip(tip);
+}
+
+void FeelSetup::setBuffer(unsigned frames) {
+  if (frames == buffer_) return;
+  buffer_ = frames;
+  showDelays();
+}
+
+void FeelSetup::setProfile(const std::optional<playback::DeviceProfile>& profile, const QString& trouble) {
+  const QLocale locale;
+  QString note = trouble;
+  if (profile) {
+    note = tr("%1: ").arg(QString::fromStdString(profile->name)) +
+           tr("%n resonance(s), ", nullptr, static_cast<int>(profile->resonances.size())) +
+           tr("%n equalizer band(s)", nullptr, static_cast<int>(profile->equalizer.size()));
+    if (profile->sensor.weights > 0)
+      note += tr("; sensor calibrated from %1 to %2 N, ±%3 N")
+                  .arg(locale.toString(profile->sensor.lowest_N), locale.toString(profile->sensor.highest_N),
+                       locale.toString(profile->sensor.residual_N, 'g', 2));
+    if (profile->latency)
+      note += tr("; measured delay %1 ms (SD %2, N = %3)")
+                  .arg(locale.toString(1000 * profile->latency->mean_s, 'f', 1),
+                       locale.toString(1000 * profile->latency->sd_s, 'f', 1))
+                  .arg(profile->latency->n);
+  }
+  profileNote_->setText(note);
+  profileNote_->setVisible(!note.isEmpty());
+}
+
+void FeelSetup::setSensor(const playback::PlayerStatus& status, const QString& trouble) {
+  using playback::SensorCondition;
+  QString note;
+  switch (status.sensor) {
+    case SensorCondition::none:
+      note = trouble;
+      break;
+    case SensorCondition::starting:
+      note = tr("Waiting for the first reading. If none comes: is the baud rate right?");
+      break;
+    case SensorCondition::running:
+      note = tr("Running, %1 readings a second").arg(QLocale().toString(status.sensorRate_Hz, 'f', 0));
+      break;
+    case SensorCondition::silent:
+      note = tr("Silent: it has stopped sending. Check its power and its program.");
+      break;
+    case SensorCondition::stuck:
+      note = tr("Stuck: the same force for 10 s. Something presses on it, or it is defective.");
+      break;
+    case SensorCondition::unplugged:
+      note = tr("Unplugged. It goes on by itself when it is plugged in again.");
+      break;
+  }
+  if (status.sensor != SensorCondition::none && status.rejectedReadings + status.malformedLines > 0)
+    note += tr("; %1 readings rejected, %2 lines not understood")
+                .arg(status.rejectedReadings)
+                .arg(status.malformedLines);
+  if (note != sensorNote_->text()) sensorNote_->setText(note);
+  sensorNote_->setVisible(!note.isEmpty());
+}
+
+void FeelSetup::chooseProfile() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Device profile"), QFileInfo(settings_.profileFile).path(),
+                                   tr("Device profiles (*.device);;All files (*)"));
+  if (file.isEmpty()) return;
+  settings_.profileFile = file;
+  emit changed(settings_);
+}
+
+void FeelSetup::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  if (event->spontaneous() || asked_ || !playback::livePlaybackAvailable()) return;
+  asked_ = true;
+  devices_.refresh();
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,72 @@
+#pragma once
+// The form behind the pad: how one presses, what is felt, which devices are used.
+
+#include <QWidget>
+
+#include "editor/document/view_settings.h"
+#include "editor/feel/feel_settings.h"
+#include "editor/feel/sound_device_list.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+class QRadioButton;
+class QShowEvent;
+
+namespace detent::editor {
+
+/// Shows FeelSettings and tells of changes by hand; changes nothing itself. GUI thread.
+class FeelSetup : public QWidget {
+  Q_OBJECT
+
+ public:
+  FeelSetup(ViewSettings& view, SoundDeviceList& devices, QWidget* parent = nullptr);
+
+  void setSettings(const FeelSettings& settings);
+  const FeelSettings& settings() const { return settings_; }
+
+  /// What became of the profile file: its name and measured delay, or why it could not be read.
+  void setProfile(const std::optional<playback::DeviceProfile>& profile, const QString& trouble);
+  /// How the sensor is doing; `trouble` why it could not be opened.
+  void setSensor(const playback::PlayerStatus& status, const QString& trouble);
+  void setBuffer(unsigned frames);
+  /// A port to connect to by hand: devices are not touched before a person asks for them.
+  void offerPort(const QString& port);
+
+ signals:
+  void changed(const detent::editor::FeelSettings& settings);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  void addPressing(QFormLayout& form);
+  void addFeeling(QFormLayout& form);
+  void addSound(QFormLayout& form);
+  void addSensor(QFormLayout& form);
+  void take();  ///< from the widgets
+  void showUnits();
+  void showDevices();
+  void showPorts();
+  void showDelays();
+  void chooseProfile();
+
+  ViewSettings& view_;
+  SoundDeviceList& devices_;
+  FeelSettings settings_;
+  std::optional<playback::DeviceProfile> profile_;
+  unsigned buffer_ = 0;
+  bool filling_ = false, asked_ = false;
+
+  QComboBox *drive_, *mode_, *device_, *rate_, *bufferChoice_, *port_, *baud_;
+  QDoubleSpinBox* full_;
+  QCheckBox* followState_;
+  QRadioButton *fast_, *stamped_;
+  QLabel *fastDelay_, *stampedDelay_, *profileNote_, *deviceNote_, *sensorNote_;
+  QPushButton *profileFile_, *noProfile_, *refresh_, *connect_;
+};
+
+}  // namespace detent::editor

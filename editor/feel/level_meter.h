@@ -1,0 +1,45 @@
+#pragma once
+// Output level: a bar in decibels, the highest peak held, and whether the limiter works.
+
+#include <QElapsedTimer>
+#include <QWidget>
+
+namespace detent::editor {
+
+/// GUI thread.
+class LevelMeter : public QWidget {
+  Q_OBJECT
+
+ public:
+  static constexpr double lowest_dB = -60;
+  static constexpr double hold_s = 1.5;        ///< how long a peak stays
+  static constexpr double fall_dB_per_s = 40;  ///< of the bar, and of the peak after its hold
+  static constexpr double limiting = 0.985;    ///< of the ceiling: from here on the limiter holds the level
+
+  explicit LevelMeter(QWidget* parent = nullptr);
+
+  /// Peak of the last moment as a share of full scale, at `time_s` on any steady clock. `ceiling` is the
+  /// limiter's, a share of full scale.
+  void setLevel(double level, double ceiling, double time_s);
+  /// No stream: empty, and the texts say nothing.
+  void setIdle();
+
+  double shown_dB() const { return shown_dB_; }
+  double peak_dB() const { return peak_dB_; }
+  bool limited() const { return limited_; }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void describe();
+
+  double shown_dB_ = lowest_dB, peak_dB_ = lowest_dB, ceiling_dB_ = 0;
+  double time_s_ = 0, peakAt_s_ = 0, limitedAt_s_ = 0;
+  bool limited_ = false, idle_ = true;
+};
+
+}  // namespace detent::editor

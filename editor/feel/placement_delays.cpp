@@ -1,0 +1,22 @@
+#include "editor/feel/placement_delays.h"
+
+#include <cstdlib>
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace detent::editor {
+
+QString measuredDelay(playback::EventPlacement placement, unsigned bufferFrames) {
+  const PlacementDelay* nearest = nullptr;
+  const auto far = [&](const PlacementDelay& d) {
+    return std::abs(d.bufferFrames - static_cast<int>(bufferFrames));
+  };
+  for (const PlacementDelay& delay : placementDelays)
+    if (delay.placement == placement && (nearest == nullptr || far(delay) < far(*nearest))) nearest = &delay;
+  const QLocale locale;
+  return QCoreApplication::translate("PlacementDelay", "%1 ms, scattered over %2 ms (%3 frames at 48 kHz)")
+      .arg(locale.toString(nearest->median_ms, 'f', 1), locale.toString(nearest->spread_ms, 'g', 2),
+           locale.toString(nearest->bufferFrames));
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,36 @@
+#include "editor/feel/sound_device_list.h"
+
+#include <memory>
+
+namespace detent::editor {
+
+SoundDeviceList::SoundDeviceList(QObject* parent, Lister lister)
+    : QObject(parent), lister_(std::move(lister)) {}
+
+SoundDeviceList::~SoundDeviceList() {
+  if (thread_.joinable()) thread_.join();
+}
+
+void SoundDeviceList::refresh() {
+  if (asking_) return;
+  asking_ = true;
+  if (thread_.joinable()) thread_.join();
+  thread_ = std::thread([this] {
+    auto answer = std::make_shared<Result<std::vector<playback::SoundDevice>>>(lister_());
+    QMetaObject::invokeMethod(
+        this,
+        [this, answer] {
+          asking_ = false;
+          outputs_.clear();
+          trouble_ = *answer ? QString() : QString::fromStdString(answer->failure().sentence());
+          if (*answer)
+            for (const playback::SoundDevice& device : **answer)
+              if (device.outputChannels > 0) outputs_.push_back(device);
+          emit changed();
+        },
+        Qt::QueuedConnection);
+  });
+  emit changed();
+}
+
+}  // namespace detent::editor

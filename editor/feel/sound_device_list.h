@@ -1,0 +1,42 @@
+#pragma once
+// Sound devices, asked for without stopping the window: some drivers take seconds to answer.
+
+#include <functional>
+#include <QObject>
+#include <QString>
+#include <thread>
+#include <vector>
+
+#include "playback/playback.h"
+
+namespace detent::editor {
+
+/// GUI thread; asks on a thread of its own, one question at a time.
+class SoundDeviceList : public QObject {
+  Q_OBJECT
+
+ public:
+  using Lister = std::function<Result<std::vector<playback::SoundDevice>>()>;
+
+  explicit SoundDeviceList(QObject* parent = nullptr, Lister lister = playback::listSoundDevices);
+  ~SoundDeviceList() override;  ///< waits for an answer that is under way
+
+  void refresh();
+  bool asking() const { return asking_; }
+  /// Those with an output, as last answered.
+  const std::vector<playback::SoundDevice>& outputs() const { return outputs_; }
+  /// Why there is no list, and what to do; empty where there is one.
+  const QString& trouble() const { return trouble_; }
+
+ signals:
+  void changed();
+
+ private:
+  Lister lister_;
+  std::thread thread_;
+  bool asking_ = false;
+  std::vector<playback::SoundDevice> outputs_;
+  QString trouble_;
+};
+
+}  // namespace detent::editor
