@@ -1,94 +1,451 @@
 #include "editor/importing/import_dialog.h"
 
+#include <array>
+#include <functional>
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDragEnterEvent>
+#include <QFileDialog>
 #include <QLabel>
-#include <QListWidget>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTimer>
+#include <QToolBar>
 #include <QVBoxLayout>
 
+#include "editor/importing/advice_bar.h"
+#include "editor/importing/findings_panel.h"
 #include "editor/importing/import_state.h"
+#include "editor/importing/log_plot.h"
+#include "editor/importing/page_list.h"
+#include "editor/importing/page_view.h"
+#include "editor/importing/quality_figures.h"
 
 namespace detent::editor {
+namespace {
+
+constexpr std::array qualities{importer::Quality::draft, importer::Quality::standard,
+                               importer::Quality::precise};
+
+QString stepInWords(const QString& step) {
+  if (step == QLatin1String("finding graphs and reading axes"))
+    return QObject::tr("Finding the graph and reading its axes …");
+  if (step == QLatin1String("tracing curves")) return QObject::tr("Tracing the curves …");
+  if (step == QLatin1String("telling press from release")) return QObject::tr("Telling press from release …");
+  if (step == QLatin1String("fitting")) return QObject::tr("Fitting …");
+  return QObject::tr("Working …");
+}
+
+}  // namespace
 
 struct ImportDialog::Impl {
-  Impl(ImportDialog& itsDialog, ViewSettings& itsSettings) : dialog(itsDialog), settings(itsSettings) {}
+  Impl(ImportDialog& itsDialog, ViewSettings& settings)
+      : dialog(itsDialog),
+        pages(new PageList(state)),
+        view(new PageView(state, settings)),
+        log(new LogPlot(state, settings)),
+        findings(new FindingsPanel(state, settings)),
+        advice(new AdviceBar) {}
 
-  void showGraphs() {
-    list->clear();
-    for (const GraphId id : state.graphs()) {
-      auto* item = new QListWidgetItem(tr("Page %1, graph %2").arg(id.page).arg(id.graph), list);
-      item->setIcon(QIcon(QPixmap::fromImage(state.graph(id)->thumbnail)));
-    }
-  }
-  void showResult() {
-    const ImportGraph* graph = state.current();
-    if (state.openFailure()) {
-      status->setText(QString::fromStdString(state.openFailure()->sentence()));
-    } else if (graph && graph->last && graph->last->report) {
-      status->setText(QString::fromStdString(graph->last->report->brief()));
-    } else if (graph && graph->last && graph->last->failure) {
-      status->setText(QString::fromStdString(graph->last->failure->sentence()));
-    }
-    import->setEnabled(graph && graph->good);
-  }
+  void build();
+  void buildTools(QToolBar& bar);
+  QAction* addTool(QToolBar& bar, ToolKind kind, const QString& text, const QString& tip,
+                   const QKeySequence& key);
+  QAction* addAction(QToolBar& bar, const QString& name, const QString& text, const QString& tip,
+                     const QKeySequence& key, const std::function<void()>& run);
+  void connectState();
+
+  void showDocument();
+  void showCorrections();
+  void showWork();
+  void showAdvice();
+  void showAccept();
+  void follow(Remedy remedy);
+  void chooseFile();
+  void paste();
 
   ImportDialog& dialog;
-  ViewSettings& settings;
-  ImportState state;
-  QListWidget* list = nullptr;
-  QLabel* status = nullptr;
+  ImportState state;  // before the widgets that listen to it
+  PageList* pages;
+  PageView* view;
+  LogPlot* log;
+  FindingsPanel* findings;
+  AdviceBar* advice;
+
+  QStackedWidget* middle = nullptr;
+  QLabel *document = nullptr, *hint = nullptr, *work = nullptr;
+  QComboBox* quality = nullptr;
   QProgressBar* progress = nullptr;
-  QPushButton* import = nullptr;
+  QPushButton *stop = nullptr, *accept = nullptr;
+  QAction *undo = nullptr, *redo = nullptr;
+  QActionGroup* tools = nullptr;
+  QTimer* workSoon = nullptr;
 };
 
-ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
-    : QDialog(parent), impl_(std::make_unique<Impl>(*this, settings)) {
-  setWindowTitle(tr("Import a force graph"));
-  setAcceptDrops(true);
-  auto* column = new QVBoxLayout(this);
-  column->addWidget(impl_->list = new QListWidget);
-  column->addWidget(impl_->status = new QLabel);
-  impl_->status->setWordWrap(true);
-  column->addWidget(impl_->progress = new QProgressBar);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-  impl_->import = buttons->addButton(tr("Import"), QDialogButtonBox::AcceptRole);
-  column->addWidget(buttons);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(impl_->import, &QPushButton::clicked, &impl_->state, &ImportState::acceptAll);
-  connect(&impl_->state, &ImportState::graphsChanged, this, [this] { impl_->showGraphs(); });
-  connect(&impl_->state, &ImportState::resultChanged, this, [this] { impl_->showResult(); });
-  connect(&impl_->state, &ImportState::documentChanged, this, [this] { impl_->showResult(); });
-  connect(&impl_->state, &ImportState::accepted, this, &ImportDialog::imported);
-  connect(&impl_->state, &ImportState::allAccepted, this, &QDialog::accept);
-  connect(&impl_->state, &ImportState::progressed, this,
-          [this](double fraction) { impl_->progress->setValue(static_cast<int>(100 * fraction)); });
-  connect(impl_->list, &QListWidget::currentRowChanged, this, [this](int row) {
-    const auto graphs = impl_->state.graphs();
-    if (row >= 0) impl_->state.selectGraph(graphs[static_cast<std::size_t>(row)]);
+QAction* ImportDialog::Impl::addTool(QToolBar& bar, ToolKind kind, const QString& text, const QString& tip,
+                                     const QKeySequence& key) {
+  auto* action = new QAction(text, &dialog);
+  action->setCheckable(true);
+  action->setData(static_cast<int>(kind));
+  action->setShortcut(key);
+  action->setToolTip(tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  tools->addAction(action);
+  bar.addAction(action);
+  QObject::connect(action, &QAction::triggered, view, [this, kind] { view->setTool(kind); });
+  return action;
+}
+
+QAction* ImportDialog::Impl::addAction(QToolBar& bar, const QString& name, const QString& text,
+                                       const QString& tip, const QKeySequence& key,
+                                       const std::function<void()>& run) {
+  auto* action = new QAction(text, &dialog);
+  action->setObjectName(name);
+  action->setShortcut(key);
+  action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  bar.addAction(action);
+  QObject::connect(action, &QAction::triggered, &dialog, run);
+  return action;
+}
+
+void ImportDialog::Impl::buildTools(QToolBar& bar) {
+  tools = new QActionGroup(&dialog);
+  addTool(bar, ToolKind::adjust, tr("Adjust"), tr("Drag corners, edges and ticks"), Qt::ALT | Qt::Key_1)
+      ->setChecked(true);
+  addTool(bar, ToolKind::scale, tr("Axis values"), tr("Click ticks and type their values"),
+          Qt::ALT | Qt::Key_2);
+  addTool(bar, ToolKind::drawFrame, tr("Frame"), tr("Draw a plot frame"), Qt::ALT | Qt::Key_3);
+  addTool(bar, ToolKind::pressColor, tr("Press pipette"), tr("Click the press curve"), Qt::ALT | Qt::Key_4);
+  addTool(bar, ToolKind::releaseColor, tr("Release pipette"), tr("Click the release curve"),
+          Qt::ALT | Qt::Key_5);
+  addTool(bar, ToolKind::maskBox, tr("Mask"), tr("Mask a rectangle"), Qt::ALT | Qt::Key_6);
+  addTool(bar, ToolKind::maskBrush, tr("Brush"), tr("Paint a mask"), Qt::ALT | Qt::Key_7);
+  addTool(bar, ToolKind::pan, tr("Pan"), tr("Drag the page"), Qt::ALT | Qt::Key_8);
+  bar.addSeparator();
+  undo = addAction(bar, QStringLiteral("undo"), tr("Undo"), tr("Undo the last correction"),
+                   QKeySequence::Undo, [this] { state.undo(); });
+  redo = addAction(bar, QStringLiteral("redo"), tr("Redo"), tr("Redo the correction"), QKeySequence::Redo,
+                   [this] { state.redo(); });
+  bar.addSeparator();
+  addAction(bar, QStringLiteral("fitGraph"), tr("Graph"), tr("Show the graph"), Qt::CTRL | Qt::Key_0,
+            [this] { view->fitGraph(); });
+  addAction(bar, QStringLiteral("fitPage"), tr("Page"), tr("Show the whole page"), Qt::CTRL | Qt::Key_9,
+            [this] { view->fitPage(); });
+  addAction(bar, QStringLiteral("zoomIn"), tr("+"), tr("Zoom in"), QKeySequence::ZoomIn,
+            [this] { view->zoomBy(1.25); });
+  addAction(bar, QStringLiteral("zoomOut"), tr("−"), tr("Zoom out"), QKeySequence::ZoomOut,
+            [this] { view->zoomBy(0.8); });
+  QObject::connect(view, &PageView::toolChanged, &dialog, [this](ToolKind kind) {
+    for (QAction* action : tools->actions())
+      action->setChecked(action->data().toInt() == static_cast<int>(kind));
   });
 }
 
-ImportDialog::~ImportDialog() = default;
+void ImportDialog::Impl::build() {
+  auto* column = new QVBoxLayout(&dialog);
+  column->setContentsMargins(8, 8, 8, 8);
+  auto* top = new QHBoxLayout;
+  auto* open = new QPushButton(tr("&Open…"));
+  open->setShortcut(QKeySequence::Open);
+  open->setToolTip(tr("Open a picture, PDF, SVG or a force meter's CSV (%1)")
+                       .arg(QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText)));
+  auto* pasteButton = new QPushButton(tr("&Paste picture"));
+  pasteButton->setObjectName(QStringLiteral("paste"));
+  pasteButton->setToolTip(tr("Import the picture on the clipboard (%1)")
+                              .arg(QKeySequence(QKeySequence::Paste).toString(QKeySequence::NativeText)));
+  document = new QLabel;
+  document->setObjectName(QStringLiteral("documentName"));
+  document->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  document->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  auto* qualityLabel = new QLabel(tr("&Quality"));
+  quality = new QComboBox;
+  quality->setObjectName(QStringLiteral("quality"));
+  qualityLabel->setBuddy(quality);
+  for (const importer::Quality each : qualities) quality->addItem(describedQuality(each));
+  quality->setCurrentIndex(1);
+  quality->setToolTip(
+      tr("How carefully the graph is read: usual time of an import and the usual distance of the curve from "
+         "the printed one, "
+         "as measured on datasheet graphs. Corrections stay when it changes."));
+  top->addWidget(open);
+  top->addWidget(pasteButton);
+  top->addWidget(document, 1);
+  top->addWidget(qualityLabel);
+  top->addWidget(quality);
+  column->addLayout(top);
+
+  auto* bar = new QToolBar;
+  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  buildTools(*bar);
+  column->addWidget(bar);
+  column->addWidget(advice);
+
+  middle = new QStackedWidget;
+  middle->addWidget(view);
+  middle->addWidget(log);
+  auto* splitter = new QSplitter;
+  splitter->addWidget(pages);
+  splitter->addWidget(middle);
+  splitter->addWidget(findings);
+  splitter->setStretchFactor(1, 1);
+  splitter->setChildrenCollapsible(false);
+  splitter->setSizes({220, 720, 330});
+  column->addWidget(splitter, 1);
+
+  hint = new QLabel;
+  hint->setForegroundRole(QPalette::PlaceholderText);
+  hint->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  column->addWidget(hint);
+  auto* bottom = new QHBoxLayout;
+  progress = new QProgressBar;
+  progress->setRange(0, 1000);
+  progress->setTextVisible(false);
+  progress->setFixedWidth(180);
+  progress->setAccessibleName(tr("Progress of the import"));
+  work = new QLabel;
+  work->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  stop = new QPushButton(tr("&Stop"));
+  stop->setObjectName(QStringLiteral("stop"));
+  stop->setToolTip(tr("Stop reading; the last result stays"));
+  accept = new QPushButton(tr("&Import"));
+  accept->setObjectName(QStringLiteral("import"));
+  accept->setDefault(true);
+  auto* close = new QPushButton(tr("Close"));
+  close->setAutoDefault(false);
+  for (QPushButton* button : {open, pasteButton, stop}) button->setAutoDefault(false);
+  bottom->addWidget(progress);
+  bottom->addWidget(stop);
+  bottom->addWidget(work, 1);
+  bottom->addWidget(accept);
+  bottom->addWidget(close);
+  column->addLayout(bottom);
+
+  workSoon = new QTimer(&dialog);
+  workSoon->setSingleShot(true);
+  workSoon->setInterval(150);  // work that is done sooner shows no bar: nothing flickers
+  QObject::connect(open, &QPushButton::clicked, &dialog, [this] { chooseFile(); });
+  QObject::connect(pasteButton, &QPushButton::clicked, &dialog, [this] { paste(); });
+  QObject::connect(close, &QPushButton::clicked, &dialog, &QDialog::reject);
+  QObject::connect(stop, &QPushButton::clicked, &state, &ImportState::cancel);
+  QObject::connect(accept, &QPushButton::clicked, &state, &ImportState::acceptAll);
+  QObject::connect(quality, &QComboBox::activated, &state,
+                   [this](int index) { state.setQuality(qualities[static_cast<std::size_t>(index)]); });
+  QObject::connect(view, &PageView::hint, hint, &QLabel::setText);
+  QObject::connect(findings, &FindingsPanel::toolAsked, view, [this](ToolKind kind) {
+    view->setTool(kind);
+    view->setFocus();
+  });
+  QObject::connect(advice, &AdviceBar::remedyChosen, &dialog, [this](Remedy remedy) { follow(remedy); });
+  QObject::connect(workSoon, &QTimer::timeout, &dialog, [this] {
+    progress->setVisible(true);
+    stop->setVisible(true);
+  });
+}
+
+void ImportDialog::Impl::connectState() {
+  QObject::connect(&state, &ImportState::documentChanged, &dialog, [this] { showDocument(); });
+  QObject::connect(&state, &ImportState::graphsChanged, &dialog, [this] {
+    showAdvice();
+    showAccept();
+  });
+  QObject::connect(&state, &ImportState::pageChanged, &dialog, [this] { showWork(); });
+  QObject::connect(&state, &ImportState::currentChanged, &dialog, [this] {
+    showAdvice();
+    showAccept();
+  });
+  QObject::connect(&state, &ImportState::correctionsChanged, &dialog, [this] { showCorrections(); });
+  QObject::connect(&state, &ImportState::resultChanged, &dialog, [this] {
+    showWork();
+    showAdvice();
+    showAccept();
+  });
+  QObject::connect(&state, &ImportState::progressed, &dialog, [this](double fraction, const QString& step) {
+    progress->setValue(static_cast<int>(1000 * fraction));
+    work->setText(stepInWords(step));
+  });
+  QObject::connect(&state, &ImportState::accepted, &dialog, &ImportDialog::imported);
+  QObject::connect(&state, &ImportState::allAccepted, &dialog, &QDialog::accept);
+}
+
+void ImportDialog::Impl::showDocument() {
+  QString text = state.documentName();
+  if (state.pageCount() > 1) text += tr(" – %n page(s)", nullptr, state.pageCount());
+  document->setText(text);
+  dialog.setWindowTitle(text.isEmpty() ? tr("Import a force graph")
+                                       : tr("Import – %1").arg(state.documentName()));
+  middle->setCurrentWidget(state.isForceLog() ? static_cast<QWidget*>(log) : view);
+  pages->setVisible(state.isOpen() && !state.isForceLog());
+  findings->setVisible(state.isOpen());
+  for (QAction* action : tools->actions()) action->setEnabled(state.isOpen() && !state.isForceLog());
+  showCorrections();
+  showWork();
+  showAdvice();
+  showAccept();
+}
+
+void ImportDialog::Impl::showCorrections() {
+  const ImportGraph* graph = state.current();
+  undo->setEnabled(graph && graph->history.canUndo());
+  redo->setEnabled(graph && graph->history.canRedo());
+  undo->setText(undo->isEnabled() ? tr("Undo %1").arg(graph->history.undoLabel()) : tr("Undo"));
+  redo->setText(redo->isEnabled() ? tr("Redo %1").arg(graph->history.redoLabel()) : tr("Redo"));
+}
+
+void ImportDialog::Impl::showWork() {
+  const bool working = state.opening() || state.working();
+  if (working) {
+    if (!progress->isVisibleTo(&dialog) && !workSoon->isActive()) {
+      progress->setValue(0);
+      workSoon->start();
+    }
+    return;
+  }
+  workSoon->stop();
+  progress->setVisible(false);
+  stop->setVisible(false);
+  const bool searching = state.isOpen() && !state.isForceLog() && state.searchedPages() < state.pageCount();
+  work->setText(
+      searching && state.pageCount() > 1
+          ? tr("Searching for graphs: page %1 of %2").arg(state.searchedPages() + 1).arg(state.pageCount())
+          : QString());
+}
+
+void ImportDialog::Impl::showAdvice() {
+  if (state.openFailure())
+    return advice->say(AdviceBar::Tone::fault, adviceFor(*state.openFailure(), state.documentName()));
+  const ImportGraph* graph = state.current();
+  if (!graph) {
+    if (!state.isOpen() || state.isForceLog()) return advice->clear();
+    if (const auto& failure = state.page(state.currentPage()).failure)
+      return advice->say(AdviceBar::Tone::fault, adviceFor(*failure, state.documentName()));
+    if (state.page(state.currentPage()).searched) {
+      const bool elsewhere = !state.graphs().empty();
+      return advice->say(
+          AdviceBar::Tone::note,
+          {elsewhere ? tr("No force graph was found on this page.") : tr("No force graph was found."),
+           tr("If there is one, draw its plot frame on the page or click a dashed rectangle."),
+           {Remedy::frame}});
+    }
+    return advice->clear();
+  }
+  if (graph->last && graph->last->failure && graph->pending == 0)
+    return advice->say(AdviceBar::Tone::fault, adviceFor(*graph->last->failure, state.documentName()));
+  const importer::ImportReport* report = graph->last ? graph->last->report.get() : nullptr;
+  if (report && report->doubt) {
+    if (graph->confirmed) return advice->clear();
+    Advice words = adviceFor(*report->doubt, state.documentName());
+    words.remedy +=
+        ' ' + tr("If the curves lie right on the page, tick “I have checked it against the page”.");
+    return advice->say(AdviceBar::Tone::doubt, words);
+  }
+  if (graph->pending == 0) advice->clear();
+}
+
+void ImportDialog::Impl::showAccept() {
+  const int ticked = state.tickedCount();
+  const ImportGraph* graph = state.current();
+  const bool usable = graph && graph->good && !(graph->last && graph->last->failure) &&
+                      (!graph->good->report->doubt || graph->confirmed);
+  accept->setText(ticked > 0 ? tr("&Import %n graph(s)", nullptr, ticked) : tr("&Import"));
+  accept->setEnabled(ticked > 0 || usable);
+  accept->setToolTip(ticked > 0 ? tr("Import the ticked graphs, each as a button of its own")
+                                : tr("Import this graph as a button"));
+}
+
+void ImportDialog::Impl::follow(Remedy remedy) {
+  switch (remedy) {
+    case Remedy::frame:
+      return view->setTool(ToolKind::drawFrame);
+    case Remedy::xAxis:
+      return findings->focusField(GraphAxis::x);
+    case Remedy::yAxis:
+      return findings->focusField(GraphAxis::y);
+    case Remedy::xUnit:
+      return findings->focusUnit(GraphAxis::x);
+    case Remedy::yUnit:
+      return findings->focusUnit(GraphAxis::y);
+    case Remedy::pressColor:
+      return view->setTool(ToolKind::pressColor);
+    case Remedy::releaseColor:
+      return view->setTool(ToolKind::releaseColor);
+    case Remedy::mask:
+      return view->setTool(ToolKind::maskBrush);
+    case Remedy::dpi:
+      return findings->focusDpi();
+    case Remedy::swap: {
+      if (!state.current()) return;
+      Corrections next = state.current()->history.now();
+      next.swapStrokes = !next.swapStrokes;
+      return state.apply(next, tr("Exchange strokes"));
+    }
+  }
+}
+
+void ImportDialog::Impl::chooseFile() {
+  auto* chooser = new QFileDialog(&dialog, tr("Open a datasheet or a force meter's log"));
+  chooser->setAttribute(Qt::WA_DeleteOnClose);
+  chooser->setFileMode(QFileDialog::ExistingFile);
+  chooser->setNameFilters(
+      {tr("Datasheets and logs (*.pdf *.svg *.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp *.csv)"),
+       tr("All files (*)")});
+  QObject::connect(chooser, &QFileDialog::fileSelected, &dialog, &ImportDialog::openFile);
+  chooser->open();
+}
+
+void ImportDialog::Impl::paste() {
+  const QMimeData* mime = QApplication::clipboard()->mimeData();
+  if (mime && mime->hasUrls() && !mime->urls().isEmpty() && mime->urls().front().isLocalFile()) {
+    dialog.openFile(mime->urls().front().toLocalFile());
+  } else if (mime && mime->hasImage()) {
+    dialog.openPicture(qvariant_cast<QImage>(mime->imageData()));
+  } else {
+    hint->setText(
+        tr("There is no picture on the clipboard. Copy one, for instance with the snipping tool of your "
+           "system."));
+  }
+}
+
+ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
+    : QDialog(parent), impl_(std::make_unique<Impl>(*this, settings)) {
+  setObjectName(QStringLiteral("importDialog"));
+  setWindowFlag(Qt::WindowMaximizeButtonHint);
+  setAcceptDrops(true);
+  resize(1280, 820);
+  impl_->build();
+  impl_->connectState();
+  impl_->showDocument();
+}
+
+/// Widgets go before the state they look at.
+ImportDialog::~ImportDialog() { qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)); }
 
 void ImportDialog::openFile(const QString& path) { impl_->state.openFile(path); }
 void ImportDialog::openPicture(const QImage& picture) { impl_->state.openPicture(picture); }
 
 void ImportDialog::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls() || event->mimeData()->hasImage()) event->acceptProposedAction();
+  const QMimeData* mime = event->mimeData();
+  const bool file = mime->hasUrls() && !mime->urls().isEmpty() && mime->urls().front().isLocalFile();
+  if (file || mime->hasImage()) event->acceptProposedAction();
 }
 
 void ImportDialog::dropEvent(QDropEvent* event) {
   const QMimeData* mime = event->mimeData();
-  if (mime->hasUrls() && !mime->urls().isEmpty()) {
+  if (mime->hasUrls() && !mime->urls().isEmpty() && mime->urls().front().isLocalFile()) {
     openFile(mime->urls().front().toLocalFile());
   } else if (mime->hasImage()) {
     openPicture(qvariant_cast<QImage>(mime->imageData()));
   }
 }
 
-void ImportDialog::keyPressEvent(QKeyEvent* event) { QDialog::keyPressEvent(event); }
+void ImportDialog::keyPressEvent(QKeyEvent* event) {
+  if (event->matches(QKeySequence::Paste)) return impl_->paste();
+  QDialog::keyPressEvent(event);
+}
 
 }  // namespace detent::editor

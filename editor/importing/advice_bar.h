@@ -1,0 +1,37 @@
+#pragma once
+// What went wrong and what to do about it, above the page, with the corrections that help as buttons.
+
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QList>
+#include <QPushButton>
+
+#include "editor/importing/failure_words.h"
+
+namespace detent::editor {
+
+class AdviceBar : public QFrame {
+  Q_OBJECT
+
+ public:
+  enum class Tone { note, doubt, fault };
+
+  explicit AdviceBar(QWidget* parent = nullptr);
+
+  /// Nothing changes if it says this already.
+  void say(Tone tone, const Advice& advice);
+  void clear();
+  QString text() const { return words_->text(); }
+
+ signals:
+  void remedyChosen(Remedy remedy);
+
+ private:
+  QLabel *mark_, *words_;
+  QHBoxLayout* buttons_;
+  Tone tone_ = Tone::note;
+  QString said_;
+};
+
+}  // namespace detent::editor

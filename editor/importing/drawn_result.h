@@ -1,0 +1,44 @@
+#pragma once
+// A result in page units, ready to be drawn over the page.
+
+#include <optional>
+#include <QPolygonF>
+#include <QString>
+#include <vector>
+
+#include "editor/importing/import_queries.h"
+
+namespace detent::editor {
+
+/// A tick as found: where it stands and what was read there.
+struct DrawnTick {
+  importer::Point at;  ///< page units, on the axis
+  double value = 0;
+  QString text;      ///< as read; may be empty
+  bool used = true;  ///< false: disagreed with the others
+};
+
+/// A point with a name: tactile point, operating or reset point.
+struct DrawnMark {
+  enum class Kind { tactile, operating, reset } kind = Kind::tactile;
+  Stroke stroke = Stroke::press;
+  QPointF at;  ///< page units
+  CurvePoint value;
+};
+
+struct DrawnStroke {
+  QPolygonF fit, traced;
+};
+
+/// Everything of one answer in page units. Empty parts: it did not come so far.
+struct DrawnResult {
+  std::vector<DrawnTick> xTicks, yTicks;
+  std::vector<QPointF> xLines, yLines;  ///< feet of gridlines and ticks on the axes, to cling to
+  std::optional<DrawnStroke> press, release;
+  std::vector<QPolygonF> traces;  ///< curves as traced, if no strokes came of them
+  std::vector<DrawnMark> marks;
+};
+
+DrawnResult drawnFrom(const ImportedGraph& imported);
+
+}  // namespace detent::editor

@@ -1,0 +1,171 @@
+#include "editor/importing/findings_painting.h"
+
+#include <cmath>
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLocale>
+
+namespace detent::editor {
+namespace {
+
+// Pages are light whatever the window is: the colours for light ground serve both.
+const GraphColors& ink() {
+  static const GraphColors colors = graphColors(false);
+  return colors;
+}
+
+QString tr(const char* text) { return QCoreApplication::translate("detent::editor::PageView", text); }
+
+QString shortNumber(double value) { return QLocale().toString(value, 'g', 4); }
+
+QPointF toWidget(const FindingsPicture& picture, importer::Point p) {
+  return picture.pageToWidget.map(QPointF(p.x, p.y));
+}
+
+/// White below, colour above: seen on ink and on paper.
+void haloed(QPainter& painter, const QPolygonF& line, const QPen& pen) {
+  QPen halo(QColor(255, 255, 255, 170), pen.widthF() + 2);
+  painter.setPen(halo);
+  painter.drawPolyline(line);
+  painter.setPen(pen);
+  painter.drawPolyline(line);
+}
+
+void paintMasks(QPainter& painter, const FindingsPicture& picture) {
+  painter.setPen(QPen(ink().refused, 1));
+  QBrush hatch(ink().refused, Qt::BDiagPattern);
+  painter.setBrush(hatch);
+  for (const auto& mask : picture.given.masks)
+    painter.drawRect(
+        picture.pageToWidget.mapRect(QRectF(QPointF(mask.x0, mask.y0), QPointF(mask.x1, mask.y1))));
+}
+
+void paintFrame(QPainter& painter, const FindingsPicture& picture) {
+  QPolygonF outline;
+  for (const auto& corner : *picture.corners) outline << toWidget(picture, corner);
+  outline << outline.front();
+  painter.setBrush(Qt::NoBrush);
+  haloed(painter, outline, QPen(ink().operatingPoint, picture.given.frame ? 2 : 1.2));
+}
+
+/// Unit vector in the widget from the axis outwards.
+QPointF outwards(GraphAxis axis, const FindingsPicture& picture) {
+  const auto& c = *picture.corners;
+  const QPointF from = toWidget(picture, axis == GraphAxis::x ? c[0] : c[2]), to = toWidget(picture, c[3]);
+  const QPointF d = to - from;
+  const double length = std::hypot(d.x(), d.y());
+  return length > 0 ? d / length : QPointF(0, 1);
+}
+
+void paintTick(QPainter& painter, GraphAxis axis, const FindingsPicture& picture, QPointF at,
+               const QString& text, const QColor& color, bool given) {
+  const QPointF out = outwards(axis, picture);
+  painter.setPen(QPen(QColor(255, 255, 255, 190), given ? 5 : 3.5));
+  painter.drawLine(at - 6 * out, at + 6 * out);
+  painter.setPen(QPen(color, given ? 2.6 : 1.4));
+  painter.drawLine(at - 6 * out, at + 6 * out);
+  const QSizeF size = QFontMetricsF(painter.font()).size(0, text);
+  // Inside the frame, where the page's own labels are not.
+  const QPointF middle = at - out * (axis == GraphAxis::x ? 16 : 12 + 0.5 * size.width());
+  paintPlate(painter, middle - QPointF(0.5 * size.width(), 0), text, color);
+}
+
+void paintTicks(QPainter& painter, GraphAxis axis, const FindingsPicture& picture) {
+  const auto& found = axis == GraphAxis::x ? picture.drawn.xTicks : picture.drawn.yTicks;
+  const auto& given = picture.given.axis(axis).ticks;
+  const QColor used("#8a3a86"), unused("#8d949d");
+  for (const DrawnTick& tick : found) {
+    const bool isGiven = std::any_of(given.begin(), given.end(), [&](const AxisTick& t) {
+      const QPointF d = toWidget(picture, t.at) - toWidget(picture, tick.at);
+      return std::hypot(d.x(), d.y()) < 3;
+    });
+    if (isGiven) continue;
+    paintTick(painter, axis, picture, toWidget(picture, tick.at),
+              tick.used ? shortNumber(tick.value) : QStringLiteral("(%1)").arg(shortNumber(tick.value)),
+              tick.used ? used : unused, false);
+  }
+  for (const AxisTick& tick : given)
+    paintTick(painter, axis, picture, toWidget(picture, tick.at), shortNumber(tick.value), ink().release,
+              true);
+}
+
+void paintStroke(QPainter& painter, const FindingsPicture& picture, const DrawnStroke& stroke,
+                 const QColor& color, bool dashed) {
+  painter.setBrush(Qt::NoBrush);
+  const QPolygonF traced = picture.pageToWidget.map(stroke.traced),
+                  fit = picture.pageToWidget.map(stroke.fit);
+  painter.setPen(QPen(QColor(60, 60, 60, 150), 1));
+  painter.drawPolyline(traced);
+  QColor shown = color;
+  if (picture.stale) shown.setAlpha(110);
+  QPen pen(shown, 2);
+  if (dashed) pen.setDashPattern({6, 3});
+  haloed(painter, fit, pen);
+}
+
+QString nameOf(const DrawnMark& mark) {
+  switch (mark.kind) {
+    case DrawnMark::Kind::tactile:
+      return {};
+    case DrawnMark::Kind::operating:
+      return tr("operating point") + ' ';
+    case DrawnMark::Kind::reset:
+      return tr("reset point") + ' ';
+  }
+  return {};
+}
+
+void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMark& mark) {
+  const QPointF at = picture.pageToWidget.map(mark.at);
+  const QColor color = mark.kind == DrawnMark::Kind::tactile
+                           ? (mark.stroke == Stroke::press ? ink().press : ink().release)
+                       : mark.kind == DrawnMark::Kind::operating ? ink().operatingPoint
+                                                                 : ink().resetPoint;
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(QPen(Qt::white, 4));
+  painter.drawEllipse(at, 6, 6);
+  painter.setPen(QPen(color, 2));
+  painter.drawEllipse(at, 6, 6);
+  const DisplayUnits& u = picture.units;
+  const QString text =
+      nameOf(mark) + tr("%1 %2, %3 %4")
+                         .arg(QLocale().toString(u.lengthFrom(mark.value.displacement_mm), 'g', 4),
+                              u.lengthSymbol(), QLocale().toString(u.forceFrom(mark.value.force_N), 'g', 4),
+                              u.forceSymbol());
+  paintPlate(painter, at + QPointF(12, mark.stroke == Stroke::press ? -14 : 16), text, color);
+}
+
+}  // namespace
+
+void paintPlate(QPainter& painter, QPointF at, const QString& text, const QColor& color) {
+  const QFontMetricsF metrics(painter.font());
+  const QSizeF size = metrics.size(0, text);
+  const QRectF plate(at.x() - 3, at.y() - 0.5 * size.height() - 1, size.width() + 6, size.height() + 2);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(255, 255, 255, 225));
+  painter.drawRoundedRect(plate, 3, 3);
+  painter.setPen(color);
+  painter.drawText(plate, Qt::AlignCenter, text);
+}
+
+void paintFindings(QPainter& painter, const FindingsPicture& picture) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont font = painter.font();
+  font.setPointSizeF(std::max(7.0, 0.85 * font.pointSizeF()));
+  painter.setFont(font);
+  paintMasks(painter, picture);
+  painter.setPen(QPen(ink().refused, 1.5));
+  for (const QPolygonF& trace : picture.drawn.traces) painter.drawPolyline(picture.pageToWidget.map(trace));
+  if (picture.drawn.release) paintStroke(painter, picture, *picture.drawn.release, ink().release, true);
+  if (picture.drawn.press) paintStroke(painter, picture, *picture.drawn.press, ink().press, false);
+  if (picture.corners) {
+    paintFrame(painter, picture);
+    paintTicks(painter, GraphAxis::x, picture);
+    paintTicks(painter, GraphAxis::y, picture);
+  }
+  for (const DrawnMark& mark : picture.drawn.marks) paintMark(painter, picture, mark);
+  painter.restore();
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,34 @@
+#pragma once
+// Pages and their graphs as thumbnails, in reading order; a tick chooses graphs to be imported together.
+
+#include <QListView>
+
+#include "editor/importing/import_state.h"
+
+namespace detent::editor {
+
+class PageListModel;
+
+/// Pages come first as blanks and fill as they are read; what is in sight is read first.
+class PageList : public QListView {
+  Q_OBJECT
+
+ public:
+  /// `state` must outlive it.
+  explicit PageList(ImportState& state, QWidget* parent = nullptr);
+
+ protected:
+  void scrollContentsBy(int dx, int dy) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void currentChanged(const QModelIndex& current, const QModelIndex& previous) override;
+
+ private:
+  void followState();
+  void reportVisible();
+
+  ImportState& state_;
+  PageListModel* model_;
+  bool following_ = false;  ///< the selection is set from the state, not by a hand
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,47 @@
+#pragma once
+// Mouse and keys on the page, one small class per tool. A tool sees the view it works on and nothing else;
+// what it decides goes to ImportState as one step.
+
+#include <memory>
+#include <QCursor>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "editor/importing/page_view.h"
+
+namespace detent::editor {
+
+/// Events answer whether they were handled; unhandled ones are the view's. An unfinished action is dropped by
+/// `cancel`.
+class PageTool {
+ public:
+  explicit PageTool(PageView& view) : view_(view) {}
+  virtual ~PageTool() = default;
+  PageTool(const PageTool&) = delete;
+  PageTool& operator=(const PageTool&) = delete;
+
+  virtual bool press(const QMouseEvent& event) = 0;
+  virtual bool move(const QMouseEvent& event) = 0;
+  virtual bool release(const QMouseEvent& event) = 0;
+  virtual bool doubleClick(const QMouseEvent&) { return false; }
+  virtual bool key(const QKeyEvent&) { return false; }
+  /// Tab walks through what the tool can work on; false at the end.
+  virtual bool walk(bool forward) {
+    Q_UNUSED(forward);
+    return false;
+  }
+  virtual bool busy() const { return false; }
+  virtual void cancel() {}
+  virtual void paint(QPainter&) const {}
+  virtual QCursor cursor(QPointF widget) const = 0;
+  /// What the tool does, one sentence.
+  virtual QString hint() const = 0;
+
+ protected:
+  PageView& view_;
+};
+
+std::unique_ptr<PageTool> makeTool(ToolKind kind, PageView& view);
+
+}  // namespace detent::editor

@@ -1,0 +1,363 @@
+// The tools with one gesture each: set a value, draw a frame, pick a colour, paint a mask, drag the page.
+
+#include <algorithm>
+#include <cmath>
+#include <QCoreApplication>
+
+#include "editor/importing/adjust_tool.h"
+#include "editor/importing/page_tool.h"
+
+namespace detent::editor {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("detent::editor::PageTool", text); }
+
+double distance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
+
+importer::Rgb rgbOf(const QColor& c) {
+  return {static_cast<std::uint8_t>(c.red()), static_cast<std::uint8_t>(c.green()),
+          static_cast<std::uint8_t>(c.blue())};
+}
+
+importer::Box boxOf(importer::Point a, importer::Point b) {
+  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
+}
+
+/// Click a place of an axis, type the value that stands there. Clings to ticks and gridlines.
+class ScaleTool : public PageTool {
+ public:
+  using PageTool::PageTool;
+  bool press(const QMouseEvent& event) override {
+    if (event.button() != Qt::LeftButton) return false;
+    const auto target = targetAt(event.position());
+    if (!target) return false;
+    view_.askValue(target->axis, target->at, {});
+    return true;
+  }
+  bool move(const QMouseEvent& event) override {
+    target_ = targetAt(event.position());
+    view_.setMagnifier(target_ ? std::optional(event.position()) : std::nullopt);
+    view_.update();
+    return true;
+  }
+  bool release(const QMouseEvent&) override { return true; }
+  void cancel() override {
+    target_.reset();
+    view_.setMagnifier({});
+  }
+  void paint(QPainter& painter) const override {
+    if (!target_) return;
+    const QPointF at = view_.toWidget(target_->at);
+    painter.setPen(QPen(view_.colors().refused, 2));
+    const auto corners = view_.shownCorners();
+    if (corners) painter.drawLine(at, view_.toWidget(acrossFrom(*corners)));
+    painter.drawEllipse(at, 6, 6);
+  }
+  QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
+  QString hint() const override {
+    return tr("Click a tick of an axis and type the value that stands there; two per axis settle it.");
+  }
+
+ private:
+  struct Target {
+    GraphAxis axis = GraphAxis::x;
+    importer::Point at;
+  };
+
+  /// The other end of the gridline through the target.
+  importer::Point acrossFrom(const FrameCorners& c) const {
+    const double share = shareAlong(target_->axis, c, target_->at).value_or(0);
+    const auto between = [share](importer::Point a, importer::Point b) {
+      return importer::Point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
+    };
+    return target_->axis == GraphAxis::x ? between(c[0], c[1]) : between(c[2], c[1]);
+  }
+
+  std::optional<Target> targetAt(QPointF widget) const {
+    const auto corners = view_.shownCorners();
+    if (!corners) return {};
+    const auto foot = [&](GraphAxis axis) -> std::optional<importer::Point> {
+      const auto share = shareAlong(axis, *corners, view_.toPage(widget));
+      if (!share) return {};
+      return placeAlong(axis, *corners, *share);
+    };
+    const auto x = foot(GraphAxis::x), y = foot(GraphAxis::y);
+    if (!x || !y) return {};
+    const bool nearX = distance(widget, view_.toWidget(*x)) <= distance(widget, view_.toWidget(*y));
+    Target target{nearX ? GraphAxis::x : GraphAxis::y, nearX ? *x : *y};
+    constexpr double clings_px = 8;
+    double best = clings_px;
+    for (const QPointF& line : nearX ? view_.drawn().xLines : view_.drawn().yLines) {
+      const double d = distance(view_.toWidget(target.at), view_.pageToWidget().map(line));
+      if (d < best) best = d, target.at = {line.x(), line.y()};
+    }
+    return target;
+  }
+
+  std::optional<Target> target_;
+};
+
+/// A rectangle from corner to corner; what it means is the subclass'.
+class RectangleTool : public PageTool {
+ public:
+  using PageTool::PageTool;
+  bool press(const QMouseEvent& event) override {
+    if (event.button() != Qt::LeftButton) return false;
+    from_ = to_ = view_.onPage(view_.toPage(event.position()));
+    return true;
+  }
+  bool move(const QMouseEvent& event) override {
+    if (!from_) return false;
+    to_ = view_.onPage(view_.toPage(event.position()));
+    view_.setMagnifier(event.position());
+    view_.update();
+    return true;
+  }
+  bool release(const QMouseEvent&) override {
+    if (!from_) return false;
+    const importer::Box box = boxOf(*from_, to_);
+    const QRectF seen = QRectF(view_.toWidget(*from_), view_.toWidget(to_)).normalized();
+    cancel();
+    constexpr double least_px = 4;
+    if (seen.width() >= least_px && seen.height() >= least_px) take(box);
+    return true;
+  }
+  bool busy() const override { return from_.has_value(); }
+  void cancel() override {
+    from_.reset();
+    view_.setMagnifier({});
+    view_.update();
+  }
+  void paint(QPainter& painter) const override {
+    if (!from_) return;
+    painter.setPen(QPen(view_.colors().refused, 1.5, Qt::DashLine));
+    painter.setBrush(QColor(213, 94, 0, 40));
+    painter.drawRect(QRectF(view_.toWidget(*from_), view_.toWidget(to_)).normalized());
+  }
+  QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
+
+ protected:
+  virtual void take(const importer::Box& box) = 0;
+
+ private:
+  std::optional<importer::Point> from_;
+  importer::Point to_;
+};
+
+class MaskBoxTool : public RectangleTool {
+ public:
+  using RectangleTool::RectangleTool;
+  QString hint() const override {
+    return tr("Drag a rectangle over what is no curve: texts, arrows, stamps.");
+  }
+
+ private:
+  void take(const importer::Box& box) override {
+    if (!view_.state().current()) return;
+    Corrections next = view_.shown();
+    next.masks.push_back(box);
+    view_.state().apply(next, tr("Mask rectangle"));
+  }
+};
+
+class DrawFrameTool : public RectangleTool {
+ public:
+  using RectangleTool::RectangleTool;
+  QString hint() const override {
+    return tr(
+        "Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn.");
+  }
+
+ private:
+  void take(const importer::Box& box) override {
+    const FrameCorners frame{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}};
+    if (view_.state().current()) {
+      Corrections next = view_.shown();
+      next.frame = frame;
+      view_.state().apply(next, tr("Draw plot frame"));
+    } else {
+      view_.state().addGraph(frame);
+    }
+    view_.setTool(ToolKind::adjust);
+  }
+};
+
+/// A round brush would only be approximated by the boxes that masks are: it is square.
+class MaskBrushTool : public PageTool {
+ public:
+  using PageTool::PageTool;
+  bool press(const QMouseEvent& event) override {
+    if (event.button() != Qt::LeftButton || !view_.state().current()) return false;
+    before_ = view_.shown();
+    painted_.clear();
+    dab(event.position());
+    return true;
+  }
+  bool move(const QMouseEvent& event) override {
+    at_ = event.position();
+    view_.update();
+    if (!before_) return false;
+    const double spacing = 0.5 * side_px;
+    while (distance(last_, event.position()) >= spacing) {
+      const QPointF d = event.position() - last_;
+      dab(last_ + d * (spacing / distance(last_, event.position())));
+    }
+    return true;
+  }
+  bool release(const QMouseEvent&) override {
+    if (!before_) return false;
+    const Corrections next = painted();
+    before_.reset();
+    view_.setPreview({});
+    view_.state().apply(next, tr("Paint mask"));
+    return true;
+  }
+  bool key(const QKeyEvent& event) override {
+    if (event.key() == Qt::Key_BracketLeft)
+      side_px = std::max(4.0, side_px / 1.25);
+    else if (event.key() == Qt::Key_BracketRight)
+      side_px = std::min(120.0, side_px * 1.25);
+    else
+      return false;
+    view_.update();
+    return true;
+  }
+  bool busy() const override { return before_.has_value(); }
+  void cancel() override {
+    before_.reset();
+    view_.setPreview({});
+  }
+  void paint(QPainter& painter) const override {
+    painter.setPen(QPen(view_.colors().refused, 1.5));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(at_ - QPointF(side_px / 2, side_px / 2), QSizeF(side_px, side_px)));
+  }
+  QCursor cursor(QPointF) const override { return Qt::BlankCursor; }
+  QString hint() const override {
+    return tr("Paint over what is no curve. [ and ] change the size of the brush.");
+  }
+
+ private:
+  Corrections painted() const {
+    Corrections next = *before_;
+    next.masks.insert(next.masks.end(), painted_.begin(), painted_.end());
+    return next;
+  }
+  void dab(QPointF at) {
+    last_ = at;
+    const QPointF half(side_px / 2, side_px / 2);
+    painted_.push_back(boxOf(view_.toPage(at - half), view_.toPage(at + half)));
+    view_.setPreview(painted());
+  }
+
+  double side_px = 22;
+  std::optional<Corrections> before_;
+  std::vector<importer::Box> painted_;
+  QPointF last_, at_;
+};
+
+class PipetteTool : public PageTool {
+ public:
+  PipetteTool(PageView& view, Stroke stroke) : PageTool(view), stroke_(stroke) {}
+  bool press(const QMouseEvent& event) override { return event.button() == Qt::LeftButton; }
+  bool move(const QMouseEvent& event) override {
+    at_ = event.position();
+    view_.setMagnifier(at_);
+    view_.update();
+    return true;
+  }
+  bool release(const QMouseEvent& event) override {
+    const auto color = view_.inkAt(event.position());
+    if (!color || !view_.state().current()) return false;
+    Corrections next = view_.shown();
+    (stroke_ == Stroke::press ? next.pressColor : next.releaseColor) = rgbOf(*color);
+    view_.setTool(ToolKind::adjust);
+    view_.state().apply(next, stroke_ == Stroke::press ? tr("Pick press curve") : tr("Pick release curve"));
+    return true;
+  }
+  void cancel() override { view_.setMagnifier({}); }
+  void paint(QPainter& painter) const override {
+    const auto color = at_.isNull() ? std::nullopt : view_.inkAt(at_);
+    if (!color) return;
+    painter.setPen(QPen(Qt::white, 3));
+    painter.setBrush(*color);
+    painter.drawRect(QRectF(at_ + QPointF(14, -34), QSizeF(22, 22)));
+    painter.setPen(QPen(Qt::black, 1));
+    painter.drawRect(QRectF(at_ + QPointF(14, -34), QSizeF(22, 22)));
+  }
+  QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
+  QString hint() const override {
+    return stroke_ == Stroke::press ? tr("Click the press curve.") : tr("Click the release curve.");
+  }
+
+ private:
+  Stroke stroke_;
+  QPointF at_;
+};
+
+class PanTool : public PageTool {
+ public:
+  using PageTool::PageTool;
+  bool press(const QMouseEvent& event) override {
+    if (event.button() != Qt::LeftButton) return false;
+    from_ = event.position();
+    return true;
+  }
+  bool move(const QMouseEvent& event) override {
+    if (!from_) return false;
+    view_.panBy(event.position() - *from_);
+    from_ = event.position();
+    return true;
+  }
+  bool release(const QMouseEvent&) override {
+    from_.reset();
+    return true;
+  }
+  bool key(const QKeyEvent& event) override {
+    constexpr double step = 40;
+    if (event.key() == Qt::Key_Left)
+      view_.panBy({step, 0});
+    else if (event.key() == Qt::Key_Right)
+      view_.panBy({-step, 0});
+    else if (event.key() == Qt::Key_Up)
+      view_.panBy({0, step});
+    else if (event.key() == Qt::Key_Down)
+      view_.panBy({0, -step});
+    else
+      return false;
+    return true;
+  }
+  QCursor cursor(QPointF) const override { return from_ ? Qt::ClosedHandCursor : Qt::OpenHandCursor; }
+  QString hint() const override {
+    return tr("Drag the page. Everywhere else: with the middle button, or Space and drag.");
+  }
+
+ private:
+  std::optional<QPointF> from_;
+};
+
+}  // namespace
+
+std::unique_ptr<PageTool> makeTool(ToolKind kind, PageView& view) {
+  switch (kind) {
+    case ToolKind::adjust:
+      return std::make_unique<AdjustTool>(view);
+    case ToolKind::scale:
+      return std::make_unique<ScaleTool>(view);
+    case ToolKind::drawFrame:
+      return std::make_unique<DrawFrameTool>(view);
+    case ToolKind::pressColor:
+      return std::make_unique<PipetteTool>(view, Stroke::press);
+    case ToolKind::releaseColor:
+      return std::make_unique<PipetteTool>(view, Stroke::release);
+    case ToolKind::maskBox:
+      return std::make_unique<MaskBoxTool>(view);
+    case ToolKind::maskBrush:
+      return std::make_unique<MaskBrushTool>(view);
+    case ToolKind::pan:
+      return std::make_unique<PanTool>(view);
+  }
+  return nullptr;
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,542 @@
+#include "editor/importing/page_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QHelpEvent>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPainter>
+#include <QPainterPath>
+#include <QToolTip>
+
+#include "editor/importing/failure_words.h"
+#include "editor/importing/findings_painting.h"
+#include "editor/importing/page_tool.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr double leastZoom = 0.02, mostZoom = 200;  // widget pixels per page unit
+
+std::optional<double> typedNumber(const QString& text) {
+  bool ok = false;
+  double value = QLocale().toDouble(text.trimmed(), &ok);
+  if (!ok) value = QLocale::c().toDouble(QString(text.trimmed()).replace(',', '.'), &ok);
+  if (!ok || !std::isfinite(value)) return {};
+  return value;
+}
+
+QRectF rectOf(const importer::Box& box) { return {QPointF(box.x0, box.y0), QPointF(box.x1, box.y1)}; }
+
+}  // namespace
+
+PageView::PageView(ImportState& state, ViewSettings& settings, QWidget* parent)
+    : QWidget(parent), state_(state), settings_(settings), tool_(makeTool(ToolKind::adjust, *this)) {
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setObjectName(QStringLiteral("pageView"));
+  setAccessibleName(tr("Page with findings"));
+  setAccessibleDescription(tr(
+      "The page with plot frame, axis ticks and curves as found. Tab walks through corners and ticks, arrow "
+      "keys nudge, Enter types a value."));
+  connect(&state_, &ImportState::documentChanged, this, &PageView::takeCurrent);
+  connect(&state_, &ImportState::currentChanged, this, &PageView::takeCurrent);
+  connect(&state_, &ImportState::resultChanged, this, &PageView::takeResult);
+  connect(&state_, &ImportState::correctionsChanged, this, qOverload<>(&QWidget::update));
+  connect(&state_, &ImportState::pageChanged, this, [this](int page) {
+    if (page == state_.currentPage()) takeCurrent();
+  });
+  connect(&settings_, &ViewSettings::changed, this, qOverload<>(&QWidget::update));
+}
+
+PageView::~PageView() = default;
+
+void PageView::setTool(ToolKind kind) {
+  if (tool_->busy()) tool_->cancel();
+  tool_->cancel();
+  preview_.reset(), magnifier_.reset();
+  toolKind_ = kind;
+  tool_ = makeTool(kind, *this);
+  setCursor(tool_->cursor(mapFromGlobal(QCursor::pos())));
+  emit toolChanged(kind);
+  emit hint(tool_->hint());
+  update();
+}
+
+const Corrections& PageView::shown() const {
+  static const Corrections none;
+  if (preview_) return *preview_;
+  return state_.current() ? state_.current()->history.now() : none;
+}
+
+void PageView::setPreview(const std::optional<Corrections>& preview) {
+  preview_ = preview;
+  update();
+}
+
+std::optional<FrameCorners> PageView::shownCorners() const {
+  if (!state_.current()) return {};
+  if (shown().frame) return shown().frame;
+  return state_.current()->corners();
+}
+
+importer::Point PageView::toPage(QPointF widget) const {
+  const QPointF p = pageToWidget_.inverted().map(widget);
+  return {p.x(), p.y()};
+}
+
+importer::Point PageView::onPage(importer::Point page) const {
+  const QRectF bounds = pageBounds();
+  return {std::clamp(page.x, bounds.left(), bounds.right()),
+          std::clamp(page.y, bounds.top(), bounds.bottom())};
+}
+
+GraphColors PageView::colors() const { return graphColors(false); }
+
+QRectF PageView::pageBounds() const {
+  if (state_.sheet()) return state_.sheet()->bounds;
+  if (state_.currentPage() < 1) return {};
+  return state_.page(state_.currentPage()).bounds;
+}
+
+int PageView::quarterTurns() const {
+  const ImportGraph* graph = state_.current();
+  return graph && graph->listed ? graph->listed->quarterTurns : 0;
+}
+
+void PageView::takeResult() {
+  const ImportGraph* graph = state_.current();
+  const auto source =
+      graph ? (graph->last && graph->last->evidence && !graph->good ? graph->last : graph->good) : nullptr;
+  if (source != drawnFrom_ || !source) {
+    drawnFrom_ = source;
+    drawn_ = source ? editor::drawnFrom(*source) : DrawnResult{};
+  }
+  update();
+}
+
+void PageView::takeCurrent() {
+  takeResult();
+  const ImportGraph* graph = state_.current();
+  const std::optional<GraphId> id = graph ? std::optional(graph->id) : std::nullopt;
+  if (state_.currentPage() != fittedPage_ || id != fitted_ || fit_ != Fit::none) {
+    if (state_.currentPage() != fittedPage_ || id != fitted_) fit_ = id ? Fit::graph : Fit::page;
+    if (!pageBounds().isEmpty()) fittedPage_ = state_.currentPage(), fitted_ = id;
+    refit();
+  }
+  update();
+}
+
+void PageView::refit() {
+  if (fit_ == Fit::none) return;
+  const auto corners = shownCorners();
+  if (fit_ == Fit::graph && corners) {
+    QPolygonF outline;
+    for (const auto& c : *corners) outline << QPointF(c.x, c.y);
+    const QRectF frame = outline.boundingRect();
+    const double room = 0.22 * std::max(frame.width(), frame.height());
+    QRectF shownPart = frame.adjusted(-room, -room, room, room);
+    if (!pageBounds().isEmpty()) shownPart &= pageBounds();
+    fitRect(shownPart, 10);
+  } else if (!pageBounds().isEmpty()) {
+    fitRect(pageBounds(), 14);
+  }
+}
+
+void PageView::fitRect(QRectF page, double margin) {
+  if (page.isEmpty()) return;
+  const QTransform turn = QTransform().rotate(90.0 * quarterTurns());
+  const QRectF turned = turn.mapRect(page);
+  const double scale =
+      std::clamp(std::min((width() - 2 * margin) / turned.width(), (height() - 2 * margin) / turned.height()),
+                 leastZoom, mostZoom);
+  const QPointF middle = turned.center() * scale;
+  setTransform(turn * QTransform::fromScale(scale, scale) *
+               QTransform::fromTranslate(0.5 * width() - middle.x(), 0.5 * height() - middle.y()));
+}
+
+void PageView::setTransform(const QTransform& pageToWidget) {
+  pageToWidget_ = pageToWidget;
+  emit zoomChanged();
+  update();
+}
+
+void PageView::fitPage() {
+  fit_ = Fit::page;
+  refit();
+}
+
+void PageView::fitGraph() {
+  fit_ = Fit::graph;
+  refit();
+}
+
+void PageView::zoomBy(double factor) {
+  const QPointF at = QRectF(rect()).center();
+  const double now = std::sqrt(std::abs(pageToWidget_.determinant()));
+  factor = std::clamp(now * factor, leastZoom, mostZoom) / now;
+  fit_ = Fit::none;
+  setTransform(pageToWidget_ * QTransform::fromTranslate(-at.x(), -at.y()) *
+               QTransform::fromScale(factor, factor) * QTransform::fromTranslate(at.x(), at.y()));
+}
+
+void PageView::panBy(QPointF delta) {
+  fit_ = Fit::none;
+  setTransform(pageToWidget_ * QTransform::fromTranslate(delta.x(), delta.y()));
+}
+
+void PageView::setMagnifier(std::optional<QPointF> widget) {
+  magnifier_ = widget;
+  update();
+}
+
+std::optional<QColor> PageView::inkAt(QPointF widget) const {
+  const PagePicture* picture = drawnFrom_ && !drawnFrom_->view.empty() ? &drawnFrom_->view : nullptr;
+  const importer::Point page = toPage(widget);
+  if (!picture || !picture->colorAt({page.x, page.y}))
+    picture = state_.sheet() ? &state_.sheet()->picture : nullptr;
+  if (!picture) return {};
+  constexpr int reach = 3;  // pixels of the picture: a line is easier to hit than its pixel
+  const double step = 1 / picture->pixelsPerUnit();
+  std::vector<QColor> patch;
+  for (int dy = -2 * reach; dy <= 2 * reach; ++dy) {
+    for (int dx = -2 * reach; dx <= 2 * reach; ++dx) {
+      if (const auto color = picture->colorAt({page.x + dx * step, page.y + dy * step}))
+        patch.push_back(*color);
+    }
+  }
+  if (patch.empty()) return {};
+  auto byLightness = patch;
+  std::nth_element(
+      byLightness.begin(), byLightness.begin() + static_cast<std::ptrdiff_t>(byLightness.size() / 2),
+      byLightness.end(), [](const QColor& a, const QColor& b) { return a.lightness() < b.lightness(); });
+  const QColor ground = byLightness[byLightness.size() / 2];
+  const auto contrast = [&ground](const QColor& c) {
+    return std::hypot(c.red() - ground.red(), c.green() - ground.green(), c.blue() - ground.blue());
+  };
+  std::optional<QColor> best;
+  for (int dy = -reach; dy <= reach; ++dy) {
+    for (int dx = -reach; dx <= reach; ++dx) {
+      const auto color = picture->colorAt({page.x + dx * step, page.y + dy * step});
+      if (color && (!best || contrast(*color) > contrast(*best))) best = color;
+    }
+  }
+  return best;
+}
+
+void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces) {
+  auto* editor = new QLineEdit(this);
+  editor->setObjectName(QStringLiteral("tickValue"));
+  editor->setAccessibleName(axis == GraphAxis::x ? tr("Value of the displacement tick")
+                                                 : tr("Value of the force tick"));
+  const ImportGraph* graph = state_.current();
+  const auto evidence = drawnFrom_ ? drawnFrom_->evidence : nullptr;
+  QString unit;
+  if (graph && evidence) {
+    const auto& reading =
+        axis == GraphAxis::x ? evidence->axes.calibration.value.x : evidence->axes.calibration.value.y;
+    unit = QString::fromStdString(reading.unit);
+    if (const auto corners = shownCorners()) {
+      const double share = shareAlong(axis, *corners, at).value_or(0);
+      editor->setText(QLocale().toString(reading.min + share * (reading.max - reading.min), 'g', 4));
+    }
+  }
+  if (replaces) editor->setText(QLocale().toString(shown().axis(axis).ticks[*replaces].value, 'g', 6));
+  editor->setPlaceholderText(unit.isEmpty() ? tr("value") : tr("value in %1").arg(unit));
+  editor->setToolTip(editor->placeholderText());
+  editor->setFixedWidth(96);
+  QPoint place = toWidget(at).toPoint() + (axis == GraphAxis::x ? QPoint(-48, 8) : QPoint(-104, -12));
+  place.setX(std::clamp(place.x(), 2, std::max(2, width() - 100)));
+  place.setY(std::clamp(place.y(), 2, std::max(2, height() - 30)));
+  editor->move(place);
+  editor->selectAll();
+  editor->show();
+  editor->setFocus();
+  connect(editor, &QLineEdit::returnPressed, this, [this, editor, axis, at, replaces] {
+    const auto value = typedNumber(editor->text());
+    if (!value) {
+      emit hint(tr("That is no number. Type a value like 0.5 or 120."));
+      return;
+    }
+    Corrections next = shown();
+    AxisCorrection& correction = next.axis(axis);
+    correction.min.reset(), correction.max.reset();
+    if (replaces && *replaces < correction.ticks.size()) {
+      correction.ticks[*replaces].value = *value;
+    } else {
+      correction.ticks.push_back({at, *value});
+    }
+    editor->hide();
+    setFocus();
+    state_.apply(next, axis == GraphAxis::x ? tr("Set displacement tick") : tr("Set force tick"));
+  });
+  connect(editor, &QLineEdit::editingFinished, editor, &QObject::deleteLater);
+}
+
+// -- painting
+// ------------------------------------------------------------------------------------------------
+
+void PageView::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const bool dark = isDark(palette());
+  painter.fillRect(rect(), dark ? QColor("#2a2e33") : QColor("#c9ced4"));
+  if (pageBounds().isEmpty() || state_.currentPage() < 1) {
+    drawEmpty(painter);
+    return;
+  }
+  drawPage(painter);
+  painter.setRenderHint(QPainter::Antialiasing);
+  drawOtherFrames(painter);
+  const ImportGraph* graph = state_.current();
+  if (graph) {
+    const bool stale = !graph->upToDate(state_.quality()) || hasPreview();
+    paintFindings(painter, {drawn_, shown(), shownCorners(), pageToWidget_, settings_.units(), stale});
+  }
+  tool_->paint(painter);
+  drawMagnifier(painter);
+  if (hasFocus()) {
+    painter.setPen(QPen(palette().color(QPalette::Highlight), 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(QRectF(rect()).adjusted(1, 1, -1, -1));
+  }
+}
+
+void PageView::drawPage(QPainter& painter) const {
+  const QRectF paper = pageToWidget_.mapRect(pageBounds());
+  painter.fillRect(paper.translated(3, 3), QColor(0, 0, 0, 60));
+  painter.fillRect(paper, Qt::white);
+  if (const PageSheet* sheet = state_.sheet()) {
+    sheet->picture.draw(painter, pageToWidget_);
+    // The graph's own view is sharper where a document was rendered for it.
+    const bool sharper = drawnFrom_ && drawnFrom_->graph.page == state_.currentPage() &&
+                         !drawnFrom_->view.empty() &&
+                         drawnFrom_->view.pixelsPerUnit() > 1.2 * sheet->picture.pixelsPerUnit();
+    const double shown = std::sqrt(std::abs(pageToWidget_.determinant())) * devicePixelRatioF();
+    if (sharper && shown > sheet->picture.pixelsPerUnit()) drawnFrom_->view.draw(painter, pageToWidget_);
+  } else if (const QImage& thumbnail = state_.page(state_.currentPage()).thumbnail; !thumbnail.isNull()) {
+    const QTransform toPage = QTransform::fromScale(pageBounds().width() / thumbnail.width(),
+                                                    pageBounds().height() / thumbnail.height()) *
+                              QTransform::fromTranslate(pageBounds().left(), pageBounds().top());
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setTransform(toPage * pageToWidget_, true);
+    painter.drawImage(QPointF(0, 0), thumbnail);
+    painter.restore();
+  }
+  if (state_.current())
+    painter.fillRect(paper, QColor(255, 255, 255, 80));  // pale: what was found must stand out
+}
+
+void PageView::drawEmpty(QPainter& painter) const {
+  const QColor text = palette().color(QPalette::WindowText);
+  if (state_.isOpen() && state_.isForceLog()) return;
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(text, 1.5, Qt::DashLine));
+  painter.setBrush(Qt::NoBrush);
+  const QRectF zone = QRectF(rect()).adjusted(40, 40, -40, -40);
+  if (!state_.isOpen() && !state_.opening()) painter.drawRoundedRect(zone, 12, 12);
+  painter.setPen(text);
+  QFont font = painter.font();
+  font.setPointSizeF(1.2 * font.pointSizeF());
+  painter.setFont(font);
+  const QString words = state_.opening() || state_.isOpen()
+                            ? tr("Opening %1 …").arg(state_.documentName())
+                            : tr("Drop a datasheet or a force meter's log here,\npaste a picture of a graph "
+                                 "(%1),\nor open a file (%2).")
+                                  .arg(QKeySequence(QKeySequence::Paste).toString(QKeySequence::NativeText),
+                                       QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText));
+  painter.drawText(zone, Qt::AlignCenter | Qt::TextWordWrap, words);
+}
+
+void PageView::drawOtherFrames(QPainter& painter) const {
+  painter.setBrush(Qt::NoBrush);
+  for (const GraphId id : state_.graphs()) {
+    const ImportGraph* graph = state_.graph(id);
+    if (id.page != state_.currentPage() || graph == state_.current()) continue;
+    const auto corners = graph->corners();
+    if (!corners) continue;
+    QPolygonF outline;
+    for (const auto& c : *corners) outline << toWidget(c);
+    painter.setPen(QPen(QColor(255, 255, 255, 200), 4));
+    painter.drawPolygon(outline);
+    painter.setPen(QPen(QColor("#00805c"), 2, Qt::DotLine));
+    painter.drawPolygon(outline);
+  }
+  if (state_.current()) return;
+  for (const auto& rejected : state_.page(state_.currentPage()).rejected) {
+    painter.setPen(QPen(QColor("#6b727b"), 1.5, Qt::DashLine));
+    painter.drawRect(pageToWidget_.mapRect(rectOf(rejected.frame)));
+  }
+}
+
+void PageView::drawMagnifier(QPainter& painter) const {
+  if (!magnifier_ || !state_.sheet()) return;
+  constexpr double radius = 64, power = 4;
+  const double side = magnifier_->x() + 2.6 * radius < width() ? 1 : -1,
+               above = magnifier_->y() - 2.6 * radius > 0 ? -1 : 1;
+  const QPointF middle = *magnifier_ + QPointF(side * 1.4 * radius, above * 1.4 * radius);
+  const QTransform enlarged = pageToWidget_ * QTransform::fromTranslate(-magnifier_->x(), -magnifier_->y()) *
+                              QTransform::fromScale(power, power) *
+                              QTransform::fromTranslate(middle.x(), middle.y());
+  QPainterPath glass;
+  glass.addEllipse(middle, radius, radius);
+  painter.save();
+  painter.setClipPath(glass);
+  painter.fillPath(glass, Qt::white);
+  state_.sheet()->picture.draw(painter, enlarged);
+  if (drawnFrom_ && drawnFrom_->graph.page == state_.currentPage() && !drawnFrom_->view.empty())
+    drawnFrom_->view.draw(painter, enlarged);
+  if (const auto corners = shownCorners()) {
+    QPolygonF outline;
+    for (const auto& c : *corners) outline << enlarged.map(QPointF(c.x, c.y));
+    painter.setPen(QPen(QColor("#00805c"), 1));
+    painter.drawPolygon(outline);
+  }
+  painter.setPen(QPen(QColor(200, 16, 46, 200), 1));
+  painter.drawLine(middle - QPointF(10, 0), middle + QPointF(10, 0));
+  painter.drawLine(middle - QPointF(0, 10), middle + QPointF(0, 10));
+  painter.restore();
+  painter.setPen(QPen(QColor("#5b626b"), 2));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(middle, radius, radius);
+}
+
+// -- mouse and keys
+// ------------------------------------------------------------------------------------------
+
+void PageView::resizeEvent(QResizeEvent*) { refit(); }
+
+void PageView::wheelEvent(QWheelEvent* event) {
+  const QPoint pixels = event->pixelDelta();
+  if (!pixels.isNull() && !(event->modifiers() & Qt::ControlModifier)) {
+    panBy(pixels);
+  } else {
+    const QPointF at = event->position();
+    const double now = std::sqrt(std::abs(pageToWidget_.determinant()));
+    const double factor =
+        std::clamp(now * std::pow(1.0015, event->angleDelta().y()), leastZoom, mostZoom) / now;
+    fit_ = Fit::none;
+    setTransform(pageToWidget_ * QTransform::fromTranslate(-at.x(), -at.y()) *
+                 QTransform::fromScale(factor, factor) * QTransform::fromTranslate(at.x(), at.y()));
+  }
+  event->accept();
+}
+
+void PageView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::MiddleButton || (spaceDown_ && event->button() == Qt::LeftButton)) {
+    panFrom_ = event->position();
+    setCursor(Qt::ClosedHandCursor);
+    return;
+  }
+  if (state_.currentPage() < 1 || tool_->press(*event)) return;
+  if (event->button() != Qt::LeftButton) return;
+  if (const auto id = graphAt(event->position())) return state_.selectGraph(*id);
+  if (const auto index = rejectedAt(event->position())) {
+    const auto& box = state_.page(state_.currentPage()).rejected[*index].frame;
+    state_.addGraph({{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}});
+  }
+}
+
+void PageView::mouseMoveEvent(QMouseEvent* event) {
+  if (panFrom_) {
+    panBy(event->position() - *panFrom_);
+    panFrom_ = event->position();
+    return;
+  }
+  tool_->move(*event);
+  const bool overOther = toolKind_ == ToolKind::adjust && !tool_->busy() &&
+                         (graphAt(event->position()) || rejectedAt(event->position()));
+  setCursor(spaceDown_  ? QCursor(Qt::OpenHandCursor)
+            : overOther ? QCursor(Qt::PointingHandCursor)
+                        : tool_->cursor(event->position()));
+}
+
+void PageView::mouseReleaseEvent(QMouseEvent* event) {
+  if (panFrom_) {
+    panFrom_.reset();
+    return;
+  }
+  tool_->release(*event);
+  emit hint(tool_->hint());
+}
+
+void PageView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (!tool_->doubleClick(*event)) mousePressEvent(event);
+}
+
+void PageView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && tool_->busy()) {
+    tool_->cancel();
+    return;
+  }
+  if (event->key() == Qt::Key_Escape && toolKind_ != ToolKind::adjust) return setTool(ToolKind::adjust);
+  if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+    spaceDown_ = true;
+    setCursor(Qt::OpenHandCursor);
+    return;
+  }
+  if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoomBy(1.25);
+  if (event->key() == Qt::Key_Minus) return zoomBy(0.8);
+  if (!tool_->key(*event)) QWidget::keyPressEvent(event);
+}
+
+void PageView::keyReleaseEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
+    spaceDown_ = false;
+    setCursor(tool_->cursor(mapFromGlobal(QCursor::pos())));
+    return;
+  }
+  QWidget::keyReleaseEvent(event);
+}
+
+bool PageView::focusNextPrevChild(bool next) {
+  if (hasFocus() && tool_->walk(next)) {
+    emit hint(tool_->hint());
+    return true;
+  }
+  return QWidget::focusNextPrevChild(next);
+}
+
+std::optional<std::size_t> PageView::rejectedAt(QPointF widget) const {
+  if (state_.currentPage() < 1 || state_.current()) return {};
+  const auto& rejected = state_.page(state_.currentPage()).rejected;
+  for (std::size_t i = 0; i < rejected.size(); ++i) {
+    if (pageToWidget_.mapRect(rectOf(rejected[i].frame)).contains(widget)) return i;
+  }
+  return {};
+}
+
+std::optional<GraphId> PageView::graphAt(QPointF widget) const {
+  const importer::Point page = toPage(widget);
+  for (const GraphId id : state_.graphs()) {
+    const ImportGraph* graph = state_.graph(id);
+    if (id.page != state_.currentPage() || graph == state_.current()) continue;
+    if (const auto corners = graph->corners()) {
+      QPolygonF outline;
+      for (const auto& c : *corners) outline << QPointF(c.x, c.y);
+      if (outline.containsPoint({page.x, page.y}, Qt::OddEvenFill)) return id;
+    }
+  }
+  return {};
+}
+
+bool PageView::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && state_.currentPage() > 0) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    if (const auto id = graphAt(help->pos())) {
+      QToolTip::showText(help->globalPos(), tr("Graph %1: click to import it").arg(id->graph), this);
+    } else if (const auto index = rejectedAt(help->pos())) {
+      const Advice advice =
+          adviceFor(state_.page(state_.currentPage()).rejected[*index].why, state_.documentName());
+      QToolTip::showText(
+          help->globalPos(),
+          tr("Not taken for a force graph: %1 Click to import it by hand.").arg(advice.problem), this);
+    } else {
+      QToolTip::hideText();
+    }
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,110 @@
+#pragma once
+// The page with everything that was found on it, and the tool that corrects it.
+
+#include <memory>
+#include <optional>
+#include <QTransform>
+#include <QWidget>
+
+#include "editor/document/graph_colors.h"
+#include "editor/document/view_settings.h"
+#include "editor/importing/drawn_result.h"
+#include "editor/importing/import_state.h"
+
+namespace detent::editor {
+
+class PageTool;
+enum class ToolKind { adjust, scale, drawFrame, pressColor, releaseColor, maskBox, maskBrush, pan };
+
+/// Draws page, findings and corrections; wheel zooms at the pointer, middle button or space drags the page.
+/// GUI thread.
+class PageView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Both must outlive it.
+  PageView(ImportState& state, ViewSettings& settings, QWidget* parent = nullptr);
+  ~PageView() override;
+
+  ToolKind tool() const { return toolKind_; }
+  void setTool(ToolKind kind);
+
+  void zoomBy(double factor);
+  void fitPage();
+  void fitGraph();
+
+  // -- what tools need --
+  ImportState& state() { return state_; }
+  const ImportState& state() const { return state_; }
+  /// Corrections being dragged, else those in force.
+  const Corrections& shown() const;
+  void setPreview(const std::optional<Corrections>& preview);
+  bool hasPreview() const { return preview_.has_value(); }
+  std::optional<FrameCorners> shownCorners() const;
+  const DrawnResult& drawn() const { return drawn_; }
+  QTransform pageToWidget() const { return pageToWidget_; }
+  QPointF toWidget(importer::Point page) const { return pageToWidget_.map(QPointF(page.x, page.y)); }
+  importer::Point toPage(QPointF widget) const;
+  /// A point kept on the page.
+  importer::Point onPage(importer::Point page) const;
+  GraphColors colors() const;
+  /// Colour of the ink nearest to a place: what differs most from the ground around it.
+  std::optional<QColor> inkAt(QPointF widget) const;
+  void panBy(QPointF widgetDelta);
+  /// Asks for the value at a place of an axis, beside it; given as a step when it is typed.
+  void askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces);
+  /// Where a glass shows the page enlarged; nothing hides it.
+  void setMagnifier(std::optional<QPointF> widget);
+
+ signals:
+  void toolChanged(ToolKind kind);
+  void hint(const QString& text);  ///< what the tool does, and why something was refused
+  void zoomChanged();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void keyReleaseEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+  bool focusNextPrevChild(bool next) override;
+  QSize sizeHint() const override { return {720, 600}; }
+  QSize minimumSizeHint() const override { return {320, 260}; }
+
+ private:
+  enum class Fit { page, graph, none };
+  void takeResult();
+  void takeCurrent();
+  void refit();
+  void fitRect(QRectF page, double margin);
+  void setTransform(const QTransform& pageToWidget);
+  QRectF pageBounds() const;
+  int quarterTurns() const;
+  void drawPage(QPainter& painter) const;
+  void drawEmpty(QPainter& painter) const;
+  void drawOtherFrames(QPainter& painter) const;
+  void drawMagnifier(QPainter& painter) const;
+  std::optional<std::size_t> rejectedAt(QPointF widget) const;
+  std::optional<GraphId> graphAt(QPointF widget) const;
+
+  ImportState& state_;
+  ViewSettings& settings_;
+  std::unique_ptr<PageTool> tool_;
+  ToolKind toolKind_ = ToolKind::adjust;
+  std::optional<Corrections> preview_;
+  DrawnResult drawn_;
+  std::shared_ptr<const ImportedGraph> drawnFrom_;  ///< good result the curves come from
+  QTransform pageToWidget_;
+  Fit fit_ = Fit::graph;
+  std::optional<GraphId> fitted_;
+  int fittedPage_ = 0;
+  std::optional<QPointF> panFrom_, magnifier_;
+  bool spaceDown_ = false;
+};
+
+}  // namespace detent::editor

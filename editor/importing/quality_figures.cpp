@@ -1,0 +1,44 @@
+#include "editor/importing/quality_figures.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace detent::editor {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("detent::editor::ImportDialog", text); }
+
+QString levelName(importer::Quality quality) {
+  switch (quality) {
+    case importer::Quality::draft:
+      return tr("Draft");
+    case importer::Quality::standard:
+      return tr("Standard");
+    case importer::Quality::precise:
+      return tr("Precise");
+  }
+  return {};
+}
+
+}  // namespace
+
+QualityFigures figuresOf(importer::Quality quality) {
+  switch (quality) {
+    case importer::Quality::draft:
+      return {quality, 0.6, 0.08};
+    case importer::Quality::standard:
+      break;
+    case importer::Quality::precise:
+      return {quality, 1.8, 0.07};
+  }
+  return {importer::Quality::standard, 0.87, 0.070};
+}
+
+QString describedQuality(importer::Quality quality) {
+  const QualityFigures figures = figuresOf(quality);
+  return tr("%1 – about %2 s, error %3 % of the axis")
+      .arg(levelName(quality), QLocale().toString(figures.median_s, 'g', 2),
+           QLocale().toString(figures.error_percentOfSpan, 'g', 2));
+}
+
+}  // namespace detent::editor

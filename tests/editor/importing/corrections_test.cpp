@@ -1,0 +1,153 @@
+#include "editor/importing/corrections.h"
+
+#include <catch2/catch.hpp>
+
+#include "editor/importing/failure_words.h"
+#include "editor/importing/quality_figures.h"
+
+using namespace detent;
+using namespace detent::editor;
+
+namespace {
+
+const FrameCorners upright{{{100, 50}, {300, 50}, {300, 250}, {100, 250}}};
+
+}  // namespace
+
+TEST_CASE("A place on an axis has a share of it, whichever way the graph lies") {
+  CHECK(*shareAlong(GraphAxis::x, upright, {150, 250}) == Approx(0.25));
+  CHECK(*shareAlong(GraphAxis::y, upright, {100, 100}) == Approx(0.75));  // up the page
+  // On its side: the graph's top left is the page's top right.
+  const FrameCorners turned{{{300, 50}, {300, 250}, {100, 250}, {100, 50}}};
+  CHECK(*shareAlong(GraphAxis::x, turned, {100, 100}) == Approx(0.25));
+  CHECK(*shareAlong(GraphAxis::y, turned, {150, 50}) == Approx(0.25));
+  const auto back = placeAlong(GraphAxis::x, turned, 0.25);
+  CHECK(back.x == Approx(100));
+  CHECK(back.y == Approx(100));
+}
+
+TEST_CASE("In a leaning frame the middle of an axis is where the perspective has it") {
+  const FrameCorners leaning{{{120, 50}, {280, 50}, {300, 250}, {100, 250}}};
+  const double share = *shareAlong(GraphAxis::y, leaning, {110, 150});
+  CHECK(share < 0.5);  // the upper half is farther away and smaller
+  CHECK(share > 0.3);
+}
+
+TEST_CASE("Two ticks with values define the ends of an axis") {
+  const auto ends = endsFromTicks(GraphAxis::x, upright, {{{140, 250}, 1}, {{260, 250}, 4}}, {});
+  REQUIRE(ends);
+  CHECK(ends->min == Approx(0));
+  CHECK(ends->max == Approx(5));
+}
+
+TEST_CASE("One given tick keeps the farthest found one; more given ones need none") {
+  const std::vector<AxisTick> found{{{100, 250}, 0}, {{200, 250}, 2}, {{300, 250}, 4}};
+  // The label at 200 was misread: it says 3.
+  const auto ends =
+      endsFromTicks(GraphAxis::x, upright, {{{200, 250}, 3}}, {found.begin(), found.begin() + 1});
+  REQUIRE(ends);
+  CHECK(ends->min == Approx(0));
+  CHECK(ends->max == Approx(6));
+  CHECK_FALSE(endsFromTicks(GraphAxis::x, upright, {{{200, 250}, 3}}, {}));
+  CHECK_FALSE(endsFromTicks(GraphAxis::x, upright, {{{200, 250}, 3}, {{200, 250}, 4}}, {}));
+  CHECK_FALSE(endsFromTicks(GraphAxis::x, upright, {{{200, 250}, 3}, {{300, 250}, 3}}, {}));
+}
+
+TEST_CASE("Corrections become the importer's hints; what is not given stays open") {
+  Corrections corrections;
+  CHECK(hintsFrom(corrections, {}) == importer::ImportHints{});
+  corrections.yUnit = ForceUnit::gramForce;
+  corrections.x.max = 4;
+  corrections.y.ticks = {{{100, 250}, 0}, {{100, 150}, 50}};
+  corrections.swapStrokes = true;
+  corrections.pressColor = importer::Rgb{1, 2, 3};
+  corrections.masks = {{1, 2, 3, 4}};
+  const auto hints = hintsFrom(corrections, FoundAxes{upright, {}, {}});
+  CHECK(hints.frame.empty());
+  CHECK_FALSE(hints.axes.xMin);
+  CHECK(hints.axes.xMax == 4);
+  CHECK(*hints.axes.yMin == Approx(0));
+  CHECK(*hints.axes.yMax == Approx(100));
+  CHECK(hints.axes.yUnit == ForceUnit::gramForce);
+  CHECK(hints.strokes.swap);
+  CHECK(hints.trace.pressColor == importer::Rgb{1, 2, 3});
+  CHECK(hints.trace.masks_px.size() == 1);
+  // A moved frame: the ticks stay where they are on the page, so the ends change.
+  corrections.frame = FrameCorners{{{100, 150}, {300, 150}, {300, 250}, {100, 250}}};
+  const auto smaller = hintsFrom(corrections, FoundAxes{upright, {}, {}});
+  CHECK(smaller.frame.size() == 4);
+  CHECK(*smaller.axes.yMax == Approx(50));
+}
+
+TEST_CASE("Corrections are undone by value, a run of nudges at once") {
+  CorrectionHistory history;
+  Corrections next;
+  CHECK_FALSE(history.apply(next, "Nothing"));
+  next.xUnit = LengthUnit::inch;
+  CHECK(history.apply(next, "Unit"));
+  const Corrections unit = next;
+  for (const double max : {4.0, 4.1, 4.2}) {
+    next.x.max = max;
+    CHECK(history.apply(next, "Nudge", "nudge"));
+  }
+  CHECK(history.undoLabel() == "Nudge");
+  history.undo();
+  CHECK(history.now() == unit);
+  history.undo();
+  CHECK(history.now() == Corrections{});
+  CHECK_FALSE(history.canUndo());
+  CHECK(history.redoLabel() == "Unit");
+  history.redo();
+  history.redo();
+  CHECK(history.now() == next);
+  history.undo();
+  next = history.now();
+  next.swapStrokes = true;
+  CHECK(history.apply(next, "Swap"));
+  CHECK_FALSE(history.canRedo());
+}
+
+TEST_CASE("What the importer says is put in the words of someone before the page") {
+  const auto none = adviceFor({FailureCode::noForceGraph, "plot frame", "x axis",
+                               "no row of numbers stands along it", "Give its range with --x-axis"},
+                              "a.pdf");
+  CHECK(none.problem == "Plot frame, x axis: no row of numbers stands along it.");
+  CHECK(none.remedies == std::vector{Remedy::xAxis});
+  CHECK_FALSE(none.remedy.contains("--"));
+
+  const auto curves =
+      adviceFor({FailureCode::notCertain, "a.pdf", "graph 1", "the curves are not certain (two)",
+                 "Pass --press-color and --release-color, or --mask over what is no curve"},
+                "a.pdf");
+  CHECK(curves.remedies == std::vector{Remedy::pressColor, Remedy::releaseColor, Remedy::mask});
+  CHECK_FALSE(curves.problem.contains("a.pdf"));
+  CHECK_FALSE(curves.remedy.contains("--"));
+
+  const auto file =
+      adviceFor({FailureCode::unreadableInput, "a.pdf", "", "the PDF is encrypted with a password",
+                 "Save a copy without the password and pass that"},
+                "a.pdf");
+  CHECK(file.remedy == "Save a copy without the password and open that.");
+
+  CHECK(adviceFor({FailureCode::noForceGraph, "a.pdf", "page 1", "no force graph found", ""}, "a.pdf")
+            .remedies == std::vector{Remedy::frame});
+  for (const char* warning :
+       {"no unit found on the x axis: taken as mm; pass --x-unit if it is another",
+        "No unit of force found, gf taken from the size of the numbers; pass --y-unit if that is wrong",
+        "the y axis has no ticks: its scale comes from where its numbers stand"}) {
+    const QString words = warningInWords(warning);
+    INFO(words.toStdString());
+    CHECK_FALSE(words.contains("--"));
+    CHECK_FALSE(words.contains("pass"));
+    CHECK(words.endsWith('.'));
+  }
+}
+
+TEST_CASE("Every quality level says its time and its error") {
+  for (const auto quality :
+       {importer::Quality::draft, importer::Quality::standard, importer::Quality::precise}) {
+    CHECK(figuresOf(quality).quality == quality);
+    CHECK(describedQuality(quality).contains(" s"));
+    CHECK(describedQuality(quality).contains(" %"));
+  }
+}

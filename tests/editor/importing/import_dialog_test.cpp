@@ -1,0 +1,544 @@
+// The import dialogue as its users meet it: sample plots in, corrections by mouse and keyboard, buttons out.
+
+#include "editor/importing/import_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include "editor/importing/advice_bar.h"
+#include "editor/importing/findings_panel.h"
+#include "editor/importing/import_state.h"
+#include "editor/importing/page_list.h"
+#include "editor/importing/page_list_model.h"
+#include "editor/importing/page_view.h"
+#include "tests/editor/importing/stall_probe.h"
+
+using namespace detent;
+using namespace detent::editor;
+using Report = std::shared_ptr<const importer::ImportReport>;
+
+namespace {
+
+constexpr int patience_ms = 60000;  // machines under load, sanitizers
+
+QString sample(const char* name) { return QStringLiteral(DETENT_SOURCE_DIR "/samples/plots/") + name; }
+
+/// Keeps pictures of what the tests saw where DETENT_PICTURES names a folder.
+void keepPicture(QWidget& widget, const QString& name) {
+  const QString folder = qEnvironmentVariable("DETENT_PICTURES");
+  if (!folder.isEmpty()) widget.grab().save(folder + '/' + name + ".png");
+}
+
+bool settled(const ImportState& state) {
+  const ImportGraph* graph = state.current();
+  return !state.opening() && graph && graph->pending == 0 && graph->last;
+}
+
+}  // namespace
+
+class ImportDialogTest : public QObject {
+  Q_OBJECT
+
+  /// Opened, its graph imported, all pages searched.
+  static bool open(ImportState& state, const QString& path) {
+    state.openFile(path);
+    return QTest::qWaitFor([&] { return settled(state) && state.searchedPages() == state.pageCount(); },
+                           patience_ms);
+  }
+  static bool again(ImportState& state) {
+    return QTest::qWaitFor([&] { return settled(state); }, patience_ms);
+  }
+  static const importer::ImportReport& report(const ImportState& state) {
+    return *state.current()->last->report;
+  }
+
+ private slots:
+  void aSampleIsImportedWithoutAWord();
+  void anAxisIsCorrectedAndOnlyWhatDependsOnItRuns();
+  void oneMisreadTickIsRetyped();
+  void unitsArePickedAndGoBackToFound();
+  void aColourIsPickedOnThePage();
+  void aMaskChangesTheTraceAndUndoRestores();
+  void strokesAreExchanged();
+  void qualityKeepsCorrections();
+  void aWorkIsStopped();
+  void staleAnswersAreDropped();
+  void brokenFilesSayWhatToDo_data();
+  void brokenFilesSayWhatToDo();
+  void aFrameDrawnByHandOnAPictureWithoutGraph();
+  void theLastGoodResultStays();
+  void severalGraphsAtOnce();
+  void aForceLog();
+  void aPastedPicture();
+  void theFrameIsDraggedWithTheMouse();
+  void theKeyboardReachesEverything();
+  void theWindowNeverStalls();
+  void closingWhileItWorks();
+};
+
+void ImportDialogTest::aSampleIsImportedWithoutAWord() {
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  auto* accept = dialog.findChild<QPushButton*>("import");
+  QVERIFY(!accept->isEnabled());
+  QSignalSpy imported(&dialog, &ImportDialog::imported), closed(&dialog, &QDialog::accepted);
+  dialog.openFile(sample("two-level-legend.png"));
+  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  QVERIFY(!dialog.findChild<AdviceBar*>()->isVisible());
+  QTest::qWait(50);
+  keepPicture(dialog, "two-level");
+  QTest::mouseClick(accept, Qt::LeftButton);
+  QCOMPARE(imported.count(), 1);
+  QCOMPARE(closed.count(), 1);
+  const auto result = imported.front().front().value<Report>();
+  QVERIFY(std::abs(result->button.states().front().graph.travel_mm() - 3.2) < 0.03);
+  QCOMPARE(result->press.fit.tactilePoints.size(), std::size_t{2});
+}
+
+void ImportDialogTest::anAxisIsCorrectedAndOnlyWhatDependsOnItRuns() {
+  ImportState state;
+  QVERIFY(open(state, sample("white-vector.pdf")));
+  const double travel_mm = report(state).button.states().front().graph.travel_mm();
+  QVERIFY(report(state).seconds.count("trace"));
+  Corrections next = state.current()->history.now();
+  next.x.min = 0, next.x.max = 9;  // twice the truth
+  state.apply(next, "Displacement range");
+  QVERIFY(again(state));
+  QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - 2 * travel_mm) <
+          0.01 * travel_mm);
+  const auto& seconds = report(state).seconds;
+  QVERIFY(seconds.count("axes") && seconds.count("strokes") && seconds.count("fit"));
+  QVERIFY(!seconds.count("locate") && !seconds.count("texts") && !seconds.count("trace"));
+  QVERIFY(!report(state).evidence->axes.calibration.value.x.ticks.empty());  // still shown, though not used
+  state.undo();
+  QVERIFY(again(state));
+  QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - travel_mm) < 1e-9);
+  QVERIFY(!report(state).seconds.count("axes"));  // what was found was kept
+}
+
+void ImportDialogTest::oneMisreadTickIsRetyped() {
+  ViewSettings settings;
+  ImportState state;
+  PageView view(state, settings);
+  view.resize(800, 600);
+  view.show();
+  QVERIFY(open(state, sample("white-vector.pdf")));
+  const auto before = *report(state).x;
+  const auto& ticks = view.drawn().xTicks;
+  QVERIFY(ticks.size() >= 3);
+  const auto last =
+      std::max_element(ticks.begin(), ticks.end(), [](auto& a, auto& b) { return a.at.x < b.at.x; });
+  const double value = last->value;
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, view.toWidget(last->at).toPoint());
+  auto* editor = view.findChild<QLineEdit*>("tickValue");
+  QVERIFY(editor);
+  QCOMPARE(editor->text().toDouble(), value);
+  editor->setText("nonsense");
+  QTest::keyClick(editor, Qt::Key_Return);
+  QVERIFY(!state.working());
+  editor->setText(QString::number(2 * value));
+  QTest::keyClick(editor, Qt::Key_Return);
+  QVERIFY(again(state));
+  QVERIFY(std::abs(report(state).x->max - 2 * before.max) < 0.02 * before.max);
+  QVERIFY(std::abs(report(state).x->min - before.min) < 0.01);
+  QCOMPARE(state.current()->history.now().x.ticks.size(), std::size_t{1});
+}
+
+void ImportDialogTest::unitsArePickedAndGoBackToFound() {
+  ViewSettings settings;
+  ImportState state;
+  FindingsPanel panel(state, settings);
+  panel.show();
+  QVERIFY(open(state, sample("brown-one-ink.png")));
+  auto* unit = panel.findChild<QComboBox*>("yUnit");
+  auto* reset = panel.findChild<QToolButton*>("resetYUnit");
+  QCOMPARE(unit->currentText(), QString("cN"));
+  QVERIFY(!reset->isVisibleTo(&panel));
+  const double force_N = report(state).press.fit.tactilePoints.front().point.force_N;
+  unit->setCurrentText("gf");
+  emit unit->activated(unit->currentIndex());
+  QVERIFY(again(state));
+  QVERIFY(std::abs(report(state).press.fit.tactilePoints.front().point.force_N - 0.980665 * force_N) <
+          1e-3 * force_N);
+  QVERIFY(!report(state).seconds.count("trace"));
+  QVERIFY(reset->isVisibleTo(&panel));
+  reset->click();
+  QVERIFY(again(state));
+  QCOMPARE(unit->currentText(), QString("cN"));
+  QCOMPARE(state.current()->history.now(), Corrections{});
+}
+
+void ImportDialogTest::aColourIsPickedOnThePage() {
+  ViewSettings settings;
+  ImportState state;
+  PageView view(state, settings);
+  view.resize(900, 700);
+  view.show();
+  QVERIFY(open(state, sample("two-level-legend.png")));
+  QVERIFY(QTest::qWaitFor([&] { return state.sheet() != nullptr; }, patience_ms));
+  const auto& traced = view.drawn().release->traced;
+  view.setTool(ToolKind::pressColor);
+  // The release curve is called the press: strokes change their names.
+  const QPoint at = view.pageToWidget().map(traced[traced.size() / 3]).toPoint();
+  QTest::mouseMove(&view, at);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+  QCOMPARE(view.tool(), ToolKind::adjust);
+  const auto color = state.current()->history.now().pressColor;
+  QVERIFY(color);
+  QVERIFY(again(state));
+  QVERIFY(!report(state).seconds.count("locate"));
+  QVERIFY(report(state).seconds.count("trace"));
+}
+
+void ImportDialogTest::aMaskChangesTheTraceAndUndoRestores() {
+  ViewSettings settings;
+  ImportState state;
+  PageView view(state, settings);
+  view.resize(900, 700);
+  view.show();
+  QVERIFY(open(state, sample("two-level-legend.png")));
+  const Report before = state.current()->last->report;
+  view.setTool(ToolKind::maskBox);
+  const QPointF end = view.pageToWidget().map(view.drawn().press->fit.back());
+  const QPoint from = (end - QPointF(40, 20)).toPoint(), to = (end + QPointF(40, 60)).toPoint();
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view, (from + to) / 2);
+  QTest::mouseMove(&view, to);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  QCOMPARE(state.current()->history.now().masks.size(), std::size_t{1});
+  QVERIFY(again(state));
+  QVERIFY(!state.current()->last->report || state.current()->last->report->seconds.count("trace"));
+  QVERIFY(!state.current()->last->report || !state.current()->last->report->seconds.count("locate"));
+  state.undo();
+  QVERIFY(again(state));
+  QCOMPARE(report(state).button.states(), before->button.states());
+}
+
+void ImportDialogTest::strokesAreExchanged() {
+  ImportState state;
+  QVERIFY(open(state, sample("brown-german-comma.png")));
+  const double peak_N = report(state).press.fit.tactilePoints.front().point.force_N;
+  Corrections next = state.current()->history.now();
+  next.swapStrokes = true;
+  state.apply(next, "Exchange strokes");
+  QVERIFY(again(state));
+  QVERIFY(state.current()->last->report);
+  QVERIFY(!report(state).seconds.count("trace"));
+  const auto& points = report(state).press.fit.tactilePoints;
+  QVERIFY(points.empty() || std::abs(points.front().point.force_N - peak_N) > 0.02);
+}
+
+void ImportDialogTest::qualityKeepsCorrections() {
+  ImportState state;
+  QVERIFY(open(state, sample("white-chinese-gf.png")));
+  Corrections next = state.current()->history.now();
+  next.yUnit = ForceUnit::centinewton;
+  state.apply(next, "Force unit");
+  QVERIFY(again(state));
+  state.setQuality(importer::Quality::draft);
+  QVERIFY(again(state));
+  QCOMPARE(report(state).quality, importer::Quality::draft);
+  QCOMPARE(report(state).y->unit, std::string("cN"));
+  QCOMPARE(report(state).y->unitBy, DecidedBy::given);
+}
+
+void ImportDialogTest::aWorkIsStopped() {
+  ImportState state;
+  QVERIFY(open(state, sample("white-chinese-gf.png")));
+  const auto before = state.current()->last;
+  state.setQuality(importer::Quality::precise);
+  QVERIFY(state.working());
+  state.cancel();
+  QVERIFY(!state.working());
+  QTest::qWait(300);
+  QCOMPARE(state.current()->last, before);
+  QVERIFY(!state.current()->upToDate(state.quality()));
+  state.retry();
+  QVERIFY(again(state));
+  QVERIFY(state.current()->upToDate(state.quality()));
+}
+
+void ImportDialogTest::staleAnswersAreDropped() {
+  ImportState state;
+  QVERIFY(open(state, sample("white-vector.pdf")));
+  QSignalSpy results(&state, &ImportState::resultChanged);
+  Corrections next = state.current()->history.now();
+  for (const double max : {5.0, 6.0, 7.0, 8.0}) {
+    next.x.min = 0, next.x.max = max;
+    state.apply(next, "Displacement range");
+  }
+  QVERIFY(again(state));
+  QCOMPARE(report(state).x->max, 8.0);
+  // Another file while the first is at work: nothing of the first comes any more.
+  next.x.max = 9;
+  state.apply(next, "Displacement range");
+  QVERIFY(open(state, sample("brown-one-ink.png")));
+  QCOMPARE(state.documentName(), QString("brown-one-ink.png"));
+  QVERIFY(std::abs(report(state).x->max - 4) < 0.01);
+}
+
+void ImportDialogTest::brokenFilesSayWhatToDo_data() {
+  QTest::addColumn<QByteArray>("bytes");
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("says");
+  QTest::newRow("empty") << QByteArray() << "empty.png"
+                         << "empty";
+  QTest::newRow("text") << QByteArray("hello") << "a.pdf"
+                        << "plain text";
+  QTest::newRow("truncated") << QByteArray("%PDF-1.7\n1 0 obj\n<<") << "cut.pdf"
+                             << "truncated";
+  QTest::newRow("missing") << QByteArray("-") << ""
+                           << "no such file";
+}
+
+void ImportDialogTest::brokenFilesSayWhatToDo() {
+  QFETCH(QByteArray, bytes);
+  QFETCH(QString, name);
+  QFETCH(QString, says);
+  QTemporaryDir folder;
+  const QString path = folder.filePath(name.isEmpty() ? "missing.pdf" : name);
+  if (!name.isEmpty()) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+  }
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  dialog.openFile(path);
+  auto* advice = dialog.findChild<AdviceBar*>();
+  QTRY_VERIFY_WITH_TIMEOUT(advice->isVisible(), patience_ms);
+  QVERIFY2(advice->text().contains(says), qPrintable(advice->text()));
+  QVERIFY(!advice->text().contains("--"));
+  QVERIFY(!dialog.findChild<QPushButton*>("import")->isEnabled());
+  // The next file opens as if nothing had been.
+  dialog.openFile(sample("white-vector.pdf"));
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QPushButton*>("import")->isEnabled(), patience_ms);
+  QVERIFY(!advice->isVisible());
+}
+
+void ImportDialogTest::aFrameDrawnByHandOnAPictureWithoutGraph() {
+  // Axes and a curve, but no numbers and no box: the importer cannot know.
+  QImage picture(800, 600, QImage::Format_RGB32);
+  picture.fill(Qt::white);
+  {
+    QPainter painter(&picture);
+    painter.setPen(QPen(Qt::black, 2));
+    painter.drawLine(100, 500, 700, 500);
+    painter.drawLine(100, 500, 100, 100);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(QColor(200, 0, 0), 3));
+    QPolygonF curve;
+    for (int x = 100; x <= 690; ++x)
+      curve << QPointF(x, 500 - 0.5 * (x - 100) - (x > 650 ? 2.0 * (x - 650) : 0));
+    painter.drawPolyline(curve);
+  }
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  dialog.openPicture(picture);
+  auto* advice = dialog.findChild<AdviceBar*>();
+  QTRY_VERIFY_WITH_TIMEOUT(advice->isVisible(), patience_ms);
+  auto* view = dialog.findChild<PageView*>();
+  ImportState& state = view->state();
+  QTRY_VERIFY_WITH_TIMEOUT(state.sheet(), patience_ms);
+  QVERIFY(!state.current());
+  QTest::qWait(20);
+  keepPicture(dialog, "no-graph");
+  view->setTool(ToolKind::drawFrame);
+  const QPoint from = view->toWidget({100, 100}).toPoint(), to = view->toWidget({700, 500}).toPoint();
+  QTest::mousePress(view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(view, to);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, to);
+  QVERIFY(state.current());
+  QVERIFY(again(state));
+  QVERIFY(state.current()->last->failure);  // numbers are missing, and that is said
+  QVERIFY(advice->isVisible());
+  keepPicture(dialog, "no-numbers");
+  for (const auto& [field, value] : {std::pair("xMin", "0"), {"xMax", "4"}, {"yMin", "0"}, {"yMax", "120"}}) {
+    auto* edit = dialog.findChild<QLineEdit*>(field);
+    edit->setFocus();
+    edit->clear();
+    QTest::keyClicks(edit, value);
+    QTest::keyClick(edit, Qt::Key_Return);
+  }
+  QTRY_VERIFY_WITH_TIMEOUT(state.current()->good, patience_ms);
+  QVERIFY(again(state));
+  const auto& graph = report(state).button.states().front().graph;
+  QVERIFY(std::abs(graph.travel_mm() - 4 * 590 / 600.0) < 0.06);
+  keepPicture(dialog, "by-hand");
+}
+
+void ImportDialogTest::theLastGoodResultStays() {
+  ImportState state;
+  QVERIFY(open(state, sample("two-level-legend.png")));
+  const auto good = state.current()->good;
+  Corrections next = state.current()->history.now();
+  next.masks = {{0, 0, 5000, 5000}};  // everything
+  state.apply(next, "Paint mask");
+  QVERIFY(again(state));
+  QVERIFY(state.current()->last->failure);
+  QCOMPARE(state.current()->good, good);
+  QSignalSpy accepted(&state, &ImportState::accepted), stopped(&state, &ImportState::acceptStopped);
+  state.acceptAll();
+  QCOMPARE(accepted.count(), 0);  // what is shown is not what is set
+  QCOMPARE(stopped.count(), 1);
+  state.undo();
+  QVERIFY(again(state));
+  state.acceptAll();
+  QCOMPARE(accepted.count(), 1);
+}
+
+void ImportDialogTest::severalGraphsAtOnce() {
+  // Two sample plots on one picture.
+  const QImage one(sample("brown-one-ink.png")), two(sample("white-chinese-gf.png"));
+  QImage both(one.width() + two.width() + 60, std::max(one.height(), two.height()) + 40,
+              QImage::Format_RGB32);
+  both.fill(Qt::white);
+  {
+    QPainter painter(&both);
+    painter.drawImage(20, 20, one);
+    painter.drawImage(one.width() + 40, 20, two);
+  }
+  ImportState state;
+  PageList list(state);
+  state.openPicture(both);
+  QVERIFY(QTest::qWaitFor([&] { return settled(state) && state.searchedPages() == 1; }, patience_ms));
+  QCOMPARE(state.graphs().size(), std::size_t{2});
+  QCOMPARE(list.model()->rowCount(), 3);
+  for (int row = 1; row < 3; ++row)
+    QVERIFY(list.model()->setData(list.model()->index(row, 0), Qt::Checked, Qt::CheckStateRole));
+  QCOMPARE(state.tickedCount(), 2);
+  QSignalSpy accepted(&state, &ImportState::accepted), all(&state, &ImportState::allAccepted);
+  state.acceptAll();
+  QTRY_COMPARE_WITH_TIMEOUT(all.count(), 1, patience_ms);
+  QCOMPARE(accepted.count(), 2);
+  QVERIFY(accepted[0][0].value<Report>()->graph != accepted[1][0].value<Report>()->graph);
+}
+
+void ImportDialogTest::aForceLog() {
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  QSignalSpy imported(&dialog, &ImportDialog::imported);
+  dialog.openFile(sample("force-meter-log.csv"));
+  auto* accept = dialog.findChild<QPushButton*>("import");
+  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  QTest::qWait(20);
+  keepPicture(dialog, "force-log");
+  accept->click();
+  QCOMPARE(imported.count(), 1);
+}
+
+void ImportDialogTest::aPastedPicture() {
+  ImportState state;
+  state.openPicture(QImage(sample("black-red-curves.png")));
+  QVERIFY(QTest::qWaitFor([&] { return settled(state); }, patience_ms));
+  QVERIFY(state.current()->last->report);
+  QCOMPARE(QString::fromStdString(report(state).button.provenance()->sourceFile), state.documentName());
+  state.openPicture(QImage());
+  QTRY_VERIFY_WITH_TIMEOUT(state.openFailure(), patience_ms);
+}
+
+void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
+  ViewSettings settings;
+  ImportState state;
+  PageView view(state, settings);
+  view.resize(900, 700);
+  view.show();
+  QVERIFY(open(state, sample("brown-one-ink.png")));
+  const auto corners = *view.shownCorners();
+  const QPoint from = view.toWidget(corners[1]).toPoint(), to = from + QPoint(-30, 20);
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view, (from + to) / 2);
+  QTest::mouseMove(&view, to);
+  QVERIFY(view.hasPreview());
+  QVERIFY(!state.working());  // nothing is computed before the hand lets go
+  QTest::keyClick(&view, Qt::Key_Escape);
+  QVERIFY(!view.hasPreview());
+  QVERIFY(!state.current()->history.canUndo());
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view, (from + to) / 2);
+  QTest::mouseMove(&view, to);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  QVERIFY(again(state));
+  const auto frame = state.current()->history.now().frame;
+  QVERIFY(frame);
+  const double scale = std::abs(view.pageToWidget().m11());
+  QVERIFY(std::abs((*frame)[1].x - (corners[1].x - 30 / scale)) < 2 / scale);
+  QCOMPARE((*frame)[2].x, (*frame)[1].x);  // it stays a rectangle
+  QCOMPARE((*frame)[0].y, (*frame)[1].y);
+  QCOMPARE((*frame)[3], corners[3]);
+  state.undo();
+  QVERIFY(again(state));
+  QVERIFY(state.current()->last->report);
+}
+
+void ImportDialogTest::theKeyboardReachesEverything() {
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  dialog.openFile(sample("white-vector.pdf"));
+  auto* view = dialog.findChild<PageView*>();
+  QVERIFY(QTest::qWaitFor([&] { return settled(view->state()); }, patience_ms));
+  view->setFocus();
+  QTest::keyClick(view, Qt::Key_Tab);  // the top left corner
+  QTest::keyClick(view, Qt::Key_Left);
+  QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);
+  const auto& history = view->state().current()->history;
+  QVERIFY(history.now().frame);
+  QVERIFY(again(view->state()));
+  QTest::keyClick(&dialog, Qt::Key_Z, Qt::ControlModifier);
+  QVERIFY(!history.now().frame);  // both nudges were one step
+  for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
+    if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisibleTo(&dialog)) continue;
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    const auto* label = qobject_cast<const QLabel*>(widget);
+    const bool named = !widget->accessibleName().isEmpty() || (button && !button->text().isEmpty()) || label;
+    const bool part = widget->objectName().startsWith("qt_") ||
+                      widget->inherits("QSpinBox") == false &&
+                          (widget->parentWidget()->inherits("QAbstractSpinBox") ||
+                           widget->parentWidget()->inherits("QComboBox") || widget->inherits("QComboBox") ||
+                           widget->inherits("QSplitter"));
+    QVERIFY2(named || part, qPrintable(widget->objectName() + ' ' + widget->metaObject()->className()));
+  }
+}
+
+void ImportDialogTest::theWindowNeverStalls() {
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  QTest::qWait(100);
+  StallProbe probe;
+  auto* view = dialog.findChild<PageView*>();
+  dialog.openFile(sample("two-level-legend.png"));
+  QVERIFY(QTest::qWaitFor([&] { return settled(view->state()); }, patience_ms));
+  // Figures are the benchmark's; this one says that nothing of an import runs in the window's thread.
+  QVERIFY2(probe.longest_ms() < 250, qPrintable(QString::number(probe.longest_ms())));
+}
+
+void ImportDialogTest::closingWhileItWorks() {
+  ViewSettings settings;
+  for (int i = 0; i < 3; ++i) {
+    ImportDialog dialog(settings);
+    dialog.show();
+    dialog.openFile(sample("white-chinese-gf.png"));
+    QTest::qWait(30 * i);
+  }
+  QVERIFY(true);  // the ends of their threads are waited for when the program ends
+}
+
+QTEST_MAIN(ImportDialogTest)
+#include "import_dialog_test.moc"
