@@ -1,0 +1,77 @@
+// detent-edit: shape a button by hand, see it, feel it.
+
+#include <cstdio>
+#include <exception>
+#include <QApplication>
+#include <QDir>
+#include <QLibraryInfo>
+#include <QStandardPaths>
+#include <QTimer>
+
+#include "editor/window/arguments.h"
+#include "editor/window/geometry_report.h"
+#include "editor/window/main_window.h"
+#include "editor/window/stored_view.h"
+#include "editor/window/translation.h"
+#include "model/result.h"
+
+namespace {
+
+using namespace detent;
+using namespace detent::editor;
+
+// Before a window system is needed: --help works everywhere.
+std::optional<int> answeredAtOnce(const QStringList& words) {
+  const Arguments arguments = argumentsFrom(words);
+  if (arguments.help) return std::fputs(qPrintable(helpText()), stdout), 0;
+  if (arguments.version) return std::fputs("detent-edit " DETENT_VERSION "\n", stdout), 0;
+  return {};
+}
+
+int run(QApplication& app) {
+  const Arguments arguments = argumentsFrom(app.arguments().mid(1));  // without Qt's own
+  if (!arguments.wrongUsage.isEmpty()) {
+    std::fprintf(stderr, "%s\n", qPrintable(arguments.wrongUsage));
+    return static_cast<int>(FailureCode::wrongUsage);
+  }
+  installTranslation(app, QLocale());
+  QSettings settings;
+  ViewSettings view;
+  restoreView(view, settings);
+  Prompts prompts;
+  RecoveryStore recovery(
+      QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)).filePath("recovery"));
+  MainWindow window({view, settings, prompts, recovery});
+  window.show();
+  if (const QString file = qEnvironmentVariable("DETENT_EDIT_GEOMETRY"); !file.isEmpty())
+    new GeometryReport(file, &window);
+  QTimer::singleShot(0, &window, [&] {
+    window.files().offerRecovery();
+    window.files().open(arguments.files);
+  });
+  return app.exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  QStringList words;
+  for (int i = 1; i < argc; ++i) words << QString::fromLocal8Bit(argv[i]);
+  try {
+    if (const auto answered = answeredAtOnce(words)) return *answered;
+    QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
+    QApplication::setStyle("Fusion");
+    QApplication app(argc, argv);
+    QCoreApplication::setOrganizationName("Detent");
+    QCoreApplication::setApplicationName("detent-edit");
+    QCoreApplication::setApplicationVersion(DETENT_VERSION);
+    QGuiApplication::setDesktopFileName("detent-edit");
+    return run(app);
+  } catch (const std::exception& fault) {
+    std::fprintf(
+        stderr,
+        "detent-edit: internal fault: %s. Please report it; unsaved work is offered at the next start.\n",
+        fault.what());
+    return static_cast<int>(FailureCode::internalFault);
+  }
+}

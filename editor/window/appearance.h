@@ -1,0 +1,18 @@
+#pragma once
+// Light, dark, or as the system says.
+
+#include <QPalette>
+
+#include "editor/document/view_settings.h"
+
+namespace detent::editor {
+
+/// Palettes for Qt's Fusion style; text on every ground has a contrast of 4.5 : 1 or more.
+QPalette lightPalette();
+QPalette darkPalette();
+
+/// The palette for a choice; `system` is what the desktop gave the program at its start: whether it is dark
+/// decides, its colours are not taken over.
+QPalette paletteFor(Appearance appearance, const QPalette& system);
+
+}  // namespace detent::editor

@@ -1,0 +1,21 @@
+#pragma once
+// The command line of detent-edit.
+
+#include <QString>
+#include <QStringList>
+
+namespace detent::editor {
+
+struct Arguments {
+  QStringList files;
+  bool help = false, version = false;
+  QString wrongUsage;  ///< a sentence; empty if the line can be carried out
+};
+
+/// `words` without the program's name. "--" ends the options; words after it are files.
+Arguments argumentsFrom(const QStringList& words);
+
+/// What --help prints.
+QString helpText();
+
+}  // namespace detent::editor

@@ -1,0 +1,37 @@
+#pragma once
+// One tab: a document, the place it is worked on, and what is to be said about it.
+
+#include <memory>
+#include <QPointer>
+#include <QWidget>
+
+#include "editor/document/button_document.h"
+#include "editor/document/view_settings.h"
+#include "editor/panels/graph_workspace.h"
+#include "editor/window/notice_bar.h"
+
+namespace detent::editor {
+
+/// Owns its document. Its side panels are made when they are first asked for and go with it. GUI thread.
+class DocumentTab : public QWidget {
+  Q_OBJECT
+
+ public:
+  DocumentTab(std::unique_ptr<ButtonDocument> document, ViewSettings& settings, QWidget* parent = nullptr);
+  ~DocumentTab() override;
+
+  ButtonDocument& document() { return *document_; }
+  GraphWorkspace& workspace() { return *workspace_; }
+  NoticeBar& notices() { return *notices_; }
+  QWidget* valuesPanel();
+  QWidget* historyPanel();
+
+ private:
+  std::unique_ptr<ButtonDocument> document_;  // outlives everything that shows it
+  ViewSettings& settings_;
+  NoticeBar* notices_;
+  GraphWorkspace* workspace_;
+  QPointer<QWidget> values_, history_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,31 @@
+#pragma once
+// Where everything is on the screen, for tests that work the real window with mouse and keys
+// (docs/decisions/1061-finding-widgets-from-outside.md).
+
+#include <QObject>
+#include <QTimer>
+
+namespace detent::editor {
+
+/// While it lives, writes names, classes, texts and screen rectangles of all visible widgets as JSON to a
+/// file whenever they changed, atomically, five times a second at most. Plots also give their axes, so that
+/// values can be found on the screen. GUI thread.
+class GeometryReport : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit GeometryReport(QString file, QObject* parent = nullptr);
+
+ private:
+  void write();
+  QString file_;
+  QByteArray last_;
+  QTimer timer_;
+};
+
+/// The JSON it writes: {"windows": [{"title", "name", "active", "rect"}], "widgets": [{"name", "class",
+/// "window", "rect", "enabled", "focus", "text"?, "checked"?, "axes"?}]}; rect is [x, y, width, height] in
+/// screen pixels, axes {"x": [label, left value, right value], "y": [label, lower, upper], "rect"}.
+QByteArray geometryJson();
+
+}  // namespace detent::editor

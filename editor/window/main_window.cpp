@@ -1,0 +1,365 @@
+#include "editor/window/main_window.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QMenu>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "editor/feel/feel_panel.h"
+#include "editor/files/exports.h"
+#include "editor/library/compare_dialog.h"
+#include "editor/library/library_panel.h"
+#include "editor/window/appearance.h"
+#include "editor/window/stored_view.h"
+#include "model/edits.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr int messageTime_ms = 8000;
+constexpr int stateVersion = 1;  // of the docks' arrangement; changes when docks do
+constexpr QSize firstSize_px{1280, 820};
+constexpr QSize copiedPicture_px{900, 600};
+
+}  // namespace
+
+MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
+    : QMainWindow(parent), at_(places), systemPalette_(QApplication::palette()) {
+  setObjectName("mainWindow");
+  setAcceptDrops(true);
+  setDockNestingEnabled(true);
+  makeFileActions();
+  makeEditActions();
+  makeCentre();
+  makeDocks();
+  makeViewActions();
+  makeWindowActions();
+  makeHelpActions();
+  makeToolBar();
+  makeStatusBar();
+  connectTabs();
+  connect(&at_.view, &ViewSettings::changed, this, &MainWindow::updateUnits);
+  connect(&at_.view, &ViewSettings::changed, this, &MainWindow::applyAppearance);
+  applyAppearance();
+  restoreWindow();
+  updateUnits();
+  updateRecent();
+  showTab(nullptr);
+}
+
+MainWindow::~MainWindow() {
+  tabs_->disconnect(this);
+  delete feel_;        // these three look at documents,
+  delete comparison_;  // which go with the tabs
+  delete library_;
+}
+
+// ----------------------------------------------------------------------------------------------------- the
+// parts
+
+void MainWindow::makeCentre() {
+  QList<QAction*> ways;
+  for (QAction* way : ownActions_)
+    if (way->objectName() == "import" || way->objectName() == "new" || way->objectName() == "open")
+      way->objectName() == "import" ? ways.prepend(way) : ways.append(way);
+  welcome_ = new WelcomePage(ways);
+  tabs_ = new TabArea(welcome_, at_.view);
+  notices_ = new NoticeBar;
+  notices_->setObjectName("windowNotices");
+  files_ = new FileDesk({*this, *tabs_, *notices_, at_.view, at_.settings, at_.prompts, at_.recovery}, this);
+  auto* centre = new QWidget;
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(notices_);
+  layout->addWidget(tabs_, 1);
+  setCentralWidget(centre);
+  connect(welcome_, &WelcomePage::fileChosen, this, [this](const QString& path) { files_->open({path}); });
+  connect(files_, &FileDesk::done, this,
+          [this](const QString& sentence) { statusBar()->showMessage(sentence, messageTime_ms); });
+  connect(&files_->recent(), &RecentFiles::changed, this, &MainWindow::updateRecent);
+}
+
+QDockWidget* MainWindow::dock(const char* name, const QString& title, Qt::DockWidgetArea area,
+                              const QKeySequence& keys) {
+  auto* dock = new QDockWidget(title);
+  dock->setObjectName(name);
+  addDockWidget(area, dock);
+  QAction* toggle = dock->toggleViewAction();
+  toggle->setObjectName(QString::fromLatin1(name) + "Toggle");
+  toggle->setShortcut(keys);
+  toggle->setToolTip(tr("Show or hide: %1").arg(title));
+  ownActions_ << toggle;
+  return dock;
+}
+
+void MainWindow::makeDocks() {
+  libraryDock_ = dock("libraryDock", tr("Library"), Qt::LeftDockWidgetArea, QKeySequence("Alt+1"));
+  valuesDock_ = dock("valuesDock", tr("Values"), Qt::RightDockWidgetArea, QKeySequence("Alt+2"));
+  historyDock_ = dock("historyDock", tr("History"), Qt::RightDockWidgetArea, QKeySequence("Alt+3"));
+  feelDock_ = dock("feelDock", tr("Feel it"), Qt::BottomDockWidgetArea, QKeySequence("Alt+4"));
+  library_ = new LibraryPanel;
+  libraryDock_->setWidget(library_);
+  values_ = new QStackedWidget;
+  valuesDock_->setWidget(values_);
+  history_ = new QStackedWidget;
+  historyDock_->setWidget(history_);
+  tabifyDockWidget(valuesDock_, historyDock_);
+  valuesDock_->raise();
+  feelDock_->hide();
+  connect(feelDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    if (visible && !feel_) makeFeelPanel();
+  });
+  connect(library_, &LibraryPanel::documentChosen, this, [this](ButtonDocument* d) { tabs_->show(*d); });
+  connect(library_, &LibraryPanel::fileChosen, this,
+          [this](const QString& path) { files_->openButton(path); });
+  connect(library_, &LibraryPanel::compareRequested, this, &MainWindow::compareWith);
+  connect(library_, &LibraryPanel::compareFileRequested, this, [this](const QString& path) {
+    DocumentTab* shown = tabs_->current();
+    DocumentTab* other = files_->openButton(path);
+    if (shown) tabs_->show(shown->document());
+    if (other) compareWith(&other->document());
+  });
+  connect(library_, &LibraryPanel::folderChanged, this,
+          [this](const QString& folder) { at_.settings.setValue("library/folder", folder); });
+}
+
+// A sound device is not touched before the pad is pressed, but the panel itself is not light either.
+void MainWindow::makeFeelPanel() {
+  feel_ = new FeelPanel(at_.view);
+  feel_->restoreState(at_.settings.value("feel").toMap());
+  connect(feel_, &FeelPanel::statusMessage, statusBar(),
+          [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
+  connect(feel_, &FeelPanel::fingerMoved, this, [this](std::optional<FingerPosition> finger) {
+    if (DocumentTab* tab = tabs_->current()) tab->workspace().showFinger(finger);
+  });
+  connect(feel_, &FeelPanel::otherFingerMoved, this, [this](std::optional<FingerPosition> finger) {
+    if (DocumentTab* tab = tabs_->tabOf(otherDocument_)) tab->workspace().showFinger(finger);
+  });
+  other_ = new QComboBox;
+  other_->setObjectName("feelOther");
+  other_->setAccessibleName(tr("Button B to exchange with"));
+  other_->setToolTip(tr("The second button (B): press it in exchange with the one shown"));
+  connect(other_, &QComboBox::activated, this, &MainWindow::chooseOther);
+  auto* label = new QLabel(tr("Exchange &with:"));
+  label->setBuddy(other_);
+  auto* row = new QHBoxLayout;
+  row->setContentsMargins(8, 4, 8, 0);
+  row->addWidget(label);
+  row->addWidget(other_);
+  row->addStretch();
+  auto* panel = new QWidget;
+  auto* layout = new QVBoxLayout(panel);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(row);
+  layout->addWidget(feel_, 1);
+  feelDock_->setWidget(panel);
+  updateDocuments();
+}
+
+void MainWindow::chooseOther() {
+  const auto documents = tabs_->documents();
+  const int index = other_->currentIndex() - 1;
+  otherDocument_ = index >= 0 ? documents[static_cast<std::size_t>(index)] : nullptr;
+  feel_->setOther(otherDocument_);
+}
+
+void MainWindow::makeStatusBar() {
+  cursor_ = new QLabel;
+  cursor_->setObjectName("cursorPosition");
+  cursor_->setAccessibleName(tr("Displacement and force under the mouse"));
+  cursor_->setToolTip(tr("Displacement and force under the mouse"));
+  cursor_->setMinimumWidth(fontMetrics().horizontalAdvance("0000.0000 mm, 00000.00 cN"));
+  cursor_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  units_ = new QToolButton;
+  units_->setObjectName("unitButton");
+  units_->setAccessibleName(tr("Units"));
+  units_->setToolTip(tr("Units that everything is shown and typed in"));
+  units_->setPopupMode(QToolButton::InstantPopup);
+  units_->setMenu(unitMenu_);
+  units_->setAutoRaise(true);
+  statusBar()->addPermanentWidget(cursor_);
+  statusBar()->addPermanentWidget(units_);
+}
+
+// ------------------------------------------------------------------------------------------------------ the
+// tabs
+
+void MainWindow::connectTabs() {
+  connect(tabs_, &TabArea::tabAdded, this, [this](DocumentTab* tab) { adopt(*tab); });
+  connect(tabs_, &TabArea::tabClosing, this, [this](DocumentTab* tab) { letGo(*tab); });
+  connect(tabs_, &TabArea::closeRequested, this, [this](DocumentTab* tab) { files_->close(*tab); });
+  connect(tabs_, &TabArea::currentTabChanged, this, &MainWindow::showTab);
+  connect(tabs_, &TabArea::documentsChanged, this, &MainWindow::updateDocuments);
+}
+
+void MainWindow::adopt(DocumentTab& tab) {
+  connect(&tab.workspace(), &GraphWorkspace::cursorMoved, this, &MainWindow::showCursor);
+  connect(&tab.workspace(), &GraphWorkspace::statusMessage, statusBar(),
+          [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
+  connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::updateTitle);
+  connect(&tab.document().history().stack(), &QUndoStack::indexChanged, this, &MainWindow::updateUndo);
+}
+
+void MainWindow::letGo(DocumentTab& tab) {
+  tab.workspace().disconnect(this);
+  tab.document().disconnect(this);
+  tab.document().history().stack().disconnect(this);
+  if (feel_ && otherDocument_ == &tab.document()) feel_->setOther(nullptr);
+  if (otherDocument_ == &tab.document()) otherDocument_ = nullptr;
+  if (tabs_->current() == &tab) showTabActions(nullptr);
+}
+
+void MainWindow::showTab(DocumentTab* tab) {
+  showTabActions(tab);
+  for (QAction* action : needTab_) action->setEnabled(tab != nullptr);
+  if (tab) {
+    values_->addWidget(tab->valuesPanel());
+    values_->setCurrentWidget(tab->valuesPanel());
+    history_->addWidget(tab->historyPanel());
+    history_->setCurrentWidget(tab->historyPanel());
+    tab->workspace().setFocus();
+  }
+  if (feel_) feel_->setDocument(tab ? &tab->document() : nullptr);
+  showCursor({});
+  updateUndo();
+  updateDocuments();
+  updateTitle();
+}
+
+void MainWindow::updateDocuments() {
+  const std::vector<ButtonDocument*> documents = tabs_->documents();
+  DocumentTab* current = tabs_->current();
+  library_->setDocuments(documents, current ? &current->document() : nullptr);
+  if (comparison_) comparison_->setDocuments(documents);
+  if (!feel_) return;
+  feel_->setDocument(current ? &current->document() : nullptr);
+  other_->clear();
+  other_->addItem(tr("no other button"));
+  for (ButtonDocument* document : documents) {
+    other_->addItem(document->title());
+    if (document == otherDocument_) other_->setCurrentIndex(other_->count() - 1);
+  }
+}
+
+void MainWindow::updateTitle() {
+  const DocumentTab* tab = tabs_->current();
+  if (!tab) {
+    setWindowTitle(tr("Detent"));
+    setWindowModified(false);
+    return;
+  }
+  const ButtonDocument& document = tabs_->current()->document();
+  setWindowTitle(tr("%1[*] \u2013 Detent").arg(document.title()));
+  setWindowModified(document.history().modified());
+}
+
+void MainWindow::compareWith(ButtonDocument* other) {
+  if (!comparison_) comparison_ = new CompareDialog(at_.view, this);
+  const std::vector<ButtonDocument*> documents = tabs_->documents();
+  comparison_->setDocuments(documents);
+  ButtonDocument* shown = tabs_->current() ? &tabs_->current()->document() : nullptr;
+  for (ButtonDocument* document : documents)
+    if (!other && document != shown) other = document;
+  comparison_->compare(shown, other ? other : shown);
+  comparison_->show();
+  comparison_->raise();
+  comparison_->activateWindow();
+}
+
+// ---------------------------------------------------------------------------------------------- units,
+// appearance
+
+void MainWindow::updateUnits() {
+  const DisplayUnits& units = at_.view.units();
+  units_->setText(units.lengthSymbol() + ", " + units.forceSymbol());
+  for (QAction* unit : unitMenu_->actions()) {
+    if (unit->data().toString() == "length:" + units.lengthSymbol()) unit->setChecked(true);
+    if (unit->data().toString() == "force:" + units.forceSymbol()) unit->setChecked(true);
+  }
+  showCursor({});
+}
+
+void MainWindow::showCursor(std::optional<CurvePoint> at) {
+  const DisplayUnits& units = at_.view.units();
+  if (!at) return cursor_->clear();
+  const auto number = [](double value) {
+    return QLocale().toString(value, 'f', std::abs(value) < 1 ? 4 : 3);
+  };
+  cursor_->setText(number(units.lengthFrom(at->displacement_mm)) + " " + units.lengthSymbol() + ", " +
+                   number(units.forceFrom(at->force_N)) + " " + units.forceSymbol());
+}
+
+void MainWindow::applyAppearance() {
+  const QPalette palette = paletteFor(at_.view.appearance(), systemPalette_);
+  if (palette != QApplication::palette()) QApplication::setPalette(palette);
+}
+
+// ------------------------------------------------------------------------------------------------ between
+// two runs
+
+void MainWindow::restoreWindow() {
+  if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray())) resize(firstSize_px);
+  restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
+  if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
+    library_->setFolder(folder);
+}
+
+void MainWindow::storeWindow() {
+  at_.settings.setValue("window/geometry", saveGeometry());
+  at_.settings.setValue("window/state", saveState(stateVersion));
+  if (feel_) at_.settings.setValue("feel", feel_->saveState());
+  storeView(at_.view, at_.settings);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  storeWindow();
+  if (!files_->closeAll()) return event->ignore();
+  event->accept();
+}
+
+// -------------------------------------------------------------------------------------- clipboard, drop,
+// small edits
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (FileDesk::canTake(*event->mimeData())) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  if (files_->take(*event->mimeData())) event->acceptProposedAction();
+}
+
+void MainWindow::paste() {
+  if (!files_->take(*QApplication::clipboard()->mimeData()))
+    statusBar()->showMessage(
+        tr("The clipboard holds no picture and no file. Copy a picture of a graph first."), messageTime_ms);
+}
+
+void MainWindow::copyPicture(DocumentTab& tab) {
+  QApplication::clipboard()->setImage(tab.workspace().renderImage(copiedPicture_px, 2));
+  statusBar()->showMessage(tr("Copied a picture of the graph."), messageTime_ms);
+}
+
+void MainWindow::copyCsv(DocumentTab& tab) {
+  QApplication::clipboard()->setText(csvText(tab.document().button(), tab.document().activeState()));
+  statusBar()->showMessage(tr("Copied the samples as CSV, in mm and N."), messageTime_ms);
+}
+
+void MainWindow::renameButton(DocumentTab& tab) {
+  const QString now = QString::fromStdString(tab.document().button().name());
+  const auto name = at_.prompts.text(this, tr("Rename the button"), tr("Name:"), now);
+  if (!name || *name == now || tab.document().history().dragging()) return;
+  if (const auto renamed = rename(tab.document().button(), name->toStdString()))
+    tab.document().history().apply(*renamed, tr("Rename"));
+}
+
+}  // namespace detent::editor

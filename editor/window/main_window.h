@@ -1,0 +1,129 @@
+#pragma once
+// The window of detent-edit: puts tabs, side panels, menus and keys together. What is done with files is
+// FileDesk's.
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QMainWindow>
+#include <QSettings>
+#include <QToolButton>
+
+#include "editor/files/recovery_store.h"
+#include "editor/window/file_desk.h"
+#include "editor/window/prompts.h"
+#include "editor/window/shortcut_list.h"
+#include "editor/window/tab_area.h"
+
+namespace detent::editor {
+
+class CompareDialog;
+class FeelPanel;
+class LibraryPanel;
+
+/// What a window works with; all of it outlives the window.
+struct WindowPlaces {
+  ViewSettings& view;
+  QSettings& settings;
+  Prompts& prompts;
+  RecoveryStore& recovery;
+};
+
+/// GUI thread. Nothing heavy is made before it is seen: no sound, no import, no comparison.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(const WindowPlaces& places, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  FileDesk& files() { return *files_; }
+  TabArea& tabs() { return *tabs_; }
+  NoticeBar& notices() { return *notices_; }
+
+  /// Every action a person can reach now, those of the current tab included.
+  QList<QAction*> allActions() const;
+  std::vector<ShortcutRow> shortcuts() const;
+  /// Beside the one that is shown.
+  void compareWith(ButtonDocument* other);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  /// A menu that ends with the actions of the current tab.
+  struct TabMenu {
+    QMenu* menu = nullptr;
+    QAction* end = nullptr;  // they stand before this one
+    QList<QAction*> shown;
+  };
+
+  // main_window_actions.cpp
+  QAction* action(const char* name, const QString& text, const QString& tip, const QKeySequence& keys,
+                  const std::function<void()>& act);
+  QAction* tabAction(const char* name, const QString& text, const QString& tip, const QKeySequence& keys,
+                     const std::function<void(DocumentTab&)>& act);
+  void makeFileActions();
+  void makeEditActions();
+  void makeViewActions();
+  void makeUnitActions(QMenu* menu);
+  void makeAppearanceActions(QMenu* menu);
+  void makeWindowActions();
+  void makeHelpActions();
+  void makeToolBar();
+  void showTabActions(DocumentTab* tab);
+  void fill(TabMenu& menu, const QList<QAction*>& actions);
+  void updateUndo();
+  void updateRecent();
+  void showShortcuts();
+  void showAbout();
+
+  // main_window.cpp
+  void makeCentre();
+  void makeDocks();
+  QDockWidget* dock(const char* name, const QString& title, Qt::DockWidgetArea area,
+                    const QKeySequence& keys);
+  void makeStatusBar();
+  void connectTabs();
+  void adopt(DocumentTab& tab);
+  void letGo(DocumentTab& tab);
+  void showTab(DocumentTab* tab);
+  void updateDocuments();
+  void updateTitle();
+  void updateUnits();
+  void showCursor(std::optional<CurvePoint> at);
+  void makeFeelPanel();
+  void chooseOther();
+  void applyAppearance();
+  void restoreWindow();
+  void storeWindow();
+  void copyPicture(DocumentTab& tab);
+  void copyCsv(DocumentTab& tab);
+  void paste();
+  void renameButton(DocumentTab& tab);
+
+  WindowPlaces at_;
+  QPalette systemPalette_;
+  TabArea* tabs_ = nullptr;
+  NoticeBar* notices_ = nullptr;
+  FileDesk* files_ = nullptr;
+  WelcomePage* welcome_ = nullptr;
+  LibraryPanel* library_ = nullptr;
+  FeelPanel* feel_ = nullptr;
+  CompareDialog* comparison_ = nullptr;
+  QStackedWidget *values_ = nullptr, *history_ = nullptr;
+  QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *historyDock_ = nullptr, *feelDock_ = nullptr;
+  QComboBox* other_ = nullptr;  // which button is B of the feel panel
+  QPointer<ButtonDocument> otherDocument_;
+  QLabel* cursor_ = nullptr;
+  QToolButton* units_ = nullptr;
+  QToolBar* tools_ = nullptr;
+  QMenu* recentMenu_ = nullptr;
+  QMenu* unitMenu_ = nullptr;
+  TabMenu editMenu_, toolMenu_, viewMenu_;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr;
+  QList<QAction*> ownActions_, needTab_;
+};
+
+}  // namespace detent::editor

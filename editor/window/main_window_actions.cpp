@@ -1,0 +1,307 @@
+// Actions, menus and tool bar of the window. Every action has a name, a text, a tool tip and, unless it is
+// one of a set of choices, keys.
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QStyle>
+#include <QToolBar>
+
+#include "editor/window/main_window.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr LengthUnit lengthUnits[] = {LengthUnit::millimetre, LengthUnit::micrometre, LengthUnit::inch,
+                                      LengthUnit::mil};
+constexpr ForceUnit forceUnits[] = {ForceUnit::centinewton, ForceUnit::newton,     ForceUnit::millinewton,
+                                    ForceUnit::gramForce,   ForceUnit::ounceForce, ForceUnit::poundForce};
+
+QString text(std::string_view symbol) {
+  return QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
+}
+
+QMenu* menuOf(QMenuBar* bar, const QString& title, const char* name) {
+  QMenu* menu = bar->addMenu(title);
+  menu->setObjectName(name);
+  menu->setToolTipsVisible(true);
+  return menu;
+}
+
+}  // namespace
+
+QAction* MainWindow::action(const char* name, const QString& text, const QString& tip,
+                            const QKeySequence& keys, const std::function<void()>& act) {
+  auto* made = new QAction(text, this);
+  made->setObjectName(name);
+  made->setShortcut(keys);
+  made->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
+  connect(made, &QAction::triggered, this, act);
+  ownActions_ << made;
+  return made;
+}
+
+QAction* MainWindow::tabAction(const char* name, const QString& text, const QString& tip,
+                               const QKeySequence& keys, const std::function<void(DocumentTab&)>& act) {
+  QAction* made = action(name, text, tip, keys, [this, act] {
+    if (DocumentTab* tab = tabs_->current()) act(*tab);
+  });
+  needTab_ << made;
+  return made;
+}
+
+void MainWindow::makeFileActions() {
+  QMenu* menu = menuOf(menuBar(), tr("&File"), "fileMenu");
+  menu->addAction(action("new", tr("&New from template…"), tr("Start a new button from a template"),
+                         QKeySequence("Ctrl+N"), [this] { files_->newButton(); }));
+  menu->addAction(action("open", tr("&Open…"), tr("Open buttons, datasheets, pictures or CSV files"),
+                         QKeySequence("Ctrl+O"), [this] { files_->openByDialog(); }));
+  menu->addAction(action("import", tr("&Import a datasheet…"),
+                         tr("Read the force graph from a picture, PDF, SVG or CSV"), QKeySequence("Ctrl+I"),
+                         [this] { files_->importByDialog(); }));
+  recentMenu_ = menu->addMenu(tr("Open &recent"));
+  recentMenu_->setObjectName("recentMenu");
+  recentMenu_->setToolTipsVisible(true);
+  menu->addSeparator();
+  menu->addAction(tabAction("save", tr("&Save"), tr("Save this button"), QKeySequence("Ctrl+S"),
+                            [this](DocumentTab& tab) { files_->save(tab); }));
+  menu->addAction(tabAction("saveAs", tr("Save &as…"), tr("Save this button under another name"),
+                            QKeySequence("Ctrl+Shift+S"), [this](DocumentTab& tab) { files_->saveAs(tab); }));
+  menu->addAction(tabAction("saveAll", tr("Save a&ll"), tr("Save every button with unsaved changes"),
+                            QKeySequence("Ctrl+Alt+S"), [this](DocumentTab&) { files_->saveAll(); }));
+  QMenu* exports = menu->addMenu(tr("&Export"));
+  exports->setObjectName("exportMenu");
+  exports->setToolTipsVisible(true);
+  exports->addAction(tabAction("exportPng", tr("&Picture (PNG)…"),
+                               tr("Write a picture of the graph, 2400 by 1600 pixels"),
+                               QKeySequence("Ctrl+E"), [this](DocumentTab& tab) { files_->exportPng(tab); }));
+  exports->addAction(tabAction(
+      "exportSvg", tr("&Drawing (SVG)…"), tr("Write a plot as datasheets print it, axes in the units shown"),
+      QKeySequence("Ctrl+Shift+E"), [this](DocumentTab& tab) { files_->exportSvg(tab); }));
+  exports->addAction(
+      tabAction("exportCsv", tr("&Samples (CSV)…"), tr("Write samples of the state shown, in mm and N"),
+                QKeySequence("Ctrl+Alt+E"), [this](DocumentTab& tab) { files_->exportCsv(tab); }));
+  exports->addAction(tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
+                               tr("Write what a standard press feels like: mono, 48 kHz"),
+                               QKeySequence("Ctrl+Alt+W"),
+                               [this](DocumentTab& tab) { files_->exportWav(tab); }));
+  menu->addSeparator();
+  menu->addAction(tabAction("close", tr("&Close"), tr("Close this button"), QKeySequence("Ctrl+W"),
+                            [this](DocumentTab& tab) { files_->close(tab); }));
+  menu->addAction(
+      action("quit", tr("&Quit"), tr("Close everything"), QKeySequence("Ctrl+Q"), [this] { close(); }));
+}
+
+void MainWindow::makeEditActions() {
+  editMenu_.menu = menuOf(menuBar(), tr("&Edit"), "editMenu");
+  QMenu* menu = editMenu_.menu;
+  undo_ = tabAction("undo", tr("&Undo"), tr("Take the last step back"), QKeySequence("Ctrl+Z"),
+                    [](DocumentTab& tab) {
+                      EditHistory& history = tab.document().history();
+                      history.dragging() ? history.cancelDrag() : history.stack().undo();
+                    });
+  redo_ = tabAction("redo", tr("&Redo"), tr("Do the step again"), QKeySequence("Ctrl+Shift+Z"),
+                    [](DocumentTab& tab) {
+                      if (!tab.document().history().dragging()) tab.document().history().stack().redo();
+                    });
+  redo_->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+  menu->addAction(undo_);
+  menu->addAction(redo_);
+  menu->addSeparator();
+  menu->addAction(action("paste", tr("&Paste a picture or file"),
+                         tr("Import the picture or file in the clipboard"), QKeySequence("Ctrl+V"),
+                         [this] { paste(); }));
+  menu->addAction(tabAction("copyPicture", tr("&Copy as picture"), tr("Copy a picture of the graph"),
+                            QKeySequence("Ctrl+Shift+C"), [this](DocumentTab& tab) { copyPicture(tab); }));
+  menu->addAction(tabAction("copyCsv", tr("Copy as C&SV"), tr("Copy samples of the state shown, in mm and N"),
+                            QKeySequence("Ctrl+Alt+C"), [this](DocumentTab& tab) { copyCsv(tab); }));
+  menu->addAction(tabAction("rename", tr("Re&name the button…"), tr("Give the button another name"),
+                            QKeySequence("F2"), [this](DocumentTab& tab) { renameButton(tab); }));
+  editMenu_.end = menu->addSeparator();
+  toolMenu_.menu = menuOf(menuBar(), tr("&Tools"), "toolMenu");
+  toolMenu_.end = toolMenu_.menu->addSeparator();
+}
+
+void MainWindow::makeViewActions() {
+  viewMenu_.menu = menuOf(menuBar(), tr("&View"), "viewMenu");
+  QMenu* menu = viewMenu_.menu;
+  viewMenu_.end = menu->addSeparator();
+  unitMenu_ = menu->addMenu(tr("&Units"));
+  unitMenu_->setObjectName("unitMenu");
+  makeUnitActions(unitMenu_);
+  QMenu* appearance = menu->addMenu(tr("&Appearance"));
+  appearance->setObjectName("appearanceMenu");
+  makeAppearanceActions(appearance);
+  menu->addSeparator();
+  for (QDockWidget* dock : {libraryDock_, valuesDock_, historyDock_, feelDock_})
+    menu->addAction(dock->toggleViewAction());
+  QAction* fullScreen =
+      action("fullScreen", tr("&Full screen"), tr("Use the whole screen"), QKeySequence("F11"),
+             [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });
+  menu->addAction(fullScreen);
+}
+
+// One of a set: the menu shows which, so they have no keys of their own.
+void MainWindow::makeUnitActions(QMenu* menu) {
+  const auto add = [&](QActionGroup* group, const QString& kind, const QString& symbol, const QString& tip,
+                       const std::function<void()>& act) {
+    QAction* unit = action("unit", symbol, tip, {}, act);
+    unit->setObjectName("unit_" + kind + "_" + symbol);
+    unit->setData(kind + ":" + symbol);
+    unit->setCheckable(true);
+    group->addAction(unit);
+    menu->addAction(unit);
+  };
+  auto* lengths = new QActionGroup(this);
+  for (const LengthUnit unit : lengthUnits)
+    add(lengths, "length", text(symbolOf(unit)), tr("Show displacements in %1").arg(text(symbolOf(unit))),
+        [this, unit] {
+          DisplayUnits units = at_.view.units();
+          units.length = unit;
+          at_.view.setUnits(units);
+        });
+  menu->addSeparator();
+  auto* forces = new QActionGroup(this);
+  for (const ForceUnit unit : forceUnits)
+    add(forces, "force", text(symbolOf(unit)), tr("Show forces in %1").arg(text(symbolOf(unit))),
+        [this, unit] {
+          DisplayUnits units = at_.view.units();
+          units.force = unit;
+          at_.view.setUnits(units);
+        });
+}
+
+void MainWindow::makeAppearanceActions(QMenu* menu) {
+  auto* group = new QActionGroup(this);
+  const auto add = [&](const char* name, const QString& text, const QString& tip, const QKeySequence& keys,
+                       Appearance appearance) {
+    QAction* choice =
+        action(name, text, tip, keys, [this, appearance] { at_.view.setAppearance(appearance); });
+    choice->setCheckable(true);
+    choice->setChecked(at_.view.appearance() == appearance);
+    group->addAction(choice);
+    menu->addAction(choice);
+  };
+  add("appearanceSystem", tr("As the &system"), tr("Light or dark as the desktop is"),
+      QKeySequence("Ctrl+Alt+Y"), Appearance::system);
+  add("appearanceLight", tr("&Light"), tr("Dark text on light ground"), QKeySequence("Ctrl+Alt+L"),
+      Appearance::light);
+  add("appearanceDark", tr("&Dark"), tr("Light text on dark ground"), QKeySequence("Ctrl+Alt+D"),
+      Appearance::dark);
+}
+
+void MainWindow::makeWindowActions() {
+  QMenu* menu = menuOf(menuBar(), tr("&Button"), "buttonMenu");
+  menu->addAction(tabAction("compare", tr("&Compare two…"),
+                            tr("Lay this button over another and list the differences"),
+                            QKeySequence("Ctrl+K"), [this](DocumentTab&) { compareWith(nullptr); }));
+  menu->addSeparator();
+  menu->addAction(tabAction("nextTab", tr("&Next button"), tr("Show the next open button"),
+                            QKeySequence("Ctrl+PgDown"), [this](DocumentTab&) { tabs_->showNext(1); }));
+  menu->addAction(tabAction("previousTab", tr("&Previous button"), tr("Show the previous open button"),
+                            QKeySequence("Ctrl+PgUp"), [this](DocumentTab&) { tabs_->showNext(-1); }));
+}
+
+void MainWindow::makeHelpActions() {
+  QMenu* menu = menuOf(menuBar(), tr("&Help"), "helpMenu");
+  menu->addAction(action("shortcuts", tr("&Keyboard shortcuts"), tr("List every action with its keys"),
+                         QKeySequence("F1"), [this] { showShortcuts(); }));
+  menu->addAction(action("about", tr("&About Detent"), tr("Version and licence"), QKeySequence("Shift+F1"),
+                         [this] { showAbout(); }));
+}
+
+void MainWindow::makeToolBar() {
+  tools_ = addToolBar(tr("Tools"));
+  tools_->setObjectName("toolBar");
+  tools_->setMovable(false);
+  tools_->toggleViewAction()->setEnabled(false);  // a tool bar hidden by mistake is hard to find again
+  const auto add = [this](const char* name, QStyle::StandardPixmap icon) {
+    for (QAction* own : ownActions_)
+      if (own->objectName() == name) {
+        own->setIcon(style()->standardIcon(icon));
+        tools_->addAction(own);
+      }
+  };
+  add("new", QStyle::SP_FileIcon);
+  add("open", QStyle::SP_DialogOpenButton);
+  add("save", QStyle::SP_DialogSaveButton);
+  tools_->addSeparator();
+  add("undo", QStyle::SP_ArrowBack);
+  add("redo", QStyle::SP_ArrowForward);
+  tools_->addSeparator();
+}
+
+// ------------------------------------------------------------------------------------ what changes with the
+// tab
+
+void MainWindow::fill(TabMenu& menu, const QList<QAction*>& actions) {
+  for (QAction* old : menu.shown) menu.menu->removeAction(old);
+  menu.menu->insertActions(menu.end, actions);
+  menu.shown = actions;
+}
+
+void MainWindow::showTabActions(DocumentTab* tab) {
+  for (QAction* old : toolMenu_.shown) tools_->removeAction(old);
+  fill(editMenu_, tab ? tab->workspace().editActions() : QList<QAction*>());
+  fill(toolMenu_, tab ? tab->workspace().toolActions() : QList<QAction*>());
+  fill(viewMenu_, tab ? tab->workspace().viewActions() : QList<QAction*>());
+  tools_->addActions(toolMenu_.shown);
+  toolMenu_.menu->menuAction()->setVisible(tab != nullptr);
+}
+
+void MainWindow::updateUndo() {
+  const DocumentTab* tab = tabs_->current();
+  const QUndoStack* stack = tab ? &tabs_->current()->document().history().stack() : nullptr;
+  undo_->setEnabled(stack && stack->canUndo());
+  redo_->setEnabled(stack && stack->canRedo());
+  undo_->setText(stack && stack->canUndo() ? tr("&Undo: %1").arg(stack->undoText()) : tr("&Undo"));
+  redo_->setText(stack && stack->canRedo() ? tr("&Redo: %1").arg(stack->redoText()) : tr("&Redo"));
+}
+
+void MainWindow::updateRecent() {
+  recentMenu_->clear();
+  const QStringList paths = files_->recent().paths();
+  for (const QString& path : paths) {
+    QString name = QFileInfo(path).fileName();
+    QAction* entry =
+        recentMenu_->addAction(name.replace('&', "&&"), this, [this, path] { files_->open({path}); });
+    entry->setToolTip(QDir::toNativeSeparators(path));
+  }
+  recentMenu_->addSeparator();
+  recentMenu_->addAction(tr("&Forget these"), this, [this] { files_->recent().clear(); });
+  recentMenu_->setEnabled(!paths.isEmpty());
+  welcome_->setRecent(paths);
+}
+
+QList<QAction*> MainWindow::allActions() const {
+  return ownActions_ + editMenu_.shown + toolMenu_.shown + viewMenu_.shown;
+}
+
+std::vector<ShortcutRow> MainWindow::shortcuts() const {
+  std::vector<ShortcutRow> rows = shortcutRows(tr("Window"), ownActions_);
+  const auto add = [&](const QString& group, const QList<QAction*>& actions) {
+    const std::vector<ShortcutRow> more = shortcutRows(group, actions);
+    rows.insert(rows.end(), more.begin(), more.end());
+  };
+  add(tr("Tools"), toolMenu_.shown);
+  add(tr("Editing"), editMenu_.shown);
+  add(tr("View"), viewMenu_.shown);
+  return rows;
+}
+
+void MainWindow::showShortcuts() {
+  ShortcutDialog dialog(shortcuts(), this);
+  dialog.exec();
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, tr("About Detent"),
+                     tr("<b>Detent %1</b><p>From a printed force graph to a button you can feel.</p>"
+                        "<p>GPL-3.0-or-later. After S. Kim and G. Lee, UIST 2013, and P. Shrestha.</p>")
+                         .arg(QCoreApplication::applicationVersion()));
+}
+
+}  // namespace detent::editor

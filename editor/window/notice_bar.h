@@ -1,0 +1,38 @@
+#pragma once
+// Messages that stand where they belong and wait, instead of a box that stops the work.
+
+#include <functional>
+#include <QFrame>
+#include <QVBoxLayout>
+#include <vector>
+
+namespace detent::editor {
+
+/// A column of notices above what they are about; not there when there are none. GUI thread.
+class NoticeBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Kind { information, trouble };
+
+  /// A button of a notice; the notice goes when it is pressed.
+  struct Choice {
+    QString objectName;
+    QString text;
+    std::function<void()> act;
+  };
+
+  explicit NoticeBar(QWidget* parent = nullptr);
+
+  /// A notice with the same `id` is replaced. Announced to screen readers.
+  void say(const QString& id, Kind kind, const QString& text, const std::vector<Choice>& choices = {});
+  void dismiss(const QString& id);
+  /// What is said now, oldest first.
+  QStringList texts() const;
+
+ private:
+  QFrame* rowOf(const QString& id) const;
+  QVBoxLayout* rows_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,73 @@
+#include "editor/window/prompts.h"
+
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QPushButton>
+
+#include "editor/library/template_dialog.h"
+
+namespace detent::editor {
+namespace {
+
+struct Questions {
+  Q_DECLARE_TR_FUNCTIONS(Questions)
+};
+
+}  // namespace
+
+SaveChoice Prompts::unsaved(QWidget* parent, const QStringList& titles) {
+  QMessageBox box(parent);
+  box.setObjectName("unsavedQuestion");
+  box.setIcon(QMessageBox::Question);
+  box.setWindowTitle(Questions::tr("Unsaved changes"));
+  box.setText(titles.size() == 1
+                  ? Questions::tr("Save the changes to \u201c%1\u201d?").arg(titles.first())
+                  : Questions::tr("Save the changes to %n button(s)?", "", static_cast<int>(titles.size())));
+  box.setInformativeText(titles.size() == 1 ? Questions::tr("They are lost otherwise.") : titles.join(", "));
+  box.setStandardButtons(QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  box.setDefaultButton(QMessageBox::Save);
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return SaveChoice::save;
+    case QMessageBox::Discard:
+      return SaveChoice::discard;
+    default:
+      return SaveChoice::cancel;
+  }
+}
+
+QStringList Prompts::filesToOpen(QWidget* parent, const QString& title, const QString& folder,
+                                 const QStringList& filters) {
+  return QFileDialog::getOpenFileNames(parent, title, folder, filters.join(QStringLiteral(";;")));
+}
+
+QString Prompts::fileToSave(QWidget* parent, const QString& title, const QString& suggested,
+                            const QString& filter) {
+  return QFileDialog::getSaveFileName(parent, title, suggested, filter);
+}
+
+bool Prompts::confirm(QWidget* parent, const QString& question, const QString& act) {
+  QMessageBox box(QMessageBox::Warning, Questions::tr("Detent"), question, QMessageBox::Cancel, parent);
+  box.setObjectName("confirmQuestion");
+  const QPushButton* yes = box.addButton(act, QMessageBox::AcceptRole);
+  box.setDefaultButton(QMessageBox::Cancel);
+  box.exec();
+  return box.clickedButton() == yes;
+}
+
+std::optional<Button> Prompts::newButton(QWidget* parent) {
+  TemplateDialog dialog(parent);
+  if (dialog.exec() != QDialog::Accepted) return {};
+  return dialog.chosen().button;
+}
+
+std::optional<QString> Prompts::text(QWidget* parent, const QString& title, const QString& label,
+                                     const QString& now) {
+  bool accepted = false;
+  const QString text = QInputDialog::getText(parent, title, label, QLineEdit::Normal, now, &accepted);
+  return accepted ? std::optional(text) : std::nullopt;
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,38 @@
+#pragma once
+// The questions that stop the work, in one place, so that tests can answer them.
+
+#include <optional>
+#include <QStringList>
+#include <QWidget>
+
+#include "model/button.h"
+
+namespace detent::editor {
+
+enum class SaveChoice { save, discard, cancel };
+
+/// Asks a person; every function opens one modal dialogue. GUI thread.
+class Prompts {
+ public:
+  Prompts() = default;
+  virtual ~Prompts() = default;
+  Prompts(const Prompts&) = delete;
+  Prompts& operator=(const Prompts&) = delete;
+
+  /// These have unsaved changes and are about to be closed.
+  virtual SaveChoice unsaved(QWidget* parent, const QStringList& titles);
+  /// Empty: cancelled. `filters` as QFileDialog has them.
+  virtual QStringList filesToOpen(QWidget* parent, const QString& title, const QString& folder,
+                                  const QStringList& filters);
+  virtual QString fileToSave(QWidget* parent, const QString& title, const QString& suggested,
+                             const QString& filter);
+  /// Something that cannot be taken back; `act` is the text of the button that does it.
+  virtual bool confirm(QWidget* parent, const QString& question, const QString& act);
+  /// The button to start from.
+  virtual std::optional<Button> newButton(QWidget* parent);
+  /// A text, changed or not; nullopt: cancelled.
+  virtual std::optional<QString> text(QWidget* parent, const QString& title, const QString& label,
+                                      const QString& now);
+};
+
+}  // namespace detent::editor

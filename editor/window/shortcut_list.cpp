@@ -1,0 +1,75 @@
+#include "editor/window/shortcut_list.h"
+
+#include <QDialogButtonBox>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QSortFilterProxyModel>
+#include <QStandardItemModel>
+#include <QTreeView>
+#include <QVBoxLayout>
+
+namespace detent::editor {
+namespace {
+
+QString withoutMnemonic(QString text) {
+  text.replace("&&", QChar(0));
+  text.remove('&');
+  text.replace(QChar(0), '&');
+  return text.remove(QStringLiteral("…"));
+}
+
+QStandardItemModel* modelOf(const std::vector<ShortcutRow>& rows, QObject* parent) {
+  auto* model = new QStandardItemModel(parent);
+  model->setHorizontalHeaderLabels(
+      {ShortcutDialog::tr("Action"), ShortcutDialog::tr("Keys"), ShortcutDialog::tr("Where")});
+  for (const ShortcutRow& row : rows)
+    model->appendRow(
+        {new QStandardItem(row.name), new QStandardItem(row.keys), new QStandardItem(row.group)});
+  return model;
+}
+
+}  // namespace
+
+std::vector<ShortcutRow> shortcutRows(const QString& group, const QList<QAction*>& actions) {
+  std::vector<ShortcutRow> rows;
+  for (const QAction* action : actions) {
+    if (action->shortcuts().isEmpty()) continue;
+    QStringList keys;
+    for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+    rows.push_back({group, withoutMnemonic(action->text()), keys.join(ShortcutDialog::tr(" or "))});
+  }
+  return rows;
+}
+
+ShortcutDialog::ShortcutDialog(const std::vector<ShortcutRow>& rows, QWidget* parent) : QDialog(parent) {
+  setObjectName("shortcutDialog");
+  setWindowTitle(tr("Keyboard shortcuts"));
+  auto* search = new QLineEdit;
+  search->setObjectName("shortcutSearch");
+  search->setAccessibleName(tr("Search the shortcuts"));
+  search->setPlaceholderText(tr("Search"));
+  search->setClearButtonEnabled(true);
+  auto* shown = new QSortFilterProxyModel(this);
+  shown->setSourceModel(modelOf(rows, this));
+  shown->setFilterKeyColumn(-1);
+  shown->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  connect(search, &QLineEdit::textChanged, shown, &QSortFilterProxyModel::setFilterFixedString);
+  auto* list = new QTreeView;
+  list->setObjectName("shortcutList");
+  list->setAccessibleName(tr("Keyboard shortcuts"));
+  list->setModel(shown);
+  list->setRootIsDecorated(false);
+  list->setAlternatingRowColors(true);
+  list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(search);
+  layout->addWidget(list);
+  layout->addWidget(buttons);
+  resize(560, 560);
+}
+
+}  // namespace detent::editor

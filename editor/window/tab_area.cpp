@@ -1,0 +1,98 @@
+#include "editor/window/tab_area.h"
+
+#include <QDir>
+#include <QTabBar>
+
+namespace detent::editor {
+
+TabArea::TabArea(WelcomePage* welcome, ViewSettings& settings, QWidget* parent)
+    : QStackedWidget(parent), settings_(settings), tabs_(new QTabWidget) {
+  tabs_->setObjectName("tabs");
+  tabs_->tabBar()->setObjectName("tabBar");
+  tabs_->tabBar()->setAccessibleName(tr("Open buttons"));
+  tabs_->setDocumentMode(true);
+  tabs_->setTabsClosable(true);
+  tabs_->setMovable(true);
+  tabs_->setElideMode(Qt::ElideMiddle);
+  addWidget(welcome);
+  addWidget(tabs_);
+  connect(tabs_, &QTabWidget::currentChanged, this, [this](int index) { emit currentTabChanged(at(index)); });
+  connect(tabs_, &QTabWidget::tabCloseRequested, this, [this](int index) { emit closeRequested(at(index)); });
+  connect(tabs_->tabBar(), &QTabBar::tabMoved, this, &TabArea::documentsChanged);
+}
+
+TabArea::~TabArea() {
+  tabs_->disconnect(this);
+  while (tabs_->count() > 0) delete tabs_->widget(0);
+}
+
+DocumentTab* TabArea::at(int index) const { return qobject_cast<DocumentTab*>(tabs_->widget(index)); }
+
+DocumentTab& TabArea::add(std::unique_ptr<ButtonDocument> document) {
+  auto* tab = new DocumentTab(std::move(document), settings_);
+  connect(&tab->document(), &ButtonDocument::titleChanged, this, [this, tab] { updateTitle(*tab); });
+  emit tabAdded(tab);
+  const int index = tabs_->addTab(tab, QString());
+  updateTitle(*tab);
+  setCurrentWidget(tabs_);
+  tabs_->setCurrentIndex(index);
+  emit documentsChanged();
+  return *tab;
+}
+
+void TabArea::remove(DocumentTab& tab) {
+  emit tabClosing(&tab);
+  tab.document().disconnect(this);
+  tabs_->removeTab(tabs_->indexOf(&tab));
+  if (tabs_->count() == 0) setCurrentIndex(0);
+  tab.hide();
+  tab.deleteLater();  // its own button may be what closes it
+  emit documentsChanged();
+}
+
+void TabArea::updateTitle(DocumentTab& tab) {
+  const int index = tabs_->indexOf(&tab);
+  const ButtonDocument& document = tab.document();
+  QString text = document.title();
+  text.replace('&', "&&");
+  tabs_->setTabText(index, document.history().modified() ? text + " *" : text);
+  tabs_->setTabToolTip(
+      index, document.path().isEmpty() ? tr("Not saved yet") : QDir::toNativeSeparators(document.path()));
+}
+
+DocumentTab* TabArea::current() const { return at(tabs_->currentIndex()); }
+
+void TabArea::show(ButtonDocument& document) {
+  if (DocumentTab* tab = tabOf(&document)) tabs_->setCurrentWidget(tab);
+}
+
+void TabArea::showNext(int step) {
+  if (const int count = tabs_->count(); count > 0)
+    tabs_->setCurrentIndex((tabs_->currentIndex() + step + count) % count);
+}
+
+std::vector<DocumentTab*> TabArea::all() const {
+  std::vector<DocumentTab*> tabs;
+  for (int i = 0; i < tabs_->count(); ++i) tabs.push_back(at(i));
+  return tabs;
+}
+
+std::vector<ButtonDocument*> TabArea::documents() const {
+  std::vector<ButtonDocument*> documents;
+  for (DocumentTab* tab : all()) documents.push_back(&tab->document());
+  return documents;
+}
+
+DocumentTab* TabArea::withPath(const QString& path) const {
+  for (DocumentTab* tab : all())
+    if (tab->document().path() == path) return tab;
+  return nullptr;
+}
+
+DocumentTab* TabArea::tabOf(const ButtonDocument* document) const {
+  for (DocumentTab* tab : all())
+    if (&tab->document() == document) return tab;
+  return nullptr;
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,54 @@
+#pragma once
+// The middle of the window: a tab per open button, or the welcome page.
+
+#include <QStackedWidget>
+#include <QTabWidget>
+#include <vector>
+
+#include "editor/window/document_tab.h"
+#include "editor/window/welcome_page.h"
+
+namespace detent::editor {
+
+/// Owns the tabs. GUI thread.
+class TabArea : public QStackedWidget {
+  Q_OBJECT
+
+ public:
+  /// `welcome` is taken over.
+  TabArea(WelcomePage* welcome, ViewSettings& settings, QWidget* parent = nullptr);
+  ~TabArea() override;
+
+  /// Shows it in a new tab and gives that.
+  DocumentTab& add(std::unique_ptr<ButtonDocument> document);
+  /// Closes without a question. tabClosing() is the last chance to let go of it.
+  void remove(DocumentTab& tab);
+
+  DocumentTab* current() const;
+  void show(ButtonDocument& document);
+  void showNext(int step);
+  /// In the order of the tabs.
+  std::vector<DocumentTab*> all() const;
+  std::vector<ButtonDocument*> documents() const;
+  /// The tab with this file, if it is open.
+  DocumentTab* withPath(const QString& path) const;
+  DocumentTab* tabOf(const ButtonDocument* document) const;
+
+ signals:
+  /// Another tab, or none (null).
+  void currentTabChanged(detent::editor::DocumentTab* tab);
+  void tabAdded(detent::editor::DocumentTab* tab);
+  void tabClosing(detent::editor::DocumentTab* tab);
+  /// The cross of a tab was pressed.
+  void closeRequested(detent::editor::DocumentTab* tab);
+  /// Tabs came, went or moved.
+  void documentsChanged();
+
+ private:
+  void updateTitle(DocumentTab& tab);
+  DocumentTab* at(int index) const;
+  ViewSettings& settings_;
+  QTabWidget* tabs_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,14 @@
+#pragma once
+// Texts in the person's language.
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace detent::editor {
+
+/// Installs detent_<language>.qm from `folder` and Qt's own texts for `locale`, where they are there; English
+/// otherwise. The translators belong to `application`. True if Detent's own were found.
+bool installTranslation(QCoreApplication& application, const QLocale& locale,
+                        const QString& folder = QStringLiteral(":/i18n"));
+
+}  // namespace detent::editor

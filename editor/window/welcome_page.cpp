@@ -1,0 +1,82 @@
+#include "editor/window/welcome_page.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace detent::editor {
+namespace {
+
+constexpr int column_px = 460;
+
+QLabel* line(const QString& text, double sizeFactor, bool bold) {
+  auto* label = new QLabel(text);
+  QFont font = label->font();
+  font.setPointSizeF(font.pointSizeF() * sizeFactor);
+  font.setBold(bold);
+  label->setFont(font);
+  label->setWordWrap(true);
+  return label;
+}
+
+}  // namespace
+
+WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget(parent) {
+  setObjectName("welcomePage");
+  auto* column = new QWidget;
+  column->setFixedWidth(column_px);
+  auto* layout = new QVBoxLayout(column);
+  layout->setSpacing(10);
+  layout->addStretch(2);
+  layout->addWidget(line(tr("Drop a datasheet here"), 1.7, true));
+  layout->addWidget(
+      line(tr("A picture, a PDF, an SVG, a force meter's CSV, or a button file. Detent reads the force "
+              "graph and makes a button of it that you can shape and feel."),
+           1, false));
+  layout->addSpacing(6);
+  for (QAction* way : ways) {
+    auto* button = new QPushButton(way->text());
+    button->setObjectName("welcome_" + way->objectName());
+    button->setToolTip(way->toolTip());
+    button->setMinimumHeight(34);
+    connect(button, &QPushButton::clicked, way, &QAction::trigger);
+    layout->addWidget(button);
+  }
+  recentSection_ = new QWidget;
+  auto* recentLayout = new QVBoxLayout(recentSection_);
+  recentLayout->setContentsMargins(0, 12, 0, 0);
+  recentLayout->addWidget(line(tr("Opened last"), 1, true));
+  recent_ = new QListWidget;
+  recent_->setObjectName("welcomeRecent");
+  recent_->setAccessibleName(tr("Files opened last"));
+  recent_->setFrameShape(QFrame::NoFrame);
+  recent_->setMaximumHeight(170);
+  recentLayout->addWidget(recent_);
+  const auto choose = [this](const QListWidgetItem* item) {
+    emit fileChosen(item->data(Qt::UserRole).toString());
+  };
+  connect(recent_, &QListWidget::itemActivated, this, choose);
+  layout->addWidget(recentSection_);
+  layout->addStretch(3);
+  auto* outer = new QHBoxLayout(this);
+  outer->addStretch();
+  outer->addWidget(column);
+  outer->addStretch();
+  setRecent({});
+}
+
+void WelcomePage::setRecent(const QStringList& paths) {
+  recent_->clear();
+  for (const QString& path : paths) {
+    auto* item = new QListWidgetItem(QFileInfo(path).fileName());
+    item->setData(Qt::UserRole, path);
+    item->setToolTip(QDir::toNativeSeparators(path));
+    recent_->addItem(item);
+  }
+  recentSection_->setVisible(!paths.isEmpty());
+}
+
+}  // namespace detent::editor

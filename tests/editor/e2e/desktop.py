@@ -1,0 +1,163 @@
+"""A screen of its own for tests: Xvfb with a window manager, mouse and keys by xdotool, widgets found by name.
+
+Everything that is started here is ended here, by its process id.
+"""
+
+import json
+import os
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+PATIENCE_S = 60.0
+
+
+class NotThere(AssertionError):
+    """Something that was waited for did not come."""
+
+
+def wait_for(what, question, patience_s=PATIENCE_S):
+    """The first true answer to question(); NotThere names `what` otherwise."""
+    end = time.monotonic() + patience_s
+    while time.monotonic() < end:
+        answer = question()
+        if answer:
+            return answer
+        time.sleep(0.05)
+    raise NotThere(f"{what}: not within {patience_s:.0f} s")
+
+
+def end(process):
+    if process.poll() is None:
+        process.terminate()
+        try:
+            process.wait(10)
+        except subprocess.TimeoutExpired:
+            process.kill()
+            process.wait()
+
+
+class Desktop:
+    """Xvfb on a display that is free, with openbox. Use with `with`."""
+
+    def __init__(self, folder, size="1500x950"):
+        self.folder, self.size = Path(folder), size
+        self.started = []
+
+    def __enter__(self):
+        reading, writing = os.pipe()
+        log = (self.folder / "xvfb.log").open("w")
+        self.start(["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{self.size}x24", "-nolisten", "tcp", "-dpi", "96"],
+                   stdout=log, stderr=log, pass_fds=[writing])
+        os.close(writing)
+        with os.fdopen(reading) as number:
+            self.display = ":" + number.readline().strip()
+        if self.display == ":":
+            raise NotThere(f"Xvfb did not start; its words are in {log.name}")
+        self.environment = dict(os.environ, DISPLAY=self.display, QT_QPA_PLATFORM="xcb", LC_ALL="C.UTF-8",
+                                XDG_CONFIG_HOME=str(self.folder / "config"), XDG_DATA_HOME=str(self.folder / "data"),
+                                XDG_RUNTIME_DIR=str(self.folder), HOME=str(self.folder))
+        self.environment.pop("WAYLAND_DISPLAY", None)
+        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+        self.start(["openbox"], env=self.environment, **quiet)
+        wait_for("a window manager", lambda: self.xdotool("get_desktop", check=False).returncode == 0)
+        return self
+
+    def __exit__(self, *_):
+        for process in reversed(self.started):
+            end(process)
+
+    def start(self, command, **options):
+        process = subprocess.Popen(command, **options)
+        self.started.append(process)
+        return process
+
+    def xdotool(self, *words, check=True):
+        return subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=check, capture_output=True, text=True,
+                              timeout=30)
+
+    def key(self, *keys):
+        self.xdotool("key", "--clearmodifiers", *keys)
+
+    def type(self, text):
+        self.xdotool("type", "--clearmodifiers", "--delay", 8, text)
+
+    def click(self, place):
+        self.xdotool("mousemove", "--sync", *place)
+        self.xdotool("click", 1)
+
+    def drag(self, start, stop, steps=12):
+        """Like a hand: several moves, a little time in each."""
+        self.xdotool("mousemove", "--sync", *start)
+        self.xdotool("mousedown", 1)
+        for i in range(1, steps + 1):
+            self.xdotool("mousemove", *(round(a + (b - a) * i / steps) for a, b in zip(start, stop)))
+            time.sleep(0.02)
+        self.xdotool("mouseup", 1)
+
+    def screenshot(self, file):
+        subprocess.run(["import", "-window", "root", str(file)], env=self.environment, check=False, timeout=30)
+
+
+class Editor:
+    """A running detent-edit and what it tells about its widgets (DETENT_EDIT_GEOMETRY)."""
+
+    def __init__(self, desktop, program, files=()):
+        self.desktop = desktop
+        self.geometry = desktop.folder / "geometry.json"
+        self.geometry.unlink(missing_ok=True)
+        self.log = (desktop.folder / "editor.log").open("a")
+        self.process = desktop.start([program, *map(str, files)], env=dict(desktop.environment, DETENT_EDIT_GEOMETRY=str(self.geometry)),
+                                     stdout=self.log, stderr=self.log)
+
+    def report(self):
+        if self.process.poll() is not None:
+            raise NotThere(f"detent-edit has ended with {self.process.returncode}; its words are in {self.log.name}")
+        try:
+            return json.loads(self.geometry.read_text())
+        except (FileNotFoundError, json.JSONDecodeError):
+            return {"windows": [], "widgets": []}
+
+    def find(self, name, window=None, **wanted):
+        for widget in self.report()["widgets"]:
+            if widget["name"] == name and window in (None, widget["window"]) and all(widget.get(k) == v for k, v in wanted.items()):
+                return widget
+        return None
+
+    def widget(self, name, window=None, patience_s=PATIENCE_S, **wanted):
+        """Waits until it is there as wanted (enabled=True, text="...")."""
+        return wait_for(f"widget {name} {wanted or ''}", lambda: self.find(name, window, **wanted), patience_s)
+
+    def gone(self, name):
+        wait_for(f"{name} to go away", lambda: not self.find(name))
+
+    def click(self, name, window=None, **wanted):
+        self.desktop.click(centre(self.widget(name, window, enabled=True, **wanted)))
+
+    def replace_text(self, name, text, window=None):
+        self.click(name, window)
+        self.desktop.key("ctrl+a")
+        self.desktop.type(text)
+
+    def on_graph(self, x_mm, y_N, name="graphCanvas"):
+        """Where a place of the force graph is on the screen; plots are in mm and N whatever is shown."""
+        axes = self.widget(name)["axes"]
+        left, top, width, height = axes["rect"]
+        (_, x0, x1), (_, y0, y1) = axes["x"], axes["y"]
+        return (left + (x_mm - x0) / (x1 - x0) * width, top + (y1 - y_N) / (y1 - y0) * height)
+
+    def per_pixel(self, name="graphCanvas"):
+        """mm and N of one pixel."""
+        axes = self.widget(name)["axes"]
+        _, _, width, height = axes["rect"]
+        return ((axes["x"][2] - axes["x"][1]) / width, (axes["y"][2] - axes["y"][1]) / height)
+
+    def kill(self):
+        self.process.send_signal(signal.SIGKILL)
+        self.process.wait(20)
+
+
+def centre(widget):
+    x, y, width, height = widget["rect"]
+    return (x + width // 2, y + height // 2)

@@ -1,0 +1,53 @@
+#pragma once
+// Answers to the window's questions, given beforehand.
+
+#include <deque>
+
+#include "editor/window/prompts.h"
+#include "model/templates.h"
+
+namespace detent::editor::tests {
+
+/// Each answer is used once; a question nobody expected is cancelled and counted.
+class ScriptedPrompts : public Prompts {
+ public:
+  std::deque<SaveChoice> unsavedAnswers;
+  std::deque<QStringList> openAnswers;
+  std::deque<QString> saveAnswers;
+  std::deque<bool> confirmAnswers;
+  std::deque<QString> textAnswers;
+  int unexpected = 0;
+  QStringList lastUnsaved;
+  QString lastSuggested;
+
+  SaveChoice unsaved(QWidget*, const QStringList& titles) override {
+    lastUnsaved = titles;
+    return next(unsavedAnswers, SaveChoice::cancel);
+  }
+  QStringList filesToOpen(QWidget*, const QString&, const QString&, const QStringList&) override {
+    return next(openAnswers, {});
+  }
+  QString fileToSave(QWidget*, const QString&, const QString& suggested, const QString&) override {
+    lastSuggested = suggested;
+    return next(saveAnswers, {});
+  }
+  bool confirm(QWidget*, const QString&, const QString&) override { return next(confirmAnswers, false); }
+  std::optional<Button> newButton(QWidget*) override { return *tactileButton(); }
+  std::optional<QString> text(QWidget*, const QString&, const QString&, const QString&) override {
+    return textAnswers.empty() ? std::nullopt : std::optional(next(textAnswers, {}));
+  }
+
+ private:
+  template <class T>
+  T next(std::deque<T>& answers, T otherwise) {
+    if (answers.empty()) {
+      ++unexpected;
+      return otherwise;
+    }
+    T answer = answers.front();
+    answers.pop_front();
+    return answer;
+  }
+};
+
+}  // namespace detent::editor::tests

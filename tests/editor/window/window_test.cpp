@@ -1,0 +1,449 @@
+// The window as a whole: actions, files, tabs, recovery, appearance, units.
+
+#include <QAccessible>
+#include <QApplication>
+#include <QClipboard>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QImage>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUrl>
+
+#include "editor/files/document_files.h"
+#include "editor/importing/import_dialog.h"
+#include "editor/library/compare_dialog.h"
+#include "editor/window/appearance.h"
+#include "editor/window/arguments.h"
+#include "editor/window/geometry_report.h"
+#include "editor/window/main_window.h"
+#include "editor/window/stored_view.h"
+#include "model/edits.h"
+#include "tests/editor/window/scripted_prompts.h"
+
+using namespace detent;
+using namespace detent::editor;
+using detent::editor::tests::ScriptedPrompts;
+
+namespace {
+
+QString sample(const char* name) { return QStringLiteral(DETENT_SOURCE_DIR "/samples/") + name; }
+
+/// A window with a settings file and a recovery folder of its own.
+struct Rig {
+  explicit Rig(const QString& folder)
+      : settings(folder + "/settings.ini", QSettings::IniFormat), recovery(folder + "/recovery") {
+    restoreView(view, settings);
+    window = std::make_unique<MainWindow>(WindowPlaces{view, settings, prompts, recovery});
+    window->show();
+  }
+  ButtonDocument& document() { return window->tabs().current()->document(); }
+  void scale(double factor) {
+    document().history().apply(*scaleForce(document().button(), factor), "Scale force");
+  }
+  QAction* action(const QString& name) const {
+    for (QAction* action : window->allActions())
+      if (action->objectName() == name) return action;
+    return nullptr;
+  }
+  QStringList notices() const {
+    QStringList all = window->notices().texts();
+    if (DocumentTab* tab = window->tabs().current()) all << tab->notices().texts();
+    return all;
+  }
+  void press(const QString& button) {
+    for (auto* found : window->findChildren<QPushButton*>(button))
+      if (found->isVisible()) return found->click();
+    QFAIL(qPrintable("no button " + button));
+  }
+
+  QSettings settings;
+  ViewSettings view;
+  ScriptedPrompts prompts;
+  RecoveryStore recovery;
+  std::unique_ptr<MainWindow> window;
+};
+
+double luminance(const QColor& color) {
+  const auto linear = [](double c) { return c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+}
+
+double contrast(const QColor& a, const QColor& b) {
+  const double x = luminance(a), y = luminance(b);
+  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+}  // namespace
+
+class WindowTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() { folder_ = std::make_unique<QTemporaryDir>(); }
+
+  void argumentsAreFilesAndThreeOptions() {
+    const Arguments plain = argumentsFrom({"a.button.json", "--", "--b.png"});
+    QCOMPARE(plain.files, QStringList({"a.button.json", "--b.png"}));
+    QVERIFY(plain.wrongUsage.isEmpty());
+    QVERIFY(argumentsFrom({"--help"}).help);
+    QVERIFY(argumentsFrom({"--version"}).version);
+    QVERIFY(argumentsFrom({"--nonsense"}).wrongUsage.contains("--nonsense"));
+    QVERIFY(helpText().contains("Exit codes"));
+  }
+
+  void everyActionIsComplete() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    QVERIFY(rig.window->allActions().size() > 40);
+    QSet<QString> names;
+    for (const QAction* action : rig.window->allActions()) {
+      if (action->isSeparator()) continue;
+      const QByteArray name = action->objectName().toUtf8();
+      QVERIFY2(!name.isEmpty(), qPrintable(action->text()));
+      QVERIFY2(!names.contains(action->objectName()), name);
+      names << action->objectName();
+      QVERIFY2(!action->text().isEmpty(), name);
+      QVERIFY2(!action->toolTip().isEmpty() && action->toolTip() != action->text(), name);
+    }
+  }
+
+  void noShortcutMeansTwoThings() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/latch.button.json"), sample("buttons/B.button.json")});
+    QHash<QString, QString> taken;
+    for (const QAction* action : rig.window->allActions())
+      for (const QKeySequence& key : action->shortcuts()) {
+        const QString keys = key.toString();
+        QVERIFY2(!taken.contains(keys),
+                 qPrintable(keys + ": " + taken.value(keys) + " and " + action->objectName()));
+        taken.insert(keys, action->objectName());
+      }
+    for (const ShortcutRow& row : rig.window->shortcuts()) {
+      QVERIFY(!row.name.isEmpty() && !row.keys.isEmpty() && !row.group.isEmpty());
+      QVERIFY2(!row.name.contains('&'), qPrintable(row.name));
+    }
+  }
+
+  void everyWidgetToWorkWithHasAName() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/latch.button.json")});
+    for (const auto* dock : rig.window->findChildren<QDockWidget*>()) const_cast<QDockWidget*>(dock)->show();
+    QCoreApplication::processEvents();
+    for (QWidget* widget : rig.window->findChildren<QWidget*>()) {
+      if (!widget->isVisible() || widget->focusPolicy() == Qt::NoFocus ||
+          widget->objectName().startsWith("qt_"))
+        continue;
+      const bool ownWords = qobject_cast<QAbstractButton*>(widget) || qobject_cast<QDockWidget*>(widget);
+      if (ownWords || qobject_cast<QTabWidget*>(widget) ||
+          widget->parentWidget()->inherits("QAbstractItemView") ||
+          widget->parentWidget()->inherits("QAbstractSpinBox") ||
+          widget->parentWidget()->inherits("QComboBox"))
+        continue;
+      const QAccessibleInterface* reader = QAccessible::queryAccessibleInterface(widget);
+      QVERIFY2(reader && !reader->text(QAccessible::Name).isEmpty(),
+               qPrintable(QString(widget->metaObject()->className()) + " " + widget->objectName() + " in " +
+                          widget->parentWidget()->objectName()));
+    }
+  }
+
+  void opensSavesAndMarks() {
+    Rig rig(folder_->path());
+    QVERIFY(!rig.action("save")->isEnabled());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    QCOMPARE(rig.window->windowTitle(), QString("B[*] \u2013 Detent"));
+    rig.scale(1.5);
+    QVERIFY(rig.window->isWindowModified());
+    rig.prompts.saveAnswers = {at("mine")};
+    rig.action("saveAs")->trigger();
+    QVERIFY(!rig.window->isWindowModified());
+    QVERIFY(QFile::exists(at("mine.button.json")));
+    QCOMPARE(rig.window->files().recent().paths().first(), at("mine.button.json"));
+    rig.scale(1.5);
+    rig.action("save")->trigger();
+    QVERIFY((*openDocument(at("mine.button.json")))->button() == rig.document().button());
+    QCOMPARE(rig.prompts.unexpected, 0);
+  }
+
+  void aFileIsOpenOnce() {
+    Rig rig(folder_->path());
+    rig.window->files().open(
+        {sample("buttons/B.button.json"), sample("buttons/C.button.json"), sample("buttons/B.button.json")});
+    QCOMPARE(rig.window->tabs().all().size(), std::size_t{2});
+    QCOMPARE(rig.document().title(), QString("B"));
+    rig.prompts.saveAnswers = {rig.document().path()};
+    rig.window->tabs().showNext(1);
+    rig.action("saveAs")->trigger();
+    QVERIFY(rig.notices().join("").contains("another tab"));
+  }
+
+  void aBrokenFileCostsNothing() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.scale(2);
+    const Button before = rig.document().button();
+    QFile broken(at("broken.button.json"));
+    QVERIFY(broken.open(QIODevice::WriteOnly));
+    broken.write("{\"format\":");
+    broken.close();
+    rig.window->files().open({at("broken.button.json"), at("missing.button.json")});
+    QCOMPARE(rig.window->tabs().all().size(), std::size_t{1});
+    QVERIFY(rig.document().button() == before);
+    QCOMPARE(rig.window->notices().texts().size(), 2);
+    QVERIFY(rig.window->notices().texts()[0].contains("broken.button.json"));
+  }
+
+  void closingAsks() {
+    Rig rig(folder_->path());
+    rig.action("new")->trigger();
+    rig.action("close")->trigger();  // untouched: no question
+    QVERIFY(!rig.window->tabs().current());
+    rig.action("new")->trigger();
+    rig.scale(2);
+    rig.prompts.unsavedAnswers = {SaveChoice::cancel, SaveChoice::save, SaveChoice::discard};
+    rig.action("close")->trigger();
+    QVERIFY(rig.window->tabs().current());
+    rig.prompts.saveAnswers = {QString()};  // and then no name
+    rig.action("close")->trigger();
+    QVERIFY(rig.window->tabs().current());
+    rig.action("close")->trigger();
+    QVERIFY(!rig.window->tabs().current());
+    QCOMPARE(rig.prompts.unexpected, 0);
+  }
+
+  void quittingAsksOnceForAll() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/C.button.json")});
+    rig.scale(2);
+    rig.window->tabs().showNext(1);
+    rig.scale(2);
+    rig.prompts.unsavedAnswers = {SaveChoice::cancel, SaveChoice::discard};
+    QVERIFY(!rig.window->close());
+    QCOMPARE(rig.prompts.lastUnsaved.size(), 2);
+    QVERIFY(rig.window->close());
+    rig.recovery.flush();
+    QVERIFY(RecoveryStore(folder_->filePath("recovery")).leftBehind().isEmpty());
+  }
+
+  void undoAndRedoSayWhat() {
+    Rig rig(folder_->path());
+    rig.action("new")->trigger();
+    QVERIFY(!rig.action("undo")->isEnabled());
+    const Button before = rig.document().button();
+    rig.scale(2);
+    QVERIFY(rig.action("undo")->text().contains("Scale force"));
+    rig.action("undo")->trigger();
+    QVERIFY(rig.document().button() == before);
+    rig.action("redo")->trigger();
+    rig.document().history().beginDrag("Drag");
+    rig.document().history().preview(before);
+    rig.action("undo")->trigger();  // ends the drag, nothing more
+    QVERIFY(!rig.document().history().dragging());
+    QVERIFY(!(rig.document().button() == before));
+  }
+
+  void recoversWhatWasLeft() {
+    // What a killed editor leaves: a recovery file under a lock nobody holds.
+    QVERIFY(QDir().mkpath(at("recovery/dead")));
+    QFile::copy(sample("buttons/B.button.json"), at("b.button.json"));
+    const Button saved = (*openDocument(at("b.button.json")))->button();
+    const Button unsaved = *scaleForce(saved, 1.25);
+    for (const QString& path : {at("b.button.json"), QString()}) {
+      QFile file(at("recovery/dead/" + QString(path.isEmpty() ? "2" : "1") + ".recovery.json"));
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(QByteArray::fromStdString(
+          recoveryText({unsaved, path, path.isEmpty() ? "new" : "b", QDateTime::currentDateTimeUtc()})));
+    }
+    Rig rig(folder_->path());
+    rig.window->files().offerRecovery();
+    QVERIFY(rig.window->notices().texts().join("").contains("kept what was not saved"));
+    rig.press("discardRecovery");  // not confirmed: offered again
+    rig.press("recover");
+    QCOMPARE(rig.window->tabs().all().size(), std::size_t{2});
+    for (DocumentTab* tab : rig.window->tabs().all()) {
+      QVERIFY(tab->document().button() == unsaved);
+      QVERIFY(tab->document().history().modified());
+    }
+    DocumentTab* onFile = rig.window->tabs().withPath(at("b.button.json"));
+    QVERIFY(onFile);
+    onFile->document().history().stack().undo();
+    QVERIFY(onFile->document().button() == saved);
+    QVERIFY(!onFile->document().history().modified());
+    QVERIFY(!QDir(at("recovery/dead")).exists());
+  }
+
+  void changesFromOutsideAreSaid() {
+    Rig rig(folder_->path());
+    QFile::copy(sample("buttons/B.button.json"), at("b.button.json"));
+    QFile::setPermissions(at("b.button.json"), QFile::ReadOwner | QFile::WriteOwner);
+    rig.window->files().open({at("b.button.json")});
+    rig.scale(1.5);
+    const Button mine = rig.document().button();
+    const auto writeOther = [&](double factor) {
+      ButtonDocument other(*scaleForce(mine, factor));
+      QVERIFY(saveDocument(other, at("b.button.json")).ok());
+    };
+    writeOther(3);
+    QTRY_VERIFY(rig.notices().join("").contains("Another program"));
+    rig.press("keepMine");
+    QVERIFY(rig.document().button() == mine);
+    QVERIFY(rig.window->isWindowModified());
+    writeOther(4);
+    QTRY_VERIFY(rig.notices().join("").contains("Another program"));
+    rig.press("reload");
+    QVERIFY(rig.document().button() == *scaleForce(mine, 4));
+    QVERIFY(!rig.window->isWindowModified());
+    QFile::remove(at("b.button.json"));
+    QTRY_VERIFY(rig.notices().join("").contains("deleted or moved"));
+    QVERIFY(rig.window->isWindowModified());
+    rig.action("save")->trigger();
+    QVERIFY(QFile::exists(at("b.button.json")));
+    QVERIFY(rig.notices().isEmpty());
+  }
+
+  void exportsAndCopies() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.prompts.saveAnswers = {at("e.csv"), at("e.svg"), at("e"), at("e.wav"), at("no/folder/e.wav")};
+    for (const char* name : {"exportCsv", "exportSvg", "exportPng", "exportWav"}) rig.action(name)->trigger();
+    for (const char* file : {"e.csv", "e.svg", "e.png", "e.wav"}) QVERIFY2(QFile::exists(at(file)), file);
+    QCOMPARE(QImage(at("e.png")).size(), QSize(2400, 1600));
+    rig.action("exportWav")->trigger();
+    QVERIFY(rig.notices().join("").contains("Not exported"));
+    rig.action("copyCsv")->trigger();
+    QVERIFY(QApplication::clipboard()->text().startsWith("stroke,displacement_mm,force_N"));
+    rig.action("copyPicture")->trigger();
+    QCOMPARE(QApplication::clipboard()->image().size(), QSize(1800, 1200));
+  }
+
+  void picturesAndPagesGoToTheImport() {
+    Rig rig(folder_->path());
+    QImage picture(60, 40, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QApplication::clipboard()->setImage(picture);
+    rig.action("paste")->trigger();
+    const auto dialogs = [&] {
+      int visible = 0;
+      for (const auto* dialog : rig.window->findChildren<ImportDialog*>()) visible += dialog->isVisible();
+      return visible;
+    };
+    QCOMPARE(dialogs(), 1);
+    rig.window->findChild<ImportDialog*>()->reject();
+    QCOMPARE(dialogs(), 0);
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(sample("plots/locked-dark.png")),
+                   QUrl::fromLocalFile(sample("plots/two-level-legend.png")),
+                   QUrl::fromLocalFile(sample("buttons/C.button.json"))});
+    QVERIFY(FileDesk::canTake(files));
+    QVERIFY(rig.window->files().take(files));
+    QCOMPARE(dialogs(), 1);
+    QCOMPARE(rig.document().title(), QString("C"));
+    rig.window->findChild<ImportDialog*>()->reject();
+    QTRY_COMPARE(dialogs(), 1);  // the second page had waited
+    rig.window->findChild<ImportDialog*>()->reject();
+    QCoreApplication::processEvents();
+    QCOMPARE(dialogs(), 0);
+    QMimeData nothing;
+    nothing.setText("words");
+    QVERIFY(!FileDesk::canTake(nothing));
+  }
+
+  void unitsAndAppearanceAreKept() {
+    {
+      Rig rig(folder_->path());
+      rig.action("unit_force_gf")->trigger();
+      rig.action("unit_length_in")->trigger();
+      rig.action("appearanceDark")->trigger();
+      QVERIFY(isDark(QApplication::palette()));
+      rig.action("libraryDockToggle")->trigger();
+      QVERIFY(rig.window->close());
+    }
+    Rig rig(folder_->path());
+    QVERIFY(rig.view.units() == (DisplayUnits{LengthUnit::inch, ForceUnit::gramForce}));
+    QVERIFY(rig.action("unit_force_gf")->isChecked());
+    QVERIFY(rig.action("appearanceDark")->isChecked());
+    QVERIFY(!rig.window->findChild<QDockWidget*>("libraryDock")->isVisible());
+    rig.action("appearanceLight")->trigger();
+    QVERIFY(!isDark(QApplication::palette()));
+  }
+
+  void storedNonsenseIsIgnored() {
+    QSettings settings(at("odd.ini"), QSettings::IniFormat);
+    settings.setValue("view/forceUnit", "bananas");
+    settings.setValue("snap/gridForce_N", "nan");
+    settings.setValue("snap/gridLength_mm", -3);
+    settings.setValue("view/underlayOpacity", 17);
+    ViewSettings view;
+    restoreView(view, settings);
+    QVERIFY(view.units() == DisplayUnits{});
+    QVERIFY(view.snap() == SnapSettings{});
+    QCOMPARE(view.underlayOpacity(), ViewSettings().underlayOpacity());
+  }
+
+  void textCanBeReadOnEveryGround() {
+    for (const QPalette& palette : {lightPalette(), darkPalette()}) {
+      for (const auto& [text, ground] :
+           {std::pair(QPalette::WindowText, QPalette::Window), std::pair(QPalette::Text, QPalette::Base),
+            std::pair(QPalette::Text, QPalette::AlternateBase),
+            std::pair(QPalette::ButtonText, QPalette::Button),
+            std::pair(QPalette::HighlightedText, QPalette::Highlight),
+            std::pair(QPalette::Link, QPalette::Base),
+            std::pair(QPalette::ToolTipText, QPalette::ToolTipBase)})
+        QVERIFY2(contrast(palette.color(text), palette.color(ground)) >= 4.5,
+                 qPrintable(QString("role %1 on %2").arg(text).arg(ground)));
+    }
+  }
+
+  void comparesTheOpenOnes() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/C.button.json")});
+    rig.action("compare")->trigger();
+    auto* dialog = rig.window->findChild<CompareDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    QVERIFY(dialog->tableText().count('\n') > 8);
+    rig.window->tabs().remove(*rig.window->tabs().all()[0]);
+    rig.window->tabs().remove(*rig.window->tabs().all()[0]);
+    QVERIFY(dialog->tableText().count('\n') <= 1);
+  }
+
+  void feelPanelIsMadeWhenSeen() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/C.button.json")});
+    QVERIFY(!rig.window->findChild<QWidget*>("feelOther"));
+    rig.action("feelDockToggle")->trigger();
+    QTRY_VERIFY(rig.window->findChild<QWidget*>("feelOther"));
+    rig.window->tabs().remove(*rig.window->tabs().all()[0]);
+    rig.window->tabs().remove(*rig.window->tabs().all()[0]);
+  }
+
+  void geometryIsToldByName() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    QCoreApplication::processEvents();
+    const QJsonObject report = QJsonDocument::fromJson(geometryJson()).object();
+    QSet<QString> names;
+    for (const auto& widget : report["widgets"].toArray()) names << widget.toObject()["name"].toString();
+    for (const char* name : {"mainWindow", "tabBar", "cursorPosition", "unitButton", "libraryOpenButtons"})
+      QVERIFY2(names.contains(name), name);
+    new GeometryReport(at("geometry.json"), rig.window.get());
+    QTRY_VERIFY(QFile::exists(at("geometry.json")));
+  }
+
+ private:
+  QString at(const QString& name) const { return folder_->filePath(name); }
+  std::unique_ptr<QTemporaryDir> folder_;
+};
+
+int main(int argc, char** argv) {
+  QApplication::setStyle("Fusion");
+  QApplication app(argc, argv);
+  WindowTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "window_test.moc"
