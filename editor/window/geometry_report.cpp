@@ -20,7 +20,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr int period_ms = 200;
+constexpr int period_ms = 100;
 
 QJsonArray rectJson(const QRect& rect) { return {rect.x(), rect.y(), rect.width(), rect.height()}; }
 
@@ -118,6 +118,7 @@ GeometryReport::GeometryReport(QString file, QObject* parent) : QObject(parent),
   timer_.setInterval(period_ms);
   connect(&timer_, &QTimer::timeout, this, &GeometryReport::write);
   timer_.start();
+  QTimer::singleShot(0, this, &GeometryReport::write);
 }
 
 void GeometryReport::write() {

@@ -8,7 +8,7 @@
 namespace detent::editor {
 
 /// While it lives, writes names, classes, texts and screen rectangles of all visible widgets as JSON to a
-/// file whenever they changed, atomically, five times a second at most. Plots also give their axes, so that
+/// file whenever they changed, atomically, ten times a second at most. Plots also give their axes, so that
 /// values can be found on the screen. GUI thread.
 class GeometryReport : public QObject {
   Q_OBJECT

@@ -62,8 +62,7 @@ MainWindow::~MainWindow() {
   delete library_;
 }
 
-// ----------------------------------------------------------------------------------------------------- the
-// parts
+// -------------------------------------------------------------------------------------------- the parts
 
 void MainWindow::makeCentre() {
   QList<QAction*> ways;
@@ -191,8 +190,7 @@ void MainWindow::makeStatusBar() {
   statusBar()->addPermanentWidget(units_);
 }
 
-// ------------------------------------------------------------------------------------------------------ the
-// tabs
+// --------------------------------------------------------------------------------------------- the tabs
 
 void MainWindow::connectTabs() {
   connect(tabs_, &TabArea::tabAdded, this, [this](DocumentTab* tab) { adopt(*tab); });
@@ -276,8 +274,7 @@ void MainWindow::compareWith(ButtonDocument* other) {
   comparison_->activateWindow();
 }
 
-// ---------------------------------------------------------------------------------------------- units,
-// appearance
+// ------------------------------------------------------------------------------------ units, appearance
 
 void MainWindow::updateUnits() {
   const DisplayUnits& units = at_.view.units();
@@ -304,8 +301,7 @@ void MainWindow::applyAppearance() {
   if (palette != QApplication::palette()) QApplication::setPalette(palette);
 }
 
-// ------------------------------------------------------------------------------------------------ between
-// two runs
+// ------------------------------------------------------------------------------------- between two runs
 
 void MainWindow::restoreWindow() {
   if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray())) resize(firstSize_px);
@@ -327,8 +323,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->accept();
 }
 
-// -------------------------------------------------------------------------------------- clipboard, drop,
-// small edits
+// ------------------------------------------------------------------------- clipboard, drop, small edits
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (FileDesk::canTake(*event->mimeData())) event->acceptProposedAction();

@@ -7,9 +7,9 @@
 #include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QStyle>
 #include <QToolBar>
 
+#include "editor/window/line_icon.h"
 #include "editor/window/main_window.h"
 
 namespace detent::editor {
@@ -218,24 +218,22 @@ void MainWindow::makeToolBar() {
   tools_->setObjectName("toolBar");
   tools_->setMovable(false);
   tools_->toggleViewAction()->setEnabled(false);  // a tool bar hidden by mistake is hard to find again
-  const auto add = [this](const char* name, QStyle::StandardPixmap icon) {
+  const auto add = [this](const char* name) {
     for (QAction* own : ownActions_)
       if (own->objectName() == name) {
-        own->setIcon(style()->standardIcon(icon));
+        own->setIcon(lineIcon(name));
         tools_->addAction(own);
       }
   };
-  add("new", QStyle::SP_FileIcon);
-  add("open", QStyle::SP_DialogOpenButton);
-  add("save", QStyle::SP_DialogSaveButton);
+  for (const char* name : {"new", "open", "import", "save"}) add(name);
   tools_->addSeparator();
-  add("undo", QStyle::SP_ArrowBack);
-  add("redo", QStyle::SP_ArrowForward);
+  for (const char* name : {"undo", "redo"}) add(name);
+  tools_->addSeparator();
+  for (const char* name : {"compare", "feelDockToggle"}) add(name);
   tools_->addSeparator();
 }
 
-// ------------------------------------------------------------------------------------ what changes with the
-// tab
+// --------------------------------------------------------------------------------- what changes with the tab
 
 void MainWindow::fill(TabMenu& menu, const QList<QAction*>& actions) {
   for (QAction* old : menu.shown) menu.menu->removeAction(old);
@@ -248,6 +246,8 @@ void MainWindow::showTabActions(DocumentTab* tab) {
   fill(editMenu_, tab ? tab->workspace().editActions() : QList<QAction*>());
   fill(toolMenu_, tab ? tab->workspace().toolActions() : QList<QAction*>());
   fill(viewMenu_, tab ? tab->workspace().viewActions() : QList<QAction*>());
+  for (QAction* tool : toolMenu_.shown)
+    if (tool->icon().isNull()) tool->setIcon(lineIcon(tool->objectName()));
   tools_->addActions(toolMenu_.shown);
   toolMenu_.menu->menuAction()->setVisible(tab != nullptr);
 }
