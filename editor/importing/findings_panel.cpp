@@ -170,12 +170,12 @@ FindingsPanel::FindingsPanel(ImportState& state, ViewSettings& settings, QWidget
   setFrameShape(QFrame::NoFrame);
   setMinimumWidth(300);
   build();
-  connect(&state_, &ImportState::correctionsChanged, this, &FindingsPanel::show);
-  connect(&state_, &ImportState::resultChanged, this, &FindingsPanel::show);
-  connect(&state_, &ImportState::currentChanged, this, &FindingsPanel::show);
-  connect(&state_, &ImportState::documentChanged, this, &FindingsPanel::show);
-  connect(&settings_, &ViewSettings::changed, this, &FindingsPanel::show);
-  show();
+  connect(&state_, &ImportState::correctionsChanged, this, &FindingsPanel::refresh);
+  connect(&state_, &ImportState::resultChanged, this, &FindingsPanel::refresh);
+  connect(&state_, &ImportState::currentChanged, this, &FindingsPanel::refresh);
+  connect(&state_, &ImportState::documentChanged, this, &FindingsPanel::refresh);
+  connect(&settings_, &ViewSettings::changed, this, &FindingsPanel::refresh);
+  refresh();
 }
 
 FindingsPanel::~FindingsPanel() = default;
@@ -549,7 +549,7 @@ void FindingsPanel::showResult() {
       tr("Computed in %1 ms: %2").arg(qRound(1000 * sum)).arg(times.join(QStringLiteral(", "))));
 }
 
-void FindingsPanel::show() {
+void FindingsPanel::refresh() {
   Fields& f = *fields_;
   const ImportGraph* graph = state_.current();
   const bool log = state_.isForceLog();

@@ -32,7 +32,7 @@ class FindingsPanel : public QScrollArea {
  private:
   struct Fields;
   void build();
-  void show();
+  void refresh();
   void showAxis(GraphAxis axis);
   void showCurves();
   void showResult();

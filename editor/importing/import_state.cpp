@@ -130,6 +130,7 @@ void ImportState::takeFacts(const DocumentFacts& facts) {
   openTicket_ = 0;
   facts_ = facts;
   pages_.resize(static_cast<std::size_t>(facts.pages));
+  currentPage_ = std::min(1, facts.pages);
   emit documentChanged();
   if (isForceLog()) {
     graphs_[logGraph].id = logGraph;
@@ -191,6 +192,11 @@ void ImportState::takeGraphs(const FoundGraphs& found) {
   } else if (number == currentPage_) {
     emit currentChanged();
   }
+}
+
+const ImportPage& ImportState::page(int number) const {
+  DETENT_CHECK(number >= 1 && number <= pageCount(), "pages count from 1");
+  return pages_[static_cast<std::size_t>(number - 1)];
 }
 
 int ImportState::searchedPages() const {

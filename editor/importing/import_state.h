@@ -67,7 +67,7 @@ class ImportState : public QObject {
   int pageCount() const { return facts_ ? facts_->pages : 0; }
   const std::optional<Failure>& openFailure() const { return openFailure_; }
 
-  const ImportPage& page(int number) const { return pages_[static_cast<std::size_t>(number - 1)]; }
+  const ImportPage& page(int number) const;  ///< 1 to pageCount() (checked)
   /// Pages searched so far; when it reaches pageCount() all graphs are known.
   int searchedPages() const;
   std::vector<GraphId> graphs() const;

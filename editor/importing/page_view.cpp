@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <QHelpEvent>
 #include <QLineEdit>
 #include <QLocale>
@@ -52,11 +53,10 @@ PageView::PageView(ImportState& state, ViewSettings& settings, QWidget* parent)
 PageView::~PageView() = default;
 
 void PageView::setTool(ToolKind kind) {
-  if (tool_->busy()) tool_->cancel();
   tool_->cancel();
   preview_.reset(), magnifier_.reset();
   toolKind_ = kind;
-  tool_ = makeTool(kind, *this);
+  retired_ = std::exchange(tool_, makeTool(kind, *this));
   setCursor(tool_->cursor(mapFromGlobal(QCursor::pos())));
   emit toolChanged(kind);
   emit hint(tool_->hint());

@@ -95,6 +95,7 @@ class PageView : public QWidget {
   ImportState& state_;
   ViewSettings& settings_;
   std::unique_ptr<PageTool> tool_;
+  std::unique_ptr<PageTool> retired_;  ///< the tool before: it may have asked for its successor itself
   ToolKind toolKind_ = ToolKind::adjust;
   std::optional<Corrections> preview_;
   DrawnResult drawn_;
