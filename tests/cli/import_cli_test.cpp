@@ -55,6 +55,73 @@ std::string whiteBmp(unsigned width, unsigned height) {
   return bytes;
 }
 
+/// A PDF of these objects, the catalogue first; readers rebuild the table that is missing.
+std::string pdfOf(const std::vector<std::string>& objects, const std::string& trailerEntries = "") {
+  std::string bytes = "%PDF-1.4\n";
+  int number = 0;
+  for (const std::string& object : objects) {
+    ++number;
+    bytes += std::to_string(number) + " 0 obj\n" + object + "\nendobj\n";
+  }
+  return bytes + "trailer\n<</Root 1 0 R" + trailerEntries + ">>\n%%EOF\n";
+}
+
+std::string pdfStream(const std::string& entries, const std::string& content) {
+  return "<<" + entries + "/Length " + std::to_string(content.size()) + ">>\nstream\n" + content +
+         "\nendstream";
+}
+
+/// `count` times the same page with this content; further objects from number 5.
+std::string pdfPages(int count, const std::string& content, const std::string& resources = "",
+                     const std::vector<std::string>& further = {}) {
+  std::string kids;
+  for (int i = 0; i < count; ++i) kids += "3 0 R ";
+  std::vector<std::string> objects{
+      "<</Type/Catalog/Pages 2 0 R>>",
+      "<</Type/Pages/Kids[" + kids + "]/Count " + std::to_string(count) + ">>",
+      "<</Type/Page/Parent 2 0 R/MediaBox[0 0 600 800]/Contents 4 0 R/Resources<<" + resources + ">>>>",
+      pdfStream("", content)};
+  objects.insert(objects.end(), further.begin(), further.end());
+  return pdfOf(objects);
+}
+
+/// Forms that draw the next one 20 times, ten deep: 20^10 lines.
+std::string formBomb() {
+  const auto form = [](int next) {
+    std::string content;
+    for (int i = 0; i < 20; ++i) content += "/X Do ";
+    return pdfStream("/Type/XObject/Subtype/Form/BBox[0 0 9 9]/Resources<</XObject<</X " +
+                         std::to_string(next) + " 0 R>>>>",
+                     content);
+  };
+  std::vector<std::string> forms;
+  for (int next = 6; next < 16; ++next) forms.push_back(form(next));
+  forms.push_back(pdfStream("/Type/XObject/Subtype/Form/BBox[0 0 9 9]", "0 0 m 9 9 l S"));
+  return pdfPages(1, "/X Do", "/XObject<</X 5 0 R>>", forms);
+}
+
+/// Each reference draws the one before it eight times.
+std::string svgBomb() {
+  std::string svg =
+      "<svg xmlns='http://www.w3.org/2000/svg' xmlns:xlink='http://www.w3.org/1999/xlink' width='9' "
+      "height='9'>"
+      "<g id='a0'><path d='M0 0L9 9' stroke='red'/></g>";
+  for (int i = 1; i < 12; ++i) {
+    svg += "<g id='a" + std::to_string(i) + "'>";
+    for (int k = 0; k < 8; ++k) svg += "<use xlink:href='#a" + std::to_string(i - 1) + "'/>";
+    svg += "</g>";
+  }
+  return svg + "</svg>";
+}
+
+/// The head of a BMP that promises far more pixels than it has.
+std::string claimingBmp() {
+  std::string bytes = whiteBmp(4, 4);
+  const std::string huge("\xa0\x86\x01\x00", 4);  // 100000
+  bytes.replace(18, 4, huge).replace(22, 4, huge);
+  return bytes;
+}
+
 }  // namespace
 
 TEST_CASE("Inputs that cannot be read are refused with one helpful sentence and nothing written") {
@@ -63,6 +130,22 @@ TEST_CASE("Inputs that cannot be read are refused with one helpful sentence and 
   refused("lies.pdf", whiteBmp(40, 30).substr(0, 60), 3, "lies.pdf");
   refused("truncated.pdf", bytesOf(plots + "white-vector.pdf").substr(0, 300), 3, "truncated.pdf");
   refused("truncated.png", bytesOf(plot).substr(0, 2000), 3, "truncated.png");
+}
+
+TEST_CASE("Hostile inputs are refused with a sentence, in bounded time and memory") {
+  refused("claims.bmp", claimingBmp(), 3, "100000 x 100000");
+  refused("bomb.svg", svgBomb(), 3, "more elements");
+  refused("forms.pdf", formBomb(), 3, "more objects");
+  refused("pages.pdf", pdfPages(10000, "0 0 m 9 9 l S"), 3, "10000 pages");
+  refused("circle.pdf", pdfOf({"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[2 0 R]/Count 1>>"}), 3,
+          "damaged");
+  const std::string id(32, '3'), key(64, '1');
+  refused("locked.pdf",
+          pdfOf({"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>",
+                 "<</Type/Page/Parent 2 0 R/MediaBox[0 0 9 9]>>",
+                 "<</Filter/Standard/V 1/R 2/O<" + key + ">/U<" + key + ">/P -4>>"},
+                "/Encrypt 4 0 R/ID[<" + id + "><" + id + ">]"),
+          3, "password");
 }
 
 TEST_CASE("A missing file and a folder are no inputs") {
@@ -78,6 +161,12 @@ TEST_CASE("A missing file and a folder are no inputs") {
 TEST_CASE("Pictures without a force graph are told from broken ones") {
   refused("dot.bmp", whiteBmp(1, 1), 4, "no force graph");
   refused("blank.bmp", whiteBmp(640, 480), 4, "no force graph");
+  refused("line.pdf", pdfPages(2, "0 0 m 600 800 l S"), 4, "no force graph");
+  refused("itself.pdf",
+          pdfPages(1, "/X Do", "/XObject<</X 5 0 R>>",
+                   {pdfStream("/Type/XObject/Subtype/Form/BBox[0 0 9 9]/Resources<</XObject<</X 5 0 R>>>>",
+                              "/X Do /X Do")}),
+          4, "no force graph");
 }
 
 TEST_CASE("Force logs that cannot mean a stroke are refused") {
