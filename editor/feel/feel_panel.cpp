@@ -63,7 +63,7 @@ PadButton padButtonOf(const Button& button, std::size_t state, double full_N) {
 /// Everything behind the panel: two buttons, one finger, the widgets.
 class FeelPanel::Parts : public QObject {
  public:
-  Parts(FeelPanel& panel, ViewSettings& settings);
+  Parts(FeelPanel& panel, ViewSettings& settings, const FeelDevices& devices);
 
   struct Slot {
     QPointer<ButtonDocument> document;
@@ -87,6 +87,7 @@ class FeelPanel::Parts : public QObject {
   void connectParts();
   void connectPad();
   void offer(Slot& slot);
+  void writeNames();
   void showFelt();
   void showPad();
   void showSound();
@@ -106,8 +107,8 @@ class FeelPanel::Parts : public QObject {
   FeelPlayer player_;
   std::array<Slot, 2> slots_;
   std::size_t feltIndex_ = 0, shownState_ = 0;
-  double lastPressed_s_ = 0;
-  bool wasPressed_ = false;
+  double lastPressed_s_ = 0, lastDisplacement_mm_ = 0;
+  bool wasPressed_ = false, releasing_ = false;
 
   QBoxLayout* sections_ = nullptr;
   QWidget* controls_ = nullptr;
@@ -124,7 +125,8 @@ class FeelPanel::Parts : public QObject {
   QAction* exchange_ = nullptr;
 };
 
-FeelPanel::Parts::Parts(FeelPanel& panel, ViewSettings& settings) : panel_(panel) {
+FeelPanel::Parts::Parts(FeelPanel& panel, ViewSettings& settings, const FeelDevices& devices)
+    : panel_(panel), devices_(nullptr, devices), player_(nullptr, devices) {
   build(settings);
   connectParts();
   connectPad();
@@ -276,6 +278,8 @@ QWidget* FeelPanel::Parts::buildSound() {
 void FeelPanel::Parts::layOut() {
   const bool wide = panel_.width() > wideRatio * panel_.height();
   sections_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  sections_->activate();
+  writeNames();
   sections_->setStretch(2, wide ? 3 : (setupArea_->isVisibleTo(&panel_) ? 4 : 0));
 }
 
@@ -358,14 +362,23 @@ void FeelPanel::Parts::setDocument(std::size_t index, ButtonDocument* document) 
 /// Names on the two buttons above the pad, and whether they can be pressed.
 void FeelPanel::Parts::offer(Slot& slot) {
   const bool isA = &slot == &slots_[0];
-  const QString letter = isA ? QStringLiteral("A") : QStringLiteral("B");
   slot.choice->setEnabled(slot.document != nullptr);
-  slot.choice->setText(slot.document ? letter + "  " + slot.document->title() : letter + "  –");
   slot.choice->setToolTip(slot.document ? FeelPanel::tr("Press %1").arg(slot.document->title())
                           : isA         ? FeelPanel::tr("No button is open")
                                         : FeelPanel::tr("Choose a second button to compare with"));
   slot.choice->setAccessibleName(slot.choice->toolTip());
   exchange_->setEnabled(slots_[0].document && slots_[1].document);
+  writeNames();
+}
+
+/// As much of the names as there is room for.
+void FeelPanel::Parts::writeNames() {
+  for (const Slot& slot : slots_) {
+    const QString letter = &slot == &slots_[0] ? QStringLiteral("A") : QStringLiteral("B");
+    const QString name = slot.document ? slot.document->title() : QStringLiteral("–");
+    slot.choice->setText(slot.choice->fontMetrics().elidedText(letter + "  " + name, Qt::ElideRight,
+                                                               slot.choice->width() - 14));
+  }
 }
 
 void FeelPanel::Parts::request(Slot& slot) {
@@ -487,20 +500,24 @@ void FeelPanel::Parts::follow() {
   const double now_s = steady_s();
   const bool pressed = player_.pressed();
   followState(static_cast<std::size_t>(s.state));
-  pad_->setMotion({s.displacement_mm, s.force_N, pressed, s.releasing, s.contact});
+  // A finger that trembles at one place turns the engine's stroke to and fro; it has turned for the eye once
+  // it moves.
+  if (!pressed || s.displacement_mm != lastDisplacement_mm_) releasing_ = s.releasing;
+  lastDisplacement_mm_ = s.displacement_mm;
+  pad_->setMotion({s.displacement_mm, s.force_N, pressed, releasing_, s.contact});
   if (pressed) lastPressed_s_ = now_s;
   if (now_s - lastPressed_s_ < stripTail_s && felt().signal && felt().signal->program) {
     const playback::StateProgram& state = felt().signal->program->states[shownState_];
     const double travel_mm = state.end_mm - state.start_mm;
     const double depth = travel_mm > 0 ? (s.displacement_mm - state.start_mm) / travel_mm : 0;
-    strip_->addMoment({now_s, depth, s.releasing, s.contact});
+    strip_->addMoment({now_s, depth, releasing_, s.contact});
   }
   if (pressed || wasPressed_) {
     std::optional<FingerPosition> finger;
     const ButtonDocument* document = felt().document;
     // A point of one state says nothing on the graph of the other.
     if (pressed && document != nullptr && document->activeState() == shownState_)
-      finger = FingerPosition{s.displacement_mm, s.force_N, s.releasing ? Stroke::release : Stroke::press};
+      finger = FingerPosition{s.displacement_mm, s.force_N, releasing_ ? Stroke::release : Stroke::press};
     if (feltIndex_ == 0) {
       emit panel_.fingerMoved(finger);
     } else {
@@ -590,9 +607,9 @@ void FeelPanel::Parts::showStatus() {
 
 // ---------------------------------------------------------------------------------------------- panel
 
-FeelPanel::FeelPanel(ViewSettings& settings, QWidget* parent) : QWidget(parent) {
+FeelPanel::FeelPanel(ViewSettings& settings, QWidget* parent, FeelDevices devices) : QWidget(parent) {
   setAccessibleName(tr("Feel"));
-  parts_ = std::make_unique<Parts>(*this, settings);
+  parts_ = std::make_unique<Parts>(*this, settings, std::move(devices));
 }
 FeelPanel::~FeelPanel() = default;
 

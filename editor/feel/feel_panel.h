@@ -9,6 +9,7 @@
 #include "editor/document/button_document.h"
 #include "editor/document/finger_position.h"
 #include "editor/document/view_settings.h"
+#include "editor/feel/feel_devices.h"
 
 class QAction;
 
@@ -21,7 +22,7 @@ class FeelPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FeelPanel(ViewSettings& settings, QWidget* parent = nullptr);
+  explicit FeelPanel(ViewSettings& settings, QWidget* parent = nullptr, FeelDevices devices = {});
   ~FeelPanel() override;
 
   /// A, the button being edited; may be null. Must outlive its use here or be destroyed as a QObject.

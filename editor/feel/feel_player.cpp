@@ -21,7 +21,7 @@ double fading(double share) {
 
 }  // namespace
 
-FeelPlayer::FeelPlayer(QObject* parent, Opener opener) : QObject(parent), opener_(std::move(opener)) {
+FeelPlayer::FeelPlayer(QObject* parent, FeelDevices devices) : QObject(parent), devices_(std::move(devices)) {
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &FeelPlayer::tick);
   status_.sounding = false;
@@ -98,7 +98,7 @@ void FeelPlayer::exchangeDevice() {
   worker_ = std::thread([this, old = std::move(old), open, settings = output_, program = program_]() mutable {
     old.reset();
     std::shared_ptr<Result<Player>> result;
-    if (open) result = std::make_shared<Result<Player>>(opener_(settings, *program));
+    if (open) result = std::make_shared<Result<Player>>(devices_.open(settings, *program));
     QMetaObject::invokeMethod(
         this, [this, result] { exchanged(result.get()); }, Qt::QueuedConnection);
   });

@@ -3,7 +3,6 @@
 // again where there is none, so that the pad works in every case.
 
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <QObject>
@@ -12,7 +11,7 @@
 #include <thread>
 #include <vector>
 
-#include "playback/playback.h"
+#include "editor/feel/feel_devices.h"
 
 namespace detent::editor {
 
@@ -38,11 +37,7 @@ class FeelPlayer : public QObject {
   Q_OBJECT
 
  public:
-  /// How devices are opened; tests put something else here. Called on a thread of its own.
-  using Opener = std::function<Result<std::unique_ptr<playback::LivePlayer>>(const playback::PlayerSettings&,
-                                                                             const playback::HapticProgram&)>;
-
-  explicit FeelPlayer(QObject* parent = nullptr, Opener opener = playback::LivePlayer::start);
+  explicit FeelPlayer(QObject* parent = nullptr, FeelDevices devices = {});
   ~FeelPlayer() override;  ///< stops the sound; waits for a device that is just being opened
 
   /// What is pressed; exchanged under the finger. Null: nothing can be pressed.
@@ -102,7 +97,7 @@ class FeelPlayer : public QObject {
   bool atRest() const;
   void pace();
 
-  Opener opener_;
+  FeelDevices devices_;
   std::shared_ptr<const playback::HapticProgram> program_;
   Player player_;   // null without a program, or in a build without devices
   Player waiting_;  // open, taken up as soon as no finger is down

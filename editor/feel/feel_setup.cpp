@@ -80,7 +80,7 @@ QComboBox* comboBox(const QString& name, const QString& tip) {
 FeelSetup::FeelSetup(ViewSettings& view, SoundDeviceList& devices, QWidget* parent)
     : QWidget(parent), view_(view), devices_(devices) {
   filling_ = true;
-  auto* form = new QFormLayout(this);
+  auto* form = form_ = new QFormLayout(this);
   form->setContentsMargins(0, 4, 0, 0);
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->setRowWrapPolicy(QFormLayout::WrapLongRows);
@@ -94,6 +94,7 @@ FeelSetup::FeelSetup(ViewSettings& view, SoundDeviceList& devices, QWidget* pare
   connect(&devices_, &SoundDeviceList::changed, this, &FeelSetup::showDevices);
   setSettings({});
   setSensor({}, {});
+  setProfile({}, {});
 }
 
 void FeelSetup::addPressing(QFormLayout& form) {
@@ -294,7 +295,7 @@ void FeelSetup::showDevices() {
           ? tr("No sound device was found. Connect one or start the sound server, then look again.")
           : QString();
   deviceNote_->setText(note);
-  deviceNote_->setVisible(!note.isEmpty());
+  form_->setRowVisible(deviceNote_, !note.isEmpty());
   refresh_->setEnabled(!devices_.asking());
 }
 
@@ -342,7 +343,7 @@ void FeelSetup::setProfile(const std::optional<playback::DeviceProfile>& profile
                   .arg(profile->latency->n);
   }
   profileNote_->setText(note);
-  profileNote_->setVisible(!note.isEmpty());
+  form_->setRowVisible(profileNote_, !note.isEmpty());
 }
 
 void FeelSetup::setSensor(const playback::PlayerStatus& status, const QString& trouble) {
@@ -372,8 +373,9 @@ void FeelSetup::setSensor(const playback::PlayerStatus& status, const QString& t
     note += tr("; %1 readings rejected, %2 lines not understood")
                 .arg(status.rejectedReadings)
                 .arg(status.malformedLines);
-  if (note != sensorNote_->text()) sensorNote_->setText(note);
-  sensorNote_->setVisible(!note.isEmpty());
+  if (note == sensorNote_->text() && form_->isRowVisible(sensorNote_) == !note.isEmpty()) return;
+  sensorNote_->setText(note);
+  form_->setRowVisible(sensorNote_, !note.isEmpty());
 }
 
 void FeelSetup::chooseProfile() {

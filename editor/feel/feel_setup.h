@@ -61,6 +61,7 @@ class FeelSetup : public QWidget {
   unsigned buffer_ = 0;
   bool filling_ = false, asked_ = false;
 
+  QFormLayout* form_;
   QComboBox *drive_, *mode_, *device_, *rate_, *bufferChoice_, *port_, *baud_;
   QDoubleSpinBox* full_;
   QCheckBox* followState_;

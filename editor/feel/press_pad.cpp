@@ -293,9 +293,10 @@ void PressPad::paintDepth(QPainter& painter) const {
   painter.setPen(colors.axis);
   const DisplayUnits& units = settings_.units();
   const QRectF label(x + 14, area.top() - 8, side_px - 20, 16);
-  painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter, "0");
+  painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter,
+                   QLocale().toString(units.lengthFrom(button_->start_mm), 'g', 3));
   painter.drawText(label.translated(0, area.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                   QLocale().toString(units.lengthFrom(button_->end_mm - button_->start_mm), 'g', 3));
+                   QLocale().toString(units.lengthFrom(button_->end_mm), 'g', 3));
 }
 
 void PressPad::paintForce(QPainter& painter) const {

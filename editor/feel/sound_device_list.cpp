@@ -4,8 +4,8 @@
 
 namespace detent::editor {
 
-SoundDeviceList::SoundDeviceList(QObject* parent, Lister lister)
-    : QObject(parent), lister_(std::move(lister)) {}
+SoundDeviceList::SoundDeviceList(QObject* parent, FeelDevices devices)
+    : QObject(parent), devices_(std::move(devices)) {}
 
 SoundDeviceList::~SoundDeviceList() {
   if (thread_.joinable()) thread_.join();
@@ -16,7 +16,7 @@ void SoundDeviceList::refresh() {
   asking_ = true;
   if (thread_.joinable()) thread_.join();
   thread_ = std::thread([this] {
-    auto answer = std::make_shared<Result<std::vector<playback::SoundDevice>>>(lister_());
+    auto answer = std::make_shared<Result<std::vector<playback::SoundDevice>>>(devices_.list());
     QMetaObject::invokeMethod(
         this,
         [this, answer] {

@@ -1,13 +1,12 @@
 #pragma once
 // Sound devices, asked for without stopping the window: some drivers take seconds to answer.
 
-#include <functional>
 #include <QObject>
 #include <QString>
 #include <thread>
 #include <vector>
 
-#include "playback/playback.h"
+#include "editor/feel/feel_devices.h"
 
 namespace detent::editor {
 
@@ -16,9 +15,7 @@ class SoundDeviceList : public QObject {
   Q_OBJECT
 
  public:
-  using Lister = std::function<Result<std::vector<playback::SoundDevice>>()>;
-
-  explicit SoundDeviceList(QObject* parent = nullptr, Lister lister = playback::listSoundDevices);
+  explicit SoundDeviceList(QObject* parent = nullptr, FeelDevices devices = {});
   ~SoundDeviceList() override;  ///< waits for an answer that is under way
 
   void refresh();
@@ -32,7 +29,7 @@ class SoundDeviceList : public QObject {
   void changed();
 
  private:
-  Lister lister_;
+  FeelDevices devices_;
   std::thread thread_;
   bool asking_ = false;
   std::vector<playback::SoundDevice> outputs_;

@@ -1,0 +1,20 @@
+#pragma once
+// How the feel panel reaches sound devices: playback's front door, or what a test puts in its place.
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "playback/playback.h"
+
+namespace detent::editor {
+
+/// Both functions may take seconds and are called on threads of their own.
+struct FeelDevices {
+  std::function<Result<std::unique_ptr<playback::LivePlayer>>(const playback::PlayerSettings&,
+                                                              const playback::HapticProgram&)>
+      open = playback::LivePlayer::start;
+  std::function<Result<std::vector<playback::SoundDevice>>()> list = playback::listSoundDevices;
+};
+
+}  // namespace detent::editor

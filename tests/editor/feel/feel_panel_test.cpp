@@ -1,0 +1,389 @@
+// The feel panel as a person uses it, on a machine without a sound device.
+
+#include "editor/feel/feel_panel.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+
+#include "editor/feel/feel_setup.h"
+#include "editor/feel/press_pad.h"
+#include "editor/feel/press_strip.h"
+#include "editor/feel/signal_view.h"
+#include "model/edits.h"
+#include "tests/editor/feel/feel_buttons.h"
+
+using namespace detent;
+using namespace detent::editor;
+using namespace detent::test;
+
+namespace {
+
+/// A panel in a window, with what it tells others.
+struct Rig {
+  NoDevices none;
+  ViewSettings settings;
+  ButtonDocument a, b;
+  FeelPanel panel;
+  std::vector<std::optional<FingerPosition>> finger, otherFinger;
+  std::vector<std::uint64_t> shown;
+
+  explicit Rig(const Button& first = tactileButton(), const Button& second = linearButton())
+      : a(first), b(second), panel(settings, nullptr, none.devices()) {
+    QObject::connect(&panel, &FeelPanel::fingerMoved, &panel, [this](auto p) { finger.push_back(p); });
+    QObject::connect(&panel, &FeelPanel::otherFingerMoved, &panel,
+                     [this](auto p) { otherFinger.push_back(p); });
+    QObject::connect(view(), &SignalView::shown, &panel, [this](auto r) { shown.push_back(r); });
+    panel.resize(400, 900);
+    panel.show();
+    static_cast<void>(QTest::qWaitForWindowExposed(&panel));
+  }
+
+  template <class Widget>
+  Widget* part(const char* name) {
+    return panel.findChild<Widget*>(name);
+  }
+  PressPad* pad() { return part<PressPad>("pressPad"); }
+  SignalView* view() { return part<SignalView>("signalView"); }
+  QString status() { return part<QLabel>("soundStatus")->text(); }
+
+  void open() {
+    panel.setDocument(&a);
+    pad()->setFocus();
+    QTRY_VERIFY(view()->pressSignal() && view()->pressSignal()->program);
+  }
+  void press(int hold_ms = 160) {
+    QTest::keyPress(pad(), Qt::Key_Space);
+    QTest::qWait(hold_ms);
+    QTest::keyRelease(pad(), Qt::Key_Space);
+  }
+  bool atRest() const { return !finger.empty() && !finger.back(); }
+  double deepest() const {
+    double mm = -1;
+    for (const auto& p : finger)
+      if (p) mm = std::max(mm, p->displacement_mm);
+    return mm;
+  }
+};
+
+}  // namespace
+
+class FeelPanelTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void noDeviceIsTouchedBeforeTheFirstPress() {
+    Rig rig;
+    rig.open();
+    rig.panel.restoreState(
+        {{"device", "ALSA: hw:0,0"}, {"sensorPort", "/dev/ttyACM7"}, {"setupShown", false}});
+    QTest::qWait(100);
+    QCOMPARE(rig.none.opened->load(), 0);
+    QCOMPARE(rig.none.listed->load(), 0);
+    QVERIFY(rig.status().contains("first press"));
+    rig.press();
+    QTRY_COMPARE(rig.none.opened->load(), 1);
+  }
+
+  void aPressIsFollowedWithoutASoundDevice() {
+    Rig rig;
+    rig.open();
+    rig.press();
+    QTRY_VERIFY(rig.atRest());
+    QCOMPARE(rig.deepest(), 4.0);
+    bool pressed = false, released = false;
+    for (const auto& p : rig.finger) {
+      if (!p) continue;
+      pressed = pressed || p->stroke == Stroke::press;
+      released = released || p->stroke == Stroke::release;
+    }
+    QVERIFY(pressed && released);
+    QVERIFY(rig.part<PressStrip>("pressStrip")->eventCount() > 20);
+    QTRY_VERIFY(rig.status().contains("no sound output is there"));
+    QVERIFY(rig.status().contains("Connect one"));
+    QVERIFY(rig.part<QPushButton>("soundAgain")->isVisible());
+    QCOMPARE(rig.otherFinger.size(), std::size_t{0});
+
+    QTest::mouseClick(rig.part<QPushButton>("soundAgain"), Qt::LeftButton);
+    QTRY_COMPARE(rig.none.opened->load(), 2);
+  }
+
+  void theFingerIsToldSixtyTimesASecond() {
+    Rig rig;
+    rig.open();
+    QTest::keyPress(rig.pad(), Qt::Key_Space);
+    QTest::qWait(100);
+    const std::size_t before = rig.finger.size();
+    QElapsedTimer clock;
+    clock.start();
+    QTest::qWait(1000);
+    const double perSecond =
+        1000.0 * static_cast<double>(rig.finger.size() - before) / static_cast<double>(clock.elapsed());
+    QTest::keyRelease(rig.pad(), Qt::Key_Space);
+    QVERIFY2(perSecond >= 60, qPrintable(QString::number(perSecond)));
+  }
+
+  void draggingSetsTheDepth() {
+    Rig rig;
+    rig.open();
+    rig.panel.restoreState({{"drive", "depth"}});
+    const QPoint from(rig.pad()->width() / 2, 20);
+    QTest::mousePress(rig.pad(), Qt::LeftButton, {}, from);
+    for (int i = 1; i <= 40; ++i) {
+      QTest::mouseMove(rig.pad(), from + QPoint(0, i * rig.pad()->height() / 100));
+      QTest::qWait(4);
+    }
+    QTRY_VERIFY(!rig.finger.empty() && rig.finger.back());
+    // 0.4 of the height, of which 0.55 are the whole travel of 4 mm.
+    QTRY_VERIFY(std::abs(rig.finger.back()->displacement_mm - 4 * 0.4 / 0.55) < 0.06);
+    const double held = rig.finger.back()->displacement_mm;
+    QTest::qWait(400);  // a finger that rests stays where it is
+    QCOMPARE(rig.finger.back()->displacement_mm, held);
+    QTest::mouseRelease(rig.pad(), Qt::LeftButton, {}, from);
+    QTRY_VERIFY(rig.atRest());
+  }
+
+  void fullPressIsTheForceThatIsReached() {
+    Rig rig;
+    rig.open();
+    rig.panel.restoreState({{"full_N", 0.45}});  // below the tactile force of 0.55 N
+    rig.press(250);
+    QTRY_VERIFY(rig.atRest());
+    QVERIFY2(rig.deepest() > 0.5 && rig.deepest() < 1.2, qPrintable(QString::number(rig.deepest())));
+    double strongest = 0;
+    for (const auto& p : rig.finger)
+      if (p) strongest = std::max(strongest, p->force_N);
+    QVERIFY(std::abs(strongest - 0.45) < 0.02);
+  }
+
+  void exchangingIsOneKey() {
+    Rig rig;
+    rig.open();
+    QVERIFY(!rig.panel.exchangeAction()->isEnabled());
+    QTest::keyClick(rig.pad(), Qt::Key_X);
+    QCOMPARE(rig.panel.feltDocument(), &rig.a);
+    rig.panel.setOther(&rig.b);
+    QVERIFY(rig.panel.exchangeAction()->isEnabled());
+    QSignalSpy felt(&rig.panel, &FeelPanel::feltDocumentChanged);
+
+    QTest::keyClick(rig.pad(), Qt::Key_X);
+    QCOMPARE(rig.panel.feltDocument(), &rig.b);
+    QCOMPARE(felt.count(), 1);
+    QVERIFY(rig.part<QToolButton>("feelB")->isChecked());
+    QTRY_VERIFY(rig.view()->pressSignal() &&
+                rig.view()->pressSignal()->samples == pressSignalOf({linearButton(), {}, {}}).samples);
+    rig.finger.clear();
+    rig.press();
+    QTRY_VERIFY(!rig.otherFinger.empty() && !rig.otherFinger.back());
+    QVERIFY(rig.finger.empty());
+
+    QTest::keyClick(rig.pad(), Qt::Key_X);
+    QCOMPARE(rig.panel.feltDocument(), &rig.a);
+    QTest::mouseClick(rig.part<QToolButton>("feelB"), Qt::LeftButton);
+    QCOMPARE(rig.panel.feltDocument(), &rig.b);
+    rig.panel.setOther(nullptr);  // back to what is left
+    QCOMPARE(rig.panel.feltDocument(), &rig.a);
+  }
+
+  void exchangingUnderTheFingerTakesItAlong() {
+    Rig rig;
+    rig.open();
+    rig.panel.setOther(&rig.b);
+    QTest::qWait(100);
+    QTest::keyPress(rig.pad(), Qt::Key_Space);
+    QTRY_VERIFY(rig.deepest() > 3.9);
+    QTest::keyClick(rig.pad(), Qt::Key_X);
+    QVERIFY(rig.atRest());  // A's point is gone
+    QTRY_VERIFY(!rig.otherFinger.empty() && rig.otherFinger.back() &&
+                rig.otherFinger.back()->displacement_mm > 3.9);
+    QTest::keyRelease(rig.pad(), Qt::Key_Space);
+    QTRY_VERIFY(!rig.otherFinger.back());
+  }
+
+  void theGraphFollowsTheStateOfASelfLockingButton() {
+    Rig rig(lockingButton());
+    rig.open();
+    QCOMPARE(rig.a.activeState(), std::size_t{0});
+    rig.press(200);
+    QTRY_COMPARE(rig.a.activeState(), std::size_t{1});
+    rig.press(200);
+    QTRY_COMPARE(rig.a.activeState(), std::size_t{0});
+    rig.panel.restoreState({{"followState", false}});
+    rig.press(200);
+    QTest::qWait(200);
+    QCOMPARE(rig.a.activeState(), std::size_t{0});
+    rig.finger.clear();
+    rig.press(200);  // on the locked state, whose graph is not shown
+    QTest::qWait(200);
+    for (const auto& p : rig.finger) QVERIFY(!p);
+  }
+
+  void editsAreShownAndOvertakenOnesAreNot() {
+    Rig rig;
+    rig.open();
+    QTRY_VERIFY(!rig.shown.empty());
+    rig.a.history().beginDrag("Drag");
+    Result<Button> next = tactileButton();
+    for (int i = 1; i <= 60; ++i) {
+      next = scaleForce(tactileButton(), 1 + 0.01 * i);
+      QVERIFY(next);
+      rig.a.history().preview(*next);
+    }
+    const auto expected = pressSignalOf({*next, {}, {}});
+    QTRY_VERIFY(rig.view()->pressSignal()->samples == expected.samples);
+    QVERIFY(rig.shown.size() < 30);
+    rig.a.history().cancelDrag();
+    QTRY_VERIFY(rig.view()->pressSignal()->samples == pressSignalOf({tactileButton(), {}, {}}).samples);
+  }
+
+  void aHiddenPanelComputesNothing() {
+    Rig rig;
+    rig.open();
+    rig.panel.hide();
+    const auto before = rig.view()->pressSignal();
+    const Result<Button> next = scaleForce(tactileButton(), 2);
+    QVERIFY(next);
+    rig.a.history().apply(*next, "Scale");
+    QTest::qWait(80);
+    QCOMPARE(rig.view()->pressSignal(), before);
+    rig.panel.show();
+    QTRY_VERIFY(rig.view()->pressSignal() != before);
+  }
+
+  void documentsComeAndGo() {
+    Rig rig;
+    {
+      ButtonDocument brief(tactileButton());
+      rig.panel.setDocument(&brief);
+      QTest::keyPress(rig.pad(), Qt::Key_Space);  // perhaps before the program is there
+      QTest::qWait(60);
+    }
+    QCOMPARE(rig.panel.feltDocument(), nullptr);
+    QTest::keyRelease(rig.pad(), Qt::Key_Space);
+    QTest::qWait(60);
+    rig.open();
+    rig.press();
+    QTRY_VERIFY(rig.atRest());
+    rig.panel.setDocument(nullptr);
+    QVERIFY(!rig.view()->pressSignal());
+  }
+
+  void soundCanBeOff() {
+    Rig rig;
+    rig.open();
+    QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
+    rig.pad()->setFocus();
+    rig.press();
+    QTRY_VERIFY(rig.atRest());
+    QCOMPARE(rig.deepest(), 4.0);
+    QCOMPARE(rig.none.opened->load(), 0);
+    QVERIFY(rig.status().contains("off"));
+    QCOMPARE(rig.panel.saveState().value("sound").toBool(), false);
+  }
+
+  void choicesReachWhatIsFeltAndAreKept() {
+    Rig rig;
+    rig.open();
+    QTest::mouseClick(rig.part<QToolButton>("setupToggle"), Qt::LeftButton);
+    QTRY_COMPARE(rig.none.listed->load(), 1);
+    auto* mode = rig.part<QComboBox>("modeChoice");
+    mode->setCurrentIndex(mode->findData(static_cast<int>(playback::FeedbackMode::off)));
+    QTRY_COMPARE(rig.view()->pressSignal()->peak, 0.0);
+    rig.part<QSlider>("gain")->setValue(-12);
+    QTest::keyClicks(rig.part<QDoubleSpinBox>("fullForce"), "");
+    rig.part<QDoubleSpinBox>("fullForce")->setValue(120);  // cN
+    const QVariantMap state = rig.panel.saveState();
+    QCOMPARE(state.value("mode").toString(), QString("off"));
+    QCOMPARE(state.value("gain_dB").toDouble(), -6.0);
+    QVERIFY(std::abs(state.value("full_N").toDouble() - 1.2) < 1e-9);
+    QVERIFY(state.value("setupShown").toBool());
+
+    Rig other;
+    other.panel.restoreState(state);
+    QCOMPARE(other.panel.saveState(), state);
+    QCOMPARE(other.part<QSlider>("gain")->value(), -12);
+  }
+
+  void profilesAreReadAndFaultsAreSaid() {
+    QTemporaryDir folder;
+    const QString good = folder.filePath("mockup.device"), bad = folder.filePath("bad.device");
+    QFile file(good);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write("detent-device 1\nname = Mockup\ngain = 0.5\nlatency = 50 0.0061 0.0002 0.0064\n");
+    file.close();
+    QFile other(bad);
+    QVERIFY(other.open(QIODevice::WriteOnly));
+    other.write("detent-device 1\ngain = loud\n");
+    other.close();
+
+    Rig rig;
+    rig.open();
+    const double full = rig.view()->pressSignal()->peak;
+    rig.panel.restoreState({{"profileFile", good}});
+    QTRY_VERIFY(std::abs(rig.view()->pressSignal()->peak / full - 0.5) < 0.02);
+    QVERIFY(rig.part<QLabel>("profileNote")->text().contains("6.1 ms"));
+    QSignalSpy said(&rig.panel, &FeelPanel::statusMessage);
+    rig.panel.restoreState({{"profileFile", bad}});
+    QTRY_VERIFY(std::abs(rig.view()->pressSignal()->peak / full - 1) < 0.02);
+    QVERIFY(said.count() >= 1);
+    QVERIFY(rig.part<QLabel>("profileNote")->text().contains("gain"));
+    QVERIFY(rig.panel.saveState().value("profileFile").toString().isEmpty());
+  }
+
+  void aSensorThatIsNotThereIsSaid() {
+    Rig rig;
+    rig.open();
+    rig.panel.restoreState({{"sensorPort", "/dev/detent-no-such-port"}});
+    QCOMPARE(rig.part<QComboBox>("sensorPort")->currentText(), QString("/dev/detent-no-such-port"));
+    rig.part<QPushButton>("sensorConnect")->click();
+    QTRY_VERIFY(rig.part<QLabel>("sensorNote")->text().contains("detent-no-such-port"));
+    QVERIFY(!rig.part<QPushButton>("sensorConnect")->isChecked());
+    QCOMPARE(rig.part<QComboBox>("sensorPort")->currentText(), QString("/dev/detent-no-such-port"));
+  }
+
+  void everythingIsReachedAndNamed() {
+    Rig rig;
+    rig.open();
+    rig.panel.setOther(&rig.b);
+    rig.panel.restoreState({{"setupShown", true}});
+    QSet<QWidget*> reached;
+    QWidget* at = rig.pad();
+    at->setFocus();
+    for (int i = 0; i < 60; ++i) {
+      QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+      QVERIFY(QApplication::focusWidget() != nullptr);
+      reached.insert(QApplication::focusWidget());
+    }
+    for (const char* name :
+         {"pressPad", "feelA", "soundSwitch", "gain", "setupToggle", "driveChoice", "fullForce", "modeChoice",
+          "profileFile", "soundDevice", "sensorPort", "sensorConnect"})
+      QVERIFY2(reached.contains(rig.part<QWidget>(name)), name);
+    for (QWidget* widget : rig.panel.findChildren<QWidget*>()) {
+      if (widget->objectName().isEmpty() || widget->objectName().startsWith("qt_")) continue;
+      if (qobject_cast<QLabel*>(widget) != nullptr || !widget->isVisible()) continue;
+      QVERIFY2(!widget->toolTip().isEmpty(), qPrintable(widget->objectName()));
+    }
+  }
+
+  void itFitsIntoADockAndIntoABand() {
+    Rig rig;
+    rig.open();
+    rig.panel.resize(300, 700);
+    QVERIFY(rig.view()->mapTo(&rig.panel, QPoint()).y() > rig.pad()->mapTo(&rig.panel, QPoint()).y());
+    rig.panel.resize(1200, 420);
+    QTRY_VERIFY(rig.view()->mapTo(&rig.panel, QPoint()).x() > rig.pad()->mapTo(&rig.panel, QPoint()).x());
+  }
+};
+
+QTEST_MAIN(FeelPanelTest)
+#include "feel_panel_test.moc"
