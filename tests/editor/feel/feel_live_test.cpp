@@ -1,0 +1,212 @@
+// The feel panel on a real sound server (JACK with its dummy driver) and a real serial port (a pty).
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QPushButton>
+#include <QTest>
+#include <QToolButton>
+
+#include "editor/feel/feel_panel.h"
+#include "editor/feel/level_meter.h"
+#include "editor/feel/signal_view.h"
+#include "tests/playback/device/jack_rig.h"
+#include "tests/playback/device/pty_sensor.h"
+#include "tests/playback/sample_buttons.h"
+
+using namespace detent;
+using namespace detent::editor;
+using namespace detent::test;
+
+namespace {
+
+const QString jackDevice = "JACK Audio Connection Kit: system";
+
+/// A panel on the devices of this machine, set to the test's own JACK server.
+struct Rig {
+  ViewSettings settings;
+  ButtonDocument a{tactileButton()}, b{linearButton()};
+  FeelPanel panel{settings};
+  std::optional<FingerPosition> finger;
+  double deepest_mm = 0;
+
+  Rig() {
+    QObject::connect(&panel, &FeelPanel::fingerMoved, &panel, [this](auto p) {
+      finger = p;
+      if (p) deepest_mm = std::max(deepest_mm, p->displacement_mm);
+    });
+    panel.resize(420, 1000);
+    panel.restoreState({{"device", jackDevice}});
+    panel.show();
+    panel.setDocument(&a);
+  }
+  template <class Widget>
+  Widget* part(const char* name) {
+    return panel.findChild<Widget*>(name);
+  }
+  QString status() { return part<QLabel>("soundStatus")->text(); }
+  LevelMeter* meter() { return part<LevelMeter>("levelMeter"); }
+  bool ready() {
+    auto* view = part<SignalView>("signalView");
+    return view->pressSignal() && view->pressSignal()->program;
+  }
+  void press(int hold_ms = 150) {
+    auto* pad = part<QWidget>("pressPad");
+    pad->setFocus();
+    QTest::keyPress(pad, Qt::Key_Space);
+    QTest::qWait(hold_ms);
+    QTest::keyRelease(pad, Qt::Key_Space);
+  }
+  bool sounding() { return status().contains("48 kHz"); }
+};
+
+double loudest(const JackListener& listener, std::size_t from = 0) {
+  const std::vector<float> heard = listener.recorded();
+  float peak = 0;
+  for (std::size_t i = from; i < heard.size(); ++i) peak = std::max(peak, std::fabs(heard[i]));
+  return static_cast<double>(peak);
+}
+
+bool skipped(const JackServer& server, const char* what) {
+  if (server.ready()) return false;
+  std::cout << "SKIPPED " << what << ": " << server.whyNot() << std::endl;
+  return true;
+}
+
+}  // namespace
+
+class FeelLiveTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void theFirstPressOpensTheDeviceAndTheNextSounds() {
+    JackServer server(128);
+    if (skipped(server, "the feel panel's sound")) return;
+    Rig rig;
+    QTRY_VERIFY(rig.ready());
+    QVERIFY(!rig.sounding());
+    rig.press();
+    QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 5000);
+    QTRY_VERIFY2(rig.status().contains("buffer 128 (2.7 ms)"), qPrintable(rig.status()));
+    QTRY_VERIFY(!rig.finger);
+
+    JackListener listener;
+    QVERIFY(listener.ready() && listener.listenTo("detent:out_1"));
+    rig.press();
+    QTRY_VERIFY(loudest(listener) > 0.05);
+    QTRY_VERIFY(rig.meter()->peak_dB() > -30);
+    QCOMPARE(rig.deepest_mm, 4.0);
+    const double full = loudest(listener);
+
+    rig.panel.restoreState({{"device", jackDevice}, {"gain_dB", -20}});
+    QTest::qWait(400);
+    const std::size_t from = listener.recorded().size();
+    rig.press();
+    QTest::qWait(400);
+    const double tenth = loudest(listener, from);
+    QVERIFY2(std::fabs(tenth / full - 0.1) < 0.02, qPrintable(QString::number(tenth / full)));
+
+    // True levels: a linear button has no jump, and nothing makes up for it.
+    rig.panel.setOther(&rig.b);
+    rig.panel.exchange();
+    QTRY_COMPARE(rig.panel.feltDocument(), &rig.b);
+
+    QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
+    QTRY_VERIFY(rig.status().contains("off"));
+    const std::size_t silent = listener.recorded().size();
+    rig.press();
+    QTest::qWait(200);
+    QCOMPARE(loudest(listener, silent + 4800), 0.0);
+  }
+
+  void aLostDeviceIsSaidAndTakenUpAgain() {
+    JackServer server(256);
+    if (skipped(server, "the feel panel's lost device")) return;
+    Rig rig;
+    QTRY_VERIFY(rig.ready());
+    rig.press();
+    QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 5000);
+    QTRY_VERIFY(!rig.finger);
+    server.stop();
+    QTRY_VERIFY_WITH_TIMEOUT(rig.status().contains("is gone"), 6000);
+    rig.deepest_mm = 0;
+    rig.press();
+    QTRY_COMPARE(rig.deepest_mm, 4.0);
+    server.start();
+    if (skipped(server, "the feel panel's return of a device")) return;
+    QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 10000);
+    QVERIFY(rig.status().contains("was lost"));
+    JackListener listener;
+    QVERIFY(listener.ready() && listener.listenTo("detent:out_1"));
+    rig.press();
+    QTRY_VERIFY(loudest(listener) > 0.05);
+  }
+
+  void devicesAreListedAndChosen() {
+    JackServer server(128);
+    if (skipped(server, "the feel panel's list of devices")) return;
+    Rig rig;
+    rig.panel.restoreState({{"setupShown", true}});
+    QTRY_VERIFY(rig.ready());
+    auto* devices = rig.part<QComboBox>("soundDevice");
+    QTRY_VERIFY_WITH_TIMEOUT(devices->findData(jackDevice) > 0, 5000);
+    rig.press();
+    QTest::qWait(50);
+    devices->setCurrentIndex(devices->findData(jackDevice));
+    QCOMPARE(rig.panel.saveState().value("device").toString(), jackDevice);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 8000);
+  }
+
+  void aSensorPresses_data() {
+    QTest::addColumn<bool>("sound");
+    QTest::newRow("with sound") << true;
+    QTest::newRow("silent") << false;
+  }
+  void aSensorPresses() {
+    QFETCH(bool, sound);
+    JackServer server(128);
+    if (sound && skipped(server, "a sensor with sound")) return;
+    PtySensor pty;
+    if (!pty.ready()) {
+      std::cout << "SKIPPED the feel panel's sensor: no pseudo-terminal" << std::endl;
+      return;
+    }
+    Rig rig;
+    QTRY_VERIFY(rig.ready());
+    if (sound) {
+      rig.press();
+      QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 5000);
+      QTRY_VERIFY(!rig.finger);
+    } else {
+      rig.panel.restoreState({{"sound", false}});
+    }
+    rig.deepest_mm = 0;
+    rig.part<QComboBox>("sensorPort")->setCurrentText(QString::fromStdString(pty.port()));
+    rig.part<QPushButton>("sensorConnect")->click();
+    QVERIFY2(rig.part<QPushButton>("sensorConnect")->isChecked(),
+             qPrintable(rig.part<QLabel>("sensorNote")->text()));
+    bool ran = false;
+    for (int i = 0; i <= 240; ++i) {
+      char line[40];
+      std::snprintf(line, sizeof line, "%d,%.4fN\n", i * 2353, 0.9 * std::min(i, 240 - i) / 120);
+      pty.send(line);
+      QTest::qWait(3);
+      ran = ran || rig.part<QLabel>("sensorNote")->text().contains("readings a second");
+    }
+    QVERIFY(ran);
+    QTRY_COMPARE(rig.deepest_mm, 4.0);
+    QTRY_VERIFY(!rig.finger);
+    pty.unplug();
+    QTRY_VERIFY_WITH_TIMEOUT(rig.part<QLabel>("sensorNote")->text().contains("Unplugged"), 4000);
+    rig.part<QPushButton>("sensorConnect")->click();
+    QTRY_VERIFY(!rig.part<QLabel>("sensorNote")->isVisible());
+  }
+};
+
+QTEST_MAIN(FeelLiveTest)
+#include "feel_live_test.moc"
