@@ -4,6 +4,8 @@
 #include <cmath>
 #include <QCoreApplication>
 
+#include "editor/importing/findings_painting.h"
+
 namespace detent::editor {
 namespace {
 
@@ -110,6 +112,21 @@ std::optional<PageHandle> AdjustTool::handleAt(QPointF widget) const {
     }
   }
   return {};
+}
+
+std::optional<PageHandle> AdjustTool::tickAt(QPointF widget) const {
+  constexpr double reach = 14;
+  const auto corners = view_.shownCorners();
+  if (!corners) return {};
+  std::optional<PageHandle> nearest;
+  double best = reach;
+  for (const PageHandle& handle : handlesOf(view_)) {
+    if (handle.kind != Kind::givenTick && handle.kind != Kind::foundTick) continue;
+    const QPointF plate = tickPlate(handle.axis, *corners, view_.pageToWidget(), handle.at);
+    const double d = std::min(distanceTo(widget, handle.at), distanceTo(widget, plate));
+    if (d < best) best = d, nearest = handle;
+  }
+  return nearest;
 }
 
 Corrections AdjustTool::moved(const Drag& drag, QPointF to, Qt::KeyboardModifiers modifiers) const {
@@ -226,8 +243,8 @@ bool AdjustTool::typeValue(const PageHandle& handle) {
 
 bool AdjustTool::doubleClick(const QMouseEvent& event) {
   cancel();
-  const auto handle = handleAt(event.position());
-  return handle && typeValue(*handle);
+  const auto tick = tickAt(event.position());
+  return tick && typeValue(*tick);
 }
 
 bool AdjustTool::remove(const PageHandle& handle) {

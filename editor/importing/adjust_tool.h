@@ -47,6 +47,8 @@ class AdjustTool : public PageTool {
     bool moved = false;
   };
   std::optional<PageHandle> handleAt(QPointF widget) const;
+  /// The tick whose mark or value stands there; a corner does not hide it.
+  std::optional<PageHandle> tickAt(QPointF widget) const;
   Corrections moved(const Drag& drag, QPointF to, Qt::KeyboardModifiers modifiers) const;
   QString label(const PageHandle& handle) const;
   bool nudge(QPointF widgetDelta);

@@ -1,5 +1,6 @@
 #include "editor/importing/findings_painting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -49,24 +50,22 @@ void paintFrame(QPainter& painter, const FindingsPicture& picture) {
 }
 
 /// Unit vector in the widget from the axis outwards.
-QPointF outwards(GraphAxis axis, const FindingsPicture& picture) {
-  const auto& c = *picture.corners;
-  const QPointF from = toWidget(picture, axis == GraphAxis::x ? c[0] : c[2]), to = toWidget(picture, c[3]);
-  const QPointF d = to - from;
+QPointF outwards(GraphAxis axis, const FrameCorners& c, const QTransform& pageToWidget) {
+  const importer::Point inside = axis == GraphAxis::x ? c[0] : c[2];
+  const QPointF d = pageToWidget.map(QPointF(c[3].x, c[3].y)) - pageToWidget.map(QPointF(inside.x, inside.y));
   const double length = std::hypot(d.x(), d.y());
   return length > 0 ? d / length : QPointF(0, 1);
 }
 
 void paintTick(QPainter& painter, GraphAxis axis, const FindingsPicture& picture, QPointF at,
                const QString& text, const QColor& color, bool given) {
-  const QPointF out = outwards(axis, picture);
+  const QPointF out = outwards(axis, *picture.corners, picture.pageToWidget);
   painter.setPen(QPen(QColor(255, 255, 255, 190), given ? 5 : 3.5));
   painter.drawLine(at - 6 * out, at + 6 * out);
   painter.setPen(QPen(color, given ? 2.6 : 1.4));
   painter.drawLine(at - 6 * out, at + 6 * out);
   const QSizeF size = QFontMetricsF(painter.font()).size(0, text);
-  // Inside the frame, where the page's own labels are not.
-  const QPointF middle = at - out * (axis == GraphAxis::x ? 16 : 12 + 0.5 * size.width());
+  const QPointF middle = tickPlate(axis, *picture.corners, picture.pageToWidget, at);
   paintPlate(painter, middle - QPointF(0.5 * size.width(), 0), text, color);
 }
 
@@ -129,13 +128,18 @@ void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMar
   const DisplayUnits& u = picture.units;
   const QString text =
       nameOf(mark) + tr("%1 %2, %3 %4")
-                         .arg(QLocale().toString(u.lengthFrom(mark.value.displacement_mm), 'g', 4),
-                              u.lengthSymbol(), QLocale().toString(u.forceFrom(mark.value.force_N), 'g', 4),
+                         .arg(QLocale().toString(u.lengthFrom(mark.value.displacement_mm), 'g', 3),
+                              u.lengthSymbol(), QLocale().toString(u.forceFrom(mark.value.force_N), 'g', 3),
                               u.forceSymbol());
   paintPlate(painter, at + QPointF(12, mark.stroke == Stroke::press ? -14 : 16), text, color);
 }
 
 }  // namespace
+
+QPointF tickPlate(GraphAxis axis, const FrameCorners& corners, const QTransform& pageToWidget, QPointF tick) {
+  // Inside the frame, where the page's own labels are not.
+  return tick - outwards(axis, corners, pageToWidget) * (axis == GraphAxis::x ? 16 : 24);
+}
 
 void paintPlate(QPainter& painter, QPointF at, const QString& text, const QColor& color) {
   const QFontMetricsF metrics(painter.font());

@@ -22,6 +22,9 @@ struct FindingsPicture {
 
 void paintFindings(QPainter& painter, const FindingsPicture& picture);
 
+/// Middle of the plate that shows a tick's value, widget.
+QPointF tickPlate(GraphAxis axis, const FrameCorners& corners, const QTransform& pageToWidget, QPointF tick);
+
 /// A text on a plate, so that it can be read on any page. `at` is the plate's left middle.
 void paintPlate(QPainter& painter, QPointF at, const QString& text, const QColor& ink);
 

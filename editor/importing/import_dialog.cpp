@@ -34,6 +34,8 @@ namespace {
 constexpr std::array qualities{importer::Quality::draft, importer::Quality::standard,
                                importer::Quality::precise};
 
+QString keyOf(const QAction& action) { return action.shortcut().toString(QKeySequence::NativeText); }
+
 QString stepInWords(const QString& step) {
   if (step == QLatin1String("finding graphs and reading axes"))
     return QObject::tr("Finding the graph and reading its axes …");
@@ -169,6 +171,7 @@ void ImportDialog::Impl::build() {
   qualityLabel->setBuddy(quality);
   for (const importer::Quality each : qualities) quality->addItem(describedQuality(each));
   quality->setCurrentIndex(1);
+  quality->setAccessibleName(tr("Quality of the import"));
   quality->setToolTip(
       tr("How carefully the graph is read: usual time of an import and the usual distance of the curve from "
          "the printed one, "
@@ -293,8 +296,10 @@ void ImportDialog::Impl::showCorrections() {
   const ImportGraph* graph = state.current();
   undo->setEnabled(graph && graph->history.canUndo());
   redo->setEnabled(graph && graph->history.canRedo());
-  undo->setText(undo->isEnabled() ? tr("Undo %1").arg(graph->history.undoLabel()) : tr("Undo"));
-  redo->setText(redo->isEnabled() ? tr("Redo %1").arg(graph->history.redoLabel()) : tr("Redo"));
+  undo->setToolTip(undo->isEnabled() ? tr("Undo: %1 (%2)").arg(graph->history.undoLabel(), keyOf(*undo))
+                                     : tr("Nothing to undo"));
+  redo->setToolTip(redo->isEnabled() ? tr("Redo: %1 (%2)").arg(graph->history.redoLabel(), keyOf(*redo))
+                                     : tr("Nothing to redo"));
 }
 
 void ImportDialog::Impl::showWork() {

@@ -153,10 +153,27 @@ QVariant PageListModel::pageData(int number, int role) const {
   }
 }
 
+/// A graph framed by hand has no picture of its own: a part of its page's.
+QImage PageListModel::graphPicture(const ImportGraph& graph) const {
+  if (!graph.thumbnail.isNull()) return graph.thumbnail;
+  const auto corners = graph.corners();
+  const bool paged = graph.id.page <= state_.pageCount();
+  if (!corners || !paged || state_.page(graph.id.page).thumbnail.isNull()) return blank(graphIcon);
+  const ImportPage& page = state_.page(graph.id.page);
+  QPolygonF outline;
+  for (const auto& c : *corners) outline << QPointF(c.x - page.bounds.left(), c.y - page.bounds.top());
+  const QRectF frame = outline.boundingRect();
+  const double sx = page.thumbnail.width() / page.bounds.width(),
+               sy = page.thumbnail.height() / page.bounds.height();
+  const QRectF part(frame.left() * sx, frame.top() * sy, frame.width() * sx, frame.height() * sy);
+  const QRect seen = part.toAlignedRect().adjusted(-4, -4, 4, 4) & page.thumbnail.rect();
+  return seen.isEmpty() ? blank(graphIcon) : page.thumbnail.copy(seen);
+}
+
 QVariant PageListModel::graphData(const ImportGraph& graph, int role) const {
   switch (role) {
     case Qt::DecorationRole:
-      return graph.thumbnail.isNull() ? QVariant(blank(graphIcon)) : QVariant(graph.thumbnail);
+      return graphPicture(graph);
     case Qt::DisplayRole:
       return tr("Graph %1, %2\n%3").arg(graph.id.graph).arg(stateOf(graph), rangesOf(graph));
     case Qt::CheckStateRole:

@@ -34,6 +34,7 @@ class PageListModel : public QAbstractListModel {
   QVariant pageData(int number, int role) const;
   QVariant graphData(const ImportGraph& graph, int role) const;
   QImage pagePicture(int number) const;
+  QImage graphPicture(const ImportGraph& graph) const;
 
   ImportState& state_;
   std::vector<Row> rows_;

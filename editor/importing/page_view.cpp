@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <QHelpEvent>
 #include <QLineEdit>
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolTip>
+#include <utility>
 
 #include "editor/importing/failure_words.h"
 #include "editor/importing/findings_painting.h"

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFile>
+#include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
@@ -35,7 +36,9 @@ QString sample(const char* name) { return QStringLiteral(DETENT_SOURCE_DIR "/sam
 /// Keeps pictures of what the tests saw where DETENT_PICTURES names a folder.
 void keepPicture(QWidget& widget, const QString& name) {
   const QString folder = qEnvironmentVariable("DETENT_PICTURES");
-  if (!folder.isEmpty()) widget.grab().save(folder + '/' + name + ".png");
+  if (folder.isEmpty()) return;
+  QTest::qWait(50);
+  widget.grab().save(folder + '/' + name + ".png");
 }
 
 bool settled(const ImportState& state) {
@@ -83,6 +86,7 @@ class ImportDialogTest : public QObject {
   void theKeyboardReachesEverything();
   void theWindowNeverStalls();
   void closingWhileItWorks();
+  void picturesOfInputs();
 };
 
 void ImportDialogTest::aSampleIsImportedWithoutAWord() {
@@ -536,6 +540,27 @@ void ImportDialogTest::closingWhileItWorks() {
     QTest::qWait(30 * i);
   }
   QVERIFY(true);  // the ends of their threads are waited for when the program ends
+}
+
+/// For the eye: DETENT_PICTURE_INPUTS names files, divided by '|'; a picture of each is kept.
+void ImportDialogTest::picturesOfInputs() {
+  const QStringList inputs = qEnvironmentVariable("DETENT_PICTURE_INPUTS").split('|', Qt::SkipEmptyParts);
+  if (inputs.isEmpty()) QSKIP("no inputs are named");
+  for (const QString& input : inputs) {
+    ViewSettings settings;
+    ImportDialog dialog(settings);
+    dialog.show();
+    auto* view = dialog.findChild<PageView*>();
+    dialog.openFile(input);
+    const auto& state = view->state();
+    QVERIFY(QTest::qWaitFor(
+        [&] {
+          return state.openFailure() ||
+                 (state.pageCount() > 0 && state.searchedPages() == state.pageCount() && !state.working());
+        },
+        patience_ms));
+    keepPicture(dialog, QFileInfo(input).completeBaseName());
+  }
 }
 
 QTEST_MAIN(ImportDialogTest)
