@@ -33,15 +33,30 @@ int inkWidth(const std::uint8_t* row, int cols, int x, int atMost) {
   return r - l + 1;
 }
 
+/// How thick a nearly vertical line at column `x` is between two rows; 0 if there is none.
+int lineThickness(const cv::Mat& ink, double x, int y0, int y1) {
+  if (ink.cols < 4) return 0;
+  const int at = std::clamp(static_cast<int>(std::lround(x)), 1, ink.cols - 2);
+  std::vector<int> widths;
+  for (int y = std::max(0, y0); y < std::min(ink.rows, y1); y += 3)
+    if (const int w = inkWidth(ink.ptr<std::uint8_t>(y), ink.cols, at, 2 * maxHalfEdge_px); w > 0)
+      widths.push_back(w);
+  if (widths.empty()) return 0;
+  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
+  std::nth_element(widths.begin(), middle, widths.end());
+  return *middle;
+}
+
 /// How far each column's line goes on downwards from row `edge` without getting wider: that is its tick; what
-/// is wider is a label that touches it.
-std::vector<int> ticksBelow(const cv::Mat& d, const std::vector<double>& columns, int edge, int atMost) {
+/// is wider, there or from the start, is a label that stands close to it.
+std::vector<int> ticksBelow(const cv::Mat& d, const std::vector<double>& columns, int edge, int atMost,
+                            int thickest) {
   std::vector<int> lengths;
   for (const double at : columns) {
     const int x = std::clamp(static_cast<int>(std::lround(at)), 1, d.cols - 2);
     const int width = inkWidth(d.ptr<std::uint8_t>(edge), d.cols, x, atMost);
     int n = 0;
-    while (width > 0 && n < atMost && edge + n < d.rows) {
+    while (width > 0 && width <= thickest && n < atMost && edge + n < d.rows) {
       const int here = inkWidth(d.ptr<std::uint8_t>(edge + n), d.cols, x, atMost);
       if (here == 0 || here > width + 2) break;
       ++n;
@@ -72,10 +87,11 @@ int commonLength(const std::vector<int>& lengths) {
 
 /// Blanks ticks below row `edge` (towards larger rows). A run longer than the others has a label at its end,
 /// of which nothing may be taken.
-void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, double frameHeight) {
+void eraseTicksBelow(cv::Mat& d, const std::vector<double>& columns, int edge, double frameHeight,
+                     int thickest) {
   if (edge >= d.rows || edge < 0 || d.cols < 4 || columns.empty()) return;
   const int longest = std::max(4, static_cast<int>(0.1 * frameHeight));
-  const auto lengths = ticksBelow(d, columns, edge, longest);
+  const auto lengths = ticksBelow(d, columns, edge, longest, thickest);
   const int common = commonLength(lengths);
   if (common == 0 || common >= longest) return;
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -111,20 +127,25 @@ cv::Mat withoutFrameInk(const cv::Mat& ink, const Box& frame, const std::vector<
   y0 = std::max(0, y0 - 1);
   x1 = std::min(ink.cols, x1 + 1);
   y1 = std::min(ink.rows, y1 + 1);
+  const cv::Mat sideways = ink.t();
+  const int thickness =
+      std::max({lineThickness(ink, frame.x0, y0, y1), lineThickness(ink, frame.x1, y0, y1),
+                lineThickness(sideways, frame.y0, x0, x1), lineThickness(sideways, frame.y1, x0, x1)});
+  const int thickest = std::max(4, 2 * thickness);  // ticks are drawn with the frame's pen
   out(cv::Rect(x0, y0, x1 - x0, y1 - y0)).setTo(0);
   const auto mirrored = [](std::vector<double> places, int size) {
     for (auto& p : places) p = size - 1 - p;
     return places;
   };
   // Every side in turn becomes "below".
-  eraseTicksBelow(out, xLines, y1, frame.height());
+  eraseTicksBelow(out, xLines, y1, frame.height(), thickest);
   cv::flip(out, out, -1);
-  eraseTicksBelow(out, mirrored(xLines, out.cols), out.rows - y0, frame.height());
+  eraseTicksBelow(out, mirrored(xLines, out.cols), out.rows - y0, frame.height(), thickest);
   cv::flip(out, out, -1);
   cv::Mat side = out.t();
-  eraseTicksBelow(side, yLines, x1, frame.width());
+  eraseTicksBelow(side, yLines, x1, frame.width(), thickest);
   cv::flip(side, side, -1);
-  eraseTicksBelow(side, mirrored(yLines, side.cols), side.rows - x0, frame.width());
+  eraseTicksBelow(side, mirrored(yLines, side.cols), side.rows - x0, frame.width(), thickest);
   cv::flip(side, side, -1);
   return side.t();
 }

@@ -26,28 +26,30 @@ struct Peak {
   double at = 0, width = 1, contrast = 0;
 };
 
-/// The ridge around sample k of a profile: from its foot on either side; centroid above the feet.
+/// The ridge around sample k of a profile: from its foot on either side; centroid above the line between the
+/// feet.
 std::optional<Peak> peakAt(const std::vector<double>& p, int k) {
   const int n = static_cast<int>(p.size());
-  const double top = p[static_cast<std::size_t>(k)];
-  int l = k, r = k;
-  while (l > 0 && k - l < maxHalfWidth &&
-         p[static_cast<std::size_t>(l - 1)] < p[static_cast<std::size_t>(l)] + 0.02 * top + 0.3 &&
-         !(p[static_cast<std::size_t>(l)] < 0.12 * top))
-    --l;
-  while (r + 1 < n && r - k < maxHalfWidth &&
-         p[static_cast<std::size_t>(r + 1)] < p[static_cast<std::size_t>(r)] + 0.02 * top + 0.3 &&
-         !(p[static_cast<std::size_t>(r)] < 0.12 * top))
-    ++r;
-  const double base = std::max(p[static_cast<std::size_t>(l)], p[static_cast<std::size_t>(r)]);
-  if (top - base < minLineContrast) return std::nullopt;
+  const auto at = [&](int i) { return p[static_cast<std::size_t>(i)]; };
+  const double top = at(k), ripple = 0.02 * top + 0.3;
+  const auto foot = [&](int step) {
+    int i = k;
+    while (i + step >= 0 && i + step < n && std::abs(i + step - k) <= maxHalfWidth &&
+           at(i + step) < at(i) + ripple && at(i) > 0.004 * top + 0.4)
+      i += step;
+    return i;
+  };
+  const int l = foot(-1), r = foot(1);
+  if (top - std::max(at(l), at(r)) < minLineContrast) return std::nullopt;
   double mass = 0, moment = 0;
   for (int i = l; i <= r; ++i) {
-    const double v = std::max(0.0, p[static_cast<std::size_t>(i)] - base);
+    const double base = r > l ? at(l) + (at(r) - at(l)) * (i - l) / (r - l) : 0;
+    const double v = std::max(0.0, at(i) - base);
     mass += v;
     moment += v * i;
   }
-  return Peak{moment / mass, mass / (top - base), top - base};
+  const double contrast = top - std::max(at(l), at(r));
+  return Peak{moment / mass, mass / contrast, contrast};
 }
 
 double median(std::vector<double> v) {

@@ -102,6 +102,26 @@ std::vector<GridLine> linesAlongY(const cv::Mat& transposed, const UprightBox& b
                 columnTicks(transposed, b.top, b.bottom, b.left + half + 1, b.left + half + depth), 2);
 }
 
+/// An edge that is not drawn stands at the tick next to where the lines end.
+void settleOpenEdges(PlotFrame& frame, const Edges& e) {
+  auto& c = frame.corners;
+  const auto nearest = [](const std::vector<GridLine>& lines, double at, double within) {
+    double best = at, off = within;
+    for (const auto& line : lines)
+      if (std::abs(line.position_px - at) <= off) {
+        off = std::abs(line.position_px - at);
+        best = line.position_px;
+      }
+    return best;
+  };
+  const double acrossX = std::max(4.0, 0.01 * (c[2].x - c[3].x)),
+               acrossY = std::max(4.0, 0.01 * (c[3].y - c[0].y));
+  if (e.left.support == 0) c[0].x = c[3].x = nearest(frame.xLines, c[3].x, acrossX);
+  if (e.right.support == 0) c[1].x = c[2].x = nearest(frame.xLines, c[2].x, acrossX);
+  if (e.top.support == 0) c[0].y = c[1].y = nearest(frame.yLines, c[0].y, acrossY);
+  if (e.bottom.support == 0) c[2].y = c[3].y = nearest(frame.yLines, c[3].y, acrossY);
+}
+
 Point mapped(const cv::Matx33d& h, Point p) {
   const cv::Vec3d v = h * cv::Vec3d(p.x, p.y, 1);
   return {v[0] / v[2], v[1] / v[2]};
@@ -166,14 +186,31 @@ bool isUpright(const PlotFrame& f) {
          std::abs(c[0].y - c[1].y) <= alignedWithin_px && std::abs(c[3].y - c[2].y) <= alignedWithin_px;
 }
 
+/// Corners given by hand stay where they were put; only the thickness of what is drawn there is looked up.
+PlotFrame givenFrame(const PageView& view, const std::vector<Point>& corners) {
+  const Affine toView = view.viewToPage.inverse();
+  PlotFrame frame;
+  for (std::size_t k = 0; k < 4; ++k) frame.corners[k] = toView(corners[k]);
+  return frame;
+}
+
+PlotFrame foundFrame(const Edges& e) {
+  PlotFrame frame;
+  frame.corners = {crossing(e.left, e.top), crossing(e.right, e.top), crossing(e.right, e.bottom),
+                   crossing(e.left, e.bottom)};
+  return frame;
+}
+
 }  // namespace
 
 Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
-                                         const FrameCandidate& candidate, const Progress&) {
+                                         const FrameCandidate& candidate, const Progress& progress) {
   const Box box = boxInView(view, candidate.pageBox);
   if (view.raster.empty() || box.width() < 16 || box.height() < 16)
     return Failure{FailureCode::noForceGraph, page.source, "page " + std::to_string(page.number),
                    "the plot frame is smaller than 16 pixels", "Give a larger region with --frame"};
+  if (progress.isCancelled()) return Failure{FailureCode::wrongUsage, page.source, "", "cancelled", ""};
+  const bool given = candidate.givenCorners.size() == 4;
   const cv::Mat d = darknessOf(view.raster);
   const double reach =
       std::clamp(4 * viewPerOverview(view, page), 3.0, 0.02 * std::min(box.width(), box.height()) + 3);
@@ -182,13 +219,19 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
   leanTogether(e.top, e.bottom, 0.5 * (box.x0 + box.x1));
   Found<PlotFrame> found;
   auto& frame = found.value;
-  frame.corners = {crossing(e.left, e.top), crossing(e.right, e.top), crossing(e.right, e.bottom),
-                   crossing(e.left, e.bottom)};
+  frame = given ? givenFrame(view, candidate.givenCorners) : foundFrame(e);
   if (isUpright(frame)) {
     findLinesUpright(d, frame, e);
-    if (roundedByAgg(d, d.t(), e, frame.box())) frame.drawnOffset_px = {0.5, 0.5};
+    if (!given) settleOpenEdges(frame, e);
+    if (view.nativePixels && roundedByAgg(d, d.t(), e, frame.box())) frame.drawnOffset_px = {0.5, 0.5};
   } else {
     findLinesLeaning(d, frame, e);
+  }
+  if (given) {
+    found.by = DecidedBy::given;
+    found.confidence = 1;
+    found.evidence = "plot frame given by hand";
+    return found;
   }
   found.confidence = std::min(1.0, 0.4 + 0.15 * e.drawn);
   found.evidence = std::to_string(e.drawn) + " of 4 edges drawn, " + std::to_string(frame.xLines.size()) +
