@@ -39,7 +39,7 @@ SeenText readLabel(GraphReading& r, const Box& word, TextKind kind) {
     const Point middle{0.5 * (t.box.x0 + t.box.x1), 0.5 * (t.box.y0 + t.box.y1)};
     if (word.contains(middle) && isNumberText(t)) return {t.utf8, word, 1.0, 0.0};
   }
-  return r.reader.readLine(word, kind);
+  return r.reader.readLineCarefully(word, kind);
 }
 
 /// "20gf" -> "20" and "gf"; no digits in front: nothing.
@@ -47,6 +47,35 @@ std::pair<std::string, std::string> numberAndSuffix(const std::string& text) {
   const auto end = text.find_first_not_of("0123456789.,- ");
   if (end == std::string::npos || end == 0) return {text, ""};
   return {text.substr(0, end), text.substr(end)};
+}
+
+/// Characters of a number as wide as digits: points and ones take less room.
+double digitsWide(const std::string& text) {
+  double n = 0;
+  for (const char c : text) n += c == '.' || c == ',' ? 0.4 : c == '1' ? 0.6 : c == ' ' ? 0 : 1;
+  return n;
+}
+
+/// Takes back readings that leave room for more digits than were read: "2" of "20" counts on as nicely as the
+/// whole number, and makes a scale ten times too small.
+void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places) {
+  constexpr double roomForMore = 1.7;
+  std::vector<double> perDigit(found.words.size(), 0), known;
+  for (std::size_t i = 0; i < found.words.size(); ++i) {
+    const double n = digitsWide(found.words[i].utf8);
+    if (found.readings[i].empty() || n < 0.6) continue;
+    perDigit[i] = found.words[i].box.width() / n;
+    known.push_back(perDigit[i]);
+  }
+  if (known.size() < 2) return;
+  const auto usual = known.begin() + static_cast<std::ptrdiff_t>((known.size() - 1) / 2);
+  std::nth_element(known.begin(), usual, known.end());
+  const double most = roomForMore * *usual;
+  for (std::size_t i = 0; i < found.words.size(); ++i) {
+    if (perDigit[i] <= most) continue;
+    found.readings[i].clear();
+    places[i].readings.clear();
+  }
 }
 
 AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLine>& ticks, Axis axis,
@@ -69,6 +98,7 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
     found.words.push_back(std::move(seen));
     places.push_back(std::move(place));
   }
+  if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places);
   found.progression = fitProgression(places, ticks, axis == Axis::x);
   return found;
 }

@@ -36,6 +36,7 @@ constexpr std::array forceSpellings{Spelling<ForceUnit>{"cN", ForceUnit::centine
                                     Spelling<ForceUnit>{"9f", ForceUnit::gramForce, 0.7},
                                     Spelling<ForceUnit>{"af", ForceUnit::gramForce, 0.6},
                                     Spelling<ForceUnit>{"ef", ForceUnit::gramForce, 0.6},
+                                    Spelling<ForceUnit>{"sf", ForceUnit::gramForce, 0.6},
                                     Spelling<ForceUnit>{"gr", ForceUnit::gramForce, 0.7},
                                     Spelling<ForceUnit>{"g", ForceUnit::gramForce, 0.95},
                                     Spelling<ForceUnit>{"gram", ForceUnit::gramForce, 1},

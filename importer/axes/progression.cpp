@@ -131,6 +131,20 @@ std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Plac
   return best;
 }
 
+/// A repaired reading ("198" as 19.8 near 20) that alone needs a much finer step than all the others is a
+/// misreading that happens to lie close.
+void dropStrayRepairs(const std::vector<LabelPlace>& labels, Trial& t) {
+  constexpr double muchFiner = 4;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    if (t.reading[i] < 0 || labels[i].readings[static_cast<std::size_t>(t.reading[i])].weight >= 1) continue;
+    Trial others = t;
+    others.reading[i] = -1;
+    if (agreeing(others) < 3) continue;
+    if (commonStep(agreedValues(labels, others)) >= muchFiner * commonStep(agreedValues(labels, t)))
+      t = others;
+  }
+}
+
 /// Lines that stand at multiples of a step, in pixels off.
 struct OnStep {
   std::vector<std::pair<double, double>> pairs;  // position, value
@@ -230,8 +244,9 @@ void fitLineRobustly(std::vector<std::pair<double, double>> pairs, Progression& 
 std::optional<Progression> fitProgression(const std::vector<LabelPlace>& labels,
                                           const std::vector<GridLine>& ticks, bool rising) {
   const Places places = placesOf(labels, ticks);
-  const auto trial = bestTrial(labels, places, rising);
+  auto trial = bestTrial(labels, places, rising);
   if (!trial) return std::nullopt;
+  dropStrayRepairs(labels, *trial);
   Progression p;
   p.offset = trial->offset;
   p.perPx = trial->perPx;

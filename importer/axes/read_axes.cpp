@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <iterator>
 
 #include <opencv2/core.hpp>
@@ -39,6 +40,15 @@ Failure unread(const std::optional<AxisLabels>& labels, const std::string& axis)
 }
 
 bool hasProgression(const std::optional<AxisLabels>& labels) { return labels && labels->progression; }
+
+/// The labels of an axis without a progression that is mere chance: two of many numbers always lie on some
+/// scale.
+std::optional<AxisLabels> credibleLabels(GraphReading& r, Axis axis) {
+  auto labels = readAxisLabels(r, axis);
+  if (hasProgression(labels) && labels->progression->labels == 2 && labels->numbers() > 4)
+    labels->progression.reset();
+  return labels;
+}
 
 /// Frames end at ticks: a value that stands within a pixel of one is that one.
 double settled(double value, const Progression& p) {
@@ -101,14 +111,63 @@ std::array<double, 9> homographyOf(const std::array<Point, 4>& corners, const En
           h(6) / size,      h(7) / size,      1};
 }
 
-/// 1 if everything agrees; falls with labels that do not fit, few labels, a large residual.
+std::string digitsOf(const std::string& text) {
+  std::string digits;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(digits),
+               [](char c) { return c >= '0' && c <= '9'; });
+  return digits;
+}
+
+/// The value of the nearest line at a label's place, as the labels that agree have it.
+double lineValue(const Progression& p, double position_px) {
+  return std::round(p.value(position_px) / p.substep) * p.substep + 0.0;
+}
+
+std::string shownNumber(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+/// "0" where 80 should stand: the recogniser lost a digit, the page contradicts nothing.
+bool isRestOf(const std::string& read, const std::string& expected) {
+  const std::string digits = digitsOf(read);
+  return !digits.empty() && digits.size() < digitsOf(expected).size() &&
+         digitsOf(expected).find(digits) != std::string::npos;
+}
+
+/// How a label that can be read stands to the scale the others agree on.
+enum class LabelVerdict {
+  fits,  ///< on its line, or its line's value a little beside it (the zero in the corner)
+  rest,  ///< a piece of the number that should stand there
+  contradicts
+};
+
+LabelVerdict verdictOn(const AxisLabels& labels, std::size_t i) {
+  const Progression& p = *labels.progression;
+  if (p.reading[i] >= 0) return LabelVerdict::fits;
+  const double expected = lineValue(p, p.tickOf[i]);
+  for (const auto& reading : labels.readings[i])
+    if (reading.weight >= 1 && std::abs(reading.value - expected) < 1e-6 * p.step) return LabelVerdict::fits;
+  return isRestOf(labels.words[i].utf8, shownNumber(expected)) ? LabelVerdict::rest
+                                                               : LabelVerdict::contradicts;
+}
+
+/// 1 if everything agrees; falls with labels that do not fit or cannot be read, few labels, a large residual.
 double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven) {
   if (rangeGiven) return 1;
   const auto& p = *labels->progression;
-  const double agree = static_cast<double>(p.labels) / std::max(1, labels->numbers());
+  double agreed = 0, all = 0;
+  for (std::size_t i = 0; i < labels->words.size(); ++i) {
+    const bool readable = !labels->readings[i].empty();
+    all += readable ? 1 : 0.25;
+    if (!readable) continue;
+    const LabelVerdict verdict = verdictOn(*labels, i);
+    agreed += verdict == LabelVerdict::fits ? 1 : verdict == LabelVerdict::rest ? 0.5 : 0;
+  }
   const double many = p.labels >= 4 ? 1.0 : p.labels == 3 ? 0.9 : 0.5;
   const double sharp = p.fromTicks ? std::clamp(1.15 - 0.25 * p.residual_px, 0.3, 1.0) : 0.6;
-  return std::sqrt(agree) * many * sharp;
+  return std::sqrt(agreed / std::max(1.0, all)) * many * sharp;
 }
 
 /// One unit by default may be right; with none, the numbers could be of anything.
@@ -125,6 +184,26 @@ void fillReading(AxisReading& reading, const std::optional<AxisLabels>& labels) 
   if (!hasProgression(labels)) return;
   reading.ticks = tickLabels(*labels);
   reading.residual_px = labels->progression->residual_px;
+}
+
+/// A label that was read with certainty and stands at another value's line: some datasheets print it so. The
+/// grid is followed.
+void warnOfContradictions(const std::optional<AxisLabels>& labels, const char* axis,
+                          std::vector<std::string>& warnings) {
+  constexpr double readWithCertainty = 0.8;
+  if (!hasProgression(labels)) return;
+  const Progression& p = *labels->progression;
+  for (std::size_t i = 0; i < labels->words.size(); ++i) {
+    const SeenText& word = labels->words[i];
+    const bool read = !labels->readings[i].empty() && word.confidence >= readWithCertainty;
+    if (!read || verdictOn(*labels, i) != LabelVerdict::contradicts) continue;
+    const double here = p.value(p.tickOf[i]), line = lineValue(p, p.tickOf[i]);
+    const bool onLine = std::abs(here - line) < 0.2 * p.substep;
+    warnings.push_back("the label \"" + word.utf8 + "\" on the " + axis + " axis stands at " +
+                       shownNumber(onLine ? line : here) +
+                       " of the scale that the others make: left out; pass --" + axis +
+                       "-axis if the others are wrong");
+  }
 }
 
 /// Printed extremes: settled on the ticks unless given.
@@ -190,9 +269,9 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
                            const Progress& progress) {
   const AxisGiven xGiven{hints.xMin, hints.xMax}, yGiven{hints.yMin, hints.yMax};
   GraphReading r(view, frame);
-  const auto xLabels = xGiven.range() ? std::nullopt : readAxisLabels(r, Axis::x);
+  const auto xLabels = xGiven.range() ? std::nullopt : credibleLabels(r, Axis::x);
   if (!xGiven.range() && !hasProgression(xLabels)) return unread(xLabels, "x");
-  const auto yLabels = yGiven.range() ? std::nullopt : readAxisLabels(r, Axis::y);
+  const auto yLabels = yGiven.range() ? std::nullopt : credibleLabels(r, Axis::y);
   if (!yGiven.range() && !hasProgression(yLabels)) return unread(yLabels, "y");
   if (progress.isCancelled()) return cancelled();
 
@@ -229,6 +308,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
     found.warnings.push_back("the x axis has no ticks: its scale comes from where its numbers stand");
   if (hasProgression(yLabels) && !yLabels->progression->fromTicks)
     found.warnings.push_back("the y axis has no ticks: its scale comes from where its numbers stand");
+  warnOfContradictions(xLabels, "x", found.warnings);
+  warnOfContradictions(yLabels, "y", found.warnings);
   found.texts = allTexts(r, xLabels, yLabels);
   return found;
 }

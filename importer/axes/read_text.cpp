@@ -19,6 +19,13 @@ namespace {
 constexpr double readHeight_px =
     32;  // height of a text line the recogniser is trained on (Tesseract 5 LSTM: 36 with margins)
 constexpr int margin_px = 10;
+constexpr double sureReading = 0.75;  // digits in good print score above 0.9
+
+/// How a crop is shown to the recogniser.
+struct Rendering {
+  double height_px = readHeight_px;
+  bool thinned = false;  ///< strokes one pixel thinner on either side
+};
 
 /// One engine per thread. LSTM only; dictionaries would turn "gf" into "of".
 class Engine {
@@ -61,8 +68,8 @@ Engine& engineOfThread() {
   return engine;
 }
 
-/// The crop as black on white, text upright, about `readHeight_px` high, with a white margin.
-cv::Mat crop(const Raster& raster, const Box& box, double angle_deg) {
+/// The crop as black on white, text upright, about as high as asked, with a white margin.
+cv::Mat crop(const Raster& raster, const Box& box, double angle_deg, const Rendering& rendering) {
   const int x0 = std::clamp(static_cast<int>(std::floor(box.x0 + 0.5)) - 1, 0, raster.width_px);
   const int x1 = std::clamp(static_cast<int>(std::ceil(box.x1 + 0.5)) + 1, 0, raster.width_px);
   const int y0 = std::clamp(static_cast<int>(std::floor(box.y0 + 0.5)) - 1, 0, raster.height_px);
@@ -83,8 +90,9 @@ cv::Mat crop(const Raster& raster, const Box& box, double angle_deg) {
   const bool inverted = rim < 0.5 * (low + high);
   grey.convertTo(grey, CV_8U, (inverted ? -1 : 1) * 255.0 / (high - low),
                  inverted ? 255.0 * high / (high - low) : -255.0 * low / (high - low));
-  const double scale = std::clamp(readHeight_px / std::max(1, grey.rows - 2), 0.2, 6.0);
+  const double scale = std::clamp(rendering.height_px / std::max(1, grey.rows - 2), 0.2, 6.0);
   cv::resize(grey, grey, cv::Size(), scale, scale, scale > 1 ? cv::INTER_CUBIC : cv::INTER_AREA);
+  if (rendering.thinned) cv::dilate(grey, grey, cv::getStructuringElement(cv::MORPH_RECT, {3, 3}));
   cv::copyMakeBorder(grey, grey, margin_px, margin_px, margin_px, margin_px, cv::BORDER_CONSTANT,
                      cv::Scalar(255));
   return grey;
@@ -96,13 +104,33 @@ TextReader::TextReader(const PageView& view) : view_(view) {}
 
 bool TextReader::available() { return engineOfThread().ready(); }
 
-SeenText TextReader::readLine(const Box& box, TextKind kind, double angle_deg) {
-  const cv::Mat grey = crop(view_.raster, box, angle_deg);
+namespace {
+
+SeenText readRendering(const Raster& raster, const Box& box, TextKind kind, double angle_deg,
+                       const Rendering& rendering) {
+  const cv::Mat grey = crop(raster, box, angle_deg, rendering);
   SeenText seen;
   if (!grey.empty()) seen = engineOfThread().line(grey, kind);
   seen.box = box;
   seen.angle_deg = angle_deg;
   return seen;
+}
+
+}  // namespace
+
+SeenText TextReader::readLine(const Box& box, TextKind kind, double angle_deg) {
+  return readRendering(view_.raster, box, kind, angle_deg, {});
+}
+
+SeenText TextReader::readLineCarefully(const Box& box, TextKind kind, double angle_deg) {
+  SeenText best = readLine(box, kind, angle_deg);
+  for (const Rendering& other : {Rendering{1.5 * readHeight_px, true}, Rendering{readHeight_px, true},
+                                 Rendering{0.75 * readHeight_px, false}}) {
+    if (best.confidence >= sureReading) break;
+    SeenText again = readRendering(view_.raster, box, kind, angle_deg, other);
+    if (again.confidence > best.confidence) best = std::move(again);
+  }
+  return best;
 }
 
 std::vector<SeenText> TextReader::readWords(const Box& box, double angle_deg) {

@@ -24,6 +24,10 @@ class TextReader {
   /// Empty text with confidence 0 if there is nothing to read or no engine can be started.
   SeenText readLine(const Box& box, TextKind kind, double angle_deg = 0);
 
+  /// The same for a line that must not be misread: what is read with doubt is read again with thinner strokes
+  /// (bold print closes its digits) and at another size, and the surest reading counts.
+  SeenText readLineCarefully(const Box& box, TextKind kind, double angle_deg = 0);
+
   /// All words in `box`, line by line.
   std::vector<SeenText> readWords(const Box& box, double angle_deg = 0);
 

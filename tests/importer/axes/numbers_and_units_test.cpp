@@ -1,0 +1,88 @@
+// Numbers and units as printed, and as misread.
+
+#include <cstdio>
+
+#include <catch2/catch.hpp>
+#include <rapidcheck.h>
+
+#include "importer/axes/printed_number.h"
+#include "importer/axes/printed_unit.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+TEST_CASE("numbers as plots print them") {
+  CHECK(printedNumber("120") == 120);
+  CHECK(printedNumber("0.5") == 0.5);
+  CHECK(printedNumber("0,5") == 0.5);
+  CHECK(printedNumber(".5") == 0.5);
+  CHECK(printedNumber("-20") == -20);
+  CHECK(printedNumber("\xE2\x88\x92"
+                      "20") == -20);
+  CHECK(printedNumber("4.") == 4);
+  CHECK(printedNumber(" 60 ") == 60);
+}
+
+TEST_CASE("what is no number is none") {
+  for (const char* text : {"", "-", ".", "mm", "1e5", "12a", "--3", "1.2.3", "0123456789", "\xE5\x8A\x9B"})
+    CHECK_FALSE(printedNumber(text).has_value());
+}
+
+TEST_CASE("every printed decimal is read back") {
+  REQUIRE(rc::check("decimal", [] {
+    const int whole = *rc::gen::inRange(-9999, 9999), places = *rc::gen::inRange(0, 3);
+    const double value = whole / std::pow(10.0, places);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*f", places, value);
+    RC_ASSERT(printedNumber(text) == Approx(value).margin(1e-12));
+  }));
+}
+
+TEST_CASE("a lost decimal point is among the readings") {
+  const auto has = [](const char* text, double value) {
+    for (const auto& r : numberReadings(text))
+      if (std::abs(r.value - value) < 1e-12) return true;
+    return false;
+  };
+  CHECK(has("15", 15));
+  CHECK(has("15", 1.5));
+  CHECK(has("05", 0.5));
+  CHECK(numberReadings("05").front().weight < 0.5);
+  CHECK(numberReadings("1.5").size() == 1);
+  CHECK(numberReadings("x").empty());
+}
+
+TEST_CASE("units in titles") {
+  const auto force = [](const char* title) {
+    const auto unit = forceUnitIn(title);
+    return unit ? std::string(symbolOf(unit->unit)) : std::string("none");
+  };
+  const auto length = [](const char* title) {
+    const auto unit = lengthUnitIn(title);
+    return unit ? std::string(symbolOf(unit->unit)) : std::string("none");
+  };
+  const std::string cN(symbolOf(ForceUnit::centinewton)), gf(symbolOf(ForceUnit::gramForce)),
+      N(symbolOf(ForceUnit::newton)), ozf(symbolOf(ForceUnit::ounceForce)),
+      mN(symbolOf(ForceUnit::millinewton));
+  CHECK(force("Force [cN]") == cN);
+  CHECK(force("Kraft / cN") == cN);
+  CHECK(force("Kraft in cN") == cN);
+  CHECK(force("F (gf)") == gf);
+  CHECK(force("\xE5\x8A\x9B(gf)") == gf);
+  CHECK(force("Force\xE5\x8A\x9B\xEF\xBC\x88gf\xEF\xBC\x89") == gf);
+  CHECK(force("Force (g)") == gf);
+  CHECK(force("Force [N]") == N);
+  CHECK(force("Kraft [mN]") == mN);
+  CHECK(force("Force [ozf]") == ozf);
+  CHECK(force("Force [eN]") == cN);  // as misread
+  CHECK(force("Force") == "none");
+  CHECK(force("Release of the force") == "none");
+  CHECK(force("Force-Travel-Diagram") == "none");
+  const std::string mm(symbolOf(LengthUnit::millimetre)), in(symbolOf(LengthUnit::inch));
+  CHECK(length("Travel [mm]") == mm);
+  CHECK(length("Weg / mm") == mm);
+  CHECK(length("Position (mm)") == mm);
+  CHECK(length("\xE8\xA1\x8C\xE7\xA8\x8B(mm)") == mm);
+  CHECK(length("Displacement [inch]") == in);
+  CHECK(length("Travel") == "none");
+}

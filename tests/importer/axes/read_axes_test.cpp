@@ -1,0 +1,319 @@
+// Plots drawn by the test are calibrated; what cannot be read is said.
+
+#include <catch2/catch.hpp>
+
+#include "importer/axes/axis_calibration.h"
+#include "importer/axes/read_text.h"
+#include "importer/frame/plot_frame.h"
+#include "tests/importer/frame/drawn_plot.h"
+
+using namespace detent;
+using namespace detent::importer;
+using namespace detent::importer::test;
+
+namespace {
+
+struct Looked {
+  PageView view;
+  PlotFrame frame;
+};
+
+Looked look(const cv::Mat& grey) {
+  const auto document = documentOf(grey);
+  const auto page = document.page(1).value();
+  const auto candidates = findPlotFrames(page, document);
+  REQUIRE_FALSE(candidates.empty());
+  Looked looked{document.view(page, candidates[0].value.regionBox, candidates[0].value.quarterTurns).value(),
+                {}};
+  looked.frame = locatePlotFrame(looked.view, page, candidates[0].value)->value;
+  return looked;
+}
+
+AxesFound read(const cv::Mat& grey, const AxisHints& hints = {}) {
+  const auto looked = look(grey);
+  auto axes = readAxes(looked.view, looked.frame, hints);
+  if (!axes.ok()) FAIL(axes.failure().sentence());
+  return std::move(axes).value();
+}
+
+/// Where the calibration thinks the drawn corners are, in pixels off.
+double worstCornerError_px(const AxesFound& axes, const PlotStyle& s, double newtonPerUnit) {
+  double worst = 0;
+  const auto& c = axes.calibration.value;
+  for (const double u : {0.0, 1.0})
+    for (const double v : {0.0, 1.0}) {
+      const Point drawnAt{s.left + u * (s.right - s.left), s.bottom - v * (s.bottom - s.top)};
+      const Point value{s.xFrom + u * s.xSteps * s.xStep, (s.yFrom + v * s.ySteps * s.yStep) * newtonPerUnit};
+      const Point seen = c.toView(value);
+      worst = std::max({worst, std::abs(seen.x - drawnAt.x), std::abs(seen.y - drawnAt.y)});
+    }
+  return worst;
+}
+
+bool skipWithoutEngine() {
+  if (TextReader::available()) return false;
+  WARN("SKIPPED: no Tesseract language data");
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("drawn plots are calibrated to a tenth of a pixel") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  double newton = 0.01;
+  std::string unit = "cN";
+  SECTION("grid") {}
+  SECTION("between pixels") {
+    s.left = 100.37, s.top = 40.21, s.right = 820.83, s.bottom = 500.55, s.lineWidth = 1.6;
+  }
+  SECTION("two axis lines only") { s.box = s.grid = false; }
+  SECTION("y does not start at 0") { s.yFrom = 20, s.yStep = 10; }
+  SECTION("negative values") { s.yFrom = -40; }
+  SECTION("every second line labelled") { s.labelEvery = 2; }
+  SECTION("newton") { s.yTitle = "Force [N]", s.yStep = 0.2, newton = 1, unit = "N"; }
+  SECTION("gram-force") { s.yTitle = "Force (gf)", newton = 0.00980665, unit = "gf"; }
+  SECTION("white on dark") { s.paperGrey = 40, s.lineGrey = 230, s.gridGrey = 90, s.textGrey = 230; }
+  const auto axes = read(drawn(s));
+  const auto& c = axes.calibration.value;
+  CHECK(c.x.unit == "mm");
+  CHECK(c.y.unit == unit);
+  CHECK(c.x.unitFound);
+  CHECK(c.y.unitFound);
+  CHECK(c.x.min == Approx(s.xFrom).margin(1e-9));
+  CHECK(c.x.max == Approx(s.xFrom + s.xSteps * s.xStep));
+  CHECK(c.y.min == Approx(s.yFrom).margin(1e-9));
+  CHECK(c.y.max == Approx(s.yFrom + s.ySteps * s.yStep));
+  CHECK(worstCornerError_px(axes, s, newton) < 0.1);
+  CHECK(axes.calibration.confidence > 0.8);
+  CHECK(axes.warnings.empty());
+}
+
+TEST_CASE("the calibration is invertible and knows its scale") {
+  AxisCalibration c;
+  c.viewToUnits = {0.01, 1e-5, -1, 2e-6, -0.002, 1, 1e-7, 2e-7, 1};
+  for (const Point p : {Point{10, 20}, Point{400, 300}, Point{-5, 900}}) {
+    const Point back = c.toView(c.toUnits(p));
+    CHECK(back.x == Approx(p.x).margin(1e-6));
+    CHECK(back.y == Approx(p.y).margin(1e-6));
+  }
+  CHECK(c.mmPerPx() == Approx(0.01).epsilon(0.01));
+  CHECK(c.newtonPerPx() == Approx(0.002).epsilon(0.01));
+}
+
+TEST_CASE("a label that contradicts the grid is left out, and said") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.oddLabel = 7, s.oddText = "3.7";  // stands at 3.5
+  const auto axes = read(drawn(s));
+  CHECK(worstCornerError_px(axes, s, 0.01) < 0.1);
+  REQUIRE(axes.warnings.size() == 1);
+  CHECK(axes.warnings[0].find("3.7") != std::string::npos);
+  CHECK(axes.warnings[0].find("3.5") != std::string::npos);
+  CHECK(axes.calibration.confidence > 0.8);
+  CHECK(axes.calibration.confidence < 1);
+}
+
+TEST_CASE("a zero beside its corner contradicts nothing") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.xShiftOfFirst = -14;
+  const auto axes = read(drawn(s));
+  CHECK(worstCornerError_px(axes, s, 0.01) < 0.1);
+  CHECK(axes.warnings.empty());
+  CHECK(axes.calibration.confidence > 0.95);
+}
+
+TEST_CASE("a number of which only a digit was read makes no scale") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  auto looked = look(drawn(s));
+  auto& view = looked.view;
+  for (auto& p : view.raster.rgb) p = 255;
+  for (int k = 0; k <= s.xSteps; ++k) {
+    const double x = s.left + (s.right - s.left) * k / s.xSteps;
+    view.texts.push_back({shown(k * 0.5), {x - (k % 2 ? 14 : 5), 512, x + (k % 2 ? 14 : 5), 528}, 0});
+  }
+  // Room for two digits at 20, of which one is there.
+  const char* read[] = {"0", "2"};
+  for (int k = 0; k < 2; ++k) {
+    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+    view.texts.push_back({read[k], {k == 0 ? 80.0 : 70.0, y - 8, 90, y + 8}, 0});
+  }
+  CHECK_FALSE(readAxes(view, looked.frame).ok());
+}
+
+TEST_CASE("numbers that all but touch the axis are read, not taken for its ticks") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.ticks = false, s.gridGrey = 0;
+  s.xSteps = 4, s.xStep = 1;
+  s.textScale = 0.35, s.labelDrop = 7;
+  const auto axes = read(drawn(s));
+  CHECK(axes.calibration.value.x.max == Approx(4));
+  CHECK(worstCornerError_px(axes, s, 0.01) < 0.1);
+}
+
+TEST_CASE("a plot without units says which ones it took") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.xTitle = s.yTitle = "";
+  SECTION("large numbers: gram-force") {
+    const auto axes = read(drawn(s));
+    CHECK(axes.calibration.value.y.unit == "gf");
+    CHECK_FALSE(axes.calibration.value.y.unitFound);
+    CHECK_FALSE(axes.calibration.value.x.unitFound);
+    CHECK(axes.warnings.size() == 2);
+    CHECK(axes.calibration.confidence < 0.5);
+  }
+  SECTION("up to 5: newton") {
+    s.yStep = 0.5;
+    CHECK(read(drawn(s)).calibration.value.y.unit == "N");
+  }
+  SECTION("units given by hand: no doubt left") {
+    AxisHints hints;
+    hints.xUnit = LengthUnit::inch;
+    hints.yUnit = ForceUnit::ounceForce;
+    const auto axes = read(drawn(s), hints);
+    CHECK(axes.calibration.value.y.unitBy == DecidedBy::given);
+    CHECK(axes.calibration.value.y.unit == symbolOf(ForceUnit::ounceForce));
+    CHECK(axes.warnings.empty());
+    CHECK(axes.calibration.confidence > 0.8);
+  }
+}
+
+TEST_CASE("ranges given by hand are kept") {
+  PlotStyle s;
+  AxisHints hints;
+  hints.xMin = 0, hints.xMax = 8, hints.yMin = -10, hints.yMax = 50;
+  hints.xUnit = LengthUnit::millimetre, hints.yUnit = ForceUnit::newton;
+  const auto axes = read(drawn(s), hints);
+  const auto& c = axes.calibration.value;
+  CHECK(axes.calibration.confidence == 1);
+  CHECK(axes.calibration.by == DecidedBy::given);
+  const Point p = c.toUnits({s.right, s.top}), q = c.toUnits({s.left, s.bottom});
+  CHECK(p.x == Approx(8).margin(0.01));
+  CHECK(p.y == Approx(50).margin(0.1));
+  CHECK(q.x == Approx(0).margin(0.01));
+  CHECK(q.y == Approx(-10).margin(0.1));
+}
+
+TEST_CASE("what cannot be read is refused with a sentence") {
+  if (skipWithoutEngine()) return;
+  const auto looked = look(drawn({}));
+  SECTION("no numbers") {
+    PlotStyle s;
+    s.labels = false;
+    auto view = looked.view;
+    const cv::Mat grey = drawn(s);
+    for (int y = 0; y < grey.rows; ++y)
+      for (int x = 0; x < grey.cols; ++x)
+        for (int k = 0; k < 3; ++k)
+          view.raster.rgb[3 * (static_cast<std::size_t>(y) * 900 + static_cast<std::size_t>(x)) +
+                          static_cast<std::size_t>(k)] = grey.at<std::uint8_t>(y, x);
+    const auto axes = readAxes(view, looked.frame);
+    REQUIRE_FALSE(axes.ok());
+    CHECK(axes.failure().code == FailureCode::noForceGraph);
+    CHECK(axes.failure().remedy.find("-axis") != std::string::npos);
+  }
+  SECTION("numbers that make no progression") {
+    auto view = looked.view;
+    // The document's own text overrules pixels: numbers in no order.
+    const char* odd[] = {"17", "903", "44", "12", "871", "3", "388", "56", "290"};
+    for (int k = 0; k < 9; ++k) view.texts.push_back({odd[k], {85.0 + 90 * k, 510, 115.0 + 90 * k, 528}, 0});
+    const auto axes = readAxes(view, looked.frame);
+    REQUIRE_FALSE(axes.ok());
+    CHECK(axes.failure().code == FailureCode::notCertain);
+    CHECK(axes.failure().place == "x axis");
+  }
+  SECTION("an empty range") {
+    AxisHints hints;
+    hints.xMin = hints.xMax = 3;
+    const auto axes = readAxes(looked.view, looked.frame, hints);
+    REQUIRE_FALSE(axes.ok());
+    CHECK(axes.failure().code == FailureCode::wrongUsage);
+  }
+}
+
+TEST_CASE("the document's own text is taken, not its pixels") {
+  PlotStyle s;
+  auto looked = look(drawn(s));
+  auto& view = looked.view;
+  for (auto& p : view.raster.rgb) p = 255;  // nothing to recognise
+  for (int k = 0; k <= s.xSteps; ++k) {
+    const double x = s.left + (s.right - s.left) * k / s.xSteps;
+    view.texts.push_back({shown(k * 0.25), {x - 12, 512, x + 12, 528}, 0});
+  }
+  for (int k = 0; k <= s.ySteps; ++k) {
+    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+    view.texts.push_back({shown(k * 10.0), {65, y - 7, 90, y + 7}, 0});
+  }
+  view.texts.push_back({"Weg [mm]", {420, 545, 500, 562}, 0});
+  view.texts.push_back({"Kraft [mN]", {20, 220, 38, 320}, 90});
+  const auto axes = readAxes(view, looked.frame);
+  REQUIRE(axes.ok());
+  CHECK(axes->calibration.value.x.max == Approx(2));
+  CHECK(axes->calibration.value.y.max == Approx(60));
+  CHECK(axes->calibration.value.y.unit == "mN");
+  CHECK(axes->calibration.value.y.title == "Kraft [mN]");
+}
+
+TEST_CASE("a misread label is kept, marked as not used") {
+  PlotStyle s;
+  auto looked = look(drawn(s));
+  auto& view = looked.view;
+  for (auto& p : view.raster.rgb) p = 255;
+  for (int k = 0; k <= s.xSteps; ++k) {
+    const double x = s.left + (s.right - s.left) * k / s.xSteps;
+    view.texts.push_back({k == 3 ? "75" : shown(k * 0.5), {x - 12, 512, x + 12, 528}, 0});
+  }
+  for (int k = 0; k <= s.ySteps; ++k) {
+    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+    view.texts.push_back({shown(k * 20.0), {65, y - 7, 90, y + 7}, 0});
+  }
+  const auto axes = readAxes(view, looked.frame);
+  REQUIRE(axes.ok());
+  const auto& ticks = axes->calibration.value.x.ticks;
+  REQUIRE(ticks.size() == 9);
+  for (const auto& t : ticks) CHECK(t.used == (t.value != 75));
+  CHECK(axes->calibration.value.x.max == Approx(4));
+}
+
+TEST_CASE("callouts and legend are read where they stand") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.width = 1100;
+  Canvas c(s.width, s.height, 255);
+  drawInto(c, s);
+  c.fill(180, 90, 420, 120, 255);
+  c.text("operating point", 300, 105, 0, 0.7);
+  c.text("Press", 930, 200, 0, 0.6);
+  c.text("Release", 940, 230, 0, 0.6);
+  const auto looked = look(c.grey());
+  auto axes = readAxes(looked.view, looked.frame);
+  REQUIRE(axes.ok());
+  readGraphTexts(looked.view, looked.frame, *axes);
+  const auto at = [&](const std::string& word) {
+    for (const auto& t : axes->texts)
+      if (t.utf8.find(word) != std::string::npos) return t.box;
+    return Box{};
+  };
+  CHECK(at("operating").contains({300, 103}));
+  CHECK(at("Release").contains({940, 229}));
+  CHECK_FALSE(at("Press").empty());
+}
+
+TEST_CASE("words are read in any quarter turn") {
+  if (skipWithoutEngine()) return;
+  Canvas c(300, 300, 255);
+  const int turns = GENERATE(0, 1, 3);
+  c.text("Kraft", 150, 150, 0, 1.0, turns);
+  const auto document = documentOf(c.grey());
+  const auto page = document.page(1).value();
+  const auto view = document.view(page, {-0.5, -0.5, 299.5, 299.5}).value();
+  TextReader reader(view);
+  const Box box = turns == 0 ? Box{95, 130, 205, 175} : Box{125, 95, 175, 205};
+  CHECK(reader.readLine(box, TextKind::words, 90.0 * turns).utf8 == "Kraft");
+  CHECK(reader.readLine({10, 10, 40, 30}, TextKind::words).utf8.empty());
+  CHECK(reader.readLine({-50, -50, -10, -10}, TextKind::words).utf8.empty());
+}
