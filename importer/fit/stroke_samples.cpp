@@ -155,12 +155,12 @@ std::vector<Peak> peaksOf(const std::vector<double>& heights, double least) {
 /// because wiggles of that height decide where a flat top has its middle.
 void sharpenTactilePoints(std::vector<SigmaPoint>& points, Stroke stroke, double noiseShare) {
   constexpr double standsOut = 0.03, flatTop = 0.012;  // of the force span
-  constexpr double greatestGain = 5;
+  constexpr double greatestGain = 8;
   const std::vector<double> heights = smoothedHeights(points, stroke == Stroke::press ? 1 : -1);
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   const double span = *highest - *lowest;
   if (!(span > 0)) return;
-  const double gain = std::min(greatestGain, 1 / std::sqrt(noiseShare));
+  const double gain = std::min(greatestGain, 3 / std::sqrt(noiseShare));
   for (const Peak& peak : peaksOf(heights, standsOut * span)) {
     std::size_t from = peak.at, to = peak.at;
     while (from > 0 && heights[from - 1] > peak.height - flatTop * span) --from;
