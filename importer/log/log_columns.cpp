@@ -35,7 +35,7 @@ std::vector<std::string> wordsOf(std::string_view text) {
 
 bool containsAny(const std::string& text, const std::vector<std::string_view>& parts) {
   return std::any_of(parts.begin(), parts.end(),
-                     [&](std::string_view part) { return text.find(part) != text.npos; });
+                     [&](std::string_view part) { return text.find(part) != std::string::npos; });
 }
 
 /// Words of a few letters must stand alone: "pos" is a position, "position" too, but "composite" is none.
@@ -181,7 +181,7 @@ bool isCounter(const std::vector<double>& values) {
 void guessRoles(std::vector<ColumnFacts>& columns) {
   std::vector<std::size_t> open;
   for (std::size_t c = 0; c < columns.size(); ++c)
-    if (columns[c].role == Role::unknown && columns[c].values.size() >= 1) open.push_back(c);
+    if (columns[c].role == Role::unknown && !columns[c].values.empty()) open.push_back(c);
   const auto has = [&](Role role) {
     return std::any_of(columns.begin(), columns.end(), [&](const ColumnFacts& f) { return f.role == role; });
   };

@@ -206,13 +206,13 @@ class LogReader {
     if (rows_.isSplit) {
       press = std::move(rows_.press.samples());
       release = std::move(rows_.release.samples());
-    } else if (const auto fault = splitRun(press, release)) {
+    } else if (auto fault = splitRun(press, release)) {
       return fault;
     }
     if (hints_.swapStrokes) std::swap(press, release);
-    if (const auto fault = faultOf(press, "press")) return fault;
+    if (auto fault = faultOf(press, "press")) return fault;
     if (!release.empty())
-      if (const auto fault = faultOf(release, "release")) return fault;
+      if (auto fault = faultOf(release, "release")) return fault;
     orient(press, Stroke::press);
     orient(release, Stroke::release);
     estimateNoise(press, release);
@@ -265,7 +265,7 @@ class LogReader {
 
   std::optional<Failure> splitRun(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {
     const std::vector<CurvePoint>& samples = rows_.run.samples();
-    if (const auto fault = faultOf(samples, "only")) return fault;
+    if (auto fault = faultOf(samples, "only")) return fault;
     std::vector<double> x;
     x.reserve(samples.size());
     for (const CurvePoint& p : samples) x.push_back(p.displacement_mm);
