@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "model/check.h"
@@ -75,8 +76,8 @@ std::vector<double> hannWindow(std::size_t length) {
   return window;
 }
 
-float decibels(double amplitude) {
-  return amplitude > 1e-6 ? static_cast<float>(20 * std::log10(amplitude)) : lowestLevel_dB;
+float decibels(double power) {
+  return power > 1e-12 ? static_cast<float>(10 * std::log10(power)) : lowestLevel_dB;
 }
 
 }  // namespace
@@ -105,18 +106,29 @@ Spectrogram spectrogramOf(const std::vector<float>& samples, double sampleRate_H
   result.row_Hz = rate_Hz / static_cast<double>(size);
   result.rows = static_cast<std::size_t>(std::floor(settings.highest_Hz / result.row_Hz)) + 1;
   result.columns = signal.empty() ? 0 : (signal.size() - 1) / hop + 1;
-  result.level_dB.reserve(result.columns * result.rows);
+  result.level_dB.resize(result.columns * result.rows);
+  // Value `i` of the window that is centred at sample `centre`; silence outside the signal.
+  const auto windowed = [&](std::size_t centre, std::size_t i) {
+    const std::size_t at = centre + i;  // shifted by half a window
+    if (i >= length || at < length / 2 || at - length / 2 >= signal.size()) return 0.0;
+    return window[i] * signal[at - length / 2];
+  };
+  // Two columns in one transform, one in the real part, one in the imaginary part; the symmetry of real
+  // signals' spectra takes them apart again.
+  const Fourier fourier(size);
+  const double perFullScale = 1 / (4 * gain * gain);
   std::vector<std::complex<double>> bins(size);
-  for (std::size_t column = 0; column < result.columns; ++column) {
-    std::fill(bins.begin(), bins.end(), 0.0);
-    for (std::size_t i = 0; i < length; ++i) {
-      const std::size_t at = column * hop + i;  // of the sample, shifted by half a window
-      if (at < length / 2 || at - length / 2 >= signal.size()) continue;
-      bins[i] = window[i] * signal[at - length / 2];
+  for (std::size_t column = 0; column < result.columns; column += 2) {
+    for (std::size_t i = 0; i < size; ++i)
+      bins[i] = {windowed(column * hop, i), windowed((column + 1) * hop, i)};
+    fourier.transform(bins, Transform::forward);
+    const bool second = column + 1 < result.columns;
+    float* first = result.level_dB.data() + column * result.rows;
+    for (std::size_t row = 0; row < result.rows; ++row) {
+      const std::complex<double> z = bins[row], mirrored = std::conj(bins[(size - row) % size]);
+      first[row] = decibels(std::norm(z + mirrored) * perFullScale);
+      if (second) first[row + result.rows] = decibels(std::norm(z - mirrored) * perFullScale);
     }
-    transform(bins, Transform::forward);
-    for (std::size_t row = 0; row < result.rows; ++row)
-      result.level_dB.push_back(decibels(std::abs(bins[row]) / gain));
   }
   return result;
 }
