@@ -16,11 +16,12 @@ namespace {
 
 constexpr double flash_ms = 250;
 constexpr int frame_ms = 16;
-constexpr double side_px = 62;      // width of the scales beside the cap
-constexpr double top_px = 30;       // the lamps
-constexpr double bottom_px = 46;    // the read-out
-constexpr double dragOfPad = 0.55;  // this share of the pad's height drags through the whole travel
-constexpr double travelOfCap = 0.34;
+constexpr double side_px = 62;        // width of the scales beside the cap
+constexpr double top_px = 30;         // the lamps
+constexpr double bottom_px = 46;      // the read-out
+constexpr double dragOfPad = 0.55;    // this share of the pad's height drags through the whole travel
+constexpr double travelOfCap = 0.32;  // of the area's height; the cap takes the rest and ends on the floor
+constexpr double floor_px = 14;
 
 bool isPressKey(int key) { return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter; }
 
@@ -330,7 +331,7 @@ void PressPad::paintCap(QPainter& painter) const {
   const GraphColors colors = graphColors(dark);
   const QRectF area = capArea();
   const double travel_px = travelOfCap * area.height();
-  const double capHeight_px = 0.42 * area.height();
+  const double capHeight_px = std::max(10.0, area.height() - travel_px - floor_px);
   const double depth_px =
       depthShare(motion_.pressed ? motion_.displacement_mm : button_->start_mm) * travel_px;
   const double wellTop = area.top() + travel_px * 0.75;
@@ -341,12 +342,12 @@ void PressPad::paintCap(QPainter& painter) const {
   painter.drawRoundedRect(well, 8, 8);
 
   const double bottomOut = lampGlow(Lamp::bottomOut);
-  const QRectF floor(well.left() + 12, well.bottom() - 9, well.width() - 24, 3);
+  const QRectF floor(well.left() + 12, well.bottom() - floor_px + 2, well.width() - 24, 4);
   painter.setPen(Qt::NoPen);
   painter.setBrush(mixed(colors.wall, colors.refused, bottomOut));
   painter.drawRoundedRect(floor, 1.5, 1.5);
 
-  const double capTop = area.top() + 2 + depth_px;
+  const double capTop = area.top() + depth_px;
   const QRectF cap(area.left() + 0.07 * area.width(), capTop, 0.86 * area.width(), capHeight_px);
   const double jump = std::max(lampGlow(Lamp::pressJump), lampGlow(Lamp::releaseJump));
   const QColor face = mixed(dark ? QColor("#3d444d") : QColor("#f4f6f8"), colors.tactilePoint, 0.45 * jump);

@@ -100,7 +100,7 @@ void PressStrip::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(b.releasing ? colors.release : colors.press, 1.6));
     painter.drawLine(QPointF(x(a.time_s), y(a.depth)), QPointF(x(b.time_s), y(b.depth)));
     if (!a.contact || !b.contact) continue;
-    painter.setPen(QPen(colors.operatingPoint, 3, Qt::SolidLine, Qt::FlatCap));
+    painter.setPen(QPen(colors.operatingPoint, 3, Qt::SolidLine, Qt::SquareCap));
     painter.drawLine(QPointF(x(a.time_s), frame.top() + 4), QPointF(x(b.time_s), frame.top() + 4));
   }
 }
