@@ -11,7 +11,8 @@ namespace detent::editor {
 namespace {
 
 constexpr int thumbnailSide_px = 320;  // twice what is shown: for screens with two pixels per point
-constexpr int sheetSide_px = 4096;     // larger pictures are scaled down for the screen, never for the import
+// Larger pictures are scaled down for the screen, never for the import.
+constexpr int sheetSide_px = 3200, viewSide_px = 2600;
 
 PageThumbnail thumbnailOf(const importer::Page& page) {
   return {page.number, imageFrom(page.overview, thumbnailSide_px), boundsOf(page)};
@@ -117,7 +118,7 @@ Answer ImportAnswers::imported(const ImportOne& query, const importer::Progress&
   }
   if (answer.evidence) {
     const importer::PageView& view = answer.evidence->view;
-    answer.view = PagePicture(view.raster, view.viewToPage, sheetSide_px);
+    answer.view = PagePicture(view.raster, view.viewToPage, viewSide_px);
   }
   return answer;
 }

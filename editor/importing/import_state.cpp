@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <QFileInfo>
+#include <utility>
 
 #include "model/check.h"
 
@@ -52,6 +53,19 @@ std::optional<FrameCorners> ImportGraph::corners() const {
   return corners;
 }
 
+std::optional<ResultBrief> ImportGraph::brief() const {
+  if (!last) return letGo;
+  ResultBrief brief;
+  brief.failed = last->failure.has_value();
+  if (good) {
+    const importer::ImportReport& report = *good->report;
+    brief.doubtful = report.doubt.has_value();
+    brief.confidence = report.confidence;
+    brief.x = report.x, brief.y = report.y;
+  }
+  return brief;
+}
+
 bool ImportGraph::upToDate(importer::Quality quality) const {
   return pending == 0 && last && last->report && asked && askedWith == history.now() &&
          askedQuality == quality;
@@ -87,6 +101,7 @@ void ImportState::open(Query query, const QString& name) {
   facts_.reset(), openFailure_.reset();
   pages_.clear(), graphs_.clear();
   currentPage_ = 0, current_.reset(), sheet_.reset();
+  lookedAt_.clear();
   sheetTicket_ = 0;
   openTicket_ = desk_.ask(std::move(query), Urgency::now);
   emit documentChanged();
@@ -256,11 +271,28 @@ void ImportState::selectGraph(GraphId id) {
     askForSheet();
   }
   current_ = id;
+  letOldResultsGo();
   ImportGraph& graph = *currentRef();
   if (graph.pending == 0 && !graph.upToDate(quality_)) askForImport(graph, Urgency::now);
   emit currentChanged();
   emit correctionsChanged();
   emit resultChanged();
+}
+
+/// A result carries the pixels it was read from, 10 to 60 MB: those of the graphs looked at last are kept
+/// (docs/decisions/1021-what-the-import-dialogue-keeps.md).
+void ImportState::letOldResultsGo() {
+  constexpr std::size_t keptResults = 2;
+  std::erase(lookedAt_, *current_);
+  lookedAt_.insert(lookedAt_.begin(), *current_);
+  while (lookedAt_.size() > keptResults) {
+    ImportGraph& graph = graphs_.at(lookedAt_.back());
+    lookedAt_.pop_back();
+    if (graph.pending != 0 && !accepting()) desk_.forget(std::exchange(graph.pending, 0));
+    graph.letGo = graph.brief();
+    graph.last.reset(), graph.good.reset();
+    if (graph.pending == 0) graph.asked = false;
+  }
 }
 
 void ImportState::setQuality(importer::Quality quality) {
@@ -407,7 +439,13 @@ void ImportState::acceptNext() {
     }
     graph.ticked = false;
     toAccept_.erase(toAccept_.begin());
-    emit accepted(graph.last->report);
+    const auto report = graph.last->report;
+    if (current_ != graph.id) {  // whoever took it keeps it
+      graph.letGo = graph.brief();
+      graph.last.reset(), graph.good.reset();
+      graph.asked = false;
+    }
+    emit accepted(report);
   }
   emit allAccepted();
 }

@@ -23,6 +23,13 @@ struct ImportPage {
   ImportDesk::Ticket thumbnailTicket = 0, searchTicket = 0;
 };
 
+/// What remains of a result that was let go.
+struct ResultBrief {
+  bool failed = false, doubtful = false;
+  double confidence = 0;
+  std::optional<importer::AxisReading> x, y;
+};
+
 /// One graph, found or framed by hand, with its corrections and results.
 struct ImportGraph {
   GraphId id;
@@ -34,6 +41,7 @@ struct ImportGraph {
 
   std::shared_ptr<const ImportedGraph> last;  ///< newest answer, good or not; null before the first
   std::shared_ptr<const ImportedGraph> good;  ///< newest answer with a report; stays while later ones fail
+  std::optional<ResultBrief> letGo;           ///< of the results before these
   std::optional<FoundAxes> found;             ///< ticks and corners as found, to which "reset" goes back
   std::optional<importer::AxisReading> foundX, foundY;
 
@@ -45,6 +53,8 @@ struct ImportGraph {
   bool framedByHand() const { return history.now().frame.has_value(); }
   /// Corners in force, page units: given, else found; nothing before either is known.
   std::optional<FrameCorners> corners() const;
+  /// Of the newest results, or of those let go; nothing before the first.
+  std::optional<ResultBrief> brief() const;
   /// A finished report for exactly what is set now.
   bool upToDate(importer::Quality quality) const;
 };
@@ -130,6 +140,7 @@ class ImportState : public QObject {
   void askForPages();
   void askForSheet();
   void askForImport(ImportGraph& graph, Urgency urgency);
+  void letOldResultsGo();
   void rememberFound(ImportGraph& graph, const ImportedGraph& imported);
   void acceptNext();
   ImportPage& pageRef(int number) { return pages_[static_cast<std::size_t>(number - 1)]; }
@@ -144,6 +155,7 @@ class ImportState : public QObject {
   std::map<GraphId, ImportGraph> graphs_;
   int currentPage_ = 0;
   std::optional<GraphId> current_;
+  std::vector<GraphId> lookedAt_;  ///< most recent first
   std::shared_ptr<const PageSheet> sheet_;
   importer::Quality quality_ = importer::Quality::standard;
   std::vector<GraphId> toAccept_;

@@ -19,15 +19,11 @@ QImage blank(QSize size) {
   return image;
 }
 
-const importer::ImportReport* reportOf(const ImportGraph& graph) {
-  return graph.good ? graph.good->report.get() : nullptr;
-}
-
 QString stateOf(const ImportGraph& graph) {
-  if (graph.last && graph.last->failure) return QObject::tr("not readable yet");
-  if (const auto* report = reportOf(graph)) {
-    const QString sure = QObject::tr("%1 % sure").arg(qRound(100 * report->confidence));
-    return report->doubt ? sure + QObject::tr(", check it") : sure;
+  if (const auto brief = graph.brief()) {
+    if (brief->failed) return QObject::tr("not readable yet");
+    const QString sure = QObject::tr("%1 % sure").arg(qRound(100 * brief->confidence));
+    return brief->doubtful ? sure + QObject::tr(", check it") : sure;
   }
   if (graph.listed) return QObject::tr("%1 % sure").arg(qRound(100 * graph.listed->confidence));
   return QObject::tr("framed by hand");
@@ -37,8 +33,9 @@ QString stateOf(const ImportGraph& graph) {
 
 QString rangesOf(const ImportGraph& graph) {
   std::optional<importer::AxisReading> x, y;
-  if (graph.good && graph.good->report) {
-    x = graph.good->report->x, y = graph.good->report->y;
+  const auto brief = graph.brief();
+  if (brief && brief->x) {
+    x = brief->x, y = brief->y;
   } else if (graph.listed) {
     x = graph.listed->x, y = graph.listed->y;
   }
