@@ -19,6 +19,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int updateDelay_ms = 50;
+constexpr int rowMargin_px = 8;
 
 enum Column { nameColumn, aColumn, bColumn, differenceColumn, unitColumn, columnCount };
 
@@ -51,6 +52,7 @@ CompareDialog::CompareDialog(ViewSettings& settings, QWidget* parent) : QDialog(
   plot_->setAccessibleName(tr("Both force graphs over each other"));
   plot_->setMinimumHeight(180);
   plot_->legend->setVisible(true);
+  plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignLeft);
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
 
   table_ = new QTableWidget(0, columnCount);
@@ -59,6 +61,8 @@ CompareDialog::CompareDialog(ViewSettings& settings, QWidget* parent) : QDialog(
   table_->setHorizontalHeaderLabels({tr("Figure"), tr("A"), tr("B"), tr("B \u2212 A"), tr("Unit")});
   table_->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
   table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + rowMargin_px);
+  table_->setWordWrap(false);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setAlternatingRowColors(true);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <QDir>
+#include <QIcon>
 #include <QPixmap>
 
 namespace detent::editor {
@@ -10,11 +11,17 @@ namespace {
 constexpr int openPictureDelay_ms = 150;
 constexpr int folderDelay_ms = 200;
 
-QPixmap shown(const QImage& image, QSize size_px) {
-  if (!image.isNull()) return QPixmap::fromImage(image);
-  QPixmap empty(size_px);  // keeps the row's height until the picture is there
-  empty.fill(Qt::transparent);
-  return empty;
+// The same picture in every mode: selected rows would tint it otherwise. A transparent one keeps the row's
+// height until the picture is there.
+QIcon shown(const QImage& image, QSize size_px) {
+  QPixmap picture = QPixmap::fromImage(image);
+  if (image.isNull()) {
+    picture = QPixmap(size_px);
+    picture.fill(Qt::transparent);
+  }
+  QIcon icon(picture);
+  icon.addPixmap(picture, QIcon::Selected);
+  return icon;
 }
 
 QString nameOf(const QString& path) {

@@ -23,11 +23,15 @@ TemplateDialog::TemplateDialog(QWidget* parent) : QDialog(parent), templates_(bu
   list_->setAccessibleName(tr("Templates"));
   list_->setIconSize(pictureSize_px);
   list_->setSpacing(2);
+  list_->setWordWrap(true);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   const GraphColors colors = graphColors(isDark(palette()));
   for (const ButtonTemplate& entry : templates_) {
-    const QImage picture = graphPicture(entry.button, pictureSize_px, devicePixelRatioF(), colors);
-    auto* item =
-        new QListWidgetItem(QIcon(QPixmap::fromImage(picture)), entry.name + "\n" + entry.description);
+    const QPixmap picture =
+        QPixmap::fromImage(graphPicture(entry.button, pictureSize_px, devicePixelRatioF(), colors));
+    QIcon icon(picture);
+    icon.addPixmap(picture, QIcon::Selected);  // not tinted
+    auto* item = new QListWidgetItem(icon, entry.name + "\n" + entry.description);
     item->setData(Qt::AccessibleTextRole, entry.name + ": " + entry.description);
     list_->addItem(item);
   }

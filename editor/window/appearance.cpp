@@ -39,7 +39,7 @@ QPalette lightPalette() {
 }
 
 QPalette darkPalette() {
-  return paletteOf({"#24282d", "#1b1e22", "#212529", "#2f343a", "#dfe3e8", "#8d949d", "#2f7fb8", "#ffffff",
+  return paletteOf({"#24282d", "#1b1e22", "#212529", "#2f343a", "#dfe3e8", "#8d949d", "#2a74a9", "#ffffff",
                     "#7cc4f0", "#2f343a", "#454b53"});
 }
 

@@ -15,7 +15,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr QSize exportedPicture_px{1200, 800};
+constexpr QSize exportedPicture_px{2400, 1600};
 constexpr double exportedPixelRatio = 2;
 
 QString shown(const QString& path) { return QDir::toNativeSeparators(path); }

@@ -27,7 +27,8 @@ namespace {
 constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 1;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
-constexpr QSize copiedPicture_px{900, 600};
+constexpr int firstLibrary_px = 230, firstValues_px = 340;
+constexpr QSize copiedPicture_px{1800, 1200};
 
 }  // namespace
 
@@ -55,11 +56,11 @@ MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
   showTab(nullptr);
 }
 
+// Documents go first, and through the same door as always: panels, recovery and watch let go of them.
 MainWindow::~MainWindow() {
+  for (DocumentTab* tab : tabs_->all()) tabs_->remove(*tab);
   tabs_->disconnect(this);
-  delete feel_;        // these three look at documents,
-  delete comparison_;  // which go with the tabs
-  delete library_;
+  delete feel_;
 }
 
 // -------------------------------------------------------------------------------------------- the parts
@@ -113,6 +114,7 @@ void MainWindow::makeDocks() {
   historyDock_->setWidget(history_);
   tabifyDockWidget(valuesDock_, historyDock_);
   valuesDock_->raise();
+  resizeDocks({libraryDock_, valuesDock_}, {firstLibrary_px, firstValues_px}, Qt::Horizontal);
   feelDock_->hide();
   connect(feelDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     if (visible && !feel_) makeFeelPanel();

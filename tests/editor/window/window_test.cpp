@@ -6,6 +6,7 @@
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QImage>
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
@@ -16,6 +17,7 @@
 #include <QTest>
 #include <QUrl>
 
+#include "editor/document/graph_colors.h"
 #include "editor/files/document_files.h"
 #include "editor/importing/import_dialog.h"
 #include "editor/library/compare_dialog.h"

@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""Makes the pictures of docs/pictures from the project's own samples, in a real window on a screen of its own.
+
+    make_pictures.py --bin FOLDER [--out docs/pictures] [NAME...]
+
+Without names all of them. Look at them before committing.
+"""
+
+import argparse
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+from desktop import Desktop, Editor
+
+SIZE = (1240, 780)
+
+
+class Camera:
+    def __init__(self, root, programs, out, desktop):
+        self.root, self.programs, self.out, self.desktop = root, programs, out, desktop
+
+    def start(self, appearance, *files):
+        config = self.desktop.folder / "config/Detent/detent-edit.conf"
+        config.parent.mkdir(parents=True, exist_ok=True)
+        config.write_text(f"[view]\nappearance={appearance}\n[library]\nfolder={self.root / 'samples/buttons'}\n")
+        self.editor = Editor(self.desktop, self.programs / "detent-edit", [self.root / "samples" / file for file in files])
+        self.editor.widget("mainWindow")
+        self.resize()
+
+    def resize(self):
+        window = self.desktop.xdotool("getactivewindow").stdout.strip()
+        self.desktop.xdotool("windowmove", window, 20, 30)
+        self.desktop.xdotool("windowsize", "--sync", window, *SIZE)
+        time.sleep(0.5)
+
+    def take(self, name):
+        self.desktop.xdotool("mousemove", 5, 5)
+        time.sleep(1.2)  # pictures of the library, status messages
+        file = self.out / f"{name}.png"
+        window = self.desktop.xdotool("getactivewindow").stdout.strip()
+        subprocess.run(["import", "-window", window, "-strip", "-define", "png:compression-level=9", str(file)],
+                       env=self.desktop.environment, check=True, timeout=60)
+        print(f"{file}: {file.stat().st_size // 1024} KiB")
+
+    # ---- the pictures
+
+    def main_light(self):
+        self.start("light", "buttons/C.button.json", "buttons/latch.button.json", "buttons/B.button.json")
+        self.editor.widget("graphCanvas")
+        self.take("main-light")
+
+    def main_dark(self):
+        self.start("dark", "buttons/C.button.json", "buttons/latch.button.json", "buttons/B.button.json")
+        self.editor.widget("graphCanvas")
+        self.take("main-dark")
+
+    def import_dialogue(self):
+        self.start("light", "plots/two-level-legend.png")
+        self.editor.widget("import", "importDialog", enabled=True, patience_s=120)
+        self.take("import-dialogue")
+
+    def main_underlay(self):
+        self.start("light", "plots/two-level-legend.png")
+        self.editor.click("import", "importDialog")
+        self.editor.widget("graphCanvas")
+        if self.editor.find("importDialog"):
+            self.desktop.key("Escape")
+            self.editor.gone("importDialog")
+        self.take("main-underlay")
+
+    def feel_panel(self):
+        self.start("dark", "buttons/C.button.json", "buttons/B.button.json")
+        self.desktop.key("alt+4")
+        pad = self.editor.widget("pressPad")
+        time.sleep(1)
+        x, y, width, height = pad["rect"]
+        self.desktop.xdotool("mousemove", x + width // 2, y + height // 4)
+        self.desktop.xdotool("mousedown", 1)
+        self.desktop.xdotool("mousemove", x + width // 2, y + height // 2)
+        time.sleep(0.6)
+        window = self.desktop.xdotool("getactivewindow").stdout.strip()
+        file = self.out / "feel-panel.png"
+        subprocess.run(["import", "-window", window, "-strip", str(file)], env=self.desktop.environment, check=True, timeout=60)
+        self.desktop.xdotool("mouseup", 1)
+        print(f"{file}: {file.stat().st_size // 1024} KiB")
+
+    def compare(self):
+        self.start("light", "buttons/C.button.json", "buttons/B.button.json")
+        self.desktop.key("ctrl+k")
+        self.editor.widget("compareDialog")
+        self.take("compare")
+
+
+PICTURES = {name.replace("_", "-"): name for name in
+            ("main_light", "main_dark", "import_dialogue", "main_underlay", "feel_panel", "compare")}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("names", nargs="*", metavar="NAME", help=", ".join(PICTURES))
+    parser.add_argument("--bin", type=Path, required=True)
+    parser.add_argument("--out", type=Path)
+    arguments = parser.parse_args()
+    root = Path(__file__).resolve().parents[3]
+    out = (arguments.out or root / "docs/pictures").resolve()
+    out.mkdir(parents=True, exist_ok=True)
+    for name in arguments.names or PICTURES:
+        with tempfile.TemporaryDirectory(prefix="detent-pictures-") as folder, Desktop(folder) as desktop:
+            camera = Camera(root, arguments.bin.resolve(), out, desktop)
+            getattr(camera, PICTURES[name])()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
