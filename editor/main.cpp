@@ -20,20 +20,34 @@ namespace {
 using namespace detent;
 using namespace detent::editor;
 
+int wrong(const QString& sentence, FailureCode code) {
+  std::fprintf(stderr, "%s\n", qPrintable(sentence));
+  return static_cast<int>(code);
+}
+
 // Before a window system is needed: --help works everywhere.
-std::optional<int> answeredAtOnce(const QStringList& words) {
-  const Arguments arguments = argumentsFrom(words);
+std::optional<int> answeredAtOnce(const Arguments& arguments) {
   if (arguments.help) return std::fputs(qPrintable(helpText()), stdout), 0;
   if (arguments.version) return std::fputs("detent-edit " DETENT_VERSION "\n", stdout), 0;
+  if (!arguments.wrongUsage.isEmpty()) return wrong(arguments.wrongUsage, FailureCode::wrongUsage);
   return {};
+}
+
+// Qt aborts without one; that would look like a crash.
+bool screenMissing(const QStringList& words) {
+  const bool windowsByServer =
+#if defined(Q_OS_UNIX) && !defined(Q_OS_MACOS)
+      true;
+#else
+      false;
+#endif
+  for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+    if (!qEnvironmentVariableIsEmpty(variable)) return false;
+  return windowsByServer && words.filter("-platform").isEmpty() && !words.contains("-display");
 }
 
 int run(QApplication& app) {
   const Arguments arguments = argumentsFrom(app.arguments().mid(1));  // without Qt's own
-  if (!arguments.wrongUsage.isEmpty()) {
-    std::fprintf(stderr, "%s\n", qPrintable(arguments.wrongUsage));
-    return static_cast<int>(FailureCode::wrongUsage);
-  }
   installTranslation(app, QLocale());
   QSettings settings;
   ViewSettings view;
@@ -58,7 +72,11 @@ int main(int argc, char** argv) {
   QStringList words;
   for (int i = 1; i < argc; ++i) words << QString::fromLocal8Bit(argv[i]);
   try {
-    if (const auto answered = answeredAtOnce(words)) return *answered;
+    if (const auto answered = answeredAtOnce(argumentsFrom(words))) return *answered;
+    if (screenMissing(words))
+      return wrong(
+          "detent-edit: there is no screen to open a window on. Start it on a desktop, or set DISPLAY.",
+          FailureCode::deviceTrouble);
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
     QApplication::setStyle("Fusion");
     QApplication app(argc, argv);

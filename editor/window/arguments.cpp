@@ -1,11 +1,22 @@
 #include "editor/window/arguments.h"
 
 namespace detent::editor {
+namespace {
+
+// Of QGuiApplication and QApplication; most take a value, as the next word or behind "=".
+const QStringList qtOptionsWithValue = {"platform",        "platformpluginpath", "platformtheme", "plugin",
+                                        "qwindowgeometry", "qwindowicon",        "qwindowtitle",  "session",
+                                        "style",           "stylesheet",         "display",       "geometry"};
+const QStringList qtSwitches = {"reverse", "widgetcount"};
+
+}  // namespace
 
 Arguments argumentsFrom(const QStringList& words) {
   Arguments arguments;
   bool optionsEnded = false;
-  for (const QString& word : words) {
+  for (qsizetype i = 0; i < words.size(); ++i) {
+    const QString& word = words[i];
+    const QString bare = word.mid(word.startsWith("--") ? 2 : 1);
     if (optionsEnded || !word.startsWith('-') || word == "-")
       arguments.files << word;
     else if (word == "--")
@@ -14,6 +25,10 @@ Arguments argumentsFrom(const QStringList& words) {
       arguments.help = true;
     else if (word == "--version")
       arguments.version = true;
+    else if (qtOptionsWithValue.contains(bare))
+      ++i;
+    else if (qtSwitches.contains(bare) || qtOptionsWithValue.contains(bare.section('=', 0, 0)))
+      continue;
     else if (arguments.wrongUsage.isEmpty())
       arguments.wrongUsage = QString("detent-edit: %1 is no option. See detent-edit --help.").arg(word);
   }
@@ -42,7 +57,7 @@ QString helpText() {
       "\n"
       "DETENT_EDIT_GEOMETRY=FILE writes names and screen places of all widgets to FILE as JSON, for tests.\n"
       "\n"
-      "Exit codes: 0 done, 1 internal fault, 2 wrong usage.\n");
+      "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 6 no screen to open a window on.\n");
 }
 
 }  // namespace detent::editor

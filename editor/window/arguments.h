@@ -12,7 +12,8 @@ struct Arguments {
   QString wrongUsage;  ///< a sentence; empty if the line can be carried out
 };
 
-/// `words` without the program's name. "--" ends the options; words after it are files.
+/// `words` without the program's name. "--" ends the options; words after it are files. Options of Qt's own
+/// ("-platform offscreen") are left to Qt.
 Arguments argumentsFrom(const QStringList& words);
 
 /// What --help prints.

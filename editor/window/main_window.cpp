@@ -27,7 +27,7 @@ namespace {
 constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 1;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
-constexpr int firstLibrary_px = 230, firstValues_px = 340;
+constexpr int firstLibrary_px = 230, firstValues_px = 380;
 constexpr QSize copiedPicture_px{1800, 1200};
 
 }  // namespace
@@ -137,6 +137,8 @@ void MainWindow::makeDocks() {
 void MainWindow::makeFeelPanel() {
   feel_ = new FeelPanel(at_.view);
   feel_->restoreState(at_.settings.value("feel").toMap());
+  buttonMenu_->addAction(feel_->exchangeAction());
+  ownActions_ << feel_->exchangeAction();
   connect(feel_, &FeelPanel::statusMessage, statusBar(),
           [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
   connect(feel_, &FeelPanel::fingerMoved, this, [this](std::optional<FingerPosition> finger) {
@@ -170,8 +172,26 @@ void MainWindow::makeFeelPanel() {
 void MainWindow::chooseOther() {
   const auto documents = tabs_->documents();
   const int index = other_->currentIndex() - 1;
-  otherDocument_ = index >= 0 ? documents[static_cast<std::size_t>(index)] : nullptr;
-  feel_->setOther(otherDocument_);
+  otherChosen_ = true;
+  setOther(index >= 0 ? documents[static_cast<std::size_t>(index)] : nullptr);
+}
+
+void MainWindow::setOther(ButtonDocument* other) {
+  otherDocument_ = other;
+  updateFeel();
+}
+
+// A and B are never the same button, not even on the way from one pair to the next.
+void MainWindow::updateFeel() {
+  if (!feel_) return;
+  DocumentTab* tab = tabs_->current();
+  ButtonDocument* shown = tab ? &tab->document() : nullptr;
+  ButtonDocument* other = otherDocument_ == shown ? nullptr : otherDocument_.data();
+  if (felt_ == std::pair(shown, other)) return;
+  feel_->setOther(nullptr);
+  feel_->setDocument(shown);
+  feel_->setOther(other);
+  felt_ = {shown, other};
 }
 
 void MainWindow::makeStatusBar() {
@@ -214,8 +234,16 @@ void MainWindow::letGo(DocumentTab& tab) {
   tab.workspace().disconnect(this);
   tab.document().disconnect(this);
   tab.document().history().stack().disconnect(this);
-  if (feel_ && otherDocument_ == &tab.document()) feel_->setOther(nullptr);
-  if (otherDocument_ == &tab.document()) otherDocument_ = nullptr;
+  if (otherDocument_ == &tab.document()) {
+    otherChosen_ = false;
+    setOther(nullptr);
+  }
+  if (feel_ && felt_.first == &tab.document()) {
+    feel_->setDocument(nullptr);
+    felt_.first = nullptr;
+  }
+  for (QPointer<ButtonDocument>* known : {&shown_, &shownBefore_})
+    if (*known == &tab.document()) known->clear();
   if (tabs_->current() == &tab) showTabActions(nullptr);
 }
 
@@ -229,7 +257,9 @@ void MainWindow::showTab(DocumentTab* tab) {
     history_->setCurrentWidget(tab->historyPanel());
     tab->workspace().setFocus();
   }
-  if (feel_) feel_->setDocument(tab ? &tab->document() : nullptr);
+  if (tab && shown_ != &tab->document()) shownBefore_ = std::exchange(shown_, &tab->document());
+  if (!otherChosen_) otherDocument_ = shownBefore_;
+  updateFeel();
   showCursor({});
   updateUndo();
   updateDocuments();
@@ -242,7 +272,7 @@ void MainWindow::updateDocuments() {
   library_->setDocuments(documents, current ? &current->document() : nullptr);
   if (comparison_) comparison_->setDocuments(documents);
   if (!feel_) return;
-  feel_->setDocument(current ? &current->document() : nullptr);
+  updateFeel();
   other_->clear();
   other_->addItem(tr("no other button"));
   for (ButtonDocument* document : documents) {

@@ -95,6 +95,8 @@ class MainWindow : public QMainWindow {
   void showCursor(std::optional<CurvePoint> at);
   void makeFeelPanel();
   void chooseOther();
+  void setOther(ButtonDocument* other);
+  void updateFeel();
   void applyAppearance();
   void restoreWindow();
   void storeWindow();
@@ -116,11 +118,15 @@ class MainWindow : public QMainWindow {
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *historyDock_ = nullptr, *feelDock_ = nullptr;
   QComboBox* other_ = nullptr;  // which button is B of the feel panel
   QPointer<ButtonDocument> otherDocument_;
+  QPointer<ButtonDocument> shown_, shownBefore_;
+  std::pair<ButtonDocument*, ButtonDocument*> felt_;  // A and B of the feel panel
+  bool otherChosen_ = false;  // by hand; else B is the one that was shown before
   QLabel* cursor_ = nullptr;
   QToolButton* units_ = nullptr;
   QToolBar* tools_ = nullptr;
   QMenu* recentMenu_ = nullptr;
   QMenu* unitMenu_ = nullptr;
+  QMenu* buttonMenu_ = nullptr;
   TabMenu editMenu_, toolMenu_, viewMenu_;
   QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr;
   QList<QAction*> ownActions_, needTab_;

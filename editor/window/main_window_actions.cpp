@@ -194,7 +194,8 @@ void MainWindow::makeAppearanceActions(QMenu* menu) {
 }
 
 void MainWindow::makeWindowActions() {
-  QMenu* menu = menuOf(menuBar(), tr("&Button"), "buttonMenu");
+  buttonMenu_ = menuOf(menuBar(), tr("&Button"), "buttonMenu");
+  QMenu* menu = buttonMenu_;
   menu->addAction(tabAction("compare", tr("&Compare two…"),
                             tr("Lay this button over another and list the differences"),
                             QKeySequence("Ctrl+K"), [this](DocumentTab&) { compareWith(nullptr); }));

@@ -13,7 +13,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from desktop import Desktop, Editor
+from desktop import Desktop, Editor, wait_for
 
 SIZE = (1240, 780)
 
@@ -31,16 +31,19 @@ class Camera:
         self.resize()
 
     def resize(self):
-        window = self.desktop.xdotool("getactivewindow").stdout.strip()
+        window = self.active_window()
         self.desktop.xdotool("windowmove", window, 20, 30)
         self.desktop.xdotool("windowsize", "--sync", window, *SIZE)
         time.sleep(0.5)
+
+    def active_window(self):
+        return wait_for("an active window", lambda: self.desktop.xdotool("getactivewindow", check=False).stdout.strip())
 
     def take(self, name):
         self.desktop.xdotool("mousemove", 5, 5)
         time.sleep(1.2)  # pictures of the library, status messages
         file = self.out / f"{name}.png"
-        window = self.desktop.xdotool("getactivewindow").stdout.strip()
+        window = self.active_window()
         subprocess.run(["import", "-window", window, "-strip", "-define", "png:compression-level=9", str(file)],
                        env=self.desktop.environment, check=True, timeout=60)
         print(f"{file}: {file.stat().st_size // 1024} KiB")
@@ -81,7 +84,7 @@ class Camera:
         self.desktop.xdotool("mousedown", 1)
         self.desktop.xdotool("mousemove", x + width // 2, y + height // 2)
         time.sleep(0.6)
-        window = self.desktop.xdotool("getactivewindow").stdout.strip()
+        window = self.active_window()
         file = self.out / "feel-panel.png"
         subprocess.run(["import", "-window", window, "-strip", str(file)], env=self.desktop.environment, check=True, timeout=60)
         self.desktop.xdotool("mouseup", 1)

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QImage>
 #include <QJsonArray>
@@ -15,6 +16,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTranslator>
 #include <QUrl>
 
 #include "editor/document/graph_colors.h"
@@ -26,6 +28,7 @@
 #include "editor/window/geometry_report.h"
 #include "editor/window/main_window.h"
 #include "editor/window/stored_view.h"
+#include "editor/window/translation.h"
 #include "model/edits.h"
 #include "tests/editor/window/scripted_prompts.h"
 
@@ -98,6 +101,21 @@ class WindowTest : public QObject {
     QVERIFY(argumentsFrom({"--version"}).version);
     QVERIFY(argumentsFrom({"--nonsense"}).wrongUsage.contains("--nonsense"));
     QVERIFY(helpText().contains("Exit codes"));
+    const Arguments ofQt = argumentsFrom({"-platform", "offscreen", "--style=fusion", "-reverse", "b.png"});
+    QVERIFY(ofQt.wrongUsage.isEmpty());
+    QCOMPARE(ofQt.files, QStringList("b.png"));
+  }
+
+  void textsAreTranslatedWhereThereIsATranslation() {
+    QVERIFY(!installTranslation(*qApp, QLocale("nl"), DETENT_TRANSLATIONS));
+    QVERIFY(installTranslation(*qApp, QLocale("fr_FR"), DETENT_TRANSLATIONS));
+    {
+      Rig rig(folder_->path());
+      QVERIFY(rig.action("save")->toolTip().startsWith(QString::fromUtf8("Enregistrer")));
+    }
+    qDeleteAll(qApp->findChildren<QTranslator*>());
+    Rig rig(folder_->path());
+    QVERIFY(rig.action("save")->toolTip().startsWith("Save"));
   }
 
   void everyActionIsComplete() {
@@ -420,6 +438,9 @@ class WindowTest : public QObject {
     QVERIFY(!rig.window->findChild<QWidget*>("feelOther"));
     rig.action("feelDockToggle")->trigger();
     QTRY_VERIFY(rig.window->findChild<QWidget*>("feelOther"));
+    QCOMPARE(rig.window->findChild<QComboBox*>("feelOther")->currentText(), QString("B"));  // shown before C
+    rig.window->tabs().showNext(1);
+    QCOMPARE(rig.window->findChild<QComboBox*>("feelOther")->currentText(), QString("C"));
     rig.window->tabs().remove(*rig.window->tabs().all()[0]);
     rig.window->tabs().remove(*rig.window->tabs().all()[0]);
   }
