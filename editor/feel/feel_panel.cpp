@@ -31,7 +31,8 @@ namespace {
 constexpr double overPress = 1.25;     // as playback's standard press
 constexpr double gainStepsPer_dB = 2;  // of the slider
 constexpr double stripTail_s = 0.3;    // the strip runs on a little after a press
-constexpr double wideRatio = 1.35;     // wider than this, the parts stand side by side
+constexpr double figuresEvery_s = 0.25;
+constexpr double wideRatio = 1.35;  // wider than this, the parts stand side by side
 
 double fullForceOf(const playback::HapticProgram& program) {
   return std::max(overPress * playback::strongestForce_N(program), 4 * program.hysteresis_N);
@@ -109,6 +110,8 @@ class FeelPanel::Parts : public QObject {
   std::size_t feltIndex_ = 0, shownState_ = 0;
   double lastPressed_s_ = 0, lastDisplacement_mm_ = 0;
   bool wasPressed_ = false, releasing_ = false;
+  SoundState shownSound_ = SoundState::off;
+  double figuresAt_s_ = 0;
 
   QBoxLayout* sections_ = nullptr;
   QWidget* controls_ = nullptr;
@@ -578,7 +581,7 @@ void FeelPanel::Parts::showStatus() {
                     .arg(s.blockFrames)
                     .arg(locale.toString(1000 * s.blockFrames / s.sampleRate_Hz, 'f', 1));
       text += FeelPanel::tr(" · load %1 %").arg(locale.toString(100 * s.meanLoad, 'f', 1)) +
-              FeelPanel::tr(" · %n drop-out(s)", nullptr, static_cast<int>(s.xruns));
+              FeelPanel::tr(" · drop-outs: %1").arg(s.xruns);
       break;
     case SoundState::lost:
       text = FeelPanel::tr(
@@ -591,8 +594,14 @@ void FeelPanel::Parts::showStatus() {
       break;
   }
   if (s.deviceLosses > 0 && player_.sound() == SoundState::on)
-    text += FeelPanel::tr(" · was lost %n time(s)", nullptr, static_cast<int>(s.deviceLosses));
-  if (text != status_->text()) status_->setText(text);
+    text += FeelPanel::tr(" · losses: %1").arg(s.deviceLosses);
+  // Figures change all the time; they are read, not watched.
+  const bool figures = player_.sound() == SoundState::on && shownSound_ == SoundState::on;
+  if (text != status_->text() && (!figures || steady_s() - figuresAt_s_ > figuresEvery_s)) {
+    status_->setText(text);
+    figuresAt_s_ = steady_s();
+    shownSound_ = player_.sound();
+  }
 
   if (player_.sound() == SoundState::on) {
     const double ceiling =

@@ -34,8 +34,7 @@ FeelPlayer::~FeelPlayer() {
 void FeelPlayer::setProgram(std::shared_ptr<const playback::HapticProgram> program) {
   program_ = std::move(program);
   if (!program_) {
-    if (finger_ == Finger::timed && player_) player_->fingerUp();
-    finger_ = Finger::none;
+    letGo();
     return;
   }
   if (waiting_) waiting_->setProgram(*program_);
@@ -44,6 +43,15 @@ void FeelPlayer::setProgram(std::shared_ptr<const playback::HapticProgram> progr
   } else {
     startSilent();
   }
+}
+
+// At once: what was held is gone, and the next button must not find it pressed.
+void FeelPlayer::letGo() {
+  const Finger held = std::exchange(finger_, Finger::none);
+  if (!player_) return;
+  if (held == Finger::timed) player_->fingerUp();
+  if (held == Finger::force || (held == Finger::lifting && liftsForce_)) player_->pushForce(0);
+  if (held == Finger::depth || (held == Finger::lifting && !liftsForce_)) player_->pushDisplacement(0);
 }
 
 void FeelPlayer::startSilent() {
@@ -176,7 +184,7 @@ bool FeelPlayer::take(Finger finger) {
   if (finger_ == Finger::lifting) finger_ = Finger::none;
   if (finger_ != Finger::none && finger_ != finger) return false;
   if (finger_ == Finger::none) {
-    startSound();
+    if (sound_ == SoundState::off) startSound();  // not after a failure: trying may take its time
     finger_ = finger;
     pressed_ = true;
     pace();

@@ -49,7 +49,7 @@ class FeelPlayer : public QObject {
   /// Another device, rate or buffer; opened again if one is open.
   void setOutput(const playback::PlayerSettings& settings);
   const playback::PlayerSettings& output() const { return output_; }
-  /// Opens the device now (a press does so too), or once more after a failure.
+  /// Opens the device now, or once more after a failure. The first press does so by itself.
   void startSound();
   void setGain(double gain);  ///< factor >= 0, before the limiter
 
@@ -85,6 +85,7 @@ class FeelPlayer : public QObject {
   using Clock = std::chrono::steady_clock;
 
   bool take(Finger finger);
+  void letGo();
   void startSilent();
   void attachSensor();
   void exchangeDevice();

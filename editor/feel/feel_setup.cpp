@@ -131,7 +131,7 @@ void FeelSetup::addFeeling(QFormLayout& form) {
   addChoice(mode_, tr("Slopes only (grains)"), static_cast<int>(FeedbackMode::slopeOnly));
   addChoice(mode_, tr("Nothing"), static_cast<int>(FeedbackMode::off));
   connect(mode_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
-  form.addRow(tr("Fe&lt:"), mode_);
+  form.addRow(tr("F&eedback:"), mode_);
 
   stamped_ = new QRadioButton(tr("Even: every event equally late"));
   stamped_->setObjectName("placementStamped");
@@ -191,7 +191,7 @@ void FeelSetup::addSound(QFormLayout& form) {
                            tr("Samples per buffer: smaller is faster, larger is safer against drop-outs"));
   addChoice(bufferChoice_, tr("the host's choice"), 0U);
   for (const unsigned frames : {32U, 64U, 128U, 256U, 512U, 1024U})
-    addChoice(bufferChoice_, tr("%n frame(s)", nullptr, static_cast<int>(frames)), frames);
+    addChoice(bufferChoice_, tr("%1 frames").arg(frames), frames);
   connect(bufferChoice_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   form.addRow(tr("Sample &rate:"), rate_);
   form.addRow(tr("&Buffer:"), bufferChoice_);
@@ -279,8 +279,9 @@ void FeelSetup::showDevices() {
     const QString name = QString::fromStdString(device.name);
     device_->addItem(name, name);
     device_->setItemData(device_->count() - 1,
-                         tr("%n output channel(s), ", nullptr, device.outputChannels) +
-                             tr("%1 Hz").arg(QLocale().toString(device.sampleRate_Hz, 'f', 0)),
+                         tr("output channels: %1, %2 Hz")
+                             .arg(device.outputChannels)
+                             .arg(QLocale().toString(device.sampleRate_Hz, 'f', 0)),
                          Qt::ToolTipRole);
   }
   // One that is chosen but away stays chosen: it may come back.
@@ -329,9 +330,9 @@ void FeelSetup::setProfile(const std::optional<playback::DeviceProfile>& profile
   const QLocale locale;
   QString note = trouble;
   if (profile) {
-    note = tr("%1: ").arg(QString::fromStdString(profile->name)) +
-           tr("%n resonance(s), ", nullptr, static_cast<int>(profile->resonances.size())) +
-           tr("%n equalizer band(s)", nullptr, static_cast<int>(profile->equalizer.size()));
+    note = tr("%1: ").arg(QString::fromStdString(profile->name)) + tr("resonances: %1, equalizer bands: %2")
+                                                                       .arg(profile->resonances.size())
+                                                                       .arg(profile->equalizer.size());
     if (profile->sensor.weights > 0)
       note += tr("; sensor calibrated from %1 to %2 N, ±%3 N")
                   .arg(locale.toString(profile->sensor.lowest_N), locale.toString(profile->sensor.highest_N),

@@ -112,6 +112,9 @@ class FeelPanelTest : public QObject {
     QTRY_VERIFY(rig.status().contains("no sound output is there"));
     QVERIFY(rig.status().contains("Connect one"));
     QVERIFY(rig.part<QPushButton>("soundAgain")->isVisible());
+    rig.press();  // a device that could not be opened is tried again when it is asked for, not at each press
+    QTest::qWait(150);
+    QCOMPARE(rig.none.opened->load(), 1);
     QCOMPARE(rig.otherFinger.size(), std::size_t{0});
 
     QTest::mouseClick(rig.part<QPushButton>("soundAgain"), Qt::LeftButton);
@@ -276,6 +279,29 @@ class FeelPanelTest : public QObject {
     QTRY_VERIFY(rig.atRest());
     rig.panel.setDocument(nullptr);
     QVERIFY(!rig.view()->pressSignal());
+  }
+
+  void aButtonThatGoesUnderTheFingerLeavesNothingPressed_data() {
+    QTest::addColumn<QString>("drive");
+    for (const char* drive : {"time", "depth", "force"}) QTest::newRow(drive) << QString(drive);
+  }
+  void aButtonThatGoesUnderTheFingerLeavesNothingPressed() {
+    QFETCH(QString, drive);
+    Rig rig;
+    rig.open();
+    rig.panel.restoreState({{"drive", drive}});
+    const QPoint from(rig.pad()->width() / 2, 20);
+    QTest::mousePress(rig.pad(), Qt::LeftButton, {}, from);
+    QTest::mouseMove(rig.pad(), from + QPoint(0, rig.pad()->height() / 2));
+    QTRY_VERIFY(!rig.finger.empty() && rig.finger.back() && rig.finger.back()->displacement_mm > 1);
+    rig.panel.setDocument(nullptr);
+    QTRY_VERIFY(rig.atRest());
+    rig.panel.setDocument(&rig.b);
+    QTRY_VERIFY(rig.view()->pressSignal());
+    rig.finger.clear();
+    QTest::qWait(150);
+    for (const auto& p : rig.finger) QVERIFY(!p);
+    QTest::mouseRelease(rig.pad(), Qt::LeftButton, {}, from);
   }
 
   void soundCanBeOff() {
