@@ -70,8 +70,14 @@ void GraphCanvas::takeOrigin() {
   takeSettings();
 }
 
+void GraphCanvas::colorsChanged() { takeSettings(); }
+
 void GraphCanvas::takeSettings() {
+  underlay_->setDarkPaper(isDark(palette()));
   underlay_->setOpacity(settings().underlayOpacity());
+  // The page has a grid of its own.
+  const bool pageShown = hasUnderlay() && settings().underlayOpacity() > 0;
+  for (QCPAxis* axis : {xAxis, yAxis}) axis->grid()->setSubGridVisible(!pageShown);
   traced_->setShown(settings().residualsShown() || settings().snap().toTracedPoints);
   replot(QCustomPlot::rpQueuedReplot);
 }
@@ -108,9 +114,24 @@ void GraphCanvas::setHandlesShown(bool shown) {
   update();
 }
 
+// Pictures for others go without what only a hand needs.
 GraphScene GraphCanvas::scene() const {
-  GraphScene scene{state(), values(), colors(), settings().units(), feedback_, selected_, finger_,
-                   nullptr, {},       {},       handlesShown_};
+  static const CanvasFeedback nothing;
+  GraphScene scene{state(),
+                   values(),
+                   colors(),
+                   settings().units(),
+                   exporting() ? nothing : feedback_,
+                   std::nullopt,
+                   std::nullopt,
+                   nullptr,
+                   {},
+                   {},
+                   handlesShown_ && !exporting()};
+  if (!exporting()) {
+    scene.selected = selected_;
+    scene.finger = finger_;
+  }
   const auto& states = document_.button().states();
   if (states.size() > 1) scene.otherState = &states[document_.activeState() == 0 ? 1 : 0];
   if (settings().residualsShown()) {
@@ -141,7 +162,9 @@ QRectF GraphCanvas::contentRange() const {
 
 void GraphCanvas::drawContent(QPainter& painter, const PlotMapping& map) const {
   paintGraph(painter, map, scene());
+  if (exporting()) return;
   if (magnifierShown_ && feedback_.dragged) drawMagnifier(painter, map);
+  if (feedback_.refused) paintRefusalReason(painter, map, scene());
 }
 
 // In the corner that is farthest from the dragged point, so that it never hides it.

@@ -49,6 +49,7 @@ class GraphCanvas : public UnitPlot {
  protected:
   void drawContent(QPainter& painter, const PlotMapping& map) const override;
   QRectF contentRange() const override;
+  void colorsChanged() override;
   bool event(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

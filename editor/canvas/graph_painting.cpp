@@ -337,8 +337,6 @@ void paintRefusal(QPainter& painter, const PlotMapping& map, const GraphScene& s
     painter.setPen(QPen(scene.colors.refused, 1, Qt::DashLine));
     painter.drawLine(at, pixelOf(map, *scene.feedback.dragged));
   }
-  paintTag(painter, at + QPointF(0, -26), refused.why, scene.colors.refused, scene.colors.background,
-           map.clip_px);
 }
 
 void paintProposal(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
@@ -423,6 +421,12 @@ void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColo
   painter.setPen(ink);
   painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, text);
   painter.restore();
+}
+
+void paintRefusalReason(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const QPointF top(map.clip_px.center().x(), map.clip_px.top() + 4);
+  paintTag(painter, top, scene.feedback.refused->why, scene.colors.refused, scene.colors.background,
+           map.clip_px);
 }
 
 void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {

@@ -34,6 +34,9 @@ void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& sce
 /// Shading and curves alone: for the magnifier and small pictures.
 void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& scene);
 
+/// Why a move is refused, at the top of the plot where nothing hides it.
+void paintRefusalReason(QPainter& painter, const PlotMapping& map, const GraphScene& scene);
+
 /// A short text in a box of the background's colour near a point, kept inside `bounds_px`.
 void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& ink, const QColor& ground,
               const QRectF& bounds_px);

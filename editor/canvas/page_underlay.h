@@ -19,7 +19,10 @@ class PageUnderlay : public QCPLayerable {
   /// projective).
   void setPage(const QImage& page, const QTransform& pixelToAxes);
   void clear();
-  bool empty() const { return pyramid_.empty(); }
+  bool empty() const { return page_.isNull(); }
+
+  /// Dark and light exchanged, hues kept: paper for a dark window.
+  void setDarkPaper(bool dark);
 
   /// 0..1
   void setOpacity(double opacity);
@@ -35,7 +38,11 @@ class PageUnderlay : public QCPLayerable {
 
  private:
   UnitPlot& plot_;
-  std::vector<QImage> pyramid_;  ///< [0] the page, each next one half as wide
+  void build();
+
+  QImage page_;                  ///< as it is
+  std::vector<QImage> pyramid_;  ///< [0] the page as it is shown, each next one half as wide
+  bool darkPaper_ = false;
   QTransform pixelToAxes_;
   double opacity_ = 0.5;
 };

@@ -60,8 +60,6 @@ UnitPlot::UnitPlot(ViewSettings& settings, PlotQuantity x, PlotQuantity y, QWidg
     axis->setTicks(false);
     axis->setTickLabels(false);
   }
-  xTicker_->setTickCount(8);
-  yTicker_->setTickCount(7);
   for (QCPAxis* axis : {xAxis, yAxis}) {
     axis->grid()->setSubGridVisible(true);
     axis->setTickLength(0, 4);
@@ -142,7 +140,9 @@ void UnitPlot::changeEvent(QEvent* event) {
   QCustomPlot::changeEvent(event);
   if (event->type() != QEvent::PaletteChange && event->type() != QEvent::FontChange) return;
   colors_ = graphColors(isDark(palette()));
-  if (xTicker_) applyColors();
+  if (!xTicker_) return;  // still being built
+  applyColors();
+  colorsChanged();
 }
 
 // QCustomPlot draws a value's gridline through the centre of the pixel that its rounded-down place names.
@@ -223,6 +223,9 @@ void UnitPlot::paintEvent(QPaintEvent* event) {
 
 void UnitPlot::resizeEvent(QResizeEvent* event) {
   QCustomPlot::resizeEvent(event);
+  // Labels keep their distance from each other.
+  xTicker_->setTickCount(std::clamp(width() / 90, 2, 12));
+  yTicker_->setTickCount(std::clamp(height() / 60, 2, 10));
   emit viewChanged();
 }
 

@@ -50,6 +50,9 @@ class UnitPlot : public QCustomPlot {
   /// What `fit` shows, plot coordinates, without margins.
   virtual QRectF contentRange() const = 0;
 
+  /// The theme changed: `colors()` are other ones.
+  virtual void colorsChanged() {}
+
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
@@ -59,6 +62,9 @@ class UnitPlot : public QCustomPlot {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+
+  /// A picture for others is being drawn, not the screen.
+  bool exporting() const { return exporting_; }
 
   /// Pans with this button held; true if the event belongs to a running pan.
   bool panWith(QMouseEvent* event, Qt::MouseButton button);

@@ -37,12 +37,14 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   left->setStretchFactor(0, 3);
   left->setStretchFactor(1, 1);
   left->setChildrenCollapsible(false);
+  left->setSizes({740, 260});
   auto* whole = new QSplitter(Qt::Horizontal);
   whole->addWidget(left);
   whole->addWidget(reverse_);
   whole->setStretchFactor(0, 5);
   whole->setStretchFactor(1, 2);
   whole->setChildrenCollapsible(false);
+  whole->setSizes({640, 360});
   reverse_->hide();
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

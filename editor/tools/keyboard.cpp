@@ -1,5 +1,6 @@
 #include "editor/tools/keyboard.h"
 
+#include <algorithm>
 #include <QCoreApplication>
 
 #include "editor/tools/mark_edits.h"
@@ -22,7 +23,8 @@ bool Keyboard::wants(int key, Qt::KeyboardModifiers modifiers) const {
   if (!context_.canvas.selected()) return false;
   if (isArrow(key)) return !(modifiers & Qt::ControlModifier);
   const bool plain = (modifiers & ~Qt::KeypadModifier) == Qt::NoModifier;
-  return plain && (key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_C || key == Qt::Key_S);
+  return plain && (key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Insert ||
+                   key == Qt::Key_C || key == Qt::Key_S);
 }
 
 bool Keyboard::pressed(int key, Qt::KeyboardModifiers modifiers) {
@@ -33,6 +35,7 @@ bool Keyboard::pressed(int key, Qt::KeyboardModifiers modifiers) {
   if (isArrow(key)) return nudge(key, modifiers);
   if (key == Qt::Key_Escape) context_.canvas.setSelected({});
   if (key == Qt::Key_Delete || key == Qt::Key_Backspace) removeSelected();
+  if (key == Qt::Key_Insert) addKnotBeyond();
   if (key == Qt::Key_C) toggleSelectedCorner();
   if (key == Qt::Key_S) return nextSlopeHandle();
   return true;
@@ -132,6 +135,22 @@ void Keyboard::toggleSelectedCorner() {
   }
   apply(toggleCorner(context_.document.history().committed(), context_.document.activeState(), *knot),
         tr("Corner or smooth: %1").arg(nameOf(*knot)));
+}
+
+void Keyboard::addKnotBeyond() {
+  const MarkId id = *context_.canvas.selected();
+  const auto at = placeOf(id, context_.canvas.state(), context_.canvas.values());
+  if (!at) return;
+  const StrokeCurve& curve = context_.canvas.state().graph.curve(id.stroke);
+  double next_mm = curve.end_mm();
+  for (const Knot& k : curve.knots())
+    if (k.displacement_mm > at->displacement_mm) next_mm = std::min(next_mm, k.displacement_mm);
+  const double middle_mm = at->displacement_mm + 0.5 * (next_mm - at->displacement_mm);
+  apply(
+      addKnot(context_.document.history().committed(), context_.document.activeState(), id.stroke, middle_mm),
+      tr("Add knot"));
+  if (const auto knot = knotAt(context_.canvas.state().graph.curve(id.stroke), middle_mm))
+    context_.canvas.setSelected(MarkId{MarkKind::knot, id.stroke, *knot});
 }
 
 bool Keyboard::nextSlopeHandle() {

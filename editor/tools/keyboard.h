@@ -9,8 +9,8 @@ namespace detent::editor {
 inline constexpr double nudge_mm = 0.01, nudge_N = 0.001, nudgeSlope_N_per_mm = 0.001;
 
 /// Tab and Shift+Tab go through the points and leave the canvas after the last, arrow keys nudge the selected
-/// mark (one undo step as long as it is the same one), Delete removes it, C makes a corner smooth and back,
-/// S goes through a knot's slope handles, Escape lets go.
+/// mark (one undo step as long as it is the same one), Delete removes it, Insert adds a knot halfway to the
+/// next one, C makes a corner smooth and back, S goes through a knot's slope handles, Escape lets go.
 class Keyboard {
  public:
   explicit Keyboard(ToolContext& context) : context_(context) {}
@@ -27,6 +27,7 @@ class Keyboard {
   bool walk(int by);
   bool nudge(int key, Qt::KeyboardModifiers modifiers);
   bool nextSlopeHandle();
+  void addKnotBeyond();
   void apply(const Result<Button>& next, const QString& label, const QString& mergeKey = {});
 
   ToolContext& context_;

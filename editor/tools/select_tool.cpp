@@ -73,7 +73,10 @@ bool SelectTool::pressed(const PointerInput& input) {
   held_ = takenAt(context_.canvas, input);
   wasSelected_ = held_ && context_.canvas.selected() == held_->id;
   holding_ = held_ ? Holding::mark : Holding::ground;
-  if (held_) context_.canvas.setSelected(held_->id);
+  if (held_) {
+    context_.canvas.setSelected(held_->id);
+    context_.say(describe(*held_, context_.settings.units()));
+  }
   return true;
 }
 

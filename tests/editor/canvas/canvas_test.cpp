@@ -1,0 +1,268 @@
+// What is drawn stands where the axes say, in every unit, zoom and theme.
+#include <cmath>
+
+#include "editor/canvas/curve_path.h"
+#include "editor/canvas/displacement_force_view.h"
+#include "editor/canvas/unit_ticker.h"
+#include "tests/editor/workspace_rig.h"
+
+using namespace detent;
+using namespace detent::editor;
+using namespace detent::editor::tests;
+
+namespace {
+
+bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+PlotMapping someMapping() { return {QRectF(50, 10, 700, 500), {50.5, 509.5}, 0, 0, 700 / 4.2, 500 / 1.4}; }
+
+// A page on which one block of pixels is red: x 100..119, y 200..219.
+std::shared_ptr<const importer::ImportReport> markedPage(const Button& button) {
+  auto report = std::make_shared<importer::ImportReport>(button);
+  auto evidence = std::make_shared<importer::GraphEvidence>();
+  importer::Raster& raster = evidence->view.raster;
+  raster.width_px = 800;
+  raster.height_px = 600;
+  raster.rgb.assign(std::size_t(800) * 600 * 3, 255);
+  for (std::size_t y = 200; y < 220; ++y)
+    for (std::size_t x = 100; x < 120; ++x) {
+      raster.rgb[3 * (800 * y + x) + 1] = 0;
+      raster.rgb[3 * (800 * y + x) + 2] = 0;
+    }
+  // The centre of the block, (109.5, 209.5), is 1 mm and 0.8 N.
+  const double mmPerPx = 0.01, newtonPerPx = 0.004;
+  evidence->axes.calibration.value.viewToUnits = {
+      mmPerPx, 0, 1 - 109.5 * mmPerPx, 0, -newtonPerPx, 0.8 + 209.5 * newtonPerPx, 0, 0, 1};
+  report->evidence = evidence;
+  report->strokes.press.points = {{0, 0.3}, {1, 0.5}, {2, 0.45}, {3, 0.5}};
+  return report;
+}
+
+QColor pixelOf(QWidget& widget, QPointF at) { return widget.grab().toImage().pixelColor(at.toPoint()); }
+
+}  // namespace
+
+class CanvasTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void mappingGoesBothWays();
+  void gridlineOfAValueIsWhereTheMappingSays();
+  void polylinesStayOnTheCurve();
+  void polylinesLeaveOutWhatIsNotSeen();
+  void steepZoomStaysFinite();
+  void ticksAreRoundInTheUsersUnit();
+  void unitsChangeLabelsAndNotTheView();
+  void pageLiesUnderTheAxes();
+  void opacityHidesThePage();
+  void darkThemeTurnsThePaper();
+  void themeChangeRecolours();
+  void residualsAreDrawnOnDemand();
+  void fingerIsDrawnInBothViews();
+  void jumpIsAVerticalLine();
+  void cursorIsReported();
+  void magnifierShowsWhileDragging();
+};
+
+void CanvasTest::mappingGoesBothWays() {
+  const PlotMapping map = someMapping();
+  for (const QPointF at : {QPointF(0, 0), QPointF(1.3, 0.55), QPointF(4.2, 1.4)}) {
+    const QPointF back = map.toPlot(map.toPixel(at));
+    QVERIFY(near(back.x(), at.x(), 1e-12) && near(back.y(), at.y(), 1e-12));
+    QCOMPARE(map.transform().map(at), map.toPixel(at));
+  }
+  const PlotMapping lens = map.magnified({1.3, 0.55}, QRectF(600, 300, 100, 100), 5);
+  QCOMPARE(lens.toPixel(1.3, 0.55), QPointF(650, 350));
+  QVERIFY(near(lens.pxPerX, 5 * map.pxPerX, 1e-9));
+}
+
+void CanvasTest::gridlineOfAValueIsWhereTheMappingSays() {
+  WorkspaceRig rig(require(linearButton()));
+  GraphCanvas& canvas = rig.canvas();
+  // QCustomPlot names the left edge of a pixel; its centre is half a pixel further.
+  const QPointF at = canvas.mapping().toPixel(2, 0.5);
+  QVERIFY(near(at.x(), canvas.xAxis->coordToPixel(2) + 0.5, 1e-9));
+  QVERIFY(near(at.y(), canvas.yAxis->coordToPixel(0.5) + 0.5, 1e-9));
+}
+
+void CanvasTest::polylinesStayOnTheCurve() {
+  const StrokeCurve curve = require(clickyButton()).states()[0].graph.press();
+  const PlotMapping map = someMapping();
+  const auto lines = curvePolylines(curve, map, 0.1);
+  QCOMPARE(lines.size(), std::size_t(1));
+  for (qsizetype i = 0; i + 1 < lines[0].size(); ++i) {
+    const QPointF middle = 0.5 * (lines[0][i] + lines[0][i + 1]);
+    const double x = map.toPlot(middle).x();
+    if (lines[0][i].x() == lines[0][i + 1].x()) continue;  // a wall
+    QVERIFY(near(middle.y(), map.toPixel(x, curve.force_N(x)).y(), 0.35));
+  }
+  QCOMPARE(lines[0].front(), map.toPixel(0, curve.knots().front().force_N));
+  QCOMPARE(lines[0].back(), map.toPixel(curve.end_mm(), curve.knots().back().force_N));
+}
+
+void CanvasTest::polylinesLeaveOutWhatIsNotSeen() {
+  const StrokeCurve curve = require(tactileButton()).states()[0].graph.press();
+  PlotMapping map = someMapping();
+  map.originX = 1.2;
+  map.pxPerX = 700 / 0.2;  // 1.2 to 1.4 mm
+  for (const QPolygonF& line : curvePolylines(curve, map))
+    for (const QPointF& p : line) QVERIFY(map.clip_px.adjusted(-65, -65, 65, 65).contains(p));
+  map.originY = 5;  // far above the curve
+  QVERIFY(curvePolylines(curve, map).empty());
+}
+
+void CanvasTest::steepZoomStaysFinite() {
+  WorkspaceRig rig(require(clickyButton()));
+  GraphCanvas& canvas = rig.canvas();
+  for (int i = 0; i < 120; ++i) canvas.zoomAt(rig.pixel(1.7, 0.6), 2, 2);
+  canvas.grab();
+  QVERIFY(canvas.shownRange().width() > 0 && std::isfinite(canvas.shownRange().left()));
+  for (int i = 0; i < 240; ++i) canvas.zoomAt({200, 200}, 0.5, 0.5);
+  canvas.grab();
+  QVERIFY(std::isfinite(canvas.shownRange().width()));
+}
+
+void CanvasTest::ticksAreRoundInTheUsersUnit() {
+  UnitTicker ticker;
+  ticker.setUnit(25.4);  // inch on an axis in mm
+  QVector<double> ticks;
+  QVector<QString> labels;
+  ticker.generate({0, 5}, QLocale::c(), 'g', 6, ticks, nullptr, &labels);
+  QVERIFY(ticks.size() > 2);
+  for (qsizetype i = 0; i < ticks.size(); ++i) QVERIFY(near(labels[i].toDouble() * 25.4, ticks[i], 1e-9));
+  QVERIFY(near((ticks[1] - ticks[0]) / 25.4, 0.05, 1e-9) || near((ticks[1] - ticks[0]) / 25.4, 0.02, 1e-9));
+}
+
+void CanvasTest::unitsChangeLabelsAndNotTheView() {
+  WorkspaceRig rig(require(tactileButton()));
+  const QRectF shown = rig.canvas().shownRange();
+  rig.settings.setUnits({LengthUnit::inch, ForceUnit::gramForce});
+  QVERIFY(rig.canvas().yAxis->label().contains("gf"));
+  QVERIFY(rig.canvas().xAxis->label().contains("in"));
+  QCOMPARE(rig.canvas().shownRange(), shown);
+}
+
+void CanvasTest::pageLiesUnderTheAxes() {
+  const Button button = require(linearButton());
+  WorkspaceRig rig(button);
+  rig.document.setOrigin(markedPage(button));
+  rig.settings.setUnderlayOpacity(1);
+  QCoreApplication::processEvents();
+  const auto redAt = [&](double mm, double N) {
+    const QColor color = pixelOf(rig.canvas(), rig.pixel(mm, N));
+    return color.red() > 150 && color.green() < 90;
+  };
+  QVERIFY(rig.canvas().hasUnderlay());
+  for (const double zoom : {1.0, 3.0, 0.5}) {
+    rig.canvas().zoomAt(rig.pixel(1, 0.8), zoom, zoom);
+    QCoreApplication::processEvents();
+    // The block spans ±0.1 mm and ±0.04 N around (1, 0.8).
+    QVERIFY(redAt(0.95, 0.82) && redAt(1.05, 0.78));
+    QVERIFY(!redAt(0.85, 0.82) && !redAt(1.15, 0.82) && !redAt(0.95, 0.85) && !redAt(0.95, 0.75));
+  }
+}
+
+void CanvasTest::opacityHidesThePage() {
+  const Button button = require(linearButton());
+  WorkspaceRig rig(button);
+  rig.document.setOrigin(markedPage(button));
+  rig.settings.setUnderlayOpacity(0);
+  QCoreApplication::processEvents();
+  QCOMPARE(pixelOf(rig.canvas(), rig.pixel(0.96, 0.82)), rig.canvas().colors().background);
+}
+
+void CanvasTest::darkThemeTurnsThePaper() {
+  const Button button = require(linearButton());
+  WorkspaceRig rig(button);
+  rig.document.setOrigin(markedPage(button));
+  rig.settings.setUnderlayOpacity(1);
+  QPalette dark;
+  dark.setColor(QPalette::Window, QColor(30, 32, 36));
+  dark.setColor(QPalette::WindowText, Qt::white);
+  rig.canvas().setPalette(dark);
+  QCoreApplication::processEvents();
+  QVERIFY(pixelOf(rig.canvas(), rig.pixel(0.56, 0.92)).lightness() < 40);
+  const QColor block = pixelOf(rig.canvas(), rig.pixel(0.96, 0.82));
+  QVERIFY(block.red() > block.green() && block.red() > block.blue());  // the hue stays
+}
+
+void CanvasTest::themeChangeRecolours() {
+  WorkspaceRig rig(require(tactileButton()));
+  const QColor light = rig.canvas().colors().background;
+  QPalette dark;
+  dark.setColor(QPalette::Window, QColor(30, 32, 36));
+  dark.setColor(QPalette::WindowText, Qt::white);
+  rig.canvas().setPalette(dark);
+  QCoreApplication::processEvents();
+  QVERIFY(rig.canvas().colors().background != light);
+  QCOMPARE(pixelOf(rig.canvas(), rig.pixel(0.06, 1.13)), rig.canvas().colors().background);
+}
+
+void CanvasTest::residualsAreDrawnOnDemand() {
+  const Button button = require(linearButton());
+  WorkspaceRig rig(button);
+  rig.document.setOrigin(markedPage(button));
+  rig.settings.setUnderlayOpacity(0);
+  QCoreApplication::processEvents();
+  const QImage without = rig.canvas().grab().toImage();
+  rig.action("viewResiduals")->setChecked(true);
+  QVERIFY(rig.settings.residualsShown());
+  QCoreApplication::processEvents();
+  QVERIFY(rig.canvas().grab().toImage() != without);
+}
+
+void CanvasTest::fingerIsDrawnInBothViews() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.action("viewDisplacementForce")->setChecked(true);
+  QCoreApplication::processEvents();
+  auto* reverse = rig.workspace.findChild<DisplacementForceView*>();
+  QVERIFY(reverse->isVisible());
+  rig.workspace.showFinger(FingerPosition{0.8, 0.9, Stroke::press});
+  QCOMPARE(pixelOf(rig.canvas(), rig.pixel(0.8, 0.9)), rig.canvas().colors().press);
+  QCOMPARE(pixelOf(*reverse, reverse->mapping().toPixel(0.9, 0.8)), reverse->colors().press);
+  rig.workspace.showFinger({});
+  QVERIFY(pixelOf(rig.canvas(), rig.pixel(0.8, 0.9)) != rig.canvas().colors().press);
+}
+
+void CanvasTest::jumpIsAVerticalLine() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.action("viewDisplacementForce")->setChecked(true);
+  QCoreApplication::processEvents();
+  auto* reverse = rig.workspace.findChild<DisplacementForceView*>();
+  const Section jump = rig.canvas().values().press.sections.at(1);
+  QCOMPARE(jump.kind, SectionKind::jump);
+  const QImage picture = reverse->grab().toImage();
+  for (const double share : {0.2, 0.4, 0.8}) {
+    const double x = jump.from_mm + share * (jump.to_mm - jump.from_mm);
+    const QPointF at = reverse->mapping().toPixel(jump.fromForce_N, x);
+    QCOMPARE(picture.pixelColor(at.toPoint()), reverse->colors().press);
+  }
+}
+
+void CanvasTest::cursorIsReported() {
+  WorkspaceRig rig(require(tactileButton()));
+  std::optional<CurvePoint> seen;
+  QObject::connect(&rig.workspace, &GraphWorkspace::cursorMoved,
+                   [&](std::optional<CurvePoint> at) { seen = at; });
+  rig.mouse(QEvent::MouseMove, rig.pixel(1.5, 0.8), Qt::NoButton);
+  QVERIFY(seen && near(seen->displacement_mm, 1.5, 1e-9) && near(seen->force_N, 0.8, 1e-9));
+  QEvent leave(QEvent::Leave);
+  QCoreApplication::sendEvent(&rig.canvas(), &leave);
+  QVERIFY(!seen);
+}
+
+void CanvasTest::magnifierShowsWhileDragging() {
+  WorkspaceRig rig(require(tactileButton()));
+  const MarkId tactile{MarkKind::tactilePoint, Stroke::press, 0};
+  const QPointF from = rig.pixel(tactile);
+  rig.press(from);
+  rig.move(from + QPointF(4, -4));
+  const QImage with = rig.canvas().grab().toImage();
+  rig.action("viewMagnifier")->setChecked(false);
+  const QImage without = rig.canvas().grab().toImage();
+  QVERIFY(with != without);
+  rig.release(from + QPointF(4, -4));
+}
+
+QTEST_MAIN(CanvasTest)
+#include "canvas_test.moc"

@@ -1,0 +1,450 @@
+// Every tool by real events on the workspace, judged by the button that comes out.
+#include <cmath>
+
+#include "model/edits.h"
+#include "tests/editor/workspace_rig.h"
+
+using namespace detent;
+using namespace detent::editor;
+using namespace detent::editor::tests;
+
+namespace {
+
+constexpr MarkId tactile{MarkKind::tactilePoint, Stroke::press, 0};
+constexpr MarkId valley{MarkKind::turn, Stroke::press, 0};
+constexpr MarkId operating{MarkKind::operatingPoint, Stroke::press, 0};
+
+bool near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+
+}  // namespace
+
+class ToolsTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void dragOfTactilePointIsOneExactStep();
+  void escapeCancelsADragExactly();
+  void refusedMoveKeepsTheLastValidShape();
+  void undoInTheMiddleOfADragEndsIt();
+  void changeOfStateInTheMiddleOfADragEndsIt();
+  void clickSelectsAndASecondClickTakesWhatLiesBeneath();
+  void valleyFollowsTheHand();
+  void slopeHandleTurnsBothSidesOfASmoothKnot();
+  void sectionMovesAsAWhole();
+  void contactPointsKeepToTheTravel();
+  void shiftKeepsToOneAxis();
+  void snapsToGridAndShowsIt();
+  void snapsToTheOtherStroke();
+  void controlLetsGoOfTheGrid();
+  void arrowKeysNudgeInOneStep();
+  void arrowKeysWithShiftAndAlt();
+  void tabWalksThroughAllPoints();
+  void deleteRemovesKnotAndJump();
+  void insertAddsAKnotHalfway();
+  void slopeHandlesByKeys();
+  void cornerToggles();
+  void addKnotKeepsTheShape();
+  void addKnotDragsOn();
+  void addJumpByClickAndByDrag();
+  void addJumpIsRefusedOnAFall();
+  void doubleClickAddsAKnot();
+  void panMovesTheViewAlone();
+  void wheelZoomsAtThePointer();
+  void dragOnEmptyGroundPans();
+};
+
+void ToolsTest::dragOfTactilePointIsOneExactStep() {
+  WorkspaceRig rig(require(tactileButton()));
+  const Button before = rig.button();
+  const QPointF from = rig.pixel(tactile), to = from + QPointF(25, -30);
+  const QPointF wanted = rig.canvas().mapping().toPlot(to);
+  rig.drag(from, to);
+  QCOMPARE(rig.steps(), 1);
+  const TactilePoint moved = rig.canvas().values().press.tactile.at(0);
+  QVERIFY(near(moved.displacement_mm, wanted.x(), 1e-9));
+  QVERIFY(near(moved.force_N, wanted.y(), 1e-9));
+  QVERIFY(rig.document.history().stack().undoText().contains("Tactile point 1"));
+  const Button after = rig.button();
+  rig.document.history().stack().undo();
+  QVERIFY(rig.button() == before);
+  rig.document.history().stack().redo();
+  QVERIFY(rig.button() == after);
+}
+
+void ToolsTest::escapeCancelsADragExactly() {
+  WorkspaceRig rig(require(clickyButton()));
+  const Button before = rig.button();
+  const QPointF from = rig.pixel(tactile);
+  rig.press(from);
+  rig.move(from + QPointF(12, -20));
+  QVERIFY(!(rig.button() == before));
+  QVERIFY(rig.canvas().feedback().dragged.has_value());
+  rig.key(Qt::Key_Escape);
+  QVERIFY(rig.button() == before);
+  QCOMPARE(rig.steps(), 0);
+  QVERIFY(!rig.canvas().feedback().dragged.has_value());
+  rig.move(from + QPointF(40, -40));  // the button is still down: nothing more happens
+  rig.release(from + QPointF(40, -40));
+  QVERIFY(rig.button() == before);
+  QCOMPARE(rig.steps(), 0);
+}
+
+void ToolsTest::refusedMoveKeepsTheLastValidShape() {
+  WorkspaceRig rig(require(tactileButton()));
+  QSignalSpy said(&rig.workspace, &GraphWorkspace::statusMessage);
+  const QPointF from = rig.pixel(tactile);
+  rig.press(from);
+  rig.move(from + QPointF(10, -10));
+  const Button valid = rig.button();
+  rig.move(rig.pixel(3.99, 0.7));  // past the valley
+  QVERIFY(rig.button() == valid);
+  QVERIFY(rig.canvas().feedback().refused.has_value());
+  QVERIFY(rig.canvas().feedback().refused->why.contains("outside its flanks"));
+  QVERIFY(said.last().at(0).toString().contains("outside its flanks"));
+  rig.move(from + QPointF(14, -14));  // back where it may be
+  QVERIFY(!rig.canvas().feedback().refused.has_value());
+  QVERIFY(said.last().at(0).toString().isEmpty());
+  rig.release(from + QPointF(14, -14));
+  QCOMPARE(rig.steps(), 1);
+}
+
+void ToolsTest::undoInTheMiddleOfADragEndsIt() {
+  WorkspaceRig rig(require(tactileButton()));
+  const Button first = rig.button();
+  rig.drag(rig.pixel(tactile), rig.pixel(tactile) + QPointF(10, -10));
+  rig.press(rig.pixel(tactile));
+  rig.move(rig.pixel(tactile) + QPointF(20, -20));
+  rig.document.history().stack().undo();
+  QVERIFY(!rig.workspace.tools().dragging());
+  QVERIFY(rig.button() == first);
+  rig.move(rig.pixel(tactile) + QPointF(30, -30));
+  rig.release(rig.pixel(tactile));
+  QVERIFY(rig.button() == first);
+}
+
+void ToolsTest::changeOfStateInTheMiddleOfADragEndsIt() {
+  WorkspaceRig rig(require(selfLockingButton()));
+  const Button first = rig.button();
+  const QPointF from = rig.pixel(tactile);
+  rig.press(from);
+  rig.move(from + QPointF(6, -12));
+  QVERIFY(rig.workspace.tools().dragging());
+  rig.document.setActiveState(1);
+  QVERIFY(!rig.workspace.tools().dragging());
+  QVERIFY(rig.button() == first);
+}
+
+void ToolsTest::clickSelectsAndASecondClickTakesWhatLiesBeneath() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.click(rig.pixel(tactile));
+  QCOMPARE(rig.canvas().selected(), std::optional(tactile));
+  rig.click(rig.pixel(tactile));
+  QCOMPARE(rig.canvas().selected()->kind, MarkKind::knot);
+  rig.click(rig.pixel(0.2, 1.1));  // empty ground
+  QVERIFY(!rig.canvas().selected());
+  QCOMPARE(rig.steps(), 0);
+}
+
+void ToolsTest::valleyFollowsTheHand() {
+  WorkspaceRig rig(require(tactileButton()));
+  const auto peak = rig.canvas().values().press.tactile.at(0);
+  rig.drag(rig.pixel(valley), rig.pixel(valley) + QPointF(15, 20));
+  QCOMPARE(rig.steps(), 1);
+  QVERIFY(rig.canvas().values().press.turns.at(0).force_N < 0.42);
+  QCOMPARE(rig.canvas().values().press.tactile.at(0).force_N, peak.force_N);
+  QCOMPARE(rig.canvas().values().press.tactile.at(0).displacement_mm, peak.displacement_mm);
+}
+
+void ToolsTest::slopeHandleTurnsBothSidesOfASmoothKnot() {
+  WorkspaceRig rig(require(tactileButton()));
+  const MarkId knot{MarkKind::knot, Stroke::press, 2};  // the valley: level on both sides
+  rig.canvas().setSelected(knot);
+  const auto handles = slopeHandlesOf(rig.press(), 2, rig.canvas().mapping());
+  QVERIFY(handles.after_px.has_value() && handles.before_px.has_value());
+  rig.drag(*handles.after_px, *handles.after_px + QPointF(0, -12));
+  QCOMPARE(rig.steps(), 1);
+  const Knot now = rig.press().knots()[2];
+  QVERIFY(now.slopeAfter_N_per_mm > 0);
+  QCOMPARE(now.slopeBefore_N_per_mm, now.slopeAfter_N_per_mm);
+  // Past its knot a handle means nothing.
+  const auto turned = slopeHandlesOf(rig.press(), 2, rig.canvas().mapping());
+  const Button before = rig.button();
+  rig.press(*turned.after_px);
+  rig.move(*turned.after_px - QPointF(120, 0));
+  QVERIFY(rig.canvas().feedback().refused.has_value());
+  rig.release(*turned.after_px - QPointF(120, 0));
+  QVERIFY(rig.button() == before);
+}
+
+void ToolsTest::sectionMovesAsAWhole() {
+  WorkspaceRig rig(require(tactileButton()));
+  // On the falling flank inside the jump, away from its points.
+  const QPointF grab = rig.pixel(1.6, rig.press().force_N(1.6));
+  rig.click(grab);
+  QVERIFY(rig.canvas().selected().has_value());
+  QCOMPARE(rig.canvas().selected()->kind, MarkKind::section);
+  const double was = rig.canvas().values().press.tactile.at(0).force_N;
+  const double up_px = 20;
+  rig.drag(grab, grab - QPointF(0, up_px));
+  QCOMPARE(rig.steps(), 1);
+  const double by_N = up_px / rig.canvas().mapping().pxPerY;
+  QVERIFY(near(rig.canvas().values().press.tactile.at(0).force_N, was + by_N, 1e-9));
+}
+
+void ToolsTest::contactPointsKeepToTheTravel() {
+  WorkspaceRig rig(require(tactileButton()));
+  const QPointF from = rig.pixel(operating);
+  rig.drag(from, from + QPointF(40, 5));
+  QCOMPARE(rig.steps(), 1);
+  const double moved = *rig.canvas().state().operatingPoint_mm;
+  QVERIFY(moved > 2.0);
+  rig.press(rig.pixel(operating));
+  rig.move(rig.pixel(5, 0.5));  // beyond the wall
+  QVERIFY(rig.canvas().feedback().refused.has_value());
+  QCOMPARE(*rig.canvas().state().operatingPoint_mm, moved);
+  rig.release(rig.pixel(5, 0.5));
+  QCOMPARE(rig.steps(), 1);
+}
+
+void ToolsTest::shiftKeepsToOneAxis() {
+  WorkspaceRig rig(require(tactileButton()));
+  const auto was = rig.canvas().values().press.tactile.at(0);
+  rig.drag(rig.pixel(tactile), rig.pixel(tactile) + QPointF(6, -30), Qt::ShiftModifier);
+  QCOMPARE(rig.canvas().values().press.tactile.at(0).displacement_mm, was.displacement_mm);
+  QVERIFY(rig.canvas().values().press.tactile.at(0).force_N > was.force_N);
+}
+
+void ToolsTest::snapsToGridAndShowsIt() {
+  WorkspaceRig rig(require(tactileButton()));
+  SnapSettings snap;
+  snap.toGrid = true;
+  snap.gridLength_mm = 0.1;
+  snap.gridForce_N = 0.05;
+  snap.within_px = 60;
+  rig.settings.setSnap(snap);
+  const QPointF from = rig.pixel(tactile), to = rig.pixel(1.387, 0.613);
+  rig.press(from);
+  rig.move(to);
+  QVERIFY(rig.canvas().feedback().snap.has_value());
+  QCOMPARE(rig.canvas().feedback().snap->kind, SnapKind::grid);
+  rig.release(to);
+  QVERIFY(near(rig.canvas().values().press.tactile.at(0).displacement_mm, 1.4, 1e-12));
+  QVERIFY(near(rig.canvas().values().press.tactile.at(0).force_N, 0.6, 1e-12));
+}
+
+void ToolsTest::snapsToTheOtherStroke() {
+  WorkspaceRig rig(require(tactileButton()));
+  SnapSettings snap;
+  snap.toOtherStroke = true;
+  rig.settings.setSnap(snap);
+  const MarkId hump{MarkKind::turn, Stroke::release, 0};
+  const double on_mm = 1.0, on_N = rig.press().force_N(on_mm);
+  rig.press(rig.pixel(hump));
+  rig.move(rig.pixel(on_mm, on_N) + QPointF(1, 4));
+  QVERIFY(rig.canvas().feedback().snap.has_value());
+  QCOMPARE(rig.canvas().feedback().snap->kind, SnapKind::otherStroke);
+  const CurvePoint at = rig.canvas().feedback().snap->at;
+  QVERIFY(near(at.force_N, rig.press().force_N(at.displacement_mm), 1e-12));
+  rig.release(rig.pixel(on_mm, on_N));
+}
+
+void ToolsTest::controlLetsGoOfTheGrid() {
+  WorkspaceRig rig(require(tactileButton()));
+  SnapSettings snap;
+  snap.toGrid = true;
+  snap.within_px = 60;
+  rig.settings.setSnap(snap);
+  const QPointF to = rig.pixel(1.387, 0.613);
+  rig.drag(rig.pixel(tactile), to, Qt::ControlModifier);
+  QVERIFY(near(rig.canvas().values().press.tactile.at(0).displacement_mm, 1.387, 1e-9));
+}
+
+void ToolsTest::arrowKeysNudgeInOneStep() {
+  WorkspaceRig rig(require(tactileButton()));
+  const Button before = rig.button();
+  const auto was = rig.canvas().values().press.tactile.at(0);
+  rig.click(rig.pixel(tactile));
+  for (int i = 0; i < 5; ++i) rig.key(Qt::Key_Right);
+  rig.key(Qt::Key_Up);
+  QCOMPARE(rig.steps(), 1);
+  const auto now = rig.canvas().values().press.tactile.at(0);
+  QVERIFY(near(now.displacement_mm, was.displacement_mm + 0.05, 1e-12));
+  QVERIFY(near(now.force_N, was.force_N + 0.001, 1e-12));
+  rig.document.history().stack().undo();
+  QVERIFY(rig.button() == before);
+}
+
+void ToolsTest::arrowKeysWithShiftAndAlt() {
+  WorkspaceRig rig(require(tactileButton()));
+  const auto was = rig.canvas().values().press.tactile.at(0);
+  rig.click(rig.pixel(tactile));
+  rig.key(Qt::Key_Up, Qt::ShiftModifier);
+  QVERIFY(near(rig.canvas().values().press.tactile.at(0).force_N, was.force_N + 0.01, 1e-12));
+  rig.key(Qt::Key_Left, Qt::AltModifier);
+  QVERIFY(
+      near(rig.canvas().values().press.tactile.at(0).displacement_mm, was.displacement_mm - 0.001, 1e-12));
+}
+
+void ToolsTest::tabWalksThroughAllPoints() {
+  WorkspaceRig rig(require(tactileButton()));
+  const std::size_t points = pointMarks(rig.canvas().state(), rig.canvas().values()).size();
+  std::vector<MarkId> seen;
+  for (std::size_t i = 0; i < points; ++i) {
+    rig.key(Qt::Key_Tab);
+    QVERIFY(rig.canvas().selected().has_value());
+    QVERIFY(std::find(seen.begin(), seen.end(), *rig.canvas().selected()) == seen.end());
+    seen.push_back(*rig.canvas().selected());
+    QVERIFY(rig.canvas().accessibleName().contains(nameOf(seen.back())));
+  }
+  rig.key(Qt::Key_Backtab);
+  QVERIFY(*rig.canvas().selected() == seen[points - 2]);
+}
+
+void ToolsTest::deleteRemovesKnotAndJump() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.click(rig.pixel(tactile));
+  rig.key(Qt::Key_Delete);
+  QVERIFY(rig.canvas().values().press.tactile.empty());
+  QCOMPARE(rig.steps(), 1);
+  rig.document.history().stack().undo();
+  const std::size_t knots = rig.press().knots().size();
+  rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, 2});
+  rig.key(Qt::Key_Delete);
+  QCOMPARE(rig.press().knots().size(), knots - 1);
+  rig.canvas().setSelected(operating);
+  rig.action("editDelete")->trigger();
+  QVERIFY(!rig.canvas().state().operatingPoint_mm);
+}
+
+void ToolsTest::insertAddsAKnotHalfway() {
+  WorkspaceRig rig(require(linearButton()));
+  const StrokeCurve before = rig.press();
+  rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, 0});
+  rig.key(Qt::Key_Insert);
+  QCOMPARE(rig.press().knots().size(), before.knots().size() + 1);
+  QVERIFY(near(rig.press().knots()[1].displacement_mm, 0.5 * before.knots()[1].displacement_mm, 1e-12));
+  QCOMPARE(rig.canvas().selected()->index, std::size_t(1));
+}
+
+void ToolsTest::slopeHandlesByKeys() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, 0});
+  rig.key(Qt::Key_S);
+  QCOMPARE(rig.canvas().selected()->kind, MarkKind::slopeAfter);  // the first knot has no piece before it
+  const double was = rig.press().knots()[0].slopeAfter_N_per_mm;
+  rig.key(Qt::Key_Up, Qt::ShiftModifier);
+  rig.key(Qt::Key_Up, Qt::ShiftModifier);
+  QVERIFY(near(rig.press().knots()[0].slopeAfter_N_per_mm, was + 0.02, 1e-12));
+  QCOMPARE(rig.steps(), 1);
+}
+
+void ToolsTest::cornerToggles() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, 1});
+  QVERIFY(!isCorner(rig.press(), 1));
+  rig.key(Qt::Key_C);
+  QVERIFY(isCorner(rig.press(), 1));
+  rig.key(Qt::Key_C);
+  QVERIFY(!isCorner(rig.press(), 1));
+  QCOMPARE(rig.steps(), 2);
+}
+
+void ToolsTest::addKnotKeepsTheShape() {
+  WorkspaceRig rig(require(tactileButton()));
+  const StrokeCurve before = rig.press();
+  rig.action("toolAddKnot")->trigger();
+  QCOMPARE(rig.workspace.tools().tool(), ToolKind::addKnot);
+  rig.click(rig.pixel(0.6, before.force_N(0.6)) + QPointF(0, -6));
+  QCOMPARE(rig.steps(), 1);
+  QCOMPARE(rig.press().knots().size(), before.knots().size() + 1);
+  for (double x = 0; x < 4; x += 0.05) QVERIFY(near(rig.press().force_N(x), before.force_N(x), 1e-12));
+  QCOMPARE(rig.canvas().selected()->kind, MarkKind::knot);
+}
+
+void ToolsTest::addKnotDragsOn() {
+  WorkspaceRig rig(require(linearButton()));
+  rig.action("toolAddKnot")->trigger();
+  const QPointF on = rig.pixel(2, rig.press().force_N(2));
+  const double up_N = 30 / rig.canvas().mapping().pxPerY;
+  const double was = rig.press().force_N(2);
+  rig.drag(on, on + QPointF(0, -30));
+  QCOMPARE(rig.steps(), 1);
+  QVERIFY(near(rig.press().force_N(2), was + up_N, 2e-3));
+}
+
+void ToolsTest::addJumpByClickAndByDrag() {
+  WorkspaceRig rig(require(linearButton()));
+  const Button before = rig.button();
+  rig.action("toolAddJump")->trigger();
+  const QPointF on = rig.pixel(1.5, rig.press().force_N(1.5));
+  rig.click(on);
+  QCOMPARE(rig.canvas().values().press.tactile.size(), std::size_t(1));
+  QVERIFY(near(rig.canvas().values().press.tactile[0].displacement_mm, 1.5, 0.02));
+  rig.document.history().stack().undo();
+  QVERIFY(rig.button() == before);
+  const QPointF pulled = rig.pixel(1.9, 0.3);
+  rig.drag(on, pulled);
+  QCOMPARE(rig.steps(), 1);
+  QCOMPARE(rig.canvas().values().press.turns.size(), std::size_t(1));
+  QVERIFY(near(rig.canvas().values().press.turns[0].displacement_mm, 1.9, 0.02));
+  QVERIFY(near(rig.canvas().values().press.turns[0].force_N, 0.3, 0.01));
+}
+
+void ToolsTest::addJumpIsRefusedOnAFall() {
+  WorkspaceRig rig(require(tactileButton()));
+  const Button before = rig.button();
+  rig.action("toolAddJump")->trigger();
+  const QPointF on = rig.pixel(1.6, rig.press().force_N(1.6));
+  rig.press(on);
+  QVERIFY(rig.canvas().feedback().refused.has_value());
+  rig.release(on);
+  QVERIFY(rig.button() == before);
+  QCOMPARE(rig.steps(), 0);
+}
+
+void ToolsTest::doubleClickAddsAKnot() {
+  WorkspaceRig rig(require(tactileButton()));
+  const std::size_t knots = rig.press().knots().size();
+  const QPointF on = rig.pixel(3, rig.press().force_N(3));
+  rig.click(on);
+  rig.mouse(QEvent::MouseButtonDblClick, on, Qt::LeftButton);
+  rig.release(on);
+  QCOMPARE(rig.press().knots().size(), knots + 1);
+  QCOMPARE(rig.steps(), 1);
+}
+
+void ToolsTest::panMovesTheViewAlone() {
+  WorkspaceRig rig(require(tactileButton()));
+  const Button before = rig.button();
+  const QRectF shown = rig.canvas().shownRange();
+  rig.action("toolPan")->trigger();
+  rig.drag(rig.pixel(tactile), rig.pixel(tactile) + QPointF(50, 20));
+  QVERIFY(rig.button() == before);
+  const double by_mm = 50 / rig.canvas().mapping().pxPerX;
+  QVERIFY(near(rig.canvas().shownRange().left(), shown.left() - by_mm, 1e-9));
+}
+
+void ToolsTest::wheelZoomsAtThePointer() {
+  WorkspaceRig rig(require(tactileButton()));
+  const QPointF at = rig.pixel(1.0, 0.5);
+  QWheelEvent wheel(at, rig.canvas().mapToGlobal(at), {}, {0, 240}, Qt::NoButton, Qt::NoModifier,
+                    Qt::NoScrollPhase, false);
+  const double before = rig.canvas().shownRange().width();
+  QCoreApplication::sendEvent(&rig.canvas(), &wheel);
+  QVERIFY(near(rig.canvas().shownRange().width(), before / (1.25 * 1.25), 1e-9));
+  const QPointF still = rig.canvas().mapping().toPlot(at);
+  QVERIFY(near(still.x(), 1.0, 1e-9) && near(still.y(), 0.5, 1e-9));
+  rig.action("viewFit")->trigger();
+  QVERIFY(near(rig.canvas().shownRange().width(), before, 1e-9));
+}
+
+void ToolsTest::dragOnEmptyGroundPans() {
+  WorkspaceRig rig(require(tactileButton()));
+  const QRectF shown = rig.canvas().shownRange();
+  rig.drag(rig.pixel(0.5, 1.0), rig.pixel(0.5, 1.0) + QPointF(30, 0));
+  QVERIFY(rig.canvas().shownRange().left() < shown.left());
+  QCOMPARE(rig.steps(), 0);
+}
+
+QTEST_MAIN(ToolsTest)
+#include "tools_test.moc"
