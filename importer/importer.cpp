@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include "importer/axes/read_text.h"
+
 namespace detent::importer {
 namespace {
 
@@ -27,6 +29,8 @@ std::string ImportReport::brief() const {
   const double travel_mm = button.states().front().graph.travel_mm();
   return text + formatted("; travel %.3f mm; confidence %.2f", travel_mm, confidence);
 }
+
+void loadTextEngine() { static_cast<void>(TextReader::available()); }
 
 Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress) {
   auto session = ImportSession::open(request.path, request.limits);

@@ -160,6 +160,10 @@ class ImportSession {
   std::unique_ptr<Impl> impl_;
 };
 
+/// Loads the engine that reads text off pictures for this thread, which the first import that needs it would
+/// do (about 60 ms); processes forked afterwards share it.
+void loadTextEngine();
+
 /// One import from start to end. Failure codes as DESIGN.md's exit codes.
 Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress = {});
 Result<std::vector<ListedGraph>> listGraphs(const ImportRequest& request, const Progress& progress = {});

@@ -96,7 +96,7 @@ std::string failureJson(const Failure& failure, const std::string& input) {
                  {"remedy", failure.remedy}});
 }
 
-std::string listJson(const std::vector<ListedGraph>& graphs) {
+std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<std::string>& warnings) {
   Json listed = Json::array();
   for (const ListedGraph& g : graphs) {
     const auto axis = [](const AxisReading& a) {
@@ -111,7 +111,9 @@ std::string listJson(const std::vector<ListedGraph>& graphs) {
                       {"y_axis", axis(g.y)},
                       {"confidence", g.confidence}});
   }
-  return dumped({{"graphs", std::move(listed)}});
+  Json json = {{"graphs", std::move(listed)}};
+  if (!warnings.empty()) json["warnings"] = warnings;
+  return dumped(json);
 }
 
 std::string traceCsv(const StrokePair& strokes) {

@@ -12,8 +12,8 @@ namespace detent::importer {
 std::string reportJson(const ImportReport& report, const std::string& input,
                        const std::vector<std::string>& outputs);
 std::string failureJson(const Failure& failure, const std::string& input);
-/// {"graphs":[...]}: `frame_pt` for documents, `frame_px` for pictures.
-std::string listJson(const std::vector<ListedGraph>& graphs);
+/// {"graphs":[...]}: `frame_pt` for documents, `frame_px` for pictures; "warnings" where there are any.
+std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<std::string>& warnings);
 
 /// `stroke,displacement_mm,force_N`: traced points before the fit, in the order travelled.
 std::string traceCsv(const StrokePair& strokes);

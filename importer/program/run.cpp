@@ -96,6 +96,7 @@ int importAll(const ImportRequest& request, const OutputPaths& paths, const Prog
 
   auto listed = session->list(request.page, request.quality, request.hints, progress);
   if (!listed) return refused(listed.failure());
+  for (const std::string& remark : session->remarks()) text += "warning: " + remark + "\n";
   if (listed->empty())
     return importOne(*session, request, paths, progress, lines, text);  // says why there is none
   int exitCode = 0;
@@ -156,22 +157,29 @@ std::string listText(const std::vector<ListedGraph>& graphs) {
 }
 
 int runList(const Arguments& a, const Progress& progress) {
-  ImportRequest request = a.request;
-  request.path = a.inputs.front();
-  auto graphs = listGraphs(request, progress);
-  if (!graphs) {
-    print(a, failureJson(graphs.failure(), request.path) + "\n", graphs.failure().sentence() + "\n",
-          graphs.failure().exitCode());
-    return graphs.failure().exitCode();
-  }
+  const ImportRequest& request = a.request;
+  const std::string& input = a.inputs.front();
+  const auto refused = [&](const Failure& failure) {
+    print(a, failureJson(failure, input) + "\n", failure.sentence() + "\n", failure.exitCode());
+    return failure.exitCode();
+  };
+  auto session = ImportSession::open(input, request.limits);
+  if (!session) return refused(session.failure());
+  auto graphs = session->list(request.page, request.quality, request.hints, progress);
+  if (!graphs) return refused(graphs.failure());
+
+  const std::vector<std::string> remarks = session->remarks();
+  std::string warnings;
+  for (const std::string& remark : remarks) warnings += "warning: " + remark + "\n";
+  std::fputs(warnings.c_str(), stderr);
   const int exitCode = graphs->empty() ? static_cast<int>(FailureCode::noForceGraph) : 0;
   const std::string text = graphs->empty()
-                               ? Failure{FailureCode::noForceGraph, request.path, "", "no force graph found",
+                               ? Failure{FailureCode::noForceGraph, input, "", "no force graph found",
                                          "If there is one, import it with --frame X0,Y0,X1,Y1"}
                                          .sentence() +
                                      "\n"
                                : listText(*graphs);
-  print(a, listJson(*graphs) + "\n", a.json && exitCode == 0 ? "" : text, exitCode);
+  print(a, listJson(*graphs, remarks) + "\n", a.json && exitCode == 0 ? "" : text, exitCode);
   return exitCode;
 }
 
@@ -265,6 +273,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
     }
     line.show(double(handled) / double(inputs.size()), outcome.input);
   };
+  if (inputs.size() > 1) loadTextEngine();  // once, not in every child
   auto ran = runIsolated(inputs, a.batchOptions, handle, finished, cancelled);
   if (!ran) {
     std::fprintf(stderr, "%s\n", ran.failure().sentence().c_str());
