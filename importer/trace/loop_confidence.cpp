@@ -9,6 +9,14 @@ namespace detent::importer::loop {
 
 namespace {
 
+/// Columns that both paths pass, as a share of those that either passes. Leaders and latch branches stand
+/// side by side; the strokes of one switch run over the same travel.
+double sharedTravel(const std::vector<Point>& a, const std::vector<Point>& b) {
+  const double common = std::min(a.back().x, b.back().x) - std::max(a.front().x, b.front().x);
+  const double either = std::max(a.back().x, b.back().x) - std::min(a.front().x, b.front().x);
+  return either > 0 ? std::max(0.0, common / either) : 0;
+}
+
 /// 0 at `bad`, 1 at `good`, straight between.
 double ramp(double value, double bad, double good) {
   return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
@@ -106,7 +114,7 @@ double meanTrust(const RefinedStroke& stroke) {
 
 double LoopEvidence::confidence() const {
   return ramp(onInk, 0.75, 0.95) * ramp(explained, 0.25, 0.6) * (0.3 + 0.7 * ramp(fit, 0.15, 0.5)) *
-         steadiness * reach;
+         steadiness * reach * together;
 }
 
 LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Structure& structure,
@@ -125,8 +133,9 @@ LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Stru
   e.fit = both ? std::min(meanTrust(refined.press), meanTrust(refined.release)) : meanTrust(refined.press);
   e.steadiness = worse([&](const std::vector<Point>& p) { return 1 - ramp(turning(p), 18, 45); });
   e.reach = worse([&](const std::vector<Point>& p) {
-    return ramp((p.back().x - p.front().x) / plane.frame.width(), 0.1, 0.25);
+    return ramp((p.back().x - p.front().x) / plane.frame.width(), 0.1, 0.45);
   });
+  e.together = both ? ramp(sharedTravel(pair.press, pair.release), 0.3, 0.7) : 1;
   return e;
 }
 

@@ -190,22 +190,32 @@ void findAlong(const Plane& plane, bool vertical, const std::vector<double>& exp
   for (int lane : found) out.push_back(measureLine(lanes, lane));
 }
 
-/// In which of kBins stretches the line may explain ink: where a dashed line seems solid, a wall runs along
-/// it.
-std::array<bool, kBins> explainableBins(const Plane& plane, const StraightLine& line) {
-  const Lanes lanes(plane, line.vertical);
+/// Share of each stretch in which the line is drawn.
+std::array<float, kBins> dutiesOf(const Lanes& lanes, const StraightLine& line) {
   const int length = lanes.last() - lanes.first() + 1;
   std::array<float, kBins> duty{};
-  std::vector<float> drawn;
   for (int b = 0; b < kBins; ++b) {
     const int from = lanes.first() + length * b / kBins, to = lanes.first() + length * (b + 1) / kBins;
     int inked = 0;
     for (int i = from; i < to; ++i) inked += lanes.at(line.position, i) >= 0.45F * line.level ? 1 : 0;
     duty[static_cast<std::size_t>(b)] =
         static_cast<float>(inked) / static_cast<float>(std::max(1, to - from));
-    if (inked > 0) drawn.push_back(duty[static_cast<std::size_t>(b)]);
   }
-  const float usual = quantile(drawn, 0.35);
+  return duty;
+}
+
+/// In which of kBins stretches the line may explain ink: where a dashed line seems solid, a wall runs along
+/// it. Beside a hole (cut for writing) a solid line is half a stretch long, which makes it no dashed one.
+std::array<bool, kBins> explainableBins(const Plane& plane, const StraightLine& line) {
+  const std::array<float, kBins> duty = dutiesOf(Lanes(plane, line.vertical), line);
+  std::vector<float> drawn, besideNoHole;
+  for (std::size_t b = 0; b < kBins; ++b) {
+    if (duty[b] <= 0) continue;
+    drawn.push_back(duty[b]);
+    const bool hole = (b > 0 && duty[b - 1] <= 0) || (b + 1 < kBins && duty[b + 1] <= 0);
+    if (!hole) besideNoHole.push_back(duty[b]);
+  }
+  const float usual = quantile(besideNoHole.size() >= 4 ? besideNoHole : drawn, 0.35);
   std::array<bool, kBins> may{};
   for (std::size_t b = 0; b < kBins; ++b)
     may[b] = usual > 0.8F || duty[b] < std::max(1.5F * usual, usual + 0.25F);
@@ -501,7 +511,13 @@ Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& 
                            const std::vector<Box>& lettering) {
   Structure s;
   s.explained = Grid(plane.ink.width, plane.ink.height);
-  for (const StraightLine& line : lines) explainLine(plane, line, s.explained);
+  s.upright = Grid(plane.ink.width, plane.ink.height);
+  for (const StraightLine& line : lines) {
+    explainLine(plane, line, s.explained);
+    const double edge = line.reach + 2.0;
+    const bool inside = line.position > plane.frame.x0 + edge && line.position < plane.frame.x1 - edge;
+    if (line.vertical && inside) explainLine(plane, line, s.upright);
+  }
   s.curveInk = Grid(plane.ink.width, plane.ink.height);
   const Grid doubt = doubtOf(s.explained);
   for (std::size_t i = 0; i < s.curveInk.values.size(); ++i) {
@@ -527,7 +543,8 @@ Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& 
 }
 
 Grid rewardOf(const Structure& s, const Plane& plane, const GapPrice& price) {
-  constexpr float kOnLine = -0.5F;
+  // Curves run along level gridlines (plateaus), but hardly ever up a vertical one: that way lead leaders.
+  constexpr float kOnLevelLine = -0.5F, kOnUprightLine = -1.2F;
   Grid reward(s.curveInk.width, s.curveInk.height);
   for (int y = 0; y < reward.height; ++y) {
     for (int x = 0; x < reward.width; ++x) {
@@ -537,8 +554,9 @@ Grid rewardOf(const Structure& s, const Plane& plane, const GapPrice& price) {
       const float open = gap + (1.0F - gap) * n;
       const float e = std::clamp((s.explained.at(x, y) / s.curveLevel - 0.3F) / 0.4F, 0.0F, 1.0F);
       const bool drawn = plane.ink.at(x, y) > 0.4F * s.explained.at(x, y);
+      const float onLine = s.upright.at(x, y) > 0.3F * s.curveLevel ? kOnUprightLine : kOnLevelLine;
       reward.at(x, y) =
-          e > 0 && drawn ? (1 - e) * open + e * std::max(kOnLine, n > 0.6F ? open : kOnLine) : open;
+          e > 0 && drawn ? (1 - e) * open + e * std::max(onLine, n > 0.6F ? open : onLine) : open;
     }
   }
   return reward;

@@ -29,6 +29,7 @@ std::vector<StraightLine> findStraightLines(const Plane& plane, const std::vecto
 /// The ink with its straight lines explained away.
 struct Structure {
   Grid explained;        ///< coverage the straight lines account for, where they are drawn
+  Grid upright;          ///< the part of it that vertical lines inside the frame account for
   Grid curveInk;         ///< 0..1: what is left, in units of the curves' own darkness
   Grid gapDistance;      ///< px to the nearest left-over ink that is no lettering
   float curveLevel = 1;  ///< coverage of the curves' ridge

@@ -488,6 +488,18 @@ TEST_CASE("loop: flat waves cut up by a grid are no row of letters", "[trace_loo
   CHECK(meanInk(explain(plot), wave) > 0.5);
 }
 
+TEST_CASE("loop: a gridline and a leader are no way round where the curve creeps over a level line",
+          "[trace_loop]") {
+  Plot plot(520, 460, 3);
+  plot.grid(6, 6, 3);
+  const Loop loop{through({{0.005, 0.25}, {0.03, 0.305}, {0.9, 0.38}, {0.96, 0.6}}),
+                  through({{0.005, 0.16}, {0.03, 0.18}, {0.4, 0.24}, {0.9, 0.32}, {0.96, 0.6}})};
+  draw(plot, loop);
+  plot.line(plot.at({{0.27, 0.52}, {0.41, 0.335}}), 3);  // crosses the line at 1/3 of the width
+  plot.dot(plot.at(0.41, 0.338), 6);
+  checkLoop(plot, loop, 0.7, 0.3);
+}
+
 TEST_CASE("loop: a path that climbs a leader is sent back", "[trace_loop]") {
   // Ends short of the frame, with a thick, long, nearly upright leader: up it there is more ink than beyond.
   Plot plot(640, 560, 4);
