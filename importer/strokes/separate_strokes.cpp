@@ -89,8 +89,8 @@ std::vector<double> meanForces(const StrokePoints& stroke, double from_mm, doubl
 }
 
 struct Comparison {
-  double common_mm = 0;  ///< displacement both run over
-  double above = 0;      ///< share of it where the first lies clearly above the second
+  double commonShare = 0;  ///< displacement both run over, of that either runs over
+  double above = 0;        ///< share of it where the first lies clearly above the second
   double below = 0;
   double topDifference_N = 0;  ///< highest force of the first minus that of the second
 };
@@ -113,7 +113,8 @@ Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N)
   const auto [a0, a1] = span(a);
   const auto [b0, b1] = span(b);
   const double from = std::max(a0, b0), to = std::min(a1, b1);
-  c.common_mm = std::max(0.0, to - from);
+  const double either = std::max(a1, b1) - std::min(a0, b0);
+  c.commonShare = either > 0 ? std::max(0.0, to - from) / either : 0;
   if (!(to > from)) return c;
   constexpr std::size_t kCells = 200;
   const std::vector<double> forceA = meanForces(a, from, to, kCells),
@@ -132,9 +133,14 @@ Comparison compare(const StrokePoints& a, const StrokePoints& b, double clear_N)
   return c;
 }
 
+/// What a trace's own confidence is worth here: no curve at 0, beyond doubt from 0.7 on.
+double credit(double traceConfidence) { return std::clamp(0.2 + 1.15 * traceConfidence, 0.0, 1.0); }
+
+/// The strokes of one switch run over the same travel; leaders, markers and curves of two switches need not.
+double creditOfTravel(const Comparison& c) { return std::clamp((c.commonShare - 0.2) / 0.4, 0.0, 1.0); }
+
 /// Which of two traces is the press.
-Verdict judge(const CurveTrace& first, const CurveTrace& second, const StrokePoints& a, const StrokePoints& b,
-              double newtonPerPx) {
+Verdict judge(const CurveTrace& first, const CurveTrace& second, const Comparison& c, double newtonPerPx) {
   Verdict verdict;
   const auto vote = [&](std::optional<Stroke> ofFirst, std::optional<Stroke> ofSecond, double odds,
                         const char* source) {
@@ -144,7 +150,6 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const StrokePoi
   };
   vote(first.stroke, second.stroke, 5, "drawn as one loop and told apart by its course");
   vote(strokeNamedBy(first.label), strokeNamedBy(second.label), 5, "named by the legend");
-  const Comparison c = compare(a, b, 0.6 * newtonPerPx);
   const double apart = c.above + c.below;
   if (apart > 0.02) {
     const double lead = (c.above - c.below) / apart;
@@ -188,7 +193,7 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibrat
     return Failure{FailureCode::noForceGraph, "plot frame", "", "its curve has fewer than two points",
                    "pass --press-color with the curve's colour"};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
-  found.confidence = (namedRelease ? 0.5 : 0.9) * std::max(0.5, trace.confidence);
+  found.confidence = (namedRelease ? 0.5 : 0.9) * credit(trace.confidence);
   found.evidence =
       namedRelease ? "one curve, taken as press though the legend calls it release" : "one curve: press only";
   return found;
@@ -215,10 +220,12 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   StrokePoints a = inUnits(drawn[0], calibration), b = inUnits(drawn[1], calibration);
   if (a.points.size() < 2 || b.points.size() < 2)
     return pressAlone(a.points.size() < 2 ? drawn[1] : drawn[0], calibration);
-  const Verdict verdict = judge(drawn[0], drawn[1], a, b, std::abs(calibration.newtonPerPx()));
+  const double newtonPerPx = std::abs(calibration.newtonPerPx());
+  const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
+  const Verdict verdict = judge(drawn[0], drawn[1], compared, newtonPerPx);
   Found<StrokePair> found;
-  found.confidence =
-      verdict.confidence() * std::min(1.0, 0.5 + 0.5 * std::min(drawn[0].confidence, drawn[1].confidence));
+  found.confidence = verdict.confidence() * credit(std::min(drawn[0].confidence, drawn[1].confidence)) *
+                     creditOfTravel(compared);
   found.evidence = verdict.sentence();
   bool firstIsPress = verdict.logOdds >= 0;
   if (hints.swap) {

@@ -141,3 +141,23 @@ TEST_CASE("A shorter release and points that are not finite", "[strokes]") {
   CHECK(found->value.press.points.size() + 1 == traces[0].points_px.size());
   CHECK(found->value.press.points_px.back() == traces[0].points_px.back());
 }
+
+TEST_CASE("Lines that stand side by side are not the strokes of one switch", "[strokes]") {
+  // Two leaders: each one line of its own ink, above and below, but never over the same travel.
+  CurveTrace left = trace(0.1, {0, 255, 0}, 1), right = trace(-0.05, {0, 255, 0}, 1);
+  for (Point& p : right.points_px) p.x += 90;
+  const auto apart = separate({left, right});
+  REQUIRE(apart.ok());
+  CHECK(apart->confidence < 0.5);
+  for (Point& p : right.points_px) p.x -= 90;
+  CHECK(separate({left, right})->confidence > 0.9);
+}
+
+TEST_CASE("Traces that are hardly believed make no certain strokes", "[strokes]") {
+  std::vector<CurveTrace> traces = {trace(0.1, {255, 0, 0}), trace(-0.05)};
+  traces[1].confidence = 0.1;
+  CHECK(separate(traces)->confidence < 0.5);
+  CHECK(separate({traces[1]})->confidence < 0.5);
+  traces[1].confidence = 0.5;
+  CHECK(separate(traces)->confidence > 0.5);
+}
