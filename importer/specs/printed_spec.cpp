@@ -61,27 +61,42 @@ bool measuredInNewton(SpecQuantity quantity) {
          quantity == SpecQuantity::endForce;
 }
 
-/// ASCII lower case without spaces; other UTF-8 untouched.
-std::string squeezed(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
+/// ASCII lower case without spaces; other UTF-8 untouched. `from`: where each byte stood in the text.
+struct Squeezed {
+  std::string text;
+  std::vector<std::size_t> from;
+};
+
+Squeezed squeezed(const std::string& text) {
+  Squeezed out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = static_cast<unsigned char>(text[i]);
     if (byte == ' ' || byte == '\t') continue;
-    out += byte < 128 ? static_cast<char>(std::tolower(byte)) : c;
+    out.text += byte < 128 ? static_cast<char>(std::tolower(byte)) : text[i];
+    out.from.push_back(i);
   }
   return out;
 }
 
-std::optional<SpecQuantity> quantityNamedIn(const std::string& row) {
-  const std::string text = squeezed(row);
+/// A quantity and where in the row its name ends.
+struct NamedQuantity {
+  SpecQuantity quantity;
+  std::size_t end;
+};
+
+std::optional<NamedQuantity> quantityNamedIn(const std::string& row) {
+  const auto [text, from] = squeezed(row);
+  const auto ending = [&](std::size_t at, const Word& word) {
+    return NamedQuantity{word.quantity, from[at + word.word.size() - 1] + 1};
+  };
   for (const Word& phrase : phrases) {
-    if (text.find(phrase.word) != std::string::npos) return phrase.quantity;
+    if (const auto at = text.find(phrase.word); at != std::string::npos) return ending(at, phrase);
   }
   for (const Word& abbreviation : abbreviations) {
     if (text.rfind(abbreviation.word, 0) != 0) continue;
     const std::string_view rest = std::string_view(text).substr(abbreviation.word.size());
     if (rest.rfind("(", 0) == 0 || rest.rfind("\xEF\xBC\x88", 0) == 0)
-      return abbreviation.quantity;  // full-width (
+      return ending(0, abbreviation);  // full-width (
   }
   return {};
 }
@@ -130,7 +145,7 @@ std::optional<PrintedSpec> valuesIn(const std::string& row) {
   }
   if (!std::regex_search(row, found, single)) return {};
   spec.nominal = numberFrom(found[1]);
-  const std::string text = squeezed(row);
+  const std::string text = squeezed(row).text;
   if (text.find("min") != std::string::npos) spec.smallest = spec.nominal;
   if (text.find("max") != std::string::npos) spec.largest = spec.nominal;
   return spec;
@@ -212,12 +227,14 @@ std::vector<PrintedSpec> readPrintedSpecs(const Page& page) {
   std::vector<PrintedSpec> specs;
   for (const std::string& row : rowsOf(page)) {
     if (row.size() > 300) continue;  // running text, not a row of a table
-    const auto quantity = quantityNamedIn(row);
-    if (!quantity) continue;
-    const auto factor = factorIn(row, *quantity);
-    auto spec = valuesIn(row);
+    const auto named = quantityNamedIn(row);
+    if (!named) continue;
+    const auto factor = factorIn(row, named->quantity);
+    // What stands before the name is the row's number, unless nothing stands after it.
+    auto spec = valuesIn(row.substr(named->end));
+    if (!spec) spec = valuesIn(row);
     if (!factor || !spec || spec->nominal <= 0) continue;
-    spec->quantity = *quantity;
+    spec->quantity = named->quantity;
     spec->nominal *= *factor;
     if (spec->smallest) *spec->smallest *= *factor;
     if (spec->largest) *spec->largest *= *factor;
