@@ -190,7 +190,7 @@ void fillReading(AxisReading& reading, const std::optional<AxisLabels>& labels) 
 /// grid is followed.
 void warnOfContradictions(const std::optional<AxisLabels>& labels, const char* axis,
                           std::vector<std::string>& warnings) {
-  constexpr double readWithCertainty = 0.8;
+  constexpr double readWithCertainty = 0.9;
   if (!hasProgression(labels)) return;
   const Progression& p = *labels->progression;
   for (std::size_t i = 0; i < labels->words.size(); ++i) {
