@@ -41,10 +41,20 @@ void writeAll(int descriptor, const std::string& text) {
   }
 }
 
+// AddressSanitizer reserves terabytes of address space: any limit would refuse the child its first
+// allocation.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool addressSpaceIsUsed = false;
+#elif defined(__has_feature)
+constexpr bool addressSpaceIsUsed = !__has_feature(address_sanitizer);
+#else
+constexpr bool addressSpaceIsUsed = true;
+#endif
+
 void limitMemory(double megabytes) {
   const auto bytes = static_cast<rlim_t>(megabytes * 1048576.0);
   const rlimit limit{bytes, bytes};
-  setrlimit(RLIMIT_AS, &limit);
+  if (addressSpaceIsUsed) setrlimit(RLIMIT_AS, &limit);
   const rlimit noCore{0, 0};
   setrlimit(RLIMIT_CORE, &noCore);
 }
