@@ -84,6 +84,7 @@ class FeelPanel::Parts : public QObject {
  private:
   void build(ViewSettings& settings);
   QWidget* buildChoices();
+  QWidget* buildPresses();
   QWidget* buildSound();
   void connectParts();
   void connectPad();
@@ -93,6 +94,9 @@ class FeelPanel::Parts : public QObject {
   void showPad();
   void showSound();
   void showStatus();
+  void showPresses();
+  void drawOwn(bool own);
+  void play();
   void follow();
   void followState(std::size_t state);
   void onFelt(const std::vector<playback::EngineEvent>& events);
@@ -108,6 +112,8 @@ class FeelPanel::Parts : public QObject {
   FeelPlayer player_;
   std::array<Slot, 2> slots_;
   std::size_t feltIndex_ = 0, shownState_ = 0;
+  std::shared_ptr<const playback::PressTrace> ownPress_;  ///< the last one by hand
+  bool drawsOwn_ = false;
   double lastPressed_s_ = 0, lastDisplacement_mm_ = 0;
   bool wasPressed_ = false, releasing_ = false;
   SoundState shownSound_ = SoundState::off;
@@ -125,7 +131,8 @@ class FeelPanel::Parts : public QObject {
   QPushButton* again_ = nullptr;
   QScrollArea* setupArea_ = nullptr;
   FeelSetup* setup_ = nullptr;
-  QAction* exchange_ = nullptr;
+  QAction *exchange_ = nullptr, *play_ = nullptr;
+  QToolButton *standardPress_ = nullptr, *myPress_ = nullptr;
 };
 
 FeelPanel::Parts::Parts(FeelPanel& panel, ViewSettings& settings, const FeelDevices& devices)
@@ -164,6 +171,13 @@ void FeelPanel::Parts::build(ViewSettings& settings) {
   column->addWidget(pad_, 1);
   column->addWidget(strip_);
 
+  auto* viewColumn = new QWidget;
+  auto* drawn = new QVBoxLayout(viewColumn);
+  drawn->setContentsMargins(0, 0, 0, 0);
+  drawn->setSpacing(6);
+  drawn->addWidget(buildPresses());
+  drawn->addWidget(view_, 1);
+
   controls_ = new QWidget;
   auto* controls = new QVBoxLayout(controls_);
   controls->setContentsMargins(0, 0, 0, 0);
@@ -176,7 +190,7 @@ void FeelPanel::Parts::build(ViewSettings& settings) {
   sections_->setContentsMargins(8, 8, 8, 8);
   sections_->setSpacing(8);
   sections_->addWidget(padColumn, 5);
-  sections_->addWidget(view_, 4);
+  sections_->addWidget(viewColumn, 4);
   sections_->addWidget(controls_, 0);
 }
 
@@ -212,6 +226,54 @@ QWidget* FeelPanel::Parts::buildChoices() {
   connect(swap, &QToolButton::clicked, exchange_, &QAction::trigger);
   connect(exchange_, &QAction::enabledChanged, swap, &QWidget::setEnabled);
   layout->addWidget(swap);
+  return row;
+}
+
+/// Which press is drawn and played.
+QWidget* FeelPanel::Parts::buildPresses() {
+  auto* row = new QWidget;
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  auto* group = new QButtonGroup(row);
+  const auto choice = [&](const QString& name, const QString& text, const QString& tip) {
+    auto* button = new QToolButton;
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setCheckable(true);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    group->addButton(button);
+    layout->addWidget(button, 1);
+    return button;
+  };
+  standardPress_ =
+      choice("standardPress", FeelPanel::tr("Standard press"),
+             FeelPanel::tr("Draw and play a standard press: rise 120 ms, hold 80 ms, fall 100 ms"));
+  myPress_ =
+      choice("myPress", FeelPanel::tr("My last press"),
+             FeelPanel::tr("Draw and play your own last press, on A as on B and after every edit: the same "
+                           "finger for each"));
+  standardPress_->setChecked(true);
+  connect(standardPress_, &QToolButton::clicked, this, [this] { drawOwn(false); });
+  connect(myPress_, &QToolButton::clicked, this, [this] { drawOwn(true); });
+
+  play_ = new QAction(FeelPanel::tr("Play the drawn press"), this);
+  play_->setObjectName("playPress");
+  play_->setShortcut(Qt::Key_P);
+  play_->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  play_->setToolTip(
+      FeelPanel::tr("Play the press that is drawn on the sound device: the transducer moves by itself"));
+  panel_.addAction(play_);
+  connect(play_, &QAction::triggered, this, &Parts::play);
+  auto* button = new QToolButton;
+  button->setObjectName("play");
+  button->setText(FeelPanel::tr("Play"));
+  button->setAccessibleName(play_->text());
+  button->setToolTip(play_->toolTip() + FeelPanel::tr(" (P)"));
+  connect(button, &QToolButton::clicked, play_, &QAction::trigger);
+  connect(play_, &QAction::enabledChanged, button, &QWidget::setEnabled);
+  layout->addWidget(button);
   return row;
 }
 
@@ -298,6 +360,11 @@ void FeelPanel::Parts::connectParts() {
   connect(exchange_, &QAction::triggered, this, [this] { feel(1 - feltIndex_); });
   connect(&player_, &FeelPlayer::moved, this, &Parts::follow);
   connect(&player_, &FeelPlayer::felt, this, &Parts::onFelt);
+  connect(&player_, &FeelPlayer::recorded, this, [this](const auto& press) {
+    ownPress_ = press;
+    drawOwn(drawsOwn_);
+    showPresses();
+  });
   connect(&player_, &FeelPlayer::soundChanged, this, &Parts::showSound);
   connect(&player_, &FeelPlayer::sensorChanged, this, [this] {
     if (!player_.sensorTrouble().isEmpty() && !settings_.sensorPort.isEmpty()) {
@@ -390,7 +457,30 @@ void FeelPanel::Parts::request(Slot& slot) {
   playback::PlaybackSettings settings;
   settings.mode = settings_.mode;
   settings.placement = settings_.placement;
-  slot.source.request({slot.document->button(), profile_.value_or(playback::DeviceProfile{}), settings});
+  slot.source.request({slot.document->button(), profile_.value_or(playback::DeviceProfile{}), settings,
+                       drawsOwn_ ? ownPress_ : nullptr});
+}
+
+void FeelPanel::Parts::drawOwn(bool own) {
+  const bool changes = own || own != drawsOwn_;
+  drawsOwn_ = own;
+  if (!changes) return;
+  for (Slot& slot : slots_) request(slot);
+}
+
+void FeelPanel::Parts::play() {
+  const std::shared_ptr<const PressSignal>& signal = felt().signal;
+  if (!signal || !signal->program) return;
+  if (!player_.play(std::make_shared<const playback::PressTrace>(signal->press)))
+    emit panel_.statusMessage(settings_.sound ? FeelPanel::tr("One press at a time")
+                                              : FeelPanel::tr("Switch the sound on to play a press"));
+  showPresses();
+}
+
+void FeelPanel::Parts::showPresses() {
+  myPress_->setEnabled(ownPress_ != nullptr);
+  const bool playable = felt().signal && felt().signal->program && settings_.sound && !player_.playing();
+  if (play_->isEnabled() != playable) play_->setEnabled(playable);
 }
 
 void FeelPanel::Parts::feel(std::size_t index) {
@@ -421,6 +511,7 @@ void FeelPanel::Parts::showFelt() {
   player_.setProgram(playable ? slot.signal->program : nullptr);
   shownState_ = 0;  // a program begins in its first state
   showPad();
+  showPresses();
 }
 
 void FeelPanel::Parts::showPad() {
@@ -612,6 +703,7 @@ void FeelPanel::Parts::showStatus() {
     meter_->setIdle();
   }
   setup_->setSensor(s, player_.sensorTrouble());
+  showPresses();
 }
 
 // ---------------------------------------------------------------------------------------------- panel

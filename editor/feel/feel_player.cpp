@@ -9,6 +9,8 @@ namespace {
 constexpr int movingTick_ms = 8;    // 125 Hz wanted, so that a late timer still shows 60
 constexpr int restingTick_ms = 40;  // meters, and a sensor that begins to press
 constexpr double lift_s = 0.06;     // as playback's own finger
+constexpr double longestRecord_s = 20, recordStep_s = 1e-3;
+constexpr double playLead_s = 0.1;  // until a recorded press begins
 constexpr double goesOn_s = 1;      // how long after the last movement meters stay quick
 
 QString sentence(const Failure& failure) { return QString::fromStdString(failure.sentence()); }
@@ -136,6 +138,7 @@ void FeelPlayer::adopt() {
   attachSensor();
   status_ = player_->status();
   setSound(SoundState::on);
+  if (toPlay_) play(std::exchange(toPlay_, nullptr));
   pace();
 }
 
@@ -146,6 +149,7 @@ void FeelPlayer::setGain(double gain) {
 }
 
 void FeelPlayer::setSound(SoundState state, const QString& trouble) {
+  if (state == SoundState::off || state == SoundState::failed) toPlay_.reset();
   if (state == sound_ && trouble == trouble_) return;
   sound_ = state;
   trouble_ = trouble;
@@ -180,7 +184,7 @@ void FeelPlayer::attachSensor() {
 // --------------------------------------------------------------------------------------------- finger
 
 bool FeelPlayer::take(Finger finger) {
-  if (!player_ || !program_) return false;
+  if (!player_ || !program_ || playing()) return false;
   if (finger_ == Finger::lifting) finger_ = Finger::none;
   if (finger_ != Finger::none && finger_ != finger) return false;
   if (finger_ == Finger::none) {
@@ -229,6 +233,43 @@ void FeelPlayer::lift() {
   liftedAt_ = Clock::now();
 }
 
+bool FeelPlayer::play(std::shared_ptr<const playback::PressTrace> press) {
+  if (!player_ || !program_ || !soundWanted_ || pressed_ || playing() || !press) return false;
+  if (!status_.sounding) {
+    startSound();
+    toPlay_ = std::move(press);
+    return true;
+  }
+  const bool plays = static_cast<bool>(player_->playTrace(*press, playLead_s));
+  movedAt_ = Clock::now();
+  pace();
+  return plays;
+}
+
+// From the first touch to rest, zero at both ends, so that it can be played again.
+void FeelPlayer::record() {
+  if (playing() || !pressed_) {
+    const auto ended = std::exchange(recording_, nullptr);
+    if (!ended || playing() || ended->readings.empty()) return;
+    const double end_s = std::chrono::duration<double>(Clock::now() - recordedFrom_).count();
+    ended->readings.push_back({std::max(end_s, ended->readings.back().time_s + recordStep_s), 0});
+    emit recorded(ended);
+    return;
+  }
+  if (!recording_) {
+    recording_ = std::make_shared<playback::PressTrace>();
+    recordedFrom_ = Clock::now();
+    const bool depth = finger_ == Finger::depth || (finger_ == Finger::lifting && !liftsForce_);
+    using Quantity = playback::PressTrace::Quantity;
+    recording_->quantity = depth ? Quantity::displacement_mm : Quantity::force_N;
+    recording_->readings.push_back({0, 0});
+  }
+  const double time_s = std::chrono::duration<double>(Clock::now() - recordedFrom_).count();
+  if (time_s > longestRecord_s || time_s <= recording_->readings.back().time_s) return;
+  const bool force = recording_->quantity == playback::PressTrace::Quantity::force_N;
+  recording_->readings.push_back({time_s, force ? status_.force_N : status_.displacement_mm});
+}
+
 // Readings have to go on while a finger rests, or the engine takes the next one for a sensor that came back.
 void FeelPlayer::pushFinger() {
   switch (finger_) {
@@ -271,6 +312,7 @@ void FeelPlayer::tick() {
   followSound();
   pressed_ = !atRest();
   if (pressed_) movedAt_ = Clock::now();
+  record();
   if (!pressed_) adopt();
   const std::vector<playback::EngineEvent> events = player_->takeEvents();
   if (!events.empty()) emit felt(events);

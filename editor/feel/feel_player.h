@@ -65,6 +65,11 @@ class FeelPlayer : public QObject {
   bool pushDepth(double displacement_mm);
   void lift();  ///< ends a followed press: back to nothing within 60 ms
 
+  /// Plays a press on the sound device, opening it if need be. Nothing can be pressed meanwhile. False: sound
+  /// is off, or another press is under way.
+  bool play(std::shared_ptr<const playback::PressTrace> press);
+  bool playing() const { return player_ && player_->tracePlaying(); }
+
   /// A finger, or a force above rest on the sensor.
   bool pressed() const { return pressed_; }
   const playback::PlayerStatus& status() const { return status_; }
@@ -75,6 +80,8 @@ class FeelPlayer : public QObject {
  signals:
   /// About 100 times a second while something moves, less often at rest.
   void moved();
+  /// A press by hand has ended: its forces over time, or its depths where a depth was pressed.
+  void recorded(std::shared_ptr<const detent::playback::PressTrace> press);
   void felt(const std::vector<detent::playback::EngineEvent>& events);
   void soundChanged();
   void sensorChanged();
@@ -95,6 +102,7 @@ class FeelPlayer : public QObject {
   void tick();
   void pushFinger();
   void followSound();
+  void record();
   bool atRest() const;
   void pace();
 
@@ -117,6 +125,9 @@ class FeelPlayer : public QObject {
   bool liftsForce_ = true;
   Clock::time_point liftedAt_, movedAt_;
   bool pressed_ = false;
+  std::shared_ptr<const playback::PressTrace> toPlay_;  // as soon as the device is open
+  std::shared_ptr<playback::PressTrace> recording_;     // the press under way
+  Clock::time_point recordedFrom_;
   playback::PlayerStatus status_;
   QTimer timer_;
 };

@@ -19,12 +19,15 @@ PressSignal computed(const PressSignalRequest& request) {
   signal.program = std::make_shared<const playback::HapticProgram>(prepared->program);
   signal.summary = prepared->summary.line();
   signal.warnings = prepared->summary.warnings;
-  Result<playback::RenderedPress> rendered = playback::renderStandardPress(*signal.program, drawnRate_Hz);
+  signal.standard = request.press == nullptr;
+  signal.press = signal.standard ? playback::standardPress(*signal.program) : *request.press;
+  playback::RenderSettings settings;
+  settings.sampleRate_Hz = drawnRate_Hz;
+  Result<playback::RenderedPress> rendered = playback::renderPress(*signal.program, signal.press, settings);
   if (!rendered) return failed(rendered.failure());
   signal.samples = std::move(rendered->samples);
   signal.peak = static_cast<double>(rendered->summary.peak);
   signal.events = std::move(rendered->summary.events);
-  signal.press = playback::standardPress(*signal.program);
   signal.spectrogram = playback::spectrogramOf(signal.samples, drawnRate_Hz);
   return signal;
 }

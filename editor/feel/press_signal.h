@@ -1,5 +1,5 @@
 #pragma once
-// What a standard press of a button feels like, as signals to look at. Pure: same request, same answer.
+// What a press of a button feels like, as signals to look at. Pure: same request, same answer.
 
 #include <cstdint>
 #include <memory>
@@ -18,9 +18,10 @@ struct PressSignalRequest {
   Button button;
   playback::DeviceProfile profile;
   playback::PlaybackSettings settings;
+  std::shared_ptr<const playback::PressTrace> press = nullptr;  ///< null: the standard press
 };
 
-/// A button prepared for playing, and its standard press (playback::StandardPress). Where something could not
+/// A button prepared for playing, and one press of it. Where something could not
 /// be done `failure` says so and everything else is empty.
 struct PressSignal {
   std::uint64_t revision = 0;  ///< of the request, counted by PressSignalSource
@@ -30,7 +31,8 @@ struct PressSignal {
   std::vector<float> samples;         ///< at drawnRate_Hz, full scale is 1
   double peak = 0;                    ///< largest |sample|
   std::vector<playback::EngineEvent> events;
-  playback::PressTrace press;  ///< the force that was pressed with
+  playback::PressTrace press;  ///< what was pressed with
+  bool standard = true;        ///< playback::StandardPress, or a recorded one
   playback::Spectrogram spectrogram;
   std::optional<Failure> failure;
   double computing_s = 0;

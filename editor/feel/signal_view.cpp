@@ -120,13 +120,14 @@ QRgb levelColor(double level_dB, double floor_dB) {
 SignalView::SignalView(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  setAccessibleName(tr("Vibration of a standard press"));
-  setToolTip(
-      tr("<p>Above: the vibration of a standard press (rise 120 ms, hold 80 ms, fall 100 ms; a quarter more "
-         "force than the bottom-out needs), as a share of full scale. The grey line is the force.</p>"
-         "<p>Below: its spectrogram up to 1000 Hz; Hann window of 32 ms, levels from −60 to 0 dB of a "
-         "full-scale "
-         "sine.</p>"));
+  setAccessibleName(tr("Vibration of a press"));
+  setToolTip(tr(
+      "<p>Above: the vibration of a press, as a share of full scale. The grey line is the force (or depth) "
+      "it was "
+      "pressed with: a standard press (rise 120 ms, hold 80 ms, fall 100 ms; a quarter more force than the "
+      "bottom-out needs) or your own last one.</p><p>Below: its spectrogram up to 1000 Hz; Hann window of 32 "
+      "ms, "
+      "levels from −60 to 0 dB of a full-scale sine.</p>"));
 }
 
 QSize SignalView::sizeHint() const { return {360, 300}; }
@@ -234,8 +235,9 @@ void SignalView::paintWave(QPainter& painter, const Layout& layout, const GraphC
   painter.drawPolygon(upper + lower);
 
   painter.setPen(colors.text);
-  painter.drawText(QRectF(area.left(), 1, area.width(), top_px - 3), Qt::AlignLeft | Qt::AlignVCenter,
-                   tr("Vibration of a standard press"));
+  painter.drawText(
+      QRectF(area.left(), 1, area.width(), top_px - 3), Qt::AlignLeft | Qt::AlignVCenter,
+      signal_->standard ? tr("Vibration of a standard press") : tr("Vibration of my last press"));
   painter.setPen(colors.axis);
   painter.drawText(QRectF(area.left(), 1, area.width(), top_px - 3), Qt::AlignRight | Qt::AlignVCenter,
                    tr("peak %1 %").arg(100 * signal_->peak, 0, 'f', 0));

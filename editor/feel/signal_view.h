@@ -1,5 +1,5 @@
 #pragma once
-// What a standard press feels like, drawn: vibration and its spectrogram over one time axis.
+// What a press feels like, drawn: vibration and its spectrogram over one time axis.
 
 #include <memory>
 #include <optional>

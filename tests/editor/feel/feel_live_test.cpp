@@ -124,6 +124,27 @@ class FeelLiveTest : public QObject {
     QCOMPARE(loudest(listener, silent + 4800), 0.0);
   }
 
+  void theDrawnPressPlaysByItself() {
+    JackServer server(128);
+    if (skipped(server, "playing a press")) return;
+    Rig rig;
+    QTRY_VERIFY(rig.ready());
+    rig.part<QToolButton>("play")->click();  // opens the device, then plays
+    QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 5000);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.deepest_mm == 4.0, 5000);
+    QTRY_VERIFY(!rig.finger);
+    JackListener listener;
+    QVERIFY(listener.ready() && listener.listenTo("detent:out_1"));
+    auto* play = rig.part<QToolButton>("play");
+    QTRY_VERIFY(play->isEnabled());
+    QTest::keyClick(rig.part<QWidget>("pressPad"), Qt::Key_P);
+    QTRY_VERIFY(loudest(listener) > 0.05);
+    const auto drawn = rig.part<SignalView>("signalView")->pressSignal()->peak;
+    QTRY_VERIFY(play->isEnabled());
+    QVERIFY2(std::fabs(loudest(listener) / drawn - 1) < 0.02,
+             qPrintable(QString::number(loudest(listener) / drawn)));
+  }
+
   void aLostDeviceIsSaidAndTakenUpAgain() {
     JackServer server(256);
     if (skipped(server, "the feel panel's lost device")) return;

@@ -2,6 +2,8 @@
 
 #include "editor/feel/feel_panel.h"
 
+#include <algorithm>
+#include <cmath>
 #include <QAction>
 #include <QApplication>
 #include <QCheckBox>
@@ -302,6 +304,49 @@ class FeelPanelTest : public QObject {
     QTest::qWait(150);
     for (const auto& p : rig.finger) QVERIFY(!p);
     QTest::mouseRelease(rig.pad(), Qt::LeftButton, {}, from);
+  }
+
+  void myOwnPressIsDrawnForBothButtons() {
+    Rig rig;
+    rig.open();
+    rig.panel.setOther(&rig.b);
+    auto* mine = rig.part<QToolButton>("myPress");
+    QVERIFY(!mine->isEnabled());
+    rig.press(200);
+    QTRY_VERIFY(rig.atRest());
+    QTRY_VERIFY(mine->isEnabled());
+    QVERIFY(rig.view()->pressSignal()->standard);
+    QTest::mouseClick(mine, Qt::LeftButton);
+    QTRY_VERIFY(!rig.view()->pressSignal()->standard);
+    const auto own = rig.view()->pressSignal();
+    QCOMPARE(own->press.readings.front().value, 0.0);
+    QCOMPARE(own->press.readings.back().value, 0.0);
+    double strongest = 0;
+    for (const auto& r : own->press.readings) strongest = std::max(strongest, r.value);
+    QVERIFY(std::abs(strongest - 1) < 0.03);  // a full press of this button: 1.25 of 0.8 N
+    const auto jumps = std::count_if(own->events.begin(), own->events.end(), [](const auto& e) {
+      return e.kind == playback::EventKind::pressJump || e.kind == playback::EventKind::releaseJump;
+    });
+    QCOMPARE(jumps, 2);
+
+    rig.panel.exchange();
+    QTRY_VERIFY(rig.view()->pressSignal() && !rig.view()->pressSignal()->standard);
+    QCOMPARE(rig.view()->pressSignal()->press.readings.size(), own->press.readings.size());
+    QTest::mouseClick(rig.part<QToolButton>("standardPress"), Qt::LeftButton);
+    QTRY_VERIFY(rig.view()->pressSignal()->standard);
+  }
+
+  void aPressCannotBePlayedWithoutSound() {
+    Rig rig;
+    rig.open();
+    auto* play = rig.part<QToolButton>("play");
+    QVERIFY(play->isEnabled());
+    QTest::mouseClick(play, Qt::LeftButton);
+    QTRY_VERIFY(rig.status().contains("no sound output is there"));
+    rig.press();  // what could not be played does not hold the button
+    QTRY_COMPARE(rig.deepest(), 4.0);
+    QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
+    QTRY_VERIFY(!play->isEnabled());
   }
 
   void soundCanBeOff() {
