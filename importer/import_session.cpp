@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "importer/assemble_report.h"
+#include "importer/graph_copies.h"
 #include "importer/importer.h"
 #include "importer/locate_graphs.h"
 #include "importer/overlay/overlay.h"
@@ -291,6 +292,8 @@ struct ImportSession::Impl {
     PageGraphs* onPage = nullptr;
     std::size_t index = 0;
     std::vector<std::string> warnings;
+    int graphCount = 1;                               // of all that could have been chosen
+    std::vector<std::pair<int, std::size_t>> rivals;  // page and index of others on equal axes
     LocatedGraph& located() const { return onPage->located.graphs[index]; }
   };
 
@@ -324,7 +327,7 @@ struct ImportSession::Impl {
     const auto index = key.frame.empty() ? static_cast<std::size_t>(*request.graph - 1) : std::size_t{0};
     if (index >= (*onPage)->located.graphs.size()) return std::optional<Choice>{};
     if (auto read = readAxesWith(key.axes, **onPage, index, progress); !read) return read.failure();
-    return std::optional<Choice>{Choice{*request.page, *request.graph, *onPage, index, {}}};
+    return std::optional<Choice>{Choice{*request.page, *request.graph, *onPage, index, {}, 1, {}}};
   }
 
   /// The graph asked for, or the most certain one of the document.
@@ -341,6 +344,12 @@ struct ImportSession::Impl {
     Choice best;
     std::optional<Failure> bestRejection;
     int graphCount = 0;
+    struct Seen {
+      int page;
+      std::size_t index;
+      AxisCalibration axes;
+    };
+    std::vector<Seen> seen;
     const int first = request.page.value_or(1), last = request.page.value_or(document->pageCount());
     for (int number = first; number <= last; ++number) {
       auto onPage = located(number, key, progress);
@@ -356,6 +365,7 @@ struct ImportSession::Impl {
       for (std::size_t i = 0; i < found.size(); ++i) {
         const bool frameGiven = !key.frame.empty();
         if (request.graph && *request.graph != static_cast<int>(i) + 1 && !frameGiven) continue;
+        seen.push_back({number, i, found[i].axes.calibration.value});
         if (!best.onPage || found[i].confidence() > best.located().confidence()) {
           best.page = number, best.graph = static_cast<int>(i) + 1, best.onPage = *onPage, best.index = i;
           if (frameGiven) best.graph = request.graph.value_or(1);
@@ -364,12 +374,11 @@ struct ImportSession::Impl {
       forgetOldGraphs({{best.page, !key.frame.empty()}, {number, !key.frame.empty()}});
     }
     if (!best.onPage) return nothingFound(request, graphCount, bestRejection);
-    if (graphCount > 1 && !request.graph) {
-      best.warnings.push_back(std::to_string(graphCount) +
-                              " graphs found; this is the most certain one (page " +
-                              std::to_string(best.page) + ", graph " + std::to_string(best.graph) +
-                              "). --list shows all, --page and --graph choose, --all imports each");
-    }
+    best.graphCount = request.graph ? 1 : graphCount;
+    for (const Seen& other : seen)
+      if (best.graphCount > 1 && (other.page != best.page || other.index != best.index) &&
+          haveSameAxes(best.located().axes.calibration.value, other.axes))
+        best.rivals.emplace_back(other.page, other.index);
     return best;
   }
 
@@ -405,6 +414,72 @@ struct ImportSession::Impl {
     return &traced->traces;
   }
 
+  /// A graph read up to its strokes, for holding copies against each other.
+  struct CopyReading {
+    Choice choice;
+    StrokePair strokes;
+    CopyRank rank;
+  };
+
+  std::optional<CopyReading> readCopy(const Choice& choice, const ImportRequest& request,
+                                      const TraceOptions& options, const Progress& progress) {
+    LocatedGraph& graph = choice.located();
+    readAllTexts(graph, progress);
+    StepClock time(seconds, "copies");
+    const auto curves = traceCurves(graph.view, graph.frame.value, graph.axes,
+                                    inView(request.hints.trace, graph.view), options, progress);
+    if (!curves) return {};
+    auto strokes = separateStrokes(*curves, graph.axes, graph.frame.value, request.hints.strokes);
+    if (!strokes) return {};
+    const Box frame = graph.frame.value.box();
+    const CopyRank rank{std::min(graph.confidence(), strokes->confidence), strokes->value.press.fromVector,
+                        frame.width() * frame.height()};
+    return CopyReading{choice, std::move(strokes->value), rank};
+  }
+
+  /// Graphs on equal axes that show the same curves are copies: the better one is chosen, and it is said.
+  void preferBetterCopy(Choice& choice, const ImportRequest& request, const LocateKey& key,
+                        const TraceOptions& options, const Progress& progress) {
+    constexpr std::size_t mostRivals = 4;
+    if (choice.rivals.empty()) return;
+    const auto first = readCopy(choice, request, options, progress);
+    if (!first) return;
+    CopyReading best = *first;
+    std::vector<std::pair<int, int>> places{{choice.page, choice.graph}};
+    for (std::size_t i = 0; i < std::min(choice.rivals.size(), mostRivals); ++i) {
+      const auto [number, index] = choice.rivals[i];
+      auto onPage = located(number, key, progress);
+      if (!onPage || index >= (*onPage)->located.graphs.size() || progress.isCancelled()) continue;
+      Choice rival = choice;
+      rival.page = number, rival.graph = static_cast<int>(index) + 1;
+      rival.onPage = *onPage, rival.index = index;
+      const auto reading = readCopy(rival, request, options, progress);
+      if (!reading) continue;
+      const auto apart = distanceBetween(first->strokes, reading->strokes);
+      if (!apart || *apart > copiesWithin) continue;
+      places.emplace_back(rival.page, rival.graph);
+      if (isBetterCopy(reading->rank, best.rank)) best = *reading;
+    }
+    if (places.size() == 1) return;
+    std::sort(places.begin(), places.end());
+    std::string all;
+    for (const auto& [number, graph] : places)
+      all += (all.empty() ? "" : "; ") + numbered("page", number) + ", " + numbered("graph", graph);
+    best.choice.graphCount -= static_cast<int>(places.size()) - 1;
+    best.choice.warnings.push_back("the same graph is drawn " + std::to_string(places.size()) + " times (" +
+                                   all + "); the one on " + numbered("page", best.choice.page) +
+                                   " is taken, which reads best");
+    choice = std::move(best.choice);
+  }
+
+  static void sayWhichOfSeveral(Choice& choice) {
+    if (choice.graphCount <= 1) return;
+    choice.warnings.push_back(std::to_string(choice.graphCount) +
+                              " graphs found; this is the most certain one (page " +
+                              std::to_string(choice.page) + ", graph " + std::to_string(choice.graph) +
+                              "). --list shows all, --page and --graph choose, --all imports each");
+  }
+
   /// What a person needs to see where it went wrong.
   void keepEvidence(const LocatedGraph& graph, std::vector<CurveTrace> curves) {
     failed = std::make_shared<const GraphEvidence>(
@@ -437,6 +512,8 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   step(0.05, "finding graphs and reading axes");
   auto choice = choose(request, key, progress);
   if (!choice) return choice.failure();
+  preferBetterCopy(*choice, request, key, settings.trace, progress);
+  sayWhichOfSeveral(*choice);
   LocatedGraph& graph = choice->located();
   readAllTexts(graph, progress);
   forgetOldGraphs({{choice->page, !key.frame.empty()}});
