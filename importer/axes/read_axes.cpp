@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -170,8 +172,25 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven) {
   return std::sqrt(agreed / std::max(1.0, all)) * many * sharp;
 }
 
-/// One unit by default may be right; with none, the numbers could be of anything.
-double sureOfUnits(bool x, bool y) { return x && y ? 1.0 : x || y ? 0.7 : 0.28; }
+/// What is written beside the frame names travel or force, if not their units.
+bool namesForceOrTravel(const std::vector<SeenText>& texts) {
+  constexpr std::array words{"travel", "stroke", "displacement", "deflection",
+                             "force",  "kraft",  "weg",          "hub"};
+  return std::any_of(texts.begin(), texts.end(), [&](const SeenText& text) {
+    std::string low = text.utf8;
+    std::transform(low.begin(), low.end(), low.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return std::any_of(words.begin(), words.end(),
+                       [&](const char* word) { return low.find(word) != std::string::npos; });
+  });
+}
+
+/// One unit by default may be right; with none, the numbers could be of anything, unless words say of what.
+double sureOfUnits(const AxisCalibration& found, const std::vector<SeenText>& texts) {
+  if (found.x.unitFound && found.y.unitFound) return 1;
+  if (found.x.unitFound || found.y.unitFound) return 0.7;
+  return namesForceOrTravel(texts) ? 0.45 : 0.28;
+}
 
 std::string evidenceOf(const std::optional<AxisLabels>& labels, bool rangeGiven) {
   if (rangeGiven || !hasProgression(labels)) return "given";
@@ -299,8 +318,9 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   const double mm = millimetresPer(xUnit), newton = newtonsPer(yUnit);
   cal.viewToUnits = homographyOf(corners, {x.first * mm, x.last * mm}, {y.first * newton, y.last * newton});
 
-  found.calibration.confidence = sureOf(xLabels, xGiven.range()) * sureOf(yLabels, yGiven.range()) *
-                                 sureOfUnits(cal.x.unitFound, cal.y.unitFound);
+  found.texts = allTexts(r, xLabels, yLabels);
+  found.calibration.confidence =
+      sureOf(xLabels, xGiven.range()) * sureOf(yLabels, yGiven.range()) * sureOfUnits(cal, found.texts);
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
   found.calibration.evidence =
       "x: " + evidenceOf(xLabels, xGiven.range()) + "; y: " + evidenceOf(yLabels, yGiven.range());
@@ -310,7 +330,6 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
     found.warnings.push_back("the y axis has no ticks: its scale comes from where its numbers stand");
   warnOfContradictions(xLabels, "x", found.warnings);
   warnOfContradictions(yLabels, "y", found.warnings);
-  found.texts = allTexts(r, xLabels, yLabels);
   return found;
 }
 

@@ -166,6 +166,13 @@ TEST_CASE("a plot without units says which ones it took") {
     CHECK(axes.warnings.size() == 2);
     CHECK(axes.calibration.confidence < 0.5);
   }
+  SECTION("words without units: surely a force graph, still not sure enough") {
+    const double nameless = read(drawn(s)).calibration.confidence;
+    s.xTitle = "Travel", s.yTitle = "Force";
+    const auto named = read(drawn(s));
+    CHECK(named.calibration.confidence > nameless);
+    CHECK(named.calibration.confidence < 0.5);
+  }
   SECTION("up to 5: newton") {
     s.yStep = 0.5;
     CHECK(read(drawn(s)).calibration.value.y.unit == "N");
