@@ -139,6 +139,21 @@ struct PageGraphs {
   PageUnit unit = PageUnit::pixel;
   std::uint64_t serial = 0;  // a new one each time the page is searched
   std::uint64_t usedAt = 0;
+
+  /// As the page was searched, whatever was read with other hints since.
+  ListedGraph listed(int page, std::size_t index) const {
+    const LocatedGraph& graph = located.graphs[index];
+    const Found<AxisCalibration>& found =
+        axes[index].asLocated ? axes[index].asLocated->calibration : graph.axes.calibration;
+    return {page,
+            static_cast<int>(index) + 1,
+            unit,
+            graph.candidate.value.pageBox,
+            graph.candidate.value.quarterTurns,
+            found.value.x,
+            found.value.y,
+            std::min({graph.candidate.confidence, graph.frame.confidence, found.confidence})};
+  }
 };
 
 std::size_t bytesOf(const PageGraphs& graphs) {
@@ -193,8 +208,10 @@ struct ImportSession::Impl {
     return {code, name(), std::move(place), std::move(problem), std::move(remedy)};
   }
 
+  Failure cancelled() const { return failure(FailureCode::wrongUsage, "", "cancelled", ""); }
+
   Result<const Page*> page(int number, const Progress& progress) {
-    constexpr std::size_t keptPages = 3;
+    constexpr std::size_t keptPages = 2;
     if (const auto kept = pages.find(number); kept != pages.end()) {
       kept->second.usedAt = ++clock;
       return &kept->second.page;
@@ -229,7 +246,7 @@ struct ImportSession::Impl {
 
   /// Forgets what was used longest ago until the rest is within the bound; never `keep`.
   void forgetOldGraphs(const std::vector<GraphsKey>& keep) {
-    constexpr std::size_t mostBytes = std::size_t{96} << 20;
+    constexpr std::size_t mostBytes = std::size_t{32} << 20;
     const auto total = [&] {
       std::size_t bytes = 0;
       for (const auto& each : graphs) bytes += bytesOf(each.second);
@@ -258,6 +275,7 @@ struct ImportSession::Impl {
     if (!onPage) return onPage.failure();
     auto found = locateGraphs(*document, **onPage, {key.view, key.axes, key.frame}, progress);
     if (!found) return found.failure();
+    if (progress.isCancelled()) return cancelled();  // half a search must not be kept for the whole
     PageGraphs fresh{key, std::move(found).value(), {}, (*onPage)->unit, ++clock, clock};
     for (std::size_t i = 0; i < fresh.located.graphs.size(); ++i) fresh.axes.push_back({key.axes, {}});
     if (key.frame.empty()) rejected[number] = fresh.located.rejected;
@@ -302,7 +320,7 @@ struct ImportSession::Impl {
     if (graph.textsComplete) return;
     StepClock time(seconds, "texts");
     readGraphTexts(graph.view, graph.frame.value, graph.axes, progress);
-    graph.textsComplete = true;
+    graph.textsComplete = !progress.isCancelled();
   }
 
   /// The graphs of a page that its axis hints do not change: those found without hints, or the given frame's.
@@ -549,7 +567,7 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
     keepEvidence(graph, **curves);
     return placed(fitted.failure(), *choice);
   }
-  if (progress.isCancelled()) return failure(FailureCode::wrongUsage, "", "cancelled", "");
+  if (progress.isCancelled()) return cancelled();
 
   auto callouts = [&] {
     StepClock time(seconds, "callouts");
@@ -674,13 +692,8 @@ Result<std::vector<ListedGraph>> ImportSession::list(std::optional<int> page, Qu
       ++unreadable;
       continue;  // one broken page costs that page only; remarks() names it
     }
-    int graphNumber = 0;
-    for (const LocatedGraph& graph : (*located)->located.graphs) {
-      const AxisCalibration& calibration = graph.axes.calibration.value;
-      listed.push_back({number, ++graphNumber, (*located)->unit, graph.candidate.value.pageBox,
-                        graph.candidate.value.quarterTurns, calibration.x, calibration.y,
-                        graph.confidence()});
-    }
+    for (std::size_t i = 0; i < (*located)->located.graphs.size(); ++i)
+      listed.push_back((*located)->listed(number, i));
     impl_->forgetOldGraphs({{number, !key.frame.empty()}});
   }
   if (unreadable == last - first + 1) return *firstFault;

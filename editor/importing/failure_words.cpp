@@ -113,6 +113,13 @@ Advice adviceFor(const Failure& failure, const QString& documentName) {
   return advice;
 }
 
+Advice adviceWith(const Failure& failure, const QString& documentName, const std::vector<Remedy>& remedies) {
+  Advice advice = adviceFor(failure, documentName);
+  advice.remedies = remedies;
+  advice.remedy = joined(remedies);
+  return advice;
+}
+
 QString warningInWords(const std::string& warning) {
   static const QRegularExpression call(QStringLiteral("[;,.]? ?(?:or )?pass (--[a-z-]+)[^;]*"));
   QString text = QString::fromStdString(warning);

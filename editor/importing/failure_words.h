@@ -22,6 +22,9 @@ struct Advice {
 /// program.
 Advice adviceFor(const Failure& failure, const QString& documentName);
 
+/// The same, for these corrections alone: what is already given need not be advised again.
+Advice adviceWith(const Failure& failure, const QString& documentName, const std::vector<Remedy>& remedies);
+
 /// A warning of an import, without options of a program.
 QString warningInWords(const std::string& warning);
 

@@ -152,7 +152,7 @@ struct FindingsPanel::Fields {
   QPushButton *pressColor = nullptr, *releaseColor = nullptr;
   Origin press, release;
   QCheckBox* swap = nullptr;
-  QLabel* masks = nullptr;
+  QLabel *strokes = nullptr, *masks = nullptr;
   QToolButton* noMasks = nullptr;
   QSpinBox* dpi = nullptr;
   Origin dpiOrigin;
@@ -170,9 +170,14 @@ FindingsPanel::FindingsPanel(ImportState& state, ViewSettings& settings, QWidget
   setFrameShape(QFrame::NoFrame);
   setMinimumWidth(300);
   build();
-  connect(&state_, &ImportState::correctionsChanged, this, &FindingsPanel::refresh);
-  connect(&state_, &ImportState::resultChanged, this, &FindingsPanel::refresh);
-  connect(&state_, &ImportState::currentChanged, this, &FindingsPanel::refresh);
+  // One answer changes several things: they are shown together, once.
+  soon_.setSingleShot(true);
+  soon_.setInterval(0);
+  connect(&soon_, &QTimer::timeout, this, &FindingsPanel::refresh);
+  const auto refreshSoon = [this] { soon_.start(); };
+  connect(&state_, &ImportState::correctionsChanged, this, refreshSoon);
+  connect(&state_, &ImportState::resultChanged, this, refreshSoon);
+  connect(&state_, &ImportState::currentChanged, this, refreshSoon);
   connect(&state_, &ImportState::documentChanged, this, &FindingsPanel::refresh);
   connect(&settings_, &ViewSettings::changed, this, &FindingsPanel::refresh);
   refresh();
@@ -336,6 +341,7 @@ void FindingsPanel::build() {
   f.swap->setObjectName(QStringLiteral("swapStrokes"));
   connect(f.swap, &QCheckBox::clicked, this,
           [this](bool on) { change(tr("Exchange strokes"), [on](Corrections& c) { c.swapStrokes = on; }); });
+  curves->addWidget(f.strokes = wrapped(new QLabel));
   auto* maskRow = new QHBoxLayout;
   auto* box = new QPushButton(tr("Mask…"));
   box->setToolTip(tr("Drag rectangles over what is no curve"));
@@ -389,6 +395,8 @@ void FindingsPanel::build() {
   f.seconds->setObjectName(QStringLiteral("seconds"));
   f.result->setObjectName(QStringLiteral("result"));
   f.seconds->setForegroundRole(QPalette::PlaceholderText);
+  for (QLabel* reason : {f.steps, f.frameDetails, f.x.details, f.y.details, f.strokes})
+    reason->setForegroundRole(QPalette::PlaceholderText);
   column->addStretch();
   setWidget(content);
 }
@@ -428,7 +436,7 @@ void FindingsPanel::showAxis(GraphAxis axis) {
   const AxisCorrection& correction = given.axis(axis);
   const auto end = [&](QLineEdit* edit, std::optional<double> givenEnd, double found) {
     if (edit->hasFocus() && edit->isModified()) return;
-    edit->setText(givenEnd ? number(*givenEnd) : reading ? number(found) : QString());
+    edit->setText(givenEnd ? number(*givenEnd) : reading ? number(found, 4) : QString());
     edit->setModified(false);
   };
   end(a.min, correction.min, reading ? reading->min : 0);
@@ -472,6 +480,9 @@ void FindingsPanel::showCurves() {
   f.press.set(given.pressColor.has_value(), {});
   f.release.set(given.releaseColor.has_value(), {});
   f.swap->setChecked(given.swapStrokes);
+  const auto* strokes = graph && graph->good ? stepOf(graph->good->evidence, "strokes") : nullptr;
+  f.strokes->setText(strokes ? QString::fromStdString(strokes->evidence) : QString());
+  f.strokes->setVisible(strokes && !strokes->evidence.empty());
   f.masks->setText(given.masks.empty()
                        ? tr("none")
                        : tr("%n place(s) masked", nullptr, static_cast<int>(given.masks.size())));
@@ -570,14 +581,17 @@ void FindingsPanel::refresh() {
     f.sure->setValue(0);
   }
   f.sure->setVisible(report != nullptr);
-  QStringList steps;
+  QStringList steps, reasons;
   if (evidence) {
-    for (const auto& step : evidence->steps)
-      steps << tr("%1: %2 %").arg(stepName(step.step)).arg(qRound(100 * step.confidence)) +
-                   (step.evidence.empty() ? QString()
-                                          : QStringLiteral(" – ") + QString::fromStdString(step.evidence));
+    for (const auto& step : evidence->steps) {
+      steps << tr("%1 %2 %").arg(stepName(step.step)).arg(qRound(100 * step.confidence));
+      if (!step.evidence.empty())
+        reasons << tr("%1: %2").arg(stepName(step.step), QString::fromStdString(step.evidence));
+    }
   }
-  f.steps->setText(steps.join('\n'));
+  f.steps->setText(steps.join(QStringLiteral(" · ")));
+  f.steps->setToolTip(reasons.join('\n'));
+  f.steps->setAccessibleDescription(reasons.join('\n'));
   f.steps->setVisible(!steps.isEmpty());
   f.confirmed->setVisible(report && report->doubt && !failed);
   f.confirmed->setChecked(graph->confirmed);
@@ -585,7 +599,9 @@ void FindingsPanel::refresh() {
   f.frameBox->setVisible(!log);
   f.frame.set(graph->framedByHand(), confidenceOf(evidence, "plot frame"));
   f.frame.reset->setVisible(graph->framedByHand() && graph->listed.has_value());
-  f.frameDetails->setVisible(false);
+  const auto* frameStep = stepOf(evidence, "plot frame");
+  f.frameDetails->setText(frameStep ? QString::fromStdString(frameStep->evidence) : QString());
+  f.frameDetails->setVisible(frameStep && !frameStep->evidence.empty());
   for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y}) {
     f.axis(axis).min->setVisible(!log);
     f.axis(axis).max->setVisible(!log);

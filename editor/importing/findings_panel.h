@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <QScrollArea>
+#include <QTimer>
 
 #include "editor/document/view_settings.h"
 #include "editor/importing/import_state.h"
@@ -43,6 +44,7 @@ class FindingsPanel : public QScrollArea {
   ImportState& state_;
   ViewSettings& settings_;
   std::unique_ptr<Fields> fields_;
+  QTimer soon_;
 };
 
 }  // namespace detent::editor

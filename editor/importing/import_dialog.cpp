@@ -1,5 +1,6 @@
 #include "editor/importing/import_dialog.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <QAction>
@@ -19,6 +20,8 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <utility>
+#include <vector>
 
 #include "editor/importing/advice_bar.h"
 #include "editor/importing/findings_panel.h"
@@ -27,6 +30,7 @@
 #include "editor/importing/page_list.h"
 #include "editor/importing/page_view.h"
 #include "editor/importing/quality_figures.h"
+#include "editor/importing/tool_icons.h"
 
 namespace detent::editor {
 namespace {
@@ -45,6 +49,50 @@ QString stepInWords(const QString& step) {
   return QObject::tr("Working …");
 }
 
+bool isGiven(Remedy remedy, const Corrections& given) {
+  switch (remedy) {
+    case Remedy::frame:
+      return given.frame.has_value();
+    case Remedy::xAxis:
+      return !given.x.empty();
+    case Remedy::yAxis:
+      return !given.y.empty();
+    case Remedy::xUnit:
+      return given.xUnit.has_value();
+    case Remedy::yUnit:
+      return given.yUnit.has_value();
+    case Remedy::pressColor:
+      return given.pressColor.has_value();
+    case Remedy::releaseColor:
+      return given.releaseColor.has_value();
+    case Remedy::mask:
+    case Remedy::dpi:
+    case Remedy::swap:
+      return false;
+  }
+  return false;
+}
+
+/// What would settle a doubt: what the importer names, without what is given already; units where the axes
+/// are in doubt and none was printed.
+Advice adviceForDoubt(const ImportGraph& graph, const QString& documentName) {
+  const importer::ImportReport& report = *graph.last->report;
+  const Corrections& given = graph.history.now();
+  std::vector<Remedy> remedies;
+  const auto named = adviceFor(*report.doubt, documentName).remedies;
+  const bool axes = std::find(named.begin(), named.end(), Remedy::xAxis) != named.end();
+  if (axes && report.x && !report.x->unitFound) remedies.push_back(Remedy::xUnit);
+  if (axes && report.y && !report.y->unitFound) remedies.push_back(Remedy::yUnit);
+  for (const Remedy remedy : named) {
+    if (!isGiven(remedy, given)) remedies.push_back(remedy);
+  }
+  Advice advice = adviceWith(*report.doubt, documentName, remedies);
+  const QString check =
+      QObject::tr("If everything lies right on the page, tick “I have checked it against the page”.");
+  advice.remedy = advice.remedy.isEmpty() ? check : advice.remedy + ' ' + check;
+  return advice;
+}
+
 }  // namespace
 
 struct ImportDialog::Impl {
@@ -60,9 +108,10 @@ struct ImportDialog::Impl {
   void buildTools(QToolBar& bar);
   QAction* addTool(QToolBar& bar, ToolKind kind, const QString& text, const QString& tip,
                    const QKeySequence& key);
-  QAction* addAction(QToolBar& bar, const QString& name, const QString& text, const QString& tip,
-                     const QKeySequence& key, const std::function<void()>& run);
+  QAction* addAction(QToolBar& bar, ViewIcon icon, const QString& name, const QString& text,
+                     const QString& tip, const QKeySequence& key, const std::function<void()>& run);
   void connectState();
+  void drawIcons();
 
   void showDocument();
   void showCorrections();
@@ -88,6 +137,7 @@ struct ImportDialog::Impl {
   QPushButton *stop = nullptr, *accept = nullptr;
   QAction *undo = nullptr, *redo = nullptr;
   QActionGroup* tools = nullptr;
+  std::vector<std::pair<QAction*, ViewIcon>> viewActions;
   QTimer* workSoon = nullptr;
 };
 
@@ -104,16 +154,24 @@ QAction* ImportDialog::Impl::addTool(QToolBar& bar, ToolKind kind, const QString
   return action;
 }
 
-QAction* ImportDialog::Impl::addAction(QToolBar& bar, const QString& name, const QString& text,
+QAction* ImportDialog::Impl::addAction(QToolBar& bar, ViewIcon icon, const QString& name, const QString& text,
                                        const QString& tip, const QKeySequence& key,
                                        const std::function<void()>& run) {
   auto* action = new QAction(text, &dialog);
   action->setObjectName(name);
+  viewActions.emplace_back(action, icon);
   action->setShortcut(key);
   action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
   bar.addAction(action);
   QObject::connect(action, &QAction::triggered, &dialog, run);
   return action;
+}
+
+void ImportDialog::Impl::drawIcons() {
+  const QPalette palette = dialog.palette();
+  for (QAction* action : tools->actions())
+    action->setIcon(toolIcon(static_cast<ToolKind>(action->data().toInt()), palette));
+  for (const auto& [action, icon] : viewActions) action->setIcon(viewIcon(icon, palette));
 }
 
 void ImportDialog::Impl::buildTools(QToolBar& bar) {
@@ -123,26 +181,26 @@ void ImportDialog::Impl::buildTools(QToolBar& bar) {
   addTool(bar, ToolKind::scale, tr("Axis values"), tr("Click ticks and type their values"),
           Qt::ALT | Qt::Key_2);
   addTool(bar, ToolKind::drawFrame, tr("Frame"), tr("Draw a plot frame"), Qt::ALT | Qt::Key_3);
-  addTool(bar, ToolKind::pressColor, tr("Press pipette"), tr("Click the press curve"), Qt::ALT | Qt::Key_4);
-  addTool(bar, ToolKind::releaseColor, tr("Release pipette"), tr("Click the release curve"),
+  addTool(bar, ToolKind::pressColor, tr("Press curve"), tr("Click the press curve"), Qt::ALT | Qt::Key_4);
+  addTool(bar, ToolKind::releaseColor, tr("Release curve"), tr("Click the release curve"),
           Qt::ALT | Qt::Key_5);
   addTool(bar, ToolKind::maskBox, tr("Mask"), tr("Mask a rectangle"), Qt::ALT | Qt::Key_6);
   addTool(bar, ToolKind::maskBrush, tr("Brush"), tr("Paint a mask"), Qt::ALT | Qt::Key_7);
   addTool(bar, ToolKind::pan, tr("Pan"), tr("Drag the page"), Qt::ALT | Qt::Key_8);
   bar.addSeparator();
-  undo = addAction(bar, QStringLiteral("undo"), tr("Undo"), tr("Undo the last correction"),
+  undo = addAction(bar, ViewIcon::undo, QStringLiteral("undo"), tr("Undo"), tr("Undo the last correction"),
                    QKeySequence::Undo, [this] { state.undo(); });
-  redo = addAction(bar, QStringLiteral("redo"), tr("Redo"), tr("Redo the correction"), QKeySequence::Redo,
-                   [this] { state.redo(); });
+  redo = addAction(bar, ViewIcon::redo, QStringLiteral("redo"), tr("Redo"), tr("Redo the correction"),
+                   QKeySequence::Redo, [this] { state.redo(); });
   bar.addSeparator();
-  addAction(bar, QStringLiteral("fitGraph"), tr("Graph"), tr("Show the graph"), Qt::CTRL | Qt::Key_0,
-            [this] { view->fitGraph(); });
-  addAction(bar, QStringLiteral("fitPage"), tr("Page"), tr("Show the whole page"), Qt::CTRL | Qt::Key_9,
-            [this] { view->fitPage(); });
-  addAction(bar, QStringLiteral("zoomIn"), tr("+"), tr("Zoom in"), QKeySequence::ZoomIn,
+  addAction(bar, ViewIcon::fitGraph, QStringLiteral("fitGraph"), tr("Graph"), tr("Show the graph"),
+            Qt::CTRL | Qt::Key_0, [this] { view->fitGraph(); });
+  addAction(bar, ViewIcon::fitPage, QStringLiteral("fitPage"), tr("Page"), tr("Show the whole page"),
+            Qt::CTRL | Qt::Key_9, [this] { view->fitPage(); });
+  addAction(bar, ViewIcon::zoomIn, QStringLiteral("zoomIn"), tr("In"), tr("Zoom in"), QKeySequence::ZoomIn,
             [this] { view->zoomBy(1.25); });
-  addAction(bar, QStringLiteral("zoomOut"), tr("−"), tr("Zoom out"), QKeySequence::ZoomOut,
-            [this] { view->zoomBy(0.8); });
+  addAction(bar, ViewIcon::zoomOut, QStringLiteral("zoomOut"), tr("Out"), tr("Zoom out"),
+            QKeySequence::ZoomOut, [this] { view->zoomBy(0.8); });
   QObject::connect(view, &PageView::toolChanged, &dialog, [this](ToolKind kind) {
     for (QAction* action : tools->actions())
       action->setChecked(action->data().toInt() == static_cast<int>(kind));
@@ -184,7 +242,8 @@ void ImportDialog::Impl::build() {
   column->addLayout(top);
 
   auto* bar = new QToolBar;
-  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  bar->setIconSize({20, 20});
+  bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
   buildTools(*bar);
   column->addWidget(bar);
   column->addWidget(advice);
@@ -344,10 +403,7 @@ void ImportDialog::Impl::showAdvice() {
   const importer::ImportReport* report = graph->last ? graph->last->report.get() : nullptr;
   if (report && report->doubt) {
     if (graph->confirmed) return advice->clear();
-    Advice words = adviceFor(*report->doubt, state.documentName());
-    words.remedy +=
-        ' ' + tr("If the curves lie right on the page, tick “I have checked it against the page”.");
-    return advice->say(AdviceBar::Tone::doubt, words);
+    return advice->say(AdviceBar::Tone::doubt, adviceForDoubt(*graph, state.documentName()));
   }
   if (graph->pending == 0) advice->clear();
 }
@@ -360,7 +416,7 @@ void ImportDialog::Impl::showAccept() {
   accept->setText(ticked > 0 ? tr("&Import %n graph(s)", nullptr, ticked) : tr("&Import"));
   accept->setEnabled(ticked > 0 || usable);
   accept->setToolTip(ticked > 0 ? tr("Import the ticked graphs, each as a button of its own")
-                                : tr("Import this graph as a button"));
+                                : tr("Import this graph as a button (Ctrl+Enter)"));
 }
 
 void ImportDialog::Impl::follow(Remedy remedy) {
@@ -423,8 +479,10 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
   setAcceptDrops(true);
   resize(1280, 820);
   impl_->build();
+  impl_->drawIcons();
   impl_->connectState();
   impl_->showDocument();
+  impl_->view->setTool(ToolKind::adjust);
 }
 
 /// Widgets go before the state they look at.
@@ -448,8 +506,17 @@ void ImportDialog::dropEvent(QDropEvent* event) {
   }
 }
 
+void ImportDialog::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange && impl_ && impl_->tools) impl_->drawIcons();
+  QDialog::changeEvent(event);
+}
+
 void ImportDialog::keyPressEvent(QKeyEvent* event) {
   if (event->matches(QKeySequence::Paste)) return impl_->paste();
+  // Enter ends the typing of a value; only on a button, or with Ctrl, it does more.
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && event->modifiers() & Qt::ControlModifier) return impl_->accept->click();
+  if (enter && !qobject_cast<QPushButton*>(focusWidget())) return;
   QDialog::keyPressEvent(event);
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int thumbnailSide_px = 320;  // twice what is shown: for screens with two pixels per point
 // Larger pictures are scaled down for the screen, never for the import.
-constexpr int sheetSide_px = 3200, viewSide_px = 2600;
+constexpr int sheetSide_px = 3200, viewSide_px = 2000;
 
 PageThumbnail thumbnailOf(const importer::Page& page) {
   return {page.number, imageFrom(page.overview, thumbnailSide_px), boundsOf(page)};

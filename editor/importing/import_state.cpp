@@ -21,6 +21,16 @@ std::vector<AxisTick> usedTicks(GraphAxis axis, const importer::GraphEvidence& e
   return ticks;
 }
 
+std::size_t bytesOf(const ImportedGraph& result) {
+  return result.view.bytes() + (result.evidence ? result.evidence->view.raster.rgb.size() : 0);
+}
+
+std::size_t bytesOf(const ImportGraph& graph) {
+  std::size_t bytes = graph.last ? bytesOf(*graph.last) : 0;
+  if (graph.good && graph.good != graph.last) bytes += bytesOf(*graph.good);
+  return bytes;
+}
+
 bool wasCancelled(const ImportedGraph& imported) {
   return imported.failure && imported.failure->code == FailureCode::wrongUsage &&
          imported.failure->problem == "cancelled";
@@ -64,6 +74,12 @@ std::optional<ResultBrief> ImportGraph::brief() const {
     brief.x = report.x, brief.y = report.y;
   }
   return brief;
+}
+
+void ImportGraph::letResultGo() {
+  letGo = brief();
+  last.reset(), good.reset();
+  if (pending == 0) asked = false;
 }
 
 bool ImportGraph::upToDate(importer::Quality quality) const {
@@ -279,20 +295,22 @@ void ImportState::selectGraph(GraphId id) {
   emit resultChanged();
 }
 
-/// A result carries the pixels it was read from, 10 to 60 MB: those of the graphs looked at last are kept
-/// (docs/decisions/1021-what-the-import-dialogue-keeps.md).
+/// A result carries the pixels it was read from and a picture of them, 10 to 60 MB: besides the current one
+/// only small ones are kept (docs/decisions/1021-what-the-import-dialogue-keeps.md).
 void ImportState::letOldResultsGo() {
-  constexpr std::size_t keptResults = 2;
+  constexpr std::size_t mostBytes = std::size_t{24} << 20;
   std::erase(lookedAt_, *current_);
-  lookedAt_.insert(lookedAt_.begin(), *current_);
-  while (lookedAt_.size() > keptResults) {
-    ImportGraph& graph = graphs_.at(lookedAt_.back());
-    lookedAt_.pop_back();
+  std::size_t bytes = 0;
+  const auto goes = [&](GraphId id) {
+    ImportGraph& graph = graphs_.at(id);
+    bytes += bytesOf(graph);
+    if (bytes <= mostBytes) return false;
     if (graph.pending != 0 && !accepting()) desk_.forget(std::exchange(graph.pending, 0));
-    graph.letGo = graph.brief();
-    graph.last.reset(), graph.good.reset();
-    if (graph.pending == 0) graph.asked = false;
-  }
+    graph.letResultGo();
+    return true;
+  };
+  std::erase_if(lookedAt_, goes);
+  lookedAt_.insert(lookedAt_.begin(), *current_);
 }
 
 void ImportState::setQuality(importer::Quality quality) {
@@ -441,9 +459,7 @@ void ImportState::acceptNext() {
     toAccept_.erase(toAccept_.begin());
     const auto report = graph.last->report;
     if (current_ != graph.id) {  // whoever took it keeps it
-      graph.letGo = graph.brief();
-      graph.last.reset(), graph.good.reset();
-      graph.asked = false;
+      graph.letResultGo();
     }
     emit accepted(report);
   }

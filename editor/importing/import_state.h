@@ -55,6 +55,8 @@ struct ImportGraph {
   std::optional<FrameCorners> corners() const;
   /// Of the newest results, or of those let go; nothing before the first.
   std::optional<ResultBrief> brief() const;
+  /// Keeps the brief only; asked for again when it is looked at.
+  void letResultGo();
   /// A finished report for exactly what is set now.
   bool upToDate(importer::Quality quality) const;
 };

@@ -41,6 +41,12 @@ PagePicture::PagePicture(const importer::Raster& raster, const importer::Affine&
   toPage_ = QTransform::fromScale(shrinkX, shrinkY) * QTransform::fromTranslate(-0.5, -0.5) * affine;
 }
 
+std::size_t PagePicture::bytes() const {
+  std::size_t sum = 0;
+  for (const QImage& level : levels_) sum += static_cast<std::size_t>(level.sizeInBytes());
+  return sum;
+}
+
 double PagePicture::pixelsPerUnit() const {
   const double area = std::abs(toPage_.determinant());
   return empty() || area == 0 ? 1 : 1 / std::sqrt(area);

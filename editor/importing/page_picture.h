@@ -22,6 +22,7 @@ class PagePicture {
 
   bool empty() const { return levels_.empty(); }
   QSize size_px() const { return empty() ? QSize() : levels_.front().size(); }
+  std::size_t bytes() const;
   /// Draws it with `pageToDevice`; picks the copy that comes nearest to the screen's pixels.
   void draw(QPainter& painter, const QTransform& pageToDevice) const;
   /// Colour of the pixel at a place of the page; nothing outside.

@@ -225,6 +225,7 @@ std::optional<QColor> PageView::inkAt(QPointF widget) const {
 }
 
 void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces) {
+  closeEditor();
   auto* editor = new QLineEdit(this);
   editor->setObjectName(QStringLiteral("tickValue"));
   editor->setAccessibleName(axis == GraphAxis::x ? tr("Value of the displacement tick")
@@ -266,11 +267,22 @@ void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::s
     } else {
       correction.ticks.push_back({at, *value});
     }
-    editor->hide();
-    setFocus();
+    closeEditor();
     state_.apply(next, axis == GraphAxis::x ? tr("Set displacement tick") : tr("Set force tick"));
   });
-  connect(editor, &QLineEdit::editingFinished, editor, &QObject::deleteLater);
+  connect(editor, &QLineEdit::editingFinished, editor, [editor] {
+    if (!editor->hasFocus()) editor->deleteLater();  // Enter with what is no number leaves it open
+  });
+}
+
+bool PageView::closeEditor() {
+  auto* editor = findChild<QLineEdit*>(QStringLiteral("tickValue"));
+  if (!editor || !editor->isVisibleTo(this)) return false;
+  editor->setObjectName({});
+  setFocus();
+  editor->hide();
+  editor->deleteLater();
+  return true;
 }
 
 // -- painting
@@ -465,6 +477,7 @@ void PageView::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void PageView::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape && closeEditor()) return;
   if (event->key() == Qt::Key_Escape && tool_->busy()) {
     tool_->cancel();
     return;

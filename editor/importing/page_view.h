@@ -78,6 +78,7 @@ class PageView : public QWidget {
 
  private:
   enum class Fit { page, graph, none };
+  bool closeEditor();  ///< of a tick's value; false if none is open
   void takeResult();
   void takeCurrent();
   void refit();

@@ -25,13 +25,13 @@ QString levelName(importer::Quality quality) {
 QualityFigures figuresOf(importer::Quality quality) {
   switch (quality) {
     case importer::Quality::draft:
-      return {quality, 0.6, 0.08};
+      return {quality, 0.51, 0.091};
     case importer::Quality::standard:
       break;
     case importer::Quality::precise:
-      return {quality, 1.8, 0.07};
+      return {quality, 0.73, 0.044};
   }
-  return {importer::Quality::standard, 0.87, 0.070};
+  return {importer::Quality::standard, 0.61, 0.059};
 }
 
 QString describedQuality(importer::Quality quality) {

@@ -6,7 +6,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr std::size_t storeBytes = 64u << 20;  // decoded images and glyphs that MuPDF may keep
+constexpr std::size_t storeBytes = 32u << 20;  // decoded images and glyphs that MuPDF may keep
 
 /// Each block begins with its size, so that frees can be accounted for.
 constexpr std::size_t headerBytes = alignof(std::max_align_t);

@@ -54,11 +54,15 @@ class ImportDialogTest : public QObject {
   /// Opened, its graph imported, all pages searched.
   static bool open(ImportState& state, const QString& path) {
     state.openFile(path);
-    return QTest::qWaitFor([&] { return settled(state) && state.searchedPages() == state.pageCount(); },
-                           patience_ms);
+    const bool done = QTest::qWaitFor(
+        [&] { return settled(state) && state.searchedPages() == state.pageCount(); }, patience_ms);
+    QTest::qWait(1);
+    return done;
   }
   static bool again(ImportState& state) {
-    return QTest::qWaitFor([&] { return settled(state); }, patience_ms);
+    const bool done = QTest::qWaitFor([&] { return settled(state); }, patience_ms);
+    QTest::qWait(1);  // what is shown follows the answer
+    return done;
   }
   static const importer::ImportReport& report(const ImportState& state) {
     return *state.current()->last->report;
@@ -150,6 +154,9 @@ void ImportDialogTest::oneMisreadTickIsRetyped() {
   editor->setText("nonsense");
   QTest::keyClick(editor, Qt::Key_Return);
   QVERIFY(!state.working());
+  QTest::qWait(1);
+  editor = view.findChild<QLineEdit*>("tickValue");
+  QVERIFY(editor);  // it waits for a number
   editor->setText(QString::number(2 * value));
   QTest::keyClick(editor, Qt::Key_Return);
   QVERIFY(again(state));
@@ -506,6 +513,25 @@ void ImportDialogTest::theKeyboardReachesEverything() {
   QVERIFY(again(view->state()));
   QTest::keyClick(&dialog, Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(!history.now().frame);  // both nudges were one step
+  QVERIFY(again(view->state()));
+  // Enter in a field ends the field, not the dialogue.
+  auto* field = dialog.findChild<QLineEdit*>("xMax");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "5");
+  QTest::keyClick(field, Qt::Key_Return);
+  QVERIFY(dialog.isVisible());
+  QCOMPARE(history.now().x.max, 5.0);
+  QVERIFY(again(view->state()));
+  view->setFocus();
+  QTest::keyClick(view, Qt::Key_Tab);
+  for (int i = 0; i < 4; ++i) QTest::keyClick(view, Qt::Key_Tab);
+  QTest::keyClick(view, Qt::Key_Return);  // a tick's value
+  auto* editor = view->findChild<QLineEdit*>("tickValue");
+  QVERIFY(editor);
+  QTest::keyClick(editor, Qt::Key_Escape);
+  QVERIFY(!view->findChild<QLineEdit*>("tickValue"));
+  QVERIFY(dialog.isVisible());
   for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
     if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisibleTo(&dialog)) continue;
     const auto* button = qobject_cast<const QAbstractButton*>(widget);

@@ -1,0 +1,164 @@
+#include <fstream>
+#include <iterator>
+
+#include <catch2/catch.hpp>
+
+#include "importer/importer.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+const std::string plots = std::string(DETENT_SOURCE_DIR) + "/samples/plots/";
+
+ImportSession opened(const char* name) {
+  auto session = ImportSession::open(plots + name);
+  REQUIRE(session);
+  return std::move(session).value();
+}
+
+ImportRequest firstGraph() {
+  ImportRequest request;
+  request.page = 1, request.graph = 1;
+  return request;
+}
+
+ImportReport imported(ImportSession& session, const ImportRequest& request) {
+  auto report = session.importGraph(request);
+  REQUIRE(report);
+  return std::move(report).value();
+}
+
+double travel_mm(const ImportReport& report) { return report.button.states().front().graph.travel_mm(); }
+
+}  // namespace
+
+TEST_CASE("A hint runs the steps that depend on it and no others") {
+  auto session = opened("white-vector.pdf");
+  ImportRequest request = firstGraph();
+  const ImportReport found = imported(session, request);
+  for (const char* step : {"locate", "texts", "trace", "strokes", "fit"})
+    CHECK(found.seconds.count(step) == 1);
+
+  request.hints.axes.xMin = 0, request.hints.axes.xMax = 9;
+  const ImportReport wider = imported(session, request);
+  CHECK(travel_mm(wider) == Approx(2 * travel_mm(found)).epsilon(1e-3));
+  CHECK(wider.seconds.count("axes") == 1);
+  for (const char* step : {"locate", "texts", "trace"}) CHECK(wider.seconds.count(step) == 0);
+  CHECK(wider.x->ticks.size() == found.x->ticks.size());  // still there, for a person to see
+  for (const TickLabel& tick : wider.x->ticks) CHECK_FALSE(tick.used);
+
+  request.hints.axes = {};
+  const ImportReport again = imported(session, request);
+  CHECK(again.button.states() == found.button.states());
+  CHECK(again.seconds.count("axes") == 0);  // what was found was kept
+
+  request.hints.strokes.swap = true;
+  CHECK(imported(session, request).seconds.count("trace") == 0);
+  request.hints.trace.masks_px = {{0, 0, 5, 5}};
+  const ImportReport masked = imported(session, request);
+  CHECK(masked.seconds.count("trace") == 1);
+  CHECK(masked.seconds.count("locate") == 0);
+}
+
+TEST_CASE("Hints of a numbered graph do not change which graphs the page has") {
+  auto session = opened("two-level-legend.png");
+  const auto before = session.list(1);
+  REQUIRE(before);
+  ImportRequest request = firstGraph();
+  request.hints.axes = {0, 10, 0, 10, LengthUnit::millimetre, ForceUnit::newton};
+  CHECK(imported(session, request).confidence > confidenceBar);
+  const auto after = session.list(1);
+  REQUIRE(after);
+  REQUIRE(after->size() == before->size());
+  CHECK(after->front().x.max == Approx(3.5));  // a list without hints says what the page says
+  CHECK(after->front().confidence == before->front().confidence);
+}
+
+TEST_CASE("A given frame keeps the graph's number and its axes follow their own hints") {
+  auto session = opened("brown-one-ink.png");
+  const auto listed = session.list(1);
+  REQUIRE(listed);
+  const Box box = listed->front().frame;
+  ImportRequest request = firstGraph();
+  request.graph = 3;
+  request.hints.frame = {{box.x0, box.y0}, {box.x1, box.y1}};
+  const ImportReport report = imported(session, request);
+  CHECK(report.graph == 3);
+  request.hints.axes.yUnit = ForceUnit::gramForce;
+  const ImportReport inGrams = imported(session, request);
+  CHECK(inGrams.seconds.count("locate") == 0);
+  CHECK(inGrams.y->unit == "gf");
+}
+
+TEST_CASE("A doubt is a failure, or comes with the result where a person will look at it") {
+  auto session = opened("white-vector.pdf");
+  ImportRequest request = firstGraph();
+  const auto listed = session.list(1);
+  REQUIRE(listed);
+  const Box box = listed->front().frame;
+  // The lower left quarter of the plot: the curves are cut off and the numbers belong elsewhere.
+  request.hints.frame = {{box.x0, 0.5 * (box.y0 + box.y1)}, {0.5 * (box.x0 + box.x1), box.y1}};
+  request.hints.axes = {0, 2, 0, 900, {}, {}};
+  const auto strict = session.importGraph(request);
+  request.acceptDoubt = true;
+  const auto lenient = session.importGraph(request);
+  if (strict) {
+    CHECK(lenient);
+    CHECK_FALSE(lenient->doubt);
+  } else if (lenient) {
+    REQUIRE(lenient->doubt);
+    CHECK(lenient->doubt->code == FailureCode::notCertain);
+    CHECK_FALSE(lenient->doubt->remedy.empty());
+    CHECK(lenient->evidence->steps.size() == 3);
+  } else {
+    CHECK(session.evidenceOfFailure());
+  }
+}
+
+TEST_CASE("A failed import leaves what was found so far; a good one leaves nothing") {
+  auto session = opened("two-level-legend.png");
+  ImportRequest request = firstGraph();
+  request.hints.trace.masks_px = {{-1, -1, 1e5, 1e5}};  // no ink is left
+  CHECK_FALSE(session.importGraph(request));
+  const auto evidence = session.evidenceOfFailure();
+  REQUIRE(evidence);
+  CHECK(evidence->axes.calibration.value.x.max == Approx(3.5));
+  CHECK(evidence->steps.front().step == "plot frame");
+  request.hints = {};
+  CHECK(session.importGraph(request));
+  CHECK_FALSE(session.evidenceOfFailure());
+}
+
+TEST_CASE("A document from memory is imported as one from a file") {
+  std::ifstream in(plots + "brown-one-ink.png", std::ios::binary);
+  std::vector<unsigned char> bytes{std::istreambuf_iterator<char>(in), {}};
+  REQUIRE(!bytes.empty());
+  auto session = ImportSession::fromBytes(std::move(bytes), "Pasted picture");
+  REQUIRE(session);
+  auto fromFile = opened("brown-one-ink.png");
+  const ImportReport pasted = imported(*session, firstGraph()), filed = imported(fromFile, firstGraph());
+  CHECK(pasted.button.states() == filed.button.states());
+  CHECK(pasted.button.provenance()->sourceFile == "Pasted picture");
+  CHECK(pasted.button.provenance()->sourceSha256 == filed.button.provenance()->sourceSha256);
+  CHECK_FALSE(ImportSession::fromBytes({}, "nothing"));
+}
+
+TEST_CASE("A cancelled import leaves nothing half done behind") {
+  // Cancelled at the n-th question, for every n until it is not asked so often.
+  const ImportReport whole = [] {
+    auto session = opened("white-vector.pdf");
+    return imported(session, firstGraph());
+  }();
+  for (int atMost = 0; atMost < 60; atMost += 3) {
+    auto session = opened("white-vector.pdf");
+    int asked = 0;
+    Progress progress;
+    progress.cancelled = [&] { return ++asked > atMost; };
+    const auto stopped = session.importGraph(firstGraph(), progress);
+    if (!stopped) CHECK(stopped.failure().problem == "cancelled");
+    CHECK(imported(session, firstGraph()).button.states() == whole.button.states());
+    if (stopped) break;
+  }
+}
