@@ -50,8 +50,9 @@ DisplacementForceView::DisplacementForceView(ButtonDocument& document, ViewSetti
   setObjectName(QStringLiteral("displacementForceView"));
   setAccessibleName(tr("Displacement over force"));
   setToolTip(tr("What a finger feels that controls force: jumps are vertical lines."));
-  const auto follow = [this] {
-    if (fitted() && isVisible()) fit();
+  const auto follow = [this, &document] {
+    // A view that rescales under a moving hand is hard to read, and dear.
+    if (fitted() && isVisible() && !document.history().dragging()) fit();
     update();
   };
   connect(&document, &ButtonDocument::changed, this, follow);
@@ -81,7 +82,6 @@ void DisplacementForceView::drawContent(QPainter& painter, const PlotMapping& ma
   for (const Stroke stroke : {Stroke::release, Stroke::press}) {
     if (stroke == Stroke::release && !graph.release()) continue;
     QPen pen(stroke == Stroke::press ? colors().press : colors().release, 2);
-    pen.setJoinStyle(Qt::RoundJoin);
     if (stroke == Stroke::release) pen.setDashPattern({7, 3});
     for (const Section& section : canvas_.values().of(stroke).sections) {
       painter.setPen(pen);

@@ -77,7 +77,13 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   followSettings();
 }
 
-GraphWorkspace::~GraphWorkspace() = default;
+// The document lives on: what was begun here and not finished is cancelled.
+GraphWorkspace::~GraphWorkspace() {
+  document_.disconnect(this);
+  operations_->closeDialog();
+  tools_->cancelDrag();
+  damping_->cancelDrag();
+}
 
 // State and underlay; hidden where there is neither a choice of states nor a page.
 QWidget* GraphWorkspace::makeBar() {

@@ -25,6 +25,8 @@ class OperationMenu : public QObject {
   const QList<QAction*>& actions() const { return actions_; }
   /// Enables what the button allows now.
   void updateActions();
+  /// Cancels and deletes an open dialog at once.
+  void closeDialog() { delete dialog_; }
 
  signals:
   void said(const QString& text);

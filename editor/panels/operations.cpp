@@ -12,6 +12,8 @@ namespace {
 
 using Values = std::vector<double>;
 
+constexpr int mostPieces = 200;  // more than a hand shapes
+
 QString tr(const char* text) { return QCoreApplication::translate("Operations", text); }
 
 Stroke strokeOf(double choice) { return choice < 0.5 ? Stroke::press : Stroke::release; }
@@ -71,6 +73,24 @@ Result<Button> withGraph(const Button& start, std::size_t state, const Result<Bu
   if (!from) return from.failure();
   return editGraph(start, state,
                    [&](const ForceGraph&) -> Result<ForceGraph> { return from->states()[0].graph; });
+}
+
+// A fitted start may lie before the rest position by less than the points are sure of; buttons start at 0.
+Result<StrokeCurve> fromRest(const StrokeCurve& fitted, double sigma_mm) {
+  const Knot& first = fitted.knots().front();
+  if (first.displacement_mm >= 0 || first.displacement_mm < -3 * sigma_mm) return fitted;
+  return moveKnot(fitted, 0, {0, first.force_N});
+}
+
+Result<StrokeCurve> refitted(const importer::StrokePoints& traced, Stroke stroke, int pieces,
+                             importer::PointNoise noise) {
+  importer::FitOptions options = importer::fitOptionsFor(importer::FitEffort::draft, noise);
+  options.criterion = importer::PieceCriterion::fixed;
+  options.maxPieces = mostPieces;
+  options.pieces = pieces;
+  const auto fitted = importer::fitStroke(traced.points, stroke, options);
+  if (!fitted) return fitted.failure();
+  return fromRest(fitted->curve, noise.sigma_mm);
 }
 
 }  // namespace
@@ -270,21 +290,16 @@ Operation refitOperation(const OperationTarget& target) {
   }
   op.edit = [state = target.state, strokes = origin.strokes, noise](const Button& start,
                                                                     const Values& v) -> Result<Button> {
-    importer::FitOptions options = importer::fitOptionsFor(importer::FitEffort::draft, noise);
-    options.criterion = importer::PieceCriterion::fixed;
-    options.maxPieces = 200;
-    options.pieces = static_cast<int>(v[0]);
-    auto press = importer::fitStroke(strokes.press.points, Stroke::press, options);
+    const auto press = refitted(strokes.press, Stroke::press, static_cast<int>(v[0]), noise);
     if (!press) return press.failure();
     std::optional<StrokeCurve> release;
     if (strokes.release) {
-      options.pieces = static_cast<int>(v[1]);
-      auto fitted = importer::fitStroke(strokes.release->points, Stroke::release, options);
+      auto fitted = refitted(*strokes.release, Stroke::release, static_cast<int>(v[1]), noise);
       if (!fitted) return fitted.failure();
-      release = fitted->curve;
+      release = *std::move(fitted);
     }
     return editGraph(start, state,
-                     [&](const ForceGraph&) { return ForceGraph::fromCurves(press->curve, release); });
+                     [&](const ForceGraph&) { return ForceGraph::fromCurves(*press, release); });
   };
   return op;
 }

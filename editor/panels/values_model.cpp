@@ -7,6 +7,7 @@
 namespace detent::editor {
 namespace {
 
+constexpr int dragPause_ms = 80;
 constexpr int editedDigits = 12;  // what is typed comes back as typed
 
 bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
@@ -31,7 +32,10 @@ ValuesModel::ValuesModel(ButtonDocument& document, ViewSettings& settings, QObje
       settings_(settings),
       values_(valuesOf(document.graph())) {
   rows_ = rowsNow();
-  connect(&document_, &ButtonDocument::changed, this, &ValuesModel::follow);
+  pause_.setSingleShot(true);
+  pause_.setInterval(dragPause_ms);
+  connect(&pause_, &QTimer::timeout, this, &ValuesModel::follow);
+  connect(&document_, &ButtonDocument::changed, this, &ValuesModel::followSoon);
   connect(&document_, &ButtonDocument::activeStateChanged, this, &ValuesModel::follow);
   connect(&settings_, &ViewSettings::changed, this, [this] {
     emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
@@ -66,7 +70,14 @@ std::vector<ValuesModel::Row> ValuesModel::rowsNow() const {
   return rows;
 }
 
+// A running drag belongs to the canvas; numbers that change faster than one reads can wait.
+void ValuesModel::followSoon() {
+  if (!document_.history().dragging()) return follow();
+  if (!pause_.isActive()) pause_.start();
+}
+
 void ValuesModel::follow() {
+  pause_.stop();
   values_ = valuesOf(document_.graph());
   std::vector<Row> rows = rowsNow();
   if (rows == rows_) {

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <QAbstractTableModel>
+#include <QTimer>
 #include <vector>
 
 #include "editor/canvas/graph_marks.h"
@@ -48,6 +49,7 @@ class ValuesModel : public QAbstractTableModel {
   };
   std::vector<Row> rowsNow() const;
   void follow();
+  void followSoon();
   const ButtonState& state() const;
   std::optional<double> valueAt(const MarkId& mark, int column) const;
   Result<Button> edited(const MarkId& mark, int column, double value) const;
@@ -58,6 +60,7 @@ class ValuesModel : public QAbstractTableModel {
   ViewSettings& settings_;
   GraphValues values_;
   std::vector<Row> rows_;
+  QTimer pause_;
 };
 
 }  // namespace detent::editor

@@ -16,6 +16,7 @@ class DampingView : public UnitPlot {
  public:
   DampingView(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
   std::optional<std::size_t> selected() const { return selected_; }
+  void cancelDrag();
 
  signals:
   void said(const QString& text);
@@ -38,7 +39,6 @@ class DampingView : public UnitPlot {
   void apply(std::vector<DampingPoint> next, const QString& label, const QString& mergeKey = {});
   void select(std::optional<std::size_t> index);
   void refuse(const QString& why);
-  void cancelDrag();
   bool walk(int by);
   bool nudge(int key, Qt::KeyboardModifiers modifiers);
 

@@ -52,9 +52,9 @@ class Monkey {
       int weight;
       void (Monkey::*action)();
     };
-    static constexpr Choice choices[] = {{30, &Monkey::moveMouse},
+    static constexpr Choice choices[] = {{16, &Monkey::moveMouse},
                                          {18, &Monkey::pressOrRelease},
-                                         {10, &Monkey::dragSomething},
+                                         {26, &Monkey::dragSomething},
                                          {12, &Monkey::pressKey},
                                          {6, &Monkey::undoOrRedo},
                                          {3, &Monkey::triggerTool},

@@ -73,6 +73,7 @@ class PanelsTest : public QObject {
   void picturesAreDrawn();
   void svgIsWrittenOrRefused();
   void actionsAreNamedAndExplained();
+  void aClosedWorkspaceLeavesTheDocumentClean();
 };
 
 void PanelsTest::everyOperationPreviewsCancelsAndIsOneStep_data() {
@@ -381,6 +382,22 @@ void PanelsTest::actionsAreNamedAndExplained() {
       QVERIFY2(!keys.contains(action->shortcut()), qPrintable(action->text()));
       keys.insert(action->shortcut());
     }
+}
+
+void PanelsTest::aClosedWorkspaceLeavesTheDocumentClean() {
+  const Button button = require(tactileButton());
+  ViewSettings settings;
+  ButtonDocument document(button);
+  {
+    GraphWorkspace workspace(document, settings);
+    for (QAction* action : workspace.editActions())
+      if (action->objectName() == "operationScaleForce") action->trigger();
+    auto* dialog = workspace.findChild<OperationDialog*>();
+    dialog->setValue(0, 3.0);
+    QVERIFY(document.history().dragging());
+  }
+  QVERIFY(!document.history().dragging());
+  QVERIFY(document.button() == button);
 }
 
 QTEST_MAIN(PanelsTest)
