@@ -63,7 +63,7 @@ TEST_CASE("render: the same bits for every block, and for every call") {
   const Result<RenderedPress> expected = renderPress(*program, trace, settings);
   REQUIRE(expected);
   CHECK(expected->summary.peak > 0.3f);
-  for (std::size_t block : {1, 64, 333, 8192}) {
+  for (const std::size_t block : std::initializer_list<std::size_t>{1, 64, 333, 8192}) {
     settings.block = block;
     const Result<RenderedPress> other = renderPress(*program, trace, settings);
     REQUIRE(other);
