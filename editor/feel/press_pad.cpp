@@ -25,6 +25,9 @@ constexpr double floor_px = 14;
 
 bool isPressKey(int key) { return key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter; }
 
+/// As QPainter takes them.
+int flags(Qt::Alignment alignment) { return static_cast<int>(alignment.toInt()); }
+
 QFont scaled(const QFont& font, double factor, bool bold = false) {
   QFont result = font;
   result.setPointSizeF(std::max(6.0, font.pointSizeF() * factor));
@@ -365,7 +368,7 @@ void PressPad::paintCap(QPainter& painter) const {
   const QString name =
       painter.fontMetrics().elidedText(button_->name, Qt::ElideRight, static_cast<int>(text.width()));
   const bool roomy = text.height() > 2.6 * painter.fontMetrics().height();
-  painter.drawText(text, Qt::AlignHCenter | (roomy ? Qt::AlignTop : Qt::AlignVCenter), name);
+  painter.drawText(text, flags(Qt::AlignHCenter | (roomy ? Qt::AlignTop : Qt::AlignVCenter)), name);
   if (!roomy) return;
   painter.setPen(colors.axis);
   painter.setFont(scaled(font(), 0.85));
@@ -404,15 +407,15 @@ void PressPad::paintReadout(QPainter& painter) const {
     x += text_px + 34;
   }
 
-  const auto number = [&](const QRectF& at, Qt::Alignment side, double value, const QString& unit,
+  const auto number = [&](const QRectF& at, Qt::AlignmentFlag side, double value, const QString& unit,
                           const QString& what) {
     painter.setFont(scaled(font(), 1.35, true));
     painter.setPen(motion_.pressed ? colors.text : colors.axis);
     const QString text = motion_.pressed ? QLocale().toString(value, 'f', value < 100 ? 2 : 1) : "–";
-    painter.drawText(at, side | Qt::AlignTop, text + " " + unit);
+    painter.drawText(at, flags(side | Qt::AlignTop), text + " " + unit);
     painter.setFont(scaled(font(), 0.8));
     painter.setPen(colors.axis);
-    painter.drawText(at, side | Qt::AlignBottom, what);
+    painter.drawText(at, flags(side | Qt::AlignBottom), what);
   };
   const QRectF row(14, height() - bottom_px, width() - 28, bottom_px - 6);
   number(row, Qt::AlignLeft, units.lengthFrom(motion_.displacement_mm), units.lengthSymbol(), tr("depth"));
