@@ -37,6 +37,7 @@ MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
   setObjectName("mainWindow");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
+  applyAppearance();  // before there are widgets: those made before would keep the old colours for a while
   makeFileActions();
   makeEditActions();
   makeCentre();
@@ -49,7 +50,6 @@ MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
   connectTabs();
   connect(&at_.view, &ViewSettings::changed, this, &MainWindow::updateUnits);
   connect(&at_.view, &ViewSettings::changed, this, &MainWindow::applyAppearance);
-  applyAppearance();
   restoreWindow();
   updateUnits();
   updateRecent();

@@ -120,7 +120,7 @@ class MainWindow : public QMainWindow {
   QPointer<ButtonDocument> otherDocument_;
   QPointer<ButtonDocument> shown_, shownBefore_;
   std::pair<ButtonDocument*, ButtonDocument*> felt_;  // A and B of the feel panel
-  bool otherChosen_ = false;  // by hand; else B is the one that was shown before
+  bool otherChosen_ = false;                          // by hand; else B is the one that was shown before
   QLabel* cursor_ = nullptr;
   QToolButton* units_ = nullptr;
   QToolBar* tools_ = nullptr;

@@ -1,6 +1,8 @@
 #include "editor/window/notice_bar.h"
 
 #include <QAccessible>
+#include <QApplication>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -12,14 +14,15 @@
 namespace detent::editor {
 namespace {
 
-QPalette paletteOf(const QPalette& window, NoticeBar::Kind kind) {
-  const bool dark = isDark(window);
-  QPalette palette = window;
-  if (kind == NoticeBar::Kind::trouble)
-    palette.setColor(QPalette::Window, dark ? QColor("#4d2a26") : QColor("#fbe6e2"));
+// The ground alone is its own; text and buttons stay those of the program.
+void paintGround(QFrame& row) {
+  const bool trouble = row.property("trouble").toBool();
+  QPalette palette;
+  if (isDark(QApplication::palette()))
+    palette.setColor(QPalette::Window, trouble ? QColor("#4d2a26") : QColor("#25394a"));
   else
-    palette.setColor(QPalette::Window, dark ? QColor("#25394a") : QColor("#e3eef8"));
-  return palette;
+    palette.setColor(QPalette::Window, trouble ? QColor("#fbe6e2") : QColor("#e3eef8"));
+  row.setPalette(palette);
 }
 
 }  // namespace
@@ -43,7 +46,8 @@ void NoticeBar::say(const QString& id, Kind kind, const QString& text, const std
   auto* row = new QFrame;
   row->setProperty("noticeId", id);
   row->setAutoFillBackground(true);
-  row->setPalette(paletteOf(palette(), kind));
+  row->setProperty("trouble", kind == Kind::trouble);
+  paintGround(*row);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(10, 5, 6, 5);
   auto* label = new QLabel(text);
@@ -82,6 +86,12 @@ void NoticeBar::dismiss(const QString& id) {
     row->deleteLater();  // it may be its own button that is being pressed
   }
   setVisible(rows_->count() > 0);
+}
+
+void NoticeBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  for (int i = 0; i < rows_->count(); ++i) paintGround(*qobject_cast<QFrame*>(rows_->itemAt(i)->widget()));
 }
 
 QStringList NoticeBar::texts() const {

@@ -30,6 +30,9 @@ class NoticeBar : public QWidget {
   /// What is said now, oldest first.
   QStringList texts() const;
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   QFrame* rowOf(const QString& id) const;
   QVBoxLayout* rows_;

@@ -420,6 +420,20 @@ class WindowTest : public QObject {
     }
   }
 
+  void noticesCanBeReadOnTheirGround() {
+    Rig rig(folder_->path());
+    for (const char* appearance : {"appearanceDark", "appearanceLight", "appearanceDark"}) {
+      rig.action(appearance)->trigger();
+      rig.window->notices().say("a", NoticeBar::Kind::trouble, "Trouble");
+      rig.window->notices().say("b", NoticeBar::Kind::information, "Information");
+      QCoreApplication::processEvents();
+      for (const auto* label : rig.window->notices().findChildren<QLabel*>("noticeText"))
+        QVERIFY2(contrast(label->palette().color(QPalette::WindowText),
+                          label->parentWidget()->palette().color(QPalette::Window)) >= 4.5,
+                 qPrintable(QString(appearance) + ": " + label->text()));
+    }
+  }
+
   void comparesTheOpenOnes() {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/C.button.json")});
