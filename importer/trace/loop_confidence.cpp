@@ -133,7 +133,7 @@ LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Stru
   e.fit = both ? std::min(meanTrust(refined.press), meanTrust(refined.release)) : meanTrust(refined.press);
   e.steadiness = worse([&](const std::vector<Point>& p) { return 1 - ramp(turning(p), 18, 45); });
   e.reach = worse([&](const std::vector<Point>& p) {
-    return ramp((p.back().x - p.front().x) / plane.frame.width(), 0.1, 0.45);
+    return ramp((p.back().x - p.front().x) / plane.frame.width(), 0.15, 0.55);
   });
   e.together = both ? ramp(sharedTravel(pair.press, pair.release), 0.3, 0.7) : 1;
   return e;

@@ -14,7 +14,7 @@ struct LoopEvidence {
   double explained = 0;   ///< share of the long left-over ink that lies on one of the strokes
   double fit = 0;         ///< mean trust of the refined points
   double steadiness = 0;  ///< falls with turning beyond what force curves do
-  double reach = 0;       ///< share of the frame's width that is covered, full from 45 % on
+  double reach = 0;       ///< share of the frame's width that is covered, full from 55 % on
   double together = 0;    ///< share of the travel that both strokes run over, full from 70 % on
   double confidence() const;
 };
