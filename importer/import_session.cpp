@@ -156,9 +156,11 @@ struct PageGraphs {
   }
 };
 
-std::size_t bytesOf(const PageGraphs& graphs) {
-  std::size_t bytes = 0;
-  for (const LocatedGraph& graph : graphs.located.graphs) bytes += graph.view.raster.rgb.size();
+std::size_t bytesOf(const PageView& view) {
+  std::size_t bytes = view.raster.rgb.size();
+  for (const VectorPath& path : view.paths) {
+    for (const auto& line : path.polylines) bytes += line.size() * sizeof(Point);
+  }
   return bytes;
 }
 
@@ -185,7 +187,7 @@ struct ImportSession::Impl {
   std::map<int, std::vector<std::string>> remarks;  // what of a page could not be read
 
   using GraphsKey = std::pair<int, bool>;  // page, and whether its plot frame is given
-  std::map<GraphsKey, PageGraphs> graphs;  // used last, within a bound
+  std::map<GraphsKey, PageGraphs> graphs;  // their views within a bound
   std::uint64_t clock = 0;
   std::map<int, std::vector<RejectedFrame>> rejected;  // of every page searched so far
 
@@ -244,23 +246,40 @@ struct ImportSession::Impl {
     return all;
   }
 
-  /// Forgets what was used longest ago until the rest is within the bound; never `keep`.
-  void forgetOldGraphs(const std::vector<GraphsKey>& keep) {
-    constexpr std::size_t mostBytes = std::size_t{32} << 20;
-    const auto total = [&] {
-      std::size_t bytes = 0;
-      for (const auto& each : graphs) bytes += bytesOf(each.second);
-      return bytes;
-    };
-    for (std::size_t bytes = total(); bytes > mostBytes; bytes = total()) {
-      auto oldest = graphs.end();
-      for (auto it = graphs.begin(); it != graphs.end(); ++it) {
-        if (std::find(keep.begin(), keep.end(), it->first) != keep.end()) continue;
-        if (oldest == graphs.end() || it->second.usedAt < oldest->second.usedAt) oldest = it;
-      }
-      if (oldest == graphs.end()) return;
-      graphs.erase(oldest);
+  /// Lets views go, those of the pages used longest ago first, until the rest is within the bound; never
+  /// `keep`'s. What was found on them stays.
+  void letViewsGo(const LocatedGraph* keep) {
+    constexpr std::size_t mostBytes = std::size_t{24} << 20;
+    std::vector<PageGraphs*> byAge;
+    std::size_t bytes = 0;
+    for (auto& each : graphs) {
+      byAge.push_back(&each.second);
+      for (const LocatedGraph& graph : each.second.located.graphs) bytes += bytesOf(graph.view);
     }
+    std::sort(byAge.begin(), byAge.end(),
+              [](const PageGraphs* a, const PageGraphs* b) { return a->usedAt < b->usedAt; });
+    for (PageGraphs* onPage : byAge) {
+      for (LocatedGraph& graph : onPage->located.graphs) {
+        if (bytes <= mostBytes) return;
+        if (&graph == keep) continue;
+        bytes -= bytesOf(graph.view);
+        graph.view = {};
+      }
+    }
+  }
+
+  /// Makes the view of a graph again if it was let go.
+  Result<Done> restoreView(int number, PageGraphs& onPage, std::size_t index, const Progress& progress) {
+    LocatedGraph& graph = onPage.located.graphs[index];
+    if (!graph.view.raster.empty()) return Done{};
+    StepClock time(seconds, "view");
+    auto itsPage = page(number, progress);
+    if (!itsPage) return itsPage.failure();
+    const FrameCandidate& candidate = graph.candidate.value;
+    auto view = document->view(**itsPage, candidate.regionBox, candidate.quarterTurns, onPage.key.view);
+    if (!view) return view.failure();
+    graph.view = std::move(view).value();
+    return Done{};
   }
 
   /// The graphs of a page, searched with these hints.
@@ -344,6 +363,7 @@ struct ImportSession::Impl {
     if (!onPage) return onPage.failure();
     const auto index = key.frame.empty() ? static_cast<std::size_t>(*request.graph - 1) : std::size_t{0};
     if (index >= (*onPage)->located.graphs.size()) return std::optional<Choice>{};
+    if (auto made = restoreView(*request.page, **onPage, index, progress); !made) return made.failure();
     if (auto read = readAxesWith(key.axes, **onPage, index, progress); !read) return read.failure();
     return std::optional<Choice>{Choice{*request.page, *request.graph, *onPage, index, {}, 1, {}}};
   }
@@ -389,9 +409,10 @@ struct ImportSession::Impl {
           if (frameGiven) best.graph = request.graph.value_or(1);
         }
       }
-      forgetOldGraphs({{best.page, !key.frame.empty()}, {number, !key.frame.empty()}});
+      letViewsGo(best.onPage ? &best.located() : nullptr);
     }
     if (!best.onPage) return nothingFound(request, graphCount, bestRejection);
+    if (auto made = restoreView(best.page, *best.onPage, best.index, progress); !made) return made.failure();
     best.graphCount = request.graph ? 1 : graphCount;
     for (const Seen& other : seen)
       if (best.graphCount > 1 && (other.page != best.page || other.index != best.index) &&
@@ -468,6 +489,7 @@ struct ImportSession::Impl {
       const auto [number, index] = choice.rivals[i];
       auto onPage = located(number, key, progress);
       if (!onPage || index >= (*onPage)->located.graphs.size() || progress.isCancelled()) continue;
+      if (!restoreView(number, **onPage, index, progress)) continue;
       Choice rival = choice;
       rival.page = number, rival.graph = static_cast<int>(index) + 1;
       rival.onPage = *onPage, rival.index = index;
@@ -534,7 +556,7 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   sayWhichOfSeveral(*choice);
   LocatedGraph& graph = choice->located();
   readAllTexts(graph, progress);
-  forgetOldGraphs({{choice->page, !key.frame.empty()}});
+  letViewsGo(&graph);
 
   step(0.5, "tracing curves");
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
@@ -694,7 +716,7 @@ Result<std::vector<ListedGraph>> ImportSession::list(std::optional<int> page, Qu
     }
     for (std::size_t i = 0; i < (*located)->located.graphs.size(); ++i)
       listed.push_back((*located)->listed(number, i));
-    impl_->forgetOldGraphs({{number, !key.frame.empty()}});
+    impl_->letViewsGo(nullptr);
   }
   if (unreadable == last - first + 1) return *firstFault;
   return listed;

@@ -120,9 +120,9 @@ struct ImportReport {
 };
 
 /// An open input that is imported again and again while hints change: a step is recomputed only if something
-/// it depends on changed (STYLE 8). What was found is kept for the pages used last, within a bound on memory
-/// (docs/decisions/1020-what-an-open-document-keeps.md). One thread at a time; `Progress::cancelled` may be
-/// asked from it.
+/// it depends on changed (STYLE 8). What was found is kept; pages and pixels are kept within a bound on
+/// memory (docs/decisions/1020-what-an-open-document-keeps.md). One thread at a time; `Progress::cancelled`
+/// may be asked from it.
 class ImportSession {
  public:
   static Result<ImportSession> open(const std::string& path, const PageLimits& limits = {});

@@ -75,6 +75,7 @@ struct AxisFields {
   QComboBox* unit = nullptr;
   Origin range, unitOrigin;
   QLabel* details = nullptr;
+  std::vector<QWidget*> ofPage;  ///< what a force meter's log has no use for
 };
 
 QLabel* wrapped(QLabel* label) {
@@ -110,6 +111,12 @@ const importer::StepFinding* stepOf(const std::shared_ptr<const importer::GraphE
     if (each.step == step) return &each;
   }
   return nullptr;
+}
+
+QString axisTitle(GraphAxis axis, bool ofLog) {
+  if (axis == GraphAxis::x)
+    return ofLog ? QObject::tr("Displacement in the file") : QObject::tr("Displacement axis (horizontal)");
+  return ofLog ? QObject::tr("Force in the file") : QObject::tr("Force axis (vertical)");
 }
 
 std::optional<double> confidenceOf(const std::shared_ptr<const importer::GraphEvidence>& evidence,
@@ -152,6 +159,7 @@ struct FindingsPanel::Fields {
   QPushButton *pressColor = nullptr, *releaseColor = nullptr;
   Origin press, release;
   QCheckBox* swap = nullptr;
+  std::vector<QWidget*> curvesOfPage;
   QLabel *strokes = nullptr, *masks = nullptr;
   QToolButton* noMasks = nullptr;
   QSpinBox* dpi = nullptr;
@@ -250,12 +258,12 @@ void FindingsPanel::build() {
   for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y}) {
     const bool isX = axis == GraphAxis::x;
     AxisFields& a = f.axis(axis);
-    column->addWidget(
-        a.box = new QGroupBox(isX ? tr("Displacement axis (horizontal)") : tr("Force axis (vertical)")));
+    column->addWidget(a.box = new QGroupBox(axisTitle(axis, false)));
     auto* axisColumn = new QVBoxLayout(a.box);
     auto* row = new QHBoxLayout;
+    auto* to = new QLabel(tr("to"));
     row->addWidget(a.min = new QLineEdit);
-    row->addWidget(new QLabel(tr("to")));
+    row->addWidget(to);
     row->addWidget(a.max = new QLineEdit);
     row->addWidget(a.unit = new QComboBox);
     a.min->setObjectName(isX ? QStringLiteral("xMin") : QStringLiteral("yMin"));
@@ -296,7 +304,9 @@ void FindingsPanel::build() {
     connect(ticks, &QPushButton::clicked, this, [this] { emit toolAsked(ToolKind::scale); });
     origins->addWidget(ticks);
     origins->addStretch();
-    origins->addWidget(new QLabel(tr("Range:")));
+    auto* rangeName = new QLabel(tr("Range:"));
+    origins->addWidget(rangeName);
+    a.ofPage = {a.min, to, a.max, ticks, rangeName};
     a.range = origin(origins, isX ? QStringLiteral("resetX") : QStringLiteral("resetY"),
                      isX ? tr("Reset displacement axis") : tr("Reset force axis"),
                      [axis](Corrections& c) { c.axis(axis) = {}; });
@@ -382,6 +392,8 @@ void FindingsPanel::build() {
   f.dpiOrigin = origin(dpiRow, QStringLiteral("resetDpi"), tr("Reset resolution"),
                        [](Corrections& c) { c.dpi.reset(); });
   curves->addLayout(dpiRow);
+
+  f.curvesOfPage = {f.pressColor, f.releaseColor, box, f.masks, dpiLabel, f.dpi};
 
   // Result
   column->addWidget(f.resultBox = new QGroupBox(tr("Result")));
@@ -601,17 +613,15 @@ void FindingsPanel::refresh() {
   f.frame.reset->setVisible(graph->framedByHand() && graph->listed.has_value());
   const auto* frameStep = stepOf(evidence, "plot frame");
   f.frameDetails->setText(frameStep ? QString::fromStdString(frameStep->evidence) : QString());
-  f.frameDetails->setVisible(frameStep && !frameStep->evidence.empty());
+  f.frameDetails->setVisible(frameStep && !frameStep->evidence.empty() && !graph->framedByHand());
   for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y}) {
-    f.axis(axis).min->setVisible(!log);
-    f.axis(axis).max->setVisible(!log);
+    for (QWidget* each : f.axis(axis).ofPage) each->setVisible(!log);
+    f.axis(axis).box->setTitle(axisTitle(axis, log));
     showAxis(axis);
   }
   showCurves();
   f.curveBox->setVisible(true);
-  for (QWidget* each : {static_cast<QWidget*>(f.pressColor), static_cast<QWidget*>(f.releaseColor),
-                        static_cast<QWidget*>(f.dpi)})
-    each->setEnabled(!log);
+  for (QWidget* each : f.curvesOfPage) each->setVisible(!log);
   showResult();
 }
 

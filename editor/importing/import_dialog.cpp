@@ -87,6 +87,9 @@ Advice adviceForDoubt(const ImportGraph& graph, const QString& documentName) {
     if (!isGiven(remedy, given)) remedies.push_back(remedy);
   }
   Advice advice = adviceWith(*report.doubt, documentName, remedies);
+  if (axes && report.x && report.y && !report.x->unitFound && !report.y->unitFound)
+    advice.problem = QObject::tr("The page names no units: %1 and %2 are a guess.")
+                         .arg(QString::fromStdString(report.x->unit), QString::fromStdString(report.y->unit));
   const QString check =
       QObject::tr("If everything lies right on the page, tick “I have checked it against the page”.");
   advice.remedy = advice.remedy.isEmpty() ? check : advice.remedy + ' ' + check;
@@ -344,7 +347,12 @@ void ImportDialog::Impl::showDocument() {
   middle->setCurrentWidget(state.isForceLog() ? static_cast<QWidget*>(log) : view);
   pages->setVisible(state.isOpen() && !state.isForceLog());
   findings->setVisible(state.isOpen());
-  for (QAction* action : tools->actions()) action->setEnabled(state.isOpen() && !state.isForceLog());
+  const bool onPage = state.isOpen() && !state.isForceLog();
+  for (QAction* action : tools->actions()) action->setEnabled(onPage);
+  for (const auto& each : viewActions) {
+    if (each.first != undo && each.first != redo) each.first->setEnabled(onPage);
+  }
+  hint->setVisible(!state.isForceLog());
   showCorrections();
   showWork();
   showAdvice();

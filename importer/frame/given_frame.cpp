@@ -29,6 +29,13 @@ bool convex(const std::vector<Point>& p) {
   return true;
 }
 
+/// Four corners say which way up the graph is: its top edge runs to the right once it stands upright.
+int quarterTurnsOf(const std::vector<Point>& p) {
+  const double dx = p[1].x - p[0].x, dy = p[1].y - p[0].y;
+  if (std::abs(dx) >= std::abs(dy)) return dx > 0 ? 0 : 2;
+  return dy < 0 ? 1 : 3;
+}
+
 }  // namespace
 
 Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, const Page& page) {
@@ -60,6 +67,12 @@ Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, 
   const Box bounds{-margin, -margin, page.width - margin, page.height - margin};
   c.regionBox = {std::max(bounds.x0, c.pageBox.x0 - 0.45 * w), std::max(bounds.y0, c.pageBox.y0 - 0.4 * h),
                  std::min(bounds.x1, c.pageBox.x1 + 0.5 * w), std::min(bounds.y1, c.pageBox.y1 + 0.45 * h)};
+  c.quarterTurns = quarterTurnsOf(corners);
+  if (c.quarterTurns != 0) {  // its labels may stand on any side of the page's box
+    const double room = 0.5 * std::max(w, h);
+    c.regionBox = {std::max(bounds.x0, c.pageBox.x0 - room), std::max(bounds.y0, c.pageBox.y0 - room),
+                   std::min(bounds.x1, c.pageBox.x1 + room), std::min(bounds.y1, c.pageBox.y1 + room)};
+  }
   c.givenCorners = std::move(corners);
   return found;
 }

@@ -87,6 +87,7 @@ class ImportDialogTest : public QObject {
   void aForceLog();
   void aPastedPicture();
   void theFrameIsDraggedWithTheMouse();
+  void aGraphOnItsSideIsCorrectedToo();
   void theKeyboardReachesEverything();
   void theWindowNeverStalls();
   void closingWhileItWorks();
@@ -495,6 +496,31 @@ void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
   state.undo();
   QVERIFY(again(state));
   QVERIFY(state.current()->last->report);
+}
+
+void ImportDialogTest::aGraphOnItsSideIsCorrectedToo() {
+  const QImage upright(sample("brown-one-ink.png"));
+  ViewSettings settings;
+  ImportState state;
+  PageView view(state, settings);
+  view.resize(900, 700);
+  view.show();
+  for (const int degrees : {90, 270}) {
+    state.openPicture(upright.transformed(QTransform().rotate(degrees)));
+    QVERIFY(QTest::qWaitFor([&] { return settled(state) && state.searchedPages() == 1; }, patience_ms));
+    QVERIFY(state.current()->listed->quarterTurns != 0);
+    const double travel_mm = report(state).button.states().front().graph.travel_mm();
+    const auto corners = *view.shownCorners();
+    const QPointF top = view.toWidget(corners[1]) - view.toWidget(corners[0]);
+    QVERIFY(top.x() > 100 && std::abs(top.y()) < 2);  // it is shown upright
+    Corrections next = state.current()->history.now();
+    next.frame = corners;
+    state.apply(next, "Move plot frame");
+    QVERIFY(again(state));
+    QVERIFY2(state.current()->last->report,
+             state.current()->last->failure ? state.current()->last->failure->problem.c_str() : "");
+    QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - travel_mm) < 0.02);
+  }
 }
 
 void ImportDialogTest::theKeyboardReachesEverything() {

@@ -162,3 +162,23 @@ TEST_CASE("A cancelled import leaves nothing half done behind") {
     if (stopped) break;
   }
 }
+
+TEST_CASE("A view that was let go is made again, and gives the same result") {
+  auto session = opened("white-vector.pdf");
+  const auto listed = session.list(1);
+  REQUIRE(listed);
+  const Box box = listed->front().frame;
+  ImportRequest request = firstGraph();
+  const ImportReport first = imported(session, request);
+  ImportRequest large = request;  // its view alone is more than what is kept
+  large.hints.frame = {{box.x0, box.y0}, {box.x1, box.y1}};
+  large.hints.dpi = 900;
+  imported(session, large);
+  request.hints.strokes.swap = true;
+  CHECK(imported(session, request).seconds.count("view") == 1);
+  request.hints.strokes.swap = false;
+  const ImportReport again = imported(session, request);
+  CHECK(again.button.states() == first.button.states());
+  CHECK(again.seconds.count("locate") == 0);
+  CHECK(again.evidence->view.raster.rgb == first.evidence->view.raster.rgb);
+}
