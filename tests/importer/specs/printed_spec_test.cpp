@@ -57,6 +57,10 @@ TEST_CASE("Tolerances in the forms of datasheets become bounds in mm and N") {
   CHECK(travel.smallest.value() == Approx(3.6));
   CHECK(travel.largest.value() == Approx(4.0));
 
+  const auto unitInside = only({{"Pre Travel 预: 1.3mm±0.30"}});
+  CHECK(unitInside.nominal == Approx(1.3));
+  CHECK(unitInside.largest.value() == Approx(1.6));
+
   const auto numbered = only({{"9.Total travel:4.0mm"}});
   CHECK(numbered.nominal == Approx(4));
   CHECK(only({{"4.0 mm", "Total travel"}}).nominal == Approx(4));
