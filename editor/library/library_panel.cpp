@@ -24,6 +24,12 @@ QListView* pictureList(QAbstractItemModel* model, const QString& objectName, con
   return list;
 }
 
+// A menu key asks for the middle of the list, not for a place in it.
+QModelIndex askedFor(const QListView& list, QPoint at) {
+  const QModelIndex under = list.indexAt(at);
+  return under.isValid() ? under : list.currentIndex();
+}
+
 }  // namespace
 
 LibraryPanel::LibraryPanel(QWidget* parent) : QWidget(parent) {
@@ -115,7 +121,7 @@ void LibraryPanel::askFolder() {
 }
 
 void LibraryPanel::openMenu(QPoint at) {
-  ButtonDocument* document = open_.documentAt(openList_->indexAt(at));
+  ButtonDocument* document = open_.documentAt(askedFor(*openList_, at));
   if (!document) return;
   QMenu menu;
   menu.addAction(tr("Show"), this, [this, document] { emit documentChosen(document); });
@@ -125,7 +131,7 @@ void LibraryPanel::openMenu(QPoint at) {
 }
 
 void LibraryPanel::folderMenu(QPoint at) {
-  const QString path = files_.pathAt(fileList_->indexAt(at));
+  const QString path = files_.pathAt(askedFor(*fileList_, at));
   if (path.isEmpty()) return;
   QMenu menu;
   menu.addAction(tr("Open"), this, [this, path] { emit fileChosen(path); });

@@ -177,6 +177,7 @@ bool FileDesk::save(DocumentTab& tab) {
 }
 
 bool FileDesk::saveAs(DocumentTab& tab) {
+  at_.tabs.show(tab.document());  // the person sees what is being named
   const QString now = tab.document().path();
   const QString suggested = now.isEmpty() ? suggestedPath(tab.document(), folder(), ".button.json") : now;
   const QString chosen =
