@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QFontMetricsF>
 #include <QLocale>
+#include <vector>
 
 namespace detent::editor {
 namespace {
@@ -114,7 +115,29 @@ QString nameOf(const DrawnMark& mark) {
   return {};
 }
 
-void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMark& mark) {
+/// The first place beside a mark where its plate hides no other plate.
+QPointF freePlace(QPointF mark, QSizeF size, bool above, std::vector<QRectF>& taken) {
+  const double up = above ? -14 : 16, right = 12, left = -12 - size.width();
+  const QPointF places[] = {{right, up},       {right, -up},       {left, up},      {left, -up},
+                            {right, 2.2 * up}, {right, -2.2 * up}, {left, 2.2 * up}};
+  const auto plateAt = [&](QPointF offset) {
+    const QPointF at = mark + offset;
+    return QRectF(at.x() - 3, at.y() - 0.5 * size.height() - 1, size.width() + 6, size.height() + 2);
+  };
+  QPointF chosen = places[0];
+  for (const QPointF& offset : places) {
+    const QRectF plate = plateAt(offset);
+    if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(plate); }))
+      continue;
+    chosen = offset;
+    break;
+  }
+  taken.push_back(plateAt(chosen));
+  return mark + chosen;
+}
+
+void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMark& mark,
+               std::vector<QRectF>& taken) {
   const QPointF at = picture.pageToWidget.map(mark.at);
   const QColor color = mark.kind == DrawnMark::Kind::tactile
                            ? (mark.stroke == Stroke::press ? ink().press : ink().release)
@@ -131,7 +154,8 @@ void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMar
                          .arg(QLocale().toString(u.lengthFrom(mark.value.displacement_mm), 'g', 3),
                               u.lengthSymbol(), QLocale().toString(u.forceFrom(mark.value.force_N), 'g', 3),
                               u.forceSymbol());
-  paintPlate(painter, at + QPointF(12, mark.stroke == Stroke::press ? -14 : 16), text, color);
+  const QSizeF size = QFontMetricsF(painter.font()).size(0, text);
+  paintPlate(painter, freePlace(at, size, mark.stroke == Stroke::press, taken), text, color);
 }
 
 }  // namespace
@@ -168,7 +192,12 @@ void paintFindings(QPainter& painter, const FindingsPicture& picture) {
     paintTicks(painter, GraphAxis::x, picture);
     paintTicks(painter, GraphAxis::y, picture);
   }
-  for (const DrawnMark& mark : picture.drawn.marks) paintMark(painter, picture, mark);
+  std::vector<QRectF> taken;
+  for (const DrawnMark& mark : picture.drawn.marks) {
+    const QPointF at = picture.pageToWidget.map(mark.at);
+    taken.emplace_back(at - QPointF(7, 7), QSizeF(14, 14));
+  }
+  for (const DrawnMark& mark : picture.drawn.marks) paintMark(painter, picture, mark, taken);
   painter.restore();
 }
 

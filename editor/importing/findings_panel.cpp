@@ -284,6 +284,7 @@ void FindingsPanel::build() {
     } else {
       for (const ForceUnit unit : forceUnits) a.unit->addItem(symbol(symbolOf(unit)));
     }
+    a.unit->setPlaceholderText(tr("as found"));
     a.unit->setToolTip(a.unit->accessibleName());
     connect(a.min, &QLineEdit::editingFinished, this, [this, axis] { takeEnd(axis, false); });
     connect(a.max, &QLineEdit::editingFinished, this, [this, axis] { takeEnd(axis, true); });
@@ -312,8 +313,10 @@ void FindingsPanel::build() {
                      [axis](Corrections& c) { c.axis(axis) = {}; });
     axisColumn->addLayout(origins);
     auto* unitRow = new QHBoxLayout;
+    auto* unitName = new QLabel(tr("Unit:"));
     unitRow->addStretch();
-    unitRow->addWidget(new QLabel(tr("Unit:")));
+    unitRow->addWidget(unitName);
+    a.ofPage.push_back(unitName);
     a.unitOrigin =
         origin(unitRow, isX ? QStringLiteral("resetXUnit") : QStringLiteral("resetYUnit"),
                isX ? tr("Reset displacement unit") : tr("Reset force unit"), [isX](Corrections& c) {
@@ -495,9 +498,9 @@ void FindingsPanel::showCurves() {
   const auto* strokes = graph && graph->good ? stepOf(graph->good->evidence, "strokes") : nullptr;
   f.strokes->setText(strokes ? QString::fromStdString(strokes->evidence) : QString());
   f.strokes->setVisible(strokes && !strokes->evidence.empty());
-  f.masks->setText(given.masks.empty()
-                       ? tr("none")
-                       : tr("%n place(s) masked", nullptr, static_cast<int>(given.masks.size())));
+  f.masks->setText(given.masks.empty()       ? tr("none")
+                   : given.masks.size() == 1 ? tr("1 place masked")
+                                             : tr("%1 places masked").arg(given.masks.size()));
   f.noMasks->setVisible(!given.masks.empty());
   const QSignalBlocker quiet(f.dpi);
   f.dpi->setValue(given.dpi ? qRound(*given.dpi) : 0);
@@ -542,7 +545,8 @@ void FindingsPanel::showResult() {
   QStringList lines;
   lines << tr("Travel %1").arg(length(report->button.states().front().graph.travel_mm()));
   const auto stroke = [&](const QString& name, const importer::StrokeReport& s) {
-    QString line = tr("%1: %n piece(s)", nullptr, s.fit.pieces).arg(name);
+    QString line =
+        (s.fit.pieces == 1 ? tr("%1: 1 piece").arg(name) : tr("%1: %2 pieces").arg(name).arg(s.fit.pieces));
     if (s.rms_px > 0) line += tr(", off by %1 px").arg(number(s.rms_px, 2));
     for (const auto& fitted : s.fit.tactilePoints)
       line += tr("\n   tactile point %1, %2")

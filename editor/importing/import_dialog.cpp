@@ -340,7 +340,7 @@ void ImportDialog::Impl::connectState() {
 
 void ImportDialog::Impl::showDocument() {
   QString text = state.documentName();
-  if (state.pageCount() > 1) text += tr(" – %n page(s)", nullptr, state.pageCount());
+  if (state.pageCount() > 1) text += tr(" – %1 pages").arg(state.pageCount());
   document->setText(text);
   dialog.setWindowTitle(text.isEmpty() ? tr("Import a force graph")
                                        : tr("Import – %1").arg(state.documentName()));
@@ -421,7 +421,7 @@ void ImportDialog::Impl::showAccept() {
   const ImportGraph* graph = state.current();
   const bool usable = graph && graph->good && !(graph->last && graph->last->failure) &&
                       (!graph->good->report->doubt || graph->confirmed);
-  accept->setText(ticked > 0 ? tr("&Import %n graph(s)", nullptr, ticked) : tr("&Import"));
+  accept->setText(ticked > 1 ? tr("&Import %1 graphs").arg(ticked) : tr("&Import"));
   accept->setEnabled(ticked > 0 || usable);
   accept->setToolTip(ticked > 0 ? tr("Import the ticked graphs, each as a button of its own")
                                 : tr("Import this graph as a button (Ctrl+Enter)"));
@@ -498,6 +498,11 @@ ImportDialog::~ImportDialog() { qDeleteAll(findChildren<QWidget*>(QString(), Qt:
 
 void ImportDialog::openFile(const QString& path) { impl_->state.openFile(path); }
 void ImportDialog::openPicture(const QImage& picture) { impl_->state.openPicture(picture); }
+
+void ImportDialog::done(int result) {
+  impl_->state.stopAll();
+  QDialog::done(result);
+}
 
 void ImportDialog::dragEnterEvent(QDragEnterEvent* event) {
   const QMimeData* mime = event->mimeData();

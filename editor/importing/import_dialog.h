@@ -25,6 +25,8 @@ class ImportDialog : public QDialog {
   void openFile(const QString& path);
   /// A pasted image.
   void openPicture(const QImage& picture);
+  /// Closing ends all work.
+  void done(int result) override;
 
  signals:
   /// Once per accepted graph. Shared and never changed.

@@ -378,6 +378,18 @@ void ImportState::cancel() {
   emit resultChanged();
 }
 
+void ImportState::stopAll() {
+  desk_.forgetAll();
+  toAccept_.clear();
+  openTicket_ = sheetTicket_ = 0;
+  for (ImportPage& page : pages_) page.thumbnailTicket = page.searchTicket = 0;
+  for (auto& each : graphs_) {
+    if (each.second.pending != 0) each.second.asked = false;
+    each.second.pending = 0;
+  }
+  emit resultChanged();
+}
+
 void ImportState::retry() {
   if (ImportGraph* graph = currentRef()) askForImport(*graph, Urgency::now);
   emit resultChanged();

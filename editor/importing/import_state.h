@@ -111,6 +111,8 @@ class ImportState : public QObject {
   /// Stops the running import; the last good result stays.
   void cancel();
   void retry();
+  /// Nothing is worked on any more; what is known stays.
+  void stopAll();
 
   /// Gives out the ticked graphs (without any, the current one), each by `accepted` when its result is there;
   /// then `allAccepted`, or `acceptStopped` at the first that failed or is in doubt, which is then the
