@@ -708,9 +708,9 @@ void FeelPanel::Parts::showStatus() {
 
 // ---------------------------------------------------------------------------------------------- panel
 
-FeelPanel::FeelPanel(ViewSettings& settings, QWidget* parent, FeelDevices devices) : QWidget(parent) {
+FeelPanel::FeelPanel(ViewSettings& settings, QWidget* parent, const FeelDevices& devices) : QWidget(parent) {
   setAccessibleName(tr("Feel"));
-  parts_ = std::make_unique<Parts>(*this, settings, std::move(devices));
+  parts_ = std::make_unique<Parts>(*this, settings, devices);
 }
 FeelPanel::~FeelPanel() = default;
 

@@ -22,7 +22,7 @@ class FeelPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FeelPanel(ViewSettings& settings, QWidget* parent = nullptr, FeelDevices devices = {});
+  explicit FeelPanel(ViewSettings& settings, QWidget* parent = nullptr, const FeelDevices& devices = {});
   ~FeelPanel() override;
 
   /// A, the button being edited; may be null. Must outlive its use here or be destroyed as a QObject.

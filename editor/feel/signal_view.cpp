@@ -319,7 +319,7 @@ void SignalView::paintTime(QPainter& painter, const Layout& layout, const GraphC
 
 QString SignalView::readout(const Layout& layout) const {
   const double time_s = (cursor_->x() - layout.wave.left()) / layout.wave.width() * layout.duration_s;
-  const QString time = tr("%1 ms").arg(QLocale().toString(1000 * time_s, 'f', 1));
+  QString time = tr("%1 ms").arg(QLocale().toString(1000 * time_s, 'f', 1));
   if (layout.spectrum.contains(*cursor_)) {
     const playback::Spectrogram& s = signal_->spectrogram;
     if (s.columns == 0) return time;

@@ -60,6 +60,7 @@ struct Rig {
     pad->setFocus();
     QTest::keyPress(pad, Qt::Key_Space);
     QTest::qWait(hold_ms);
+    static_cast<void>(QTest::qWaitFor([this] { return deepest_mm >= 4; }, 2000));  // however busy the machine
     QTest::keyRelease(pad, Qt::Key_Space);
   }
   bool sounding() { return status().contains("48 kHz"); }
