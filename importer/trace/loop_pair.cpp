@@ -243,6 +243,23 @@ void startOnAxis(std::vector<Point>& press, std::vector<Point>& release, double 
   press.erase(press.begin(), above);
 }
 
+/// A stroke that must end as far out as something else does may leave its wall along a level gridline: that
+/// tail, on nothing but the line, is cut. Nothing else ends on a level line right after a wall.
+void cutLevelTail(std::vector<Point>& path, const Structure& s, double strokeWidth) {
+  const auto onLineAlone = [&](Point p) {
+    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+    return s.explained.inside(x, y) && s.explained.at(x, y) > 0.3F * s.curveLevel &&
+           s.curveInk.at(x, y) < 0.35F;
+  };
+  std::size_t from = path.size();
+  while (from > 0 && std::abs(path[from - 1].y - path.back().y) <= 1.5 && onLineAlone(path[from - 1])) --from;
+  constexpr std::size_t kBefore = 8;
+  if (from < kBefore || from == path.size()) return;
+  const Point wall = path[from - kBefore], end = path[from];
+  const bool steep = std::abs(end.y - wall.y) > 2 * std::abs(end.x - wall.x);
+  if (steep && path.back().x - end.x >= 2 * strokeWidth) path.resize(from + 1);
+}
+
 struct Contact {
   std::size_t a, b;
 };
@@ -271,7 +288,8 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
 class PairSearch {
  public:
   PairSearch(const Structure& structure, const Plane& plane, const GapPrice& price, float shared)
-      : plane_(plane),
+      : structure_(structure),
+        plane_(plane),
         stroke_(structure.strokeWidth_px),
         shared_(shared),
         reward_(rewardOf(structure, plane, price)),
@@ -331,6 +349,8 @@ class PairSearch {
 
   PlanePair parted() {
     PlanePair pair;
+    cutLevelTail(a_, structure_, stroke_);
+    cutLevelTail(b_, structure_, stroke_);
     pair.ownRelease_px = ownOfSecond();
     if (pair.ownRelease_px < 0.05 * plane_.frame.width()) {
       pair.press = a_;
@@ -383,6 +403,7 @@ class PairSearch {
     return {0, static_cast<int>(first + tolerance), static_cast<int>(last - tolerance), reward_.width - 1};
   }
 
+  const Structure& structure_;
   const Plane& plane_;
   double stroke_;
   float shared_;
