@@ -139,6 +139,13 @@ double credit(double traceConfidence) { return std::clamp(0.2 + 1.15 * traceConf
 /// The strokes of one switch run over the same travel; leaders, markers and curves of two switches need not.
 double creditOfTravel(const Comparison& c) { return std::clamp((c.commonShare - 0.2) / 0.4, 0.0, 1.0); }
 
+/// A legend that calls one the press and the other the release says that they belong together. A key that
+/// stays locked has a release of half the travel.
+bool namedAsPair(const CurveTrace& first, const CurveTrace& second) {
+  const auto a = strokeNamedBy(first.label), b = strokeNamedBy(second.label);
+  return a && b && *a != *b;
+}
+
 /// Which of two traces is the press.
 Verdict judge(const CurveTrace& first, const CurveTrace& second, const Comparison& c, double newtonPerPx) {
   Verdict verdict;
@@ -224,8 +231,9 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
   const Verdict verdict = judge(drawn[0], drawn[1], compared, newtonPerPx);
   Found<StrokePair> found;
-  found.confidence = verdict.confidence() * credit(std::min(drawn[0].confidence, drawn[1].confidence)) *
-                     creditOfTravel(compared);
+  const double together = namedAsPair(drawn[0], drawn[1]) ? 1 : creditOfTravel(compared);
+  found.confidence =
+      verdict.confidence() * credit(std::min(drawn[0].confidence, drawn[1].confidence)) * together;
   found.evidence = verdict.sentence();
   bool firstIsPress = verdict.logOdds >= 0;
   if (hints.swap) {

@@ -153,6 +153,16 @@ TEST_CASE("Lines that stand side by side are not the strokes of one switch", "[s
   CHECK(separate({left, right})->confidence > 0.9);
 }
 
+TEST_CASE("A locked key's release covers part of the travel: the legend says that it belongs to the press",
+          "[strokes]") {
+  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05, {255, 0, 0})};
+  std::erase_if(traces[1].points_px, [](Point p) { return p.x < 50 + 100 * 2.9; });
+  CHECK(separate(traces)->confidence < 0.5);
+  traces[0].label = "Downstroke";
+  traces[1].label = "Upstroke";
+  CHECK(separate(traces)->confidence > 0.9);
+}
+
 TEST_CASE("Traces that are hardly believed make no certain strokes", "[strokes]") {
   std::vector<CurveTrace> traces = {trace(0.1, {255, 0, 0}), trace(-0.05)};
   traces[1].confidence = 0.1;
