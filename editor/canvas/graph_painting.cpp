@@ -15,6 +15,7 @@ QString tr(const char* text) { return QCoreApplication::translate("GraphPainting
 
 // More knots than this are drawn small: circles would hide the curve and cost time.
 constexpr std::size_t fewKnots = 120;
+constexpr double longestResidual_px = 60;
 
 QColor withAlpha(QColor color, double alpha) {
   color.setAlphaF(static_cast<float>(alpha));
@@ -166,7 +167,11 @@ void paintResiduals(QPainter& painter, const PlotMapping& map, const StrokeCurve
       if (candidate && (!nearest || squared(*candidate - p) < squared(*nearest - p))) nearest = candidate;
     }
     if (!nearest) continue;
-    ends << *nearest << *nearest + residualMagnification * (p - *nearest);
+    const QPointF off = p - *nearest;
+    const double length = std::hypot(off.x(), off.y());
+    // Far from the points nothing needs enlarging.
+    const double times = length > 0 ? std::clamp(longestResidual_px / length, 1.0, residualMagnification) : 0;
+    ends << *nearest << *nearest + times * off;
   }
   painter.setPen(QPen(color, 1));
   for (qsizetype i = 0; i + 1 < ends.size(); i += 2) painter.drawLine(ends[i], ends[i + 1]);
@@ -216,6 +221,9 @@ void paintTactilePoints(QPainter& painter, const PlotMapping& map, const GraphSc
     const double r = 6.5;
     painter.drawPolygon(
         QPolygonF({{at.x(), at.y() - r}, {at.x() + r, at.y()}, {at.x(), at.y() + r}, {at.x() - r, at.y()}}));
+    // While it is dragged its place is written beside it anyway.
+    const auto& dragged = scene.feedback.dragged;
+    if (dragged && *dragged == CurvePoint{point.displacement_mm, point.force_N}) continue;
     const double away = stroke == Stroke::press ? -20 : 20;
     paintTag(painter, at + QPointF(0, away), shortForce(point.force_N, scene.units), scene.colors.text,
              scene.colors.background, map.clip_px);
@@ -358,9 +366,8 @@ void paintDragReadout(QPainter& painter, const PlotMapping& map, const GraphScen
   painter.setPen(QPen(withAlpha(scene.colors.selection, 0.35), 1));
   painter.drawLine(QPointF(map.clip_px.left(), at.y()), at);
   painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
-  paintTag(painter, at + QPointF(0, scene.feedback.refused ? 34 : -34),
-           placeText(*scene.feedback.dragged, scene.units), scene.colors.text, scene.colors.background,
-           map.clip_px);
+  paintTag(painter, at + QPointF(0, -30), placeText(*scene.feedback.dragged, scene.units), scene.colors.text,
+           scene.colors.background, map.clip_px);
 }
 
 void paintFinger(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
@@ -424,18 +431,22 @@ void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColo
 }
 
 void paintRefusalReason(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  const QPointF top(map.clip_px.center().x(), map.clip_px.top() + 4);
-  paintTag(painter, top, scene.feedback.refused->why, scene.colors.refused, scene.colors.background,
-           map.clip_px);
+  // Beside the legend.
+  const QRectF free = map.clip_px.adjusted(std::min(110.0, 0.2 * map.clip_px.width()), 0, 0, 0);
+  paintTag(painter, QPointF(free.center().x(), free.top()), scene.feedback.refused->why, scene.colors.refused,
+           scene.colors.background, free);
 }
 
 void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   painter.save();
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
   painter.setPen(Qt::NoPen);
+  // Their edges are upright, level, or under a curve.
+  painter.setRenderHint(QPainter::Antialiasing, false);
   shadePress(painter, map, scene);
   shadeJumpAreas(painter, map, scene, Stroke::press);
   if (scene.state.graph.release()) shadeJumpAreas(painter, map, scene, Stroke::release);
+  painter.setRenderHint(QPainter::Antialiasing, true);
   paintWall(painter, map, scene);
   if (scene.otherState) paintGhost(painter, map, scene);
   if (!scene.tracedPress.empty())

@@ -41,7 +41,7 @@ void paintRefusalReason(QPainter& painter, const PlotMapping& map, const GraphSc
 void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& ink, const QColor& ground,
               const QRectF& bounds_px);
 
-/// Residuals are drawn this many times as long as they are.
+/// Residuals are drawn this many times as long as they are; long ones less, down to their own length.
 inline constexpr double residualMagnification = 10;
 
 }  // namespace detent::editor

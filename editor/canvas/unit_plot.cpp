@@ -70,6 +70,7 @@ UnitPlot::UnitPlot(ViewSettings& settings, PlotQuantity x, PlotQuantity y, QWidg
   setFocusPolicy(Qt::StrongFocus);
   setMinimumSize(160, 120);
   connect(&settings_, &ViewSettings::changed, this, &UnitPlot::applySettings);
+  connect(this, &QCustomPlot::beforeReplot, this, [this] { groundStale_ = true; });
   connect(this, &QCustomPlot::afterLayout, this, [this] {
     if (!exporting_) emit viewChanged();
   });
@@ -214,9 +215,27 @@ QImage UnitPlot::renderImage(QSize size_px, double devicePixelRatio) {
   return image;
 }
 
+// QCustomPlot would fill and blend its buffers with every frame; an opaque copy is laid down at once.
+void UnitPlot::refreshGround() {
+  const double ratio = devicePixelRatioF();
+  ground_ = QPixmap((QSizeF(size()) * ratio).toSize());
+  ground_.setDevicePixelRatio(ratio);
+  ground_.fill(colors_.background);
+  QCPPainter painter(&ground_);
+  for (const auto& buffer : mPaintBuffers) buffer->draw(&painter);
+  groundStale_ = false;
+}
+
 void UnitPlot::paintEvent(QPaintEvent* event) {
-  QCustomPlot::paintEvent(event);
+  const double ratio = devicePixelRatioF();
+  if (ratio != bufferDevicePixelRatio()) {  // moved to another screen: QCustomPlot draws anew
+    setBufferDevicePixelRatio(ratio);
+    replot(QCustomPlot::rpQueuedRefresh);
+  }
+  if (groundStale_ || ground_.size() != (QSizeF(size()) * ratio).toSize()) refreshGround();
   QPainter painter(this);
+  painter.setClipRegion(event->region());
+  painter.drawPixmap(0, 0, ground_);
   painter.setRenderHint(QPainter::Antialiasing);
   drawContent(painter, mapping());
 }

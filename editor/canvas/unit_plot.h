@@ -71,6 +71,7 @@ class UnitPlot : public QCustomPlot {
 
  private:
   class Content;
+  void refreshGround();
   void applySettings();
   void applyColors();
   double unitOf(PlotQuantity quantity) const;
@@ -83,6 +84,8 @@ class UnitPlot : public QCustomPlot {
   std::optional<QPointF> panFrom_px_;
   bool fitted_ = true;
   bool exporting_ = false;
+  QPixmap ground_;  ///< what rests, opaque
+  bool groundStale_ = true;
 };
 
 }  // namespace detent::editor

@@ -12,6 +12,23 @@ constexpr int editedDigits = 12;  // what is typed comes back as typed
 
 bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
 
+// The headings say the stroke.
+QString shortName(MarkId mark) {
+  const QString number = QString::number(mark.index + 1);
+  switch (mark.kind) {
+    case MarkKind::tactilePoint:
+      return ValuesModel::tr("Tactile point %1").arg(number);
+    case MarkKind::turn:
+      return ValuesModel::tr("Turn %1").arg(number);
+    case MarkKind::knot:
+      return ValuesModel::tr("Knot %1").arg(number);
+    case MarkKind::section:
+      return ValuesModel::tr("Section %1").arg(number);
+    default:
+      return nameOf(mark);
+  }
+}
+
 QString sectionName(SectionKind kind) {
   switch (kind) {
     case SectionKind::slope:
@@ -163,11 +180,12 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
     return {};
   }
   if (index.column() == name) {
+    if (role == Qt::AccessibleTextRole) return nameOf(*row.mark);
     if (role != Qt::DisplayRole) return {};
     if (row.mark->kind == MarkKind::section)
-      return tr("%1 (%2)").arg(nameOf(*row.mark),
+      return tr("%1 (%2)").arg(shortName(*row.mark),
                                sectionName(values_.of(row.mark->stroke).sections[row.mark->index].kind));
-    return nameOf(*row.mark);
+    return shortName(*row.mark);
   }
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   const auto value = valueAt(*row.mark, index.column());
@@ -179,6 +197,10 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
 }
 
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation == Qt::Horizontal && role == Qt::ToolTipRole) {
+    if (section == slopeBefore) return tr("Slope on the knot's left side");
+    if (section == slopeAfter) return tr("Slope on the knot's right side; of a section, from end to end");
+  }
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   const DisplayUnits& units = settings_.units();
   switch (section) {
@@ -189,7 +211,7 @@ QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int r
     case force:
       return tr("Force (%1)").arg(units.forceSymbol());
     case slopeBefore:
-      return tr("Slope before (%1)").arg(units.slopeSymbol());
+      return tr("Before (%1)").arg(units.slopeSymbol());
     case slopeAfter:
       return tr("Slope (%1)").arg(units.slopeSymbol());
     default:

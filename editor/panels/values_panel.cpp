@@ -26,7 +26,8 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   table_->horizontalHeader()->setHighlightSections(false);
   const int character = fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  table_->setColumnWidth(ValuesModel::name, 27 * character);
+  table_->horizontalHeader()->setMinimumSectionSize(8 * character);
+  table_->horizontalHeader()->setSectionResizeMode(ValuesModel::name, QHeaderView::Stretch);
   for (int column = ValuesModel::displacement; column < ValuesModel::columns; ++column)
     table_->setColumnWidth(column, (column < ValuesModel::slopeBefore ? 11 : 15) * character);
   table_->setWordWrap(false);

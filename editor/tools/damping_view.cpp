@@ -139,7 +139,9 @@ void DampingView::mousePressEvent(QMouseEvent* event) {
 
 void DampingView::mouseMoveEvent(QMouseEvent* event) {
   UnitPlot::mouseMoveEvent(event);
-  if (!grab_px_ || !selected_ || !(event->buttons() & Qt::LeftButton)) return;
+  if (!grab_px_ || !selected_) return;
+  if (!(event->buttons() & Qt::LeftButton)) return endDrag();  // the release was lost to another window
+  if (!dragging_ && document_.history().dragging()) return;
   if (!dragging_) document_.history().beginDrag(tr("Move damping point %1").arg(*selected_ + 1));
   dragging_ = true;
   const QPointF to = mapping().toPlot(event->position() - *grab_px_);
@@ -148,9 +150,13 @@ void DampingView::mouseMoveEvent(QMouseEvent* event) {
 
 void DampingView::mouseReleaseEvent(QMouseEvent* event) {
   UnitPlot::mouseReleaseEvent(event);
-  if (event->button() != Qt::LeftButton) return;
+  if (event->button() == Qt::LeftButton) endDrag();
+}
+
+void DampingView::endDrag() {
   grab_px_.reset();
   refused_.clear();
+  update();
   if (!dragging_) return;
   dragging_ = false;
   document_.history().finishDrag();

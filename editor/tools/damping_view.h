@@ -39,6 +39,7 @@ class DampingView : public UnitPlot {
   void apply(std::vector<DampingPoint> next, const QString& label, const QString& mergeKey = {});
   void select(std::optional<std::size_t> index);
   void refuse(const QString& why);
+  void endDrag();
   bool walk(int by);
   bool nudge(int key, Qt::KeyboardModifiers modifiers);
 

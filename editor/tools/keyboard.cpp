@@ -10,6 +10,9 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("Keyboard", text); }
 
+// Nobody presses Tab a thousand times to leave a graph.
+constexpr std::size_t mostWalked = 150;
+
 bool isArrow(int key) {
   return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
 }
@@ -42,7 +45,9 @@ bool Keyboard::pressed(int key, Qt::KeyboardModifiers modifiers) {
 }
 
 bool Keyboard::walk(int by) {
-  const std::vector<Mark> marks = pointMarks(context_.canvas.state(), context_.canvas.values());
+  std::vector<Mark> marks = pointMarks(context_.canvas.state(), context_.canvas.values());
+  if (marks.size() > mostWalked)
+    std::erase_if(marks, [](const Mark& m) { return m.id.kind == MarkKind::knot; });
   const int count = static_cast<int>(marks.size());
   int next = by > 0 ? 0 : count - 1;
   for (int i = 0; i < count; ++i)

@@ -8,9 +8,10 @@ namespace detent::editor {
 /// One press of an arrow key; Shift: ten times, Alt: a tenth.
 inline constexpr double nudge_mm = 0.01, nudge_N = 0.001, nudgeSlope_N_per_mm = 0.001;
 
-/// Tab and Shift+Tab go through the points and leave the canvas after the last, arrow keys nudge the selected
-/// mark (one undo step as long as it is the same one), Delete removes it, Insert adds a knot halfway to the
-/// next one, C makes a corner smooth and back, S goes through a knot's slope handles, Escape lets go.
+/// Tab and Shift+Tab go through the points (of very many, not through plain knots) and leave the canvas after
+/// the last, arrow keys nudge the selected mark (one undo step as long as it is the same one), Delete removes
+/// it, Insert adds a knot halfway to the next one, C makes a corner smooth and back, S goes through a knot's
+/// slope handles, Escape lets go.
 class Keyboard {
  public:
   explicit Keyboard(ToolContext& context) : context_(context) {}

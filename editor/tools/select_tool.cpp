@@ -104,6 +104,7 @@ bool SelectTool::moved(const PointerInput& input) {
   if (holding_ == Holding::ground) {
     context_.canvas.panBy(input.at_px - last_px_);
   } else {
+    if (!travelled_ && context_.busy()) return true;
     if (!travelled_) beginDrag(input);
     context_.drag.moveTo(input.at, input.modifiers);
   }

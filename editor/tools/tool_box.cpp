@@ -46,11 +46,25 @@ bool ToolBox::pointerPressed(const PointerInput& input) {
     if (!marks.empty()) canvas_.setSelected(marks.front().id);
     return true;
   }
+  if (input.button == Qt::LeftButton) leftDown_ = true;
   return currentTool().pressed(input);
 }
 
-bool ToolBox::pointerMoved(const PointerInput& input) { return currentTool().moved(input); }
-bool ToolBox::pointerReleased(const PointerInput& input) { return currentTool().released(input); }
+// A release can be lost to a dialog that opened meanwhile: a move without the button says so.
+bool ToolBox::pointerMoved(const PointerInput& input) {
+  if (leftDown_ && !(input.buttons & Qt::LeftButton)) {
+    PointerInput lost = input;
+    lost.button = Qt::LeftButton;
+    pointerReleased(lost);
+  }
+  return currentTool().moved(input);
+}
+
+bool ToolBox::pointerReleased(const PointerInput& input) {
+  if (input.button == Qt::LeftButton) leftDown_ = false;
+  return currentTool().released(input);
+}
+
 bool ToolBox::doubleClicked(const PointerInput& input) { return currentTool().doubleClicked(input); }
 
 bool ToolBox::wantsKey(int key, Qt::KeyboardModifiers modifiers) const {

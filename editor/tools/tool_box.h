@@ -51,6 +51,7 @@ class ToolBox : public QObject, public CanvasEvents {
   Keyboard keyboard_;
   std::array<std::unique_ptr<Tool>, toolCount> tools_;
   ToolKind current_ = ToolKind::select;
+  bool leftDown_ = false;
 };
 
 }  // namespace detent::editor

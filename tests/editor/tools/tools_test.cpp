@@ -51,6 +51,7 @@ class ToolsTest : public QObject {
   void panMovesTheViewAlone();
   void wheelZoomsAtThePointer();
   void dragOnEmptyGroundPans();
+  void lostReleaseEndsTheDrag();
 };
 
 void ToolsTest::dragOfTactilePointIsOneExactStep() {
@@ -444,6 +445,19 @@ void ToolsTest::dragOnEmptyGroundPans() {
   rig.drag(rig.pixel(0.5, 1.0), rig.pixel(0.5, 1.0) + QPointF(30, 0));
   QVERIFY(rig.canvas().shownRange().left() < shown.left());
   QCOMPARE(rig.steps(), 0);
+}
+
+void ToolsTest::lostReleaseEndsTheDrag() {
+  WorkspaceRig rig(require(tactileButton()));
+  const QPointF from = rig.pixel(tactile);
+  rig.press(from);
+  rig.move(from + QPointF(10, -10));
+  const Button dragged = rig.button();
+  rig.down = Qt::NoButton;  // released where the canvas does not hear it
+  rig.move(from + QPointF(60, -60));
+  QVERIFY(!rig.workspace.tools().dragging());
+  QVERIFY(rig.button() == dragged);
+  QCOMPARE(rig.steps(), 1);
 }
 
 QTEST_MAIN(ToolsTest)
