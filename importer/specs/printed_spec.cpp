@@ -85,9 +85,10 @@ struct NamedQuantity {
 };
 
 std::optional<NamedQuantity> quantityNamedIn(const std::string& row) {
-  const auto [text, from] = squeezed(row);
+  const Squeezed squeezedRow = squeezed(row);
+  const std::string& text = squeezedRow.text;
   const auto ending = [&](std::size_t at, const Word& word) {
-    return NamedQuantity{word.quantity, from[at + word.word.size() - 1] + 1};
+    return NamedQuantity{word.quantity, squeezedRow.from[at + word.word.size() - 1] + 1};
   };
   for (const Word& phrase : phrases) {
     if (const auto at = text.find(phrase.word); at != std::string::npos) return ending(at, phrase);
@@ -95,7 +96,7 @@ std::optional<NamedQuantity> quantityNamedIn(const std::string& row) {
   for (const Word& abbreviation : abbreviations) {
     if (text.rfind(abbreviation.word, 0) != 0) continue;
     const std::string_view rest = std::string_view(text).substr(abbreviation.word.size());
-    if (rest.rfind("(", 0) == 0 || rest.rfind("\xEF\xBC\x88", 0) == 0)
+    if (rest.starts_with('(') || rest.starts_with("\xEF\xBC\x88"))
       return ending(0, abbreviation);  // full-width (
   }
   return {};
@@ -125,7 +126,7 @@ std::optional<double> factorIn(const std::string& row, SpecQuantity quantity) {
 /// "55 ± 25", "4.0 -0.4", "30 cN min.", "3.5": nominal and bounds, in the printed unit.
 std::optional<PrintedSpec> valuesIn(const std::string& row) {
   static const std::string number = R"((\d+(?:[.,]\d+)?))";
-  static const std::regex plusMinus(number + R"(\s*[A-Za-z]{0,3}\s*(?:±|\+/-|\+-)\s*)" + number);
+  static const std::regex plusMinus(number + R"(\s*(?:±|\+/-|\+-)\s*)" + number);
   static const std::regex minusOnly(number + R"(\s*(?:-|–|−)\s*)" + number);
   static const std::regex single(number);
   PrintedSpec spec;
