@@ -18,7 +18,7 @@ Button whole(Result<Button> button) {
   return *std::move(button);
 }
 
-Button named(Button button, const QString& name) {
+Button named(const Button& button, const QString& name) {
   auto result = Button::fromStates(name.toStdString(), button.states());
   return whole(std::move(result));
 }
