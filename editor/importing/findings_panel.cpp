@@ -6,6 +6,8 @@
 #include <functional>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
+#include <QEvent>
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QLabel>
@@ -204,6 +206,7 @@ void FindingsPanel::build() {
   auto* content = new QWidget;
   auto* column = new QVBoxLayout(content);
   column->setContentsMargins(8, 4, 8, 8);
+  column->setSizeConstraint(QLayout::SetMinimumSize);
   Fields& f = *fields_;
 
   const auto origin = [&](QHBoxLayout* row, const QString& name, const QString& label,
@@ -627,6 +630,15 @@ void FindingsPanel::refresh() {
   f.curveBox->setVisible(true);
   for (QWidget* each : f.curvesOfPage) each->setVisible(!log);
   showResult();
+  settleLayout();
+}
+
+/// What was shown or hidden changes the content's height: the area takes it up at once, so that nothing is
+/// drawn squeezed in between.
+void FindingsPanel::settleLayout() {
+  widget()->layout()->activate();
+  QEvent request(QEvent::LayoutRequest);
+  QCoreApplication::sendEvent(widget(), &request);
 }
 
 void FindingsPanel::focusField(GraphAxis axis) {

@@ -34,6 +34,7 @@ class FindingsPanel : public QScrollArea {
   struct Fields;
   void build();
   void refresh();
+  void settleLayout();
   void showAxis(GraphAxis axis);
   void showCurves();
   void showResult();

@@ -17,7 +17,10 @@ namespace detent::editor {
 struct GraphId {
   int page = 0, graph = 0;
   friend bool operator==(const GraphId&, const GraphId&) = default;
-  friend auto operator<=>(const GraphId&, const GraphId&) = default;
+  /// Reading order.
+  friend bool operator<(const GraphId& a, const GraphId& b) {
+    return a.page != b.page ? a.page < b.page : a.graph < b.graph;
+  }
 };
 
 struct OpenFile {

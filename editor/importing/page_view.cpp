@@ -335,8 +335,27 @@ void PageView::drawPage(QPainter& painter) const {
     painter.drawImage(QPointF(0, 0), thumbnail);
     painter.restore();
   }
+  // Nearer to the ground: what was found must stand out.
   if (state_.current())
-    painter.fillRect(paper, QColor(255, 255, 255, 80));  // pale: what was found must stand out
+    painter.fillRect(paper, hasDarkGround() ? QColor(0, 0, 0, 90) : QColor(255, 255, 255, 80));
+}
+
+/// The page's ground as a whole, by its thumbnail.
+bool PageView::hasDarkGround() const {
+  const QImage& thumbnail = state_.page(state_.currentPage()).thumbnail;
+  if (thumbnail.isNull()) return false;
+  if (thumbnail.cacheKey() != groundOf_) {
+    groundOf_ = thumbnail.cacheKey();
+    int dark = 0, all = 0;
+    constexpr int step = 8;
+    for (int y = step / 2; y < thumbnail.height(); y += step) {
+      for (int x = step / 2; x < thumbnail.width(); x += step, ++all) {
+        if (qGray(thumbnail.pixel(x, y)) < 100) ++dark;
+      }
+    }
+    darkGround_ = 2 * dark > all;
+  }
+  return darkGround_;
 }
 
 void PageView::drawEmpty(QPainter& painter) const {

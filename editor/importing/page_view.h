@@ -87,6 +87,7 @@ class PageView : public QWidget {
   QRectF pageBounds() const;
   int quarterTurns() const;
   void drawPage(QPainter& painter) const;
+  bool hasDarkGround() const;
   void drawEmpty(QPainter& painter) const;
   void drawOtherFrames(QPainter& painter) const;
   void drawMagnifier(QPainter& painter) const;
@@ -107,6 +108,8 @@ class PageView : public QWidget {
   int fittedPage_ = 0;
   std::optional<QPointF> panFrom_, magnifier_;
   bool spaceDown_ = false;
+  mutable qint64 groundOf_ = 0;  ///< thumbnail whose ground was looked at
+  mutable bool darkGround_ = false;
 };
 
 }  // namespace detent::editor
