@@ -126,7 +126,7 @@ std::optional<double> factorIn(const std::string& row, SpecQuantity quantity) {
 /// "55 ± 25", "4.0 -0.4", "30 cN min.", "3.5": nominal and bounds, in the printed unit.
 std::optional<PrintedSpec> valuesIn(const std::string& row) {
   static const std::string number = R"((\d+(?:[.,]\d+)?))";
-  static const std::regex plusMinus(number + R"(\s*(?:±|\+/-|\+-)\s*)" + number);
+  static const std::regex plusMinus(number + R"(\s*[A-Za-z]{0,3}\s*(?:±|\+/-|\+-)\s*)" + number);
   static const std::regex minusOnly(number + R"(\s*(?:-|–|−)\s*)" + number);
   static const std::regex single(number);
   PrintedSpec spec;
