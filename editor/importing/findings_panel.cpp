@@ -479,7 +479,7 @@ void FindingsPanel::showAxis(GraphAxis axis) {
     details << tr("%1 of %2 numbers used, off by %3 px")
                    .arg(used)
                    .arg(reading->ticks.size())
-                   .arg(number(reading->residual_px, 2));
+                   .arg(QLocale().toString(reading->residual_px, 'f', 2));
   }
   if (reading && !reading->title.empty())
     details << tr("titled “%1”").arg(QString::fromStdString(reading->title));
