@@ -124,7 +124,7 @@ std::optional<double> ValuesModel::valueAt(const MarkId& mark, int column) const
     const Section& section = sections[mark.index];
     if (column == displacement) return section.to_mm;
     if (column == force) return section.toForce_N;
-    if (column == slopeAfter && section.to_mm != section.from_mm)
+    if (column == slopeAfter && section.kind == SectionKind::slope && section.to_mm != section.from_mm)
       return (section.toForce_N - section.fromForce_N) / (section.to_mm - section.from_mm);
     return {};
   }
