@@ -428,8 +428,9 @@ class WindowTest : public QObject {
       rig.window->notices().say("b", NoticeBar::Kind::information, "Information");
       QCoreApplication::processEvents();
       for (const auto* label : rig.window->notices().findChildren<QLabel*>("noticeText"))
-        QVERIFY2(contrast(label->palette().color(QPalette::WindowText),
-                          label->parentWidget()->palette().color(QPalette::Window)) >= 4.5,
+        QVERIFY2(!label->isVisible() ||  // one that was replaced
+                     contrast(label->palette().color(QPalette::WindowText),
+                              label->parentWidget()->palette().color(QPalette::Window)) >= 4.5,
                  qPrintable(QString(appearance) + ": " + label->text()));
     }
   }
