@@ -20,6 +20,8 @@ namespace {
 
 constexpr int updateDelay_ms = 50;
 constexpr int rowMargin_px = 8;
+constexpr int firstPlot_px = 300, firstTable_px = 220;
+constexpr double roomForLegend = 0.2;  // of the force range
 
 enum Column { nameColumn, aColumn, bColumn, differenceColumn, unitColumn, columnCount };
 
@@ -52,7 +54,8 @@ CompareDialog::CompareDialog(ViewSettings& settings, QWidget* parent) : QDialog(
   plot_->setAccessibleName(tr("Both force graphs over each other"));
   plot_->setMinimumHeight(180);
   plot_->legend->setVisible(true);
-  plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignLeft);
+  plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // one line, in the room above the curves
+  plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignHCenter);
   plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
 
   table_ = new QTableWidget(0, columnCount);
@@ -70,6 +73,7 @@ CompareDialog::CompareDialog(ViewSettings& settings, QWidget* parent) : QDialog(
   auto* split = new QSplitter(Qt::Vertical);
   split->addWidget(plot_);
   split->addWidget(table_);
+  split->setSizes({firstPlot_px, firstTable_px});
   distance_ = new QLabel;
   distance_->setObjectName("compareDistance");
   distance_->setWordWrap(true);
@@ -231,6 +235,7 @@ void CompareDialog::drawCurves(const ButtonState& a, const ButtonState& b) {
   plot_->yAxis->setLabel(tr("Force (%1)").arg(units.forceSymbol()));
   plot_->rescaleAxes();
   plot_->yAxis->scaleRange(1.1);
+  plot_->yAxis->setRangeUpper(plot_->yAxis->range().upper + roomForLegend * plot_->yAxis->range().size());
   plot_->replot();
 }
 
