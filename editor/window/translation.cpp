@@ -4,9 +4,24 @@
 #include <QTranslator>
 
 namespace detent::editor {
+namespace {
+
+/// lupdate files texts of functions that belong to no class under their namespace, whatever context they ask
+/// with.
+class Translator : public QTranslator {
+ public:
+  using QTranslator::QTranslator;
+  QString translate(const char* context, const char* source, const char* disambiguation,
+                    int n) const override {
+    const QString text = QTranslator::translate(context, source, disambiguation, n);
+    return text.isNull() ? QTranslator::translate("detent::editor", source, disambiguation, n) : text;
+  }
+};
+
+}  // namespace
 
 bool installTranslation(QCoreApplication& application, const QLocale& locale, const QString& folder) {
-  auto* own = new QTranslator(&application);
+  auto* own = new Translator(&application);
   if (!own->load(locale, QStringLiteral("detent"), QStringLiteral("_"), folder)) {
     delete own;
     return false;  // Qt's texts in another language than ours would be half a translation

@@ -8,4 +8,11 @@
         <translation>Enregistrer ce bouton</translation>
     </message>
 </context>
+<context>
+    <name>detent::editor</name>
+    <message>
+        <source>Scale force</source>
+        <translation>Changer la force</translation>
+    </message>
+</context>
 </TS>

@@ -112,6 +112,7 @@ class WindowTest : public QObject {
     {
       Rig rig(folder_->path());
       QVERIFY(rig.action("save")->toolTip().startsWith(QString::fromUtf8("Enregistrer")));
+      QCOMPARE(QCoreApplication::translate("Operations", "Scale force"), QString("Changer la force"));
     }
     qDeleteAll(qApp->findChildren<QTranslator*>());
     Rig rig(folder_->path());
