@@ -47,7 +47,7 @@ bool screenMissing(const QStringList& words) {
 }
 
 int run(QApplication& app) {
-  const Arguments arguments = argumentsFrom(app.arguments().mid(1));  // without Qt's own
+  const Arguments arguments = argumentsFrom(QCoreApplication::arguments().mid(1));  // without Qt's own
   installTranslation(app, QLocale());
   QSettings settings;
   ViewSettings view;
@@ -63,7 +63,7 @@ int run(QApplication& app) {
     window.files().offerRecovery();
     window.files().open(arguments.files);
   });
-  return app.exec();
+  return QApplication::exec();
 }
 
 }  // namespace

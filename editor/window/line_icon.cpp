@@ -71,7 +71,7 @@ QPainterPath pathOf(QString drawing) {
 
 class LineIconEngine : public QIconEngine {
  public:
-  explicit LineIconEngine(QPainterPath path) : path_(std::move(path)) {}
+  explicit LineIconEngine(const QPainterPath& path) : path_(path) {}
 
   void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
     const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
