@@ -76,8 +76,10 @@ double noisePx(const StrokePoints& stroke, const LocatedGraph& graph, const Qual
 
 FitOptions fitOptionsFor(double noise_px, const AxisCalibration& calibration,
                          const QualitySettings& settings) {
-  return fitOptionsFor(settings.fit,
-                       {noise_px * calibration.mmPerPx(), noise_px * calibration.newtonPerPx()});
+  FitOptions options =
+      fitOptionsFor(settings.fit, {noise_px * calibration.mmPerPx(), noise_px * calibration.newtonPerPx()});
+  options.noiseAtTactilePoints_share = 1.0 / 3;  // docs/decisions/0200-knots-by-evidence.md
+  return options;
 }
 
 /// The points of a stroke with none of its lines longer than two pixels: a document draws a straight stretch

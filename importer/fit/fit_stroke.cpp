@@ -27,6 +27,8 @@ std::optional<Failure> faultOf(const FitOptions& o) {
     return wrong("pieces", o.pieces, "1 to 2000 pieces");
   if (!within(o.maxPieces, 1, 2000)) return wrong("maxPieces", o.maxPieces, "1 to 2000 pieces");
   if (!positive(o.robustScale)) return wrong("robustScale", o.robustScale, "a scale above 0 sigma");
+  if (!positive(o.noiseAtTactilePoints_share) || o.noiseAtTactilePoints_share > 1)
+    return wrong("noiseAtTactilePoints_share", o.noiseAtTactilePoints_share, "a share above 0 and up to 1");
   if (!positive(o.tolerance) || o.tolerance > 1e-2) return wrong("tolerance", o.tolerance, "above 0 to 1e-2");
   if (!within(o.maxPoints, 4, 1e7)) return wrong("maxPoints", o.maxPoints, "4 to 10 million points");
   if (!within(o.resolutionOfSpan, 0, 0.1)) return wrong("resolutionOfSpan", o.resolutionOfSpan, "0 to 0.1");

@@ -42,6 +42,10 @@ struct FitOptions {
   int maxPoints = 2000;  ///< longer strokes are thinned to this many by arc length before fitting; >= 4
   double resolutionOfSpan =
       1.5e-3;  ///< deviations below this share of an axis' span are not modelled; in [0, 0.1]
+  /// What remains of the noise at the top of a tactile point, as a share of `noise`. Traces lie closer to the
+  /// line there than their stated noise, which has to cover crossings; a meter's noise is the same
+  /// everywhere. In (0, 1].
+  double noiseAtTactilePoints_share = 1;
   double correlationPoints = 0;  ///< points that share one error; 0: estimated from the residuals; else >= 1
   int candidateKnots = 200;      ///< places at which the first segmentation may put a knot; 8..2000
   int evidenceRounds = 2;        ///< rounds of taking out, adding and rounding off knots; 0..20

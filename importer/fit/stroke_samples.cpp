@@ -117,12 +117,14 @@ struct Peak {
 
 std::vector<double> smoothedHeights(const std::vector<SigmaPoint>& points, double sign) {
   constexpr std::size_t reach = 2;
+  const std::size_t window = std::min(2 * reach + 1, points.size());
   std::vector<double> heights(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::size_t side = std::min({reach, i, points.size() - 1 - i});
+    // As wide at the ends as elsewhere: a single reading there is no peak either.
+    const std::size_t first = std::min(i - std::min(i, reach), points.size() - window);
     double sum = 0;
-    for (std::size_t k = i - side; k <= i + side; ++k) sum += points[k].v;
-    heights[i] = sign * sum / static_cast<double>(2 * side + 1);
+    for (std::size_t k = first; k < first + window; ++k) sum += points[k].v;
+    heights[i] = sign * sum / static_cast<double>(window);
   }
   return heights;
 }
@@ -152,15 +154,16 @@ std::vector<Peak> peaksOf(const std::vector<double>& heights, double least) {
 
 /// A tactile point is what a finger feels first: near it the points count with their own noise, without the
 /// resolution that is good enough elsewhere. "Near" is where the force lies within `flatTop` of the extremum,
-/// because wiggles of that height decide where a flat top has its middle.
-void sharpenTactilePoints(std::vector<SigmaPoint>& points, Stroke stroke, double noiseShare) {
+/// because wiggles of that height decide where a flat top has its middle. `ownNoise` in units of the points'
+/// sigma.
+void sharpenTactilePoints(std::vector<SigmaPoint>& points, Stroke stroke, double ownNoise) {
   constexpr double standsOut = 0.03, flatTop = 0.012;  // of the force span
   constexpr double greatestGain = 8;
   const std::vector<double> heights = smoothedHeights(points, stroke == Stroke::press ? 1 : -1);
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   const double span = *highest - *lowest;
   if (!(span > 0)) return;
-  const double gain = std::min(greatestGain, 3 / std::sqrt(noiseShare));
+  const double gain = std::min(greatestGain, 1 / ownNoise);
   for (const Peak& peak : peaksOf(heights, standsOut * span)) {
     std::size_t from = peak.at, to = peak.at;
     while (from > 0 && heights[from - 1] > peak.height - flatTop * span) --from;
@@ -212,7 +215,7 @@ Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& points, Stro
   samples.points = withoutRepeats(samples.points);
   samples.points = blockMeans(samples.points, 8 * maxCount, noiseShare);
   samples.points = arcMeans(samples.points, maxCount, spanU, spanV, noiseShare);
-  sharpenTactilePoints(samples.points, stroke, noiseShare);
+  sharpenTactilePoints(samples.points, stroke, options.noiseAtTactilePoints_share * std::sqrt(noiseShare));
   return samples;
 }
 

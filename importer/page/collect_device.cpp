@@ -91,7 +91,7 @@ class Collector {
     ++operations_;
     if (operations_ > control_->maxOperations) return halt(CollectStop::tooManyOperations);
     if (operations_ % 256 == 0) {
-      if (std::chrono::steady_clock::now() > control_->deadline) return halt(CollectStop::tooSlow);
+      if (processorSeconds() > control_->endAt_s) return halt(CollectStop::tooSlow);
       if (control_->progress && control_->progress->isCancelled()) return halt(CollectStop::cancelled);
     }
     return true;

@@ -210,9 +210,7 @@ Result<std::unique_ptr<RecordedPage>> MupdfSource::record(int number, const Prog
   control.maxPathPoints = static_cast<std::size_t>(std::max(0, file_.limits.maxPathPoints));
   control.maxOperations = control.maxPathPoints / 4 + 1000;
   control.maxImagePixels = file_.limits.maxMegapixels * 1e6;
-  control.deadline = std::chrono::steady_clock::now() +
-                     std::chrono::milliseconds(
-                         static_cast<long long>(std::clamp(file_.limits.maxPageSeconds, 0.0, 1e6) * 1000));
+  control.endAt_s = processorSeconds() + std::clamp(file_.limits.maxPageSeconds, 0.0, 1e6);
   control.progress = &progress;
   bool done = measure(*page, loaded, error) && runIntoList(*page, loaded, control, error);
   if (!done && control.stop == CollectStop::none) {

@@ -148,7 +148,9 @@ void addLimits(CLI::App& app, PageLimits& limits) {
   group->add_option("--max-file-megabytes", limits.maxFileMegabytes, "of the input file")
       ->check(CLI::Range(0.001, 1e6))
       ->capture_default_str();
-  group->add_option("--max-page-seconds", limits.maxPageSeconds, "to interpret one page of a document")
+  group
+      ->add_option("--max-page-seconds", limits.maxPageSeconds,
+                   "of processor time, to interpret one page of a document")
       ->check(CLI::Range(0.01, 86400.0))
       ->capture_default_str();
   group

@@ -150,6 +150,8 @@ TEST_CASE("options outside their ranges are refused by name") {
   CHECK(refused([](FitOptions& o) { o.tolerance = 0; }) == "tolerance");
   CHECK(refused([](FitOptions& o) { o.maxPoints = 3; }) == "maxPoints");
   CHECK(refused([](FitOptions& o) { o.robustScale = -1; }) == "robustScale");
+  CHECK(refused([](FitOptions& o) { o.noiseAtTactilePoints_share = 0; }) == "noiseAtTactilePoints_share");
+  CHECK(refused([](FitOptions& o) { o.noiseAtTactilePoints_share = 1.5; }) == "noiseAtTactilePoints_share");
 }
 
 TEST_CASE("units of any size give the same curve") {

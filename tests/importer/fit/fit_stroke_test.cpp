@@ -136,3 +136,18 @@ TEST_CASE("outliers do not pull the curve") {
   CHECK(worstForceError(fitted->curve, truth, 3.7) < 2.0 * 0.9 / 440);
   CHECK(fitted->summary.pieces <= 9);
 }
+
+TEST_CASE("single readings of a noisy meter make no tactile points") {
+  const StrokeCurve truth =
+      curveOf({{0, 0.3, 0.25, 0.25}, {1.6, 0.65, 0, 0}, {2.4, 0.5, 0, 0}, {4, 0.72, 0.2, 0.2}});
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0, 0.006);
+    std::vector<CurvePoint> points;
+    for (int i = 0; i <= 1000; ++i) points.push_back({0.004 * i, truth.force_N(0.004 * i) + noise(random)});
+    const auto fitted = fitStroke(points, Stroke::press, fitOptionsFor(FitEffort::standard, {0.001, 0.006}));
+    REQUIRE(fitted);
+    CAPTURE(seed);
+    CHECK(fitted->summary.tactilePoints.size() == 1);
+  }
+}
