@@ -79,7 +79,8 @@ void ValuesPanel::showRefusal(const QModelIndex& index, const QString& why) {
 void ValuesPanel::showMark(std::optional<MarkId> mark) {
   if (!mark) return;
   const auto row = model_->rowOf(*mark);
-  if (!row) return;
+  // A row that is worked on keeps its cell.
+  if (!row || *row == table_->currentIndex().row()) return;
   const QSignalBlocker quiet(this);
   table_->setCurrentIndex(model_->index(*row, ValuesModel::displacement));
   table_->scrollTo(table_->currentIndex());

@@ -2,6 +2,7 @@
 
 #include <QVBoxLayout>
 
+#include "editor/canvas/graph_canvas.h"
 #include "editor/panels/history_panel.h"
 #include "editor/panels/values_panel.h"
 
@@ -28,7 +29,14 @@ DocumentTab::~DocumentTab() {
 }
 
 QWidget* DocumentTab::valuesPanel() {
-  if (!values_) values_ = new ValuesPanel(*document_, settings_, nullptr);
+  if (!values_) {
+    values_ = new ValuesPanel(*document_, settings_, nullptr);
+    // One selection: what is picked in the graph is picked in the table, and the other way round.
+    GraphCanvas& canvas = workspace_->canvas();
+    connect(values_, &ValuesPanel::markChosen, &canvas, &GraphCanvas::setSelected);
+    connect(&canvas, &GraphCanvas::selectionChanged, values_,
+            [this, &canvas] { values_->showMark(canvas.selected()); });
+  }
   return values_;
 }
 

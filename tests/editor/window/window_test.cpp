@@ -17,12 +17,16 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
+#include <QTableView>
 #include <QUrl>
 
+#include "editor/canvas/graph_canvas.h"
 #include "editor/document/graph_colors.h"
 #include "editor/files/document_files.h"
 #include "editor/importing/import_dialog.h"
 #include "editor/library/compare_dialog.h"
+#include "editor/panels/values_model.h"
+#include "editor/panels/values_panel.h"
 #include "editor/window/appearance.h"
 #include "editor/window/arguments.h"
 #include "editor/window/geometry_report.h"
@@ -267,6 +271,25 @@ class WindowTest : public QObject {
     rig.action("undo")->trigger();  // ends the drag, nothing more
     QVERIFY(!rig.document().history().dragging());
     QVERIFY(!(rig.document().button() == before));
+  }
+
+  void graphAndTableShareOneSelection() {
+    Rig rig(folder_->path());
+    rig.action("new")->trigger();
+    DocumentTab& tab = *rig.window->tabs().current();
+    auto* table = tab.valuesPanel()->findChild<QTableView*>("valuesTable");
+    QVERIFY(table);
+    GraphCanvas& canvas = tab.workspace().canvas();
+    const auto rowOf = [&](const MarkId& mark) {
+      return qobject_cast<ValuesPanel*>(tab.valuesPanel())->model().rowOf(mark).value();
+    };
+    const MarkId first{MarkKind::knot, Stroke::press, 0}, second{MarkKind::knot, Stroke::press, 1};
+    canvas.setSelected(first);
+    QCOMPARE(table->currentIndex().row(), rowOf(first));
+    table->setCurrentIndex(table->model()->index(rowOf(second), ValuesModel::force));
+    QVERIFY(canvas.selected() == second);
+    QCOMPARE(table->currentIndex().column(),
+             int(ValuesModel::force));  // the cell that was chosen stays chosen
   }
 
   void recoversWhatWasLeft() {
