@@ -30,12 +30,13 @@ DocumentTab::~DocumentTab() {
 
 QWidget* DocumentTab::valuesPanel() {
   if (!values_) {
-    values_ = new ValuesPanel(*document_, settings_, nullptr);
+    auto* values = new ValuesPanel(*document_, settings_, nullptr);
+    values_ = values;
     // One selection: what is picked in the graph is picked in the table, and the other way round.
     GraphCanvas& canvas = workspace_->canvas();
-    connect(values_, &ValuesPanel::markChosen, &canvas, &GraphCanvas::setSelected);
-    connect(&canvas, &GraphCanvas::selectionChanged, values_,
-            [this, &canvas] { values_->showMark(canvas.selected()); });
+    connect(values, &ValuesPanel::markChosen, &canvas, &GraphCanvas::setSelected);
+    connect(&canvas, &GraphCanvas::selectionChanged, values,
+            [values, &canvas] { values->showMark(canvas.selected()); });
   }
   return values_;
 }
