@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <QTimer>
 
+#include "editor/document/large_blocks.h"
 #include "editor/window/arguments.h"
 #include "editor/window/geometry_report.h"
 #include "editor/window/main_window.h"
@@ -69,6 +70,7 @@ int run(QApplication& app) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  giveLargeBlocksBack();
   QStringList words;
   for (int i = 1; i < argc; ++i) words << QString::fromLocal8Bit(argv[i]);
   try {

@@ -29,6 +29,7 @@
 #include <thread>
 #include <vector>
 
+#include "editor/document/large_blocks.h"
 #include "editor/importing/import_dialog.h"
 #include "editor/importing/page_list.h"
 #include "editor/importing/page_view.h"
@@ -286,6 +287,7 @@ QString tableOf(const Figures& f) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  detent::editor::giveLargeBlocksBack();  // as detent-edit does
   QApplication app(argc, argv);
   const QStringList arguments = app.arguments();
   const auto valueOf = [&](const char* option) {
