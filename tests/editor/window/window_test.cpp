@@ -14,10 +14,10 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTranslator>
-#include <QTableView>
 #include <QUrl>
 
 #include "editor/canvas/graph_canvas.h"
