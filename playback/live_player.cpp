@@ -49,24 +49,6 @@ SensorCondition conditionOf(SensorState state) {
   return SensorCondition::unplugged;
 }
 
-EventKind kindOf(CrossingKind kind) {
-  switch (kind) {
-    case CrossingKind::grain:
-      return EventKind::grain;
-    case CrossingKind::pressJump:
-      return EventKind::pressJump;
-    case CrossingKind::releaseJump:
-      return EventKind::releaseJump;
-    case CrossingKind::bottomOut:
-      return EventKind::bottomOut;
-    case CrossingKind::contactClosed:
-      return EventKind::contactClosed;
-    case CrossingKind::contactOpened:
-      break;
-  }
-  return EventKind::contactOpened;
-}
-
 void count(EngineCounts& counts, const Crossing& crossing) {
   if (crossing.kind == CrossingKind::grain) counts.grains += crossing.count;
   if (crossing.kind == CrossingKind::pressJump) ++counts.pressJumps;

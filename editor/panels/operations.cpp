@@ -367,6 +367,17 @@ Operation dampingOperation(const OperationTarget& target) {
   return op;
 }
 
+namespace {
+
+/// A template with its travel multiplied, and the highest force of its first state brought to `highest_N`.
+Result<Button> stretched(const Button& plain, double travelFactor, double highest_N) {
+  const auto longer = scaleTravel(plain, travelFactor);
+  if (!longer) return longer;
+  return scaleForce(*longer, highest_N / longer->states()[0].graph.press().forceRange_N().second);
+}
+
+}  // namespace
+
 Operation twoLevelOperation(const OperationTarget& target) {
   const double travel = target.graph().travel_mm(), high = highestForce(target);
   Operation op{
@@ -379,10 +390,7 @@ Operation twoLevelOperation(const OperationTarget& target) {
   op.edit = [state = target.state](const Button& start, const Values& v) -> Result<Button> {
     const auto plain = twoLevelButton();
     if (!plain) return plain;
-    const ForceGraph& graph = plain->states()[0].graph;
-    const auto longer = scaleTravel(*plain, v[0] / graph.travel_mm());
-    if (!longer) return longer;
-    const auto scaled = scaleForce(*longer, v[1] / graph.press().forceRange_N().second);
+    const auto scaled = stretched(*plain, v[0] / plain->states()[0].graph.travel_mm(), v[1]);
     if (!scaled) return scaled;
     // Contact and damping of the old curves mean nothing on the new ones.
     auto bare = setOperatingPoint(start, state, {});
@@ -415,9 +423,7 @@ Operation selfLockingOperation(const OperationTarget& target) {
     values.lock_mm = v[1] * values.travel_mm / v[0];
     const auto plain = selfLockingButton(values);
     if (!plain) return plain;
-    const auto longer = scaleTravel(*plain, v[0] / values.travel_mm);
-    if (!longer) return longer;
-    const auto scaled = scaleForce(*longer, v[2] / longer->states()[0].graph.press().forceRange_N().second);
+    const auto scaled = stretched(*plain, v[0] / values.travel_mm, v[2]);
     if (!scaled) return scaled;
     return Button::fromStates(name, scaled->states(), provenance);
   };

@@ -18,6 +18,8 @@ std::int64_t wholeFrame(double time_frames) {
   return static_cast<std::int64_t>(std::ceil(time_frames - frameRounding));
 }
 
+}  // namespace
+
 EventKind kindOf(CrossingKind kind) {
   switch (kind) {
     case CrossingKind::grain:
@@ -35,8 +37,6 @@ EventKind kindOf(CrossingKind kind) {
   }
   return EventKind::contactOpened;
 }
-
-}  // namespace
 
 HapticEngine::HapticEngine(double sampleRate_Hz) : sampleRate_Hz_(sampleRate_Hz) {
   if (!(sampleRate_Hz_ >= lowestSampleRate_Hz)) sampleRate_Hz_ = lowestSampleRate_Hz;

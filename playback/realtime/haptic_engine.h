@@ -42,6 +42,9 @@ enum class EventKind : std::uint8_t {
   trigger
 };
 
+/// What a display is told of something met on the way.
+EventKind kindOf(CrossingKind kind);
+
 /// One thing that was felt, for displays and logs.
 struct EngineEvent {
   EventKind kind = EventKind::grain;
