@@ -28,7 +28,7 @@ struct TrackerSettings {
 /// Follows a force signal along a graph. With x the present displacement:
 ///  - press:   x becomes the nearest displacement at or beyond x where the press curve carries the force;
 ///  - release: x becomes the nearest displacement at or before x where the release curve is no stronger than
-///  the force;
+///             the force;
 /// so x never goes backwards within one stroke, rests at a tactile point as long as its force is not exceeded
 /// and then passes the whole jump at once, stays put on a wall, and waits between the two curves after a turn
 /// (hysteresis). The stroke changes when force has turned back from its extreme since the last change by more

@@ -151,7 +151,7 @@ Failure noSuchTactilePoint(std::size_t index, std::size_t count) {
                  "Choose one of its tactile points");
 }
 
-// -------------------------------------------------------------------------------------------------- sections
+// ---- sections
 
 // Shift of a section. Beside it displacements follow linearly, so their order is kept; forces follow with a
 // share that leaves and arrives level, so an extremum at either end stays one.
@@ -206,8 +206,7 @@ Result<StrokeCurve> dragged(const StrokeCurve& curve, const Drag& drag) {
   return StrokeCurve::fromKnots(std::move(knots));
 }
 
-// -------------------------------------------------------------------------------------------------------
-// jumps
+// ---- jumps
 
 // Replaces everything strictly between two displacements (knots stand at both) by the given knots.
 std::vector<Knot> replacedBetween(const StrokeCurve& curve, double from_mm, double to_mm,

@@ -15,8 +15,7 @@
 
 namespace detent {
 
-// -------------------------------------------------------------------------------------------------------
-// knots
+// ---- knots
 
 /// Moves a knot; its slopes stay. It must stay between its neighbours.
 Result<StrokeCurve> moveKnot(const StrokeCurve& curve, std::size_t index, CurvePoint to);
@@ -38,7 +37,7 @@ Result<StrokeCurve> insertKnot(const StrokeCurve& curve, double displacement_mm)
 /// zero.
 Result<StrokeCurve> removeKnot(const StrokeCurve& curve, std::size_t index);
 
-// ------------------------------------------------------------------------------------- shapes of one stroke
+// ---- shapes of one stroke
 
 /// Moves a tactile point. The flanks on both sides, up to the next extremum (or the end, or the foot of the
 /// bottom-out), are stretched with it, each by one affine map, so they stay monotone and the point stays the
@@ -84,8 +83,7 @@ Result<StrokeCurve> scaleForce(const StrokeCurve& curve, double factor);
 /// Multiplies all displacements (slopes are divided). factor finite, > 0.
 Result<StrokeCurve> scaleTravel(const StrokeCurve& curve, double factor);
 
-// ------------------------------------------------------------------------------------------------------
-// graphs
+// ---- graphs
 
 using CurveEdit = std::function<Result<StrokeCurve>(const StrokeCurve&)>;
 
@@ -99,8 +97,7 @@ Result<ForceGraph> removeRelease(const ForceGraph& graph);
 Result<ForceGraph> scaleForce(const ForceGraph& graph, double factor);
 Result<ForceGraph> scaleTravel(const ForceGraph& graph, double factor);
 
-// -----------------------------------------------------------------------------------------------------
-// buttons
+// ---- buttons
 
 using GraphEdit = std::function<Result<ForceGraph>(const ForceGraph&)>;
 

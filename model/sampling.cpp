@@ -39,8 +39,7 @@ void appendIfNew(std::vector<CurvePoint>& points, CurvePoint point) {
   if (points.empty() || !(points.back() == point)) points.push_back(point);
 }
 
-// -------------------------------------------------------------------------------------- from points to a
-// curve
+// ---- from points to a curve
 
 // One cubic between two of the points: exact at both, free slopes, least squares over those between.
 struct Span {

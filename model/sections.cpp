@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// ---------------------------------------------------------------------------------------------- bottom-out
+// ---- bottom-out
 
 // A short straight stretch of the curve, for the search of the knee.
 struct Chord {
@@ -101,8 +101,7 @@ double footBefore(const StrokeCurve& curve, const Chord& before, const Chord& wa
   return high;
 }
 
-// --------------------------------------------------------------------------------------------- tactile
-// points
+// ---- tactile points
 
 // A stroke as it is travelled, with the sign that turns a release's minima into maxima.
 struct Travelled {
@@ -192,7 +191,7 @@ std::vector<ProminentTurn> prominentTurns(const StrokeCurve& curve, const Travel
   return found;
 }
 
-// -------------------------------------------------------------------------------------------------- sections
+// ---- sections
 
 // Displacement where the height of a turn is passed again; nullopt where it never is.
 std::optional<double> regainedAt(const StrokeCurve& curve, const Travelled& way, const Turn& turn) {

@@ -41,8 +41,7 @@ struct MonotoneStretch {
 /// Force over displacement for one stroke. Exists only if valid:
 ///  - 2 to maxKnots knots, everything finite;
 ///  - displacements never decrease; equal displacements make a *vertical piece* (a wall): at most two knots
-///  share one
-///    displacement, and the slopes on the inside of a vertical piece are ignored;
+///    share one displacement, and the slopes on the inside of a vertical piece are ignored;
 ///  - the whole travel is longer than 0;
 ///  - no piece is so steep that its slope leaves the range of a double.
 /// Release curves are stored like press curves, by increasing displacement; who travels them backwards says

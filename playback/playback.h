@@ -1,12 +1,16 @@
 #pragma once
 // The front door of playback: press a button and feel it.
 //
-// In: a model::Button, a device profile, settings, and readings of a finger. Out: vibration on a sound
-// device, or samples. Reading order of the room:
-//   realtime/haptic_program.h   what the callback plays        realtime/haptic_engine.h  the callback's
-//   engine prepare/prepare_program.h   button -> program               offline/render_press.h   program +
-//   press -> WAV, FLAC, memory device/*                    sound, serial sensor, messages  study/* measuring
-//   device and latency this file                   everything another room needs, in plain types
+// In:  a model::Button, a device profile, settings, and readings of a finger.
+// Out: vibration on a sound device, or samples.
+// Reading order of the room:
+//   realtime/haptic_program.h   what the callback plays
+//   realtime/haptic_engine.h    the callback's engine
+//   prepare/prepare_program.h   button -> program
+//   offline/render_press.h      program + press -> WAV, FLAC, memory
+//   device/*                    sound, serial sensor, messages
+//   study/*                     measuring device and latency
+//   this file                   everything another room needs, in plain types
 //
 // Threads: every function here belongs to ordinary threads; nothing here may be called from an audio
 // callback. A LivePlayer may be used by several threads. Built without devices (DETENT_WITH_DEVICE=OFF) the
@@ -29,7 +33,6 @@
 namespace detent::playback {
 
 // ---- a press without a device
-// ----------------------------------------------------------------------------------------
 
 /// A human-like press: minimum-jerk rise to the peak, hold with physiological tremor, minimum-jerk fall.
 struct StandardPress {
@@ -51,7 +54,6 @@ Result<RenderedPress> renderStandardPress(const HapticProgram& program, double s
 Result<DeviceProfile> loadDeviceProfile(const std::string& file);
 
 // ---- live
-// --------------------------------------------------------------------------------------------------------------
 
 struct SoundDevice {
   std::string name;  ///< "ALSA: hw:0,0": choose by this or an unambiguous part of it
@@ -148,7 +150,6 @@ class LivePlayer {
 };
 
 // ---- measuring a device
-// --------------------------------------------------------------------------------------------------
 
 /// Played on `device`, recorded from `inputDevice` (empty: the same device), both as long as `samples`.
 Result<std::vector<float>> playAndRecordSamples(const PlayerSettings& settings,

@@ -192,7 +192,7 @@ void GraphCanvas::drawMagnifier(QPainter& painter, const PlotMapping& map) const
   painter.restore();
 }
 
-// ---------------------------------------------------------------------------------------------------- events
+// ---- events
 
 PointerInput GraphCanvas::inputOf(const QMouseEvent* event) const {
   const QPointF at = mapping().toPlot(event->position());

@@ -24,7 +24,7 @@ QColor withAlpha(QColor color, double alpha) {
 
 QPointF pixelOf(const PlotMapping& map, CurvePoint at) { return map.toPixel(at.displacement_mm, at.force_N); }
 
-// ---------------------------------------------------------------------------------------------------- ground
+// ---- ground
 
 const QColor& shadeOf(SectionKind kind, const GraphColors& colors) {
   switch (kind) {
@@ -117,7 +117,7 @@ void paintStrokes(QPainter& painter, const PlotMapping& map, const GraphScene& s
   drawPolylines(painter, curvePolylines(graph.press(), map));
 }
 
-// ------------------------------------------------------------------------------------------------- residuals
+// ---- residuals
 
 double squared(QPointF v) { return v.x() * v.x() + v.y() * v.y(); }
 
@@ -177,7 +177,7 @@ void paintResiduals(QPainter& painter, const PlotMapping& map, const StrokeCurve
   for (qsizetype i = 0; i + 1 < ends.size(); i += 2) painter.drawLine(ends[i], ends[i + 1]);
 }
 
-// ----------------------------------------------------------------------------------------------------- marks
+// ---- marks
 
 void paintKnots(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
   const std::vector<Knot>& knots = scene.state.graph.curve(stroke).knots();
@@ -308,7 +308,7 @@ void paintMarks(QPainter& painter, const PlotMapping& map, const GraphScene& sce
     if (stroke == Stroke::press || state.graph.release()) paintTactilePoints(painter, map, scene, stroke);
 }
 
-// -------------------------------------------------------------------------------------------------- feedback
+// ---- feedback
 
 QString snapText(SnapKind kind) {
   switch (kind) {

@@ -145,7 +145,7 @@ FeelPanel::Parts::Parts(FeelPanel& panel, ViewSettings& settings, const FeelDevi
   showSound();
 }
 
-// -------------------------------------------------------------------------------------------- widgets
+// ---- widgets
 
 void FeelPanel::Parts::build(ViewSettings& settings) {
   pad_ = new PressPad(settings);
@@ -406,7 +406,7 @@ void FeelPanel::Parts::connectPad() {
   connect(pad_, &PressPad::lifted, &player_, &FeelPlayer::lift);
 }
 
-// ------------------------------------------------------------------------------------------ documents
+// ---- documents
 
 void FeelPanel::Parts::setDocument(std::size_t index, ButtonDocument* document) {
   Slot& slot = slots_[index];
@@ -534,7 +534,7 @@ void FeelPanel::Parts::showPad() {
   pad_->setButton(std::move(button));
 }
 
-// ------------------------------------------------------------------------------------------- settings
+// ---- settings
 
 void FeelPanel::Parts::setSettings(const FeelSettings& settings) {
   const FeelSettings before = std::exchange(settings_, settings);
@@ -587,7 +587,7 @@ void FeelPanel::Parts::connectSensor() {
   player_.setSensor(sensor);
 }
 
-// ------------------------------------------------------------------------------------------ following
+// ---- following
 
 void FeelPanel::Parts::follow() {
   const playback::PlayerStatus& s = player_.status();
@@ -706,7 +706,7 @@ void FeelPanel::Parts::showStatus() {
   showPresses();
 }
 
-// ---------------------------------------------------------------------------------------------- panel
+// ---- panel
 
 FeelPanel::FeelPanel(ViewSettings& settings, QWidget* parent, const FeelDevices& devices) : QWidget(parent) {
   setAccessibleName(tr("Feel"));

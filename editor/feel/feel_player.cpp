@@ -69,7 +69,7 @@ void FeelPlayer::startSilent() {
   pace();
 }
 
-// ---------------------------------------------------------------------------------------------- sound
+// ---- sound
 
 void FeelPlayer::setSoundWanted(bool wanted) {
   if (wanted == soundWanted_) return;
@@ -161,7 +161,7 @@ void FeelPlayer::followSound() {
   setSound(status_.deviceLost ? SoundState::lost : SoundState::on);
 }
 
-// --------------------------------------------------------------------------------------------- sensor
+// ---- sensor
 
 void FeelPlayer::setSensor(const SensorPort& sensor) {
   sensor_ = sensor;
@@ -181,7 +181,7 @@ void FeelPlayer::attachSensor() {
   emit sensorChanged();
 }
 
-// --------------------------------------------------------------------------------------------- finger
+// ---- finger
 
 bool FeelPlayer::take(Finger finger) {
   if (!player_ || !program_ || playing()) return false;
@@ -292,7 +292,7 @@ void FeelPlayer::pushFinger() {
   }
 }
 
-// ----------------------------------------------------------------------------------------------- time
+// ---- time
 
 bool FeelPlayer::atRest() const {
   if (finger_ != Finger::none) return false;

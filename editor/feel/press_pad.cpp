@@ -89,7 +89,7 @@ void PressPad::timerEvent(QTimerEvent*) {
   fadeTimer_ = 0;
 }
 
-// ---------------------------------------------------------------------------------------------- input
+// ---- input
 
 // One finger at a time: what comes while another source holds the button is not a press.
 bool PressPad::begin(Source source, double y_px, bool byPressure) {
@@ -227,7 +227,7 @@ void PressPad::hideEvent(QHideEvent* event) {
   QWidget::hideEvent(event);
 }
 
-// -------------------------------------------------------------------------------------------- drawing
+// ---- drawing
 
 double PressPad::depthShare(double displacement_mm) const {
   const double travel_mm = button_->end_mm - button_->start_mm;

@@ -285,8 +285,7 @@ bool PageView::closeEditor() {
   return true;
 }
 
-// -- painting
-// ------------------------------------------------------------------------------------------------
+// ---- painting
 
 void PageView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
@@ -432,8 +431,7 @@ void PageView::drawMagnifier(QPainter& painter) const {
   painter.drawEllipse(middle, radius, radius);
 }
 
-// -- mouse and keys
-// ------------------------------------------------------------------------------------------
+// ---- mouse and keys
 
 void PageView::resizeEvent(QResizeEvent*) { refit(); }
 

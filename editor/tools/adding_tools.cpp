@@ -40,7 +40,7 @@ NewJump jumpTowards(CurvePoint at, CurvePoint turn) {
 
 }  // namespace
 
-// ------------------------------------------------------------------------------------------------------ knot
+// ---- knot
 
 QString AddKnotTool::hint() const {
   return tr("Click on a curve to add a knot; keep the button down to move it.");
@@ -88,7 +88,7 @@ bool AddKnotTool::released(const PointerInput& input) {
   return true;
 }
 
-// ------------------------------------------------------------------------------------------------------ jump
+// ---- jump
 
 QString AddJumpTool::hint() const {
   return tr("Press on a rising curve where the jump begins, and pull its valley into place.");
@@ -129,7 +129,7 @@ bool AddJumpTool::released(const PointerInput& input) {
   return true;
 }
 
-// ------------------------------------------------------------------------------------------------------- pan
+// ---- pan
 
 QString PanTool::hint() const { return tr("Drag to move the view; the wheel zooms at the pointer."); }
 

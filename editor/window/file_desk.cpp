@@ -51,7 +51,7 @@ void FileDesk::rememberFolder(const QString& path) {
   at_.settings.setValue("files/folder", QFileInfo(path).absolutePath());
 }
 
-// ---------------------------------------------------------------------------------------------- opening
+// ---- opening
 
 void FileDesk::newButton() {
   const auto button = at_.prompts.newButton(&at_.window);
@@ -154,7 +154,7 @@ bool FileDesk::take(const QMimeData& data) {
   return true;
 }
 
-// ----------------------------------------------------------------------------------- saving and closing
+// ---- saving and closing
 
 bool FileDesk::write(DocumentTab& tab, const QString& path) {
   const QString before = tab.document().path();
@@ -231,7 +231,7 @@ bool FileDesk::closeAll() {
   return true;
 }
 
-// -------------------------------------------------------------------------------------------- exporting
+// ---- exporting
 
 void FileDesk::exportTo(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
                         const std::function<Result<Done>(const QString&)>& write) {
@@ -274,7 +274,7 @@ void FileDesk::exportWav(DocumentTab& tab) {
            [&](const QString& path) { return editor::exportWav(tab.document().button(), path); });
 }
 
-// ----------------------------------------------------------------------------- recovery, other programs
+// ---- recovery, other programs
 
 void FileDesk::offerRecovery() {
   QStringList unreadable;

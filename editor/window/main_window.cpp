@@ -63,7 +63,7 @@ MainWindow::~MainWindow() {
   delete feel_;
 }
 
-// -------------------------------------------------------------------------------------------- the parts
+// ---- the parts
 
 void MainWindow::makeCentre() {
   QList<QAction*> ways;
@@ -212,7 +212,7 @@ void MainWindow::makeStatusBar() {
   statusBar()->addPermanentWidget(units_);
 }
 
-// --------------------------------------------------------------------------------------------- the tabs
+// ---- the tabs
 
 void MainWindow::connectTabs() {
   connect(tabs_, &TabArea::tabAdded, this, [this](DocumentTab* tab) { adopt(*tab); });
@@ -306,7 +306,7 @@ void MainWindow::compareWith(ButtonDocument* other) {
   comparison_->activateWindow();
 }
 
-// ------------------------------------------------------------------------------------ units, appearance
+// ---- units, appearance
 
 void MainWindow::updateUnits() {
   const DisplayUnits& units = at_.view.units();
@@ -333,7 +333,7 @@ void MainWindow::applyAppearance() {
   if (palette != QApplication::palette()) QApplication::setPalette(palette);
 }
 
-// ------------------------------------------------------------------------------------- between two runs
+// ---- between two runs
 
 void MainWindow::restoreWindow() {
   if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray())) resize(firstSize_px);
@@ -355,7 +355,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
   event->accept();
 }
 
-// ------------------------------------------------------------------------- clipboard, drop, small edits
+// ---- clipboard, drop, small edits
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (FileDesk::canTake(*event->mimeData())) event->acceptProposedAction();

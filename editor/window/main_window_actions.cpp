@@ -234,7 +234,7 @@ void MainWindow::makeToolBar() {
   tools_->addSeparator();
 }
 
-// --------------------------------------------------------------------------------- what changes with the tab
+// ---- what changes with the tab
 
 void MainWindow::fill(TabMenu& menu, const QList<QAction*>& actions) {
   for (QAction* old : menu.shown) menu.menu->removeAction(old);

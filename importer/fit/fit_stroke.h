@@ -1,8 +1,8 @@
 #pragma once
 // Step 6: from dense points of one stroke to a StrokeCurve with as few pieces as the evidence supports.
-// In:  points in the order travelled (a traced line, a force meter's log), the noise of the points,
-// FitOptions. Out: the curve and a FitSummary; or a Failure. Reading order: stroke_samples.h (order,
-// thinning, yardstick) -> segment_stroke.h (first knots) ->
+// In:  points in the order travelled (a traced line, a force meter's log), the noise of the points, FitOptions.
+// Out: the curve and a FitSummary; or a Failure.
+// Reading order: stroke_samples.h (order, thinning, yardstick) -> segment_stroke.h (first knots) ->
 //                knot_chain.h (the curve being fitted) -> solve_chain.h (Ceres) -> choose_knots.h (evidence).
 
 #include <cstddef>

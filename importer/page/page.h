@@ -4,11 +4,10 @@
 // resolution the page has.
 //
 // Two planes:
-//  - *page units*: pixels of the picture as shown (after EXIF rotation), or PDF points; origin top left, y
-//  down.
-//    For pictures page units are pixel centres: the centre of the top left pixel is (0,0).
+//  - *page units*: pixels of the picture as shown (after EXIF rotation), or PDF points; origin top left,
+//    y down. For pictures page units are pixel centres: the centre of the top left pixel is (0,0).
 //  - *view pixels*: pixels of a PageView's raster; (0,0) is the centre of its top left pixel. All later steps
-//  work there.
+//    work there.
 
 #include <array>
 #include <memory>

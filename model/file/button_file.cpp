@@ -20,7 +20,7 @@ using nlohmann::ordered_json;
 
 constexpr int maxDepth = 16;  // the format itself needs 5; deeper text is hostile
 
-// --------------------------------------------------------------------------------------------------- parsing
+// ---- parsing
 
 // A reading fault; never leaves this file.
 struct Refusal {
@@ -289,7 +289,7 @@ Button buttonFrom(const Reader& in, std::string_view text, const std::string& su
       Button::fromStates(in.textOr(document, "", "name", ""), std::move(states), std::move(provenance)), "");
 }
 
-// --------------------------------------------------------------------------------------------------- writing
+// ---- writing
 
 ordered_json jsonOf(const StrokeCurve& curve) {
   ordered_json knots = ordered_json::array();

@@ -34,8 +34,7 @@ const char* nameOf(SectionKind kind) {
   return "";
 }
 
-// -------------------------------------------------------------------------------------------------------
-// show
+// ---- show
 
 std::string textOf(const StrokeMetrics& stroke, const char* name, std::size_t knots) {
   std::string text = format("%s: %zu knots, %.4g to %.4g N, work %.4g mJ\n", name, knots, stroke.minForce_N,

@@ -50,11 +50,10 @@ struct StrokePosition {
 
 /// Follows readings along the program's tables:
 ///  - rising force moves along the press stroke to where the curve stays above it; falling force, once it has
-///  turned
-///    back by the hysteresis, along the release stroke; never backwards within one stroke;
+///    turned back by the hysteresis, along the release stroke; never backwards within one stroke;
 ///  - a jump fires once and again only after its re-arm position (chatter is counted, not played);
 ///  - a grain on the grid g is crossed upwards by x0 < g <= x1, downwards by x1 < g <= x0: none lost, none
-///  doubled;
+///    doubled;
 ///  - a self-locking button changes its state when it is released after an actuation.
 /// Readings must be finite (force_conditioner.h sees to it). Callback thread; no allocation.
 class StrokeTracker {

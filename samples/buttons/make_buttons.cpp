@@ -33,8 +33,7 @@ Button momentary(const std::string& name, const StrokeSketch& press, const Strok
   return buttonFrom(name, {{"", graphFrom(press, release), operatingPoint_mm, resetPoint_mm, {}}});
 }
 
-// ------------------------------------------------------------------------- Kim & Lee 2013, Figure 9 and
-// Table 3
+// ---- Kim & Lee 2013, Figure 9 and Table 3
 
 Button buttonA() {
   return momentary("A: CHERRY MX black, linear", {{{0, 0.38}, {4, 0.82}, {4, 1.10}}, {0}},
@@ -84,8 +83,7 @@ Button alone(const std::string& name, ButtonState state) {
   return buttonFrom(name, {std::move(state)});
 }
 
-// ------------------------------------------------------------------------------------------- Shrestha,
-// models 1, 2
+// ---- Shrestha, models 1, 2
 
 // F(x) = k(x) x with k(x) = least + bend (x - axis)^2: one cubic, so two knots hold it exactly.
 Button elevatorButton() {

@@ -1,5 +1,7 @@
 // The fit's whole trade: pieces and error against time, for every setting, as a markdown table.
+//
 //   detent_fit_bench [--every N]
+//
 // Inputs: synthetic keys whose truth is a curve of known pieces, and, when the corpus is there
 // (DETENT_CORPUS, or beside the checkout), its measured strokes. Both are drawn as a plot of 640 x 440 px and
 // traced with the noise of a good trace (0.3 px, shared by neighbours: first-order autoregression, 0.7).
