@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the Debian packages Detent needs. Does nothing, fast, where they are installed.
 #
 #   ./install-dependencies.sh [import|build|test|ci] [--list]
@@ -38,7 +39,7 @@ ci_packages=(
   gnuplot-nox fonts-wqy-zenhei     # samples/plots/draw.sh
 )
 
-usage() { sed -n '2,13s/^# \{0,1\}//p' "$0"; }
+usage() { sed -n '3,14s/^# \{0,1\}//p' "$0"; }
 
 purpose=build
 list=no

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // detent-edit: shape a button by hand, see it, feel it.
 
 #include <cstdio>

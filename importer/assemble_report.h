@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The last step of an import: from fitted strokes to a Button with its provenance, and how sure all of it is.
 

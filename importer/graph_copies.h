@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Documents show one graph twice: on the drawing page and on the page of its load curve. Copies are known by
 // their axes and by where their strokes run, and the better drawn one is imported

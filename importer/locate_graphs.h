@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Pages -> graphs that stand on two calibrated axes: frame and axes steps run over every candidate of a page.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // detent-import: from a plot, a datasheet page or a force meter's log to a button. Parses, calls the front
 // door, prints.
 

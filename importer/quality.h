@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What draft, standard and precise mean: one documented set of settings each.
 // docs/bench-importer.md has the measured trade.

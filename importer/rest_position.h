@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where a stroke may begin: at the force-free key, 0 mm, or later.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Which state of a button is active: self-locking buttons alternate at each actuation (Kim & Lee 2013,
 // buttons E and F).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A button: one or more states, each with its force graph, and what is known about where it came from.
 

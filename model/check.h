@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Our own bugs: a check that stays on in release (STYLE 7). Never for the world's faults, never in the audio
 // callback.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How far apart two force graphs lie: the same figures for two buttons, two files, a fit and its points.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The reverse function, force -> displacement, with memory: a jump makes it multi-valued, so the answer
 // depends on the way one came (Kim & Lee 2013, Figure 2b).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of scale, graphs and buttons.
 #include <cmath>
 #include <cstdio>

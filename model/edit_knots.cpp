@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of single knots.
 #include <cmath>
 #include <cstdio>

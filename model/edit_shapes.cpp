@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of whole shapes: tactile points, sections, jumps.
 #include <algorithm>
 #include <cmath>

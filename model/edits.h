@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Edits by hand and by script: pure functions from a value to a Result of the same type. Nothing is changed
 // in place, so undo is keeping the value before. A Failure (wrongUsage, or the broken rule of the curve)

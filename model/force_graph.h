@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A force graph: a press curve and, where it is known, a release curve. Exists only if valid.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // detent-graph: show, check, convert and compare force graphs. Arguments in; one front door; text and exit
 // code out.
 #include <cstdio>

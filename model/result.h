@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How the rooms report the world's faults (STYLE 7): a value, or a sentence that helps.
 // Bugs of ours are DETENT_CHECKs; doubt is importer::Found, not an error.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Sections and tactile points of a stroke, derived from its curve; never stored beside it.
 // Kim & Lee 2013, "Modeling a button with a force graph" and Figure 2.

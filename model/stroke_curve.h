@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The force of one stroke as a function of displacement: a piecewise cubic in Hermite form, corners allowed.
 // Everything about sections, tactile points and the reverse function is derived from it (sections.h).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Buttons to start from. Each takes a plain struct whose defaults make a plausible key switch; every value is
 // free.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The one place where forces and lengths change their unit. Inside Detent: newton and millimetre, as double.
 

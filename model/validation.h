@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What is allowed but odd. Rules that must hold are checked where values are born (StrokeCurve, ForceGraph,
 // Button) and are Failures; what stands here are warnings: the button can be used, and a person should look.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // detent-play: press a button and feel it. Parses, runs, sets the exit code.
 
 #include <csignal>

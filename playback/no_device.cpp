@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The live half of the front door in a library built without devices.
 
 #include "playback/playback.h"

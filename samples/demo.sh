@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # From force graphs to buttons: installs what is missing, builds detent-import, imports, prints what it found.
 #
 #   samples/demo.sh [FILE...]
@@ -12,7 +13,7 @@ project=$(dirname "$here")
 out=$here/out
 
 case "${1:-}" in
-  -h | --help) sed -n '2,8s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '3,9s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 
 files=("$@")

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Installs what is missing, builds everything (preset release) and runs all tests.
 #
 #   tests/run.sh [--again] [CTEST-OPTIONS...]
@@ -13,7 +14,7 @@ ctest_options=()
 for argument in "$@"; do
   case "$argument" in
     --again) again=yes ;;
-    -h | --help) sed -n '2,7s/^# \{0,1\}//p' "$0"; exit 0 ;;
+    -h | --help) sed -n '3,8s/^# \{0,1\}//p' "$0"; exit 0 ;;
     *) ctest_options+=("$argument") ;;
   esac
 done

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Mouse and keys on the graph, in plot coordinates, for whoever holds the tools.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A stroke as screen polylines: what the screen can show of it, and no more.
 

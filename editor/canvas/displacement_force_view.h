@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The same graph the other way round: displacement over force, jumps as vertical lines (Kim & Lee 2013,
 // Figure 2b). What a finger that controls force feels.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/canvas/graph_marks.h"
 
 #include <algorithm>

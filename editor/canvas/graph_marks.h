@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What on a force graph a hand can take, and by what name it is remembered.
 

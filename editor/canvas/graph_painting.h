@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How a force graph looks: pure drawing of values, the same for screen, magnifier, pictures and SVG.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Between the values of a plot (mm, N) and the pixels it is drawn with.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What all plots of the editor share: axes in the user's units, theme, zoom, pan, and two grounds.
 // QCustomPlot draws what rests (page, grid, axes) into its buffer; what moves is painted over it with every

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Ticks at round numbers of the user's unit on an axis that counts in mm or N.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One open button: its history, its file, the page it came from, and which of its states is worked on.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The units a person reads and types; inside the editor everything stays mm and N.
 

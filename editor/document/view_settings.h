@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How things are shown and snapped, shared by all windows' parts; no part of any button.
 

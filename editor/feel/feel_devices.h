@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How the feel panel reaches sound devices: playback's front door, or what a test puts in its place.
 

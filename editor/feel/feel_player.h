@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The finger and its sound: a playback::LivePlayer that is silent until a sound device is open, and silent
 // again where there is none, so that the pad works in every case.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Output level: a bar in decibels, the highest peak held, and whether the limiter works.
 

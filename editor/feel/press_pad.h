@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The pad one presses: turns mouse, keys, pen and touch into a finger, and shows where the button stands.
 

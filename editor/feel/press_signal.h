@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a press of a button feels like, as signals to look at. Pure: same request, same answer.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Press signals off the GUI thread: the latest request wins, what it overtook is never computed.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The last seconds of pressing: depth over time, and everything that was felt when it was felt.
 

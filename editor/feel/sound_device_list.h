@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Sound devices, asked for without stopping the window: some drivers take seconds to answer.
 

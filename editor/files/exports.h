@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What leaves the editor besides button files: samples, drawings, pictures, sound. Every file is written
 // whole or not at all.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One unsaved document on the disk, so that a killed editor loses nothing that is older than a few seconds.
 

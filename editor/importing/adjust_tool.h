@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Drags what was found: corners and edges of the plot frame, ticks of the axes, masks.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What went wrong and what to do about it, above the page, with the corrections that help as buttons.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a person settled by hand about one graph of the import dialogue, as they see it on the page: ticks
 // with values, corners, units, colours, masks. The importer takes the same as ImportHints.

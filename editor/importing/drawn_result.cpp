@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/importing/drawn_result.h"
 
 #include "editor/importing/import_state.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the importer says to people at a command line, in the words of someone who sits before the page.
 

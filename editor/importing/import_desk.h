@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Keeps what is still to be asked of the import thread, in the order of its urgency, one question at a time.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The way from a datasheet to a button: pages and graphs, what was found drawn over the page, and every
 // finding open to correction.

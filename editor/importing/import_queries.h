@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the dialogue asks the import thread and what comes back: plain values, both ways.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the import dialogue knows: the open document, its pages and graphs, what was given by hand for each,
 // and the last results. Widgets draw it and call it; it asks the import thread and never waits.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A force meter's log has no page: its points and the fit are drawn as a plain plot.
 

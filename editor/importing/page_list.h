@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Pages and their graphs as thumbnails, in reading order; a tick chooses graphs to be imported together.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Mouse and keys on the page, one small class per tool. A tool sees the view it works on and nothing else;
 // what it decides goes to ImportState as one step.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The tools with one gesture each: set a value, draw a frame, pick a colour, paint a mask, drag the page.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Icons of the import dialogue, drawn in the window's text colour: sharp on every screen, right in light and
 // dark.

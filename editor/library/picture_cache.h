@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Graph pictures for lists, drawn beside the window's thread and kept.
 

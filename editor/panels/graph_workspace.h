@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The middle of a tab: the force graph with its tools, the displacement-force view, damping where a button
 // has it, and the bar that says which state is shown.

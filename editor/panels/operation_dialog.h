@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A small dialog for one operation on the button: numbers in, live preview, one undo step.
 

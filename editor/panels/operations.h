@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The operations a graph can undergo, each as fields and a pure edit (operation_dialog.h shows them).
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Tools that add something where the mouse is pressed, and shape it while it is held.
 

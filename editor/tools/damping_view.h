@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Damping b(x) of a button that has it (Shrestha, "Basic model": F = -kx - bv), and the hand that shapes it.
 

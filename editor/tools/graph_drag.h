@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One drag over a document: previews while it moves, one step at its end, exactly as before if cancelled.
 

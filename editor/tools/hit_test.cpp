@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/hit_test.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From a mark and what a hand does with it to the next button: the pure functions behind tools, keys and
 // tables.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A mouse tool: a state the canvas is in. All it may touch stands in its ToolContext.
 

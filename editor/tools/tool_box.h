@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Which tool has the mouse. Hands the canvas' events to it and keeps the rules that hold for all tools.
 

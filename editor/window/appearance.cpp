@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/appearance.h"
 
 #include "editor/document/graph_colors.h"

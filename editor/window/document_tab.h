@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One tab: a document, the place it is worked on, and what is to be said about it.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Everything that goes between the tabs and the disk: opening, importing, saving, closing, recovering.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Icons of the tool bar: lines in the text's own colour, sharp at every scale, right in light and dark.
 

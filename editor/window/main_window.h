@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The window of detent-edit: puts tabs, side panels, menus and keys together. What is done with files is
 // FileDesk's.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Actions, menus and tool bar of the window. Every action has a name, a text, a tool tip and, unless it is
 // one of a set of choices, keys.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Messages that stand where they belong and wait, instead of a box that stops the work.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Help > Keyboard shortcuts: made from the actions themselves, so it cannot be out of date.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The middle of the window: a tab per open button, or the welcome page.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the steps of reading one graph share: the view, where its ink is, and what was read so far.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The straight relation between places along an axis and the numbers printed there, by consensus: a misread
 // label changes nothing.

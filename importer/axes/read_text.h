@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Reading pixels: words and numbers in a box of a view. The only place that knows Tesseract.
 // An engine is started at the first reading (about 50 ms per language) and kept for the thread.

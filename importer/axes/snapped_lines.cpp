@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/axes/snapped_lines.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Lines that a plotting program rounded to whole pixels: what the unrounded, evenly spaced ones must have
 // been.

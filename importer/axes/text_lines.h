@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where text stands around a frame: glyphs, words and lines found in the ink, before anything is read.
 

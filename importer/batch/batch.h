@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Many inputs, each in a process of its own: a crash or a hang on one costs that one only. POSIX.
 

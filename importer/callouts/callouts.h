@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // "Operating point" and "reset point" as datasheets call them out: a text in the plot and a leader line to
 // the curve.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How many knots the points support, and of which kind: knots are taken out, added and rounded off by
 // evidence.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Step 6: from dense points of one stroke to a StrokeCurve with as few pieces as the evidence supports.
 // In:  points in the order travelled (a traced line, a force meter's log), the noise of the points, FitOptions.

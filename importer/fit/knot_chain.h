@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The curve while it is being fitted: knots in sigmas (stroke_samples.h), pieces that cannot overshoot.
 

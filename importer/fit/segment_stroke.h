@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The first knots of a stroke: optimal cutting into cubics by dynamic programming.
 

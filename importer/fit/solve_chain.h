@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Ceres on a chain of knots: least robust orthogonal distance with analytic Jacobians.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The points of one stroke made ready: by increasing displacement, thinned, in units of their noise.
 

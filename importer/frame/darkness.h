@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Pixels as ink: one channel, 0 = paper, 255 = full ink, whatever the colours of paper and ink are.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Blobs of ink the size of letters, and rows of them: where numbers could stand, before anything is read.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Do numbers stand along a rectangle as they stand along axes? Judged from where ink is, nothing is read.
 

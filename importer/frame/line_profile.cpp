@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/frame/line_profile.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Step 2: where the graphs stand on the page. In: Page. Out: one PlotFrame per graph, reading order.
 // "Frame" here is the rectangle in which curves are drawn, not the picture's edge and not the box around

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From straight lines to rectangles in which a graph could stand: boxes, grids, open grids, two axis lines.
 

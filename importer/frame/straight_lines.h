@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Straight lines that run along the page's axes, possibly a little askew: frames, gridlines, tables,
 // drawings.

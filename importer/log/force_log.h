@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The other way in: a force meter's CSV. Columns and units as instruments write them; strokes split at the
 // turning point.

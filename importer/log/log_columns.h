@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the columns of a force meter's table are: displacement, force, which stroke; their units.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How a table of numbers is written: what separates cells, what the decimal sign is.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Lines of a text file as UTF-8, whatever it was saved as: a constant amount of memory for any length.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/overlay/encode_png.h"
 
 #include <opencv2/imgcodecs.hpp>

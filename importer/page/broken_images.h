@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One picture that cannot be decoded must not cost the page its other graphs. Private to importer/page.
 

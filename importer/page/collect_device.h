@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A MuPDF device that notes paths and images of a page while it records the page for later rendering.
 // Private to importer/page.

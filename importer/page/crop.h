@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Native pixels of a region, turned upright. Private to importer/page.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From encoded bytes to upright opaque 8-bit sRGB. Private to importer/page.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Built where DETENT_WITH_MUPDF is off: PDF and SVG are named, and refused.
 
 #include "importer/page/page_source.h"

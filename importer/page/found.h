@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A finding remembers who decided it, how sure, and from what (STYLE 8). Doubt is a confidence, not an error.
 

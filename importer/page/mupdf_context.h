@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // MuPDF reports faults by longjmp. All calls of it go through guarded(), so that no jump crosses a C++
 // destructor. Private to importer/page.

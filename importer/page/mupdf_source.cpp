@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // PDF and SVG. A page is recorded once as a display list; texts and renders are made from the list.
 
 #include <algorithm>

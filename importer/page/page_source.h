@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a Document stands on: pictures on one side, PDF and SVG on the other. Private to importer/page.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures: the page is the picture, a view is a crop of its own pixels.
 
 #include "importer/page/crop.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What MuPDF's SVG interpreter leaves out, written into the drawing before it sees it: style sheets, text
 // anchors inherited from groups. And what would keep it busy for ever.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Plain pixels and plain geometry; what the importer's steps hand each other (no third-party type in a
 // header).

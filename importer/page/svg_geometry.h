@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Transforms and straight path data of SVG attributes. Private to importer/page.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One line on a terminal that says how far the work is; silent where stderr is no terminal.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Reports as JSON, in the shape DESIGN.md fixes for scripts.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a legend calls the strokes, in the languages datasheets are written in.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Step 5: which trace is the press, which the release; in millimetres and newtons, in the order travelled.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What lies behind the curves: paper and the lines that cross the whole frame (grid, frame). Known per row
 // and column, so that subtracting it removes the grid without touching a curve that runs over it.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From a coarse course to the sub-pixel centre line: the line is drawn (width, blur, what hides it) along the
 // present estimate, compared with the picture, and moved across itself until both agree. Corners, ends and

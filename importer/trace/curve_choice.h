@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Which inks draw curves, which only letter, frame and annotate; whether one ink draws both strokes.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Step 4: from ink to ordered sub-pixel polylines. No grid, no text, no arrows, no legend in them.
 

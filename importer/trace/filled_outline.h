@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Lines that a drawing program has turned into filled outlines. Private to importer/trace.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The coarse course of one ink's curve over the plot area, found globally: of all lines that never run back
 // in x, the one that explains the most ink for the least bridged paper. Gaps (legend boxes, dashes, text) are

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How much of each pixel each ink covers: the pixel is explained by the backdrop and as few inks as possible
 // (one; two where lines cross or touch).

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One ink of the plot: how much of each pixel it covers. Sub-pixel lines are centroids of this coverage.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Which inks stand in front of the backdrop. An anti-aliased, thin or pale line shows its ink only mixed with
 // what lies behind, so inks are told by the *direction* of the colour difference, which mixing does not

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/trace/line_ends.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Where a traced line really ends: its caps trimmed, its last pixel found, and cut or carried on to the
 // frame.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How far a traced loop can be believed, from what a wrong one gives away: path off the ink, strong ink left
 // over, profiles that are no line, turns that no curve makes.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Both strokes of the loop on the work plane. Each path is the best one given the other: ink already taken by
 // one stroke is worth little to the other, so that together they take all strong curve ink. Then the union is

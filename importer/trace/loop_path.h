@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The most rewarding path over a plane: never back in x, free in y, paying for every turn. Exact, by dynamic
 // programming over (pixel, direction); the direction in the state is what carries a curve straight through

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The work plane of the loop tracer: the plot frame made upright and rectangular, at a scale where the global
 // search is cheap. In: the ink layer and the frame's corners. Out: ink on the plane, and the map back to view

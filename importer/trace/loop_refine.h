@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From paths on the work plane to sub-pixel lines in the view. Across each stroke a profile of the ink is
 // compared with a model: one line of the measured width, or two where the strokes run close (they may merge

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What of the ink is not curve: straight lines across the frame (grid, frame edges, guide lines), lettering.
 // In: the work plane. Out: a reward per pixel for a curve that passes there.

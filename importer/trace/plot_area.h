@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The part of the view in which curves are drawn, upright: rows run along the displacement axis, columns
 // along the force axis. An axis-parallel frame is cropped (and, if huge, shrunk by a whole factor); any other

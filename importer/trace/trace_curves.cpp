@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Step 4, reading order: trace_vector.h (paths, exact) -> here (which inks draw curves) -> plot_area,
 // backdrop, plot_text, ink_palette, ink_coverage, curve_choice, follow_curve, centre_line, line_ends (curves
 // in inks of their own) or trace_loop.h (both strokes in one ink).

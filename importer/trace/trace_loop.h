@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Press and release drawn in one ink: a hysteresis loop that touches and crosses itself, under grid, leaders
 // and text of the same ink. Both strokes are followed at once, globally.

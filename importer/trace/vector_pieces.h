@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From the page's paths to pieces of line that could belong to a curve. Private to importer/trace.
 

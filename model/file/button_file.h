@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // *.button.json: the file of a button (docs/file-format.md, button.schema.json beside this file).
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The CSV of the programs' contract: header `stroke,displacement_mm,force_N`, rows in the order travelled.
 // For force meters' own logs see importer/log.

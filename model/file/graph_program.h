@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Front door of detent-graph: what its four commands do, without arguments, terminal or exit.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What detent-graph says about a button, as text for people and as one JSON object for scripts.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Old button files are brought to the present version step by step, on the JSON, before anything is read from
 // it.

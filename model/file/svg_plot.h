@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A button as a datasheet prints it: frame, grid, ticks on round numbers, axis titles, both strokes,
 // callouts.

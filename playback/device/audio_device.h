@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Sound devices through PortAudio (JACK, ALSA, PulseAudio behind ALSA). One file includes PortAudio.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // How the device room reports: it may not include model, so it has its own small result; the front door turns
 // it into a Failure with exit code 6.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // An output stream as a JACK client of our own. PortAudio plays through JACK too, but once the server is gone
 // its stream waits ten minutes before it can be closed; a client of our own comes back at once

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A build without JACK: PortAudio reaches a JACK server by itself where it can.
 
 #include "playback/device/jack_stream.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The paper's own route for comparison: readings become signal messages at once, and Pure Data makes the
 // sound (samples/puredata/detent.pd).

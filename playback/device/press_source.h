@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A finger without a sensor: a key or mouse button drives a human-like force profile; a recorded trace is
 // played back.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A force sensor behind a serial port (USB CDC, FTDI, or a pty in tests): its own thread reads lines, turns
 // them into newtons and hands them on. Unplugging and plugging in again is survived.

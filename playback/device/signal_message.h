@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The signal messages of the paper's own route ("sends signal messages to a sound synthesizer by UDP
 // packets", Apparatus): FUDI text as Pure Data speaks it, `;`-terminated. docs/osc.md lists them with their

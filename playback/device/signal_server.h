@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Signal messages from other programs: UDP FUDI (as a Pure Data patch would receive them) and OSC (liblo).
 

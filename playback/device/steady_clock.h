@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The one clock of the device room: CLOCK_MONOTONIC_RAW, the clock JACK stamps with (CLOCK_MONOTONIC is
 // slewed and may lie apart from it by a large constant).

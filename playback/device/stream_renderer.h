@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What every sound callback does, whichever library calls it: let the session render, copy to all channels,
 // account.

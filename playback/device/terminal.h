@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The terminal of the live view: single keys without Enter, restored however the program ends, and Ctrl-C as
 // a request.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Renders a press without a device: the same engine as the live path, driven by a list of readings.
 

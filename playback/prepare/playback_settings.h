@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Every rule of the paper as a named setting; the defaults are the paper's where it gives a number. "K&L" is
 // Kim & Lee, "Haptic Feedback Design for a Virtual Button Along Force-Displacement Curves", UIST 2013; the

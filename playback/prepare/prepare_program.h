@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From a button, a device and settings to what the callback plays. Only what the button has is prepared: no
 // jump entry for a linear button, no second state for a momentary one, no equalizer for a flat device.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A stroke curve as a table of at most maxTablePoints vertices, as close to the curve as that number allows.
 

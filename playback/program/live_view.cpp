@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The terminal view of `detent-play BUTTON`.
 
 #include <algorithm>

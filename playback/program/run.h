@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What detent-play does with its arguments. Human text to stderr, results to stdout.
 

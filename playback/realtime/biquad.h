@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Second-order filter sections of the engine: slope low-pass and device equalizer. Double precision,
 // transposed direct form II (the numerically calm one at 150 Hz and 192 kHz).

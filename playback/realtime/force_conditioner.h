@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Between a sensor and the engine: what cannot be a reading is rejected and counted, so that the tracker only
 // ever sees finite, ordered, plausible values. Same code for live sensors and recorded traces.

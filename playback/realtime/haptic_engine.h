@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The engine that runs in the audio callback: readings in, samples out. Sound is a function of (program,
 // inputs, sample index) and of nothing else: no clock, no allocation, no lock, no file, no throw, no unseeded

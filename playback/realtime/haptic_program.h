@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What the audio callback needs to make one button felt, prepared beforehand: fixed size, plainly copyable,
 // independent of the sample rate, nothing to allocate or free while it plays. Built by playback/prepare,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The last stage: whatever the voices, the equalizer and the gain did, the output never exceeds full scale.
 

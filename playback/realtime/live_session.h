@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The only bridge between the audio callback and the rest: bounded queues of plain messages, one producer
 // each. The callback owns the engine; other threads own everything that has to be allocated or freed.

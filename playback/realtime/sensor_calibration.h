@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // From what a force sensor sends to newtons. The numbers come from known weights (study/calibrate.h) and live
 // in the device profile; the reader thread applies them.

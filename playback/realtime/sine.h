@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Portable sine for the callback: the same bits on every machine (libm picks code by processor), no call, no
 // table.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Maps times of a steady clock to samples of the audio stream, so that an event can be placed where it
 // happened. Pure: the caller reads the clock.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Force (or displacement) in, crossings out: the reverse function of Kim & Lee's Figure 2b on prepared
 // tables, with the memory a jump needs. Finds every grain, jump, bottom-out and contact between two readings,

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // One sounding burst: a pure function of the sample index since its start, optionally fading out when stolen.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Sensor calibration with known weights: weighted least squares with error bars.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A set of measured delays as the paper states its own: "about 51.12ms (N = 50, SD = 1.65)", and what it left
 // out.

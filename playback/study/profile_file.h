@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Device profiles as text files (docs/device-profile.md): one "key = value" per line, so that a person can
 // read, correct and compare them.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Which frequencies a vibration holds at which time: a short-time Fourier transform over the band that
 // fingers feel, for displays.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // The frequency response of a vibrating device (K&L, Figure 5: 10 Hz to 1000 Hz) from one logarithmic sweep,
 // after A. Farina, "Simultaneous measurement of impulse response and distortion with a swept-sine technique",

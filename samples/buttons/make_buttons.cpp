@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Writes the sample buttons: make_buttons FOLDER. MANIFEST.md beside this file says where each number comes
 // from.
 #include <cstdio>

@@ -1,4 +1,5 @@
 #!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Draws the plots of this folder from the sample buttons with gnuplot, a program that knows nothing of Detent, and writes
 # MANIFEST.md and the force meter's log. Look at the pictures before they are committed.
 #

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the log a force meter would give of a button: force_meter_log.py GRAPH.csv LOG.csv
 
 GRAPH.csv holds the true curves (stroke,displacement_mm,force_N). The log has one row per 1/50 s at 0.25 mm/s, first pressing,

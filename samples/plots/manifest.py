@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Prints MANIFEST.md: what each plot of this folder truly shows. manifest.py CSV-FOLDER
 
 CSV-FOLDER holds one BUTTON.csv (stroke,displacement_mm,force_N) per button of plots.tsv, the curves that were drawn. Tactile

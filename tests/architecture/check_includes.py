@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Reads every #include of the rooms and fails on one that include_table.toml does not allow.
 
     check_includes.py [--root FOLDER]
@@ -21,6 +22,8 @@ from pathlib import Path, PurePosixPath
 ROOMS = ("model", "importer", "playback", "editor")
 HEADERS = (".h", ".hpp", ".hh")
 SOURCES = HEADERS + (".cpp", ".cc", ".cxx", ".c")
+LICENCE = "SPDX-License-Identifier: GPL-3.0-or-later"
+LICENSED = SOURCES + (".py", ".sh", ".cmake", ".ino", "CMakeLists.txt")
 
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*(include|include_next|import)\b[ \t]*(.*)$')
 # Comments and literals, so that an include in a comment does not count and "//" in a string does not start one.
@@ -131,6 +134,7 @@ class Checker:
                     found.extend(self.direction(file, include) if include.quoted else self.library(file, include))
         found.extend(self.leaks())
         found.extend(self.unverified_headers())
+        found.extend(self.without_licence())
         return sorted(set(found))
 
     def form(self, file, include):
@@ -246,6 +250,17 @@ class Checker:
             if not listed:
                 yield Violation(file, 1, "header set",
                                 "this header stands in no CMakeLists.txt: name it under HEADERS, so that it is verified to stand alone")
+
+    def without_licence(self):
+        """A file that is copied elsewhere still says whose it is: the SPDX line is the first, or follows "#!"."""
+        for file in self.files:
+            if not file.endswith(LICENSED) or file.startswith("tests/fuzz/corpus/"):
+                continue
+            with open(self.root / file, encoding="utf-8", errors="replace") as text:
+                head = text.readline() + text.readline()
+            if LICENCE not in head:
+                comment = "//" if file.endswith(SOURCES + (".ino",)) else "#"
+                yield Violation(file, 1, "licence", f"this file does not begin with \"{comment} {LICENCE}\"")
 
     def top_level(self):
         entries = {file.split("/", 1)[0] for file in self.files}

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Shows that check_includes.py fires: plants one mistake per rule in a copy of the project and expects exactly that finding.
 
 What the project itself violates at the moment is compared away, so that a mistake elsewhere does not hide a broken check.
@@ -57,14 +58,22 @@ class PlantedMistake(unittest.TestCase):
         self.append(f"{folder}/CMakeLists.txt", f"# HEADERS {header}")
 
     def expect(self, *places):
-        """Exactly these (file, line, rule) and no others are found since setUp."""
-        found = {(violation.file, violation.line, violation.rule) for violation in self.check() - self.before}
+        """Exactly these (file, line, rule) and no others are found since setUp; what is planted carries no licence line."""
+        found = {(violation.file, violation.line, violation.rule) for violation in self.check() - self.before
+                 if violation.rule != "licence"}
         self.assertEqual(found, set(places))
 
     # One test per rule.
 
     def test_nothing_planted(self):
         self.expect()
+
+    def test_a_file_without_a_licence_line(self):
+        self.plant("tests/model/planted_test.cpp", "#pragma once")
+        self.plant("tests/model/licensed_test.cpp", f"// {check_includes.LICENCE}", "// why")
+        self.plant("tests/planted.py", "#!/usr/bin/env python3", f"# {check_includes.LICENCE}")
+        found = {(violation.file, violation.line) for violation in self.check() - self.before if violation.rule == "licence"}
+        self.assertEqual(found, {("tests/model/planted_test.cpp", 1)})
 
     def test_model_uses_a_library(self):
         self.plant("model/planted.cpp", "// why", "#include <nlohmann/json.hpp>")

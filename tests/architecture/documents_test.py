@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Keeps README.md and docs/ true: runs their command blocks, follows links to them, holds their tables against the build.
 
     documents_test.py --bin FOLDER [--root FOLDER]

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """How long detent-edit takes to a window one can use, and how much memory it holds. Under Xvfb with openbox.
 
     editor_start_bench.py --bin FOLDER [--runs 15] [--pdf FILE]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // feel_bench [--out FILE] [--note TEXT]: how soon an edit is seen in the feel panel, and how often the finger
 // is told. Figures: docs/bench-feel.md
 

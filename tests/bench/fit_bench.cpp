@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The fit's whole trade: pieces and error against time, for every setting, as a markdown table.
 //
 //   detent_fit_bench [--every N]

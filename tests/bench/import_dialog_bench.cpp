@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The import dialogue on a long document: time to the first thumbnail, the longest time the window did not
 // answer, memory.
 //

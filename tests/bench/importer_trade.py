@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Accuracy, time and memory of detent-import on the evaluation corpus, per class and quality level.
 
 importer_trade.py PROGRAM [--corpus DIR] [--quality draft,standard,precise] [--classes NAME,...] [--limit N] [--jobs N]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The figures of playback in one run: Detent beside Pure Data on JACK's dummy driver, sensor to onset,
 // evenness in time, render speed, share of the callback, guarded calls.
 //

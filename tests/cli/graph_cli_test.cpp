@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // detent-graph as a program.
 #include <algorithm>
 #include <tuple>

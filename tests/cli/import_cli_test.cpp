@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // detent-import as a program: exit code, what it prints, what it leaves behind.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // detent-play as a program.
 #include <algorithm>
 #include <cstring>

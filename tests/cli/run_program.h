@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Runs a built program in a folder of its own and gives back what it printed, its exit code and the files it
 // left.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Ten thousand seeded random actions with mouse, keys, menus, dialogs and undo. After each the button is
 // valid; at the end undoing all gives the first button exactly, redoing all the last.
 //

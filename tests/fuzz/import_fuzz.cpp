@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The whole import on any bytes: document -> frames -> axes -> trace -> strokes -> callouts -> fit -> button,
 // or log -> fit -> button. Nothing may crash, hang, leak, or give a button with a number that is not finite.
 //

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any button shape, any readings, any blocks: the sound stays within full scale, positions within the travel.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes, as if a serial sensor or another program had sent them: lines, FUDI, OSC. Nothing may crash,
 // hang, leak or pass what the limits forbid.
 

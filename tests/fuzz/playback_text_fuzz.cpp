@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Any bytes, as if they were a press trace, a device profile or a list of weights. What is accepted must be
 // usable.
 

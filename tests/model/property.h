@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Properties with a fixed seed: a test that failed yesterday fails today. DETENT_PROPERTY_SEED tries others.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // samples/buttons holds exactly what its program writes, and what its manifest promises.
 #include <cstdlib>
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Buttons of known shape for the playback tests: the kinds of Kim & Lee's Figure 9, drawn here.
 

@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Imports every plot of samples/plots without a hint and holds the result against the button that gnuplot drew.
 
     sample_plots_test.py --bin FOLDER [--root FOLDER]

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Force sensor of the mockup: Interlink FSR 400 to the supply, a fixed resistor to ground, the middle to A0.
 // Sends one line per reading, 1000 times a second, as docs/serial-protocol.md says:
 //

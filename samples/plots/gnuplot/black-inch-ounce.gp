@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # An SVG in inches and ounce-force, two colours.
 set terminal svg size 800,560 enhanced font "DejaVu Sans,14" background "white"
 set output out

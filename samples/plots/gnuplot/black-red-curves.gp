@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Red curves on a black grid, the axis ends beyond the travel; callouts with arrowheads.
 set terminal pngcairo size 660,470 enhanced font "Nimbus Sans,14"
 set output out

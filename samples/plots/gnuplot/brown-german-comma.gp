@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # German words and decimal commas; strokes told apart by colour and by their names in the legend.
 set terminal pngcairo size 760,520 enhanced font "Nimbus Sans,12"
 set output out

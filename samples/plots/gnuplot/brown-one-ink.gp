@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # One ink for everything: both strokes, a grid line every half millimetre, callouts whose leaders end on the curves.
 set terminal pngcairo size 616,443 enhanced font "Nimbus Sans,13"
 set output out

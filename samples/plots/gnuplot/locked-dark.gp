@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Light curves on a dark ground.
 set terminal pngcairo size 800,560 enhanced font "DejaVu Sans,12" background rgb "#1e2127"
 set output out

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Two colours, a legend beside the plot, a light grid: the style of an office chart.
 set terminal pngcairo size 908,551 enhanced font "DejaVu Sans,10"
 set output out

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Black and blue, no grid, ticks inside: the plainest drawing.
 set terminal pngcairo size 800,560 enhanced font "DejaVu Sans,12"
 set output out

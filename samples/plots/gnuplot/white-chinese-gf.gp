@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # Gram-force, titles in two languages, thick grid in the ink of the curves, leaders that end in dots.
 set terminal pngcairo size 650,520 enhanced font "WenQuanYi Zen Hei,14"
 set output out

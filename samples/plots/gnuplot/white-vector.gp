@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 # A vector PDF in one ink: the curves are paths, the numbers are text.
 set terminal pdfcairo size 14cm,10cm enhanced font "DejaVu Sans,11"
 set output out

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn stands where the axes say, in every unit, zoom and theme.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
 """A screen of its own for tests: Xvfb with a window manager, mouse and keys by xdotool, widgets found by name.
 
 Everything that is started here is ended here, by its process id.

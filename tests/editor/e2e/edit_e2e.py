@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """The editor as a person uses it, in a real window: import, correct an axis, drag, undo, save, kill, recover.
 
     edit_e2e.py --bin FOLDER [--root FOLDER] [--keep FOLDER]

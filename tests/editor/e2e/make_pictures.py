@@ -1,4 +1,5 @@
 #!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
 """Makes the pictures of docs/pictures from the project's own samples, in a real window on a screen of its own.
 
     make_pictures.py --bin FOLDER [--out docs/pictures] [NAME...]

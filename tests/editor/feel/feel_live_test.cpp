@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The feel panel on a real sound server (JACK with its dummy driver) and a real serial port (a pty).
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The feel panel as a person uses it, on a machine without a sound device.
 
 #include "editor/feel/feel_panel.h"

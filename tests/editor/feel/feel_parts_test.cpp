@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What stands behind the feel panel, one by one.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every way to press the pad, with the events a window system sends.
 
 #include "editor/feel/press_pad.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Opening, saving, recent files, changes from outside, exports.
 
 #include <QSignalSpy>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The import dialogue as its users meet it: sample plots in, corrections by mouse and keyboard, buttons out.
 
 #include "editor/importing/import_dialog.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Workspace, operations, values and history, judged by the button.
 #include <QComboBox>
 #include <QLabel>

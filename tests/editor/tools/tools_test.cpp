@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Every tool by real events on the workspace, judged by the button that comes out.
 #include <cmath>
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // detent-edit as a program: what it answers without opening a window.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the windows against those that were looked at and blessed (tests/editor/golden).
 
 #include <cstdlib>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The window as a whole: actions, files, tabs, recovery, appearance, units.
 
 #include <QAccessible>

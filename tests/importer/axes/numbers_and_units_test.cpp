@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers and units as printed, and as misread.
 
 #include <cstdio>

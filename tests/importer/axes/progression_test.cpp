@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Labels against ticks: consensus, exact places, lines rounded to whole pixels.
 
 #include "importer/axes/progression.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Plots drawn by the test are calibrated; what cannot be read is said.
 
 #include <catch2/catch.hpp>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Strokes with known truth for the fit's tests: knots, dense points along them, pixel-like noise.
 

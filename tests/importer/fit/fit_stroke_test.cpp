@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // What a fit must give back of a stroke whose truth is known.
 
 #include "importer/fit/fit_stroke.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Plots drawn by the test, at places it knows to a fraction of a pixel.
 

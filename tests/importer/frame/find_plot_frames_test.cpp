@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Frames drawn by the test are found where they were drawn; what is no plot gives nothing.
 
 #include <random>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // PDF and SVG: paths, texts and images where the page has them; hostile documents are refused.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of every kind become upright opaque RGB; what is no picture is refused with a sentence that helps.
 
 #include <array>

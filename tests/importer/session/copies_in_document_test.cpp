@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Copies drawn on two pages of a document the test writes: the import knows them and says so.
 
 #include <cmath>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Copies of one graph are told from other switches on equal axes, and the better one is taken.
 
 #include "importer/graph_copies.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A session that is asked again, and documents of which some pages cannot be read.
 
 #include <filesystem>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/specs/printed_spec.h"
 
 #include <catch2/catch.hpp>

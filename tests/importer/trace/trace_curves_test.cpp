@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Differently coloured curves on plots drawn by the test itself: exact curves beside them, pixels by exact
 // distance.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // One-ink loops drawn by the test itself, with the faults of real vendor pages, and the exact curves beside
 // them.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Curves among a page's paths: told from everything else, joined from their pieces, cut into strokes; exact.
 
 #include "importer/trace/trace_vector.h"

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The writer's files obey button.schema.json: a checker of just the keywords that schema uses.
 #include <fstream>
 #include <regex>

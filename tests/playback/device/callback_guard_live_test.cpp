@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // 10,000 events through PortAudio and JACK: the callback of a running stream makes no guarded call.
 
 #include <iostream>

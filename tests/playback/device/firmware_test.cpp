@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // Runs the Arduino sketch of samples/firmware on a clock of its own and reads what it sends.
 
 #include <algorithm>

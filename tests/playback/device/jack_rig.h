@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Real parts for the device tests: a JACK server with its dummy driver and a client that listens to, filters
 // or loops back what PortAudio plays. Started and stopped by process id; where a machine cannot, the reason

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The live path on a real sound server: JACK with its dummy driver.
 
 #include <algorithm>

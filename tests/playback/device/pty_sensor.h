@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // A pseudo-terminal as the serial force sensor, behind a link with a stable name so that it can be unplugged.
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // A player without a sound device: the finger is followed all the same.
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 // The front door as the editor uses it, without a device.
 
 #include "playback/playback.h"

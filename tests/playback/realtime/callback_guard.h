@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // Test-only proof that the callback neither allocates nor blocks: interposes malloc, free, locks and the
 // system calls that wait or write (POSIX symbols of the test program win over the C library's) and counts
