@@ -25,12 +25,14 @@ thread_local int depth = 0;
 std::atomic<std::uint64_t> hits{0};
 std::atomic<const char*> first{nullptr};
 
+#ifndef DETENT_GUARD_OFF
 void note(const char* name) {
   if (depth == 0) return;
   hits.fetch_add(1, std::memory_order_relaxed);
   const char* none = nullptr;
   first.compare_exchange_strong(none, name);
 }
+#endif
 
 }  // namespace
 
