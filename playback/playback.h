@@ -26,30 +26,13 @@
 #include "model/button.h"
 #include "model/result.h"
 #include "playback/offline/render_press.h"
+#include "playback/offline/standard_press.h"
 #include "playback/prepare/device_profile.h"
 #include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
 #include "playback/study/spectrogram.h"
 
 namespace detent::playback {
-
-// ---- a press without a device
-
-/// A human-like press: minimum-jerk rise to the peak, hold with physiological tremor, minimum-jerk fall.
-struct StandardPress {
-  double peak_N = 0;      ///< 0: a quarter more than the button's bottom-out needs
-  double press_s = 0.12;  ///< > 0
-  double hold_s = 0.08;   ///< >= 0
-  double release_s = 0.10;
-  double sensor_Hz = 425;  ///< K&L, Apparatus
-};
-
-/// The readings of such a press.
-PressTrace standardPress(const HapticProgram& program, const StandardPress& press = {});
-
-/// A standard press as samples for a waveform view; about a millisecond of work.
-Result<RenderedPress> renderStandardPress(const HapticProgram& program, double sampleRate_Hz = 48000,
-                                          const StandardPress& press = {});
 
 /// From a `.device` file to a profile; docs/device-profile.md.
 Result<DeviceProfile> loadDeviceProfile(const std::string& file);

@@ -10,7 +10,7 @@
 
 #include "importer/page/page_source.h"
 #include "importer/page/picture_header.h"
-#include "importer/page/sha256.h"
+#include "model/sha256.h"
 #include "model/check.h"
 
 namespace detent::importer {

@@ -11,7 +11,7 @@
 
 #include "importer/page/page.h"
 #include "importer/page/picture_header.h"
-#include "importer/page/sha256.h"
+#include "model/sha256.h"
 
 using namespace detent;
 using namespace detent::importer;

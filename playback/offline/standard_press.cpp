@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/offline/standard_press.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "playback/playback.h"
-#include "playback/study/profile_file.h"
 
 namespace detent::playback {
 
@@ -56,7 +55,5 @@ Result<RenderedPress> renderStandardPress(const HapticProgram& program, double s
   // glitch.
   return renderPress(program, standardPress(program, press), settings);
 }
-
-Result<DeviceProfile> loadDeviceProfile(const std::string& file) { return readDeviceProfile(file); }
 
 }  // namespace detent::playback

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/page/sha256.h"
+#include "model/sha256.h"
 
 #include <array>
 #include <bit>
 #include <cstdint>
 
-namespace detent::importer {
+namespace detent {
 namespace {
 
 // FIPS 180-4, 4.2.2: first 32 bits of the fractional parts of the cube roots of the first 64 primes.
@@ -67,4 +67,4 @@ std::string sha256Hex(std::span<const unsigned char> bytes) {
   return hex;
 }
 
-}  // namespace detent::importer
+}  // namespace detent

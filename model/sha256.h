@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Fingerprint of an input file, for provenance.
+// Fingerprint of a file: where an import came from, what a study played.
 
 #include <span>
 #include <string>
 
-namespace detent::importer {
+namespace detent {
 
 /// SHA-256 (FIPS 180-4) of the bytes, 64 lower-case hexadecimal digits. Any thread.
 std::string sha256Hex(std::span<const unsigned char> bytes);
 
-}  // namespace detent::importer
+}  // namespace detent
