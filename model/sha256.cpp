@@ -67,4 +67,8 @@ std::string sha256Hex(std::span<const unsigned char> bytes) {
   return hex;
 }
 
+std::string sha256Hex(std::string_view text) {
+  return sha256Hex(std::span(reinterpret_cast<const unsigned char*>(text.data()), text.size()));
+}
+
 }  // namespace detent

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Whether two lists rise together.
+
+#include <vector>
+
+namespace detent::playback {
+
+/// Spearman's rank correlation with mean ranks for ties, -1..1; 0 where one list is constant or shorter than
+/// two. Both of one length.
+double spearman(const std::vector<double>& x, const std::vector<double>& y);
+
+}  // namespace detent::playback

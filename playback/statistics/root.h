@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Where a rising function passes a value.
+
+namespace detent::playback {
+
+/// The x in [low, high] at which the rising `f` passes `target`, to the last bit that halving reaches; the
+/// nearer end where it does not.
+template <class Function>
+double whereRisingPasses(double target, double low, double high, const Function& f) {
+  constexpr int halvings = 200;
+  for (int i = 0; i < halvings; ++i) {
+    const double middle = low + (high - low) / 2;
+    (f(middle) < target ? low : high) = middle;
+  }
+  return low + (high - low) / 2;
+}
+
+}  // namespace detent::playback
