@@ -10,8 +10,8 @@
 
 #include "importer/page/page_source.h"
 #include "importer/page/picture_header.h"
-#include "model/sha256.h"
 #include "model/check.h"
+#include "model/sha256.h"
 
 namespace detent::importer {
 
