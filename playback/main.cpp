@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <exception>
 
-#include "playback/program/arguments.h"
 #include "playback/program/run.h"
 
 namespace {
@@ -28,9 +27,7 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   try {
-    const auto parsed = detent::playback::parseArguments(argc, argv);
-    if (!parsed.arguments) return parsed.exitCode;
-    return detent::playback::run(*parsed.arguments, [] { return interrupted != 0; });
+    return detent::playback::run(argc, argv, [] { return interrupted != 0; });
   } catch (const std::exception& fault) {
     std::fprintf(stderr, "detent-play: internal fault: %s. Please report it with the input file.\n",
                  fault.what());

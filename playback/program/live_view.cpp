@@ -11,7 +11,7 @@
 
 #include "playback/device/steady_clock.h"
 #include "playback/device/terminal.h"
-#include "playback/program/run.h"
+#include "playback/program/live_command.h"
 
 namespace detent::playback {
 
@@ -52,8 +52,8 @@ double peakForceOf(const Button& button) {
 
 class LiveView {
  public:
-  LiveView(const Arguments& a, const std::vector<Button>& buttons, const DeviceProfile& profile)
-      : a_(a), buttons_(buttons), profile_(profile), settings_(a.settings), gain_(a.gain) {}
+  LiveView(const LiveArguments& a, const std::vector<Button>& buttons, const DeviceProfile& profile)
+      : a_(a), buttons_(buttons), profile_(profile), settings_(a.feel.settings), gain_(a.gain) {}
 
   int run(const Cancelled& cancelled) {
     Result<PreparedProgram> program = prepare();
@@ -89,8 +89,9 @@ class LiveView {
 
   Result<Done> connect() {
     player_->setGain(gain_);
-    if (!a_.sensorPort.empty()) {
-      if (Result<Done> ok = player_->attachSensor(a_.sensorPort, a_.baud, profile_.sensor); !ok) return ok;
+    if (!a_.sensor.port.empty()) {
+      if (Result<Done> ok = player_->attachSensor(a_.sensor.port, a_.sensor.baud, profile_.sensor); !ok)
+        return ok;
     }
     if (a_.udpPort >= 0) {
       Result<std::uint16_t> port = player_->listenFudi(static_cast<std::uint16_t>(a_.udpPort));
@@ -238,7 +239,7 @@ class LiveView {
     std::cout << json.dump() << "\n";
   }
 
-  const Arguments& a_;
+  const LiveArguments& a_;
   const std::vector<Button>& buttons_;
   const DeviceProfile& profile_;
   PlaybackSettings settings_;
@@ -253,7 +254,7 @@ class LiveView {
 
 }  // namespace
 
-int runLive(const Arguments& arguments, const std::vector<Button>& buttons, const DeviceProfile& profile,
+int runLive(const LiveArguments& arguments, const std::vector<Button>& buttons, const DeviceProfile& profile,
             const Cancelled& cancelled) {
   return LiveView(arguments, buttons, profile).run(cancelled);
 }

@@ -1,23 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What detent-play does with its arguments. Human text to stderr, results to stdout.
+// detent-play: its command line, and what it runs.
 
-#include <functional>
-
-#include "playback/program/arguments.h"
+#include "playback/program/command.h"
 
 namespace detent::playback {
 
-using Cancelled = std::function<bool()>;
-
-/// Exit code.
-int run(const Arguments& arguments, const Cancelled& cancelled);
-
-/// The live view of `detent-play BUTTON` (live_view.cpp; without devices it explains itself).
-int runLive(const Arguments& arguments, const std::vector<Button>& buttons, const DeviceProfile& profile,
-            const Cancelled& cancelled);
-
-/// Prints a failure's sentence to stderr; gives its exit code.
-int fail(const Failure& failure);
+/// Parses, runs what was chosen; exit code (0 after --help, 2 after a wrong use that was explained).
+int run(int argc, char** argv, const Cancelled& cancelled);
 
 }  // namespace detent::playback

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a subcommand of detent-play is: a file of its own that adds its options to the command line and, if it
+// was chosen, gives what to run. run.cpp lists them all.
+
+#include <functional>
+
+#include "model/result.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+namespace detent::playback {
+
+/// Asked often by everything that takes long: the person wants the program to end.
+using Cancelled = std::function<bool()>;
+
+/// A parsed subcommand, ready to run. Human text to stderr, results to stdout; gives the exit code.
+using Action = std::function<int(const Cancelled&)>;
+
+/// Prints a failure's sentence to stderr; gives its exit code.
+int fail(const Failure& failure);
+
+}  // namespace detent::playback

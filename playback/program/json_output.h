@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The one JSON object that --json prints.
+
+#include <iostream>
+
+#include <nlohmann/json.hpp>
+
+namespace detent::playback {
+
+using Json = nlohmann::ordered_json;
+
+inline void print(const Json& json) { std::cout << json.dump() << "\n"; }
+
+}  // namespace detent::playback

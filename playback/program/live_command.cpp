@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/live_command.h"
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+#include "model/file/button_file.h"
+
+namespace detent::playback {
+
+namespace {
+
+void addOptions(CLI::App& app, LiveArguments& a) {
+  app.add_option("BUTTON", a.buttons, "*.button.json; several for A/B comparison");
+  addFeelOptions(app, a.feel);
+  addDeviceOptions(app, a.player);
+  addSensorOptions(app, a.sensor);
+  app.add_option("--udp", a.udpPort, "Listen for FUDI signal messages on this UDP port (docs/osc.md)");
+  app.add_option("--osc", a.oscPort, "Listen for OSC messages on this UDP port");
+  app.add_option("--signals-to", a.signalTarget,
+                 "HOST:PORT of a synthesizer (samples/puredata) that gets a message per event");
+  app.add_option("--press", a.pressFile,
+                 "Play this recorded press (time_s,force_N or time_s,displacement_mm)");
+  app.add_option("--finger-N", a.fingerPeak_N,
+                 "Force of the keyboard's finger in N; 0: a quarter more than needed")
+      ->capture_default_str();
+  app.add_option("--gain", a.gain, "Output gain")->capture_default_str()->check(CLI::Range(0.0, 10.0));
+  app.add_option("--seconds", a.seconds, "End after so many seconds; 0: on q or Ctrl-C")
+      ->capture_default_str();
+  app.add_flag("--json", a.json, "One JSON object on stdout at the end");
+}
+
+int run(const LiveArguments& a, const Cancelled& cancelled) {
+  Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
+  if (!profile) return fail(profile.failure());
+  std::vector<Button> buttons;
+  for (const std::string& file : a.buttons) {
+    Result<Button> button = readButtonFile(file);
+    if (!button) return fail(button.failure());
+    buttons.push_back(*std::move(button));
+  }
+  return runLive(a, buttons, *profile, cancelled);
+}
+
+}  // namespace
+
+void addLiveCommand(CLI::App& program, Action& chosen) {
+  const auto arguments = std::make_shared<LiveArguments>();
+  addOptions(program, *arguments);
+  program.footer(
+      "Keys while playing: space presses, Tab changes the button, + and - the gain, m the mode, p the "
+      "placement, q ends.\n"
+      "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 6 device trouble.");
+  program.callback([&program, &chosen, arguments] {
+    if (!program.get_subcommands().empty()) return;
+    if (arguments->buttons.empty()) throw CLI::RequiredError("BUTTON");
+    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+  });
+}
+
+}  // namespace detent::playback

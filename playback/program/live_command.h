@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// `detent-play BUTTON`: press and feel. The root command, without a word of its own.
+
+#include <string>
+#include <vector>
+
+#include "playback/program/shared_options.h"
+
+namespace detent::playback {
+
+struct LiveArguments {
+  std::vector<std::string> buttons;
+  FeelOptions feel;
+  PlayerSettings player;
+  SensorOptions sensor;
+  int udpPort = -1, oscPort = -1;  ///< -1: closed
+  std::string signalTarget;        ///< HOST:PORT
+  std::string pressFile;
+  double fingerPeak_N = 0;  ///< 0: a quarter more than the button needs
+  double gain = 1;
+  double seconds = 0;  ///< 0: until q or Ctrl-C
+  bool json = false;
+};
+
+/// Runs if the command line names no other command.
+void addLiveCommand(CLI::App& program, Action& chosen);
+
+/// The live view (live_view.cpp; without devices it explains itself).
+int runLive(const LiveArguments& arguments, const std::vector<Button>& buttons, const DeviceProfile& profile,
+            const Cancelled& cancelled);
+
+}  // namespace detent::playback

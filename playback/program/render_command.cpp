@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/render_command.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "model/file/button_file.h"
+#include "playback/program/json_output.h"
+#include "playback/program/shared_options.h"
+#include "playback/study/text_output.h"
+
+namespace detent::playback {
+
+namespace {
+
+struct RenderArguments {
+  std::string button;
+  FeelOptions feel;
+  std::string pressFile;
+  bool standardPress = false;
+  std::string outputFile, eventsFile;
+  double sampleRate_Hz = 48000;
+  bool json = false;
+};
+
+void addOptions(CLI::App& app, RenderArguments& a) {
+  app.add_option("BUTTON", a.button, "*.button.json")->required();
+  auto* press =
+      app.add_option("--press", a.pressFile, "Press trace CSV: time_s,force_N or time_s,displacement_mm");
+  app.add_flag("--standard-press", a.standardPress, "Instead of a trace: a human-like press of 0.3 s")
+      ->excludes(press);
+  app.add_option("-o,--output", a.outputFile, "*.wav (32 bit float) or *.flac (24 bit)")->required();
+  app.add_option("--events", a.eventsFile, "Also write what was felt, as CSV");
+  app.add_option("--rate", a.sampleRate_Hz, "Samples per second, 8000..192000")->capture_default_str();
+  addFeelOptions(app, a.feel);
+  app.add_flag("--json", a.json, "One JSON object on stdout");
+}
+
+const char* nameOf(EventKind kind) {
+  switch (kind) {
+    case EventKind::grain:
+      return "grain";
+    case EventKind::pressJump:
+      return "press_jump";
+    case EventKind::releaseJump:
+      return "release_jump";
+    case EventKind::bottomOut:
+      return "bottom_out";
+    case EventKind::contactClosed:
+      return "contact_closed";
+    case EventKind::contactOpened:
+      return "contact_opened";
+    case EventKind::trigger:
+      break;
+  }
+  return "trigger";
+}
+
+std::string eventsCsv(const std::vector<EngineEvent>& events, double sampleRate_Hz) {
+  std::string text = "time_s,event,state,jump,grains,displacement_mm\n";
+  for (const EngineEvent& e : events) {
+    text += exact(static_cast<double>(e.frame) / sampleRate_Hz) + "," + nameOf(e.kind) + "," +
+            std::to_string(e.state) + "," + std::to_string(e.jump) + "," +
+            std::to_string(e.kind == EventKind::grain ? e.count : 0) + "," + exact(e.displacement_mm) + "\n";
+  }
+  return text;
+}
+
+int run(const RenderArguments& a, const Cancelled& cancelled) {
+  Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
+  if (!profile) return fail(profile.failure());
+  Result<Button> button = readButtonFile(a.button);
+  if (!button) return fail(button.failure());
+  Result<PreparedProgram> prepared = prepareProgram(*button, *profile, a.feel.settings);
+  if (!prepared) return fail(prepared.failure());
+  for (const std::string& w : prepared->summary.warnings) std::fprintf(stderr, "warning: %s\n", w.c_str());
+  Result<PressTrace> trace =
+      a.standardPress ? Result<PressTrace>(standardPress(prepared->program)) : readPressTrace(a.pressFile);
+  if (!trace) return fail(trace.failure());
+  RenderSettings settings;
+  settings.sampleRate_Hz = a.sampleRate_Hz;
+  settings.cancelled = cancelled;
+  Result<RenderSummary> summary = renderPressToFile(prepared->program, *trace, settings, a.outputFile);
+  if (!summary) return fail(summary.failure());
+  if (!a.eventsFile.empty()) {
+    if (Result<Done> w = writeWholeFile(a.eventsFile, eventsCsv(summary->events, a.sampleRate_Hz)); !w)
+      return fail(w.failure());
+  }
+  const ConditionerCounts& c = summary->sensor;
+  const auto rejected = c.notFinite + c.outOfRange + c.outOfOrder + c.glitches;
+  if (rejected > 0) {
+    std::fprintf(
+        stderr,
+        "warning: %llu of %zu readings were left out (no number, out of range or order, or a glitch)\n",
+        static_cast<unsigned long long>(rejected), trace->readings.size());
+  }
+  const EngineCounts& n = summary->counts;
+  std::fprintf(stderr,
+               "%s\n%s: %.3f s, peak %.3f, %llu grains, %llu press jumps, %llu release jumps, %llu "
+               "bottom-outs, %.0f x real time\n",
+               prepared->summary.line().c_str(), a.outputFile.c_str(), summary->duration_s,
+               static_cast<double>(summary->peak), static_cast<unsigned long long>(n.grains),
+               static_cast<unsigned long long>(n.pressJumps), static_cast<unsigned long long>(n.releaseJumps),
+               static_cast<unsigned long long>(n.bottomOuts), summary->timesRealTime());
+  if (a.json) {
+    print({{"status", "ok"},
+           {"output", a.outputFile},
+           {"sample_rate_Hz", a.sampleRate_Hz},
+           {"duration_s", summary->duration_s},
+           {"peak", summary->peak},
+           {"grains", n.grains},
+           {"press_jumps", n.pressJumps},
+           {"release_jumps", n.releaseJumps},
+           {"bottom_outs", n.bottomOuts},
+           {"suppressed", n.suppressed},
+           {"rejected_readings", rejected},
+           {"table_error_N", prepared->summary.tableError_N},
+           {"warnings", prepared->summary.warnings},
+           {"times_real_time", summary->timesRealTime()}});
+  }
+  return 0;
+}
+
+}  // namespace
+
+void addRenderCommand(CLI::App& program, Action& chosen) {
+  CLI::App* app =
+      program.add_subcommand("render", "A press to a sound file, sample for sample what live play gives");
+  const auto arguments = std::make_shared<RenderArguments>();
+  addOptions(*app, *arguments);
+  app->callback([&chosen, arguments] {
+    if (arguments->pressFile.empty() && !arguments->standardPress)
+      throw CLI::RequiredError("--press or --standard-press");
+    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+  });
+}
+
+}  // namespace detent::playback

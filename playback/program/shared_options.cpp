@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/shared_options.h"
+
+#include <fstream>
+
+#include "playback/program/choice_option.h"
+#include "playback/study/profile_file.h"
+
+namespace detent::playback {
+
+namespace {
+
+const std::map<std::string, FeedbackMode> modes{{"full", FeedbackMode::full},
+                                                {"click-only", FeedbackMode::clickOnly},
+                                                {"slope-only", FeedbackMode::slopeOnly},
+                                                {"off", FeedbackMode::off}};
+const std::map<std::string, EventPlacement> placements{{"fast", EventPlacement::atOnce},
+                                                       {"time-stamped", EventPlacement::timeStamped}};
+const std::map<std::string, LowPassPlacement> lowPasses{{"slope", LowPassPlacement::slopeOnly},
+                                                        {"all", LowPassPlacement::wholeChain},
+                                                        {"off", LowPassPlacement::none}};
+const std::map<std::string, JumpFrequencySource> jumpSources{{"paper", JumpFrequencySource::paper},
+                                                             {"profile", JumpFrequencySource::profile}};
+
+}  // namespace
+
+CLI::Option* addPlacementOption(CLI::App& app, EventPlacement& placement) {
+  return addChoice(app, "--placement", placement, placements,
+                   "Events at once, or at their own time plus a constant delay", "time-stamped");
+}
+
+void addFeelOptions(CLI::App& app, FeelOptions& options) {
+  PlaybackSettings& s = options.settings;
+  const std::string group = "How it feels (defaults: Kim & Lee 2013)";
+  addChoice(app, "--mode", s.mode, modes, "What is felt", "full")->group(group);
+  addPlacementOption(app, s.placement)->group(group);
+  app.add_option("--grains-per-mm", s.grainsPerMm, "Grains per mm of slope, 0..1000")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--grain-hz", s.grainFrequency_Hz, "Frequency of a grain in Hz")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--grain-s", s.grainDuration_s, "Length of a grain in s")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--grain-amplitude", s.grainAmplitude, "Share of full scale, 0..1")
+      ->capture_default_str()
+      ->group(group);
+  addChoice(app, "--low-pass", s.lowPassPlacement, lowPasses, "What the 150 Hz low-pass acts on", "slope")
+      ->group(group);
+  app.add_option("--low-pass-order", s.lowPassOrder, "Its order, 1 or 2")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--jump-s-per-mm", s.jumpDurationPerTravel_s_per_mm, "Length of a jump's burst in s per mm")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--jump-per-mJ", s.jumpAmplitudePerArea_per_mJ, "Amplitude of a jump per mJ of its area")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--press-hz", s.pressJumpFrequency_Hz, "Frequency of a press jump in Hz")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--release-hz", s.releaseJumpFrequency_Hz, "Frequency of a release jump in Hz")
+      ->capture_default_str()
+      ->group(group);
+  addChoice(app, "--jump-frequency", s.jumpFrequencySource, jumpSources,
+            "Jump frequencies as given, or the profile's nearest resonance", "paper")
+      ->group(group);
+  app.add_option("--bottom-amplitude", s.bottomOutAmplitude, "Share of full scale, 0..1")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--hysteresis-N", s.hysteresis_N,
+                 "Force must turn back this far before the stroke turns, in N")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--rearm-mm", s.rearmDistance_mm, "Way back before a jump is felt again, in mm")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--sensor-period-s", s.sensorPeriod_s,
+                 "Time between two sensor readings in s: the delay of time-stamped events")
+      ->capture_default_str()
+      ->group(group);
+  app.add_option("--profile", options.profileFile, "Device profile (docs/device-profile.md)")->group(group);
+}
+
+void addDeviceOptions(CLI::App& app, PlayerSettings& options) {
+  app.add_option("--device", options.device,
+                 "Sound output: a name from `detent-play devices` or a part of one");
+  app.add_option("--device-rate", options.sampleRate_Hz, "Samples per second of the device; 0: its own")
+      ->capture_default_str();
+  app.add_option("--buffer", options.bufferFrames, "Samples per callback; 0: the host's choice (least delay)")
+      ->capture_default_str();
+  app.add_option("--channels", options.channels, "Output channels that carry the signal")
+      ->capture_default_str();
+}
+
+void addSensorOptions(CLI::App& app, SensorOptions& options) {
+  app.add_option("--sensor", options.port,
+                 "Serial force sensor, for example /dev/ttyACM0 (docs/serial-protocol.md)");
+  app.add_option("--baud", options.baud, "Its baud rate")->capture_default_str();
+}
+
+Result<DeviceProfile> profileOf(const std::string& file) {
+  if (file.empty()) return DeviceProfile{};
+  return readDeviceProfile(file);
+}
+
+Result<DeviceProfile> profileToExtend(const std::string& file) {
+  if (!std::ifstream(file)) return DeviceProfile{};
+  return readDeviceProfile(file);
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Options that several subcommands take, worded once.
+
+#include <string>
+
+#include "playback/playback.h"
+#include "playback/program/command.h"
+
+namespace detent::playback {
+
+/// "How it feels": every setting of the paper, and the device it is prepared for.
+struct FeelOptions {
+  PlaybackSettings settings;
+  std::string profileFile;  ///< empty: a perfect device
+};
+void addFeelOptions(CLI::App& app, FeelOptions& options);
+
+/// --placement alone, for subcommands that take no other setting of the feel.
+CLI::Option* addPlacementOption(CLI::App& app, EventPlacement& placement);
+
+/// The sound output.
+void addDeviceOptions(CLI::App& app, PlayerSettings& options);
+
+/// The serial force sensor.
+struct SensorOptions {
+  std::string port;  ///< empty: none
+  unsigned baud = 230400;
+};
+void addSensorOptions(CLI::App& app, SensorOptions& options);
+
+/// The profile of `file`, or an empty one where no file is named.
+Result<DeviceProfile> profileOf(const std::string& file);
+
+/// The profile a measurement is written into: an existing one is added to, a broken one is not overwritten.
+Result<DeviceProfile> profileToExtend(const std::string& file);
+
+}  // namespace detent::playback

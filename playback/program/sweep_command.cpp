@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/sweep_command.h"
+
+#include <cstdio>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "playback/program/json_output.h"
+#include "playback/program/shared_options.h"
+#include "playback/study/profile_file.h"
+#include "playback/study/sweep.h"
+#include "playback/study/text_output.h"
+
+namespace detent::playback {
+
+namespace {
+
+struct SweepArguments {
+  PlayerSettings player;
+  std::string inputDevice;
+  std::string outputFile, plotFile, csvFile;
+  SweepSettings sweep;
+  bool json = false;
+};
+
+void addOptions(CLI::App& app, SweepArguments& a) {
+  addDeviceOptions(app, a.player);
+  app.add_option("--input", a.inputDevice, "Accelerometer or microphone; default: the device's own input");
+  app.add_option("-o,--output", a.outputFile, "Device profile to write; an existing one keeps its sensor")
+      ->required();
+  app.add_option("--plot", a.plotFile, "Response as SVG");
+  app.add_option("--csv", a.csvFile, "Response as CSV");
+  app.add_option("--from-hz", a.sweep.from_Hz, "Lowest frequency in Hz")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--to-hz", a.sweep.to_Hz, "Highest frequency in Hz")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
+  app.add_option("--seconds", a.sweep.duration_s, "Length of the sweep in s")
+      ->capture_default_str()
+      ->check(CLI::Range(0.5, 120.0));
+  app.add_option("--level", a.sweep.level, "Share of full scale")
+      ->capture_default_str()
+      ->check(CLI::Range(0.001, 1.0));
+  app.add_flag("--json", a.json, "One JSON object on stdout");
+}
+
+int run(const SweepArguments& a, const Cancelled&) {
+  Result<DeviceProfile> profile = profileToExtend(a.outputFile);
+  if (!profile) return fail(profile.failure());
+  SweepSettings settings = a.sweep;
+  settings.sampleRate_Hz = a.player.sampleRate_Hz > 0 ? a.player.sampleRate_Hz : 48000;
+  if (settings.to_Hz >= settings.sampleRate_Hz / 2 || settings.from_Hz >= settings.to_Hz) {
+    return fail({FailureCode::wrongUsage, "sweep", "", "the range does not fit the sample rate",
+                 "Choose 0 < from < to < rate / 2"});
+  }
+  PlayerSettings player = a.player;
+  player.sampleRate_Hz = settings.sampleRate_Hz;
+  std::fprintf(stderr, "Playing %.0f s from %.0f to %.0f Hz ...\n", settings.duration_s, settings.from_Hz,
+               settings.to_Hz);
+  const std::vector<float> played = sweepSignal(settings);
+  Result<std::vector<float>> recorded = playAndRecordSamples(player, a.inputDevice, played);
+  if (!recorded) return fail(recorded.failure());
+  Result<FrequencyResponse> response = analyseSweep(played, *recorded, settings);
+  if (!response) return fail(response.failure());
+  applyResponse(*response, settings, *profile);
+  if (profile->name.empty()) profile->name = a.player.device;
+  if (Result<Done> w = writeDeviceProfile(*profile, a.outputFile); !w) return fail(w.failure());
+  if (!a.csvFile.empty()) {
+    if (Result<Done> w = writeWholeFile(a.csvFile, responseCsv(*response)); !w) return fail(w.failure());
+  }
+  if (!a.plotFile.empty()) {
+    if (Result<Done> w = writeWholeFile(a.plotFile, responseSvg(*response, profile->name)); !w)
+      return fail(w.failure());
+  }
+  Json peaks = Json::array();
+  for (const Resonance& r : response->resonances) {
+    std::fprintf(stderr, "resonance %.1f Hz, Q %.1f, %.1f dB above the median\n", r.frequency_Hz, r.q,
+                 r.gain_dB);
+    peaks.push_back({{"frequency_Hz", r.frequency_Hz}, {"q", r.q}, {"gain_dB", r.gain_dB}});
+  }
+  if (response->resonances.empty())
+    std::fprintf(stderr, "no resonance: the response is flat within %.0f dB\n",
+                 settings.resonanceProminence_dB);
+  if (a.json)
+    print(
+        {{"status", "ok"}, {"profile", a.outputFile}, {"resonances", peaks}, {"delay_s", response->delay_s}});
+  return 0;
+}
+
+}  // namespace
+
+void addSweepCommand(CLI::App& program, Action& chosen) {
+  CLI::App* app =
+      program.add_subcommand("sweep", "Measure a device's frequency response and write its profile");
+  const auto arguments = std::make_shared<SweepArguments>();
+  addOptions(*app, *arguments);
+  app->callback([&chosen, arguments] {
+    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+  });
+}
+
+}  // namespace detent::playback
