@@ -11,6 +11,7 @@
 //   offline/render_press.h      program + press -> WAV, FLAC, memory
 //   device/*                    sound, serial sensor, messages
 //   study/*                     measuring device and latency
+//   trials/*                    studies with people: design, journal, results
 //   this file                   everything another room needs, in plain types
 //
 // Threads: every function here belongs to ordinary threads; nothing here may be called from an audio
@@ -31,6 +32,10 @@
 #include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
 #include "playback/study/spectrogram.h"
+#include "playback/trials/participant_session.h"
+#include "playback/trials/study_output.h"
+#include "playback/trials/study_page.h"
+#include "playback/trials/trial_desk.h"
 
 namespace detent::playback {
 
@@ -131,6 +136,32 @@ class LivePlayer {
   virtual PlayerStatus status() = 0;
   /// Everything felt since the last call, oldest first (at most a few thousand are kept).
   virtual std::vector<EngineEvent> takeEvents() = 0;
+};
+
+// ---- studies with people (playback/trials)
+
+struct StudyPlayerSettings {
+  PlayerSettings player;
+  bool rehearse = false;   ///< no sound device: everything is followed, nothing is felt
+  std::string sensorPort;  ///< empty: press() presses by itself
+  unsigned baud = 230400;
+  SensorCalibration calibration;
+};
+
+/// What a participant has under the finger: any button of the study, in any of its modes, exchanged at once;
+/// all are prepared before the first trial. One thread.
+class StudyPlayer {
+ public:
+  /// Failure: as LivePlayer::start, attachSensor and prepareProgram.
+  static Result<std::unique_ptr<StudyPlayer>> start(const Study& study, const StudyPlayerSettings& settings);
+  virtual ~StudyPlayer() = default;
+
+  virtual bool sounding() const = 0;  ///< false: a rehearsal
+  virtual std::string device() const = 0;
+  /// Puts that button under the finger; without a sensor it is pressed once, as by a hand.
+  virtual void press(std::size_t button, FeedbackMode mode) = 0;
+  /// Whether the sound device went away since this was last asked.
+  virtual bool lostSinceAsked() = 0;
 };
 
 // ---- measuring a device

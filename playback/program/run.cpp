@@ -8,6 +8,7 @@
 #include "playback/program/latency_command.h"
 #include "playback/program/live_command.h"
 #include "playback/program/render_command.h"
+#include "playback/program/study_command.h"
 #include "playback/program/sweep_command.h"
 
 namespace detent::playback {
@@ -22,6 +23,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   addSweepCommand(program, chosen);
   addLatencyCommand(program, chosen);
   addCalibrateCommand(program, chosen);
+  addStudyCommand(program, chosen);
   program.require_subcommand(0, 1);
   try {
     program.parse(argc, argv);

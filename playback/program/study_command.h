@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// detent-play study new|run|status|report: can people tell these buttons apart?
+
+#include "playback/program/command.h"
+
+namespace detent::playback {
+
+void addStudyCommand(CLI::App& program, Action& chosen);
+
+}  // namespace detent::playback
