@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "importer/page/polyline.h"
+
 namespace detent::importer {
 namespace {
 
@@ -38,28 +40,17 @@ std::vector<Point> scaled(const StrokePoints& stroke, const Scale& scale) {
   return line;
 }
 
-double distanceToLine(Point p, const std::vector<Point>& line) {
-  double best = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Point a = line[i - 1], v{line[i].x - a.x, line[i].y - a.y};
-    const double length2 = v.x * v.x + v.y * v.y;
-    const double t =
-        length2 > 0 ? std::clamp(((p.x - a.x) * v.x + (p.y - a.y) * v.y) / length2, 0.0, 1.0) : 0;
-    best = std::min(best, std::hypot(p.x - a.x - t * v.x, p.y - a.y - t * v.y));
-  }
-  return best;
-}
-
 /// At equal steps along `from`, so that dense stretches do not count more.
 double meanDistance(const std::vector<Point>& from, const std::vector<Point>& to) {
   constexpr double step = 0.01;
   double sum = 0, n = 0, next = 0, travelled = 0;
   for (std::size_t i = 1; i < from.size(); ++i) {
     const Point a = from[i - 1], b = from[i];
-    const double length = std::hypot(b.x - a.x, b.y - a.y);
+    const double length = distance(a, b);
     for (; length > 0 && next <= travelled + length; next += step) {
       const double t = (next - travelled) / length;
-      sum += distanceToLine({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, to);
+      const Point p = a + t * (b - a);
+      sum += distance(p, nearestOn(to, p));
       n += 1;
     }
     travelled += length;

@@ -61,10 +61,7 @@ ViewOptions viewOptionsFor(const QualitySettings& settings, const ImportHints& h
 /// Masks are given on the page; tracing works in the view.
 TraceHints inView(TraceHints hints, const PageView& view) {
   const Affine toView = view.viewToPage.inverse();
-  for (Box& mask : hints.masks_px) {
-    const Point a = toView({mask.x0, mask.y0}), b = toView({mask.x1, mask.y1});
-    mask = {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
-  }
+  for (Box& mask : hints.masks_px) mask = toView.boxOf(mask);
   return hints;
 }
 

@@ -66,7 +66,7 @@ void GraphCanvas::takeOrigin() {
                        origin->strokes.release ? origin->strokes.release->points : std::vector<CurvePoint>{});
     if (origin->evidence && !origin->evidence->view.raster.empty())
       underlay_->setPage(imageOf(origin->evidence->view.raster),
-                         transformOf(origin->evidence->axes.calibration.value.viewToUnits));
+                         transformOf(origin->evidence->axes.calibration.value.viewToUnits.m));
   }
   takeSettings();
 }

@@ -3,27 +3,8 @@
 
 #include <cmath>
 
-#include "model/check.h"
-
 namespace detent::importer {
 namespace {
-
-Point applied(const std::array<double, 9>& h, Point p) {
-  const double w = h[6] * p.x + h[7] * p.y + h[8];
-  return {(h[0] * p.x + h[1] * p.y + h[2]) / w, (h[3] * p.x + h[4] * p.y + h[5]) / w};
-}
-
-std::array<double, 9> inverseOf(const std::array<double, 9>& h) {
-  const std::array<double, 9> adjugate{
-      h[4] * h[8] - h[5] * h[7], h[2] * h[7] - h[1] * h[8], h[1] * h[5] - h[2] * h[4],
-      h[5] * h[6] - h[3] * h[8], h[0] * h[8] - h[2] * h[6], h[2] * h[3] - h[0] * h[5],
-      h[3] * h[7] - h[4] * h[6], h[1] * h[6] - h[0] * h[7], h[0] * h[4] - h[1] * h[3]};
-  const double det = h[0] * adjugate[0] + h[1] * adjugate[3] + h[2] * adjugate[6];
-  DETENT_CHECK(det != 0 && std::isfinite(det), "a calibration is invertible");
-  auto inverse = adjugate;
-  for (auto& v : inverse) v /= det;
-  return inverse;
-}
 
 /// Length of the step in the units' plane per view pixel, about the point that stands at (mm, N).
 Point unitsPerPx(const AxisCalibration& c) {
@@ -37,8 +18,8 @@ Point unitsPerPx(const AxisCalibration& c) {
 
 }  // namespace
 
-Point AxisCalibration::toUnits(Point view_px) const { return applied(viewToUnits, view_px); }
-Point AxisCalibration::toView(Point mm_N) const { return applied(inverseOf(viewToUnits), mm_N); }
+Point AxisCalibration::toUnits(Point view_px) const { return viewToUnits(view_px); }
+Point AxisCalibration::toView(Point mm_N) const { return viewToUnits.inverse()(mm_N); }
 double AxisCalibration::mmPerPx() const { return unitsPerPx(*this).x; }
 double AxisCalibration::newtonPerPx() const { return unitsPerPx(*this).y; }
 

@@ -36,7 +36,7 @@ struct AxisReading {
 /// else.
 struct AxisCalibration {
   AxisReading x, y;
-  std::array<double, 9> viewToUnits{1, 0, 0, 0, 1, 0, 0, 0, 1};  ///< row-major homography: view px -> (mm, N)
+  Homography viewToUnits;  ///< view px -> (mm, N)
 
   Point toUnits(Point view_px) const;  ///< (mm, N)
   Point toView(Point mm_N) const;

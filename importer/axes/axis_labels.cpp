@@ -7,17 +7,12 @@
 #include "importer/axes/text_lines.h"
 #include "importer/frame/glyph_marks.h"
 #include "importer/frame/label_rows.h"
+#include "importer/page/quantile.h"
 
 namespace detent::importer {
 namespace {
 
 constexpr int rowAttempts = 3;
-
-Box joined(const Box& a, const Box& b) {
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
-
-bool overlap(const Box& a, const Box& b) { return a.x1 > b.x0 && a.x0 < b.x1 && a.y1 > b.y0 && a.y0 < b.y1; }
 
 /// One number without a blank in it: lines of several numbers do not say where each stands.
 bool isNumberText(const TextBox& t) {
@@ -29,7 +24,7 @@ bool isNumberText(const TextBox& t) {
 std::vector<Box> labelWords(const GraphReading& r, const Box& band) {
   std::vector<Box> words;
   for (const auto& t : r.view.texts)
-    if (isNumberText(t) && overlap(t.box, band)) words.push_back(t.box);
+    if (isNumberText(t) && t.box.touches(band)) words.push_back(t.box);
   if (words.size() >= 2) return words;
   const double largest = 0.12 * std::min(r.box.width(), r.box.height()) + 10;
   return wordBoxes(glyphsIn(r.glyphs, band, largest), labelGapInHeights);
@@ -37,8 +32,7 @@ std::vector<Box> labelWords(const GraphReading& r, const Box& band) {
 
 SeenText readLabel(GraphReading& r, const Box& word, TextKind kind) {
   for (const auto& t : r.view.texts) {
-    const Point middle{0.5 * (t.box.x0 + t.box.x1), 0.5 * (t.box.y0 + t.box.y1)};
-    if (word.contains(middle) && isNumberText(t)) return {t.utf8, word, 1.0, 0.0};
+    if (word.contains(t.box.middle()) && isNumberText(t)) return {t.utf8, word, 1.0, 0.0};
   }
   return r.reader.readLineCarefully(word, kind);
 }
@@ -69,9 +63,7 @@ void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places) {
     known.push_back(perDigit[i]);
   }
   if (known.size() < 2) return;
-  const auto usual = known.begin() + static_cast<std::ptrdiff_t>((known.size() - 1) / 2);
-  std::nth_element(known.begin(), usual, known.end());
-  const double most = roomForMore * *usual;
+  const double most = roomForMore * medianOf(std::move(known));
   for (std::size_t i = 0; i < found.words.size(); ++i) {
     if (perDigit[i] <= most) continue;
     found.readings[i].clear();
@@ -91,11 +83,11 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
     const auto [number, suffix] = numberAndSuffix(seen.utf8);
     if (kind == TextKind::words && found.suffix.empty()) found.suffix = suffix;
     LabelPlace place;
-    place.center_px = axis == Axis::x ? 0.5 * (w.x0 + w.x1) : 0.5 * (w.y0 + w.y1);
+    place.center_px = axis == Axis::x ? w.middle().x : w.middle().y;
     place.reach_px = 0.45 * height + 1.5;
     place.readings = numberReadings(kind == TextKind::words ? number : seen.utf8);
     found.readings.push_back(place.readings);
-    found.extent = found.words.empty() ? w : joined(found.extent, w);
+    found.extent = found.words.empty() ? w : found.extent.joined(w);
     found.words.push_back(std::move(seen));
     places.push_back(std::move(place));
   }

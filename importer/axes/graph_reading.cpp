@@ -18,8 +18,6 @@ std::vector<double> positions(const std::vector<GridLine>& lines) {
   return out;
 }
 
-Point middle(const Box& b) { return {0.5 * (b.x0 + b.x1), 0.5 * (b.y0 + b.y1)}; }
-
 bool ofUse(const SeenText& t) {
   const auto letters = std::count_if(t.utf8.begin(), t.utf8.end(),
                                      [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; });
@@ -44,11 +42,9 @@ std::vector<SeenText> GraphReading::readLines(const Box& region, double angle_de
   for (auto& g : inside) g = turned(g, turns);
   auto lines = textLines(inside, 1.3);
   for (auto& line : lines) line = turned(line, 4 - turns);
-  const auto distance = [&](const Box& b) {
-    return std::hypot(middle(b).x - towards.x, middle(b).y - towards.y);
-  };
-  std::sort(lines.begin(), lines.end(),
-            [&](const Box& a, const Box& b) { return distance(a) < distance(b); });
+  std::sort(lines.begin(), lines.end(), [&](const Box& a, const Box& b) {
+    return distance(a.middle(), towards) < distance(b.middle(), towards);
+  });
   if (lines.size() > atMost) lines.resize(atMost);
   std::vector<SeenText> read;
   for (const auto& line : lines) {
@@ -63,7 +59,7 @@ std::vector<SeenText> GraphReading::readLines(const Box& region, double angle_de
 std::vector<SeenText> GraphReading::ownTexts(const Box& region) const {
   std::vector<SeenText> out;
   for (const auto& t : view.texts)
-    if (region.contains(middle(t.box))) out.push_back({t.utf8, t.box, 1.0, t.angle_deg});
+    if (region.contains(t.box.middle())) out.push_back({t.utf8, t.box, 1.0, t.angle_deg});
   return out;
 }
 

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "importer/axes/snapped_lines.h"
+#include "importer/page/quantile.h"
 
 namespace detent::importer {
 namespace {
@@ -71,8 +72,7 @@ Places placesOf(const std::vector<LabelPlace>& labels, const std::vector<GridLin
   std::vector<double> apart;
   for (std::size_t i = 1; i < places.at.size(); ++i)
     apart.push_back(std::abs(places.at[i] - places.at[i - 1]));
-  std::sort(apart.begin(), apart.end());
-  if (!apart.empty()) places.agree = std::max(agree_px, agreeOfPitch * apart[apart.size() / 2]);
+  if (!apart.empty()) places.agree = std::max(agree_px, agreeOfPitch * medianOf(std::move(apart)));
   return places;
 }
 
@@ -221,10 +221,7 @@ void fitLineRobustly(std::vector<std::pair<double, double>> pairs, Progression& 
   for (int round = 0; round < 3 && pairs.size() > 3; ++round) {
     std::vector<double> off;
     for (const auto& [x, v] : pairs) off.push_back(std::abs(p.position(v) - x));
-    auto sorted = off;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
-                     sorted.end());
-    const double bar = std::max(0.55, 3 * sorted[sorted.size() / 2]);
+    const double bar = std::max(0.55, 3 * medianOf(off));
     const auto worst = std::max_element(off.begin(), off.end());
     if (*worst <= bar) break;
     pairs.erase(pairs.begin() + (worst - off.begin()));

@@ -88,8 +88,7 @@ EndValues valuesAtEnds(const std::optional<AxisLabels>& labels, double first_px,
 
 /// View pixels to values, through the frame's four corners: affine for upright frames, projective for leaning
 /// ones.
-std::array<double, 9> homographyOf(const std::array<Point, 4>& corners, const EndValues& x,
-                                   const EndValues& y) {
+Homography homographyOf(const std::array<Point, 4>& corners, const EndValues& x, const EndValues& y) {
   const std::array<Point, 4> to{{{x.first, y.first}, {x.last, y.first}, {x.last, y.last}, {x.first, y.last}}};
   // Scaled to about 1, so that the solution is as exact as the corners are.
   const double size = std::max({std::abs(corners[2].x), std::abs(corners[2].y), 1.0});
@@ -110,8 +109,8 @@ std::array<double, 9> homographyOf(const std::array<Point, 4>& corners, const En
     b(2 * k + 1) = qy;
   }
   cv::solve(a, b, h, cv::DECOMP_SVD);
-  return {sx * h(0) / size, sx * h(1) / size, sx * h(2), sy * h(3) / size, sy * h(4) / size, sy * h(5),
-          h(6) / size,      h(7) / size,      1};
+  return {{sx * h(0) / size, sx * h(1) / size, sx * h(2), sy * h(3) / size, sy * h(4) / size, sy * h(5),
+           h(6) / size, h(7) / size, 1}};
 }
 
 std::string digitsOf(const std::string& text) {

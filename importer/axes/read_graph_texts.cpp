@@ -8,6 +8,7 @@
 #include "importer/axes/text_lines.h"
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
+#include "importer/page/quantile.h"
 
 namespace detent::importer {
 namespace {
@@ -28,15 +29,12 @@ int gridInk(const cv::Mat& d, const PlotFrame& frame) {
          x < std::min<int>(d.cols, static_cast<int>(box.x1) - 3); x += 3)
       inks.push_back(d.at<std::uint8_t>(y, x));
   }
-  if (inks.empty()) return 0;
-  std::nth_element(inks.begin(), inks.begin() + static_cast<std::ptrdiff_t>(inks.size() / 2), inks.end());
-  return inks[inks.size() / 2];
+  return medianOf(std::move(inks));
 }
 
 double overlapShare(const Box& a, const Box& b) {
-  const double w = std::min(a.x1, b.x1) - std::max(a.x0, b.x0),
-               h = std::min(a.y1, b.y1) - std::max(a.y0, b.y0);
-  return w <= 0 || h <= 0 ? 0 : w * h / std::max(1e-9, a.width() * a.height());
+  const Box common = a.common(b);
+  return common.empty() ? 0 : common.area() / std::max(1e-9, a.area());
 }
 
 /// The line without samples of a legend, leaders and arrowheads that stand beside its letters.
@@ -45,17 +43,14 @@ TextLine lettersOnly(const TextLine& line) {
   for (const auto& g : line.glyphs)
     if (g.height() > 0.4 * g.width()) heights.push_back(g.height());
   if (heights.empty()) return {};
-  std::sort(heights.begin(), heights.end());
-  const double usual = heights[heights.size() / 2];
+  const double usual = medianOf(heights);
   TextLine kept;
   for (const auto& g : line.glyphs) {
     const bool dash = g.height() < 0.4 * usual && g.width() > 0.9 * usual;
     const bool atEnd = &g == &line.glyphs.front() || &g == &line.glyphs.back();
     const bool sample = atEnd && line.glyphs.size() > 3 && g.width() > 2.2 * usual;
     if (dash || sample || g.height() > 1.8 * usual) continue;
-    kept.box = kept.glyphs.empty() ? g
-                                   : Box{std::min(kept.box.x0, g.x0), std::min(kept.box.y0, g.y0),
-                                         std::max(kept.box.x1, g.x1), std::max(kept.box.y1, g.y1)};
+    kept.box = kept.glyphs.empty() ? g : kept.box.joined(g);
     kept.glyphs.push_back(g);
   }
   return kept;
@@ -67,8 +62,7 @@ bool looksWritten(const TextLine& line) {
     return false;
   std::vector<double> heights;
   for (const auto& g : line.glyphs) heights.push_back(g.height());
-  std::sort(heights.begin(), heights.end());
-  const double usual = heights[heights.size() / 2];
+  const double usual = medianOf(heights);
   const auto letters = std::count_if(heights.begin(), heights.end(),
                                      [&](double h) { return h > 0.6 * usual && h < 1.9 * usual; });
   return usual >= 0.4 * line.box.height() && 10 * letters >= 6 * static_cast<long>(heights.size());
@@ -81,7 +75,7 @@ int lettersIn(const std::string& text) {
 
 /// Callouts and titles inside first, then a legend beside, then what stands above and below.
 int importance(const Box& line, const Box& frame) {
-  const Point middle{0.5 * (line.x0 + line.x1), 0.5 * (line.y0 + line.y1)};
+  const Point middle = line.middle();
   if (frame.contains(middle)) return 0;
   if (middle.x > frame.x1) return 1;
   return 2;

@@ -11,9 +11,7 @@ namespace detent::importer {
 std::vector<Box> glyphsIn(const std::vector<Box>& glyphs, const Box& region, double maxSize_px) {
   std::vector<Box> inside;
   for (const auto& g : glyphs)
-    if (g.x0 >= region.x0 && g.x1 <= region.x1 && g.y0 >= region.y0 && g.y1 <= region.y1 &&
-        std::max(g.width(), g.height()) <= maxSize_px)
-      inside.push_back(g);
+    if (region.contains(g) && std::max(g.width(), g.height()) <= maxSize_px) inside.push_back(g);
   return inside;
 }
 
@@ -33,8 +31,7 @@ std::vector<TextLine> groupedLines(std::vector<Box> glyphs, double gapInHeights)
       lines.push_back({g, {g}});
       continue;
     }
-    Box& l = line->box;
-    l = {std::min(l.x0, g.x0), std::min(l.y0, g.y0), std::max(l.x1, g.x1), std::max(l.y1, g.y1)};
+    line->box = line->box.joined(g);
     line->glyphs.push_back(g);
   }
   return lines;

@@ -44,10 +44,6 @@ std::optional<CalloutKind> kindOf(const std::string& text) {
   return {};
 }
 
-Box unionOf(const Box& a, const Box& b) {
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
-
 /// Words of one line that stand a space apart belong together: the leader may start at any of them.
 Box lineAround(const SeenText& word, const std::vector<SeenText>& texts) {
   Box line = word.box;
@@ -57,7 +53,7 @@ Box lineAround(const SeenText& word, const std::vector<SeenText>& texts) {
       const double height = line.height();
       const bool sameLine = std::abs((other.box.y0 + other.box.y1) - (line.y0 + line.y1)) < height;
       const bool near = other.box.x0 < line.x1 + 0.8 * height && other.box.x1 > line.x0 - 0.8 * height;
-      const Box whole = unionOf(line, other.box);
+      const Box whole = line.joined(other.box);
       if (sameLine && near && whole.width() > line.width() + 0.5) line = whole, grown = true;
     }
   }
@@ -67,9 +63,8 @@ Box lineAround(const SeenText& word, const std::vector<SeenText>& texts) {
 std::vector<Phrase> phrasesInside(const AxesFound& axes, const Box& frame) {
   std::vector<Phrase> phrases;
   for (const SeenText& text : axes.texts) {
-    const Point middle{(text.box.x0 + text.box.x1) / 2, (text.box.y0 + text.box.y1) / 2};
     const auto kind = kindOf(text.utf8);
-    if (kind && frame.contains(middle)) phrases.push_back({*kind, lineAround(text, axes.texts), text.utf8});
+    if (kind && frame.contains(text.box.middle())) phrases.push_back({*kind, lineAround(text, axes.texts), text.utf8});
   }
   return phrases;
 }
@@ -120,7 +115,7 @@ class InkTest {
 /// Share of the straight line between two points that is a thin stroke of ink: ink on it, none beside it.
 /// 0..1.
 double leaderShare(const InkTest& ink, Point from, Point to) {
-  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
   constexpr double arrowhead_px = 8, side_px = 4.5;
   const double start =
@@ -145,7 +140,7 @@ double leaderShare(const InkTest& ink, Point from, Point to) {
 /// Points around a text from which a leader may start.
 std::vector<Point> anchorsAround(const Box& box) {
   const double gap = 0.25 * box.height();
-  const Box b{box.x0 - gap, box.y0 - gap, box.x1 + gap, box.y1 + gap};
+  const Box b = box.grown(gap, gap);
   std::vector<Point> anchors;
   const double step = std::max(2.0, 0.2 * box.height());
   for (double x = b.x0; x <= b.x1; x += step) anchors.push_back({x, b.y0}), anchors.push_back({x, b.y1});
@@ -167,7 +162,7 @@ std::optional<Callout> follow(const Phrase& phrase, const InkTest& ink, const St
   for (std::size_t i = 0; i < stroke.points_px.size(); i += 2) {
     const Point target = stroke.points_px[i];
     for (const Point& anchor : anchors) {
-      const double length = std::hypot(anchor.x - target.x, anchor.y - target.y);
+      const double length = distance(anchor, target);
       if (length < 0.8 * height || length > 14 * height || axisParallel(anchor, target)) continue;
       const double share = leaderShare(ink, target, anchor);
       const double score =

@@ -62,7 +62,7 @@ double uprightShare(const LabelRow& a, const LabelRow& b, const std::vector<Box>
   };
   std::vector<Box> members;
   for (const auto& g : glyphs) {
-    const Point middle{0.5 * (g.x0 + g.x1), 0.5 * (g.y0 + g.y1)};
+    const Point middle = g.middle();
     const bool tiny = g.height() < 0.5 * a.height_px || g.height() < 0.5 * b.height_px;  // points, ticks
     if (!tiny && (in(a, middle) || in(b, middle))) members.push_back(g);
   }
@@ -134,9 +134,8 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
 
 Box scaledToPage(const Box& b, double shrink, const Affine& toPage) {
   const double shift = 0.5 * (shrink - 1);
-  const Point p = toPage({b.x0 * shrink + shift, b.y0 * shrink + shift}),
-              q = toPage({b.x1 * shrink + shift, b.y1 * shrink + shift});
-  return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
+  return toPage.boxOf(
+      {b.x0 * shrink + shift, b.y0 * shrink + shift, b.x1 * shrink + shift, b.y1 * shrink + shift});
 }
 
 Box pageBounds(const Page& page) {
@@ -144,21 +143,16 @@ Box pageBounds(const Page& page) {
                                       : Box{0, 0, page.width, page.height};
 }
 
-Box clipped(const Box& b, const Box& to) {
-  return {std::max(b.x0, to.x0), std::max(b.y0, to.y0), std::min(b.x1, to.x1), std::min(b.y1, to.y1)};
-}
-
 /// Room for tick labels, titles and a legend, in the graph's own upright sense.
 Box regionAround(const Box& frame, int turns, const Box& page) {
   const Box up = turned(frame, turns);
   const double w = up.width(), h = up.height();
-  return clipped(turned({up.x0 - 0.45 * w, up.y0 - 0.6 * h, up.x1 + 0.5 * w, up.y1 + 0.45 * h}, 4 - turns),
-                 page);
+  return turned({up.x0 - 0.45 * w, up.y0 - 0.6 * h, up.x1 + 0.5 * w, up.y1 + 0.45 * h}, 4 - turns).common(page);
 }
 
 double overlapShare(const Box& a, const Box& b) {
-  const Box c = clipped(a, b);
-  return c.empty() ? 0 : c.width() * c.height() / std::min(a.width() * a.height(), b.width() * b.height());
+  const Box common = a.common(b);
+  return common.empty() ? 0 : common.area() / std::min(a.area(), b.area());
 }
 
 struct Scored {

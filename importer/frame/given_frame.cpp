@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "importer/frame/plot_frame.h"
+#include "importer/page/polyline.h"
 
 namespace detent::importer {
 namespace {
@@ -13,19 +14,10 @@ Failure refused(const Page& page, const std::string& problem) {
       "Give two opposite corners or four (top left, top right, bottom right, bottom left) inside the page"};
 }
 
-double signedArea(const std::vector<Point>& p) {
-  double twice = 0;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    const Point &a = p[i], &b = p[(i + 1) % p.size()];
-    twice += a.x * b.y - b.x * a.y;
-  }
-  return 0.5 * twice;
-}
-
 bool convex(const std::vector<Point>& p) {
   for (std::size_t i = 0; i < p.size(); ++i) {
     const Point &a = p[i], &b = p[(i + 1) % p.size()], &c = p[(i + 2) % p.size()];
-    if ((b.x - a.x) * (c.y - b.y) - (b.y - a.y) * (c.x - b.x) <= 0) return false;
+    if (cross(b - a, c - b) <= 0) return false;
   }
   return true;
 }
@@ -49,11 +41,10 @@ Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, 
                      "corner (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ") is outside the page");
   std::vector<Point> corners = given;
   if (given.size() == 2) {
-    const double x0 = std::min(given[0].x, given[1].x), x1 = std::max(given[0].x, given[1].x);
-    const double y0 = std::min(given[0].y, given[1].y), y1 = std::max(given[0].y, given[1].y);
-    corners = {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}};
+    const Box box = boundsOf(given);
+    corners = {{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}};
   }
-  if (signedArea(corners) < 1 || !convex(corners))
+  if (twiceAreaOf(corners) < 2 || !convex(corners))
     return refused(page, "the corners enclose no area in this order");
   Found<FrameCandidate> found;
   found.confidence = 1;

@@ -8,6 +8,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "importer/page/quantile.h"
+
 namespace detent::importer {
 namespace {
 
@@ -42,10 +44,7 @@ int lineThickness(const cv::Mat& ink, double x, int y0, int y1) {
   for (int y = std::max(0, y0); y < std::min(ink.rows, y1); y += 3)
     if (const int w = inkWidth(ink.ptr<std::uint8_t>(y), ink.cols, at, 2 * maxHalfEdge_px); w > 0)
       widths.push_back(w);
-  if (widths.empty()) return 0;
-  const auto middle = widths.begin() + static_cast<std::ptrdiff_t>(widths.size() / 2);
-  std::nth_element(widths.begin(), middle, widths.end());
-  return *middle;
+  return medianOf(std::move(widths));
 }
 
 /// How far each column's line goes on downwards from row `edge` without getting wider: that is its tick; what
@@ -190,8 +189,7 @@ std::vector<Box> wordBoxes(std::vector<Box> glyphs, double gapInHeights) {
       words.push_back(glyph);
       continue;
     }
-    *word = {std::min(word->x0, glyph.x0), std::min(word->y0, glyph.y0), std::max(word->x1, glyph.x1),
-             std::max(word->y1, glyph.y1)};
+    *word = word->joined(glyph);
   }
   return words;
 }

@@ -34,9 +34,6 @@ int atLines(const std::vector<double>& places, const std::vector<double>& lines,
   return n;
 }
 
-double middleX(const Box& b) { return 0.5 * (b.x0 + b.x1); }
-double middleY(const Box& b) { return 0.5 * (b.y0 + b.y1); }
-
 /// Up to six characters, and high enough to be read: what is lower is a rest of a tick.
 bool couldBeNumber(const Box& word) {
   return word.height() >= 4.5 && word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
@@ -57,7 +54,7 @@ int regularity(const std::vector<double>& places, const std::vector<double>& lin
 LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
   std::vector<Box> band;
   for (const auto& w : words)
-    if (couldBeNumber(w) && middleX(w) >= r.x0 - 0.1 * r.width() && middleX(w) <= r.x1 + 0.1 * r.width() &&
+    if (couldBeNumber(w) && w.middle().x >= r.x0 - 0.1 * r.width() && w.middle().x <= r.x1 + 0.1 * r.width() &&
         w.y0 >= r.y1 - 0.02 * r.height() && w.y1 <= r.y1 + 0.3 * r.height() &&
         w.y0 <= r.y1 + farthest(w) + 0.03 * r.height() && w.height() <= 0.12 * r.height() + 6)
       band.push_back(w);
@@ -65,12 +62,12 @@ LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vec
   for (const auto& seed : band) {
     LabelRow row;
     for (const auto& w : band)
-      if (std::abs(middleY(w) - middleY(seed)) <= 0.35 * seed.height() + 1 &&
+      if (std::abs(w.middle().y - seed.middle().y) <= 0.35 * seed.height() + 1 &&
           w.height() <= 1.6 * seed.height() + 2 && seed.height() <= 1.6 * w.height() + 2)
         row.words.push_back(w);
     std::sort(row.words.begin(), row.words.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
     std::vector<double> places;
-    for (const auto& w : row.words) places.push_back(middleX(w));
+    for (const auto& w : row.words) places.push_back(w.middle().x);
     row.regular = regularity(places, lines, seed.height(), r.width());
     row.height_px = seed.height();
     if (row.regular > best.regular || (row.regular == best.regular && row.height_px > best.height_px))
@@ -83,7 +80,7 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
   std::vector<Box> band;
   for (const auto& w : words)
     if (couldBeNumber(w) && w.x1 <= r.x0 + 0.02 * r.width() && w.x0 >= r.x0 - 0.35 * r.width() &&
-        middleY(w) >= r.y0 - 0.12 * r.height() && middleY(w) <= r.y1 + 0.06 * r.height() &&
+        w.middle().y >= r.y0 - 0.12 * r.height() && w.middle().y <= r.y1 + 0.06 * r.height() &&
         w.x1 >= r.x0 - farthest(w) - 0.03 * r.width() && w.height() <= 0.12 * r.height() + 6)
       band.push_back(w);
   LabelRow best;
@@ -92,12 +89,12 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
     for (const auto& w : band)
       if (w.height() <= 1.6 * seed.height() + 2 && seed.height() <= 1.6 * w.height() + 2 &&
           (std::abs(w.x1 - seed.x1) <= 0.5 * seed.height() + 2 ||
-           std::abs(middleX(w) - middleX(seed)) <= 0.5 * seed.height() + 2))
+           std::abs(w.middle().x - seed.middle().x) <= 0.5 * seed.height() + 2))
         column.words.push_back(w);
     std::sort(column.words.begin(), column.words.end(),
               [](const Box& a, const Box& b) { return a.y0 < b.y0; });
     std::vector<double> places;
-    for (const auto& w : column.words) places.push_back(middleY(w));
+    for (const auto& w : column.words) places.push_back(w.middle().y);
     column.regular = regularity(places, lines, seed.height(), r.height());
     column.height_px = seed.height();
     // Of equally regular columns the one nearest the axis: titles stand farther out.

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "importer/page/quantile.h"
+
 namespace detent::importer {
 namespace {
 
@@ -51,12 +53,6 @@ std::optional<Peak> peakAt(const std::vector<double>& p, int k) {
   }
   const double contrast = top - std::max(at(l), at(r));
   return Peak{moment / mass, mass / contrast, contrast};
-}
-
-double median(std::vector<double> v) {
-  const auto middle = v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2);
-  std::nth_element(v.begin(), middle, v.end());
-  return *middle;
 }
 
 /// Straight line through (along, across) points by consensus, then least squares over those within
@@ -110,7 +106,7 @@ std::optional<EdgeLine> consensusLine(const std::vector<Peak>& peaks, const std:
   for (std::size_t i = 0; i < n; ++i)
     if (std::abs(peaks[i].at - bestAt - bestSlope * along[i]) <= tolerance)
       level.push_back(peaks[i].at - edge.slope * along[i]);
-  edge.at0 = median(level);
+  edge.at0 = medianOf(level);
   edge.width_px = width / w;
   edge.support = static_cast<double>(bestCount) / static_cast<double>(possible);
   return edge;
@@ -146,7 +142,7 @@ std::optional<Peak> cleanPeak(const cv::Mat& d, int l, int r, int y0, int y1) {
     contrast += p.contrast;
   }
   const auto n = static_cast<double>(at.size());
-  return Peak{median(at), width / n, contrast / n};
+  return Peak{medianOf(at), width / n, contrast / n};
 }
 
 int clampedInt(double v, int lo, int hi) { return std::clamp(static_cast<int>(std::lround(v)), lo, hi); }
@@ -191,7 +187,7 @@ std::optional<RimCover> rimCover(const cv::Mat& d, double across, double from, d
     beyond.push_back(std::max(row[x - 2], row[x + 2]) / static_cast<double>(row[x]));
   }
   if (left.size() < 16) return std::nullopt;
-  return RimCover{median(left), median(right), median(beyond)};
+  return RimCover{medianOf(left), medianOf(right), medianOf(beyond)};
 }
 
 std::vector<GridLine> columnLines(const cv::Mat& d, double left, double right, double top, double bottom) {

@@ -13,12 +13,6 @@ namespace {
 
 constexpr double alignedWithin_px = 0.6;  // a frame that leans less over its whole side is taken as upright
 
-Box boxInView(const PageView& view, const Box& pageBox) {
-  const Affine toView = view.viewToPage.inverse();
-  const Point p = toView({pageBox.x0, pageBox.y0}), q = toView({pageBox.x1, pageBox.y1});
-  return {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x), std::max(p.y, q.y)};
-}
-
 /// View pixels per pixel of the overview the candidate was found in.
 double viewPerOverview(const PageView& view, const Page& page) {
   const Affine& v = view.viewToPage;
@@ -123,11 +117,6 @@ void settleOpenEdges(PlotFrame& frame, const Edges& e) {
   if (e.bottom.support == 0) c[2].y = c[3].y = nearest(frame.yLines, c[3].y, acrossY);
 }
 
-Point mapped(const cv::Matx33d& h, Point p) {
-  const cv::Vec3d v = h * cv::Vec3d(p.x, p.y, 1);
-  return {v[0] / v[2], v[1] / v[2]};
-}
-
 void findLinesUpright(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
   const UprightBox b{frame.corners[0].x, frame.corners[0].y, frame.corners[2].x,
                      frame.corners[2].y, e.left.width_px,    e.bottom.width_px};
@@ -138,8 +127,7 @@ void findLinesUpright(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
 /// A leaning frame is looked at through the map that puts its corners upright; places are mapped back.
 void findLinesLeaning(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
   const auto& c = frame.corners;
-  const double w = std::hypot(c[2].x - c[3].x, c[2].y - c[3].y),
-               h = std::hypot(c[0].x - c[3].x, c[0].y - c[3].y);
+  const double w = distance(c[2], c[3]), h = distance(c[0], c[3]);
   const double margin = 16;
   const UprightBox b{margin, margin, margin + w, margin + h, e.left.width_px, e.bottom.width_px};
   std::vector<cv::Point2f> from, to{{static_cast<float>(b.left), static_cast<float>(b.top)},
@@ -147,16 +135,17 @@ void findLinesLeaning(const cv::Mat& d, PlotFrame& frame, const Edges& e) {
                                     {static_cast<float>(b.right), static_cast<float>(b.bottom)},
                                     {static_cast<float>(b.left), static_cast<float>(b.bottom)}};
   for (const auto& p : c) from.emplace_back(static_cast<float>(p.x), static_cast<float>(p.y));
-  const cv::Matx33d upright = cv::getPerspectiveTransform(from, to);
-  const cv::Matx33d back = upright.inv();
+  const cv::Matx33d upright = cv::getPerspectiveTransform(from, to), inverse = upright.inv();
+  Homography back;
+  std::copy(inverse.val, inverse.val + 9, back.m.begin());
   cv::Mat plane;
   cv::warpPerspective(d, plane, upright,
                       cv::Size(static_cast<int>(w + 2 * margin), static_cast<int>(h + 2 * margin)),
                       cv::INTER_LINEAR, cv::BORDER_REPLICATE);
   frame.xLines = linesAlongX(plane, b.left, b.right, b.top, b.bottom, b.bottomWidth);
   frame.yLines = linesAlongY(plane.t(), b);
-  for (auto& line : frame.xLines) line.position_px = mapped(back, {line.position_px, b.bottom}).x;
-  for (auto& line : frame.yLines) line.position_px = mapped(back, {b.left, line.position_px}).y;
+  for (auto& line : frame.xLines) line.position_px = back({line.position_px, b.bottom}).x;
+  for (auto& line : frame.yLines) line.position_px = back({b.left, line.position_px}).y;
 }
 
 /// Agg (matplotlib) moves axis-parallel lines of odd rounded width to floor(x + 1/2) + 1/2, half a pixel
@@ -206,7 +195,7 @@ PlotFrame foundFrame(const Edges& e) {
 
 Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
                                          const FrameCandidate& candidate, const Progress& progress) {
-  const Box box = boxInView(view, candidate.pageBox);
+  const Box box = view.viewToPage.inverse().boxOf(candidate.pageBox);
   if (view.raster.empty() || box.width() < 16 || box.height() < 16)
     return Failure{FailureCode::noForceGraph, page.source, "page " + std::to_string(page.number),
                    "the plot frame is smaller than 16 pixels", "Give a larger region with --frame"};

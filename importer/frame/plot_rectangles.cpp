@@ -278,10 +278,8 @@ std::optional<PlotRectangle> scored(const Group& g, const Candidates& c, std::si
 }
 
 double overlapOverUnion(const Box& a, const Box& b) {
-  const double w = std::min(a.x1, b.x1) - std::max(a.x0, b.x0),
-               h = std::min(a.y1, b.y1) - std::max(a.y0, b.y0);
-  if (w <= 0 || h <= 0) return 0;
-  return w * h / (a.width() * a.height() + b.width() * b.height() - w * h);
+  const Box common = a.common(b);
+  return common.empty() ? 0 : common.area() / (a.area() + b.area() - common.area());
 }
 
 /// The best rectangles of one group, none of them a variant of a better one.

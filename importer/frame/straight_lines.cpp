@@ -7,6 +7,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "importer/page/quantile.h"
+
 namespace detent::importer {
 namespace {
 
@@ -176,11 +178,10 @@ void centreOnInk(const cv::Mat& d, StraightLine& line) {
     if (mass >= minContrast) offsets.push_back(y + moment / mass - at);
   }
   if (offsets.size() < samples / 3) return;
-  const auto middle = offsets.begin() + static_cast<std::ptrdiff_t>(offsets.size() / 2);
-  std::nth_element(offsets.begin(), middle, offsets.end());
-  if (std::abs(*middle) > 2) return;
-  line.acrossFrom += *middle;
-  line.acrossTo += *middle;
+  const double middle = medianOf(std::move(offsets));
+  if (std::abs(middle) > 2) return;
+  line.acrossFrom += middle;
+  line.acrossTo += middle;
 }
 
 /// Ink of a line at one place along it: the darkest of three pixels across.
@@ -196,8 +197,7 @@ void followInk(const cv::Mat& d, StraightLine& line) {
   std::vector<int> inks;
   for (int x = static_cast<int>(line.from); x <= static_cast<int>(line.to); x += 2)
     inks.push_back(inkAt(d, line, x));
-  std::nth_element(inks.begin(), inks.begin() + static_cast<std::ptrdiff_t>(inks.size() / 2), inks.end());
-  const int usual = inks[inks.size() / 2];
+  const int usual = medianOf(std::move(inks));
   const auto goesOn = [&](int x) {
     const int y = static_cast<int>(std::lround(line.acrossAt(x)));
     if (y < 4 || y + 4 >= d.rows || 3 * inkAt(d, line, x) < 2 * usual) return false;

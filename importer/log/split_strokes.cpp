@@ -5,14 +5,10 @@
 #include <cmath>
 #include <limits>
 
+#include "importer/page/quantile.h"
+
 namespace detent::importer {
 namespace {
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double travelOf(const StrokeSpan& span, const std::vector<CurvePoint>& samples) {
   return std::abs(samples[span.to].displacement_mm - samples[span.from].displacement_mm);

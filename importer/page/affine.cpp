@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/page/polyline.h"
 #include "importer/page/raster.h"
 #include "model/check.h"
 
@@ -15,6 +16,24 @@ Affine Affine::inverse() const {
   const double ia = d / determinant, ib = -b / determinant;
   const double ic = -c / determinant, id = a / determinant;
   return {ia, ib, ic, id, -(ia * e + ic * f), -(ib * e + id * f)};
+}
+
+Box Affine::boxOf(const Box& box) const {
+  return boundsOf({(*this)(Point{box.x0, box.y0}), (*this)(Point{box.x1, box.y1})});
+}
+
+Box Homography::boxOf(const Box& box) const {
+  return boundsOf({(*this)(Point{box.x0, box.y0}), (*this)(Point{box.x1, box.y1})});
+}
+
+Homography Homography::inverse() const {
+  Homography inverse{{m[4] * m[8] - m[5] * m[7], m[2] * m[7] - m[1] * m[8], m[1] * m[5] - m[2] * m[4],
+                      m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6], m[2] * m[3] - m[0] * m[5],
+                      m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7], m[0] * m[4] - m[1] * m[3]}};
+  const double determinant = m[0] * inverse.m[0] + m[1] * inverse.m[3] + m[2] * inverse.m[6];
+  DETENT_CHECK(determinant != 0 && std::isfinite(determinant), "a projective map that is inverted is regular");
+  for (double& value : inverse.m) value /= determinant;
+  return inverse;
 }
 
 }  // namespace detent::importer

@@ -5,8 +5,6 @@
 
 namespace detent::importer {
 
-using Polyline = std::vector<Point>;
-
 // After Liang and Barsky, ACM TOG 3 (1984).
 bool insideSpan(Point a, Point b, const Box& box, double& from, double& to) {
   from = 0, to = 1;

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "importer/page/raster.h"
+#include "importer/page/polyline.h"
 
 namespace detent::importer {
 
@@ -15,6 +15,6 @@ bool insideSpan(Point a, Point b, const Box& box, double& from, double& to);
 Point pointBetween(Point a, Point b, double t);
 
 /// The parts of the polyline inside the box, cut exactly at its edges, in order.
-std::vector<std::vector<Point>> clippedLine(const std::vector<Point>& line, const Box& box);
+std::vector<Polyline> clippedLine(const Polyline& line, const Box& box);
 
 }  // namespace detent::importer

@@ -20,16 +20,6 @@ Affine toAffine(const fz_matrix& m) { return {m.a, m.b, m.c, m.d, m.e, m.f}; }
 
 double expansion(const Affine& m) { return std::sqrt(std::abs(m.a * m.d - m.b * m.c)); }
 
-Box intersected(const Box& a, const Box& b) {
-  return {std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
-}
-
-bool contains(const Box& outer, const Box& inner) {
-  return inner.x0 >= outer.x0 && inner.y0 >= outer.y0 && inner.x1 <= outer.x1 && inner.y1 <= outer.y1;
-}
-
-Box grown(const Box& box, double by) { return {box.x0 - by, box.y0 - by, box.x1 + by, box.y1 + by}; }
-
 Box unitSquareUnder(const Affine& map) {
   Box box{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
           -std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -129,7 +119,7 @@ class Collector {
     }
     const Affine map = toAffine(matrix);
     const Box box = unitSquareUnder(map);
-    const Box seen = intersected(box, clips_.back());
+    const Box seen = box.common(clips_.back());
     if (hidden(alpha) || image->w <= 0 || image->h <= 0 || !(seen.width() > 0) || !(seen.height() > 0))
       return true;
     ImagePlacement placement;
@@ -139,13 +129,13 @@ class Collector {
     return true;
   }
 
-  void pushClip(const Box& box) { clips_.push_back(intersected(clips_.back(), box)); }
+  void pushClip(const Box& box) { clips_.push_back(clips_.back().common(box)); }
   void pushClipOfPath(fz_context* context, const fz_path* path, double grow, const fz_matrix& matrix) {
     PathFlattener flattener(toAffine(matrix), flatness);
     fz_walk_path(context, path, &flattenWalker, &flattener);
     const auto polylines = flattener.takePolylines();
     const Bounds bounds = boundsOf(polylines);
-    pushClip(bounds.finite ? grown(bounds.box, grow) : clips_.back());
+    pushClip(bounds.finite ? bounds.box.grown(grow, grow) : clips_.back());
   }
   void pushUnknownClip() { clips_.push_back(clips_.back()); }
   void popClip() {
@@ -207,11 +197,11 @@ class Collector {
   bool store(VectorPath path) {
     const Bounds bounds = boundsOf(path.polylines);
     if (!bounds.finite) return true;
-    path.box = grown(bounds.box, path.strokeWidth / 2);
+    path.box = bounds.box.grown(path.strokeWidth / 2, path.strokeWidth / 2);
     const Box& clip = clips_.back();
-    const Box seen = intersected(path.box, clip);
+    const Box seen = path.box.common(clip);
     if (seen.x1 < seen.x0 || seen.y1 < seen.y0) return true;
-    if (!contains(clip, path.box)) path.clip = clip;
+    if (!clip.contains(path.box)) path.clip = clip;
     if (path.stroke && !page_->paths.empty() && isFillOf(page_->paths.back(), path)) {
       path.fill = page_->paths.back().fill;
       page_->paths.back() = std::move(path);
@@ -258,10 +248,10 @@ class Collector {
       for (auto& line : copy.polylines)
         for (Point& p : line) p = {p.x + shift.x, p.y + shift.y};
       copy.box = {copy.box.x0 + shift.x, copy.box.y0 + shift.y, copy.box.x1 + shift.x, copy.box.y1 + shift.y};
-      const Box seen = intersected(copy.box, clips_.back());
+      const Box seen = copy.box.common(clips_.back());
       if (seen.x1 < seen.x0 || seen.y1 < seen.y0) continue;
       copy.clip.reset();
-      if (!contains(clips_.back(), copy.box)) copy.clip = clips_.back();
+      if (!clips_.back().contains(copy.box)) copy.clip = clips_.back();
       page_->paths.push_back(std::move(copy));
     }
   }

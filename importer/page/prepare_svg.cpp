@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "importer/page/clip_line.h"
+#include "importer/page/polyline.h"
 #include "importer/page/svg_geometry.h"
 
 namespace detent::importer {
@@ -194,17 +195,6 @@ std::optional<Tag> readTag(std::string_view svg, std::size_t& at) {
 
 // ---- clips
 
-Box boundsOf(const std::vector<Point>& line) {
-  Box box{line[0].x, line[0].y, line[0].x, line[0].y};
-  for (const Point& p : line)
-    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
-  return box;
-}
-
-Box mappedBox(const Box& box, const Affine& map) {
-  return boundsOf({map({box.x0, box.y0}), map({box.x1, box.y1})});
-}
-
 std::optional<Box> boxOfRect(const Tag& tag) {
   double v[4] = {0, 0, 0, 0};
   const char* const names[4] = {"x", "y", "width", "height"};
@@ -354,16 +344,14 @@ class Preparer {
   void applyClip(const Tag& tag, Open& opened) const {
     const auto found = clips_.find(urlTarget(property(tag, "clip-path")));
     if (found == clips_.end() || !opened.toRoot) return;
-    const Box box = mappedBox(found->second, *opened.toRoot);
-    opened.clip = opened.clip ? Box{std::max(box.x0, opened.clip->x0), std::max(box.y0, opened.clip->y0),
-                                    std::min(box.x1, opened.clip->x1), std::min(box.y1, opened.clip->y1)}
-                              : box;
+    const Box box = opened.toRoot->boxOf(found->second);
+    opened.clip = opened.clip ? box.common(*opened.clip) : box;
   }
 
   /// Lines without filling are cut here; MuPDF knows no clips in SVG.
   static void cutLines(Tag& tag, const Open& opened) {
     if (!opened.clip || !opened.toRoot || opened.clip->empty() || opened.fill != "none") return;
-    const Box box = mappedBox(*opened.clip, opened.toRoot->inverse());
+    const Box box = opened.toRoot->inverse().boxOf(*opened.clip);
     const char* const attribute = opened.name == "path" ? "d" : "points";
     const std::string* data = tag.find(attribute);
     if (!data) return;

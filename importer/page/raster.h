@@ -3,7 +3,9 @@
 // Plain pixels and plain geometry; what the importer's steps hand each other (no third-party type in a
 // header).
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -14,6 +16,13 @@ namespace detent::importer {
 struct Point {
   double x = 0, y = 0;
   friend bool operator==(const Point&, const Point&) = default;
+  friend Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+  friend Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+  friend Point operator*(double s, Point p) { return {s * p.x, s * p.y}; }
+  friend double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+  friend double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+  friend double norm(Point p) { return std::hypot(p.x, p.y); }
+  friend double distance(Point a, Point b) { return norm(a - b); }
 };
 
 /// Axis-parallel box, y down. Empty if x1 <= x0 or y1 <= y0.
@@ -22,7 +31,21 @@ struct Box {
   double width() const { return x1 - x0; }
   double height() const { return y1 - y0; }
   bool empty() const { return x1 <= x0 || y1 <= y0; }
+  double area() const { return width() * height(); }
+  Point middle() const { return {0.5 * (x0 + x1), 0.5 * (y0 + y1)}; }
   bool contains(Point p) const { return p.x >= x0 && p.x <= x1 && p.y >= y0 && p.y <= y1; }
+  bool contains(const Box& b) const { return b.x0 >= x0 && b.y0 >= y0 && b.x1 <= x1 && b.y1 <= y1; }
+  /// A common point, if only of their edges.
+  bool touches(const Box& b) const { return x1 >= b.x0 && x0 <= b.x1 && y1 >= b.y0 && y0 <= b.y1; }
+  Box grown(double dx, double dy) const { return {x0 - dx, y0 - dy, x1 + dx, y1 + dy}; }
+  /// The smallest box around both.
+  Box joined(const Box& b) const {
+    return {std::min(x0, b.x0), std::min(y0, b.y0), std::max(x1, b.x1), std::max(y1, b.y1)};
+  }
+  /// Empty where they do not meet.
+  Box common(const Box& b) const {
+    return {std::max(x0, b.x0), std::max(y0, b.y0), std::min(x1, b.x1), std::min(y1, b.y1)};
+  }
   friend bool operator==(const Box&, const Box&) = default;
 };
 
@@ -46,7 +69,22 @@ struct Affine {
   Affine after(const Affine& first) const;
   /// Determinant must not be 0 (checked).
   Affine inverse() const;
+  /// The upright box around a box under this map.
+  Box boxOf(const Box& box) const;
   friend bool operator==(const Affine&, const Affine&) = default;
+};
+
+/// A projective map, row-major: p' = ((m0 x + m1 y + m2) / w, (m3 x + m4 y + m5) / w), w = m6 x + m7 y + m8.
+struct Homography {
+  std::array<double, 9> m{1, 0, 0, 0, 1, 0, 0, 0, 1};
+  Point operator()(Point p) const {
+    const double w = m[6] * p.x + m[7] * p.y + m[8];
+    return {(m[0] * p.x + m[1] * p.y + m[2]) / w, (m[3] * p.x + m[4] * p.y + m[5]) / w};
+  }
+  /// Must be invertible (checked).
+  Homography inverse() const;
+  /// The upright box around two opposite corners of a box under this map.
+  Box boxOf(const Box& box) const;
 };
 
 struct Rgb {

@@ -15,10 +15,8 @@ struct AlignedImage {
 };
 
 double coverage(const Box& box, const Box& region) {
-  const double width = std::min(box.x1, region.x1) - std::max(box.x0, region.x0);
-  const double height = std::min(box.y1, region.y1) - std::max(box.y0, region.y0);
-  if (!(width > 0) || !(height > 0)) return 0;
-  return width * height / (region.width() * region.height());
+  const Box common = box.common(region);
+  return common.empty() ? 0 : common.area() / region.area();
 }
 
 /// Upright, turned by quarters or flipped; nothing if the rows drift by more than a quarter pixel over the
@@ -70,9 +68,7 @@ bool carriesDrawing(const Page& page, const Box& region) {
   constexpr std::size_t drawingStartsAt = 8;  // polylines
   std::size_t polylines = 0;
   for (const VectorPath& path : page.paths) {
-    const bool inside = path.box.x1 >= region.x0 && path.box.x0 <= region.x1 && path.box.y1 >= region.y0 &&
-                        path.box.y0 <= region.y1;
-    if (inside) polylines += path.polylines.size();
+    if (path.box.touches(region)) polylines += path.polylines.size();
     if (polylines >= drawingStartsAt) return true;
   }
   return false;
@@ -123,15 +119,6 @@ ViewGrid rendered(const Box& region, int quarterTurns, const std::vector<ImagePl
   return grid;
 }
 
-Box transformedBox(const Box& box, const Affine& map) {
-  const Point a = map({box.x0, box.y0}), b = map({box.x1, box.y1});
-  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
-}
-
-bool touches(const Box& a, const Box& b) {
-  return a.x1 >= b.x0 && a.x0 <= b.x1 && a.y1 >= b.y0 && a.y0 <= b.y1;
-}
-
 double turnedAngle(double angle_deg, int quarterTurns) {
   double angle = std::remainder(angle_deg - 90.0 * quarterTurns, 360.0);
   if (angle <= -180) angle += 360;
@@ -143,8 +130,8 @@ VectorPath transformedPath(const VectorPath& path, const Affine& map) {
   for (auto& line : out.polylines)
     for (Point& p : line) p = map(p);
   out.strokeWidth = path.strokeWidth * std::sqrt(std::abs(map.a * map.d - map.b * map.c));
-  out.box = transformedBox(path.box, map);
-  if (path.clip) out.clip = transformedBox(*path.clip, map);
+  out.box = map.boxOf(path.box);
+  if (path.clip) out.clip = map.boxOf(*path.clip);
   return out;
 }
 
@@ -191,11 +178,11 @@ std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, const Pa
 void carryContent(const Page& page, const Box& region, int quarterTurns, PageView& view) {
   const Affine pageToView = view.viewToPage.inverse();
   for (const TextBox& text : page.texts)
-    if (touches(text.box, region))
+    if (text.box.touches(region))
       view.texts.push_back(
-          {text.utf8, transformedBox(text.box, pageToView), turnedAngle(text.angle_deg, quarterTurns)});
+          {text.utf8, pageToView.boxOf(text.box), turnedAngle(text.angle_deg, quarterTurns)});
   for (const VectorPath& path : page.paths)
-    if (touches(path.box, region)) view.paths.push_back(transformedPath(path, pageToView));
+    if (path.box.touches(region)) view.paths.push_back(transformedPath(path, pageToView));
 }
 
 }  // namespace detent::importer

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdint>
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 namespace {
 
@@ -146,13 +146,12 @@ bool isGridline(const LineCandidate& line, const std::vector<LineCandidate>& all
 
 }  // namespace
 
-Backdrop Backdrop::measure(const PlotArea& area, const std::vector<double>& columnLines_px,
-                           const std::vector<double>& rowLines_px) {
+Backdrop Backdrop::measure(const PlotArea& area) {
   Backdrop backdrop;
   backdrop.measurePaper(area);
   backdrop.measureShading(area);
   backdrop.measureNoise(area);
-  backdrop.measureLines(area, columnLines_px, rowLines_px);
+  backdrop.measureLines(area);
   return backdrop;
 }
 
@@ -207,8 +206,7 @@ Color3 Backdrop::shadedPaper(int x, int y) const {
   return (1 - fy) * top + fy * bottom;
 }
 
-void Backdrop::measureLines(const PlotArea& area, const std::vector<double>& columnLines_px,
-                            const std::vector<double>& rowLines_px) {
+void Backdrop::measureLines(const PlotArea& area) {
   const Raster& r = area.raster;
   const int x0 = std::max(0, static_cast<int>(area.frame.x0)),
             y0 = std::max(0, static_cast<int>(area.frame.y0));
@@ -231,8 +229,8 @@ void Backdrop::measureLines(const PlotArea& area, const std::vector<double>& col
     columnLine_[static_cast<std::size_t>(x)] = line.commonest(tolerance, kLineSupport);
   }
   std::vector<LineCandidate> candidates;
-  collect(rowLine_, rowLines_px, true, candidates);
-  collect(columnLine_, columnLines_px, false, candidates);
+  collect(rowLine_, area.rows_px, true, candidates);
+  collect(columnLine_, area.columns_px, false, candidates);
   std::fill(rowLine_.begin(), rowLine_.end(), Color3{});
   std::fill(columnLine_.begin(), columnLine_.end(), Color3{});
   for (const LineCandidate& candidate : candidates) {
@@ -273,4 +271,4 @@ bool Backdrop::onLine(int x, int y) const {
   return dot(row, row) > 0 || dot(column, column) > 0;
 }
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

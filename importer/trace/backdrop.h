@@ -8,7 +8,7 @@
 
 #include "importer/trace/plot_area.h"
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 /// A colour or a difference of colours, 8-bit sRGB scale.
 struct Color3 {
@@ -29,9 +29,8 @@ inline Color3 colorAt(const Raster& raster, int x, int y) {
 class Backdrop {
  public:
   /// Lines are taken from the picture itself: a row or column most of whose pixels differ from the paper.
-  /// `frame`'s lines in area pixels say where such a line may be a lone one.
-  static Backdrop measure(const PlotArea& area, const std::vector<double>& columnLines_px,
-                          const std::vector<double>& rowLines_px);
+  /// The area's known lines say where such a line may be a lone one.
+  static Backdrop measure(const PlotArea& area);
 
   Color3 paper() const { return paper_; }
   Color3 paperAt(int x, int y) const { return shading_.empty() ? paper_ : shadedPaper(x, y); }
@@ -47,8 +46,7 @@ class Backdrop {
   Color3 shadedPaper(int x, int y) const;
   void measurePaper(const PlotArea& area);
   void measureShading(const PlotArea& area);
-  void measureLines(const PlotArea& area, const std::vector<double>& columnLines_px,
-                    const std::vector<double>& rowLines_px);
+  void measureLines(const PlotArea& area);
   void measureNoise(const PlotArea& area);
 
   Color3 paper_;
@@ -60,4 +58,4 @@ class Backdrop {
   std::vector<Color3> shading_;  ///< paper per tile; empty for an even paper
 };
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <numeric>
 
-namespace detent::importer::inks {
+#include "importer/page/polyline.h"
+#include "importer/page/quantile.h"
+
+namespace detent::importer::trace {
 
 namespace {
 
@@ -14,117 +17,8 @@ constexpr double kStep_px = 0.5;          // along the normal
 constexpr double kStiffness = 0.15;       // of one round's moves against bending; seen points have weight 1
 constexpr double kLargestMove_px = 0.75;  // per round of matching: the comparison is linear only so far
 
-using Polyline = std::vector<Point>;
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-/// Points `spacing` apart along the line; ends kept.
-Polyline resampled(const Polyline& line, double spacing) {
-  if (line.size() < 2) return line;
-  std::vector<double> length(line.size(), 0);
-  for (std::size_t i = 1; i < line.size(); ++i) length[i] = length[i - 1] + distance(line[i - 1], line[i]);
-  const double total = length.back();
-  if (total <= 0) return {line.front(), line.back()};
-  const std::size_t n = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(total / spacing)));
-  Polyline out;
-  out.reserve(n + 1);
-  std::size_t j = 0;
-  for (std::size_t i = 0; i <= n; ++i) {
-    const double s = total * static_cast<double>(i) / static_cast<double>(n);
-    while (j + 2 < line.size() && length[j + 1] < s) ++j;
-    const double piece = length[j + 1] - length[j];
-    const double t = piece > 0 ? std::clamp((s - length[j]) / piece, 0.0, 1.0) : 0;
-    out.push_back({line[j].x + t * (line[j + 1].x - line[j].x), line[j].y + t * (line[j + 1].y - line[j].y)});
-  }
-  return out;
-}
-
-/// Gaussian along the line; near the ends the window shrinks so that ends stay where they are.
-Polyline smoothed(const Polyline& line, double sigma) {
-  const int reach = std::max(1, static_cast<int>(std::ceil(2.5 * sigma)));
-  std::vector<double> kernel(static_cast<std::size_t>(reach) + 1);
-  for (int k = 0; k <= reach; ++k)
-    kernel[static_cast<std::size_t>(k)] = std::exp(-0.5 * k * k / (sigma * sigma));
-  Polyline out(line.size());
-  const int n = static_cast<int>(line.size());
-  for (int i = 0; i < n; ++i) {
-    const int window = std::min({reach, i, n - 1 - i});
-    double x = 0, y = 0, sum = 0;
-    for (int k = -window; k <= window; ++k) {
-      const double w = kernel[static_cast<std::size_t>(std::abs(k))];
-      x += w * line[static_cast<std::size_t>(i + k)].x;
-      y += w * line[static_cast<std::size_t>(i + k)].y;
-      sum += w;
-    }
-    out[static_cast<std::size_t>(i)] = {x / sum, y / sum};
-  }
-  return out;
-}
-
 /// Unit normals of a lightly smoothed line, so that the pixel staircase does not turn them.
-Polyline normalsOf(const Polyline& line, double sigma) {
-  const Polyline calm = smoothed(line, sigma);
-  Polyline normals(line.size(), {0, 1});
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const std::size_t a = i > 0 ? i - 1 : 0, b = std::min(line.size() - 1, i + 1);
-    const double dx = calm[b].x - calm[a].x, dy = calm[b].y - calm[a].y, length = std::hypot(dx, dy);
-    if (length > 1e-9)
-      normals[i] = {-dy / length, dx / length};
-    else if (i > 0)
-      normals[i] = normals[i - 1];
-  }
-  return normals;
-}
-
-/// Minimises sum w_i (x_i - d_i)^2 + stiffness * sum (second difference)^2: banded Cholesky, two
-/// off-diagonals.
-std::vector<double> stiffened(const std::vector<double>& target, const std::vector<double>& weight,
-                              double stiffness) {
-  const std::size_t n = target.size();
-  if (n < 3) return target;
-  std::vector<double> a(n), b(n, 0), c(n, 0), x(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    a[i] = weight[i] + 1e-6;  // a faint pull to zero keeps unseen lines finite
-    x[i] = weight[i] * target[i];
-  }
-  for (std::size_t i = 1; i + 1 < n; ++i) {
-    a[i - 1] += stiffness;
-    a[i] += 4 * stiffness;
-    a[i + 1] += stiffness;
-    b[i - 1] -= 2 * stiffness;
-    b[i] -= 2 * stiffness;
-    c[i - 1] += stiffness;
-  }
-  // a, b, c: diagonal, first and second super-diagonal; LDL^T in place.
-  std::vector<double> l1(n, 0), l2(n, 0);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i >= 2) a[i] -= l2[i - 2] * l2[i - 2] * a[i - 2];
-    if (i >= 1) a[i] -= l1[i - 1] * l1[i - 1] * a[i - 1];
-    if (i + 1 < n) {
-      double off = b[i];
-      if (i >= 1) off -= l1[i - 1] * l2[i - 1] * a[i - 1];
-      l1[i] = off / a[i];
-    }
-    if (i + 2 < n) l2[i] = c[i] / a[i];
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    if (i >= 1) x[i] -= l1[i - 1] * x[i - 1];
-    if (i >= 2) x[i] -= l2[i - 2] * x[i - 2];
-  }
-  for (std::size_t i = 0; i < n; ++i) x[i] /= a[i];
-  for (std::size_t i = n; i-- > 0;) {
-    if (i + 1 < n) x[i] -= l1[i] * x[i + 1];
-    if (i + 2 < n) x[i] -= l2[i] * x[i + 2];
-  }
-  return x;
-}
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+Polyline calmNormalsOf(const Polyline& line, double sigma) { return normalsOf(smoothed(line, sigma), 1); }
 
 /// Ink seen across the line at one point.
 struct CrossSection {
@@ -163,15 +57,14 @@ CrossSection crossSection(const CurveField& field, Point p, Point normal, double
 
 void move(Polyline& line, const Polyline& normals, const std::vector<double>& by) {
   for (std::size_t i = 0; i < line.size(); ++i) {
-    line[i].x += by[i] * normals[i].x;
-    line[i].y += by[i] * normals[i].y;
+    line[i] = line[i] + by[i] * normals[i];
   }
 }
 
 /// Pulls the line onto the centroids of what is seen across it.
 void moveToCentroids(Polyline& line, const CurveField& field, double thickness) {
   const double reach = 0.5 * thickness + 2.5;
-  const Polyline normals = normalsOf(line, 2.0);
+  const Polyline normals = calmNormalsOf(line, 2.0);
   std::vector<double> offset(line.size(), 0), weight(line.size(), 0);
   for (std::size_t i = 0; i < line.size(); ++i) {
     const CrossSection s = crossSection(field, line[i], normals[i], reach);
@@ -188,11 +81,11 @@ void moveToCentroids(Polyline& line, const CurveField& field, double thickness) 
 
 /// Direction of a piece of the line, from a to b; the chord's where the piece is too short.
 Point directionOf(const Polyline& line, std::size_t a, std::size_t b, Point chord) {
-  const double dx = line[b].x - line[a].x, dy = line[b].y - line[a].y, length = std::hypot(dx, dy);
+  const double length = distance(line[a], line[b]);
   if (length < 4) return chord;
-  const Point d{dx / length, dy / length};
+  const Point d = (1 / length) * (line[b] - line[a]);
   // Across a gap a line goes on roughly as it came; what turns far off the chord ended in a corner.
-  return d.x * chord.x + d.y * chord.y > 0.7 ? d : chord;
+  return dot(d, chord) > 0.7 ? d : chord;
 }
 
 /// Where neither the curve nor anything that follows it is seen, the coarse course is arbitrary (all ways
@@ -200,7 +93,7 @@ Point directionOf(const Polyline& line, std::size_t a, std::size_t b, Point chor
 void bridgeUnseen(Polyline& line, const CurveField& field, double thickness) {
   constexpr std::size_t kShortest = 4, kTangent = 12;
   const double reach = 0.5 * thickness + 1.5;
-  const Polyline normals = normalsOf(line, 2.0);
+  const Polyline normals = calmNormalsOf(line, 2.0);
   std::vector<char> seen(line.size(), 0);
   for (std::size_t i = 0; i < line.size(); ++i) {
     const CrossSection s = crossSection(field, line[i], normals[i], reach);
@@ -217,15 +110,14 @@ void bridgeUnseen(Polyline& line, const CurveField& field, double thickness) {
     const Point a = line[from], b = line[end];
     const double length = distance(a, b);
     if (length < 1) continue;
-    const Point chord{(b.x - a.x) / length, (b.y - a.y) / length};
+    const Point chord = (1 / length) * (b - a);
     const Point out = directionOf(line, from - std::min(from, kTangent), from, chord);
     const Point in = directionOf(line, end, std::min(end + kTangent, line.size() - 1), chord);
     for (std::size_t k = from + 1; k < end; ++k) {
       const double t = static_cast<double>(k - from) / static_cast<double>(end - from), u = 1 - t;
       const double fromOut = length * t * u * u, fromIn = -length * t * t * u;
       const double atA = u * u * (1 + 2 * t), atB = t * t * (1 + 2 * u);
-      line[k] = {atA * a.x + atB * b.x + fromOut * out.x + fromIn * in.x,
-                 atA * a.y + atB * b.y + fromOut * out.y + fromIn * in.y};
+      line[k] = atA * a + atB * b + fromOut * out + fromIn * in;
     }
   }
 }
@@ -233,7 +125,7 @@ void bridgeUnseen(Polyline& line, const CurveField& field, double thickness) {
 /// Width and blur from cross-sections that nothing hides.
 LineProfile measureProfile(const Polyline& line, const CurveField& field, double thickness) {
   const double reach = 0.5 * thickness + 3;
-  const Polyline normals = normalsOf(line, 2.0);
+  const Polyline normals = calmNormalsOf(line, 2.0);
   std::vector<double> areas, spreads;
   for (std::size_t i = 0; i < line.size(); ++i) {
     const CrossSection s = crossSection(field, line[i], normals[i], reach);
@@ -242,11 +134,11 @@ LineProfile measureProfile(const Polyline& line, const CurveField& field, double
     spreads.push_back(s.spread);
   }
   LineProfile profile;
-  profile.width_px = areas.size() < 8 ? thickness : median(areas);
+  profile.width_px = areas.size() < 8 ? thickness : medianOf(areas);
   // A box of width w blurred by a box of width s has variance (w² + s²) / 12; sampling between pixels adds
   // about 1/12 more on either axis, which the drawn line gets as well.
   const double variance =
-      spreads.size() < 8 ? (profile.width_px * profile.width_px + 2) / 12 : median(spreads);
+      spreads.size() < 8 ? (profile.width_px * profile.width_px + 2) / 12 : medianOf(spreads);
   profile.blur_px =
       std::sqrt(std::clamp(12 * variance - profile.width_px * profile.width_px - 1.0, 1.0, 9.0));
   return profile;
@@ -273,12 +165,10 @@ class LineDrawing {
     const int x1 = std::min(plane_.width - 1, static_cast<int>(std::ceil(std::max(a.x, b.x) + reach)));
     const int y0 = std::max(0, static_cast<int>(std::floor(std::min(a.y, b.y) - reach)));
     const int y1 = std::min(plane_.height - 1, static_cast<int>(std::ceil(std::max(a.y, b.y) + reach)));
-    const double dx = b.x - a.x, dy = b.y - a.y, l2 = dx * dx + dy * dy;
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x) {
-        const double t = l2 > 0 ? std::clamp(((x - a.x) * dx + (y - a.y) * dy) / l2, 0.0, 1.0) : 0;
-        const double d = std::hypot(x - a.x - t * dx, y - a.y - t * dy);
-        const float value = static_cast<float>(profile.at(d));
+        const Point p{static_cast<double>(x), static_cast<double>(y)};
+        const float value = static_cast<float>(profile.at(distance(p, a + footOn(a, b, p) * (b - a))));
         const std::size_t k = plane_.index(x, y);
         if (value <= plane_.values[k]) continue;
         if (plane_.values[k] == 0) touched_.push_back(k);
@@ -295,7 +185,7 @@ std::vector<double> matchRound(Polyline& line, const CurveField& field, const Li
                                LineDrawing& drawing) {
   drawing.draw(line, profile);
   const double reach = profile.reach_px() + 1.5;
-  const Polyline normals = normalsOf(line, 1.5);
+  const Polyline normals = calmNormalsOf(line, 1.5);
   double fullInformation = 0;
   for (double t = -reach; t <= reach + 1e-9; t += kStep_px) {
     const double slope = profile.at(std::abs(t - 0.25)) - profile.at(std::abs(t + 0.25));
@@ -364,4 +254,4 @@ CentreLine centreLine(const CurveField& field, const CoarseCurve& coarse, double
   return result;
 }
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

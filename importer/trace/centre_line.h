@@ -8,7 +8,7 @@
 
 #include "importer/trace/follow_curve.h"
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 /// How the line is drawn: a box of `width_px` blurred by a box of `blur_px`; `level` is the coverage of its
 /// middle.
@@ -36,4 +36,4 @@ struct CentreLineOptions {
 CentreLine centreLine(const CurveField& field, const CoarseCurve& coarse, double thickness_px,
                       const CentreLineOptions& options = {});
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

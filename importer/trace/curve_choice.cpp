@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 namespace {
 
@@ -84,9 +84,9 @@ bool isAxisParallel(const CoarseCurve& course, double thickness) {
 /// All of the course within a line's width of the chord between its ends.
 bool isStraight(const CoarseCurve& course, double thickness) {
   const Point a = course.points.front(), b = course.points.back();
-  const double dx = b.x - a.x, dy = b.y - a.y, length = std::max(1.0, std::hypot(dx, dy));
+  const double length = std::max(1.0, distance(a, b));
   return std::all_of(course.points.begin(), course.points.end(), [&](Point p) {
-    return std::abs((p.x - a.x) * dy - (p.y - a.y) * dx) / length <= thickness + 2;
+    return std::abs(cross(p - a, b - a)) / length <= thickness + 2;
   });
 }
 
@@ -215,8 +215,8 @@ CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curv
     for (int y = static_cast<int>(sample.box.y0) - 1; y <= static_cast<int>(sample.box.y1); ++y)
       for (int x = static_cast<int>(sample.box.x0) - 1; x <= static_cast<int>(sample.box.x1); ++x)
         if (field.own.inside(x, y)) field.own.at(x, y) = 0;
-  for (std::size_t i = 0; i < plot.masked.size(); ++i)
-    if (plot.masked[i]) field.own.values[i] = field.otherCurves.values[i] = 0;
+  for (std::size_t i = 0; i < plot.area.masked.size(); ++i)
+    if (plot.area.masked[i]) field.own.values[i] = field.otherCurves.values[i] = 0;
   return field;
 }
 
@@ -299,4 +299,4 @@ std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>&
   return curves;
 }
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

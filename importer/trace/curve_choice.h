@@ -8,7 +8,7 @@
 #include "importer/trace/follow_curve.h"
 #include "importer/trace/plot_text.h"
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 /// An ink that draws a curve.
 struct CurveInk {
@@ -32,7 +32,6 @@ struct PlotInks {
   const Coverage& coverage;
   const PlotText& text;
   std::vector<LegendSample> samples;
-  const Mask& masked;  ///< regions the user wants ignored; empty if none
 };
 
 /// What ink `index` looks like to the follower. `curveInks`: inks that may lie over it as curves; other inks
@@ -53,4 +52,4 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot);
 /// The best line in each of these inks, however weak its claim; -1 and repeated ones are skipped.
 std::vector<CurveInk> curvesOfInks(const PlotInks& plot, const std::vector<int>& inks);
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

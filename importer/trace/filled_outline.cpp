@@ -7,26 +7,7 @@
 namespace detent::importer {
 namespace {
 
-using Polyline = std::vector<Point>;
-
 constexpr double leastSlenderness = 2.5;  // length over width
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-double signedArea(const Polyline& ring) {
-  double twice = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    twice += a.x * b.y - b.x * a.y;
-  }
-  return twice / 2;
-}
-
-double perimeter(const Polyline& ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) sum += distance(ring[i], ring[(i + 1) % ring.size()]);
-  return sum;
-}
 
 /// The two caps: the edges where the outline turns back. An end of a line of width w has two corners (or an
 /// arc) within about w along the ring over which the direction turns by half a turn.
@@ -56,9 +37,8 @@ std::optional<std::pair<std::size_t, std::size_t>> capEdges(const Polyline& ring
   }
   if (caps.empty()) return std::nullopt;
   // The pair of caps that halves the outline best.
-  const double whole = perimeter(ring);
-  std::vector<double> at(n, 0);
-  for (std::size_t i = 1; i < n; ++i) at[i] = at[i - 1] + distance(ring[i - 1], ring[i]);
+  const double whole = lengthOf(ring) + distance(ring.back(), ring.front());
+  const std::vector<double> at = arcOf(ring);
   std::optional<std::pair<std::size_t, std::size_t>> best;
   double bestSkew = 0.1;
   for (std::size_t i = 0; i < caps.size(); ++i)
@@ -73,30 +53,15 @@ std::optional<std::pair<std::size_t, std::size_t>> capEdges(const Polyline& ring
   return best;
 }
 
-Point nearestOn(const Polyline& line, Point p) {
-  Point best = line[0];
-  double bestDistance = distance(best, p);
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const Point a = line[i - 1], b = line[i];
-    const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-    const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
-    const Point q{a.x + t * dx, a.y + t * dy};
-    if (distance(p, q) < bestDistance) bestDistance = distance(p, q), best = q;
-  }
-  return best;
-}
-
 }  // namespace
 
 std::optional<OutlineCentre> centreOfOutline(const Polyline& outline, double maxWidth_px) {
-  Polyline ring;
-  for (const Point& p : outline)
-    if (ring.empty() || distance(ring.back(), p) > 1e-9) ring.push_back(p);
+  Polyline ring = withoutRepeats(outline);
   while (ring.size() > 1 && distance(ring.front(), ring.back()) < 1e-9) ring.pop_back();
   constexpr std::size_t mostVertices = 20000;  // the pairing below is quadratic
   if (ring.size() < 4 || ring.size() > mostVertices) return std::nullopt;
-  const double around = perimeter(ring);
-  const double width = 2 * std::abs(signedArea(ring)) / around;
+  const double around = lengthOf(ring) + distance(ring.back(), ring.front());
+  const double width = std::abs(twiceAreaOf(ring)) / around;
   const double length = around / 2;
   if (!(width > 0) || width > maxWidth_px || length < leastSlenderness * width) return std::nullopt;
   const auto caps = capEdges(ring, width);
@@ -116,10 +81,7 @@ std::optional<OutlineCentre> centreOfOutline(const Polyline& outline, double max
     centre.points.push_back({(p.x + q.x) / 2, (p.y + q.y) / 2});
   }
   if (centre.points.size() < 2) return std::nullopt;
-  double run = 0;
-  for (std::size_t i = 1; i < centre.points.size(); ++i)
-    run += distance(centre.points[i - 1], centre.points[i]);
-  if (run < leastSlenderness * width) return std::nullopt;
+  if (lengthOf(centre.points) < leastSlenderness * width) return std::nullopt;
   return centre;
 }
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "importer/page/raster.h"
+#include "importer/page/polyline.h"
 
 namespace detent::importer {
 

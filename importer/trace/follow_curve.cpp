@@ -6,7 +6,9 @@
 #include <cmath>
 #include <cstdint>
 
-namespace detent::importer::inks {
+#include "importer/page/quantile.h"
+
+namespace detent::importer::trace {
 
 namespace {
 
@@ -265,10 +267,7 @@ double lineThickness(const Plane& own) {
       }
     }
   }
-  if (runs.empty()) return 1;
-  const auto at = runs.begin() + static_cast<std::ptrdiff_t>(runs.size() / 3);
-  std::nth_element(runs.begin(), at, runs.end());
-  return std::max(1.0, static_cast<double>(*at));
+  return std::max(1.0, static_cast<double>(quantileOf(std::move(runs), 1.0 / 3)));
 }
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

@@ -9,7 +9,7 @@
 #include "importer/trace/ink_palette.h"
 #include "importer/trace/plot_area.h"
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 /// What one curve is looked for on. All planes have the area's size.
 struct CurveField {
@@ -43,4 +43,4 @@ CoarseCurve followCurve(const CurveField& field, const Box& within, const Follow
 /// Typical thickness of the ink's lines, px: area over length of thin runs; >= 1.
 double lineThickness(const Plane& own);
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

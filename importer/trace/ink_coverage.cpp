@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 namespace {
 
@@ -113,4 +113,4 @@ Coverage unmix(const PlotArea& area, const Backdrop& backdrop, const std::vector
   return coverage;
 }
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

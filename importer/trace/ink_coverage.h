@@ -7,7 +7,7 @@
 
 #include "importer/trace/ink_palette.h"
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 struct Coverage {
   std::vector<Plane> ink;  ///< one per ink of the palette, 0..1.2
@@ -19,4 +19,4 @@ Plane pooled(const Plane& plane, int factor);
 
 Coverage unmix(const PlotArea& area, const Backdrop& backdrop, const std::vector<Ink>& inks);
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

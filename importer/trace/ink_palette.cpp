@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace detent::importer::inks {
+#include "importer/page/quantile.h"
+
+namespace detent::importer::trace {
 
 namespace {
 
@@ -67,15 +69,6 @@ Color3 densestDirection(const std::vector<Sample>& samples, const std::vector<ch
   return centre;
 }
 
-/// The length below which `share` of the values lie.
-float quantile(std::vector<float>& values, double share) {
-  if (values.empty()) return 0;
-  const auto at =
-      values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 /// Whether p lies between two inks' differences, as pixels do where one line's edge runs over another line.
 bool isBlend(const Ink& p, const Ink& a, const Ink& b) {
   const Color3 u = a.difference(), v = b.difference(), w = p.difference();
@@ -109,7 +102,7 @@ std::vector<Ink> findInks(const PlotArea& area, const Backdrop& backdrop, const 
     ink.direction = direction;
     double sum = 0;
     for (float l : lengths) sum += static_cast<double>(l);
-    ink.strength = quantile(lengths, 0.95);
+    ink.strength = quantileOf(lengths, 0.95);
     ink.mass_px = sum / static_cast<double>(std::max(1.0F, ink.strength));
     if (ink.mass_px < limits.minMass_px) {
       if (sum < 24 * limits.minMass_px) break;
@@ -149,4 +142,4 @@ Ink inkOfColor(Rgb color, const Backdrop& backdrop) {
   return ink;
 }
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

@@ -4,12 +4,11 @@
 // what lies behind, so inks are told by the *direction* of the colour difference, which mixing does not
 // change; how far they go is the strength.
 
-#include <cstdint>
 #include <vector>
 
 #include "importer/trace/backdrop.h"
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 struct Ink {
   Color3 direction;      ///< unit vector, ink minus paper
@@ -19,9 +18,6 @@ struct Ink {
 
   Color3 difference() const { return strength * direction; }
 };
-
-/// One byte per pixel of the area; what the bits mean is said by the name that holds it.
-using Mask = std::vector<std::uint8_t>;
 
 struct PaletteLimits {
   int maxInks = 8;
@@ -45,4 +41,4 @@ void addLetterInk(std::vector<Ink>& inks, const PlotArea& area, const Backdrop& 
 /// Given inks (hints) measured on the area: direction from the colour itself.
 Ink inkOfColor(Rgb color, const Backdrop& backdrop);
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

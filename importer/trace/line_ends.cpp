@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 namespace {
 
@@ -14,8 +14,8 @@ constexpr double kStep_px = 0.5;
 Point directionAtEnd(const std::vector<Point>& points, double over_px) {
   const Point last = points.back();
   for (std::size_t i = points.size() - 1; i-- > 0;) {
-    const double dx = last.x - points[i].x, dy = last.y - points[i].y, length = std::hypot(dx, dy);
-    if (length >= over_px || (i == 0 && length > 0)) return {dx / length, dy / length};
+    const double length = distance(last, points[i]);
+    if (length >= over_px || (i == 0 && length > 0)) return (1 / length) * (last - points[i]);
   }
   return {1, 0};
 }
@@ -30,9 +30,8 @@ double inkBeyondEnd(const std::vector<Point>& points, Point direction, const Lin
   for (double t = -reach; t <= reach; t += kStep_px) {
     double across = 0;
     for (double n : {-0.25, 0.0, 0.25}) {
-      const double x = points.back().x + t * direction.x + n * profile.width_px * normal.x;
-      const double y = points.back().y + t * direction.y + n * profile.width_px * normal.y;
-      across = std::max(across, static_cast<double>(field.own.sample(x, y)));
+      const Point p = points.back() + t * direction + (n * profile.width_px) * normal;
+      across = std::max(across, static_cast<double>(field.own.sample(p.x, p.y)));
     }
     inked += std::min(1.0, across / level) * kStep_px;
     if (across < 0.1 * level && t > 0) break;
@@ -44,9 +43,9 @@ void cutBack(std::vector<Point>& points, std::vector<double>& weight, double by)
   while (points.size() > 2 && by > 0) {
     Point& last = points.back();
     const Point before = points[points.size() - 2];
-    const double piece = std::hypot(last.x - before.x, last.y - before.y);
+    const double piece = distance(last, before);
     if (piece > by) {
-      last = {last.x + by / piece * (before.x - last.x), last.y + by / piece * (before.y - last.y)};
+      last = last + (by / piece) * (before - last);
       return;
     }
     by -= piece;
@@ -76,8 +75,7 @@ void finishLastEnd(CentreLine& line, const CurveField& field, const Box& frame) 
   if (beyond >=
       toEdge - profile.width_px - 1) {  // drawn into the frame's edge: it goes on beyond what is shown
     if (toEdge > 0 && toEdge < 3 * profile.width_px + 6) {
-      const Point p = line.points.back();
-      line.points.push_back({p.x + toEdge * direction.x, p.y + toEdge * direction.y});
+      line.points.push_back(line.points.back() + toEdge * direction);
       line.weight.push_back(line.weight.back());
     }
     return;
@@ -88,8 +86,7 @@ void finishLastEnd(CentreLine& line, const CurveField& field, const Box& frame) 
   if (move < 0) {
     cutBack(line.points, line.weight, -move);
   } else if (move > 0.25) {
-    const Point p = line.points.back();
-    line.points.push_back({p.x + move * direction.x, p.y + move * direction.y});
+    line.points.push_back(line.points.back() + move * direction);
     line.weight.push_back(line.weight.back());
   }
 }
@@ -103,10 +100,9 @@ void clipToFrame(CentreLine& line, const Box& frame) {
   std::vector<Point> points;
   std::vector<double> weight;
   const auto crossing = [&](Point in, Point out) {
-    const double d = std::hypot(out.x - in.x, out.y - in.y);
-    const Point direction{(out.x - in.x) / d, (out.y - in.y) / d};
-    const double t = std::min(d, distanceToEdge(in, direction, frame));
-    return Point{in.x + t * direction.x, in.y + t * direction.y};
+    const double d = distance(out, in);
+    const Point direction = (1 / d) * (out - in);
+    return in + std::min(d, distanceToEdge(in, direction, frame)) * direction;
   };
   for (std::size_t i = first; i < last; ++i) {
     if (i == first && first > 0) {
@@ -138,4 +134,4 @@ void finishEnds(CentreLine& line, const CurveField& field, const Box& frame) {
   clipToFrame(line, frame);
 }
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

@@ -5,10 +5,10 @@
 
 #include "importer/trace/centre_line.h"
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 /// Ends measured along the line's own direction; a line that reaches the frame's edge is carried on to it,
 /// one that leaves the frame is cut there.
 void finishEnds(CentreLine& line, const CurveField& field, const Box& frame);
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

@@ -6,7 +6,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace detent::importer::loop {
+namespace detent::importer::trace {
 
 namespace {
 
@@ -62,7 +62,7 @@ struct Share {
   double explained() const { return all > 0 ? 1 - left / all : 0; }
 };
 
-double shareExplained(const PlanePair& pair, const Structure& s, const Plane& plane) {
+double shareExplained(const PlanePair& pair, const Structure& s, const WorkPlane& plane) {
   cv::Mat free(s.curveInk.height, s.curveInk.width, CV_8U, cv::Scalar(1));
   for (const std::vector<Point>* path : {&pair.press, &pair.release}) {
     for (const Point& p : *path) {
@@ -98,9 +98,8 @@ double turning(const std::vector<Point>& path) {
   constexpr std::size_t kStep = 6;
   double sum = 0;
   for (std::size_t i = kStep; i + kStep < path.size(); i += kStep) {
-    const Point a{path[i].x - path[i - kStep].x, path[i].y - path[i - kStep].y};
-    const Point b{path[i + kStep].x - path[i].x, path[i + kStep].y - path[i].y};
-    sum += std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y));
+    const Point a = path[i] - path[i - kStep], b = path[i + kStep] - path[i];
+    sum += std::abs(std::atan2(cross(a, b), dot(a, b)));
   }
   return sum;
 }
@@ -119,7 +118,7 @@ double LoopEvidence::confidence() const {
 }
 
 LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Structure& structure,
-                   const Plane& plane) {
+                   const WorkPlane& plane) {
   LoopEvidence e;
   const float gap_px = pair.dashed ? 6.0F : 0.5F;  // half a gap between dashes
   const bool both = !pair.release.empty();
@@ -140,4 +139,4 @@ LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Stru
   return e;
 }
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

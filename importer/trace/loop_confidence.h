@@ -7,7 +7,7 @@
 
 #include "importer/trace/loop_refine.h"
 
-namespace detent::importer::loop {
+namespace detent::importer::trace {
 
 /// All 0..1, 1 is best.
 struct LoopEvidence {
@@ -21,6 +21,6 @@ struct LoopEvidence {
 };
 
 LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Structure& structure,
-                   const Plane& plane);
+                   const WorkPlane& plane);
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

@@ -5,28 +5,17 @@
 #include <cmath>
 #include <optional>
 
-namespace detent::importer::loop {
+#include "importer/page/polyline.h"
+
+namespace detent::importer::trace {
 
 namespace {
 
-std::vector<Point> densify(const std::vector<Point>& points) {
-  std::vector<Point> out;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (i > 0) {
-      const Point a = points[i - 1], b = points[i];
-      const int n = std::max(1, static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y))));
-      for (int k = 1; k < n; ++k) out.push_back({a.x + (b.x - a.x) * k / n, a.y + (b.y - a.y) * k / n});
-    }
-    out.push_back(points[i]);
-  }
-  return out;
-}
-
 /// Pixels a path may use: near left-over ink, and along explained lines a little farther.
-Grid openPixels(const Structure& s, const Plane& plane) {
+Plane openPixels(const Structure& s, const WorkPlane& plane) {
   constexpr float kNear = 15, kAlongLine = 40;
   constexpr double kOutside = 2;
-  Grid open(s.curveInk.width, s.curveInk.height);
+  Plane open(s.curveInk.width, s.curveInk.height);
   for (int y = 0; y < open.height; ++y) {
     if (y < plane.frame.y0 - kOutside || y > plane.frame.y1 + kOutside) continue;
     for (int x = 0; x < open.width; ++x) {
@@ -38,7 +27,7 @@ Grid openPixels(const Structure& s, const Plane& plane) {
   return open;
 }
 
-void forDisc(const Grid& grid, Point centre, double radius, const auto& visit) {
+void forDisc(const Plane& grid, Point centre, double radius, const auto& visit) {
   const int x0 = static_cast<int>(std::ceil(centre.x - radius)),
             x1 = static_cast<int>(std::floor(centre.x + radius));
   const int y0 = static_cast<int>(std::ceil(centre.y - radius)),
@@ -52,21 +41,21 @@ void forDisc(const Grid& grid, Point centre, double radius, const auto& visit) {
 }
 
 /// The reward that is left for the other stroke; ink of the first is worth `shared` per pixel.
-Grid rewardBeside(const Grid& reward, const std::vector<Point>& taken, double radius, float shared = 0) {
-  Grid left = reward;
+Plane rewardBeside(const Plane& reward, const std::vector<Point>& taken, double radius, float shared = 0) {
+  Plane left = reward;
   for (const Point& p : taken) {
     forDisc(left, p, radius, [&](int x, int y) { left.at(x, y) = std::min(left.at(x, y), shared); });
   }
   return left;
 }
 
-double strongPixels(const Grid& reward) {
+double strongPixels(const Plane& reward) {
   return static_cast<double>(
       std::count_if(reward.values.begin(), reward.values.end(), [](float r) { return r > 0.5F; }));
 }
 
 /// Length of curve ink on `path` that `other` does not cover.
-double ownInk(const std::vector<Point>& path, const Grid& left) {
+double ownInk(const std::vector<Point>& path, const Plane& left) {
   double own = 0;
   for (const Point& p : path) {
     const float r = left.at(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
@@ -75,23 +64,17 @@ double ownInk(const std::vector<Point>& path, const Grid& left) {
   return own;
 }
 
-double distanceToSegment(Point p, Point a, Point b) {
-  const double vx = b.x - a.x, vy = b.y - a.y, length2 = vx * vx + vy * vy;
-  const double f = length2 > 0 ? std::clamp(((p.x - a.x) * vx + (p.y - a.y) * vy) / length2, 0.0, 1.0) : 0;
-  return std::hypot(p.x - a.x - f * vx, p.y - a.y - f * vy);
-}
-
 struct Stretch {
   std::size_t from = 0, to = 0;
   double length = 0;
 };
 
 /// Share of curve ink or explained ink on the straight line between two points.
-double inkBetween(const Grid& reward, Point a, Point b) {
-  const int n = std::max(1, static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y))));
+double inkBetween(const Plane& reward, Point a, Point b) {
+  const int n = std::max(1, static_cast<int>(std::ceil(distance(a, b))));
   int inked = 0;
   for (int i = 0; i <= n && i - inked <= 3; ++i) {
-    const Point p{a.x + (b.x - a.x) * i / n, a.y + (b.y - a.y) * i / n};
+    const Point p = a + (static_cast<double>(i) / n) * (b - a);
     float best = -1;
     forDisc(reward, p, 1.5, [&](int x, int y) { best = std::max(best, reward.at(x, y)); });
     if (best > 0) ++inked;
@@ -102,23 +85,20 @@ double inkBetween(const Grid& reward, Point a, Point b) {
 /// The longest detour of a path: it leaves a line of ink and comes back to it close by. Leaders, guide lines
 /// and the latch branches of alternate-action switches make such detours; a curve does not, its own ink does
 /// not close below a peak.
-std::optional<Stretch> findDetour(const std::vector<Point>& path, const Grid& reward, double strokeWidth,
+std::optional<Stretch> findDetour(const std::vector<Point>& path, const Plane& reward, double strokeWidth,
                                   const Box& frame) {
   const double widest = 0.06 * frame.width();
   if (static_cast<double>(path.size()) > 6 * (frame.width() + frame.height()))
     return std::nullopt;  // no curve at all
   const double shortest = std::max(10 * strokeWidth, 0.12 * frame.height());
-  std::vector<double> arc(path.size());
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    arc[i] = arc[i - 1] + std::hypot(path[i].x - path[i - 1].x, path[i].y - path[i - 1].y);
-  }
+  const std::vector<double> arc = arcOf(path);
   std::optional<Stretch> longest;
   constexpr std::size_t kStep = 3;
   for (std::size_t i = 0; i < path.size(); i += kStep) {
     for (std::size_t j = i + kStep; j < path.size() && path[j].x - path[i].x <= widest; j += kStep) {
       const double length = arc[j] - arc[i];
       if (length < shortest || (longest && length <= longest->length)) continue;
-      const double chord = std::hypot(path[j].x - path[i].x, path[j].y - path[i].y);
+      const double chord = distance(path[j], path[i]);
       if (chord > widest || length < 4 * chord) continue;
       if (chord > strokeWidth + 1.5 && inkBetween(reward, path[i], path[j]) < 0.9) continue;
       longest = Stretch{i, j, length};
@@ -138,7 +118,7 @@ bool cutAtTurn(std::vector<Point>& path, const Stretch& detour, double frameWidt
   std::size_t tip = detour.from;
   double farthest = 0;
   for (std::size_t k = detour.from; k <= detour.to; ++k) {
-    const double d = std::hypot(path[k].x - base.x, path[k].y - base.y);
+    const double d = distance(path[k], base);
     if (d <= farthest) continue;
     farthest = d;
     tip = k;
@@ -153,14 +133,14 @@ bool cutAtTurn(std::vector<Point>& path, const Stretch& detour, double frameWidt
 }
 
 /// The best path that makes no detour. Ink of detours found is taken out of `reward` for later searches too.
-std::vector<Point> directPath(LiftedSearch& search, Grid& reward, const std::vector<Point>& taken,
+std::vector<Point> directPath(LiftedSearch& search, Plane& reward, const std::vector<Point>& taken,
                               double radius, const PathLimits& limits, double strokeWidth, float shared,
                               const Box& frame) {
   constexpr int kDetours = 6;
   constexpr float kNoCurve = -0.4F;
   std::vector<Point> path;
   for (int i = 0; i <= kDetours; ++i) {
-    path = densify(search.best(rewardBeside(reward, taken, radius, shared), limits).points);
+    path = densified(search.best(rewardBeside(reward, taken, radius, shared), limits).points, 1);
     std::optional<Stretch> detour = findDetour(path, reward, strokeWidth, frame);
     while (detour && cutAtTurn(path, *detour, frame.width()))
       detour = findDetour(path, reward, strokeWidth, frame);
@@ -169,7 +149,7 @@ std::vector<Point> directPath(LiftedSearch& search, Grid& reward, const std::vec
     const Point start = path[detour->from], end = path[detour->to];
     for (std::size_t k = detour->from; k < detour->to; ++k) {
       const Point p = path[k];
-      if (distanceToSegment(p, start, end) < 1.5 * strokeWidth + 2) continue;
+      if (distance(p, start + footOn(start, end, p) * (end - start)) < 1.5 * strokeWidth + 2) continue;
       forDisc(reward, p, strokeWidth / 2 + 1,
               [&](int x, int y) { reward.at(x, y) = std::min(reward.at(x, y), kNoCurve); });
     }
@@ -180,15 +160,9 @@ std::vector<Point> directPath(LiftedSearch& search, Grid& reward, const std::vec
 /// Twice the signed area between a piece of each path; positive where the first lies to the left of travel.
 double leftness(const std::vector<Point>& a, std::size_t a0, std::size_t a1, const std::vector<Point>& b,
                 std::size_t b0, std::size_t b1) {
-  std::vector<Point> ring(a.begin() + static_cast<std::ptrdiff_t>(a0),
-                          a.begin() + static_cast<std::ptrdiff_t>(a1) + 1);
+  Polyline ring(a.begin() + static_cast<std::ptrdiff_t>(a0), a.begin() + static_cast<std::ptrdiff_t>(a1) + 1);
   for (std::size_t j = b1 + 1; j-- > b0;) ring.push_back(b[j]);
-  double area = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point p = ring[i], q = ring[(i + 1) % ring.size()];
-    area += p.x * q.y - q.x * p.y;
-  }
-  return area;
+  return twiceAreaOf(ring);
 }
 
 /// Where one stroke ends on the other, both go on together: the shorter one gets the rest of the longer one.
@@ -199,9 +173,9 @@ void shareEnd(std::vector<Point>& shorter, const std::vector<Point>& longer, dou
   std::size_t at = longer.size();
   double best = within * within;
   for (std::size_t j = 0; j < longer.size(); ++j) {
-    const double dx = longer[j].x - end.x, dy = longer[j].y - end.y;
-    if (dx * dx + dy * dy > best) continue;
-    best = dx * dx + dy * dy;
+    const Point off = longer[j] - end;
+    if (dot(off, off) > best) continue;
+    best = dot(off, off);
     at = j;
   }
   const auto rest = longer.begin() + static_cast<std::ptrdiff_t>(std::min(at + 1, longer.size()));
@@ -272,9 +246,9 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
     double best = within * within;
     std::size_t at = b.size();
     for (std::size_t j = from; j < b.size() && b[j].x <= a[i].x + within; ++j) {
-      const double dx = a[i].x - b[j].x, dy = a[i].y - b[j].y;
-      if (dx * dx + dy * dy < best) {
-        best = dx * dx + dy * dy;
+      const Point off = a[i] - b[j];
+      if (dot(off, off) < best) {
+        best = dot(off, off);
         at = j;
       }
     }
@@ -288,7 +262,7 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
 /// One joint search for both strokes at one price of gaps.
 class PairSearch {
  public:
-  PairSearch(const Structure& structure, const Plane& plane, const GapPrice& price, float shared)
+  PairSearch(const Structure& structure, const WorkPlane& plane, const GapPrice& price, float shared)
       : structure_(structure),
         plane_(plane),
         stroke_(structure.strokeWidth_px),
@@ -330,7 +304,7 @@ class PairSearch {
 
   /// The second stroke's own stretch is broken often and evenly, as no way over leaders and words is.
   bool secondIsDashed() const {
-    const Grid own = rewardBeside(reward_, a_, stroke_ + 1);
+    const Plane own = rewardBeside(reward_, a_, stroke_ + 1);
     std::vector<int> gaps;
     int run = 0;
     for (const Point& p : b_) {
@@ -405,10 +379,10 @@ class PairSearch {
   }
 
   const Structure& structure_;
-  const Plane& plane_;
+  const WorkPlane& plane_;
   double stroke_;
   float shared_;
-  Grid reward_;
+  Plane reward_;
   LiftedSearch search_;
   std::vector<Point> a_, b_;
 };
@@ -436,7 +410,7 @@ std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vect
   return {upper, lower};
 }
 
-PlanePair findPair(const Structure& structure, const Plane& plane) {
+PlanePair findPair(const Structure& structure, const WorkPlane& plane) {
   // Shared ink is worth more than nothing: where both strokes share one line, both follow it to its end.
   PairSearch solid(structure, plane, GapPrice{}, 0.2F);
   if (!solid.run()) return {};
@@ -452,4 +426,4 @@ PlanePair findPair(const Structure& structure, const Plane& plane) {
   return pair;
 }
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

@@ -9,7 +9,7 @@
 #include "importer/trace/loop_path.h"
 #include "importer/trace/loop_structure.h"
 
-namespace detent::importer::loop {
+namespace detent::importer::trace {
 
 struct PlanePair {
   std::vector<Point> press;    ///< plane px, x never falls, at most 1 px apart; empty if nothing was found
@@ -18,7 +18,7 @@ struct PlanePair {
   double ownRelease_px = 0;    ///< length of ink that only the second stroke explains
 };
 
-PlanePair findPair(const Structure& structure, const Plane& plane);
+PlanePair findPair(const Structure& structure, const WorkPlane& plane);
 
 /// Parts two paths that may touch and cross: first the one that lies to the left of the direction of travel
 /// (higher force; earlier on a wall), then the other. Paths closer than `contact_px` count as touching.
@@ -26,4 +26,4 @@ std::pair<std::vector<Point>, std::vector<Point>> partUpperLower(const std::vect
                                                                  const std::vector<Point>& b,
                                                                  double contact_px);
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace detent::importer::loop {
+namespace detent::importer::trace {
 
 namespace {
 
@@ -83,7 +83,7 @@ void turn(float* score, std::uint8_t* from, float price) {
 
 }  // namespace
 
-LiftedSearch::LiftedSearch(const Grid& open, const PathOptions& options)
+LiftedSearch::LiftedSearch(const Plane& open, const PathOptions& options)
     : width_(open.width), height_(open.height), options_(options) {
   index_.assign(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_), -1);
   columnStart_.reserve(static_cast<std::size_t>(width_) + 1);
@@ -115,7 +115,7 @@ void LiftedSearch::layOutSteps() {
   }
 }
 
-void LiftedSearch::arrive(const Grid& reward, const PathLimits& limits, int node) {
+void LiftedSearch::arrive(const Plane& reward, const PathLimits& limits, int node) {
   const Moves& m = moves();
   const Node p = nodes_[static_cast<std::size_t>(node)];
   const float* here = &reward.values[static_cast<std::size_t>(p.y) * static_cast<std::size_t>(width_) +
@@ -146,7 +146,7 @@ void LiftedSearch::arrive(const Grid& reward, const PathLimits& limits, int node
 
 /// Straight up or straight down within a column; nodes `from`..`to-1` lie in it, top to bottom. A run starts
 /// from an arrival, never from another run, so that a path cannot go up and down the same wall for gain.
-void LiftedSearch::runAlongColumn(const Grid& reward, int from, int to, int direction) {
+void LiftedSearch::runAlongColumn(const Plane& reward, int from, int to, int direction) {
   const bool up = direction == kUp;
   const auto d = static_cast<std::size_t>(direction);
   const std::size_t side = up ? 1 : 0;
@@ -208,7 +208,7 @@ LiftedPath LiftedSearch::walkBack(int node, int direction) const {
   return path;
 }
 
-LiftedPath LiftedSearch::best(const Grid& reward, const PathLimits& limits) {
+LiftedPath LiftedSearch::best(const Plane& reward, const PathLimits& limits) {
   float best = kUnreached;
   int bestNode = -1;
   std::size_t bestDirection = 0;
@@ -241,4 +241,4 @@ LiftedPath LiftedSearch::best(const Grid& reward, const PathLimits& limits) {
   return path;
 }
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "importer/trace/loop_plane.h"
+#include "importer/trace/work_plane.h"
 
-namespace detent::importer::loop {
+namespace detent::importer::trace {
 
 struct PathLimits {
   int startFrom = 0, startTo = 0;  ///< columns in which the path may start, inclusive
@@ -34,9 +34,9 @@ struct PathOptions {
 class LiftedSearch {
  public:
   /// `open`: pixels a path may use (value > 0).
-  LiftedSearch(const Grid& open, const PathOptions& options);
+  LiftedSearch(const Plane& open, const PathOptions& options);
 
-  LiftedPath best(const Grid& reward, const PathLimits& limits);
+  LiftedPath best(const Plane& reward, const PathLimits& limits);
 
   static constexpr int kDirections = 21;  ///< from straight down to straight up
 
@@ -50,8 +50,8 @@ class LiftedSearch {
                   static_cast<std::size_t>(y)];
   }
   void layOutSteps();
-  void arrive(const Grid& reward, const PathLimits& limits, int node);
-  void runAlongColumn(const Grid& reward, int from, int to, int direction);
+  void arrive(const Plane& reward, const PathLimits& limits, int node);
+  void runAlongColumn(const Plane& reward, int from, int to, int direction);
   LiftedPath walkBack(int node, int direction) const;
 
   int width_ = 0, height_ = 0;
@@ -67,4 +67,4 @@ class LiftedSearch {
   std::vector<float> arrivalScore_;    ///< of the current column only
 };
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

@@ -6,61 +6,12 @@
 #include <limits>
 #include <optional>
 
-namespace detent::importer::loop {
+#include "importer/page/polyline.h"
+#include "importer/page/quantile.h"
+
+namespace detent::importer::trace {
 
 namespace {
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-std::vector<Point> resample(const std::vector<Point>& points, double spacing) {
-  std::vector<double> arc(points.size());
-  for (std::size_t i = 1; i < points.size(); ++i) arc[i] = arc[i - 1] + distance(points[i], points[i - 1]);
-  const int n = std::max(2, static_cast<int>(std::lround(arc.back() / spacing)) + 1);
-  std::vector<Point> out;
-  std::size_t k = 1;
-  for (int i = 0; i < n; ++i) {
-    const double s = arc.back() * i / (n - 1);
-    while (k + 1 < points.size() && arc[k] < s) ++k;
-    const double span = arc[k] - arc[k - 1], f = span > 0 ? std::clamp((s - arc[k - 1]) / span, 0.0, 1.0) : 0;
-    out.push_back({points[k - 1].x + f * (points[k].x - points[k - 1].x),
-                   points[k - 1].y + f * (points[k].y - points[k - 1].y)});
-  }
-  return out;
-}
-
-/// Gaussian along the line, sigma in points; ends stay.
-std::vector<Point> smooth(const std::vector<Point>& points, double sigma) {
-  const int reach = static_cast<int>(std::ceil(2.5 * sigma)), n = static_cast<int>(points.size());
-  std::vector<double> kernel;
-  for (int k = 0; k <= reach; ++k) kernel.push_back(std::exp(-0.5 * k * k / (sigma * sigma)));
-  std::vector<Point> out(points.size());
-  for (int i = 0; i < n; ++i) {
-    const int r = std::min({reach, i, n - 1 - i});  // symmetric, so that straight ends stay straight
-    Point sum{};
-    double weight = 0;
-    for (int k = -r; k <= r; ++k) {
-      const double w = kernel[static_cast<std::size_t>(std::abs(k))];
-      sum.x += w * points[static_cast<std::size_t>(i + k)].x;
-      sum.y += w * points[static_cast<std::size_t>(i + k)].y;
-      weight += w;
-    }
-    out[static_cast<std::size_t>(i)] = {sum.x / weight, sum.y / weight};
-  }
-  return out;
-}
-
-/// Unit normals to the left of travel (upwards for a line that goes right).
-std::vector<Point> normalsOf(const std::vector<Point>& p, int reach) {
-  const int n = static_cast<int>(p.size());
-  std::vector<Point> out(p.size());
-  for (int i = 0; i < n; ++i) {
-    const Point a = p[static_cast<std::size_t>(std::max(0, i - reach))],
-                b = p[static_cast<std::size_t>(std::min(n - 1, i + reach))];
-    const double len = std::max(1e-9, distance(a, b));
-    out[static_cast<std::size_t>(i)] = {(b.y - a.y) / len, -(b.x - a.x) / len};
-  }
-  return out;
-}
 
 /// A straight line of the plot in plane px, sub-pixel, with its width in view px.
 struct ThinLine {
@@ -96,7 +47,7 @@ struct Profile {
 
 class Profiler {
  public:
-  Profiler(const InkLayer& ink, const Plane& plane, const std::vector<StraightLine>& lines, double level)
+  Profiler(const Plane& ink, const WorkPlane& plane, const std::vector<StraightLine>& lines, double level)
       : ink_(ink), plane_(plane), lines_(thinLines(lines, plane.scale)), level_(level) {}
 
   Profile across(Point p, Point normal, double from, double to, double step) const {
@@ -106,10 +57,10 @@ class Profiler {
     const auto n = static_cast<std::size_t>(std::floor((to - from) / step)) + 1;
     out.ink.resize(n);
     out.known.assign(n, 1);
-    const Point base = plane_.plane(p), ahead = plane_.plane({p.x + normal.x, p.y + normal.y});
+    const Point base = plane_.fromArea(p), ahead = plane_.fromArea(p + normal);
     for (std::size_t k = 0; k < n; ++k) {
       const double t = out.offset(k);
-      const double c = sampleAt(ink_, {p.x + t * normal.x, p.y + t * normal.y});
+      const double c = static_cast<double>(ink_.sample(p + t * normal));
       double hidden = 0;
       for (const ThinLine& l : lines_) {
         const double at = l.vertical ? base.x + t * (ahead.x - base.x) : base.y + t * (ahead.y - base.y);
@@ -125,8 +76,8 @@ class Profiler {
   }
 
  private:
-  const InkLayer& ink_;
-  const Plane& plane_;
+  const Plane& ink_;
+  const WorkPlane& plane_;
   std::vector<ThinLine> lines_;
   double level_;
 };
@@ -218,50 +169,6 @@ Fit fitDouble(const Profile& p, double halfWidth, double radius, double otherGue
   return best;
 }
 
-/// Smallest change of slope under weights (Whittaker 1922, second differences): solves the five-diagonal
-/// system in place.
-std::vector<double> whittaker(const std::vector<double>& y, const std::vector<double>& weight,
-                              double stiffness) {
-  const std::size_t n = y.size();
-  if (n < 3) return y;
-  std::vector<double> d(n), e(n), f(n), z(n);
-  const auto diagonal = [&](std::size_t i) {
-    double v = 0;
-    if (i + 2 < n) v += 1;
-    if (i >= 1 && i + 1 < n) v += 4;
-    if (i >= 2) v += 1;
-    return weight[i] + stiffness * v;
-  };
-  const auto next = [&](std::size_t i) {  // (i, i+1)
-    double v = 0;
-    if (i + 2 < n) v -= 2;
-    if (i >= 1) v -= 2;
-    return stiffness * v;
-  };
-  // L D L^T
-  for (std::size_t i = 0; i < n; ++i) {
-    d[i] = diagonal(i) + 1e-9;
-    double a = i + 1 < n ? next(i) : 0;
-    const double b = i + 2 < n ? stiffness : 0;
-    if (i >= 1) {
-      d[i] -= e[i - 1] * e[i - 1] * d[i - 1];
-      a -= e[i - 1] * f[i - 1] * d[i - 1];
-    }
-    if (i >= 2) d[i] -= f[i - 2] * f[i - 2] * d[i - 2];
-    e[i] = a / d[i];
-    f[i] = b / d[i];
-    z[i] = weight[i] * y[i];
-    if (i >= 1) z[i] -= e[i - 1] * z[i - 1];
-    if (i >= 2) z[i] -= f[i - 2] * z[i - 2];
-  }
-  for (std::size_t i = n; i-- > 0;) {
-    z[i] /= d[i];
-    if (i + 1 < n) z[i] -= e[i] * z[i + 1];
-    if (i + 2 < n) z[i] -= f[i] * z[i + 2];
-  }
-  return z;
-}
-
 /// Where the other stroke crosses this one's normal, if it runs along near by.
 std::optional<double> offsetOfOther(Point p, Point normal, const std::vector<Point>& other,
                                     const std::vector<Point>& otherNormals, double reach, std::size_t& hint) {
@@ -280,10 +187,10 @@ std::optional<double> offsetOfOther(Point p, Point normal, const std::vector<Poi
   hint = at;
   if (best > reach) return std::nullopt;
   const Point q = other[at], m = otherNormals[at];
-  const double parallel = normal.x * m.x + normal.y * m.y;
+  const double parallel = dot(normal, m);
   if (parallel < 0.8) return std::nullopt;
   // The other line through q, met along this normal.
-  return ((q.x - p.x) * m.x + (q.y - p.y) * m.y) / parallel;
+  return dot(q - p, m) / parallel;
 }
 
 struct Pass {
@@ -323,10 +230,9 @@ void refineOnce(Working& self, const Working& other, double side, const Profiler
     offset[i] *= trust[i] / (trust[i] + kPath);
     weight[i] = trust[i] + kPath;
   }
-  const std::vector<double> smoothOffset = whittaker(offset, weight, pass.stiffness);
+  const std::vector<double> smoothOffset = stiffened(offset, weight, pass.stiffness);
   for (std::size_t i = 0; i < self.points.size(); ++i) {
-    self.points[i].x += smoothOffset[i] * self.normals[i].x;
-    self.points[i].y += smoothOffset[i] * self.normals[i].y;
+    self.points[i] = self.points[i] + smoothOffset[i] * self.normals[i];
   }
   self.trust = trust;
 }
@@ -336,12 +242,6 @@ struct StrokeLook {
   double level = 1;
   double width_px = 1;
 };
-
-double quantileOf(std::vector<double>& values, double q) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(q * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 /// On the ink as it is (a profiler of level 1); `guess` where too little of the stroke stands alone.
 StrokeLook measureLook(const Working& stroke, const Profiler& plain, const StrokeLook& guess) {
@@ -368,26 +268,25 @@ StrokeLook measureLook(const Working& stroke, const Profiler& plain, const Strok
   return look;
 }
 
-Working start(const std::vector<Point>& planePoints, const Plane& plane) {
+Working start(const std::vector<Point>& planePoints, const WorkPlane& plane) {
   Working w;
-  std::vector<Point> view;
-  for (const Point& p : planePoints) view.push_back(plane.view(p));
+  Polyline area;
+  for (const Point& p : planePoints) area.push_back(plane.toArea(p));
   // Long side runs of one plane pixel are the search's steps, not the curve's.
-  w.points = smooth(resample(view, 1.0), 1.6 * plane.scale);
+  w.points = smoothed(resampled(area, 1.0), 1.6 * plane.scale);
   w.normals = normalsOf(w.points, static_cast<int>(std::ceil(2 * plane.scale)) + 1);
   return w;
 }
 
 void renew(Working& w) {
-  w.points = resample(w.points, 1.0);
-  w.normals = normalsOf(smooth(w.points, 1.5), 3);
+  w.points = resampled(w.points, 1.0);
+  w.normals = normalsOf(smoothed(w.points, 1.5), 3);
 }
 
 }  // namespace
 
-RefinedPair refinePair(const PlanePair& pair, const Plane& plane, const InkLayer& ink,
+RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plane& ink,
                        const std::vector<StraightLine>& lines, const Structure& structure) {
-  RefinedPair out;
   const Profiler plain(ink, plane, lines, 1);
   Working press = start(pair.press, plane), release;
   if (!pair.release.empty()) release = start(pair.release, plane);
@@ -405,11 +304,7 @@ RefinedPair refinePair(const PlanePair& pair, const Plane& plane, const InkLayer
     refineOnce(press, release, 1, profiler, look.width_px, passes[k]);
     if (!release.points.empty()) refineOnce(release, pressBefore, -1, profiler, look.width_px, passes[k]);
   }
-  const double width = look.width_px;
-  out.strokeWidth_px = width;
-  out.press = {press.points, std::vector<double>(press.points.size(), width), press.trust};
-  out.release = {release.points, std::vector<double>(release.points.size(), width), release.trust};
-  return out;
+  return {{press.points, look.width_px, press.trust}, {release.points, look.width_px, release.trust}};
 }
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

@@ -7,25 +7,23 @@
 
 #include <vector>
 
-#include "importer/trace/ink_layer.h"
 #include "importer/trace/loop_pair.h"
 #include "importer/trace/loop_structure.h"
 
-namespace detent::importer::loop {
+namespace detent::importer::trace {
 
 struct RefinedStroke {
-  std::vector<Point> points_px;  ///< view pixels, in order of rising displacement, about 1 px apart
-  std::vector<double> width_px;  ///< of the stroke where it was measured, else the stroke's own median
-  std::vector<double> trust;     ///< 0..1 per point: how well the line model fits there; 0 = interpolated
-  bool empty() const { return points_px.empty(); }
+  std::vector<Point> points;  ///< area pixels, in order of rising displacement, about 1 px apart
+  double width_px = 1;        ///< of its line
+  std::vector<double> trust;  ///< 0..1 per point: how well the line model fits there; 0 = interpolated
 };
 
 struct RefinedPair {
   RefinedStroke press, release;
-  double strokeWidth_px = 1;  ///< view pixels
 };
 
-RefinedPair refinePair(const PlanePair& pair, const Plane& plane, const InkLayer& ink,
+/// `ink`: the area's coverage that the plane was shrunk from.
+RefinedPair refinePair(const PlanePair& pair, const WorkPlane& plane, const Plane& ink,
                        const std::vector<StraightLine>& lines, const Structure& structure);
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

@@ -6,14 +6,16 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace detent::importer::loop {
+#include "importer/page/quantile.h"
+
+namespace detent::importer::trace {
 
 namespace {
 
 /// The plane seen along one direction, so that rows and columns share their code: `along` runs on the line.
 class Lanes {
  public:
-  Lanes(const Plane& plane, bool vertical) : grid_(&plane.ink), vertical_(vertical) {
+  Lanes(const WorkPlane& plane, bool vertical) : grid_(&plane.ink), vertical_(vertical) {
     const Box& f = plane.frame;
     const auto whole = [](double v, int limit) {
       return std::clamp(static_cast<int>(std::lround(v)), 0, limit - 1);
@@ -35,7 +37,7 @@ class Lanes {
   }
 
  private:
-  const Grid* grid_;
+  const Plane* grid_;
   bool vertical_;
   int first_ = 0, last_ = 0, edge0_ = 0, edge1_ = 0;
 };
@@ -86,9 +88,7 @@ std::vector<double> evenPositions(const std::vector<int>& lanes, int from, int t
   std::vector<double> gaps;
   for (std::size_t i = 1; i < lanes.size(); ++i) gaps.push_back(lanes[i] - lanes[i - 1]);
   if (gaps.size() < 2) return {};
-  std::vector<double> sorted = gaps;
-  std::sort(sorted.begin(), sorted.end());
-  const double pitch = sorted[sorted.size() / 4];
+  const double pitch = quantileOf(gaps, 0.25);
   if (pitch < 8) return {};
   std::vector<double> out;
   for (int lane : lanes) {
@@ -99,18 +99,11 @@ std::vector<double> evenPositions(const std::vector<int>& lanes, int from, int t
   return out;
 }
 
-float quantile(std::vector<float> values, double q) {
-  if (values.empty()) return 0;
-  const auto k = static_cast<std::size_t>(q * double(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(k), values.end());
-  return values[k];
-}
-
 StraightLine measureLine(const Lanes& lanes, int lane) {
   constexpr int kReach = 9;
   std::vector<float> middle;
   for (int i = lanes.first(); i <= lanes.last(); ++i) middle.push_back(lanes.at(lane, i));
-  const float level = quantile(middle, 0.7);
+  const float level = quantileOf(middle, 0.7);
   std::array<std::vector<float>, 2 * kReach + 1> across;
   for (int i = lanes.first(); i <= lanes.last(); ++i) {
     if (lanes.at(lane, i) < 0.6F * level) continue;
@@ -126,7 +119,7 @@ StraightLine measureLine(const Lanes& lanes, int lane) {
   line.level = level;
   // The lower median: what crosses or runs along for a while must not become part of the line.
   std::array<float, 2 * kReach + 1> profile{};
-  for (std::size_t k = 0; k < profile.size(); ++k) profile[k] = quantile(across[k], 0.4);
+  for (std::size_t k = 0; k < profile.size(); ++k) profile[k] = quantileOf(across[k], 0.4);
   const auto sideReach = [&](int step) {
     int o = 0;
     while (std::abs(o + step) <= kReach &&
@@ -142,7 +135,7 @@ StraightLine measureLine(const Lanes& lanes, int lane) {
   return line;
 }
 
-void findAlong(const Plane& plane, bool vertical, const std::vector<double>& expected,
+void findAlong(const WorkPlane& plane, bool vertical, const std::vector<double>& expected,
                std::vector<StraightLine>& out) {
   const Lanes lanes(plane, vertical);
   if (lanes.last() - lanes.first() < 2 * kBins) return;
@@ -207,7 +200,7 @@ std::array<float, kBins> dutiesOf(const Lanes& lanes, const StraightLine& line) 
 
 /// In which of kBins stretches the line may explain ink: where a dashed line seems solid, a wall runs along
 /// it. Beside a hole (cut for writing) a solid line is half a stretch long, which makes it no dashed one.
-std::array<bool, kBins> explainableBins(const Plane& plane, const StraightLine& line) {
+std::array<bool, kBins> explainableBins(const WorkPlane& plane, const StraightLine& line) {
   const std::array<float, kBins> duty = dutiesOf(Lanes(plane, line.vertical), line);
   std::vector<float> drawn, besideNoHole;
   for (std::size_t b = 0; b < kBins; ++b) {
@@ -216,14 +209,14 @@ std::array<bool, kBins> explainableBins(const Plane& plane, const StraightLine& 
     const bool hole = (b > 0 && duty[b - 1] <= 0) || (b + 1 < kBins && duty[b + 1] <= 0);
     if (!hole) besideNoHole.push_back(duty[b]);
   }
-  const float usual = quantile(besideNoHole.size() >= 4 ? besideNoHole : drawn, 0.35);
+  const float usual = quantileOf(besideNoHole.size() >= 4 ? besideNoHole : drawn, 0.35);
   std::array<bool, kBins> may{};
   for (std::size_t b = 0; b < kBins; ++b)
     may[b] = usual > 0.8F || duty[b] < std::max(1.5F * usual, usual + 0.25F);
   return may;
 }
 
-void explainLine(const Plane& plane, const StraightLine& line, Grid& explained) {
+void explainLine(const WorkPlane& plane, const StraightLine& line, Plane& explained) {
   const Lanes lanes(plane, line.vertical);
   const std::array<bool, kBins> may = explainableBins(plane, line);
   const int length = line.vertical ? plane.ink.height : plane.ink.width;
@@ -241,9 +234,9 @@ void explainLine(const Plane& plane, const StraightLine& line, Grid& explained) 
 }
 
 /// How far a straight line's darkness may be off its profile: lines are not drawn equally dark all along.
-Grid doubtOf(const Grid& explained) {
+Plane doubtOf(const Plane& explained) {
   constexpr float kUneven = 0.2F;
-  Grid doubt(explained.width, explained.height);
+  Plane doubt(explained.width, explained.height);
   for (int y = 0; y < doubt.height; ++y) {
     for (int x = 0; x < doubt.width; ++x) {
       float most = 0;
@@ -257,14 +250,14 @@ Grid doubtOf(const Grid& explained) {
   return doubt;
 }
 
-cv::Mat wrap(Grid& grid) { return cv::Mat(grid.height, grid.width, CV_32F, grid.values.data()); }
+cv::Mat wrap(Plane& grid) { return cv::Mat(grid.height, grid.width, CV_32F, grid.values.data()); }
 
 struct Components {
   cv::Mat labels, stats;
   int count = 0;
 };
 
-Components componentsOf(Grid& ink, float above) {
+Components componentsOf(Plane& ink, float above) {
   Components c;
   const cv::Mat binary = wrap(ink) > above;
   cv::Mat centroids;
@@ -273,7 +266,7 @@ Components componentsOf(Grid& ink, float above) {
 }
 
 /// Coverage on the ridge of the widest left-over line: the curves' own darkness.
-float curveLevelOf(Grid& left, const Plane& plane) {
+float curveLevelOf(Plane& left, const WorkPlane& plane) {
   const Components c = componentsOf(left, 0.08F);
   int widest = 0, width = 0;
   for (int i = 1; i < c.count; ++i) {
@@ -297,13 +290,13 @@ float curveLevelOf(Grid& left, const Plane& plane) {
       if (overRow || overColumn) ridge.push_back(v);
     }
   }
-  return ridge.size() < 20 ? 1.0F : std::clamp(quantile(ridge, 0.5), 0.1F, 1.0F);
+  return ridge.size() < 20 ? 1.0F : std::clamp(quantileOf(ridge, 0.5), 0.1F, 1.0F);
 }
 
 /// Median over ink pixels of the shorter run through them, summing coverage: the width a line of this ink
 /// has.
-double strokeWidthOf(const Grid& ink) {
-  Grid across(ink.width, ink.height, 0), down(ink.width, ink.height, 0);
+double strokeWidthOf(const Plane& ink) {
+  Plane across(ink.width, ink.height, 0), down(ink.width, ink.height, 0);
   constexpr float kInk = 0.3F;
   for (int y = 0; y < ink.height; ++y) {
     for (int x = 0; x < ink.width;) {
@@ -327,7 +320,7 @@ double strokeWidthOf(const Grid& ink) {
   for (std::size_t i = 0; i < ink.values.size(); ++i) {
     if (ink.values[i] > 0.5F) widths.push_back(std::min(across.values[i], down.values[i]));
   }
-  return widths.empty() ? 1.0 : std::max(1.0, double(quantile(widths, 0.5)));
+  return widths.empty() ? 1.0 : std::max(1.0, double(quantileOf(widths, 0.5)));
 }
 
 struct Blob {
@@ -401,7 +394,7 @@ std::vector<char> wordsRunTogether(const Components& c, const std::vector<Blob>&
 
 /// Blobs that straight lines of the plot cut off on two sides are pieces of a curve, whatever their size.
 std::vector<char> piecesBetweenLines(const Components& c, const std::vector<Blob>& blobs,
-                                     const Grid& explained, float level) {
+                                     const Plane& explained, float level) {
   std::vector<char> isPiece(blobs.size(), 0);
   constexpr int kReach = 3;
   for (std::size_t i = 1; i < blobs.size(); ++i) {
@@ -427,7 +420,7 @@ std::vector<char> piecesBetweenLines(const Components& c, const std::vector<Blob
 
 /// Guide lines drawn from an axis to the curve: exactly straight, alone, starting in the frame's left or
 /// lower edge. They stay followable (a curve may begin flat) but lose against a curve beside them.
-void weakenGuides(Grid& curveInk, const Box& frame, double strokeWidth) {
+void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
   constexpr float kWeak = 0.62F;
   const int clear = static_cast<int>(std::ceil(strokeWidth / 2)) + 2;
   const auto along = [&](bool row, int lane, int start, int end, int step, int shortest) {
@@ -467,7 +460,7 @@ void weakenGuides(Grid& curveInk, const Box& frame, double strokeWidth) {
 }
 
 /// Takes lettering out: ink wholly inside a box of read text, and rows of glyph-sized blobs.
-void fadeLettering(Grid& curveInk, const Grid& explained, float level, const std::vector<Box>& lettering,
+void fadeLettering(Plane& curveInk, const Plane& explained, float level, const std::vector<Box>& lettering,
                    double strokeWidth, const Box& frame) {
   const Components c = componentsOf(curveInk, 0.3F);
   std::vector<Blob> blobs(static_cast<std::size_t>(c.count));
@@ -500,7 +493,7 @@ void fadeLettering(Grid& curveInk, const Grid& explained, float level, const std
 
 }  // namespace
 
-std::vector<StraightLine> findStraightLines(const Plane& plane, const std::vector<double>& expectedColumns,
+std::vector<StraightLine> findStraightLines(const WorkPlane& plane, const std::vector<double>& expectedColumns,
                                             const std::vector<double>& expectedRows) {
   std::vector<StraightLine> lines;
   findAlong(plane, true, expectedColumns, lines);
@@ -508,19 +501,19 @@ std::vector<StraightLine> findStraightLines(const Plane& plane, const std::vecto
   return lines;
 }
 
-Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& lines,
+Structure explainStructure(const WorkPlane& plane, const std::vector<StraightLine>& lines,
                            const std::vector<Box>& lettering) {
   Structure s;
-  s.explained = Grid(plane.ink.width, plane.ink.height);
-  s.upright = Grid(plane.ink.width, plane.ink.height);
+  s.explained = Plane(plane.ink.width, plane.ink.height);
+  s.upright = Plane(plane.ink.width, plane.ink.height);
   for (const StraightLine& line : lines) {
     explainLine(plane, line, s.explained);
     const double edge = line.reach + 2.0;
     const bool inside = line.position > plane.frame.x0 + edge && line.position < plane.frame.x1 - edge;
     if (line.vertical && inside) explainLine(plane, line, s.upright);
   }
-  s.curveInk = Grid(plane.ink.width, plane.ink.height);
-  const Grid doubt = doubtOf(s.explained);
+  s.curveInk = Plane(plane.ink.width, plane.ink.height);
+  const Plane doubt = doubtOf(s.explained);
   for (std::size_t i = 0; i < s.curveInk.values.size(); ++i) {
     s.curveInk.values[i] = std::max(0.0F, plane.ink.values[i] - s.explained.values[i] - doubt.values[i]);
   }
@@ -535,7 +528,7 @@ Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& 
   cv::Mat paper = wrap(s.curveInk) < 0.35F;
   cv::Mat distance;
   cv::distanceTransform(paper, distance, cv::DIST_L2, 3);
-  s.gapDistance = Grid(plane.ink.width, plane.ink.height);
+  s.gapDistance = Plane(plane.ink.width, plane.ink.height);
   for (int y = 0; y < plane.ink.height; ++y) {
     const float* row = distance.ptr<float>(y);
     std::copy(row, row + plane.ink.width, &s.gapDistance.at(0, y));
@@ -543,10 +536,10 @@ Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& 
   return s;
 }
 
-Grid rewardOf(const Structure& s, const Plane& plane, const GapPrice& price) {
+Plane rewardOf(const Structure& s, const WorkPlane& plane, const GapPrice& price) {
   // Curves run along level gridlines (plateaus), but hardly ever up a vertical one: that way lead leaders.
   constexpr float kOnLevelLine = -0.5F, kOnUprightLine = -1.2F;
-  Grid reward(s.curveInk.width, s.curveInk.height);
+  Plane reward(s.curveInk.width, s.curveInk.height);
   for (int y = 0; y < reward.height; ++y) {
     for (int x = 0; x < reward.width; ++x) {
       const float d = std::min(s.gapDistance.at(x, y), 20.0F);
@@ -563,4 +556,4 @@ Grid rewardOf(const Structure& s, const Plane& plane, const GapPrice& price) {
   return reward;
 }
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

@@ -5,9 +5,9 @@
 
 #include <vector>
 
-#include "importer/trace/loop_plane.h"
+#include "importer/trace/work_plane.h"
 
-namespace detent::importer::loop {
+namespace detent::importer::trace {
 
 /// A line along a whole row or column of the plane, as it is drawn: solid or dashed, any darkness.
 struct StraightLine {
@@ -24,21 +24,21 @@ struct StraightLine {
 
 /// Lines that run across the frame. `expected` are positions known from the frame finder (plane px); they are
 /// looked for with less evidence than others. Curve walls are no such lines: they end at the knee.
-std::vector<StraightLine> findStraightLines(const Plane& plane, const std::vector<double>& expectedColumns,
+std::vector<StraightLine> findStraightLines(const WorkPlane& plane, const std::vector<double>& expectedColumns,
                                             const std::vector<double>& expectedRows);
 
 /// The ink with its straight lines explained away.
 struct Structure {
-  Grid explained;        ///< coverage the straight lines account for, where they are drawn
-  Grid upright;          ///< the part of it that vertical lines inside the frame account for
-  Grid curveInk;         ///< 0..1: what is left, in units of the curves' own darkness
-  Grid gapDistance;      ///< px to the nearest left-over ink that is no lettering
+  Plane explained;        ///< coverage the straight lines account for, where they are drawn
+  Plane upright;          ///< the part of it that vertical lines inside the frame account for
+  Plane curveInk;         ///< 0..1: what is left, in units of the curves' own darkness
+  Plane gapDistance;      ///< px to the nearest left-over ink that is no lettering
   float curveLevel = 1;  ///< coverage of the curves' ridge
   double strokeWidth_px = 1;
 };
 
 /// `lettering`: boxes of read text, plane px; ink wholly inside is no curve.
-Structure explainStructure(const Plane& plane, const std::vector<StraightLine>& lines,
+Structure explainStructure(const WorkPlane& plane, const std::vector<StraightLine>& lines,
                            const std::vector<Box>& lettering);
 
 /// What a pixel of paper costs on a path: so much, and more with the distance to the nearest ink.
@@ -49,6 +49,6 @@ struct GapPrice {
 
 /// Gain per pixel of path length: 1 on curve ink, below 0 on explained lines and on paper, so that short gaps
 /// are cheap and leaps to other ink are not.
-Grid rewardOf(const Structure& structure, const Plane& plane, const GapPrice& price);
+Plane rewardOf(const Structure& structure, const WorkPlane& plane, const GapPrice& price);
 
-}  // namespace detent::importer::loop
+}  // namespace detent::importer::trace

@@ -37,10 +37,8 @@ constexpr double facing_deg = 25;  // ends on both sides of a gap look at each o
 constexpr double leastCover = 0.35;  // of the plot's width, for a stroke
 constexpr double leastOwn = 0.15;    // not shared with earlier ones
 
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
 double angleBetween_deg(Point a, Point b) {
-  return std::abs(std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y)) * 180 / std::numbers::pi;
+  return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
 }
 
 /// Ends of pieces by place, so that thousands of letters' strokes cost nothing.
@@ -82,9 +80,8 @@ std::optional<Touch> touchInside(const std::vector<Point>& line, Point p, double
   double bestDistance = reach;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const Point a = line[i - 1], b = line[i];
-    const double dx = b.x - a.x, dy = b.y - a.y, squared = dx * dx + dy * dy;
-    const double t = squared > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / squared, 0.0, 1.0) : 0;
-    const Point foot{a.x + t * dx, a.y + t * dy};
+    const double t = footOn(a, b, p);
+    const Point foot = a + t * (b - a);
     const double d = distance(foot, p);
     if (d <= bestDistance) {
       bestDistance = d;
@@ -92,32 +89,6 @@ std::optional<Touch> touchInside(const std::vector<Point>& line, Point p, double
     }
   }
   return best;
-}
-
-struct Extent {
-  double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
-Extent extentOf(const std::vector<Point>& line, double grow) {
-  Extent e{line[0].x, line[0].y, line[0].x, line[0].y};
-  for (const Point& p : line)
-    e = {std::min(e.x0, p.x), std::min(e.y0, p.y), std::max(e.x1, p.x), std::max(e.y1, p.y)};
-  return {e.x0 - grow, e.y0 - grow, e.x1 + grow, e.y1 + grow};
-}
-
-/// Points on the line, no farther apart than `step`.
-std::vector<Point> spacedAlong(const std::vector<Point>& line, double step) {
-  std::vector<Point> points{line.front()};
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const double length = distance(line[i - 1], line[i]);
-    const int parts = std::max(1, static_cast<int>(std::ceil(length / step)));
-    for (int k = 1; k <= parts; ++k) {
-      const double t = static_cast<double>(k) / parts;
-      points.push_back(
-          {line[i - 1].x + t * (line[i].x - line[i - 1].x), line[i - 1].y + t * (line[i].y - line[i - 1].y)});
-    }
-  }
-  return points;
 }
 
 /// The line cut at its touches, which are sorted here.
@@ -169,11 +140,12 @@ void PieceNetwork::cutAtTouches() {
     const bool wall = line.axisParallel && !line.onGridLine &&
                       std::abs(line.points.back().x - line.points.front().x) <= line.width_px;
     if ((line.axisParallel && !wall) || line.small) continue;
-    const Extent extent = extentOf(line.points, 0.006 * plane_.diagonal());
+    const double reach = 0.006 * plane_.diagonal();
+    const Box extent = boundsOf(line.points).grown(reach, reach);
     for (const std::size_t cutter : cutters) {
       if (cutter == target || (wall ? pieces_[cutter].axisParallel : pieces_[cutter].small)) continue;
       for (const Point& end : {pieces_[cutter].points.front(), pieces_[cutter].points.back()}) {
-        if (end.x < extent.x0 || end.x > extent.x1 || end.y < extent.y0 || end.y > extent.y1) continue;
+        if (!extent.contains(end)) continue;
         if (const auto touch = touchInside(line.points, end, touchDistance(line, pieces_[cutter])))
           touches[target].push_back(*touch);
       }
@@ -206,7 +178,7 @@ Point PieceNetwork::outwardDirection(std::size_t piece, bool atEnd) const {
   const Point end = endOf(piece, atEnd);
   for (std::size_t i = 1; i < n; ++i) {
     const Point p = atEnd ? line[n - 1 - i] : line[i];
-    if (distance(p, end) >= stretch || i + 1 == n) return {end.x - p.x, end.y - p.y};
+    if (distance(p, end) >= stretch || i + 1 == n) return end - p;
   }
   return {1, 0};
 }
@@ -244,11 +216,11 @@ void PieceNetwork::bridgeGaps() {
     const Point here = endOf(id / 2, id % 2 == 1), direction = outwardDirection(id / 2, id % 2 == 1);
     grid.around(here, [&](std::size_t other) {
       if (other / 2 == id / 2) return;
-      const Point there = endOf(other / 2, other % 2 == 1), away{there.x - here.x, there.y - here.y};
-      const double gap = std::hypot(away.x, away.y);
+      const Point away = endOf(other / 2, other % 2 == 1) - here;
+      const double gap = norm(away);
       const Point back = outwardDirection(other / 2, other % 2 == 1);
       const bool facing = angleBetween_deg(direction, away) <= facing_deg &&
-                          angleBetween_deg(back, {-away.x, -away.y}) <= facing_deg;
+                          angleBetween_deg(back, -1.0 * away) <= facing_deg;
       if (gap > reach || (!facing && gap > nearlyTouching * plane_.diagonal())) return;
       links_[id].push_back({other / 2, other % 2 == 1, gap / plane_.diagonal()});
     });
@@ -257,7 +229,7 @@ void PieceNetwork::bridgeGaps() {
 
 double PieceNetwork::joinCost(std::size_t from, bool fromEnd, const Link& link) const {
   const Point out = outwardDirection(from, fromEnd), next = outwardDirection(link.piece, link.atEnd);
-  const double turn = angleBetween_deg(out, {-next.x, -next.y});
+  const double turn = angleBetween_deg(out, -1.0 * next);
   if (turn > sharpestTurn_deg) return std::numeric_limits<double>::infinity();
   const double widths = std::abs(std::log2(pieces_[from].width_px / pieces_[link.piece].width_px));
   return anyJoin + rightAngle * (turn / 90) * (turn / 90) + gapPerDiagonal * link.gap +
@@ -429,7 +401,7 @@ double PieceNetwork::unusedLength() const {
   const double step = 0.004 * plane_.diagonal();
   for (std::size_t i = 0; i < pieces_.size(); ++i)
     if (used_[i] > 0)
-      for (const Point& p : spacedAlong(pieces_[i].points, step)) {
+      for (const Point& p : densified(pieces_[i].points, step)) {
         taken.add(p, places.size());
         places.push_back(p);
       }
@@ -439,7 +411,7 @@ double PieceNetwork::unusedLength() const {
     if (used_[i] > 0 || piece.axisParallel || piece.small || piece.points.size() < 3) continue;
     const double length = lengthOf(piece.points);
     if (distance(piece.points.front(), piece.points.back()) > straightChord * length) continue;
-    const std::vector<Point> along = spacedAlong(piece.points, step);
+    const std::vector<Point> along = densified(piece.points, step);
     std::size_t fresh = 0;
     for (const Point& p : along) {
       bool near = false;

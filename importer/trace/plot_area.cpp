@@ -8,18 +8,13 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 namespace {
 
 constexpr double kSkewKept_px = 1.5;  // a frame less skewed than this is cropped: resampling would cost more
 constexpr double kMaxPixels =
     2.2e6;  // larger areas are shrunk by a whole factor: their lines are thick enough
-
-Point apply(const std::array<double, 9>& m, Point p) {
-  const double w = m[6] * p.x + m[7] * p.y + m[8];
-  return {(m[0] * p.x + m[1] * p.y + m[2]) / w, (m[3] * p.x + m[4] * p.y + m[5]) / w};
-}
 
 double skewOf(const PlotFrame& frame) {
   const auto& c = frame.corners;
@@ -66,7 +61,7 @@ PlotArea cropped(const Raster& view, const Box& frame) {
   if (x1 - x0 + 1 < factor || y1 - y0 + 1 < factor) return area;
   area.raster = shrunk(view, x0, y0, (x1 - x0 + 1) / factor, (y1 - y0 + 1) / factor, factor);
   const double half = 0.5 * (factor - 1), f = factor;
-  area.toViewMap = {f, 0, x0 + half, 0, f, y0 + half, 0, 0, 1};
+  area.toView = {{f, 0, x0 + half, 0, f, y0 + half, 0, 0, 1}};
   area.frame = {(frame.x0 - x0 - half) / f, (frame.y0 - y0 - half) / f, (frame.x1 - x0 - half) / f,
                 (frame.y1 - y0 - half) / f};
   return area;
@@ -74,9 +69,8 @@ PlotArea cropped(const Raster& view, const Box& frame) {
 
 PlotArea warped(const Raster& view, const PlotFrame& frame) {
   const auto& c = frame.corners;
-  const auto length = [](Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); };
-  const double width = std::max(length(c[0], c[1]), length(c[3], c[2]));
-  const double height = std::max(length(c[0], c[3]), length(c[1], c[2]));
+  const double width = std::max(distance(c[0], c[1]), distance(c[3], c[2]));
+  const double height = std::max(distance(c[0], c[3]), distance(c[1], c[2]));
   PlotArea area;
   if (!(width >= 1 && height >= 1 && width < 32768 && height < 32768)) return area;
   const double m = PlotArea::marginPx;
@@ -88,7 +82,7 @@ PlotArea warped(const Raster& view, const PlotFrame& frame) {
   cv::Point2f to[4];
   for (std::size_t i = 0; i < 4; ++i) to[i] = {static_cast<float>(c[i].x), static_cast<float>(c[i].y)};
   const cv::Mat map = cv::getPerspectiveTransform(from, to);
-  for (int i = 0; i < 9; ++i) area.toViewMap[static_cast<std::size_t>(i)] = map.at<double>(i / 3, i % 3);
+  for (int i = 0; i < 9; ++i) area.toView.m[static_cast<std::size_t>(i)] = map.at<double>(i / 3, i % 3);
   area.raster.width_px = static_cast<int>(std::ceil(width + 2 * m)) + 1;
   area.raster.height_px = static_cast<int>(std::ceil(height + 2 * m)) + 1;
   area.raster.rgb.resize(3 * static_cast<std::size_t>(area.raster.width_px) *
@@ -98,6 +92,34 @@ PlotArea warped(const Raster& view, const PlotFrame& frame) {
   cv::warpPerspective(source, target, map, target.size(), cv::INTER_LINEAR | cv::WARP_INVERSE_MAP,
                       cv::BORDER_REPLICATE);
   return area;
+}
+
+Mask maskOf(const std::vector<Box>& masks_px, const PlotArea& area) {
+  if (masks_px.empty()) return {};
+  const int width = area.raster.width_px, height = area.raster.height_px;
+  Mask mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
+  for (const Box& given : masks_px) {
+    const Box box = area.fromView.boxOf(given);
+    for (int y = std::max(0, static_cast<int>(box.y0)); y <= std::min(height - 1, static_cast<int>(box.y1));
+         ++y)
+      for (int x = std::max(0, static_cast<int>(box.x0)); x <= std::min(width - 1, static_cast<int>(box.x1));
+           ++x)
+        mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] = 1;
+  }
+  return mask;
+}
+
+std::vector<double> linePositions(const std::vector<GridLine>& lines, const PlotArea& area, bool vertical) {
+  std::vector<double> positions = vertical ? std::vector<double>{area.frame.x0, area.frame.x1}
+                                           : std::vector<double>{area.frame.y0, area.frame.y1};
+  const Point corner = area.toView({area.frame.x0, area.frame.y1});
+  for (const GridLine& line : lines) {
+    if (!line.spansFrame) continue;
+    const Point p =
+        area.fromView(vertical ? Point{line.position_px, corner.y} : Point{corner.x, line.position_px});
+    positions.push_back(vertical ? p.x : p.y);
+  }
+  return positions;
 }
 
 }  // namespace
@@ -111,20 +133,18 @@ float Plane::sample(double x, double y) const {
   return top * (1 - fy) + bottom * fy;
 }
 
-Point PlotArea::toView(Point area_px) const { return apply(toViewMap, area_px); }
-
-Point PlotArea::fromView(Point view_px) const {
-  const auto& m = toViewMap;
-  const std::array<double, 9> inverse = {
-      m[4] * m[8] - m[5] * m[7], m[2] * m[7] - m[1] * m[8], m[1] * m[5] - m[2] * m[4],
-      m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6], m[2] * m[3] - m[0] * m[5],
-      m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7], m[0] * m[4] - m[1] * m[3]};
-  return apply(inverse, view_px);
-}
-
-PlotArea makePlotArea(const Raster& view, const PlotFrame& frame) {
+PlotArea makePlotArea(const Raster& view, const PlotFrame& frame, const std::vector<SeenText>& texts,
+                      const std::vector<Box>& masks_px) {
   if (view.empty()) return {};
-  return skewOf(frame) <= kSkewKept_px ? cropped(view, frame.box()) : warped(view, frame);
+  PlotArea area = skewOf(frame) <= kSkewKept_px ? cropped(view, frame.box()) : warped(view, frame);
+  if (area.raster.empty()) return area;
+  area.fromView = area.toView.inverse();
+  area.columns_px = linePositions(frame.xLines, area, true);
+  area.rows_px = linePositions(frame.yLines, area, false);
+  for (const SeenText& text : texts)
+    if (const Box box = area.fromView.boxOf(text.box); box.touches(area.frame)) area.words.push_back(box);
+  area.masked = maskOf(masks_px, area);
+  return area;
 }
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

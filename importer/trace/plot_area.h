@@ -2,16 +2,15 @@
 #pragma once
 // The part of the view in which curves are drawn, upright: rows run along the displacement axis, columns
 // along the force axis. An axis-parallel frame is cropped (and, if huge, shrunk by a whole factor); any other
-// is warped. Everything about differently coloured curves happens on it; `toView` brings results back to the
-// view's pixels.
+// is warped. All tracing of pixels happens on it, with what earlier steps know of it: where its lines and its
+// words stand and what the user masked; `toView` brings results back to the view's pixels.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
-#include "importer/frame/plot_frame.h"
+#include "importer/axes/axis_calibration.h"
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 /// Row-major values, one per pixel of a plot area.
 struct Plane {
@@ -29,21 +28,30 @@ struct Plane {
   float at(int x, int y) const { return values[index(x, y)]; }
   /// Bilinear; 0 outside.
   float sample(double x, double y) const;
+  float sample(Point p) const { return sample(p.x, p.y); }
 };
+
+/// One byte per pixel of the area; what the bits mean is said by the name that holds it.
+using Mask = std::vector<std::uint8_t>;
 
 /// Pixels of the plot area with a margin of `marginPx` around the frame.
 struct PlotArea {
   static constexpr int marginPx = 4;
 
   Raster raster;
-  Box frame;                        ///< the frame's edges in area pixels
-  std::array<double, 9> toViewMap;  ///< homography, area px -> view px, row-major
+  Box frame;                    ///< the frame's edges in area pixels
+  Homography toView, fromView;  ///< area px -> view px and back
+  std::vector<double> columns_px, rows_px;  ///< the frame's edges and the gridlines known, area px
+  std::vector<Box> words;                   ///< texts read before that meet the frame, area px
+  Mask masked;                              ///< 1 where the user wants nothing looked for; empty if nowhere
 
-  Point toView(Point area_px) const;
-  Point fromView(Point view_px) const;
+  std::size_t pixels() const {
+    return static_cast<std::size_t>(raster.width_px) * static_cast<std::size_t>(raster.height_px);
+  }
 };
 
-/// Empty raster if the frame lies outside the view or has no area.
-PlotArea makePlotArea(const Raster& view, const PlotFrame& frame);
+/// Empty raster if the frame lies outside the view or has no area. `masks_px`: view pixels.
+PlotArea makePlotArea(const Raster& view, const PlotFrame& frame, const std::vector<SeenText>& texts = {},
+                      const std::vector<Box>& masks_px = {});
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

@@ -7,7 +7,7 @@
 
 #include <opencv2/imgproc.hpp>
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 namespace {
 
@@ -105,10 +105,6 @@ bool standInOneRow(const Box& left, const Box& right) {
          gap <= 0.8 * tall && gap >= -0.5 * small;
 }
 
-Box joined(const Box& a, const Box& b) {
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
-
 /// Chains letters from left to right. Three in a row are text; fewer may be anything.
 std::vector<std::vector<std::size_t>> letterRows(const std::vector<Piece>& pieces,
                                                  const std::vector<std::size_t>& order) {
@@ -129,9 +125,8 @@ std::vector<std::vector<std::size_t>> letterRows(const std::vector<Piece>& piece
 }
 
 bool mostlyInside(const Box& piece, const Box& word) {
-  const double w = overlap(piece.x0, piece.x1, word.x0, word.x1),
-               h = overlap(piece.y0, piece.y1, word.y0, word.y1);
-  return w > 0 && h > 0 && w * h >= 0.8 * piece.width() * piece.height();
+  const Box common = piece.common(word);
+  return !common.empty() && common.area() >= 0.8 * piece.area();
 }
 
 /// Marks letters among the pieces darker than `threshold` on `mask` and adds their rows.
@@ -158,7 +153,7 @@ void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const
     for (std::size_t i : row) {
       isLetter[i] = 1;
       found.letters.push_back(pieces.all[i].box);
-      found.box = joined(found.box, pieces.all[i].box);
+      found.box = found.box.joined(pieces.all[i].box);
     }
     rows.push_back(std::move(found));
   }
@@ -180,15 +175,15 @@ void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const
 
 }  // namespace
 
-PlotText findText(const PlotArea& area, const Backdrop& backdrop, const std::vector<Box>& words) {
+PlotText findText(const PlotArea& area, const Backdrop& backdrop) {
   PlotText text;
   const cv::Mat contrast = contrastOf(area, backdrop);
   const int faint = std::max(14, static_cast<int>(0.6F * inkThreshold(backdrop)));
   const int strong = strongContrast(contrast, faint) / 2;
   std::vector<Box> grown;
-  for (const Box& word : words) {
+  for (const Box& word : area.words) {
     text.rows.push_back({word, {}});
-    grown.push_back({word.x0 - 1.5, word.y0 - 1.5, word.x1 + 1.5, word.y1 + 1.5});
+    grown.push_back(word.grown(1.5, 1.5));
   }
   cv::Mat mask(contrast.size(), CV_8U, cv::Scalar(0));
   // Letters of faint text show only at a low threshold; those of strong text hang together there by their
@@ -216,9 +211,9 @@ std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const Plot
       const Box& box = pieces.all[i].box;
       if (box.width() > 0.25 * area.frame.width() || pieces.all[i].area < 4) continue;
       for (const TextRow& row : text.rows) {
-        const double height = row.box.height(), middle = 0.5 * (row.box.y0 + row.box.y1);
+        const double height = row.box.height();
         const double gap = std::max(box.x0 - row.box.x1, row.box.x0 - box.x1);
-        const bool level = std::abs(0.5 * (box.y0 + box.y1) - middle) <= 0.4 * height;
+        const bool level = std::abs(box.middle().y - row.box.middle().y) <= 0.4 * height;
         const bool shaped =
             box.height() <= 1.1 * height && box.width() >= 1.5 * box.height() && box.width() >= 0.6 * height;
         if (level && shaped && gap > -1 && gap <= 1.8 * height) {
@@ -237,18 +232,17 @@ std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples) {
     // Entries stand one below the other about two letter heights apart; the box is drawn around them with a
     // margin.
     const double margin = 0.9 * sample.text.height();
-    const Box entry = joined(sample.box, sample.text);
-    const Box grown{entry.x0 - margin, entry.y0 - margin, entry.x1 + margin, entry.y1 + margin};
+    const Box entry = sample.box.joined(sample.text);
+    const Box grown = entry.grown(margin, margin);
     const auto home = std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) {
-      return overlap(box.x0, box.x1, grown.x0, grown.x1) > 0 &&
-             overlap(box.y0, box.y1, grown.y0, grown.y1) > 0;
+      return box.touches(grown);
     });
     if (home == boxes.end())
       boxes.push_back(grown);
     else
-      *home = joined(*home, grown);
+      *home = home->joined(grown);
   }
   return boxes;
 }
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

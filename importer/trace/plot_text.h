@@ -6,7 +6,7 @@
 
 #include "importer/trace/ink_coverage.h"
 
-namespace detent::importer::inks {
+namespace detent::importer::trace {
 
 /// A row of letters, or a word known from elsewhere, in area pixels.
 struct TextRow {
@@ -19,9 +19,9 @@ struct PlotText {
   Mask mask;  ///< 1 on letters and two pixels around them
 };
 
-/// Letters are told from curves by shape: small pieces, tall against their stroke, standing in rows. `words`:
-/// boxes of words already read, area pixels; pieces that lie inside one are letters whatever their shape.
-PlotText findText(const PlotArea& area, const Backdrop& backdrop, const std::vector<Box>& words);
+/// Letters are told from curves by shape: small pieces, tall against their stroke, standing in rows. Pieces inside
+/// a word already read are letters whatever their shape.
+PlotText findText(const PlotArea& area, const Backdrop& backdrop);
 
 /// A legend's sample line: a short level piece of one ink, alone, beside a text row.
 struct LegendSample {
@@ -36,4 +36,4 @@ std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples);
 std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const PlotText& text,
                                             const PlotArea& area);
 
-}  // namespace detent::importer::inks
+}  // namespace detent::importer::trace

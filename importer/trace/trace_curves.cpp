@@ -18,7 +18,7 @@ namespace detent::importer {
 
 namespace {
 
-using namespace inks;
+using namespace trace;
 
 constexpr double kCredibleLoop = 0.5;    // below: another ink may hold the curves
 constexpr double kSameInkAngle = 0.985;  // cosine between a given colour and an ink found
@@ -33,50 +33,6 @@ Failure noCurve(const std::string& why) {
 Rgb rgbOf(Color3 c) {
   const auto level = [](float v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5F, 0.0F, 255.0F)); };
   return {level(c.r), level(c.g), level(c.b)};
-}
-
-Box boxInArea(const Box& view, const PlotArea& area) {
-  const Point a = area.fromView({view.x0, view.y0}), b = area.fromView({view.x1, view.y1});
-  return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
-}
-
-bool meets(const Box& a, const Box& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1; }
-
-std::vector<Box> wordsInside(const AxesFound& axes, const PlotArea& area) {
-  std::vector<Box> words;
-  for (const SeenText& text : axes.texts) {
-    const Box box = boxInArea(text.box, area);
-    if (meets(box, area.frame)) words.push_back(box);
-  }
-  return words;
-}
-
-Mask maskOf(const std::vector<Box>& masks_px, const PlotArea& area) {
-  if (masks_px.empty()) return {};
-  const int width = area.raster.width_px, height = area.raster.height_px;
-  Mask mask(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-  for (const Box& given : masks_px) {
-    const Box box = boxInArea(given, area);
-    for (int y = std::max(0, static_cast<int>(box.y0)); y <= std::min(height - 1, static_cast<int>(box.y1));
-         ++y)
-      for (int x = std::max(0, static_cast<int>(box.x0)); x <= std::min(width - 1, static_cast<int>(box.x1));
-           ++x)
-        mask[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)] = 1;
-  }
-  return mask;
-}
-
-std::vector<double> linePositions(const std::vector<GridLine>& lines, const PlotArea& area, bool vertical) {
-  std::vector<double> positions = vertical ? std::vector<double>{area.frame.x0, area.frame.x1}
-                                           : std::vector<double>{area.frame.y0, area.frame.y1};
-  const Point corner = area.toView({area.frame.x0, area.frame.y1});
-  for (const GridLine& line : lines) {
-    if (!line.spansFrame) continue;
-    const Point p =
-        area.fromView(vertical ? Point{line.position_px, corner.y} : Point{corner.x, line.position_px});
-    positions.push_back(vertical ? p.x : p.y);
-  }
-  return positions;
 }
 
 /// Inks the user named, as indices into the palette; -1: not named.
@@ -132,10 +88,10 @@ class ColouredCurves {
     for (std::size_t i = 0; i < line.points.size(); ++i) {
       const Point p = plot_.area.toView(line.points[i]);
       const bool end = i == 0 || i + 1 == line.points.size();
-      if (!end && std::hypot(p.x - last.x, p.y - last.y) < 0.95 * options_.pointSpacing_px) continue;
+      if (!end && distance(p, last) < 0.95 * options_.pointSpacing_px) continue;
       trace.points_px.push_back(p);
       const Point q = plot_.area.toView({line.points[i].x + 1, line.points[i].y});
-      trace.width_px.push_back(line.profile.width_px * std::hypot(q.x - p.x, q.y - p.y));
+      trace.width_px.push_back(line.profile.width_px * distance(p, q));
       last = p;
     }
     return trace;
@@ -145,23 +101,15 @@ class ColouredCurves {
   const TraceOptions& options_;
 };
 
-/// The whole view as coverage by one ink, for curves that share it with each other and perhaps with grid and
-/// text.
-InkLayer inkLayer(const Raster& raster, const PlotArea& area, const Backdrop& backdrop, const Ink& ink,
-                  const std::vector<Ink>& palette, bool neutral) {
-  InkLayer layer;
-  layer.width_px = raster.width_px;
-  layer.height_px = raster.height_px;
-  layer.paper = rgbOf(backdrop.paper());
-  layer.color = rgbOf(backdrop.paper() + ink.difference());
-  layer.coverage.resize(static_cast<std::size_t>(raster.width_px) *
-                        static_cast<std::size_t>(raster.height_px));
+/// The area as coverage by one ink, for curves that share it with each other and perhaps with grid and text.
+Plane coverageBy(const Ink& ink, bool neutral, const PlotArea& area, const Backdrop& backdrop,
+                 const std::vector<Ink>& palette) {
+  Plane coverage(area.raster.width_px, area.raster.height_px);
   const float floor = std::max(4.0F, 3 * backdrop.noise());
-  for (int y = 0; y < raster.height_px; ++y)
-    for (int x = 0; x < raster.width_px; ++x) {
-      const Point p = area.fromView({static_cast<double>(x), static_cast<double>(y)});
-      const Color3 difference = colorAt(raster, x, y) - backdrop.paperAt(static_cast<int>(std::lround(p.x)),
-                                                                         static_cast<int>(std::lround(p.y)));
+  for (int y = 0; y < coverage.height; ++y)
+    for (int x = 0; x < coverage.width; ++x) {
+      if (!area.masked.empty() && area.masked[coverage.index(x, y)]) continue;
+      const Color3 difference = colorAt(area.raster, x, y) - backdrop.paperAt(x, y);
       const float length = norm(difference);
       if (length < floor) continue;
       float own = dot(difference, ink.direction) / ink.strength;
@@ -175,10 +123,9 @@ InkLayer inkLayer(const Raster& raster, const PlotArea& area, const Backdrop& ba
         const float fit = dot(difference, ink.direction) / length;
         if (bestOther > fit) own *= std::max(0.0F, 1 - 8 * (bestOther - fit));
       }
-      layer.coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(raster.width_px) +
-                     static_cast<std::size_t>(x)] = std::clamp(own, 0.0F, 1.0F);
+      coverage.at(x, y) = std::clamp(own, 0.0F, 1.0F);
     }
-  return layer;
+  return coverage;
 }
 
 /// The ink of everything that is not coloured: away from the paper, towards the darkest (on dark paper:
@@ -209,7 +156,7 @@ struct InkSeen {
 std::vector<InkSeen> lookBeside(const Box& word, int direction, const std::vector<Ink>& inks,
                                 const Raster& raster, const Backdrop& backdrop) {
   constexpr double kGap = 0.15, kLength = 6, kBand = 0.4, kAround = 0.9;  // in letter heights
-  const double height = word.height(), middle = 0.5 * (word.y0 + word.y1);
+  const double height = word.height(), middle = word.middle().y;
   const double near = direction < 0 ? word.x0 - kGap * height : word.x1 + kGap * height;
   const double far = near + direction * kLength * height;
   const int x0 = std::max(0, static_cast<int>(std::min(near, far)));
@@ -290,32 +237,28 @@ std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenInks& given) {
   return curves;
 }
 
-Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView& view,
-                                            const PlotFrame& frame, const AxesFound& axes,
+Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView& view, const AxesFound& axes,
                                             const TraceHints& hints, const TraceOptions& options,
                                             const Progress& progress) {
-  const Backdrop backdrop = Backdrop::measure(area, linePositions(frame.xLines, area, true),
-                                              linePositions(frame.yLines, area, false));
+  const Backdrop backdrop = Backdrop::measure(area);
   if (progress.isCancelled()) return cancelled();
-  const PlotText text = findText(area, backdrop, wordsInside(axes, area));
-  const Mask masked = maskOf(hints.masks_px, area);
-  std::vector<Ink> palette = findInks(area, backdrop, either(text.mask, masked));
+  const PlotText text = findText(area, backdrop);
+  std::vector<Ink> palette = findInks(area, backdrop, either(text.mask, area.masked));
   addLetterInk(palette, area, backdrop, text.mask);
   const GivenInks given = addGivenInks(palette, hints, backdrop);
   if (palette.empty()) return noCurve("is empty: nothing but paper and grid lines in it");
   if (progress.isCancelled()) return cancelled();
 
   const Coverage coverage = unmix(area, backdrop, palette);
-  const PlotInks plot{area,  backdrop, palette, coverage, text, findLegendSamples(coverage, text, area),
-                      masked};
+  const PlotInks plot{area, backdrop, palette, coverage, text, findLegendSamples(coverage, text, area)};
   std::vector<CurveInk> curves = findCurves(plot, given);
   if (given.any() && curves.empty()) return noCurve("shows no line in the colours given");
   if (progress.isCancelled()) return cancelled();
   const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrand;
   if (curves.empty() || oneInkBothStrokes) {
     const auto loopIn = [&](const Ink& ink, bool neutral) {
-      return traceLoop(inkLayer(view.raster, area, backdrop, ink, palette, neutral), frame, axes, hints,
-                       options, progress);
+      return traceLoop(area, coverageBy(ink, neutral, area, backdrop, palette),
+                       rgbOf(backdrop.paper() + ink.difference()), options, progress);
     };
     if (curves.empty()) return loopIn(darkness(plot), true);
     Result<std::vector<CurveTrace>> loop =
@@ -331,8 +274,7 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
   const std::vector<Ink> finalPalette = reducedPalette(plot, curves);
   const Coverage finalCoverage = unmix(area, backdrop, finalPalette);
   const PlotInks finalPlot{area,          backdrop, finalPalette,
-                           finalCoverage, text,     findLegendSamples(finalCoverage, text, area),
-                           masked};
+                           finalCoverage, text,     findLegendSamples(finalCoverage, text, area)};
   std::vector<CurveTrace> traces = ColouredCurves(finalPlot, options).trace(curves);
   nameGivenStrokes(traces, chosen, given);
   labelTraces(traces, axes, view.raster, backdrop);
@@ -348,9 +290,9 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
     return Failure{FailureCode::wrongUsage, "point spacing", "", "must lie in (0, 16] px", "leave it at 1"};
   std::vector<CurveTrace> exact = traceVector(view, frame, axes, hints);
   if (!exact.empty()) return exact;
-  const PlotArea area = makePlotArea(view.raster, frame);
+  const PlotArea area = makePlotArea(view.raster, frame, axes.texts, hints.masks_px);
   if (area.raster.empty()) return noCurve("lies outside the picture or has no area");
-  return traceRaster(area, view, frame, axes, hints, options, progress);
+  return traceRaster(area, view, axes, hints, options, progress);
 }
 
 }  // namespace detent::importer

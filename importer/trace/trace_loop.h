@@ -4,14 +4,13 @@
 // and text of the same ink. Both strokes are followed at once, globally.
 
 #include "importer/trace/curve_trace.h"
-#include "importer/trace/ink_layer.h"
+#include "importer/trace/plot_area.h"
 
-namespace detent::importer {
+namespace detent::importer::trace {
 
-/// Gives one trace (press only) or two, each with its `stroke`. Failure noForceGraph / notCertain as
-/// traceCurves.
-Result<std::vector<CurveTrace>> traceLoop(const InkLayer& ink, const PlotFrame& frame, const AxesFound& axes,
-                                          const TraceHints& hints = {}, const TraceOptions& options = {},
-                                          const Progress& progress = {});
+/// `ink`: coverage of the area by the curves' ink, grid, frame and text of the same ink still in it. Gives one
+/// trace (press only) or two, each with its `stroke`. Failure noForceGraph / notCertain as traceCurves.
+Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink, Rgb color,
+                                          const TraceOptions& options = {}, const Progress& progress = {});
 
-}  // namespace detent::importer
+}  // namespace detent::importer::trace

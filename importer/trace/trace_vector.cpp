@@ -88,17 +88,14 @@ std::vector<LegendSample> legendSamples(const PageView& view, const PlotPlane& p
   for (const VectorPath& path : view.paths) {
     if (!path.stroke) continue;
     for (const auto& line : path.polylines) {
-      const auto [left, right] =
-          std::minmax_element(line.begin(), line.end(), [](Point a, Point b) { return a.x < b.x; });
-      const auto [top, bottom] =
-          std::minmax_element(line.begin(), line.end(), [](Point a, Point b) { return a.y < b.y; });
-      const double length = right->x - left->x;
-      if (length < shortest || length > longest || bottom->y - top->y > 0.1) continue;
+      if (line.empty()) continue;
+      const Box box = boundsOf(line);
+      if (box.width() < shortest || box.width() > longest || box.height() > 0.1) continue;
       const auto atEdge = [&](double x) {
         return std::abs(x - plane.box.x0) < tickReach_px || std::abs(x - plane.box.x1) < tickReach_px;
       };
-      if (atEdge(left->x) || atEdge(right->x)) continue;  // a tick
-      samples.push_back({{left->x, top->y, right->x, bottom->y}, {*path.stroke, path.dashed}});
+      if (atEdge(box.x0) || atEdge(box.x1)) continue;  // a tick
+      samples.push_back({box, {*path.stroke, path.dashed}});
     }
   }
   return samples;
@@ -112,7 +109,7 @@ std::string legendWords(const std::vector<LegendSample>& samples, const LineStyl
   for (const LegendSample& sample : samples) {
     if (colorDistance(sample.style.color, style.color) > 6 || sample.style.dashed != style.dashed) continue;
     for (const SeenText& text : texts) {
-      const double height = text.box.height(), middle = (text.box.y0 + text.box.y1) / 2;
+      const double height = text.box.height(), middle = text.box.middle().y;
       if (std::abs(text.angle_deg) > 1 || std::abs(middle - sample.box.y0) > 0.6 * height) continue;
       const double gap = std::max(text.box.x0 - sample.box.x1, sample.box.x0 - text.box.x1);
       if (gap < -height || gap > 3 * height || std::abs(gap) >= nearest) continue;

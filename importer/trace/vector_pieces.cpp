@@ -10,22 +10,11 @@
 namespace detent::importer {
 namespace {
 
-using Polyline = std::vector<Point>;
-
 constexpr double overshoot = 0.04;    // of the plot's size; how far a curve may leave the frame
 constexpr double turnRound = 0.05;    // of the plot's width; shorter returns are wiggles
 constexpr double letterSize = 0.025;  // of the plot's diagonal
 constexpr double outlinedLetterSize = 0.06;
 constexpr double shortestFoldArm = 0.01;  // of the plot's diagonal
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-Polyline withoutRepeats(const Polyline& line) {
-  Polyline out;
-  for (const Point& p : line)
-    if (out.empty() || distance(out.back(), p) > 1e-9) out.push_back(p);
-  return out;
-}
 
 /// The parts of the line outside the box.
 std::vector<Polyline> cutOut(const Polyline& line, const Box& box) {
@@ -82,24 +71,16 @@ std::vector<Polyline> cutAtFolds(const Polyline& line, double leastArm_px) {
   std::vector<Polyline> parts;
   std::size_t begin = 0;
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
-    const Point in{line[i].x - line[i - 1].x, line[i].y - line[i - 1].y};
-    const Point out{line[i + 1].x - line[i].x, line[i + 1].y - line[i].y};
-    const double inLength = std::hypot(in.x, in.y), outLength = std::hypot(out.x, out.y);
+    const Point in = line[i] - line[i - 1], out = line[i + 1] - line[i];
+    const double inLength = norm(in), outLength = norm(out);
     if (inLength < leastArm_px || outLength < leastArm_px) continue;
-    if (in.x * out.x + in.y * out.y > foldCosine * inLength * outLength) continue;
+    if (dot(in, out) > foldCosine * inLength * outLength) continue;
     parts.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin),
                        line.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     begin = i;
   }
   parts.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end());
   return parts;
-}
-
-Box boundsOf(const Polyline& line) {
-  Box box{line[0].x, line[0].y, line[0].x, line[0].y};
-  for (const Point& p : line)
-    box = {std::min(box.x0, p.x), std::min(box.y0, p.y), std::max(box.x1, p.x), std::max(box.y1, p.y)};
-  return box;
 }
 
 /// Frames, legend boxes, text backgrounds, grids drawn as one long line: nothing but long level and plumb
@@ -119,15 +100,11 @@ bool nearAny(const std::vector<double>& positions, double at, double tolerance) 
                      [&](double p) { return std::abs(p - at) <= tolerance; });
 }
 
-Box grown(const Box& box, double dx, double dy) {
-  return {box.x0 - dx, box.y0 - dy, box.x1 + dx, box.y1 + dy};
-}
-
 /// Turns whole polylines into pieces.
 class PieceMaker {
  public:
   PieceMaker(const PlotPlane& plane, const std::vector<Box>& masks) : plane_(plane), masks_(masks) {
-    region_ = grown(plane.box, overshoot * plane.box.width(), overshoot * plane.box.height());
+    region_ = plane.box.grown(overshoot * plane.box.width(), overshoot * plane.box.height());
   }
 
   void add(const Polyline& whole, bool closed, const VectorPath& path, double width_px, Rgb color) {
@@ -143,9 +120,7 @@ class PieceMaker {
         !isStraight(line, tolerance))
       return;
     Box window = region_;
-    if (path.clip)
-      window = {std::max(window.x0, path.clip->x0), std::max(window.y0, path.clip->y0),
-                std::min(window.x1, path.clip->x1), std::min(window.y1, path.clip->y1)};
+    if (path.clip) window = window.common(*path.clip);
     if (window.empty()) return;
     std::vector<Polyline> parts = clippedLine(line, window);
     for (const Box& mask : masks_) {
@@ -196,16 +171,10 @@ class PieceMaker {
   std::vector<LinePiece> pieces_;
 };
 
-bool overlaps(const Box& a, const Box& b) {
-  return a.x1 >= b.x0 && a.x0 <= b.x1 && a.y1 >= b.y0 && a.y0 <= b.y1;
-}
-
 }  // namespace
 
 PlotPlane::PlotPlane(const PlotFrame& frame) {
-  box = {frame.corners[0].x, frame.corners[0].y, frame.corners[0].x, frame.corners[0].y};
-  for (const Point& c : frame.corners)
-    box = {std::min(box.x0, c.x), std::min(box.y0, c.y), std::max(box.x1, c.x), std::max(box.y1, c.y)};
+  box = frame.box();
   columns_px = {box.x0, box.x1};
   rows_px = {box.y0, box.y1};
   for (const GridLine& line : frame.xLines)
@@ -216,18 +185,12 @@ PlotPlane::PlotPlane(const PlotFrame& frame) {
 
 double PlotPlane::diagonal() const { return std::hypot(box.width(), box.height()); }
 
-double lengthOf(const std::vector<Point>& points) {
-  double length = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
-  return length;
-}
-
 std::vector<LinePiece> linePieces(const PageView& view, const PlotPlane& plane,
                                   const std::vector<Box>& masks_px) {
   PieceMaker maker(plane, masks_px);
-  const Box near = grown(plane.box, overshoot * plane.box.width(), overshoot * plane.box.height());
+  const Box near = plane.box.grown(overshoot * plane.box.width(), overshoot * plane.box.height());
   for (const VectorPath& path : view.paths) {
-    if (!overlaps(path.box, near)) continue;
+    if (!path.box.touches(near)) continue;
     for (std::size_t i = 0; i < path.polylines.size(); ++i) {
       if (path.stroke && path.fill && path.closed[i]) continue;  // a shape with a border
       if (path.stroke) {

@@ -6,6 +6,7 @@
 
 #include "importer/frame/plot_frame.h"
 #include "importer/page/page.h"
+#include "importer/page/polyline.h"
 #include "importer/trace/curve_trace.h"
 
 namespace detent::importer {
@@ -36,8 +37,5 @@ struct LinePiece {
 /// them, cut at masks, boxes and closed letter shapes left out, cut where x turns round.
 std::vector<LinePiece> linePieces(const PageView& view, const PlotPlane& plane,
                                   const std::vector<Box>& masks_px);
-
-/// Length of a polyline, pixels.
-double lengthOf(const std::vector<Point>& points);
 
 }  // namespace detent::importer

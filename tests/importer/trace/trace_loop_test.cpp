@@ -10,11 +10,13 @@
 
 #include <catch2/catch.hpp>
 
+#include "importer/page/polyline.h"
 #include "importer/trace/loop_pair.h"
 #include "importer/trace/loop_structure.h"
 
 using namespace detent;
 using namespace detent::importer;
+using namespace detent::importer::trace;
 
 namespace {
 
@@ -24,10 +26,7 @@ using Curve = std::vector<Point>;
 class Plot {
  public:
   Plot(int width, int height, double stroke) : stroke_(stroke) {
-    ink_.width_px = width;
-    ink_.height_px = height;
-    ink_.coverage.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0);
-    ink_.paper = {255, 255, 255};
+    ink_ = Plane(width, height);
     left_ = 0.1 * width;
     right_ = 0.95 * width;
     top_ = 0.06 * height;
@@ -82,33 +81,45 @@ class Plot {
 
   void erase(const Box& box) {
     for (int y = std::max(0, static_cast<int>(box.y0));
-         y < std::min(ink_.height_px, static_cast<int>(box.y1)); ++y)
+         y < std::min(ink_.height, static_cast<int>(box.y1)); ++y)
       for (int x = std::max(0, static_cast<int>(box.x0));
-           x < std::min(ink_.width_px, static_cast<int>(box.x1)); ++x)
+           x < std::min(ink_.width, static_cast<int>(box.x1)); ++x)
         pixel(x, y) = 0;
   }
 
   void dot(Point p, double radius) { segment(p, {p.x + 0.01, p.y}, 2 * radius); }
 
   Result<std::vector<CurveTrace>> trace(const TraceHints& hints = {}, const Progress& progress = {}) const {
-    return traceLoop(ink_, frame_, {}, hints, {}, progress);
+    const PlotArea area = makePlotArea(picture(), frame_, {}, hints.masks_px);
+    return traceLoop(area, inkOn(area), {}, {}, progress);
+  }
+  PlotArea area() const { return makePlotArea(picture(), frame_); }
+  /// The ink that the area's picture shows.
+  static Plane inkOn(const PlotArea& area) {
+    Plane ink(area.raster.width_px, area.raster.height_px);
+    for (std::size_t i = 0; i < ink.values.size(); ++i)
+      if (area.masked.empty() || !area.masked[i])
+        ink.values[i] = static_cast<float>(255 - area.raster.rgb[3 * i]) / 255;
+    return ink;
   }
 
   double stroke() const { return stroke_; }
-  const InkLayer& ink() const { return ink_; }
   PlotFrame& frame() { return frame_; }
 
  private:
-  float& pixel(int x, int y) {
-    return ink_.coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(ink_.width_px) +
-                         static_cast<std::size_t>(x)];
+  float& pixel(int x, int y) { return ink_.at(x, y); }
+  Raster picture() const {
+    Raster raster{ink_.width, ink_.height, {}};
+    for (float c : ink_.values)
+      raster.rgb.insert(raster.rgb.end(), 3, static_cast<std::uint8_t>(std::lround(255 * (1 - c))));
+    return raster;
   }
   void segment(Point a, Point b, double width) {
     const double reach = width / 2 + 1;
     const int x0 = std::max(0, static_cast<int>(std::min(a.x, b.x) - reach)),
-              x1 = std::min(ink_.width_px - 1, static_cast<int>(std::max(a.x, b.x) + reach) + 1);
+              x1 = std::min(ink_.width - 1, static_cast<int>(std::max(a.x, b.x) + reach) + 1);
     const int y0 = std::max(0, static_cast<int>(std::min(a.y, b.y) - reach)),
-              y1 = std::min(ink_.height_px - 1, static_cast<int>(std::max(a.y, b.y) + reach) + 1);
+              y1 = std::min(ink_.height - 1, static_cast<int>(std::max(a.y, b.y) + reach) + 1);
     const double vx = b.x - a.x, vy = b.y - a.y, l2 = vx * vx + vy * vy;
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
@@ -120,7 +131,7 @@ class Plot {
     }
   }
 
-  InkLayer ink_;
+  Plane ink_;
   PlotFrame frame_;
   double stroke_, left_, right_, top_, bottom_;
 };
@@ -139,16 +150,7 @@ Curve through(const std::vector<Point>& anchors) {
   return out;
 }
 
-double distanceTo(Point p, const Curve& curve) {
-  double best = 1e18;
-  for (std::size_t i = 1; i < curve.size(); ++i) {
-    const Point a = curve[i - 1], b = curve[i];
-    const double vx = b.x - a.x, vy = b.y - a.y, l2 = vx * vx + vy * vy;
-    const double f = l2 > 0 ? std::clamp(((p.x - a.x) * vx + (p.y - a.y) * vy) / l2, 0.0, 1.0) : 0;
-    best = std::min(best, std::hypot(p.x - a.x - f * vx, p.y - a.y - f * vy));
-  }
-  return best;
-}
+double distanceTo(Point p, const Curve& curve) { return distance(p, nearestOn(curve, p)); }
 
 /// Mean of both directions, as score.py does it; truth must be dense.
 double meanDistance(const Curve& traced, const Curve& truth) {
@@ -439,21 +441,24 @@ TEST_CASE("loop: a plot that stands slightly askew", "[trace_loop]") {
 namespace {
 
 struct Explained {
-  loop::Plane plane;
-  loop::Structure structure;
+  WorkPlane plane;
+  Structure structure;
+  Point corner;  ///< of the area, in view pixels
 };
 
 Explained explain(Plot& plot) {
   Explained out;
-  out.plane = loop::makePlane(plot.ink(), plot.frame(), {});
-  out.structure = loop::explainStructure(out.plane, loop::findStraightLines(out.plane, {}, {}), {});
+  const PlotArea area = plot.area();
+  out.plane = makeWorkPlane(Plot::inkOn(area), area);
+  out.structure = explainStructure(out.plane, findStraightLines(out.plane, {}, {}), {});
+  out.corner = area.toView({0, 0});
   return out;
 }
 
 /// Mean ink left to the curves along a line given in view pixels.
 double meanInk(const Explained& e, const Curve& view) {
   double sum = 0;
-  for (Point p : view) sum += loop::sampleAt(e.structure.curveInk, e.plane.plane(p));
+  for (Point p : view) sum += double(e.structure.curveInk.sample(e.plane.fromArea(p - e.corner)));
   return sum / double(view.size());
 }
 
