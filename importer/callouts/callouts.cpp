@@ -64,7 +64,8 @@ std::vector<Phrase> phrasesInside(const AxesFound& axes, const Box& frame) {
   std::vector<Phrase> phrases;
   for (const SeenText& text : axes.texts) {
     const auto kind = kindOf(text.utf8);
-    if (kind && frame.contains(text.box.middle())) phrases.push_back({*kind, lineAround(text, axes.texts), text.utf8});
+    if (kind && frame.contains(text.box.middle()))
+      phrases.push_back({*kind, lineAround(text, axes.texts), text.utf8});
   }
   return phrases;
 }

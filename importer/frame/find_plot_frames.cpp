@@ -147,7 +147,8 @@ Box pageBounds(const Page& page) {
 Box regionAround(const Box& frame, int turns, const Box& page) {
   const Box up = turned(frame, turns);
   const double w = up.width(), h = up.height();
-  return turned({up.x0 - 0.45 * w, up.y0 - 0.6 * h, up.x1 + 0.5 * w, up.y1 + 0.45 * h}, 4 - turns).common(page);
+  return turned({up.x0 - 0.45 * w, up.y0 - 0.6 * h, up.x1 + 0.5 * w, up.y1 + 0.45 * h}, 4 - turns)
+      .common(page);
 }
 
 double overlapShare(const Box& a, const Box& b) {

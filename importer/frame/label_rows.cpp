@@ -54,9 +54,10 @@ int regularity(const std::vector<double>& places, const std::vector<double>& lin
 LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
   std::vector<Box> band;
   for (const auto& w : words)
-    if (couldBeNumber(w) && w.middle().x >= r.x0 - 0.1 * r.width() && w.middle().x <= r.x1 + 0.1 * r.width() &&
-        w.y0 >= r.y1 - 0.02 * r.height() && w.y1 <= r.y1 + 0.3 * r.height() &&
-        w.y0 <= r.y1 + farthest(w) + 0.03 * r.height() && w.height() <= 0.12 * r.height() + 6)
+    if (couldBeNumber(w) && w.middle().x >= r.x0 - 0.1 * r.width() &&
+        w.middle().x <= r.x1 + 0.1 * r.width() && w.y0 >= r.y1 - 0.02 * r.height() &&
+        w.y1 <= r.y1 + 0.3 * r.height() && w.y0 <= r.y1 + farthest(w) + 0.03 * r.height() &&
+        w.height() <= 0.12 * r.height() + 6)
       band.push_back(w);
   LabelRow best;
   for (const auto& seed : band) {

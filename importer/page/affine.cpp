@@ -31,7 +31,8 @@ Homography Homography::inverse() const {
                       m[5] * m[6] - m[3] * m[8], m[0] * m[8] - m[2] * m[6], m[2] * m[3] - m[0] * m[5],
                       m[3] * m[7] - m[4] * m[6], m[1] * m[6] - m[0] * m[7], m[0] * m[4] - m[1] * m[3]}};
   const double determinant = m[0] * inverse.m[0] + m[1] * inverse.m[3] + m[2] * inverse.m[6];
-  DETENT_CHECK(determinant != 0 && std::isfinite(determinant), "a projective map that is inverted is regular");
+  DETENT_CHECK(determinant != 0 && std::isfinite(determinant),
+               "a projective map that is inverted is regular");
   for (double& value : inverse.m) value /= determinant;
   return inverse;
 }

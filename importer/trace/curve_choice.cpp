@@ -85,9 +85,8 @@ bool isAxisParallel(const CoarseCurve& course, double thickness) {
 bool isStraight(const CoarseCurve& course, double thickness) {
   const Point a = course.points.front(), b = course.points.back();
   const double length = std::max(1.0, distance(a, b));
-  return std::all_of(course.points.begin(), course.points.end(), [&](Point p) {
-    return std::abs(cross(p - a, b - a)) / length <= thickness + 2;
-  });
+  return std::all_of(course.points.begin(), course.points.end(),
+                     [&](Point p) { return std::abs(cross(p - a, b - a)) / length <= thickness + 2; });
 }
 
 Box scaled(const Box& box, double by) { return {box.x0 * by, box.y0 * by, box.x1 * by, box.y1 * by}; }

@@ -493,7 +493,8 @@ void fadeLettering(Plane& curveInk, const Plane& explained, float level, const s
 
 }  // namespace
 
-std::vector<StraightLine> findStraightLines(const WorkPlane& plane, const std::vector<double>& expectedColumns,
+std::vector<StraightLine> findStraightLines(const WorkPlane& plane,
+                                            const std::vector<double>& expectedColumns,
                                             const std::vector<double>& expectedRows) {
   std::vector<StraightLine> lines;
   findAlong(plane, true, expectedColumns, lines);

@@ -24,15 +24,16 @@ struct StraightLine {
 
 /// Lines that run across the frame. `expected` are positions known from the frame finder (plane px); they are
 /// looked for with less evidence than others. Curve walls are no such lines: they end at the knee.
-std::vector<StraightLine> findStraightLines(const WorkPlane& plane, const std::vector<double>& expectedColumns,
+std::vector<StraightLine> findStraightLines(const WorkPlane& plane,
+                                            const std::vector<double>& expectedColumns,
                                             const std::vector<double>& expectedRows);
 
 /// The ink with its straight lines explained away.
 struct Structure {
-  Plane explained;        ///< coverage the straight lines account for, where they are drawn
-  Plane upright;          ///< the part of it that vertical lines inside the frame account for
-  Plane curveInk;         ///< 0..1: what is left, in units of the curves' own darkness
-  Plane gapDistance;      ///< px to the nearest left-over ink that is no lettering
+  Plane explained;       ///< coverage the straight lines account for, where they are drawn
+  Plane upright;         ///< the part of it that vertical lines inside the frame account for
+  Plane curveInk;        ///< 0..1: what is left, in units of the curves' own darkness
+  Plane gapDistance;     ///< px to the nearest left-over ink that is no lettering
   float curveLevel = 1;  ///< coverage of the curves' ridge
   double strokeWidth_px = 1;
 };

@@ -39,8 +39,8 @@ struct PlotArea {
   static constexpr int marginPx = 4;
 
   Raster raster;
-  Box frame;                    ///< the frame's edges in area pixels
-  Homography toView, fromView;  ///< area px -> view px and back
+  Box frame;                                ///< the frame's edges in area pixels
+  Homography toView, fromView;              ///< area px -> view px and back
   std::vector<double> columns_px, rows_px;  ///< the frame's edges and the gridlines known, area px
   std::vector<Box> words;                   ///< texts read before that meet the frame, area px
   Mask masked;                              ///< 1 where the user wants nothing looked for; empty if nowhere

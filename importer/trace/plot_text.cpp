@@ -234,9 +234,8 @@ std::vector<Box> legendBoxes(const std::vector<LegendSample>& samples) {
     const double margin = 0.9 * sample.text.height();
     const Box entry = sample.box.joined(sample.text);
     const Box grown = entry.grown(margin, margin);
-    const auto home = std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) {
-      return box.touches(grown);
-    });
+    const auto home =
+        std::find_if(boxes.begin(), boxes.end(), [&](const Box& box) { return box.touches(grown); });
     if (home == boxes.end())
       boxes.push_back(grown);
     else

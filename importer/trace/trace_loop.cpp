@@ -8,9 +8,9 @@
 
 #include "importer/trace/loop_confidence.h"
 #include "importer/trace/loop_pair.h"
-#include "importer/trace/work_plane.h"
 #include "importer/trace/loop_refine.h"
 #include "importer/trace/loop_structure.h"
+#include "importer/trace/work_plane.h"
 
 namespace detent::importer::trace {
 

@@ -34,7 +34,8 @@ WorkPlane makeWorkPlane(const Plane& ink, const PlotArea& area, const WorkPlaneO
   const double extent = std::max(f.width(), f.height());
   const int factor = std::max(1, static_cast<int>(std::ceil(extent / options.maxWidth_px - 0.15)));
   const double margin = PlotArea::marginPx * factor;
-  const int x0 = static_cast<int>(std::floor(f.x0 - margin)), y0 = static_cast<int>(std::floor(f.y0 - margin));
+  const int x0 = static_cast<int>(std::floor(f.x0 - margin)),
+            y0 = static_cast<int>(std::floor(f.y0 - margin));
   const int width = static_cast<int>(std::ceil((f.x1 + margin - x0 + 1) / factor));
   const int height = static_cast<int>(std::ceil((f.y1 + margin - y0 + 1) / factor));
   WorkPlane plane;

@@ -306,8 +306,8 @@ TEST_CASE("callouts and legend are read where they stand") {
       if (t.utf8.find(word) != std::string::npos) return t.box;
     return Box{};
   };
-  CHECK(at("operating").contains({300, 103}));
-  CHECK(at("Release").contains({940, 229}));
+  CHECK(at("operating").contains(Point{300, 103}));
+  CHECK(at("Release").contains(Point{940, 229}));
   CHECK_FALSE(at("Press").empty());
 }
 

@@ -154,7 +154,7 @@ TEST_CASE("labels on one baseline are boxes of their own") {
       open(onePage("BT /F 8 Tf 10 10 Td (0.5) Tj 40 0 Td (1.0) Tj 40 0 Td (Travel [mm]) Tj ET"), "plot.pdf");
   REQUIRE(opened.page.texts.size() == 3);
   CHECK(textNamed(opened.page.texts, "1.0"));
-  CHECK(textNamed(opened.page.texts, "1.0")->box.contains({53, 87}));
+  CHECK(textNamed(opened.page.texts, "1.0")->box.contains(Point{53, 87}));
   CHECK(textNamed(opened.page.texts, "Travel [mm]"));
 }
 

@@ -80,10 +80,10 @@ class Plot {
   }
 
   void erase(const Box& box) {
-    for (int y = std::max(0, static_cast<int>(box.y0));
-         y < std::min(ink_.height, static_cast<int>(box.y1)); ++y)
-      for (int x = std::max(0, static_cast<int>(box.x0));
-           x < std::min(ink_.width, static_cast<int>(box.x1)); ++x)
+    for (int y = std::max(0, static_cast<int>(box.y0)); y < std::min(ink_.height, static_cast<int>(box.y1));
+         ++y)
+      for (int x = std::max(0, static_cast<int>(box.x0)); x < std::min(ink_.width, static_cast<int>(box.x1));
+           ++x)
         pixel(x, y) = 0;
   }
 
