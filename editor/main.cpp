@@ -16,6 +16,7 @@
 #include "editor/window/stored_view.h"
 #include "editor/window/translation.h"
 #include "model/result.h"
+#include "model/version.h"
 
 namespace {
 
@@ -30,7 +31,7 @@ int wrong(const QString& sentence, FailureCode code) {
 // Before a window system is needed: --help works everywhere.
 std::optional<int> answeredAtOnce(const Arguments& arguments) {
   if (arguments.help) return std::fputs(qPrintable(helpText()), stdout), 0;
-  if (arguments.version) return std::fputs("detent-edit " DETENT_VERSION "\n", stdout), 0;
+  if (arguments.version) return std::printf("detent-edit %s\n", version()), 0;
   if (!arguments.wrongUsage.isEmpty()) return wrong(arguments.wrongUsage, FailureCode::wrongUsage);
   return {};
 }
@@ -85,7 +86,7 @@ int main(int argc, char** argv) {
     QApplication app(argc, argv);
     QCoreApplication::setOrganizationName("Detent");
     QCoreApplication::setApplicationName("detent-edit");
-    QCoreApplication::setApplicationVersion(DETENT_VERSION);
+    QCoreApplication::setApplicationVersion(version());
     QGuiApplication::setDesktopFileName("detent-edit");
     return run(app);
   } catch (const std::exception& fault) {

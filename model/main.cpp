@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include "model/file/graph_program.h"
+#include "model/version.h"
 
 namespace {
 
@@ -110,6 +111,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph in it,\n"
       "5 not certain (says what to pass).");
+  app.set_version_flag("--version", std::string("detent-graph ") + version(), "Print the version and exit");
   Arguments arguments;
   addCommands(app, arguments);
   try {

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <string>
 
 #include <CLI/CLI.hpp>
+
+#include "model/version.h"
 
 namespace detent::importer {
 namespace {
@@ -204,6 +207,7 @@ Parsed parseArguments(int argc, char** argv) {
       "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph found,\n"
       "5 found but not certain enough (says what to pass), 130 interrupted."};
   app.name("detent-import");
+  app.set_version_flag("--version", std::string("detent-import ") + version(), "Print the version and exit");
   Arguments arguments;
   RawOptions raw;
   addInputs(app, arguments, raw);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/program/run.h"
 
+#include <string>
+
 #include <CLI/CLI.hpp>
 
+#include "model/version.h"
 #include "playback/program/calibrate_command.h"
 #include "playback/program/devices_command.h"
 #include "playback/program/latency_command.h"
@@ -16,6 +19,9 @@ namespace detent::playback {
 int run(int argc, char** argv, const Cancelled& cancelled) {
   CLI::App program{
       "Feel a button: a force sensor in, vibration out. Displacement in mm, force in N, time in s."};
+  program.name("detent-play");
+  program.set_version_flag("--version", std::string("detent-play ") + version(),
+                           "Print the version and exit");
   Action chosen;
   addLiveCommand(program, chosen);
   addRenderCommand(program, chosen);

@@ -1,0 +1,158 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes the man pages and the shell completion of the programs from what they answer to --help and --version.
+
+    from_help.py --bin FOLDER --out FOLDER
+
+FOLDER of --bin holds the programs (those that are there are described); --out gets man1/PROGRAM.1.gz and completions/PROGRAM.
+`cmake --install` runs it, so that what is installed describes the very programs beside it. Deterministic: no date, no path.
+"""
+
+import argparse
+import gzip
+import re
+import subprocess
+import sys
+from dataclasses import dataclass, field
+from pathlib import Path
+
+PROGRAMS = ("detent-import", "detent-graph", "detent-play", "detent-edit")
+OPTION = re.compile(r"^ +(-{1,2}[A-Za-z][^ ]*(?:, --?[\w-]+)*)(.*)$")
+SECTION = re.compile(r"^(?:\[Option Group: (?P<group>[^\]]+)\]|(?P<title>[A-Z][^:]*):)$")
+# CLI11's spelling of a value that comes from a list: {draft->0,precise->2}.
+ENUM = re.compile(r"ENUM:value in \{([^}]*)\} OR \{[^}]*\}")
+
+
+@dataclass
+class Help:
+    """One --help, cut into what a man page needs."""
+    words: list  # program and subcommands
+    text: str
+    options: list = field(default_factory=list)  # --names
+    subcommands: dict = field(default_factory=dict)  # name -> one line
+
+
+def answer(binary, *words):
+    """What a program prints; argv[0] is the bare name, as in a shell that found it on the PATH."""
+    run = subprocess.run([binary.name, *words], executable=binary, capture_output=True, text=True, timeout=60)
+    if run.returncode != 0:
+        sys.exit(f"from_help.py: '{binary.name} {' '.join(words)}' ended with {run.returncode}: {run.stderr.strip()}")
+    return run.stdout
+
+
+def read_help(binary, *words):
+    text = ENUM.sub(lambda m: "|".join(pair.split("->")[0] for pair in m.group(1).split(",")), answer(binary, *words, "--help"))
+    found = Help([binary.name, *words], text.rstrip())
+    found.options = sorted(set(re.findall(r"(?m)^ +(?:-\w, ?)?(--[a-z][\w-]*)", text)))
+    listed = re.search(r"(?ms)^Subcommands:\n(.*?)(?:\n\n|\Z)", text)
+    if listed:
+        found.subcommands = dict(re.findall(r"(?m)^  (\S+) +(.*)$", listed.group(1)))
+    return found
+
+
+def all_helps(binary, *words):
+    """The help of a program or subcommand and of everything below it."""
+    found = [read_help(binary, *words)]
+    for name in found[0].subcommands:
+        found += all_helps(binary, *words, name)
+    return found
+
+
+def escaped(text):
+    """As roff: backslashes and minus signs as they are typed, no line taken for a request."""
+    text = text.replace("\\", "\\e").replace("-", "\\-")
+    return "\n".join("\\&" + line if line[:1] in (".", "'") else line for line in text.split("\n"))
+
+
+def body(text):
+    """A help text as roff: sections, options as tagged paragraphs, anything else filled."""
+    lines, out = text.split("\n"), []
+    at = 0
+    while at < len(lines):
+        line = lines[at].rstrip()
+        at += 1
+        section, option = SECTION.match(line), OPTION.match(line)
+        if section:
+            out.append(f".SS {escaped(section['group'] or section['title'])}")
+        elif option and not line.startswith("       "):
+            words = option.group(1) + option.group(2)
+            tag, _, meaning = words.strip().partition("  ")
+            deeper = len(line) - len(line.lstrip()) + 6
+            while at < len(lines) and len(lines[at]) - len(lines[at].lstrip()) >= deeper and lines[at].strip():
+                meaning += " " + lines[at].strip()
+                at += 1
+            out += [".TP", f".B {escaped(tag)}", escaped(meaning.strip() or tag)]
+        elif re.match(r"^ {2,}\S", line):
+            tag, _, meaning = line.strip().partition("  ")
+            out += [".TP", f".B {escaped(tag)}", escaped(meaning.strip())] if meaning else [escaped(line.strip())]
+        elif not line:
+            out.append(".PP")
+        elif not line.strip() in ("Options:",):
+            out.append(escaped(line))
+    return "\n".join(entry for i, entry in enumerate(out) if entry != ".PP" or (i and out[i - 1] not in (".PP",)))
+
+
+def man_page(helps, version):
+    program = helps[0].words[0]
+    first = next(line for line in helps[0].text.split("\n") if line and not line.startswith("Usage:"))
+    pages = [f'.TH {program.upper()} 1 "" "Detent {version}" "User Commands"', ".SH NAME",
+             f"{program} \\- {escaped(first.split('. ')[0].rstrip('.'))}", ".SH DESCRIPTION", body(helps[0].text)]
+    for sub in helps[1:]:
+        pages += [f".SH {escaped(' '.join(sub.words[1:]).upper())}", body(sub.text)]
+    others = ", ".join(f".BR {escaped(name)} (1)" for name in PROGRAMS if name != program).replace(", ", " ,\n")
+    return "\n".join(pages + [".SH SEE ALSO", others, ""])
+
+
+def completion(helps):
+    """For bash: subcommands first, then the options of the innermost one, else files."""
+    program = helps[0].words[0]
+    name = "_" + program.replace("-", "_")
+    cases = []
+    for found in reversed(helps):
+        key = " ".join(found.words[1:])
+        cases.append(f'    "{key}") options="{" ".join(found.options)}" commands="{" ".join(found.subcommands)}" ;;')
+    known = " ".join(sorted({word for found in helps for word in found.words[1:]}))
+    return f"""# bash completion of {program}, made from its --help
+{name}() {{
+  local word=${{COMP_WORDS[COMP_CWORD]}} path="" options="" commands="" i
+  for ((i = 1; i < COMP_CWORD; i++)); do
+    [[ " {known} " == *" ${{COMP_WORDS[i]}} "* ]] && path="${{path:+$path }}${{COMP_WORDS[i]}}"
+  done
+  case $path in
+{chr(10).join(sorted(set(cases)))}
+  esac
+  if [[ $word == -* ]]; then
+    mapfile -t COMPREPLY < <(compgen -W "$options" -- "$word")
+  else
+    mapfile -t COMPREPLY < <(compgen -W "$commands" -- "$word"; compgen -f -- "$word")
+  fi
+}}
+complete -o filenames -F {name} {program}
+"""
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--bin", type=Path, required=True)
+    parser.add_argument("--out", type=Path, required=True)
+    arguments = parser.parse_args()
+    (arguments.out / "man1").mkdir(parents=True, exist_ok=True)
+    (arguments.out / "completions").mkdir(parents=True, exist_ok=True)
+    written = 0
+    for name in PROGRAMS:
+        binary = (arguments.bin / name).resolve()
+        if not binary.is_file():
+            continue
+        helps = all_helps(binary)
+        version = answer(binary, "--version").split()[-1]
+        with open(arguments.out / "man1" / f"{name}.1.gz", "wb") as file, \
+                gzip.GzipFile(filename="", mode="wb", fileobj=file, mtime=0, compresslevel=9) as packed:
+            packed.write(man_page(helps, version).encode())
+        (arguments.out / "completions" / name).write_text(completion(helps))
+        written += 1
+    if not written:
+        sys.exit(f"from_help.py: none of {', '.join(PROGRAMS)} stands in {arguments.bin}. Build them first.")
+
+
+if __name__ == "__main__":
+    main()
