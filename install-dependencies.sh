@@ -33,10 +33,11 @@ test_packages=(
   git python3 python3-numpy time
   jackd2 puredata-core
   xvfb xauth xdotool openbox imagemagick fonts-dejavu-core
+  gnuplot-nox                      # tests/accuracy draws with it
 )
 ci_packages=(
   clang-14 clang-tidy-14 clang-format-14 libclang-rt-14-dev hyperfine
-  gnuplot-nox fonts-wqy-zenhei     # samples/plots/draw.sh
+  fonts-wqy-zenhei                 # samples/plots/draw.sh
 )
 
 usage() { sed -n '3,14s/^# \{0,1\}//p' "$0"; }

@@ -159,6 +159,17 @@ TEST_CASE("our own CSV and two pairs of columns") {
   checkStrokes(readOk(shared));
 }
 
+TEST_CASE(
+    "guard: two forces beside one displacement, without a word about strokes, are two channels of one run") {
+  std::string twoChannels = "Travel (mm),Force A (gf),Force B (gf)\n";
+  const auto add = [&](double x, double force_gf) {
+    twoChannels += number(x, '.') + "," + number(force_gf, '.') + "," + number(3 * force_gf + 20, '.') + "\n";
+  };
+  for (int i = 0; i <= 400; ++i) add(0.01 * i, pressForce_gf(0.01 * i));
+  for (int i = 400; i >= 0; --i) add(0.01 * i, releaseForce_gf(0.01 * i));
+  checkStrokes(readOk(twoChannels));
+}
+
 TEST_CASE("without units the sizes decide, with a warning, and hints overrule") {
   const ForceLog guessed = readOk(run({""}));
   checkStrokes(guessed);
