@@ -38,9 +38,6 @@ Provenance provenanceOf(const GraphFindings& findings, const GraphSource& source
   if (findings.fitted.release)
     p.releaseRms_px = findings.fitted.release->summary.rmsSigma * findings.releaseNoise_px;
   p.given = givenByHand(request.hints);
-  p.warnings = source.warnings;
-  p.warnings.insert(p.warnings.end(), findings.graph.axes.warnings.begin(),
-                    findings.graph.axes.warnings.end());
   return p;
 }
 
@@ -73,28 +70,24 @@ double diagonal_px(const PlotFrame& frame) {
   return std::hypot(box.width(), box.height());
 }
 
-std::optional<Failure> doubt(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
-                             bool axesGiven) {
-  static const std::string passAxes =
-      "Pass --x-axis MIN:MAX and --y-axis MIN:MAX (values at the frame's edges), or --frame if the frame was "
-      "missed";
-  const auto uncertain = [](std::string problem, std::string remedy) {
-    return Failure{FailureCode::notCertain, "", "", std::move(problem), std::move(remedy)};
-  };
-  if (findings.graph.confidence() < confidenceBar) {
-    return uncertain("the axes are not certain (" + findings.graph.axes.calibration.evidence + ")", passAxes);
-  }
-  if (findings.strokes.confidence < confidenceBar) {
-    return uncertain("the curves are not certain (" + findings.strokes.evidence + ")",
-                     "Pass --press-color and --release-color, or --mask over what is no curve");
-  }
-  if (const double rms_px = worstRms_px(findings); rms_px > 0.01 * diagonal_px(findings.graph.frame.value)) {
-    return uncertain("the traced points make no curve (the fit is " + std::to_string(std::lround(rms_px)) +
-                         " px off them)",
-                     "Pass --mask over what is no curve, or --dpi to trace a picture of the page");
-  }
+std::optional<Doubt> doubt(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
+                           bool axesGiven) {
+  const Remedies giveAxes{{RemedyKind::giveXAxis, {}},
+                          {RemedyKind::giveYAxis, "(values at the frame's edges)"},
+                          {RemedyKind::giveFrame, "if the frame was missed"}};
+  const Remedy mask{RemedyKind::addMask, "over what is not a curve"};
+  if (findings.graph.confidence() < confidenceBar)
+    return Doubt{DoubtCode::axesUncertain, {messagesOf(findings.graph.axes.calibration.evidence)}, giveAxes};
+  if (findings.strokes.confidence < confidenceBar)
+    return Doubt{DoubtCode::curvesUncertain,
+                 {messagesOf(findings.strokes.evidence)},
+                 {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}, mask}};
+  if (const double rms_px = worstRms_px(findings); rms_px > 0.01 * diagonal_px(findings.graph.frame.value))
+    return Doubt{DoubtCode::pointsMakeNoCurve,
+                 {std::lround(rms_px)},
+                 {mask, {RemedyKind::setResolution, "to trace a picture of the page"}}};
   const SpecCheck* conflict = grossConflict(checks);
-  if (conflict && !axesGiven) return uncertain("the graph " + conflict->sentence(), passAxes);
+  if (conflict && !axesGiven) return Doubt{DoubtCode::valueContradicts, {messageOf(*conflict)}, giveAxes};
   return {};
 }
 
@@ -115,6 +108,13 @@ std::vector<std::string> givenByHand(const ImportHints& hints) {
   return given;
 }
 
+std::vector<RecordedWarning> recorded(const std::vector<Remark>& remarks) {
+  std::vector<RecordedWarning> warnings;
+  for (const Remark& remark : remarks)
+    warnings.push_back({std::string(nameOf(remark.code)), commandLineWords(remark)});
+  return warnings;
+}
+
 Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted,
                           const std::vector<Callout>& callouts, Provenance provenance) {
   std::optional<StrokeCurve> release;
@@ -130,14 +130,17 @@ Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted,
 
 Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& source,
                                     const ImportRequest& request) {
+  std::vector<Remark> remarks = source.remarks;
+  remarks.insert(remarks.end(), findings.graph.axes.remarks.begin(), findings.graph.axes.remarks.end());
   Provenance provenance = provenanceOf(findings, source, request);
+  provenance.warnings = recorded(remarks);
   provenance.confidence = std::min(findings.graph.confidence(), findings.strokes.confidence);
   auto button = buttonFrom(source.stem, findings.fitted, findings.callouts, provenance);
   if (!button) return button.failure();
   const AxisHints& axes = request.hints.axes;
   const auto checks = checkAgainst(findings.specs, *button);
   const auto uncertain = doubt(findings, checks, axes.xMin && axes.yMin);
-  if (uncertain && !request.acceptDoubt) return *uncertain;
+  if (uncertain && !request.acceptDoubt) return failureOf(*uncertain);
 
   const AxisCalibration& calibration = findings.graph.axes.calibration.value;
   ImportReport report(std::move(button).value());
@@ -149,13 +152,14 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   report.confidence = provenance.confidence;
   report.doubt = uncertain;
   report.quality = request.quality;
-  report.warnings = provenance.warnings;
+  report.remarks = std::move(remarks);
   for (const SpecCheck& check : checks) {
-    if (!check.agrees) report.warnings.push_back(check.sentence());
+    if (!check.agrees) report.remarks.push_back({RemarkCode::printedValueDiffers, {messageOf(check)}});
   }
   report.specChecks = checks;
   auto steps = findings.graph.findings();
-  steps.push_back({"strokes", findings.strokes.confidence, findings.strokes.by, findings.strokes.evidence});
+  steps.push_back(
+      {ImportStep::strokes, findings.strokes.confidence, findings.strokes.by, findings.strokes.evidence});
   report.evidence = std::make_shared<const GraphEvidence>(
       GraphEvidence{findings.graph.view, findings.graph.frame.value, findings.graph.axes, findings.traces,
                     std::move(steps)});

@@ -27,7 +27,7 @@ struct GraphFindings {
 struct GraphSource {
   std::string fileName, stem, sha256;
   int page = 1, graph = 1;
-  std::vector<std::string> warnings;
+  std::vector<Remark> remarks;
 };
 
 /// Failure notCertain below `confidenceBar`, with what to pass; a broken rule of the model otherwise.
@@ -36,6 +36,9 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
 
 /// The names of the options that were given, as provenance keeps them.
 std::vector<std::string> givenByHand(const ImportHints& hints);
+
+/// Remarks as the button's file keeps them: code and words.
+std::vector<RecordedWarning> recorded(const std::vector<Remark>& remarks);
 
 /// A button of one state; callouts become its operating and reset point.
 Result<Button> buttonFrom(const std::string& name, const FittedStrokes& fitted,

@@ -8,7 +8,6 @@
 #include "importer/graph_copies.h"
 #include "importer/importer.h"
 #include "importer/locate_graphs.h"
-#include "importer/overlay/overlay.h"
 #include "importer/rest_position.h"
 #include "model/check.h"
 
@@ -18,7 +17,7 @@ namespace {
 /// Adds the time of a scope to a step's sum.
 class StepClock {
  public:
-  StepClock(std::map<std::string, double>& seconds, const char* step)
+  StepClock(std::map<ImportStep, double>& seconds, ImportStep step)
       : seconds_(seconds), step_(step), start_(std::chrono::steady_clock::now()) {}
   ~StepClock() {
     seconds_[step_] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
@@ -27,8 +26,8 @@ class StepClock {
   StepClock& operator=(const StepClock&) = delete;
 
  private:
-  std::map<std::string, double>& seconds_;
-  const char* step_;
+  std::map<ImportStep, double>& seconds_;
+  ImportStep step_;
   std::chrono::steady_clock::time_point start_;
 };
 
@@ -39,7 +38,8 @@ bool hasSuffix(const std::string& path, std::string_view suffix) {
   return extension == suffix;
 }
 
-std::string numbered(const char* what, int n) { return std::string(what) + " " + std::to_string(n); }
+Message placeOf(int page) { return Message("page %1", page); }
+Message placeOf(int page, int graph) { return Message("page %1, graph %2", page, graph); }
 
 /// What decides which graphs a page has and how their axes read.
 struct LocateKey {
@@ -182,9 +182,9 @@ struct ImportSession::Impl {
     Page page;
     std::uint64_t usedAt = 0;
   };
-  std::map<int, KeptPage> pages;                    // the few used last
-  std::map<int, std::vector<PrintedSpec>> specs;    // of every page read so far
-  std::map<int, std::vector<std::string>> remarks;  // what of a page could not be read
+  std::map<int, KeptPage> pages;                  // the few used last
+  std::map<int, std::vector<PrintedSpec>> specs;  // of every page read so far
+  std::map<int, std::vector<Remark>> remarks;     // what of a page could not be read
 
   using GraphsKey = std::pair<int, bool>;  // page, and whether its plot frame is given
   std::map<GraphsKey, PageGraphs> graphs;  // their views within a bound
@@ -201,16 +201,20 @@ struct ImportSession::Impl {
   };
   std::optional<Traced> traced;
   std::shared_ptr<const GraphEvidence> failed;  // how far the last import came
-  std::map<std::string, double> seconds;        // of the steps that ran since the last import began
+  std::map<ImportStep, double> seconds;         // of the steps that ran since the last import began
 
   const std::string& name() const { return fileName; }
   std::string stem() const { return std::filesystem::path(fileName).stem().string(); }
 
-  Failure failure(FailureCode code, std::string place, std::string problem, std::string remedy) const {
-    return {code, name(), std::move(place), std::move(problem), std::move(remedy)};
+  Failure failure(FailureCode code, Message place, Message problem, Remedies remedies) const {
+    return {code, name(), std::move(place), std::move(problem), std::move(remedies)};
   }
 
-  Failure cancelled() const { return failure(FailureCode::wrongUsage, "", "cancelled", ""); }
+  Failure cancelled() const { return Failure::cancelled(name()); }
+
+  static Remark remarkOn(int number, const Failure& unread) {
+    return {RemarkCode::pageUnreadable, {number, unread.problem}, unread.remedies};
+  }
 
   Result<const Page*> page(int number, const Progress& progress) {
     constexpr std::size_t keptPages = 2;
@@ -219,23 +223,24 @@ struct ImportSession::Impl {
       return &kept->second.page;
     }
     if (number < 1 || number > document->pageCount()) {
-      return failure(FailureCode::wrongUsage, numbered("page", number), "there is no such page",
-                     "Pass --page 1 to " + std::to_string(document->pageCount()));
+      return failure(FailureCode::wrongUsage, placeOf(number), "there is no such page",
+                     {{RemedyKind::choosePage, Message("1 to %1", document->pageCount())}});
     }
     auto read = document->page(number, progress);
     if (!read) {
-      if (read.failure().code == FailureCode::unreadableInput) remarks[number] = {read.failure().sentence()};
+      if (read.failure().code == FailureCode::unreadableInput)
+        remarks[number] = {remarkOn(number, read.failure())};
       return read.failure();
     }
-    remarks[number] = read->warnings;
+    remarks[number] = read->remarks;
     specs.insert_or_assign(number, readPrintedSpecs(*read));
     const auto used = [](const auto& a, const auto& b) { return a.second.usedAt < b.second.usedAt; };
     while (pages.size() >= keptPages) pages.erase(std::min_element(pages.begin(), pages.end(), used));
     return &pages.emplace(number, KeptPage{std::move(read).value(), ++clock}).first->second.page;
   }
 
-  std::vector<std::string> allRemarks() const {
-    std::vector<std::string> all;
+  std::vector<Remark> allRemarks() const {
+    std::vector<Remark> all;
     for (const auto& onPage : remarks) all.insert(all.end(), onPage.second.begin(), onPage.second.end());
     return all;
   }
@@ -272,7 +277,7 @@ struct ImportSession::Impl {
   Result<Done> restoreView(int number, PageGraphs& onPage, std::size_t index, const Progress& progress) {
     LocatedGraph& graph = onPage.located.graphs[index];
     if (!graph.view.raster.empty()) return Done{};
-    StepClock time(seconds, "view");
+    StepClock time(seconds, ImportStep::view);
     auto itsPage = page(number, progress);
     if (!itsPage) return itsPage.failure();
     const FrameCandidate& candidate = graph.candidate.value;
@@ -289,7 +294,7 @@ struct ImportSession::Impl {
       kept->second.usedAt = ++clock;
       return &kept->second;
     }
-    StepClock time(seconds, "locate");
+    StepClock time(seconds, ImportStep::locate);
     auto onPage = page(number, progress);
     if (!onPage) return onPage.failure();
     auto found = locateGraphs(*document, **onPage, {key.view, key.axes, key.frame}, progress);
@@ -311,7 +316,7 @@ struct ImportSession::Impl {
     if (!reading.asLocated) reading.asLocated = graph.axes;
     AxesFound axes = *reading.asLocated;
     if (!(hints == onPage.key.axes)) {
-      StepClock time(seconds, "axes");
+      StepClock time(seconds, ImportStep::axes);
       auto read = readAxes(graph.view, graph.frame.value, hints, progress);
       if (!read) return read.failure();
       axes = std::move(read).value();
@@ -328,7 +333,7 @@ struct ImportSession::Impl {
     int page = 1, graph = 1;
     PageGraphs* onPage = nullptr;
     std::size_t index = 0;
-    std::vector<std::string> warnings;
+    std::vector<Remark> remarks;
     int graphCount = 1;                               // of all that could have been chosen
     std::vector<std::pair<int, std::size_t>> rivals;  // page and index of others on equal axes
     LocatedGraph& located() const { return onPage->located.graphs[index]; }
@@ -337,7 +342,7 @@ struct ImportSession::Impl {
   /// Legend, callouts and titles of the chosen graph, read once; listing does without them.
   void readAllTexts(LocatedGraph& graph, const Progress& progress) {
     if (graph.textsComplete) return;
-    StepClock time(seconds, "texts");
+    StepClock time(seconds, ImportStep::texts);
     readGraphTexts(graph.view, graph.frame.value, graph.axes, progress);
     graph.textsComplete = !progress.isCancelled();
   }
@@ -393,7 +398,7 @@ struct ImportSession::Impl {
       auto onPage = located(number, key, progress);
       if (!onPage) {
         if (request.page || document->pageCount() == 1 || progress.isCancelled()) return onPage.failure();
-        best.warnings.push_back(onPage.failure().sentence());  // one broken page costs that page only
+        best.remarks.push_back(remarkOn(number, onPage.failure()));  // one broken page costs that page only
         continue;
       }
       const auto& found = (*onPage)->located.graphs;
@@ -424,15 +429,16 @@ struct ImportSession::Impl {
   Failure nothingFound(const ImportRequest& request, int graphCount,
                        const std::optional<Failure>& rejection) const {
     if (request.graph && graphCount > 0) {
-      return failure(FailureCode::wrongUsage, numbered("graph", *request.graph), "there is no such graph",
-                     "--list shows the graphs that were found");
+      return failure(FailureCode::wrongUsage, Message("graph %1", *request.graph), "there is no such graph",
+                     RemedyKind::chooseGraph);
     }
     if (rejection) return *rejection;
-    const std::vector<std::string> unread = allRemarks();
-    return failure(
-        FailureCode::noForceGraph, request.page ? numbered("page", *request.page) : "",
-        "no force graph found" + (unread.empty() ? "" : " (" + unread.front() + ")"),
-        "If there is one, pass its corners with --frame X0,Y0,X1,Y1, and --page if the document has several");
+    const std::vector<Remark> unread = allRemarks();
+    return failure(FailureCode::noForceGraph, request.page ? placeOf(*request.page) : Message(),
+                   unread.empty() ? Message("no force graph found")
+                                  : Message("no force graph found (%1)", messageOf(unread.front())),
+                   {{RemedyKind::giveFrame, "if there is one"},
+                    {RemedyKind::choosePage, "if the document has several"}});
   }
 
   bool isTraced(const Choice& choice, const TraceHints& hints, const TraceOptions& options) const {
@@ -444,7 +450,7 @@ struct ImportSession::Impl {
                                                 const TraceOptions& options, const Progress& progress) {
     if (isTraced(choice, hints, options)) return &traced->traces;
     const LocatedGraph& graph = choice.located();
-    StepClock time(seconds, "trace");
+    StepClock time(seconds, ImportStep::trace);
     auto found =
         traceCurves(graph.view, graph.frame.value, graph.axes, inView(hints, graph.view), options, progress);
     if (!found) return found.failure();
@@ -464,11 +470,11 @@ struct ImportSession::Impl {
                                       const TraceOptions& options, const Progress& progress) {
     LocatedGraph& graph = choice.located();
     readAllTexts(graph, progress);
-    StepClock time(seconds, "copies");
+    StepClock time(seconds, ImportStep::copies);
     const auto curves = traceCurves(graph.view, graph.frame.value, graph.axes,
                                     inView(request.hints.trace, graph.view), options, progress);
     if (!curves) return {};
-    auto strokes = separateStrokes(*curves, graph.axes, graph.frame.value, request.hints.strokes);
+    auto strokes = separateStrokes(*curves, graph.axes, request.hints.strokes);
     if (!strokes) return {};
     const Box frame = graph.frame.value.box();
     const CopyRank rank{std::min(graph.confidence(), strokes->confidence), strokes->value.press.fromVector,
@@ -502,22 +508,21 @@ struct ImportSession::Impl {
     }
     if (places.size() == 1) return;
     std::sort(places.begin(), places.end());
-    std::string all;
-    for (const auto& [number, graph] : places)
-      all += (all.empty() ? "" : "; ") + numbered("page", number) + ", " + numbered("graph", graph);
+    std::vector<Message> all;
+    for (const auto& [number, graph] : places) all.push_back(placeOf(number, graph));
     best.choice.graphCount -= static_cast<int>(places.size()) - 1;
-    best.choice.warnings.push_back("the same graph is drawn " + std::to_string(places.size()) + " times (" +
-                                   all + "); the one on " + numbered("page", best.choice.page) +
-                                   " is taken, which reads best");
+    best.choice.remarks.push_back(
+        {RemarkCode::sameGraphSeveralTimes, {places.size(), std::move(all), best.choice.page}});
     choice = std::move(best.choice);
   }
 
   static void sayWhichOfSeveral(Choice& choice) {
     if (choice.graphCount <= 1) return;
-    choice.warnings.push_back(std::to_string(choice.graphCount) +
-                              " graphs found; this is the most certain one (page " +
-                              std::to_string(choice.page) + ", graph " + std::to_string(choice.graph) +
-                              "). --list shows all, --page and --graph choose, --all imports each");
+    choice.remarks.push_back({RemarkCode::severalGraphs,
+                              {choice.graphCount, choice.page, choice.graph},
+                              {{RemedyKind::choosePage, {}},
+                               {RemedyKind::chooseGraph, "for another"},
+                               {RemedyKind::importAll, "for each"}}});
   }
 
   /// What a person needs to see where it went wrong.
@@ -529,9 +534,8 @@ struct ImportSession::Impl {
   Failure placed(Failure f, const Choice& choice) const {
     if (f.subject.empty()) f.subject = name();
     if (f.place.empty()) {
-      f.place = document->pageCount() > 1
-                    ? numbered("page", choice.page) + ", " + numbered("graph", choice.graph)
-                    : numbered("graph", choice.graph);
+      f.place =
+          document->pageCount() > 1 ? placeOf(choice.page, choice.graph) : Message("graph %1", choice.graph);
     }
     return f;
   }
@@ -545,11 +549,11 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   const LocateKey key{viewOptionsFor(settings, request.hints), request.hints.axes, request.hints.frame};
   seconds.clear();
   failed.reset();
-  const auto step = [&](double fraction, std::string_view what) {
+  const auto step = [&](double fraction, ImportStep what) {
     if (progress.report) progress.report(fraction, what);
   };
 
-  step(0.05, "finding graphs and reading axes");
+  step(0.05, ImportStep::locate);
   auto choice = choose(request, key, progress);
   if (!choice) return choice.failure();
   preferBetterCopy(*choice, request, key, settings.trace, progress);
@@ -558,30 +562,30 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   readAllTexts(graph, progress);
   letViewsGo(&graph);
 
-  step(0.5, "tracing curves");
+  step(0.5, ImportStep::trace);
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
   if (!curves) {
     keepEvidence(graph, {});
     return placed(curves.failure(), *choice);
   }
 
-  step(0.7, "telling press from release");
+  step(0.7, ImportStep::strokes);
   auto strokes = [&] {
-    StepClock time(seconds, "strokes");
-    return separateStrokes(**curves, graph.axes, graph.frame.value, request.hints.strokes);
+    StepClock time(seconds, ImportStep::strokes);
+    return separateStrokes(**curves, graph.axes, request.hints.strokes);
   }();
   if (!strokes) {
     keepEvidence(graph, **curves);
     return placed(strokes.failure(), *choice);
   }
 
-  step(0.8, "fitting");
+  step(0.8, ImportStep::fit);
   const StrokePair& pair = strokes->value;
   const AxisCalibration& calibration = graph.axes.calibration.value;
   const double press_px = noisePx(pair.press, graph, settings);
   const double release_px = pair.release ? noisePx(*pair.release, graph, settings) : press_px;
   auto fitted = [&] {
-    StepClock time(seconds, "fit");
+    StepClock time(seconds, ImportStep::fit);
     return fitBoth(pair, fitOptionsFor(press_px, calibration, settings),
                    fitOptionsFor(release_px, calibration, settings));
   }();
@@ -592,12 +596,12 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   if (progress.isCancelled()) return cancelled();
 
   auto callouts = [&] {
-    StepClock time(seconds, "callouts");
+    StepClock time(seconds, ImportStep::callouts);
     return readCallouts(graph.view, graph.frame.value, graph.axes, pair);
   }();
   const auto& unread = remarks[choice->page];
-  choice->warnings.insert(choice->warnings.end(), unread.begin(), unread.end());
-  const GraphSource source{name(), stem(), document->sha256(), choice->page, choice->graph, choice->warnings};
+  choice->remarks.insert(choice->remarks.end(), unread.begin(), unread.end());
+  const GraphSource source{name(), stem(), document->sha256(), choice->page, choice->graph, choice->remarks};
   auto report = assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(),
                                 press_px, release_px, std::move(callouts), printedSpecs()},
                                source, request);
@@ -605,20 +609,15 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
     keepEvidence(graph, **curves);
     return placed(report.failure(), *choice);
   }
-  if (report->doubt) report->doubt = placed(std::move(*report->doubt), *choice);
-  if (request.wantOverlay) {
-    StepClock time(seconds, "overlay");
-    report->overlay = drawOverlay(*report->evidence, report->strokes, report->button);
-  }
   report->seconds = seconds;
-  step(1, "done");
+  step(1, ImportStep::fit);
   return report;
 }
 
 Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request, const Progress& progress) {
   seconds.clear();
   auto log = [&] {
-    StepClock time(seconds, "read");
+    StepClock time(seconds, ImportStep::read);
     return readForceLog(
         path, {request.hints.axes.xUnit, request.hints.axes.yUnit, request.hints.strokes.swap}, progress);
   }();
@@ -626,7 +625,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   const QualitySettings settings = settingsFor(request.quality);
   const FitOptions options = fitOptionsFor(settings.fit, {log->noise_mm, log->noise_N});
   auto fitted = [&] {
-    StepClock time(seconds, "fit");
+    StepClock time(seconds, ImportStep::fit);
     return fitBoth(log->strokes, options, options);
   }();
   if (!fitted) {
@@ -639,7 +638,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   provenance.quality = nameOf(request.quality);
   provenance.confidence = 1;
   provenance.given = givenByHand(request.hints);
-  provenance.warnings = log->warnings;
+  provenance.warnings = recorded(log->remarks);
   auto button = buttonFrom(stem(), *fitted, {}, provenance);
   if (!button) return button.failure();
   ImportReport report(std::move(button).value());
@@ -648,7 +647,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   if (fitted->release) report.release = StrokeReport{fitted->release->summary, 0};
   report.confidence = 1;
   report.quality = request.quality;
-  report.warnings = provenance.warnings;
+  report.remarks = std::move(log->remarks);
   report.seconds = seconds;
   return report;
 }
@@ -688,7 +687,7 @@ bool ImportSession::isForceLog() const { return !impl_->document; }
 Result<const Page*> ImportSession::page(int number, const Progress& progress) {
   if (isForceLog()) {
     return impl_->failure(FailureCode::wrongUsage, "", "a force log has no pages",
-                          "Import it without --page");
+                          "Import it without a page number");
   }
   return impl_->page(number, progress);
 }
@@ -697,7 +696,7 @@ Result<std::vector<ListedGraph>> ImportSession::list(std::optional<int> page, Qu
                                                      const ImportHints& hints, const Progress& progress) {
   if (isForceLog()) {
     return impl_->failure(FailureCode::wrongUsage, "", "a force log has no pages to list",
-                          "Import it without --list");
+                          "Import it without listing");
   }
   const LocateKey key{viewOptionsFor(settingsFor(quality), hints), hints.axes, hints.frame};
   std::vector<ListedGraph> listed;
@@ -705,7 +704,7 @@ Result<std::vector<ListedGraph>> ImportSession::list(std::optional<int> page, Qu
   std::optional<Failure> firstFault;
   int unreadable = 0;
   for (int number = first; number <= last; ++number) {
-    if (progress.report) progress.report(double(number - first) / (last - first + 1), "finding graphs");
+    if (progress.report) progress.report(double(number - first) / (last - first + 1), ImportStep::locate);
     auto located = impl_->located(number, key, progress);
     if (!located) {
       const bool onlyThisPage = located.failure().code == FailureCode::unreadableInput && first < last;
@@ -722,7 +721,7 @@ Result<std::vector<ListedGraph>> ImportSession::list(std::optional<int> page, Qu
   return listed;
 }
 
-std::vector<std::string> ImportSession::remarks() const { return impl_->allRemarks(); }
+std::vector<Remark> ImportSession::remarks() const { return impl_->allRemarks(); }
 
 std::vector<RejectedFrame> ImportSession::rejected(int page) const {
   const auto kept = impl_->rejected.find(page);

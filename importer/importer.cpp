@@ -33,16 +33,4 @@ std::string ImportReport::brief() const {
 
 void loadTextEngine() { static_cast<void>(TextReader::available()); }
 
-Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress) {
-  auto session = ImportSession::open(request.path, request.limits);
-  if (!session) return session.failure();
-  return session->importGraph(request, progress);
-}
-
-Result<std::vector<ListedGraph>> listGraphs(const ImportRequest& request, const Progress& progress) {
-  auto session = ImportSession::open(request.path, request.limits);
-  if (!session) return session.failure();
-  return session->list(request.page, request.quality, request.hints, progress);
-}
-
 }  // namespace detent::importer

@@ -48,7 +48,6 @@ struct ImportRequest {
   Quality quality = Quality::standard;
   ImportHints hints;
   PageLimits limits;
-  bool wantOverlay = false;
   /// The caller shows doubts to a person: what is below `confidenceBar` comes back as a report with its
   /// `doubt`, not as a Failure.
   bool acceptDoubt = false;
@@ -77,10 +76,10 @@ struct RejectedFrame {
 
 /// How sure one step was, and of what.
 struct StepFinding {
-  std::string step;  ///< "plot frame", "axes", "strokes"
+  ImportStep step = ImportStep::locate;  ///< locate, axes or strokes
   double confidence = 0;
   DecidedBy by = DecidedBy::found;
-  std::string evidence;  ///< a short sentence
+  std::vector<EvidenceItem> evidence;
 };
 
 /// What an import looked at, for drawing it back over the page. Shared, never changed.
@@ -111,12 +110,11 @@ struct ImportReport {
   std::vector<Callout> callouts;      ///< operating and reset points that the page points at
   std::vector<SpecCheck> specChecks;  ///< what the page says in words, beside what was read
   double confidence = 0;
-  std::optional<Failure> doubt;  ///< only with ImportRequest::acceptDoubt: what is not certain, what to do
+  std::optional<Doubt> doubt;  ///< only with ImportRequest::acceptDoubt: what is not certain, what to do
   Quality quality = Quality::standard;
-  std::map<std::string, double> seconds;  ///< per step that ran; steps whose result was kept are not in it
-  std::vector<std::string> warnings;
+  std::map<ImportStep, double> seconds;  ///< per step that ran; steps whose result was kept are not in it
+  std::vector<Remark> remarks;
   std::shared_ptr<const GraphEvidence> evidence;  ///< null for force logs
-  std::optional<Raster> overlay;                  ///< if asked for
   std::string brief() const;                      ///< one line for people
 };
 
@@ -139,8 +137,8 @@ class ImportSession {
   /// itself, unless it is the only one; remarks() names it.
   Result<std::vector<ListedGraph>> list(std::optional<int> page = {}, Quality quality = Quality::standard,
                                         const ImportHints& hints = {}, const Progress& progress = {});
-  /// What could not be read of the pages seen so far: broken images, broken pages; one sentence each.
-  std::vector<std::string> remarks() const;
+  /// What could not be read of the pages seen so far: broken images, broken pages.
+  std::vector<Remark> remarks() const;
   /// What was looked at on a page and not listed, as the last `list` of that page found it.
   std::vector<RejectedFrame> rejected(int page) const;
   /// `path` and `limits` of the request are those of the session. With `page` and `graph`, the axis hints
@@ -164,9 +162,5 @@ class ImportSession {
 /// Loads the engine that reads text off pictures for this thread, which the first import that needs it would
 /// do (about 60 ms); processes forked afterwards share it.
 void loadTextEngine();
-
-/// One import from start to end. Failure codes as DESIGN.md's exit codes.
-Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress = {});
-Result<std::vector<ListedGraph>> listGraphs(const ImportRequest& request, const Progress& progress = {});
 
 }  // namespace detent::importer

@@ -26,11 +26,11 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
 RejectedFrame rejection(const FrameCandidate& candidate, const Result<LocatedGraph>& graph,
                         const std::string& source) {
   if (!graph) return {candidate.pageBox, candidate.quarterTurns, graph.failure()};
-  return {candidate.pageBox,
-          candidate.quarterTurns,
-          {FailureCode::notCertain, source, "plot frame",
-           "this is more likely a drawing than a force graph (" + graph->axes.calibration.evidence + ")",
-           "If it is a force graph, pass its corners with --frame"}};
+  return {candidate.pageBox, candidate.quarterTurns,
+          failureOf({DoubtCode::ratherADrawing,
+                     {messagesOf(graph->axes.calibration.evidence)},
+                     {{RemedyKind::giveFrame, "if it is a force graph"}}},
+                    source, "plot frame")};
 }
 
 /// Of two rejections the more telling one: doubt about numbers that were read beats "no numbers".
@@ -45,8 +45,8 @@ double LocatedGraph::confidence() const {
 }
 
 std::vector<StepFinding> LocatedGraph::findings() const {
-  return {{"plot frame", std::min(candidate.confidence, frame.confidence), frame.by, frame.evidence},
-          {"axes", axes.calibration.confidence, axes.calibration.by, axes.calibration.evidence}};
+  return {{ImportStep::locate, std::min(candidate.confidence, frame.confidence), frame.by, frame.evidence},
+          {ImportStep::axes, axes.calibration.confidence, axes.calibration.by, axes.calibration.evidence}};
 }
 
 Result<LocatedPage> locateGraphs(const Document& document, const Page& page, const LocateOptions& options,
@@ -63,7 +63,7 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
 
   LocatedPage located;
   for (const auto& candidate : candidates) {
-    if (progress.isCancelled()) return Failure{FailureCode::wrongUsage, page.source, "", "cancelled", ""};
+    if (progress.isCancelled()) return Failure::cancelled(page.source);
     auto graph = readCandidate(document, page, candidate, options, progress);
     if (graph && (frameGiven || graph->confidence() >= listBar)) {
       located.graphs.push_back(std::move(graph).value());

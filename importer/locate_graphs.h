@@ -37,7 +37,7 @@ struct LocateOptions {
   std::vector<Point> frameCorners;  ///< empty, 2 or 4, page units: the frame is given
 };
 
-/// A candidate whose axes cannot be read is no force graph, unless its frame was given by hand.
+/// A candidate whose axes cannot be read is not a force graph, unless its frame was given by hand.
 Result<LocatedPage> locateGraphs(const Document& document, const Page& page, const LocateOptions& options,
                                  const Progress& progress = {});
 

@@ -13,8 +13,8 @@ std::string numberText(double value) {
   return buffer;
 }
 
-Failure buttonFailure(std::string place, std::string problem, std::string remedy) {
-  return {FailureCode::unreadableInput, "button", std::move(place), std::move(problem), std::move(remedy)};
+Failure buttonFailure(Message place, Message problem, Remedies remedies) {
+  return {FailureCode::unreadableInput, "button", std::move(place), std::move(problem), std::move(remedies)};
 }
 
 std::string placeOf(const std::vector<ButtonState>& states, std::size_t index) {

@@ -41,6 +41,13 @@ struct AxisProvenance {
   friend bool operator==(const AxisProvenance&, const AxisProvenance&) = default;
 };
 
+/// What a person should know of an import, as its file keeps it: for scripts, and for a reader of any time.
+struct RecordedWarning {
+  std::string code;  ///< "several-graphs"; empty in files from before there were codes
+  std::string text;  ///< English
+  friend bool operator==(const RecordedWarning&, const RecordedWarning&) = default;
+};
+
 /// Where an imported button came from; kept in the file.
 struct Provenance {
   std::string sourceFile;    ///< name without folder
@@ -52,7 +59,7 @@ struct Provenance {
   double pressRms_px = 0, releaseRms_px = 0;
   double confidence = 0;           ///< 0..1
   std::vector<std::string> given;  ///< options given by hand, e.g. "--y-unit gf"
-  std::vector<std::string> warnings;
+  std::vector<RecordedWarning> warnings;
   friend bool operator==(const Provenance&, const Provenance&) = default;
 };
 

@@ -8,9 +8,9 @@
 namespace detent {
 namespace {
 
-Failure refusal(std::string subject, std::string place, std::string problem, std::string remedy) {
+Failure refusal(Subject subject, Message place, Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, std::move(subject), std::move(place), std::move(problem),
-          std::move(remedy)};
+          std::move(remedies)};
 }
 
 std::optional<Failure> factorProblem(double factor) {

@@ -14,8 +14,8 @@ std::string numberText(double value) {
   return buffer;
 }
 
-Failure refusal(std::string place, std::string problem, std::string remedy) {
-  return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedy)};
+Failure refusal(Message place, Message problem, Remedies remedies) {
+  return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedies)};
 }
 
 std::optional<Failure> noSuchKnot(const StrokeCurve& curve, std::size_t index) {

@@ -16,8 +16,8 @@ std::string numberText(double value) {
   return buffer;
 }
 
-Failure refusal(std::string place, std::string problem, std::string remedy) {
-  return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedy)};
+Failure refusal(Message place, Message problem, Remedies remedies) {
+  return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedies)};
 }
 
 // Adds a knot without changing the shape unless one (or a wall) stands there already; the curve otherwise
@@ -279,7 +279,7 @@ Result<StrokeCurve> moveTurn(const StrokeCurve& curve, CurvePoint turn, CurvePoi
   for (const CurvePoint& p : curve.localMinima()) turns.push_back(p);
   const std::string place = "turn at " + numberText(turn.displacement_mm) + " mm";
   if (std::find(turns.begin(), turns.end(), turn) == turns.end())
-    return refusal(place, "is no extremum of the curve", "Choose a valley or a hump");
+    return refusal(place, "is not an extremum of the curve", "Choose a valley or a hump");
   const double foot_mm = bottomOutOf(curve, settings).displacement_mm;
   return moveApex(curve, hillAt(curve, turn, foot_mm), to, place);
 }

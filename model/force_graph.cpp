@@ -14,11 +14,12 @@ std::string numberText(double value) {
   return buffer;
 }
 
-Failure graphFailure(const char* curve, std::string problem, std::string remedy) {
-  return {FailureCode::unreadableInput, "force graph", curve, std::move(problem), std::move(remedy)};
+Failure graphFailure(Message curve, Message problem, Remedies remedies) {
+  return {FailureCode::unreadableInput, "force graph", std::move(curve), std::move(problem),
+          std::move(remedies)};
 }
 
-std::optional<Failure> curveProblem(const StrokeCurve& curve, const char* name) {
+std::optional<Failure> curveProblem(const StrokeCurve& curve, const Message& name) {
   const auto [low, high] = curve.forceRange_N();
   const double worst = std::abs(low) > std::abs(high) ? low : high;
   if (std::abs(worst) > ForceGraph::maxForce_N)

@@ -14,17 +14,6 @@ namespace {
 
 constexpr std::size_t maxSamplesPerPiece = 100000;
 
-std::string numberText(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.9g", value);
-  return buffer;
-}
-
-Failure pointFailure(std::size_t index, std::string problem, std::string remedy) {
-  return {FailureCode::unreadableInput, "points", "point " + std::to_string(index + 1), std::move(problem),
-          std::move(remedy)};
-}
-
 // Straight parts of a cubic piece that stay within the tolerance: the chord error is at most max|F''| du^2
 // / 8.
 std::size_t partsOf(const Knot& a, const Knot& b, double tolerance_N) {
@@ -149,18 +138,26 @@ void joinSmoothly(const std::vector<CurvePoint>& points, std::vector<Span>& span
   }
 }
 
+struct CleanPoints {
+  std::vector<CurvePoint> points;
+  std::optional<PointFault> fault;
+};
+
 // Repeated points and the inner points of walls removed.
-Result<std::vector<CurvePoint>> cleaned(const std::vector<CurvePoint>& points) {
+CleanPoints cleaned(const std::vector<CurvePoint>& points) {
   std::vector<CurvePoint> clean;
+  const auto pointFault = [](std::size_t index, Message problem, Remedies remedies) {
+    return CleanPoints{{}, PointFault{index, std::move(problem), std::move(remedies)}};
+  };
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CurvePoint p = points[i];
     if (!std::isfinite(p.displacement_mm) || !std::isfinite(p.force_N))
-      return pointFailure(i, "is not a finite number", "Remove it");
+      return pointFault(i, "is not a finite number", "Remove it");
     if (!clean.empty() && p.displacement_mm < clean.back().displacement_mm)
-      return pointFailure(i,
-                          "at " + numberText(p.displacement_mm) + " mm goes back behind " +
-                              numberText(clean.back().displacement_mm) + " mm",
-                          "Give one stroke in the order travelled, or fit it with detent-import");
+      return pointFault(i,
+                        Message("at %1 goes back behind %2", millimetres(p.displacement_mm),
+                                millimetres(clean.back().displacement_mm)),
+                        "Give one stroke in the order travelled, or fit it with detent-import");
     if (!clean.empty() && clean.back() == p) continue;
     const std::size_t n = clean.size();
     const bool third = n >= 2 && clean[n - 1].displacement_mm == p.displacement_mm &&
@@ -168,13 +165,13 @@ Result<std::vector<CurvePoint>> cleaned(const std::vector<CurvePoint>& points) {
     if (third) {
       const bool goesOn = (clean[n - 1].force_N > clean[n - 2].force_N) == (p.force_N > clean[n - 1].force_N);
       if (!goesOn)
-        return pointFailure(i, "turns back inside a wall at " + numberText(p.displacement_mm) + " mm",
-                            "Give one force at each displacement, or fit the points with detent-import");
+        return pointFault(i, Message("turns back inside a wall at %1", millimetres(p.displacement_mm)),
+                          "Give one force at each displacement, or fit the points with detent-import");
       clean.pop_back();
     }
     clean.push_back(p);
   }
-  return clean;
+  return {std::move(clean), {}};
 }
 
 std::vector<Knot> knotsFrom(const std::vector<CurvePoint>& points, const std::vector<Span>& spans) {
@@ -237,27 +234,28 @@ std::vector<CurvePoint> travelledSamples(const ForceGraph& graph, Stroke stroke)
 
 Result<StrokeCurve> curveThroughDensePoints(const std::vector<CurvePoint>& points, double tolerance_N) {
   DETENT_CHECK(tolerance_N > 0, "tolerance_N > 0");
-  auto clean = cleaned(points);
-  if (!clean) return clean.failure();
+  const auto [clean, fault] = cleaned(points);
+  if (fault)
+    return Failure{FailureCode::unreadableInput, "points", Message("point %1", fault->index + 1),
+                   fault->problem, fault->remedies};
   std::vector<Span> spans;
-  for (std::size_t first = 0; first + 1 < clean->size();) {
-    if ((*clean)[first].displacement_mm == (*clean)[first + 1].displacement_mm) {  // a wall
+  for (std::size_t first = 0; first + 1 < clean.size();) {
+    if (clean[first].displacement_mm == clean[first + 1].displacement_mm) {  // a wall
       if (spans.empty()) spans.push_back({first, first, 0, 0});
       ++first;
-      if (first + 1 == clean->size()) spans.push_back({first, first, 0, 0});
+      if (first + 1 == clean.size()) spans.push_back({first, first, 0, 0});
       continue;
     }
     std::size_t limit = first + 1;
-    while (limit + 1 < clean->size() &&
-           (*clean)[limit].displacement_mm != (*clean)[limit + 1].displacement_mm)
+    while (limit + 1 < clean.size() && clean[limit].displacement_mm != clean[limit + 1].displacement_mm)
       ++limit;
     while (first < limit) {
-      spans.push_back(longestSpan(*clean, first, limit, tolerance_N));
+      spans.push_back(longestSpan(clean, first, limit, tolerance_N));
       first = spans.back().last;
     }
   }
-  joinSmoothly(*clean, spans, tolerance_N);
-  std::vector<Knot> knots = knotsFrom(*clean, spans);
+  joinSmoothly(clean, spans, tolerance_N);
+  std::vector<Knot> knots = knotsFrom(clean, spans);
   // A wall at an end is a span of one point: its knot stands once.
   knots.erase(std::unique(knots.begin(), knots.end(),
                           [](const Knot& a, const Knot& b) {
@@ -266,5 +264,7 @@ Result<StrokeCurve> curveThroughDensePoints(const std::vector<CurvePoint>& point
               knots.end());
   return StrokeCurve::fromKnots(std::move(knots));
 }
+
+std::optional<PointFault> faultOf(const std::vector<CurvePoint>& points) { return cleaned(points).fault; }
 
 }  // namespace detent

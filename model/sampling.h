@@ -2,6 +2,7 @@
 #pragma once
 // Between curves and dense points, both ways, within a stated tolerance.
 
+#include <optional>
 #include <vector>
 
 #include "model/force_graph.h"
@@ -24,7 +25,17 @@ std::vector<CurvePoint> travelledSamples(const ForceGraph& graph, Stroke stroke)
 /// between points, stays within twice that of the straight line joining them, so nothing is invented where
 /// points are sparse. No noise is modelled and nothing is fitted in displacement: for measured points use the
 /// importer's fit. Points by increasing displacement; a run at one displacement is a wall (its inner points
-/// must lie between its ends). Failure names the point (counted from 1) that breaks a rule.
+/// must lie between its ends). Failure names the point (counted from 1) that breaks a rule, see faultOf.
 Result<StrokeCurve> curveThroughDensePoints(const std::vector<CurvePoint>& points, double tolerance_N);
+
+/// What keeps points from being a curve, and which of them it is, from 0.
+struct PointFault {
+  std::size_t index = 0;
+  Message problem;
+  Remedies remedies;
+};
+
+/// The first rule of curveThroughDensePoints that the points break by themselves; nothing if they keep all.
+std::optional<PointFault> faultOf(const std::vector<CurvePoint>& points);
 
 }  // namespace detent

@@ -22,9 +22,9 @@ std::string numberText(double value) {
   return buffer;
 }
 
-Failure curveFailure(std::string place, std::string problem, std::string remedy) {
+Failure curveFailure(Message place, Message problem, Remedies remedies) {
   return {FailureCode::unreadableInput, "stroke curve", std::move(place), std::move(problem),
-          std::move(remedy)};
+          std::move(remedies)};
 }
 
 std::string knotPlace(std::size_t index) { return "knot " + std::to_string(index + 1); }

@@ -21,7 +21,7 @@ struct LengthName {
   LengthUnit unit;
 };
 
-// Symbols where case carries meaning: tried before anything is lowered ("MN" is no unit of a button).
+// Symbols where case carries meaning: tried before anything is lowered ("MN" is not a unit of a button).
 constexpr std::array<ForceName, 5> exactForceSymbols{{{"N", ForceUnit::newton},
                                                       {"mN", ForceUnit::millinewton},
                                                       {"cN", ForceUnit::centinewton},

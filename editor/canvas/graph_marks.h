@@ -15,7 +15,7 @@ namespace detent::editor {
 
 enum class MarkKind {
   tactilePoint,
-  turn,  ///< a valley or hump that is no tactile point
+  turn,  ///< a valley or hump that is not a tactile point
   knot,
   slopeBefore,  ///< handle of the slope of the piece that ends at a knot
   slopeAfter,   ///< handle of the slope of the piece that starts there

@@ -16,6 +16,7 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include "editor/document/message_words.h"
 #include "editor/feel/feel_player.h"
 #include "editor/feel/feel_settings.h"
 #include "editor/feel/feel_setup.h"
@@ -519,9 +520,10 @@ void FeelPanel::Parts::showPad() {
   const Slot& slot = felt();
   if (!slot.document || !slot.signal || !slot.signal->program) {
     const bool failed = slot.signal && slot.signal->failure;
-    pad_->setButton(std::nullopt, failed ? FeelPanel::tr("This button cannot be pressed: %1")
-                                               .arg(QString::fromStdString(slot.signal->failure->sentence()))
-                                         : QString());
+    pad_->setButton(
+        std::nullopt,
+        failed ? FeelPanel::tr("This button cannot be pressed: %1").arg(sentenceOf(*slot.signal->failure))
+               : QString());
     return;
   }
   if (!playback::livePlaybackAvailable()) {
@@ -572,7 +574,7 @@ void FeelPanel::Parts::loadProfile() {
     if (loaded) {
       profile_ = *std::move(loaded);
     } else {
-      trouble = QString::fromStdString(loaded.failure().sentence());
+      trouble = sentenceOf(loaded.failure());
       settings_.profileFile.clear();
     }
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "editor/document/message_words.h"
+
 namespace detent::editor {
 namespace {
 
@@ -13,8 +15,6 @@ constexpr double lift_s = 0.06;     // as playback's own finger
 constexpr double longestRecord_s = 20, recordStep_s = 1e-3;
 constexpr double playLead_s = 0.1;  // until a recorded press begins
 constexpr double goesOn_s = 1;      // how long after the last movement meters stay quick
-
-QString sentence(const Failure& failure) { return QString::fromStdString(failure.sentence()); }
 
 /// 1 to 0 without jerk at the ends (Flash & Hogan 1985).
 double fading(double share) {
@@ -62,7 +62,7 @@ void FeelPlayer::startSilent() {
   if (!program_) return;
   Result<Player> silent = playback::LivePlayer::startSilent(*program_);
   if (!silent) {
-    setSound(SoundState::failed, sentence(silent.failure()));
+    setSound(SoundState::failed, sentenceOf(silent.failure()));
     return;
   }
   player_ = *std::move(silent);
@@ -124,7 +124,7 @@ void FeelPlayer::exchanged(Result<Player>* result) {
   }
   if (!soundWanted_ || result == nullptr) return;
   if (!waiting_) {
-    setSound(SoundState::failed, sentence(result->failure()));
+    setSound(SoundState::failed, sentenceOf(result->failure()));
     return;
   }
   if (program_) waiting_->setProgram(*program_);
@@ -177,7 +177,7 @@ void FeelPlayer::attachSensor() {
   if (!player_ || sensor_.port.empty()) return;
   const Result<Done> attached = player_->attachSensor(sensor_.port, sensor_.baud, sensor_.calibration);
   if (attached) return;
-  sensorTrouble_ = sentence(attached.failure());
+  sensorTrouble_ = sentenceOf(attached.failure());
   sensor_ = {};
   emit sensorChanged();
 }

@@ -3,6 +3,8 @@
 
 #include <memory>
 
+#include "editor/document/message_words.h"
+
 namespace detent::editor {
 
 SoundDeviceList::SoundDeviceList(QObject* parent, FeelDevices devices)
@@ -23,7 +25,7 @@ void SoundDeviceList::refresh() {
         [this, answer] {
           asking_ = false;
           outputs_.clear();
-          trouble_ = *answer ? QString() : QString::fromStdString(answer->failure().sentence());
+          trouble_ = *answer ? QString() : sentenceOf(answer->failure());
           if (*answer)
             for (const playback::SoundDevice& device : **answer)
               if (device.outputChannels > 0) outputs_.push_back(device);

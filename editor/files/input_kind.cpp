@@ -64,6 +64,4 @@ QStringList openFilters() {
       InputKinds::tr("Force-displacement CSV") + " (" + csv + ")", InputKinds::tr("All files") + " (*)"};
 }
 
-QString sentenceOf(const Failure& failure) { return QString::fromStdString(failure.sentence()); }
-
 }  // namespace detent::editor

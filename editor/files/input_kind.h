@@ -22,7 +22,4 @@ Result<InputKind> inputKindOf(const QString& path);
 /// Filters of an open dialogue, first one: everything the editor can open.
 QStringList openFilters();
 
-/// For messages and command lines: "cannot be opened" with a sentence for people.
-QString sentenceOf(const Failure& failure);
-
 }  // namespace detent::editor

@@ -32,10 +32,10 @@ Result<RecoveryRecord> recoveryFromText(const std::string& text, const QString& 
   QJsonParseError error;
   const QJsonDocument document = QJsonDocument::fromJson(QByteArray::fromStdString(text), &error);
   if (error.error != QJsonParseError::NoError)
-    return broken(subject, "is no recovery file: " + error.errorString().toStdString());
+    return broken(subject, "is not a recovery file: " + error.errorString().toStdString());
   const QJsonObject object = document.object();
   if (object["format"].toString() != "detent-recovery")
-    return broken(subject, "is no recovery file: its format is not detent-recovery");
+    return broken(subject, "is not a recovery file: its format is not detent-recovery");
   if (object["version"].toInt() != recoveryVersion)
     return broken(subject, "has version " + std::to_string(object["version"].toInt()) + ", not 1");
   auto button = buttonFromJson(object["button"].toString().toStdString(), subject.toStdString());

@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QUuid>
 
+#include "editor/document/message_words.h"
 #include "editor/files/input_kind.h"
 #include "model/file/text_file.h"
 

@@ -204,7 +204,7 @@ bool AdjustTool::move(const QMouseEvent& event) {
     if (now != hovered_) hovered_ = now, view_.update();
     return false;
   }
-  constexpr double startsAt_px = 2;  // a click is no drag
+  constexpr double startsAt_px = 2;  // a click is not a drag
   if (!drag_->moved && distanceTo(drag_->from, event.position()) < startsAt_px) return true;
   drag_->moved = true;
   view_.setMagnifier(event.position());

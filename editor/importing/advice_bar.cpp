@@ -51,8 +51,8 @@ void AdviceBar::say(Tone tone, const Advice& advice) {
     delete item;
   }
   QStringList made;
-  for (const Remedy remedy : advice.remedies) {
-    const QString name = nameOf(remedy);
+  for (const RemedyKind remedy : advice.remedies) {
+    const QString name = textOnButton(remedy);
     if (made.contains(name)) continue;
     made << name;
     auto* button = new QPushButton(name);

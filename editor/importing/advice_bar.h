@@ -8,7 +8,7 @@
 #include <QList>
 #include <QPushButton>
 
-#include "editor/importing/failure_words.h"
+#include "editor/importing/finding_words.h"
 
 namespace detent::editor {
 
@@ -26,7 +26,7 @@ class AdviceBar : public QFrame {
   QString text() const { return words_->text(); }
 
  signals:
-  void remedyChosen(Remedy remedy);
+  void remedyChosen(RemedyKind correction);
 
  private:
   QLabel *mark_, *words_;

@@ -20,7 +20,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "editor/importing/failure_words.h"
+#include "editor/importing/finding_words.h"
 
 namespace detent::editor {
 namespace {
@@ -88,27 +88,8 @@ QLabel* wrapped(QLabel* label) {
   return label;
 }
 
-QString stepName(const std::string& step) {
-  if (step == "plot frame") return QObject::tr("Plot frame");
-  if (step == "axes") return QObject::tr("Axes");
-  if (step == "strokes") return QObject::tr("Press and release");
-  return QString::fromStdString(step);
-}
-
-QString secondsName(const std::string& step) {
-  if (step == "locate") return QObject::tr("finding the frame");
-  if (step == "axes") return QObject::tr("axes");
-  if (step == "texts") return QObject::tr("texts");
-  if (step == "trace") return QObject::tr("tracing");
-  if (step == "strokes") return QObject::tr("strokes");
-  if (step == "callouts") return QObject::tr("callouts");
-  if (step == "fit") return QObject::tr("fit");
-  if (step == "read") return QObject::tr("reading");
-  return QString::fromStdString(step);
-}
-
 const importer::StepFinding* stepOf(const std::shared_ptr<const importer::GraphEvidence>& evidence,
-                                    const char* step) {
+                                    importer::ImportStep step) {
   if (!evidence) return nullptr;
   for (const auto& each : evidence->steps) {
     if (each.step == step) return &each;
@@ -123,7 +104,7 @@ QString axisTitle(GraphAxis axis, bool ofLog) {
 }
 
 std::optional<double> confidenceOf(const std::shared_ptr<const importer::GraphEvidence>& evidence,
-                                   const char* step) {
+                                   importer::ImportStep step) {
   const auto* found = stepOf(evidence, step);
   if (!found) return {};
   return found->confidence;
@@ -361,7 +342,7 @@ void FindingsPanel::build() {
   curves->addWidget(f.strokes = wrapped(new QLabel));
   auto* maskRow = new QHBoxLayout;
   auto* box = new QPushButton(tr("Mask…"));
-  box->setToolTip(tr("Drag rectangles over what is no curve"));
+  box->setToolTip(tr("Drag rectangles over what is not a curve"));
   connect(box, &QPushButton::clicked, this, [this] { emit toolAsked(ToolKind::maskBox); });
   maskRow->addWidget(box);
   maskRow->addWidget(f.masks = new QLabel);
@@ -466,7 +447,8 @@ void FindingsPanel::showAxis(GraphAxis axis) {
                        : reading             ? QString::fromStdString(reading->unit)
                                              : QString();
   a.unit->setCurrentIndex(a.unit->findText(unit));
-  a.range.set(!correction.empty(), shown ? confidenceOf(shown->evidence, "axes") : std::nullopt);
+  a.range.set(!correction.empty(),
+              shown ? confidenceOf(shown->evidence, importer::ImportStep::axes) : std::nullopt);
   a.unitOrigin.set(unitGiven, {});
   if (!unitGiven && reading)
     a.unitOrigin.words->setText(reading->unitFound ? tr("as printed") : tr("not printed, a guess"));
@@ -499,8 +481,9 @@ void FindingsPanel::showCurves() {
   f.press.set(given.pressColor.has_value(), {});
   f.release.set(given.releaseColor.has_value(), {});
   f.swap->setChecked(given.swapStrokes);
-  const auto* strokes = graph && graph->good ? stepOf(graph->good->evidence, "strokes") : nullptr;
-  f.strokes->setText(strokes ? QString::fromStdString(strokes->evidence) : QString());
+  const auto* strokes =
+      graph && graph->good ? stepOf(graph->good->evidence, importer::ImportStep::strokes) : nullptr;
+  f.strokes->setText(strokes ? inWords(strokes->evidence, settings_.units()) : QString());
   f.strokes->setVisible(strokes && !strokes->evidence.empty());
   f.masks->setText(given.masks.empty()       ? tr("none")
                    : given.masks.size() == 1 ? tr("1 place masked")
@@ -516,15 +499,11 @@ void FindingsPanel::showChecks(const importer::ImportReport* report) {
   if (report) {
     for (const auto& check : report->specChecks) {
       const QString mark = check.agrees ? QStringLiteral("✓ ") : QStringLiteral("✗ ");
-      checks << mark + QString::fromStdString(check.sentence());
+      checks << mark + inWords(messageOf(check), settings_.units());
     }
-    std::vector<std::string> disagreeing;
-    for (const auto& check : report->specChecks) {
-      if (!check.agrees) disagreeing.push_back(check.sentence());
-    }
-    for (const auto& warning : report->warnings) {
-      const bool said = std::find(disagreeing.begin(), disagreeing.end(), warning) != disagreeing.end();
-      if (!said) warnings << QStringLiteral("⚠ ") + warningInWords(warning);
+    for (const auto& remark : report->remarks) {
+      const bool amongChecks = remark.code == importer::RemarkCode::printedValueDiffers;
+      if (!amongChecks) warnings << QStringLiteral("⚠ ") + inWords(remark, settings_.units());
     }
   }
   fields_->checks->setText(checks.isEmpty() ? QString()
@@ -574,7 +553,7 @@ void FindingsPanel::showResult() {
   double sum = 0;
   for (const auto& [step, seconds] : report->seconds) {
     sum += seconds;
-    if (seconds >= 0.0005) times << tr("%1 %2 ms").arg(secondsName(step)).arg(qRound(1000 * seconds));
+    if (seconds >= 0.0005) times << tr("%1 %2 ms").arg(nameOfWork(step)).arg(qRound(1000 * seconds));
   }
   f.seconds->setText(
       tr("Computed in %1 ms: %2").arg(qRound(1000 * sum)).arg(times.join(QStringLiteral(", "))));
@@ -604,9 +583,9 @@ void FindingsPanel::refresh() {
   QStringList steps, reasons;
   if (evidence) {
     for (const auto& step : evidence->steps) {
-      steps << tr("%1 %2 %").arg(stepName(step.step)).arg(qRound(100 * step.confidence));
+      steps << tr("%1 %2 %").arg(nameOfFinding(step.step)).arg(qRound(100 * step.confidence));
       if (!step.evidence.empty())
-        reasons << tr("%1: %2").arg(stepName(step.step), QString::fromStdString(step.evidence));
+        reasons << tr("%1: %2").arg(nameOfFinding(step.step), inWords(step.evidence, settings_.units()));
     }
   }
   f.steps->setText(steps.join(QStringLiteral(" · ")));
@@ -617,10 +596,10 @@ void FindingsPanel::refresh() {
   f.confirmed->setChecked(graph->confirmed);
 
   f.frameBox->setVisible(!log);
-  f.frame.set(graph->framedByHand(), confidenceOf(evidence, "plot frame"));
+  f.frame.set(graph->framedByHand(), confidenceOf(evidence, importer::ImportStep::locate));
   f.frame.reset->setVisible(graph->framedByHand() && graph->listed.has_value());
-  const auto* frameStep = stepOf(evidence, "plot frame");
-  f.frameDetails->setText(frameStep ? QString::fromStdString(frameStep->evidence) : QString());
+  const auto* frameStep = stepOf(evidence, importer::ImportStep::locate);
+  f.frameDetails->setText(frameStep ? inWords(frameStep->evidence, settings_.units()) : QString());
   f.frameDetails->setVisible(frameStep && !frameStep->evidence.empty() && !graph->framedByHand());
   for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y}) {
     for (QWidget* each : f.axis(axis).ofPage) each->setVisible(!log);

@@ -48,7 +48,7 @@ ImportDesk::ImportDesk(QObject* parent) : QObject(parent), thread_(newThread()),
   connect(thread_, &QThread::finished, worker_, &QObject::deleteLater);
   connect(worker_, &ImportWorker::answered, this, &ImportDesk::finish);
   connect(worker_, &ImportWorker::progressed, this,
-          [this](Ticket ticket, double fraction, const QString& step) {
+          [this](Ticket ticket, double fraction, importer::ImportStep step) {
             if (running_ && running_->question.ticket == ticket && !running_->forgotten)
               emit progressed(ticket, fraction, step);
           });

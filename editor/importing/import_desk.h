@@ -40,7 +40,7 @@ class ImportDesk : public QObject {
 
  signals:
   void answered(ImportDesk::Ticket ticket, std::shared_ptr<const Answer> answer);
-  void progressed(ImportDesk::Ticket ticket, double fraction, const QString& step);
+  void progressed(ImportDesk::Ticket ticket, double fraction, importer::ImportStep step);
 
  private:
   struct Question {

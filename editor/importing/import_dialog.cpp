@@ -41,53 +41,41 @@ constexpr std::array qualities{importer::Quality::draft, importer::Quality::stan
 
 QString keyOf(const QAction& action) { return action.shortcut().toString(QKeySequence::NativeText); }
 
-QString stepInWords(const QString& step) {
-  if (step == QLatin1String("finding graphs and reading axes"))
-    return QObject::tr("Finding the graph and reading its axes …");
-  if (step == QLatin1String("tracing curves")) return QObject::tr("Tracing the curves …");
-  if (step == QLatin1String("telling press from release")) return QObject::tr("Telling press from release …");
-  if (step == QLatin1String("fitting")) return QObject::tr("Fitting …");
-  return QObject::tr("Working …");
-}
-
-bool isGiven(Remedy remedy, const Corrections& given) {
-  switch (remedy) {
-    case Remedy::frame:
+bool isGiven(RemedyKind correction, const Corrections& given) {
+  switch (correction) {
+    case RemedyKind::giveFrame:
       return given.frame.has_value();
-    case Remedy::xAxis:
+    case RemedyKind::giveXAxis:
       return !given.x.empty();
-    case Remedy::yAxis:
+    case RemedyKind::giveYAxis:
       return !given.y.empty();
-    case Remedy::xUnit:
+    case RemedyKind::giveXUnit:
       return given.xUnit.has_value();
-    case Remedy::yUnit:
+    case RemedyKind::giveYUnit:
       return given.yUnit.has_value();
-    case Remedy::pressColor:
+    case RemedyKind::pickPress:
       return given.pressColor.has_value();
-    case Remedy::releaseColor:
+    case RemedyKind::pickRelease:
       return given.releaseColor.has_value();
-    case Remedy::mask:
-    case Remedy::dpi:
-    case Remedy::swap:
+    default:  // may be given again
       return false;
   }
-  return false;
 }
 
 /// What would settle a doubt: what the importer names, without what is given already; units where the axes
 /// are in doubt and none was printed.
-Advice adviceForDoubt(const ImportGraph& graph, const QString& documentName) {
+Advice adviceForDoubt(const ImportGraph& graph, const DisplayUnits& units) {
   const importer::ImportReport& report = *graph.last->report;
   const Corrections& given = graph.history.now();
-  std::vector<Remedy> remedies;
-  const auto named = adviceFor(*report.doubt, documentName).remedies;
-  const bool axes = std::find(named.begin(), named.end(), Remedy::xAxis) != named.end();
-  if (axes && report.x && !report.x->unitFound) remedies.push_back(Remedy::xUnit);
-  if (axes && report.y && !report.y->unitFound) remedies.push_back(Remedy::yUnit);
-  for (const Remedy remedy : named) {
-    if (!isGiven(remedy, given)) remedies.push_back(remedy);
+  std::vector<RemedyKind> corrections;
+  const auto named = correctionsAmong(report.doubt->remedies);
+  const bool axes = std::find(named.begin(), named.end(), RemedyKind::giveXAxis) != named.end();
+  if (axes && report.x && !report.x->unitFound) corrections.push_back(RemedyKind::giveXUnit);
+  if (axes && report.y && !report.y->unitFound) corrections.push_back(RemedyKind::giveYUnit);
+  for (const RemedyKind each : named) {
+    if (!isGiven(each, given)) corrections.push_back(each);
   }
-  Advice advice = adviceWith(*report.doubt, documentName, remedies);
+  Advice advice = adviceFor(*report.doubt, corrections, units);
   if (axes && report.x && report.y && !report.x->unitFound && !report.y->unitFound)
     advice.problem = QObject::tr("The page names no units: %1 and %2 are a guess.")
                          .arg(QString::fromStdString(report.x->unit), QString::fromStdString(report.y->unit));
@@ -100,8 +88,9 @@ Advice adviceForDoubt(const ImportGraph& graph, const QString& documentName) {
 }  // namespace
 
 struct ImportDialog::Impl {
-  Impl(ImportDialog& itsDialog, ViewSettings& settings)
+  Impl(ImportDialog& itsDialog, ViewSettings& itsSettings)
       : dialog(itsDialog),
+        settings(itsSettings),
         pages(new PageList(state)),
         view(new PageView(state, settings)),
         log(new LogPlot(state, settings)),
@@ -122,11 +111,12 @@ struct ImportDialog::Impl {
   void showWork();
   void showAdvice();
   void showAccept();
-  void follow(Remedy remedy);
+  void follow(RemedyKind correction);
   void chooseFile();
   void paste();
 
   ImportDialog& dialog;
+  ViewSettings& settings;
   ImportState state;  // before the widgets that listen to it
   PageList* pages;
   PageView* view;
@@ -307,7 +297,8 @@ void ImportDialog::Impl::build() {
     view->setTool(kind);
     view->setFocus();
   });
-  QObject::connect(advice, &AdviceBar::remedyChosen, &dialog, [this](Remedy remedy) { follow(remedy); });
+  QObject::connect(advice, &AdviceBar::remedyChosen, &dialog,
+                   [this](RemedyKind correction) { follow(correction); });
   QObject::connect(workSoon, &QTimer::timeout, &dialog, [this] {
     progress->setVisible(true);
     stop->setVisible(true);
@@ -331,10 +322,11 @@ void ImportDialog::Impl::connectState() {
     showAdvice();
     showAccept();
   });
-  QObject::connect(&state, &ImportState::progressed, &dialog, [this](double fraction, const QString& step) {
-    progress->setValue(static_cast<int>(1000 * fraction));
-    work->setText(stepInWords(step));
-  });
+  QObject::connect(&state, &ImportState::progressed, &dialog,
+                   [this](double fraction, importer::ImportStep step) {
+                     progress->setValue(static_cast<int>(1000 * fraction));
+                     work->setText(inProgress(step));
+                   });
   QObject::connect(&state, &ImportState::accepted, &dialog, &ImportDialog::imported);
   QObject::connect(&state, &ImportState::allAccepted, &dialog, &QDialog::accept);
 }
@@ -391,28 +383,30 @@ void ImportDialog::Impl::showWork() {
 
 void ImportDialog::Impl::showAdvice() {
   if (state.openFailure())
-    return advice->say(AdviceBar::Tone::fault, adviceFor(*state.openFailure(), state.documentName()));
+    return advice->say(AdviceBar::Tone::fault,
+                       adviceFor(*state.openFailure(), state.documentName(), settings.units()));
   const ImportGraph* graph = state.current();
   if (!graph) {
     if (!state.isOpen() || state.isForceLog()) return advice->clear();
     if (const auto& failure = state.page(state.currentPage()).failure)
-      return advice->say(AdviceBar::Tone::fault, adviceFor(*failure, state.documentName()));
+      return advice->say(AdviceBar::Tone::fault, adviceFor(*failure, state.documentName(), settings.units()));
     if (state.page(state.currentPage()).searched) {
       const bool elsewhere = !state.graphs().empty();
       return advice->say(
           AdviceBar::Tone::note,
           {elsewhere ? tr("No force graph was found on this page.") : tr("No force graph was found."),
            tr("If there is one, draw its plot frame on the page or click a dashed rectangle."),
-           {Remedy::frame}});
+           {RemedyKind::giveFrame}});
     }
     return advice->clear();
   }
   if (graph->last && graph->last->failure && graph->pending == 0)
-    return advice->say(AdviceBar::Tone::fault, adviceFor(*graph->last->failure, state.documentName()));
+    return advice->say(AdviceBar::Tone::fault,
+                       adviceFor(*graph->last->failure, state.documentName(), settings.units()));
   const importer::ImportReport* report = graph->last ? graph->last->report.get() : nullptr;
   if (report && report->doubt) {
     if (graph->confirmed) return advice->clear();
-    return advice->say(AdviceBar::Tone::doubt, adviceForDoubt(*graph, state.documentName()));
+    return advice->say(AdviceBar::Tone::doubt, adviceForDoubt(*graph, settings.units()));
   }
   if (graph->pending == 0) advice->clear();
 }
@@ -428,32 +422,34 @@ void ImportDialog::Impl::showAccept() {
                                 : tr("Import this graph as a button (Ctrl+Enter)"));
 }
 
-void ImportDialog::Impl::follow(Remedy remedy) {
-  switch (remedy) {
-    case Remedy::frame:
+void ImportDialog::Impl::follow(RemedyKind correction) {
+  switch (correction) {
+    case RemedyKind::giveFrame:
       return view->setTool(ToolKind::drawFrame);
-    case Remedy::xAxis:
+    case RemedyKind::giveXAxis:
       return findings->focusField(GraphAxis::x);
-    case Remedy::yAxis:
+    case RemedyKind::giveYAxis:
       return findings->focusField(GraphAxis::y);
-    case Remedy::xUnit:
+    case RemedyKind::giveXUnit:
       return findings->focusUnit(GraphAxis::x);
-    case Remedy::yUnit:
+    case RemedyKind::giveYUnit:
       return findings->focusUnit(GraphAxis::y);
-    case Remedy::pressColor:
+    case RemedyKind::pickPress:
       return view->setTool(ToolKind::pressColor);
-    case Remedy::releaseColor:
+    case RemedyKind::pickRelease:
       return view->setTool(ToolKind::releaseColor);
-    case Remedy::mask:
+    case RemedyKind::addMask:
       return view->setTool(ToolKind::maskBrush);
-    case Remedy::dpi:
+    case RemedyKind::setResolution:
       return findings->focusDpi();
-    case Remedy::swap: {
+    case RemedyKind::swapStrokes: {
       if (!state.current()) return;
       Corrections next = state.current()->history.now();
       next.swapStrokes = !next.swapStrokes;
       return state.apply(next, tr("Exchange strokes"));
     }
+    default:
+      return;  // the bar offers corrections alone
   }
 }
 

@@ -33,8 +33,7 @@ std::size_t bytesOf(const ImportGraph& graph) {
 }
 
 bool wasCancelled(const ImportedGraph& imported) {
-  return imported.failure && imported.failure->code == FailureCode::wrongUsage &&
-         imported.failure->problem == "cancelled";
+  return imported.failure && imported.failure->code == FailureCode::cancelled;
 }
 
 }  // namespace
@@ -98,7 +97,7 @@ ImportState::ImportState(QObject* parent) : QObject(parent), desk_(this) {
             }
           });
   connect(&desk_, &ImportDesk::progressed, this,
-          [this](ImportDesk::Ticket ticket, double fraction, const QString& step) {
+          [this](ImportDesk::Ticket ticket, double fraction, importer::ImportStep step) {
             const ImportGraph* graph = current();
             if (ticket == openTicket_ || (graph && graph->pending == ticket)) emit progressed(fraction, step);
           });

@@ -128,7 +128,7 @@ class ImportState : public QObject {
   void currentChanged();  ///< another page or graph is looked at, or its sheet has come
   void correctionsChanged();
   void resultChanged();  ///< of the current graph: a new answer, or work began or ended
-  void progressed(double fraction, const QString& step);
+  void progressed(double fraction, importer::ImportStep step);
   void accepted(std::shared_ptr<const importer::ImportReport> report);
   void allAccepted();
   void acceptStopped();

@@ -8,10 +8,10 @@ void ImportWorker::answer(quint64 ticket, const Query& query, const StopFlag& st
   sinceReport_.invalidate();
   importer::Progress progress;
   progress.cancelled = [stop] { return stop->load(std::memory_order_relaxed); };
-  progress.report = [this, ticket](double fraction, std::string_view step) {
+  progress.report = [this, ticket](double fraction, importer::ImportStep step) {
     if (sinceReport_.isValid() && sinceReport_.elapsed() < reportEvery_ms) return;
     sinceReport_.start();
-    emit progressed(ticket, fraction, QString::fromUtf8(step.data(), static_cast<qsizetype>(step.size())));
+    emit progressed(ticket, fraction, step);
   };
   emit answered(ticket, std::make_shared<const Answer>(answers_.answer(query, progress)));
 }

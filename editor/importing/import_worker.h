@@ -23,7 +23,7 @@ class ImportWorker : public QObject {
  signals:
   void answered(quint64 ticket, std::shared_ptr<const Answer> answer);
   /// At most 40 times a second.
-  void progressed(quint64 ticket, double fraction, const QString& step);
+  void progressed(quint64 ticket, double fraction, importer::ImportStep step);
 
  private:
   ImportAnswers answers_;

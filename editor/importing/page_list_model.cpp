@@ -5,7 +5,7 @@
 #include <QLocale>
 #include <QPainter>
 
-#include "editor/importing/failure_words.h"
+#include "editor/importing/finding_words.h"
 
 namespace detent::editor {
 namespace {

@@ -11,7 +11,7 @@
 #include <QToolTip>
 #include <utility>
 
-#include "editor/importing/failure_words.h"
+#include "editor/importing/finding_words.h"
 #include "editor/importing/findings_painting.h"
 #include "editor/importing/page_tool.h"
 
@@ -257,7 +257,7 @@ void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::s
   connect(editor, &QLineEdit::returnPressed, this, [this, editor, axis, at, replaces] {
     const auto value = typedNumber(editor->text());
     if (!value) {
-      emit hint(tr("That is no number. Type a value like 0.5 or 120."));
+      emit hint(tr("That is not a number. Type a value like 0.5 or 120."));
       return;
     }
     Corrections next = shown();
@@ -272,7 +272,7 @@ void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::s
     state_.apply(next, axis == GraphAxis::x ? tr("Set displacement tick") : tr("Set force tick"));
   });
   connect(editor, &QLineEdit::editingFinished, editor, [editor] {
-    if (!editor->hasFocus()) editor->deleteLater();  // Enter with what is no number leaves it open
+    if (!editor->hasFocus()) editor->deleteLater();  // Enter with what is not a number leaves it open
   });
 }
 

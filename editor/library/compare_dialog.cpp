@@ -14,6 +14,7 @@
 #include <qcustomplot.h>
 
 #include "editor/document/graph_colors.h"
+#include "editor/document/message_words.h"
 #include "model/sampling.h"
 
 namespace detent::editor {
@@ -210,8 +211,7 @@ void CompareDialog::update() {
   drawCurves(*a, *b);
   fillTable(*a, *b);
   const auto distance = detent::compare(polylinesOf(a->graph), polylinesOf(b->graph));
-  distance_->setText(distance ? shownDistance(*distance, settings_.units())
-                              : QString::fromStdString(distance.failure().sentence()));
+  distance_->setText(distance ? shownDistance(*distance, settings_.units()) : sentenceOf(distance.failure()));
 }
 
 void CompareDialog::drawCurves(const ButtonState& a, const ButtonState& b) {

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "editor/document/message_words.h"
 #include "editor/files/input_kind.h"
 #include "editor/library/graph_picture.h"
 #include "model/file/button_file.h"

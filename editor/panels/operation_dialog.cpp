@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/graph_colors.h"
+#include "editor/document/message_words.h"
 
 namespace detent::editor {
 namespace {
@@ -144,7 +145,7 @@ void OperationDialog::fieldChanged() {
 void OperationDialog::preview() {
   const Result<Button> next = operation_.edit(document_.history().committed(), values());
   if (next) document_.history().preview(*next);
-  refusal_->setText(next ? QString() : QString::fromStdString(next.failure().sentence()));
+  refusal_->setText(next ? QString() : sentenceOf(next.failure()));
   accept_->setEnabled(next.ok());
 }
 

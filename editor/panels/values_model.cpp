@@ -3,6 +3,7 @@
 
 #include <QFont>
 
+#include "editor/document/message_words.h"
 #include "editor/tools/mark_edits.h"
 
 namespace detent::editor {
@@ -238,12 +239,12 @@ bool ValuesModel::setData(const QModelIndex& index, const QVariant& value, int r
   const auto number = parseQuantity(typed, quantityOf(index.column()), settings_.units());
   if (!number) {
     emit refused(index,
-                 tr("“%1” is no number with a known unit. Type for example 1.25, or 60 gf.").arg(typed));
+                 tr("“%1” is not a number with a known unit. Type for example 1.25, or 60 gf.").arg(typed));
     return false;
   }
   const Result<Button> next = edited(*mark, index.column(), *number);
   if (!next) {
-    emit refused(index, QString::fromStdString(next.failure().sentence()));
+    emit refused(index, sentenceOf(next.failure()));
     return false;
   }
   emit accepted();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <QCoreApplication>
 
+#include "editor/document/message_words.h"
 #include "editor/tools/hit_test.h"
 #include "editor/tools/mark_edits.h"
 
@@ -56,7 +57,7 @@ bool AddKnotTool::pressed(const PointerInput& input) {
   const std::size_t state = context_.document.activeState();
   const auto added =
       addKnot(context_.document.history().committed(), state, hit->stroke, hit->at.displacement_mm);
-  if (!added) return missed(context_, QString::fromStdString(added.failure().sentence()));
+  if (!added) return missed(context_, sentenceOf(added.failure()));
   const auto knot = knotAt(added->states()[state].graph.curve(hit->stroke), hit->at.displacement_mm);
   if (!knot) return false;
   const MarkId id{MarkKind::knot, hit->stroke, *knot};

@@ -7,6 +7,7 @@
 
 #include "editor/canvas/curve_path.h"
 #include "editor/canvas/graph_painting.h"
+#include "editor/document/message_words.h"
 #include "model/edits.h"
 
 namespace detent::editor {
@@ -114,7 +115,7 @@ void DampingView::cancelDrag() {
 void DampingView::apply(std::vector<DampingPoint> next, const QString& label, const QString& mergeKey) {
   if (document_.history().dragging()) return;
   const auto button = setDamping(document_.history().committed(), document_.activeState(), std::move(next));
-  if (!button) return refuse(QString::fromStdString(button.failure().sentence()));
+  if (!button) return refuse(sentenceOf(button.failure()));
   refused_.clear();
   document_.history().apply(*button, label, mergeKey);
 }
@@ -124,7 +125,7 @@ void DampingView::movePoint(std::size_t index, DampingPoint to) {
   std::vector<DampingPoint> next = document_.history().committed().states()[state].damping;
   next[index] = to;
   const auto button = setDamping(document_.history().committed(), state, std::move(next));
-  if (!button) return refuse(QString::fromStdString(button.failure().sentence()));
+  if (!button) return refuse(sentenceOf(button.failure()));
   refused_.clear();
   document_.history().preview(*button);
 }

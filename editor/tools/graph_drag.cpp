@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/graph_drag.h"
 
+#include "editor/document/message_words.h"
 #include "editor/tools/snapping.h"
 #include "model/check.h"
 
@@ -55,7 +56,7 @@ void GraphDrag::moveTo(CurvePoint pointer, Qt::KeyboardModifiers modifiers) {
     if (refused_) say_({});
   } else {
     feedback.snap.reset();
-    feedback.refused = RefusedMove{to, QString::fromStdString(next.failure().sentence())};
+    feedback.refused = RefusedMove{to, sentenceOf(next.failure())};
     say_(feedback.refused->why);
   }
   refused_ = !next;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <QCoreApplication>
 
+#include "editor/document/message_words.h"
 #include "editor/tools/mark_edits.h"
 
 namespace detent::editor {
@@ -65,7 +66,7 @@ bool Keyboard::walk(int by) {
 
 void Keyboard::apply(const Result<Button>& next, const QString& label, const QString& mergeKey) {
   if (!next) {
-    const QString why = QString::fromStdString(next.failure().sentence());
+    const QString why = sentenceOf(next.failure());
     CanvasFeedback feedback;
     const auto at = placeOf(*context_.canvas.selected(), context_.canvas.state(), context_.canvas.values());
     if (at) feedback.refused = RefusedMove{*at, why};

@@ -8,8 +8,8 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("MarkEdits", text); }
 
-Failure refusal(std::string place, std::string problem, std::string remedy) {
-  return {FailureCode::wrongUsage, "force graph", std::move(place), std::move(problem), std::move(remedy)};
+Failure refusal(Message place, Message problem, Remedies remedies) {
+  return {FailureCode::wrongUsage, "force graph", std::move(place), std::move(problem), std::move(remedies)};
 }
 
 Result<Button> editCurve(const Button& button, std::size_t state, Stroke stroke, const CurveEdit& edit) {

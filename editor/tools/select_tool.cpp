@@ -4,6 +4,7 @@
 #include <cmath>
 #include <QCoreApplication>
 
+#include "editor/document/message_words.h"
 #include "editor/tools/hit_test.h"
 #include "editor/tools/mark_edits.h"
 
@@ -152,7 +153,7 @@ bool SelectTool::doubleClicked(const PointerInput& input) {
     if (next)
       history.apply(*next, tr("Corner or smooth: %1").arg(nameOf(mark.id)));
     else
-      context_.say(QString::fromStdString(next.failure().sentence()));
+      context_.say(sentenceOf(next.failure()));
     context_.canvas.setSelected(mark.id);
     return true;
   }
@@ -160,7 +161,7 @@ bool SelectTool::doubleClicked(const PointerInput& input) {
   if (!hit) return false;
   const auto next = addKnot(history.committed(), state, hit->stroke, hit->at.displacement_mm);
   if (!next) {
-    context_.say(QString::fromStdString(next.failure().sentence()));
+    context_.say(sentenceOf(next.failure()));
     return true;
   }
   history.apply(*next, tr("Add knot"));

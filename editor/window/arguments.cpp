@@ -31,7 +31,7 @@ Arguments argumentsFrom(const QStringList& words) {
     else if (qtSwitches.contains(bare) || qtOptionsWithValue.contains(bare.section('=', 0, 0)))
       continue;
     else if (arguments.wrongUsage.isEmpty())
-      arguments.wrongUsage = QString("detent-edit: %1 is no option. See detent-edit --help.").arg(word);
+      arguments.wrongUsage = QString("detent-edit: %1 is not an option. See detent-edit --help.").arg(word);
   }
   return arguments;
 }

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <QUrl>
 
+#include "editor/document/message_words.h"
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
 #include "editor/files/input_kind.h"

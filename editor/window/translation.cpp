@@ -8,14 +8,16 @@ namespace detent::editor {
 namespace {
 
 /// lupdate files texts of functions that belong to no class under their namespace, whatever context they ask
-/// with.
+/// with: those of the editor, and the patterns of messages of importer and model.
 class Translator : public QTranslator {
  public:
   using QTranslator::QTranslator;
   QString translate(const char* context, const char* source, const char* disambiguation,
                     int n) const override {
-    const QString text = QTranslator::translate(context, source, disambiguation, n);
-    return text.isNull() ? QTranslator::translate("detent::editor", source, disambiguation, n) : text;
+    QString text = QTranslator::translate(context, source, disambiguation, n);
+    for (const char* space : {"detent::editor", "detent::importer", "detent"})
+      if (text.isNull()) text = QTranslator::translate(space, source, disambiguation, n);
+    return text;
   }
 };
 

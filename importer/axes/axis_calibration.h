@@ -65,7 +65,7 @@ struct AxesFound {
   Found<AxisCalibration> calibration;
   /// Tick labels, titles and the document's own texts; legend and callouts come with readGraphTexts.
   std::vector<SeenText> texts;
-  std::vector<std::string> warnings;
+  std::vector<Remark> remarks;
 };
 
 /// Failure noForceGraph: no numbers; notCertain: numbers that make no progression (remedy: --x-axis /

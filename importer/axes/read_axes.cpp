@@ -30,16 +30,16 @@ struct EndValues {
   double first = 0, last = 0;
 };
 
-Failure cancelled() { return {FailureCode::wrongUsage, "", "", "cancelled", ""}; }
+RemedyKind rangeOf(Axis axis) { return axis == Axis::x ? RemedyKind::giveXAxis : RemedyKind::giveYAxis; }
+const char* nameOf(Axis axis) { return axis == Axis::x ? "x" : "y"; }
+Message placeOf(Axis axis) { return Message("%1 axis", nameOf(axis)); }
 
-Failure unread(const std::optional<AxisLabels>& labels, const std::string& axis) {
-  const std::string remedy = "Give its range with --" + axis + "-axis";
+Failure unread(const std::optional<AxisLabels>& labels, Axis axis) {
   if (labels && labels->numbers() >= 2)
-    return {FailureCode::notCertain, "plot frame", axis + " axis",
-            "the " + std::to_string(labels->numbers()) + " numbers along it make no even progression",
-            remedy};
-  return {FailureCode::noForceGraph, "plot frame", axis + " axis", "no row of numbers stands along it",
-          remedy};
+    return failureOf({DoubtCode::rangeUnreadable, {labels->numbers()}, rangeOf(axis)}, "plot frame",
+                     placeOf(axis));
+  return {FailureCode::noForceGraph, "plot frame", placeOf(axis), "no row of numbers stands along it",
+          rangeOf(axis)};
 }
 
 bool hasProgression(const std::optional<AxisLabels>& labels) { return labels && labels->progression; }
@@ -192,11 +192,10 @@ double sureOfUnits(const AxisCalibration& found, const std::vector<SeenText>& te
   return namesForceOrTravel(texts) ? 0.45 : 0.28;
 }
 
-std::string evidenceOf(const std::optional<AxisLabels>& labels, bool rangeGiven) {
-  if (rangeGiven || !hasProgression(labels)) return "given";
+EvidenceItem evidenceOf(Axis axis, const std::optional<AxisLabels>& labels, bool rangeGiven) {
+  if (rangeGiven || !hasProgression(labels)) return {EvidenceCode::axisGiven, {nameOf(axis)}};
   const auto& p = *labels->progression;
-  return std::to_string(p.labels) + " of " + std::to_string(labels->numbers()) +
-         " labels on an even progression over " + std::to_string(p.ticks) + " ticks";
+  return {EvidenceCode::labelsInProgression, {nameOf(axis), p.labels, labels->numbers(), p.ticks}};
 }
 
 void fillReading(AxisReading& reading, const std::optional<AxisLabels>& labels) {
@@ -207,8 +206,7 @@ void fillReading(AxisReading& reading, const std::optional<AxisLabels>& labels) 
 
 /// A label that was read with certainty and stands at another value's line: some datasheets print it so. The
 /// grid is followed.
-void warnOfContradictions(const std::optional<AxisLabels>& labels, const char* axis,
-                          std::vector<std::string>& warnings) {
+void remarkContradictions(const std::optional<AxisLabels>& labels, Axis axis, std::vector<Remark>& remarks) {
   constexpr double readWithCertainty = 0.9;
   if (!hasProgression(labels)) return;
   const Progression& p = *labels->progression;
@@ -218,10 +216,9 @@ void warnOfContradictions(const std::optional<AxisLabels>& labels, const char* a
     if (!read || verdictOn(*labels, i) != LabelVerdict::contradicts) continue;
     const double here = p.value(p.tickOf[i]), line = lineValue(p, p.tickOf[i]);
     const bool onLine = std::abs(here - line) < 0.2 * p.substep;
-    warnings.push_back("the label \"" + word.utf8 + "\" on the " + axis + " axis stands at " +
-                       shownNumber(onLine ? line : here) +
-                       " of the scale that the others make: left out; pass --" + axis +
-                       "-axis if the others are wrong");
+    remarks.push_back({RemarkCode::labelContradicts,
+                       {word.utf8, nameOf(axis), shownNumber(onLine ? line : here)},
+                       {{rangeOf(axis), "if the others are wrong"}}});
   }
 }
 
@@ -231,7 +228,7 @@ double endOf(double value, bool given, const std::optional<AxisLabels>& labels) 
 }
 
 LengthUnit xUnitOf(AxisReading& x, const AxisHints& hints, GraphReading& r,
-                   const std::optional<AxisLabels>& labels, std::vector<std::string>& warnings) {
+                   const std::optional<AxisLabels>& labels, std::vector<Remark>& remarks) {
   x.unitFound = true;
   if (hints.xUnit) {
     x.unitBy = DecidedBy::given;
@@ -244,13 +241,15 @@ LengthUnit xUnitOf(AxisReading& x, const AxisHints& hints, GraphReading& r,
   x.title = title.text;
   if (title.unit) return title.unit->unit;
   x.unitFound = false;
-  warnings.push_back("no unit found on the x axis: taken as mm; pass --x-unit if it is another");
+  remarks.push_back({RemarkCode::lengthUnitAssumed,
+                     {"x", symbolOf(LengthUnit::millimetre)},
+                     {{RemedyKind::giveXUnit, "if it is another"}}});
   return LengthUnit::millimetre;
 }
 
 ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
                   const std::optional<AxisLabels>& labels, const EndValues& values,
-                  std::vector<std::string>& warnings) {
+                  std::vector<Remark>& remarks) {
   y.unitFound = true;
   if (hints.yUnit) {
     y.unitBy = DecidedBy::given;
@@ -264,9 +263,9 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   if (title.unit) return title.unit->unit;
   y.unitFound = false;
   const bool newton = std::max(std::abs(values.first), std::abs(values.last)) <= newtonAtMost;
-  warnings.push_back(std::string("no unit found on the y axis: taken as ") +
-                     (newton ? "N because it ends at 5 or below" : "gf because it ends above 5") +
-                     "; pass --y-unit if it is another");
+  remarks.push_back({newton ? RemarkCode::smallForcesTakenAsNewton : RemarkCode::largeForcesTakenAsGram,
+                     {"y"},
+                     {{RemedyKind::giveYUnit, "if it is another"}}});
   return newton ? ForceUnit::newton : ForceUnit::gramForce;
 }
 
@@ -289,10 +288,10 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   const AxisGiven xGiven{hints.xMin, hints.xMax}, yGiven{hints.yMin, hints.yMax};
   GraphReading r(view, frame);
   const auto xLabels = xGiven.range() ? std::nullopt : credibleLabels(r, Axis::x);
-  if (!xGiven.range() && !hasProgression(xLabels)) return unread(xLabels, "x");
+  if (!xGiven.range() && !hasProgression(xLabels)) return unread(xLabels, Axis::x);
   const auto yLabels = yGiven.range() ? std::nullopt : credibleLabels(r, Axis::y);
-  if (!yGiven.range() && !hasProgression(yLabels)) return unread(yLabels, "y");
-  if (progress.isCancelled()) return cancelled();
+  if (!yGiven.range() && !hasProgression(yLabels)) return unread(yLabels, Axis::y);
+  if (progress.isCancelled()) return Failure::cancelled();
 
   // Values belong to where edges are meant to be, not to the pixels they were rounded to.
   auto corners = frame.corners;
@@ -300,13 +299,13 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   const EndValues x = valuesAtEnds(xLabels, corners[3].x, corners[2].x, xGiven.min, xGiven.max);
   const EndValues y = valuesAtEnds(yLabels, corners[0].y, corners[3].y, yGiven.max, yGiven.min);
   if (x.first == x.last || y.first == y.last)
-    return Failure{FailureCode::wrongUsage, "plot frame", x.first == x.last ? "x axis" : "y axis",
+    return Failure{FailureCode::wrongUsage, "plot frame", placeOf(x.first == x.last ? Axis::x : Axis::y),
                    "its range is empty", "Give two different values"};
 
   AxesFound found;
   auto& cal = found.calibration.value;
-  const auto xUnit = xUnitOf(cal.x, hints, r, xLabels, found.warnings);
-  const auto yUnit = yUnitOf(cal.y, hints, r, yLabels, y, found.warnings);
+  const auto xUnit = xUnitOf(cal.x, hints, r, xLabels, found.remarks);
+  const auto yUnit = yUnitOf(cal.y, hints, r, yLabels, y, found.remarks);
   cal.x.unit = symbolOf(xUnit);
   cal.y.unit = symbolOf(yUnit);
   fillReading(cal.x, xLabels);
@@ -322,14 +321,13 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   found.calibration.confidence =
       sureOf(xLabels, xGiven.range()) * sureOf(yLabels, yGiven.range()) * sureOfUnits(cal, found.texts);
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
-  found.calibration.evidence =
-      "x: " + evidenceOf(xLabels, xGiven.range()) + "; y: " + evidenceOf(yLabels, yGiven.range());
-  if (hasProgression(xLabels) && !xLabels->progression->fromTicks)
-    found.warnings.push_back("the x axis has no ticks: its scale comes from where its numbers stand");
-  if (hasProgression(yLabels) && !yLabels->progression->fromTicks)
-    found.warnings.push_back("the y axis has no ticks: its scale comes from where its numbers stand");
-  warnOfContradictions(xLabels, "x", found.warnings);
-  warnOfContradictions(yLabels, "y", found.warnings);
+  found.calibration.evidence = {evidenceOf(Axis::x, xLabels, xGiven.range()),
+                                evidenceOf(Axis::y, yLabels, yGiven.range())};
+  for (const auto& [axis, labels] : {std::pair(Axis::x, &xLabels), std::pair(Axis::y, &yLabels)}) {
+    if (hasProgression(*labels) && !(*labels)->progression->fromTicks)
+      found.remarks.push_back({RemarkCode::axisWithoutTicks, {nameOf(axis)}});
+    remarkContradictions(*labels, axis, found.remarks);
+  }
   return found;
 }
 

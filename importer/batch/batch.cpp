@@ -159,8 +159,7 @@ Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOpti
     poll(polled.data(), polled.size(), 100);
     if (cancelled && cancelled()) {
       stopAll();
-      return Failure{FailureCode::wrongUsage, "batch", "", "cancelled",
-                     "Run it again with --resume to go on"};
+      return Failure{FailureCode::cancelled, "batch", "", "cancelled", "Run it again with --resume to go on"};
     }
     for (std::size_t i = polled.size(); i-- > 0;) {
       Child& child = running[i];

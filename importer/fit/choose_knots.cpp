@@ -187,7 +187,7 @@ std::vector<std::size_t> removable(const Workpiece& work, double limit) {
   return knots;
 }
 
-/// A flat joint that is no extremum any more gets a slope of its own.
+/// A flat joint that is not an extremum any more gets a slope of its own.
 void freeSlope(KnotChain& chain, std::size_t k) {
   if (k == 0 || k + 1 >= chain.size() || chain[k].joint != JointKind::flat || isExtremum(chain, k)) return;
   const double before = secant(chain[k - 1], chain[k]), after = secant(chain[k], chain[k + 1]);

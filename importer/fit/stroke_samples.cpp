@@ -9,9 +9,9 @@ namespace {
 
 std::string nameOf(Stroke stroke) { return stroke == Stroke::press ? "press stroke" : "release stroke"; }
 
-Failure unreadable(Stroke stroke, std::string place, std::string problem, std::string remedy) {
+Failure unreadable(Stroke stroke, Message place, Message problem, Remedies remedies) {
   return {FailureCode::unreadableInput, nameOf(stroke), std::move(place), std::move(problem),
-          std::move(remedy)};
+          std::move(remedies)};
 }
 
 struct Extent {

@@ -235,8 +235,7 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Docume
       s.score = r.score + 0.5 * std::min(12, way.below + way.left);
       s.candidate.confidence =
           std::clamp(0.5 + 0.1 * (std::min(way.below, way.left) - 2) + 0.05 * (r.score - 5), 0.2, 1.0);
-      s.candidate.evidence = std::to_string(way.below) + " labels below and " + std::to_string(way.left) +
-                             " beside a rectangle of lines";
+      s.candidate.evidence = {{EvidenceCode::labelsAroundBox, {way.below, way.left}}};
       all.push_back(std::move(s));
     }
   all = withoutOverlaps(std::move(all));

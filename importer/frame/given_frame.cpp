@@ -8,9 +8,9 @@
 namespace detent::importer {
 namespace {
 
-Failure refused(const Page& page, const std::string& problem) {
+Failure refused(const Page& page, Message problem) {
   return {
-      FailureCode::wrongUsage, page.source, "--frame", problem,
+      FailureCode::wrongUsage, page.source, "given plot frame", std::move(problem),
       "Give two opposite corners or four (top left, top right, bottom right, bottom left) inside the page"};
 }
 
@@ -33,12 +33,12 @@ int quarterTurnsOf(const std::vector<Point>& p) {
 
 Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, const Page& page) {
   if (given.size() != 2 && given.size() != 4)
-    return refused(page, std::to_string(given.size()) + " corners make no plot frame");
+    return refused(page, Message("%1 corners make no plot frame", given.size()));
   const double margin = page.unit == PageUnit::pixel ? 0.5 : 0;
   for (const auto& p : given)
     if (!(p.x >= -margin && p.y >= -margin && p.x <= page.width - margin && p.y <= page.height - margin))
       return refused(page,
-                     "corner (" + std::to_string(p.x) + ", " + std::to_string(p.y) + ") is outside the page");
+                     Message("corner (%1, %2) is outside the page", p.x, p.y));
   std::vector<Point> corners = given;
   if (given.size() == 2) {
     const Box box = boundsOf(given);
@@ -49,7 +49,7 @@ Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, 
   Found<FrameCandidate> found;
   found.confidence = 1;
   found.by = DecidedBy::given;
-  found.evidence = "plot frame given by hand";
+  found.evidence = {{EvidenceCode::frameGiven}};
   auto& c = found.value;
   c.pageBox = {corners[0].x, corners[0].y, corners[0].x, corners[0].y};
   for (const auto& p : corners)

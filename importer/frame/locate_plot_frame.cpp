@@ -197,9 +197,9 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
                                          const FrameCandidate& candidate, const Progress& progress) {
   const Box box = view.viewToPage.inverse().boxOf(candidate.pageBox);
   if (view.raster.empty() || box.width() < 16 || box.height() < 16)
-    return Failure{FailureCode::noForceGraph, page.source, "page " + std::to_string(page.number),
-                   "the plot frame is smaller than 16 pixels", "Give a larger region with --frame"};
-  if (progress.isCancelled()) return Failure{FailureCode::wrongUsage, page.source, "", "cancelled", ""};
+    return Failure{FailureCode::noForceGraph, page.source, Message("page %1", page.number),
+                   "the plot frame is smaller than 16 pixels", {{RemedyKind::giveFrame, "of a larger region"}}};
+  if (progress.isCancelled()) return Failure::cancelled(page.source);
   const bool given = candidate.givenCorners.size() == 4;
   const cv::Mat d = darknessOf(view.raster);
   const double reach =
@@ -220,12 +220,11 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
   if (given) {
     found.by = DecidedBy::given;
     found.confidence = 1;
-    found.evidence = "plot frame given by hand";
+    found.evidence = {{EvidenceCode::frameGiven}};
     return found;
   }
   found.confidence = std::min(1.0, 0.4 + 0.15 * e.drawn);
-  found.evidence = std::to_string(e.drawn) + " of 4 edges drawn, " + std::to_string(frame.xLines.size()) +
-                   " vertical and " + std::to_string(frame.yLines.size()) + " horizontal lines or ticks";
+  found.evidence = {{EvidenceCode::edgesDrawn, {e.drawn, frame.xLines.size(), frame.yLines.size()}}};
   return found;
 }
 

@@ -22,7 +22,7 @@ struct ForceLog {
   double preload_N = 0;              ///< offset removed (or 0)
   double noise_mm = 0, noise_N = 0;  ///< estimated from the samples
   long rowsRead = 0, rowsSkipped = 0;
-  std::vector<std::string> warnings;
+  std::vector<Remark> remarks;
 };
 
 Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints = {},

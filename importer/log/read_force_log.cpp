@@ -79,8 +79,8 @@ class LogReader {
   }
 
  private:
-  Failure failure(FailureCode code, std::string place, std::string problem, std::string remedy) const {
-    return {code, nameOf(path_), std::move(place), std::move(problem), std::move(remedy)};
+  Failure failure(FailureCode code, Message place, Message problem, Remedies remedies) const {
+    return {code, nameOf(path_), std::move(place), std::move(problem), std::move(remedies)};
   }
 
   std::optional<Failure> readRows() {
@@ -108,10 +108,8 @@ class LogReader {
     while (reader.next(line)) {
       takeRow(line, reader.lineNumber());
       if ((reader.lineNumber() & 0xFFFF) != 0) continue;
-      if (progress_.report) progress_.report(0.5 * reader.fractionRead(), "read log");
-      if (progress_.isCancelled())
-        return failure(FailureCode::wrongUsage, "line " + std::to_string(reader.lineNumber()), "cancelled",
-                       "Start the import again");
+      if (progress_.report) progress_.report(0.5 * reader.fractionRead(), ImportStep::read);
+      if (progress_.isCancelled()) return Failure::cancelled(nameOf(path_));
     }
     if (reader.isBroken())
       return failure(FailureCode::unreadableInput, "line " + std::to_string(reader.lineNumber() + 1),
@@ -170,7 +168,9 @@ class LogReader {
     else if (columns_.xUnit)
       xUnit = *columns_.xUnit;
     else
-      log_.warnings.push_back("No unit of displacement found, mm taken; pass --x-unit if that is wrong");
+      log_.remarks.push_back({RemarkCode::displacementUnitAssumed,
+                              {symbolOf(xUnit)},
+                              {{RemedyKind::giveXUnit, "if it is another"}}});
     ForceUnit yUnit = ForceUnit::newton;
     if (hints_.yUnit) {
       yUnit = *hints_.yUnit;
@@ -179,8 +179,8 @@ class LogReader {
     } else {
       // Buttons press with 0.1 to 10 N; written in gf the same forces are 10 to 1000.
       yUnit = greatestForce() > 12 ? ForceUnit::gramForce : ForceUnit::newton;
-      log_.warnings.push_back("No unit of force found, " + std::string(symbolOf(yUnit)) +
-                              " taken from the size of the numbers; pass --y-unit if that is wrong");
+      log_.remarks.push_back(
+          {RemarkCode::forceUnitAssumed, {symbolOf(yUnit)}, {{RemedyKind::giveYUnit, "if it is another"}}});
     }
     log_.xUnit = symbolOf(xUnit);
     log_.yUnit = symbolOf(yUnit);
@@ -253,14 +253,14 @@ class LogReader {
     if (-lowest > 1.5 * std::max(highest, 0.0)) {
       each([](CurvePoint& p) { p.force_N = -p.force_N; });
       meanF = -meanF;
-      log_.warnings.push_back("Compression is negative in this file: forces were turned positive");
+      log_.remarks.push_back({RemarkCode::forcesTurned});
     }
     meanX /= n, meanF /= n;
     double together = 0;
     each([&](CurvePoint& p) { together += (p.displacement_mm - meanX) * (p.force_N - meanF); });
     if (together < 0) {
       each([](CurvePoint& p) { p.displacement_mm = -p.displacement_mm; });
-      log_.warnings.push_back("Displacement falls while force rises in this file: its direction was turned");
+      log_.remarks.push_back({RemarkCode::displacementTurned});
     }
   }
 
@@ -284,13 +284,12 @@ class LogReader {
       return {};
     }
     if (!cycle.press)
-      return failure(FailureCode::noForceGraph, "", "it holds a release stroke but no press",
-                     "Record the press too, or pass --swap-strokes if this is one");
+      return failure(
+          FailureCode::noForceGraph, "", "it holds a release stroke but no press",
+          {{RemedyKind::swapStrokes, "if this is one"}, {RemedyKind::advice, "Else record the press too"}});
     press = copy(*cycle.press);
     if (cycle.release) release = copy(*cycle.release);
-    if (cycle.cycles > 1)
-      log_.warnings.push_back("The log holds " + std::to_string(cycle.cycles) +
-                              " presses; the first complete cycle was taken");
+    if (cycle.cycles > 1) log_.remarks.push_back({RemarkCode::severalPresses, {cycle.cycles}});
     return {};
   }
 
@@ -324,10 +323,7 @@ class LogReader {
     if (least >= 0) return;
     for (std::vector<CurvePoint>* stroke : {&press, &release})
       for (CurvePoint& p : *stroke) p.displacement_mm -= least;
-    char text[96];
-    std::snprintf(text, sizeof text,
-                  "Displacement starts at %.4g mm: shifted so that the press starts at 0 mm", least);
-    log_.warnings.emplace_back(text);
+    log_.remarks.push_back({RemarkCode::displacementShifted, {{least, Measure::displacement_mm}}});
   }
 
   void removePreload() {
@@ -338,10 +334,7 @@ class LogReader {
     for (CurvePoint& p : press) p.force_N -= *offset;
     if (log_.strokes.release)
       for (CurvePoint& p : log_.strokes.release->points) p.force_N -= *offset;
-    char text[96];
-    std::snprintf(text, sizeof text, "A force of %.4g N before contact was taken off as the meter's offset",
-                  *offset);
-    log_.warnings.emplace_back(text);
+    log_.remarks.push_back({RemarkCode::preloadTakenOff, {{*offset, Measure::force_N}}});
   }
 
   void noteRows() {
@@ -349,15 +342,11 @@ class LogReader {
     log_.rowsSkipped = rows_.skipped;
     const std::size_t together =
         std::max({rows_.run.rowsPerSample(), rows_.press.rowsPerSample(), rows_.release.rowsPerSample()});
-    if (together > 1)
-      log_.warnings.push_back("The log is long: each " + std::to_string(together) +
-                              " rows were averaged into one");
+    if (together > 1) log_.remarks.push_back({RemarkCode::rowsAveraged, {together}});
     if (rows_.skipped > 0)
-      log_.warnings.push_back(std::to_string(rows_.skipped) + " of " + std::to_string(rows_.rows) +
-                              " rows hold no two finite numbers and were left out, the first in line " +
-                              std::to_string(rows_.firstSkippedLine) + " (\"" + rows_.firstSkippedText +
-                              "\")");
-    if (!log_.strokes.release) log_.warnings.push_back("The log holds no release stroke");
+      log_.remarks.push_back({RemarkCode::rowsLeftOut,
+                              {rows_.skipped, rows_.rows, rows_.firstSkippedLine, rows_.firstSkippedText}});
+    if (!log_.strokes.release) log_.remarks.push_back({RemarkCode::noRelease});
   }
 
   const std::string& path_;

@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::size_t chunk = 1 << 18;
 
-Failure unreadable(const std::string& path, std::string problem, std::string remedy) {
+Failure unreadable(const std::string& path, Message problem, Remedies remedies) {
   return {FailureCode::unreadableInput, std::filesystem::path(path).filename().string(), "",
-          std::move(problem), std::move(remedy)};
+          std::move(problem), std::move(remedies)};
 }
 
 void appendUtf8(std::string& text, char32_t c) {

@@ -9,7 +9,7 @@ namespace {
 Failure absent(const SourceFile& file, const std::string& kind) {
   return unreadable(
       file.name, "", "this build reads no " + kind + " files (it was made without MuPDF)",
-      "Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 dpi and pass that");
+      "Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 dpi and import that");
 }
 
 }  // namespace

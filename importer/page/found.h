@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// A finding remembers who decided it, how sure, and from what (STYLE 8). Doubt is a confidence, not an error.
+// A finding remembers who decided it, how sure, and from what. Doubt is a confidence, not an error.
 
-#include <string>
+#include <vector>
 
+#include "importer/page/findings.h"
 #include "model/button.h"
 
 namespace detent::importer {
@@ -14,7 +15,7 @@ struct Found {
   T value{};
   double confidence = 0;
   DecidedBy by = DecidedBy::found;
-  std::string evidence;  ///< one short sentence: "7 of 7 tick labels on an even progression, rms 0.08 px"
+  std::vector<EvidenceItem> evidence;
 };
 
 }  // namespace detent::importer

@@ -76,7 +76,7 @@ class MupdfSource : public PageSource {
   bool runIntoList(RecordedPage& page, fz_page* loaded, CollectControl& control, std::string& error);
   Result<std::vector<TextBox>> textsOf(const RecordedPage& page);
   Result<Raster> render(const RecordedPage& page, const ViewGrid& grid, int antialiasBits);
-  std::vector<std::string> warningsFor(int number) const;
+  std::vector<Remark> remarksFor(int number) const;
 
   SourceFile file_;
   const char* magic_;
@@ -90,7 +90,7 @@ class MupdfSource : public PageSource {
 Failure MupdfSource::damaged(const std::string& place, const std::string& error) const {
   return unreadable(file_.name, place,
                     "the " + kind() + " is damaged (" + (error.empty() ? "no reason given" : error) + ")",
-                    "Open it in a viewer and print or export it again, or pass a picture of the page");
+                    "Open it in a viewer and print or export it again, or import a picture of the page");
 }
 
 bool endsWithMark(const Bytes& bytes) {
@@ -120,24 +120,24 @@ std::optional<Failure> MupdfSource::open() {
   if (!opened) return damaged("", error);
   if (locked)
     return unreadable(file_.name, "", "the PDF is encrypted with a password",
-                      "Save a copy without the password and pass that");
+                      "Save a copy without the password and import that");
   if (pageCount_ <= 0) return damaged("", "it has no pages");
   if (pageCount_ > file_.limits.maxPages)
     return unreadable(file_.name, "",
                       "the document claims " + std::to_string(pageCount_) +
                           " pages, more than the limit of " + std::to_string(file_.limits.maxPages),
-                      "Split out the pages with the graphs, or raise the limit");
+                      {{RemedyKind::advice, "Split out the pages with the graphs"}, {RemedyKind::raiseLimit, {}}});
   return std::nullopt;
 }
 
 std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int number) const {
-  const std::string simplify =
-      "Export the page as a picture of at least 300 dpi and pass that, or raise the limit";
+  const Remedies simplify{{RemedyKind::advice, "Export the page as a picture of at least 300 dpi and import that"},
+                          {RemedyKind::raiseLimit, {}}};
   switch (control.stop) {
     case CollectStop::none:
       return std::nullopt;
     case CollectStop::cancelled:
-      return Failure{FailureCode::wrongUsage, file_.name, placeOf(number), "cancelled", "Run it again"};
+      return Failure::cancelled(file_.name);
     case CollectStop::tooManyPoints:
       return unreadable(
           file_.name, placeOf(number),
@@ -325,11 +325,9 @@ Result<Raster> MupdfSource::render(const RecordedPage& page, const ViewGrid& gri
   }
 }
 
-std::vector<std::string> MupdfSource::warningsFor(int number) const {
+std::vector<Remark> MupdfSource::remarksFor(int number) const {
   if (brokenImages_ == 0) return {};
-  return {placeOf(number) + ": " + std::to_string(brokenImages_) +
-          (brokenImages_ == 1 ? " image" : " images") +
-          " of the document cannot be decoded; the rest was read"};
+  return {{RemarkCode::imagesUndecoded, {number, brokenImages_}}};
 }
 
 Result<Page> MupdfSource::page(int number, const Progress& progress) {
@@ -354,7 +352,7 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
   page.paths = std::move(source.collected.paths);
   source.pathsHandedOut = true;
   for (const ImagePlacement& placement : source.collected.images) page.images.push_back(placement.image);
-  page.warnings = warningsFor(number);
+  page.remarks = remarksFor(number);
   page.overview = std::move(overview.value());
   page.overviewToPage = grid.viewToPage(0);
   return page;
@@ -399,7 +397,7 @@ OpenedSource openSvgSource(const SourceFile& file) {
   const PreparedSvg prepared = prepareSvg(svg, file.limits.maxPathPoints);
   if (!prepared.problem.empty())
     return unreadable(file.name, "", "the SVG cannot be drawn: " + prepared.problem,
-                      "Export the drawing as a PDF or as a picture of at least 300 dpi and pass that");
+                      "Export the drawing as a PDF or as a picture of at least 300 dpi and import that");
   SourceFile changed = file;
   changed.bytes = std::make_shared<const Bytes>(prepared.text.begin(), prepared.text.end());
   return openWith(changed, "image/svg+xml");

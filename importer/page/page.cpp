@@ -20,14 +20,13 @@ struct Document::Impl {
   std::unique_ptr<PageSource> source;
 };
 
-Failure unreadable(const std::string& name, const std::string& place, const std::string& problem,
-                   const std::string& remedy) {
-  return {FailureCode::unreadableInput, name, place, problem, remedy};
+Failure unreadable(const std::string& name, Message place, Message problem, Remedies remedies) {
+  return {FailureCode::unreadableInput, name, std::move(place), std::move(problem), std::move(remedies)};
 }
 
 namespace {
 
-constexpr const char* knownTypes = "Pass a PNG, JPEG, BMP, TIFF, WebP, PDF, SVG or CSV file";
+constexpr char knownTypes[] = "Give a PNG, JPEG, BMP, TIFF, WebP, PDF, SVG or CSV file";
 
 std::string megabytes(double bytes) {
   const std::string text = std::to_string(bytes / (1024 * 1024));
@@ -39,7 +38,7 @@ std::optional<Failure> tooLarge(const std::string& name, double bytes, const Pag
   return unreadable(name, "",
                     "the file has " + megabytes(bytes) + ", more than the limit of " +
                         megabytes(limits.maxFileMegabytes * 1024 * 1024),
-                    "Pass a smaller file or raise the limit");
+                    {{RemedyKind::advice, "Give a smaller file"}, {RemedyKind::raiseLimit, {}}});
 }
 
 Result<std::shared_ptr<const Bytes>> readFile(const std::string& path, const std::string& name,
@@ -49,9 +48,9 @@ Result<std::shared_ptr<const Bytes>> readFile(const std::string& path, const std
   if (!std::filesystem::exists(status))
     return unreadable(name, "", "there is no such file", "Check the path " + path);
   if (std::filesystem::is_directory(status))
-    return unreadable(name, "", "this is a folder, not a file", "Pass one of the files in it");
+    return unreadable(name, "", "this is a folder, not a file", "Choose one of the files in it");
   if (!std::filesystem::is_regular_file(status))
-    return unreadable(name, "", "this is not a regular file", "Save its content to a file and pass that");
+    return unreadable(name, "", "this is not a regular file", "Save its content to a file and import that");
   std::ifstream in(path, std::ios::binary);
   if (!in) return unreadable(name, "", "the file cannot be opened", "Check that you may read " + path);
   const std::uintmax_t size = std::filesystem::file_size(path, error);
@@ -61,7 +60,7 @@ Result<std::shared_ptr<const Bytes>> readFile(const std::string& path, const std
   in.read(reinterpret_cast<char*>(bytes->data()), static_cast<std::streamsize>(size));
   if (in.gcount() != static_cast<std::streamsize>(size))
     return unreadable(name, "byte " + std::to_string(in.gcount()), "the file could not be read to its end",
-                      "Copy the file to a local disk and pass the copy");
+                      "Copy the file to a local disk and import the copy");
   return std::shared_ptr<const Bytes>(std::move(bytes));
 }
 

@@ -41,7 +41,6 @@ OpenedSource openPdfSource(const SourceFile& file);
 OpenedSource openSvgSource(const SourceFile& file);
 
 /// unreadableInput about this file.
-Failure unreadable(const std::string& name, const std::string& place, const std::string& problem,
-                   const std::string& remedy);
+Failure unreadable(const std::string& name, Message place, Message problem, Remedies remedies);
 
 }  // namespace detent::importer

@@ -152,7 +152,7 @@ void applyExif(std::span<const unsigned char> exif, PictureHeader& header) {
 std::vector<PictureHeader> tiffHeaders(std::span<const unsigned char> bytes, int maxPictures) {
   const TiffReader reader(bytes);
   std::vector<PictureHeader> headers;
-  std::set<std::uint64_t> seen;  // a directory list that bites its own tail ends there
+  std::set<std::uint64_t> seen;  // a list of directories that runs in a circle ends here
   for (std::uint64_t at = reader.firstDirectory();
        at != 0 && static_cast<int>(headers.size()) < maxPictures;) {
     if (!seen.insert(at).second) break;
@@ -214,7 +214,7 @@ PictureHeader pngHeader(std::span<const unsigned char> bytes) {
   return header;
 }
 
-/// Where the compressed scan that begins at `at` ends: at the next marker that is no restart and no stuffed
+/// Where the compressed scan that begins at `at` ends: at the next marker that is not a restart and no stuffed
 /// 0xFF.
 std::size_t endOfScan(const ByteReader& in, std::size_t at) {
   for (; at + 1 < in.size(); ++at) {

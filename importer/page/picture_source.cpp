@@ -21,7 +21,7 @@ class PictureSource : public PageSource {
     if (!raster)
       return unreadable(file_.name, placeOf(number),
                         "the " + kindName(kind_) + " is damaged and cannot be decoded",
-                        "Save or export the picture again and pass the new file");
+                        "Save or export the picture again and import the new file");
     Page page;
     page.source = file_.name;
     page.number = number;
@@ -67,14 +67,14 @@ std::optional<Failure> refusal(const SourceFile& file, FileKind kind, const Pict
   if (header.width_px <= 0 || header.height_px <= 0)
     return unreadable(file.name, "header",
                       "the " + kindName(kind) + " states no size or is cut off before it",
-                      "Save or export the picture again and pass the new file");
+                      "Save or export the picture again and import the new file");
   const double pixels = static_cast<double>(header.width_px) * static_cast<double>(header.height_px);
   if (pixels > file.limits.maxMegapixels * 1e6)
     return unreadable(file.name, "header",
                       "the picture claims " + std::to_string(header.width_px) + " x " +
                           std::to_string(header.height_px) + " pixels, which is more than the limit of " +
                           megapixels(file.limits.maxMegapixels * 1e6) + " megapixels",
-                      "Scale the picture down, crop it to the graph, or raise the limit");
+                      {{RemedyKind::advice, "Scale the picture down or crop it to the graph"}, {RemedyKind::raiseLimit, {}}});
   if (!header.complete)
     return unreadable(file.name, "end of file", "the " + kindName(kind) + " is truncated",
                       "Copy or download the file again");

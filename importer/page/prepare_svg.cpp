@@ -208,7 +208,7 @@ std::optional<Box> boxOfRect(const Tag& tag) {
   return Box{v[0], v[1], v[0] + v[2], v[1] + v[3]};
 }
 
-/// The box that a clip path's first child describes; nothing if it is no upright rectangle.
+/// The box that a clip path's first child describes; nothing if it is not an upright rectangle.
 std::optional<Box> boxOf(const Tag& tag) {
   const std::string name(withoutPrefix(tag.name));
   if (tag.find("transform")) return std::nullopt;

@@ -5,15 +5,16 @@
 #include <functional>
 #include <string_view>
 
+#include "importer/page/findings.h"
 #include "importer/page/raster.h"
 
 namespace detent::importer {
 
 /// Passed down by every step. All members may be empty. Called on the thread that does the work.
 struct Progress {
-  std::function<void(double fraction, std::string_view step)> report;  ///< 0..1 over the whole import
-  std::function<bool()> cancelled;  ///< true: stop soon, give wrongUsage "cancelled"
-  /// Sink for a step's intermediate pictures (STYLE 9); costs nothing when empty.
+  std::function<void(double fraction, ImportStep step)> report;  ///< 0..1 over the whole import
+  std::function<bool()> cancelled;                               ///< true: stop soon, give Failure::cancelled
+  /// Sink for a step's intermediate pictures; costs nothing when empty.
   std::function<void(std::string_view label, const Raster& picture)> picture;
 
   bool isCancelled() const { return cancelled && cancelled(); }

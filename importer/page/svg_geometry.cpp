@@ -18,7 +18,7 @@ class Lexer {
 
   std::optional<double> number() {
     skip();
-    if (text_.empty() || isLetter(text_[0])) return std::nullopt;  // "inf" is no number here
+    if (text_.empty() || isLetter(text_[0])) return std::nullopt;  // "inf" is not a number here
     const std::size_t sign = text_[0] == '+' ? 1 : 0;
     double value = 0;
     const auto [end, error] = std::from_chars(text_.data() + sign, text_.data() + text_.size(), value);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// One line on a terminal that says how far the work is; silent where stderr is no terminal.
+// One line on a terminal that says how far the work is; silent where stderr is not a terminal.
 
 #include <string_view>
 

@@ -10,24 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* statusOf(FailureCode code) {
-  switch (code) {
-    case FailureCode::internalFault:
-      return "internal_fault";
-    case FailureCode::wrongUsage:
-      return "wrong_usage";
-    case FailureCode::unreadableInput:
-      return "unreadable_input";
-    case FailureCode::noForceGraph:
-      return "no_force_graph";
-    case FailureCode::notCertain:
-      return "not_certain";
-    case FailureCode::deviceTrouble:
-      return "device_trouble";
-  }
-  return "";
-}
-
 Json axisJson(const AxisReading& axis) {
   return {{"unit", axis.unit}, {"min", axis.min}, {"max", axis.max}, {"residual_px", axis.residual_px}};
 }
@@ -53,6 +35,15 @@ Json checksJson(const std::vector<SpecCheck>& checks) {
                    {"text", check.spec.text}});
   }
   return all;
+}
+
+/// "warnings" in words, for people and old scripts, and their codes in the same order.
+void addRemarks(Json& json, const std::vector<Remark>& remarks) {
+  json["warnings"] = json["warning_codes"] = Json::array();
+  for (const Remark& remark : remarks) {
+    json["warnings"].push_back(commandLineWords(remark));
+    json["warning_codes"].push_back(nameOf(remark.code));
+  }
 }
 
 /// Text from a page may be anything; JSON must stay valid.
@@ -81,23 +72,26 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   json["travel_mm"] = state.graph.travel_mm();
   json["quality"] = nameOf(report.quality);
   json["confidence"] = report.confidence;
-  json["seconds"] = report.seconds;
-  json["warnings"] = report.warnings;
+  json["seconds"] = Json::object();
+  for (const auto& [step, seconds] : report.seconds) json["seconds"][std::string(nameOf(step))] = seconds;
+  addRemarks(json, report.remarks);
   if (!report.specChecks.empty()) json["printed_values"] = checksJson(report.specChecks);
   json["outputs"] = outputs;
   return dumped(json);
 }
 
 std::string failureJson(const Failure& failure, const std::string& input) {
-  return dumped({{"status", statusOf(failure.code)},
-                 {"input", input},
-                 {"exit_code", failure.exitCode()},
-                 {"problem", failure.sentence()},
-                 {"place", failure.place},
-                 {"remedy", failure.remedy}});
+  Json remedies = Json::array();
+  for (const Remedy& remedy : failure.remedies) remedies.push_back(nameOf(remedy.kind));
+  Json json = {{"status", nameOf(failure.code)},     {"input", input},
+               {"exit_code", failure.exitCode()},    {"problem", failure.sentence()},
+               {"place", english(failure.place)},    {"remedy", commandLineWords(failure.remedies)},
+               {"remedy_codes", std::move(remedies)}};
+  if (!failure.reason.empty()) json["reason"] = failure.reason;
+  return dumped(json);
 }
 
-std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<std::string>& warnings) {
+std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<Remark>& remarks) {
   Json listed = Json::array();
   for (const ListedGraph& g : graphs) {
     const auto axis = [](const AxisReading& a) {
@@ -113,7 +107,7 @@ std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<s
                       {"confidence", g.confidence}});
   }
   Json json = {{"graphs", std::move(listed)}};
-  if (!warnings.empty()) json["warnings"] = warnings;
+  if (!remarks.empty()) addRemarks(json, remarks);
   return dumped(json);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Reports as JSON, in the shape DESIGN.md fixes for scripts.
+// Reports as JSON, in the shape that scripts rely on.
 
 #include <string>
 #include <vector>
@@ -13,8 +13,9 @@ namespace detent::importer {
 std::string reportJson(const ImportReport& report, const std::string& input,
                        const std::vector<std::string>& outputs);
 std::string failureJson(const Failure& failure, const std::string& input);
-/// {"graphs":[...]}: `frame_pt` for documents, `frame_px` for pictures; "warnings" where there are any.
-std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<std::string>& warnings);
+/// {"graphs":[...]}: `frame_pt` for documents, `frame_px` for pictures; "warnings" and
+/// "warning_codes" where there are any.
+std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<Remark>& remarks);
 
 /// `stroke,displacement_mm,force_N`: traced points before the fit, in the order travelled.
 std::string traceCsv(const StrokePair& strokes);

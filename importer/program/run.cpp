@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "importer/overlay/encode_png.h"
+#include "importer/overlay/overlay.h"
 #include "importer/program/progress_line.h"
 #include "importer/program/report_json.h"
 #include "importer/program/staged_outputs.h"
@@ -22,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int interruptedExitCode = 130;  // the shell's convention for SIGINT
+constexpr int interruptedExitCode = static_cast<int>(FailureCode::cancelled);
 
 /// Where one import's results go; empty paths are not wanted.
 struct OutputPaths {
@@ -56,59 +57,93 @@ Result<std::vector<std::string>> writeOutputs(const ImportReport& report, const 
   if (auto done = stage(paths.button, [&] { return jsonFrom(report.button); }); !done) return done.failure();
   if (auto done = stage(paths.csv, [&] { return csvFrom(graph); }); !done) return done.failure();
   if (auto done = stage(paths.trace, [&] { return traceCsv(report.strokes); }); !done) return done.failure();
-  if (!paths.overlay.empty() && report.overlay) {
-    if (auto done = stage(paths.overlay, [&] { return pngBytes(*report.overlay); }); !done)
-      return done.failure();
-  }
+  const auto overlay = [&] { return pngBytes(drawOverlay(*report.evidence, report.strokes, report.button)); };
+  if (report.evidence)
+    if (auto done = stage(paths.overlay, overlay); !done) return done.failure();
   if (auto done = outputs.commit(); !done) return done.failure();
   return outputs.paths();
 }
 
-/// One graph of an open input: import, write, say so. `lines` gets one JSON line.
+std::string warningLines(const std::vector<Remark>& remarks) {
+  std::string lines;
+  for (const Remark& remark : remarks) lines += "warning: " + commandLineWords(remark) + "\n";
+  return lines;
+}
+
+/// One graph of an open input: import, write, say so. `objects` gets one JSON object.
 int importOne(ImportSession& session, const ImportRequest& request, const OutputPaths& paths,
-              const Progress& progress, std::string& lines, std::string& text) {
+              const Progress& progress, std::vector<std::string>& objects, std::string& text) {
   auto report = session.importGraph(request, progress);
   Result<std::vector<std::string>> written = std::vector<std::string>{};
   if (report) written = writeOutputs(*report, paths);
   if (!report || !written) {
     const Failure& failure = report ? written.failure() : report.failure();
-    lines += failureJson(failure, request.path) + "\n";
+    objects.push_back(failureJson(failure, request.path));
     text += failure.sentence() + "\n";
     return failure.exitCode();
   }
-  lines += reportJson(*report, request.path, *written) + "\n";
+  objects.push_back(reportJson(*report, request.path, *written));
   text += report->brief() + "\n";
-  for (const std::string& warning : report->warnings) text += "warning: " + warning + "\n";
+  text += warningLines(report->remarks);
   for (const std::string& path : *written) text += "wrote " + path + "\n";
   return 0;
 }
 
 /// Every graph of an input. The exit code is 0 if each came through, else the first failure's.
 int importAll(const ImportRequest& request, const OutputPaths& paths, const Progress& progress,
-              std::string& lines, std::string& text) {
+              std::vector<std::string>& objects, std::string& text) {
   const auto refused = [&](const Failure& failure) {
-    lines += failureJson(failure, request.path) + "\n";
+    objects.push_back(failureJson(failure, request.path));
     text += failure.sentence() + "\n";
     return failure.exitCode();
   };
   auto session = ImportSession::open(request.path, request.limits);
   if (!session) return refused(session.failure());
-  if (session->isForceLog()) return importOne(*session, request, paths, progress, lines, text);
+  if (session->isForceLog()) return importOne(*session, request, paths, progress, objects, text);
 
   auto listed = session->list(request.page, request.quality, request.hints, progress);
   if (!listed) return refused(listed.failure());
-  for (const std::string& remark : session->remarks()) text += "warning: " + remark + "\n";
+  text += warningLines(session->remarks());
   if (listed->empty())
-    return importOne(*session, request, paths, progress, lines, text);  // says why there is none
+    return importOne(*session, request, paths, progress, objects, text);  // says why there is none
   int exitCode = 0;
   for (const ListedGraph& graph : *listed) {
     ImportRequest one = request;
     one.page = graph.page, one.graph = graph.graph;
     const OutputPaths onePaths = listed->size() == 1 ? paths : numbered(paths, graph.page, graph.graph);
-    const int code = importOne(*session, one, onePaths, progress, lines, text);
+    const int code = importOne(*session, one, onePaths, progress, objects, text);
     if (exitCode == 0) exitCode = code;
   }
   return exitCode;
+}
+
+/// What is being done, on the progress line.
+const char* inProgress(ImportStep step) {
+  switch (step) {
+    case ImportStep::read:
+      return "reading the log";
+    case ImportStep::locate:
+    case ImportStep::view:
+    case ImportStep::axes:
+    case ImportStep::texts:
+    case ImportStep::copies:
+      return "finding graphs and reading axes";
+    case ImportStep::trace:
+      return "tracing curves";
+    case ImportStep::strokes:
+      return "telling press from release";
+    case ImportStep::fit:
+    case ImportStep::callouts:
+      return "fitting";
+  }
+  return "";
+}
+
+/// Joined by `separator`.
+std::string joined(const std::vector<std::string>& objects, const char* separator) {
+  std::string text;
+  for (const std::string& object : objects) text += (text.empty() ? "" : separator) + object;
+  return text;
 }
 
 void print(const Arguments& a, const std::string& json, const std::string& text, int exitCode) {
@@ -120,25 +155,23 @@ int runImport(const Arguments& a, const Progress& progress) {
   ImportRequest request = a.request;
   request.path = a.inputs.front();
   const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath};
-  std::string lines, text;
+  std::vector<std::string> objects;
+  std::string text;
   int exitCode = 0;
   if (a.all) {
-    exitCode = importAll(request, paths, progress, lines, text);
-    std::string graphs;  // several results are still one object
-    for (const char c : lines) graphs += c == '\n' ? ',' : c;
-    if (!graphs.empty()) graphs.pop_back();
-    lines = "{\"imports\":[" + graphs + "]}\n";
-  } else {
-    auto session = ImportSession::open(request.path, request.limits);
-    if (session) {
-      exitCode = importOne(*session, request, paths, progress, lines, text);
-    } else {
-      lines = failureJson(session.failure(), request.path) + "\n";
-      text = session.failure().sentence() + "\n";
-      exitCode = session.failure().exitCode();
-    }
+    exitCode = importAll(request, paths, progress, objects, text);
+    print(a, "{\"imports\":[" + joined(objects, ",") + "]}\n", text, exitCode);  // still one object
+    return exitCode;
   }
-  print(a, lines, text, exitCode);
+  auto session = ImportSession::open(request.path, request.limits);
+  if (session) {
+    exitCode = importOne(*session, request, paths, progress, objects, text);
+  } else {
+    objects = {failureJson(session.failure(), request.path)};
+    text = session.failure().sentence() + "\n";
+    exitCode = session.failure().exitCode();
+  }
+  print(a, joined(objects, "\n") + "\n", text, exitCode);
   return exitCode;
 }
 
@@ -169,17 +202,17 @@ int runList(const Arguments& a, const Progress& progress) {
   auto graphs = session->list(request.page, request.quality, request.hints, progress);
   if (!graphs) return refused(graphs.failure());
 
-  const std::vector<std::string> remarks = session->remarks();
-  std::string warnings;
-  for (const std::string& remark : remarks) warnings += "warning: " + remark + "\n";
-  std::fputs(warnings.c_str(), stderr);
+  const std::vector<Remark> remarks = session->remarks();
+  std::fputs(warningLines(remarks).c_str(), stderr);
   const int exitCode = graphs->empty() ? static_cast<int>(FailureCode::noForceGraph) : 0;
-  const std::string text = graphs->empty()
-                               ? Failure{FailureCode::noForceGraph, input, "", "no force graph found",
-                                         "If there is one, import it with --frame X0,Y0,X1,Y1"}
-                                         .sentence() +
-                                     "\n"
-                               : listText(*graphs);
+  const std::string text = graphs->empty() ? Failure{FailureCode::noForceGraph,
+                                                     input,
+                                                     "",
+                                                     "no force graph found",
+                                                     {{RemedyKind::giveFrame, "if there is one"}}}
+                                                     .sentence() +
+                                                 "\n"
+                                           : listText(*graphs);
   print(a, listJson(*graphs, remarks) + "\n", a.json && exitCode == 0 ? "" : text, exitCode);
   return exitCode;
 }
@@ -216,20 +249,24 @@ std::set<std::string> alreadyReported(const std::string& reportPath) {
 }
 
 /// In the child: a fault that reaches here costs this input only.
-int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths, std::string& lines) {
+int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths,
+                std::string& reportLines) {
   ImportRequest request = a.request;
   request.path = input;
-  request.wantOverlay = true;
+  std::vector<std::string> objects;
   std::string text;
+  int exitCode = 0;
   try {
-    return importAll(request, paths, {}, lines, text);
+    exitCode = importAll(request, paths, {}, objects, text);
   } catch (const std::bad_alloc&) {
     const Failure tooLarge{
         FailureCode::unreadableInput, input, "", "needs more memory than the limit",
         "Pass a larger --memory-limit, or a smaller --max-megapixels to refuse such inputs early"};
-    lines = failureJson(tooLarge, input) + "\n";
-    return tooLarge.exitCode();
+    objects = {failureJson(tooLarge, input)};
+    exitCode = tooLarge.exitCode();
   }
+  reportLines = joined(objects, "\n") + "\n";
+  return exitCode;
 }
 
 int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
@@ -297,7 +334,7 @@ int run(const Arguments& arguments, const std::function<bool()>& cancelled) {
   {
     ProgressLine line;
     Progress progress;
-    progress.report = [&](double fraction, std::string_view what) { line.show(fraction, what); };
+    progress.report = [&](double fraction, ImportStep step) { line.show(fraction, inProgress(step)); };
     progress.cancelled = cancelled;
     exitCode = arguments.list ? runList(arguments, progress) : runImport(arguments, progress);
   }

@@ -176,7 +176,7 @@ std::vector<std::string> rowsOf(const Page& page) {
   return rows;
 }
 
-const char* nameOf(SpecQuantity quantity) {
+Message nameOf(SpecQuantity quantity) {
   switch (quantity) {
     case SpecQuantity::totalTravel:
       return "total travel";
@@ -189,7 +189,7 @@ const char* nameOf(SpecQuantity quantity) {
     case SpecQuantity::endForce:
       return "end force";
   }
-  return "";
+  return {};
 }
 
 /// The value the graph shows for a quantity, if it shows one.
@@ -216,13 +216,15 @@ std::optional<double> readValue(SpecQuantity quantity, const ButtonState& state)
 
 bool PrintedSpec::isForce() const { return measuredInNewton(quantity); }
 
-std::string SpecCheck::sentence() const {
-  const bool force = measuredInNewton(spec.quantity);
-  char numbers[96];
-  std::snprintf(numbers, sizeof numbers, "%.4g %s read, %.4g %s printed", read, force ? "N" : "mm",
-                spec.nominal, force ? "N" : "mm");
-  return std::string(agrees ? "agrees with the page: " : "differs from the page: ") + nameOf(spec.quantity) +
-         " " + numbers + " (page " + std::to_string(spec.page) + ": \"" + spec.text + "\")";
+Message messageOf(const SpecCheck& check) {
+  const PrintedSpec& spec = check.spec;
+  const Measure measure = spec.isForce() ? Measure::force_N : Measure::displacement_mm;
+  const std::vector<MessageValue> values{
+      nameOf(spec.quantity), {check.read, measure}, {spec.nominal, measure}, spec.page, spec.text};
+  return Message::of(check.agrees
+                         ? "agrees with the page: %1 %2 read, %3 printed (page %4: \"%5\")"
+                         : "differs from the page: %1 %2 read, %3 printed (page %4: \"%5\")",
+                     values);
 }
 
 std::vector<PrintedSpec> readPrintedSpecs(const Page& page) {

@@ -29,8 +29,10 @@ struct SpecCheck {
   PrintedSpec spec;
   double read = 0;      ///< mm or N
   bool agrees = false;  ///< inside the tolerance, or within 3 % of the nominal where none is printed
-  std::string sentence() const;
 };
+
+/// "differs from the page: total travel 3.9 mm read, 4 mm printed (page 1: "...")".
+Message messageOf(const SpecCheck& check);
 
 /// All specs of a page; rows are put together from text boxes at one height. Values without a unit are left
 /// out.

@@ -14,25 +14,14 @@ namespace {
 /// Evidence in favour of the first of two traces being the press, in log-odds; positive is for it.
 struct Verdict {
   double logOdds = 0;
-  std::vector<std::string> reasons;
+  std::vector<EvidenceItem> reasons;
 
-  void add(double odds, const std::string& reason) {
+  void add(double odds, EvidenceItem reason) {
     logOdds += odds;
-    reasons.push_back(reason);
+    reasons.push_back(std::move(reason));
   }
   double confidence() const { return 1 / (1 + std::exp(-std::abs(logOdds))); }
-  std::string sentence() const {
-    std::string text;
-    for (const std::string& reason : reasons) text += (text.empty() ? "" : "; ") + reason;
-    return text;
-  }
 };
-
-std::string percent(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.0f %%", 100 * share);
-  return text;
-}
 
 std::string hex(Rgb c) {
   char text[8];
@@ -151,22 +140,21 @@ bool namedAsPair(const CurveTrace& first, const CurveTrace& second) {
 Verdict judge(const CurveTrace& first, const CurveTrace& second, const Comparison& c, double newtonPerPx) {
   Verdict verdict;
   const auto vote = [&](std::optional<Stroke> ofFirst, std::optional<Stroke> ofSecond, double odds,
-                        const char* source) {
+                        EvidenceCode source) {
     if (ofFirst == ofSecond) return;  // nothing said, or the same of both
     const bool firstIsPress = ofFirst ? *ofFirst == Stroke::press : *ofSecond == Stroke::release;
-    verdict.add(firstIsPress ? odds : -odds, source);
+    verdict.add(firstIsPress ? odds : -odds, {source});
   };
-  vote(first.stroke, second.stroke, 5, "drawn as one loop and told apart by its course");
-  vote(strokeNamedBy(first.label), strokeNamedBy(second.label), 5, "named by the legend");
+  vote(first.stroke, second.stroke, 5, EvidenceCode::toldApartByCourse);
+  vote(strokeNamedBy(first.label), strokeNamedBy(second.label), 5, EvidenceCode::namedByLegend);
   const double apart = c.above + c.below;
   if (apart > 0.02) {
     const double lead = (c.above - c.below) / apart;
-    verdict.add(4 * lead * std::min(1.0, apart / 0.1), "press lies above release on " +
-                                                           percent(std::max(c.above, c.below) / apart) +
-                                                           " of where they differ");
+    verdict.add(4 * lead * std::min(1.0, apart / 0.1),
+                {EvidenceCode::pressAboveRelease, {{std::max(c.above, c.below) / apart, Measure::share}}});
   }
   if (std::abs(c.topDifference_N) > 3 * newtonPerPx)
-    verdict.add(c.topDifference_N > 0 ? 0.7 : -0.7, "one reaches a higher force");
+    verdict.add(c.topDifference_N > 0 ? 0.7 : -0.7, {EvidenceCode::oneHigherForce});
   return verdict;
 }
 
@@ -176,9 +164,10 @@ Failure tooMany(const std::vector<CurveTrace>& traces) {
     colors += (colors.empty() ? "" : ", ") + hex(trace.color);
     if (!trace.label.empty()) colors += " (" + trace.label + ")";
   }
-  return {FailureCode::notCertain, "plot frame", "",
-          std::to_string(traces.size()) + " curves, and which two belong together is not clear: " + colors,
-          "pass --press-color and --release-color with two of these"};
+  return failureOf({DoubtCode::tooManyCurves,
+                    {traces.size(), colors},
+                    {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, "with two of these"}}},
+                   "plot frame");
 }
 
 /// Of several traces the two that are named press and release, if the legend or the tracer names exactly one
@@ -198,26 +187,32 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibrat
   Found<StrokePair> found;
   found.value.press = inUnits(trace, calibration);
   if (found.value.press.points.size() < 2)
-    return Failure{FailureCode::noForceGraph, "plot frame", "", "its curve has fewer than two points",
-                   "pass --press-color with the curve's colour"};
+    return Failure{FailureCode::noForceGraph,
+                   "plot frame",
+                   "",
+                   "its curve has fewer than two points",
+                   {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
   found.confidence = (namedRelease ? 0.5 : 0.9) * credit(trace.confidence);
-  found.evidence =
-      namedRelease ? "one curve, taken as press though the legend calls it release" : "one curve: press only";
+  found.evidence = {{namedRelease ? EvidenceCode::pressAloneThoughNamedRelease : EvidenceCode::pressAlone}};
   return found;
 }
 
 }  // namespace
 
 Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
-                                          const PlotFrame& /*frame*/, const StrokeHints& hints) {
+                                          const StrokeHints& hints) {
   const AxisCalibration& calibration = axes.calibration.value;
   std::vector<CurveTrace> drawn;
   for (const CurveTrace& trace : traces)
     if (trace.points_px.size() >= 2) drawn.push_back(trace);
   if (drawn.empty())
-    return Failure{FailureCode::noForceGraph, "plot frame", "", "holds no curve",
-                   "pass --frame if the plot stands elsewhere, or --press-color with the curve's colour"};
+    return Failure{FailureCode::noForceGraph,
+                   "plot frame",
+                   "",
+                   "holds no curve",
+                   {{RemedyKind::giveFrame, "if the plot stands elsewhere"},
+                    {RemedyKind::pickPress, "with the curve's colour"}}};
   if (drawn.size() == 1) return pressAlone(drawn.front(), calibration);
   if (drawn.size() > 2) {
     const auto pair = clearPair(drawn);
@@ -235,19 +230,18 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   const double together = namedAsPair(drawn[0], drawn[1]) ? 1 : creditOfTravel(compared);
   found.confidence =
       verdict.confidence() * credit(std::min(drawn[0].confidence, drawn[1].confidence)) * together;
-  found.evidence = verdict.sentence();
+  found.evidence = verdict.reasons;
   bool firstIsPress = verdict.logOdds >= 0;
   if (hints.swap) {
     firstIsPress = !firstIsPress;
     found.by = DecidedBy::given;
     found.confidence = 1;
-    found.evidence = "exchanged by hand";
+    found.evidence = {{EvidenceCode::exchangedByHand}};
   } else if (std::abs(verdict.logOdds) < 0.4) {
-    return Failure{
-        FailureCode::notCertain, "plot frame", "",
-        "press and release cannot be told apart: neither legend nor hysteresis says which is which (" +
-            hex(drawn[0].color) + ", " + hex(drawn[1].color) + ")",
-        "pass --press-color and --release-color"};
+    return failureOf({DoubtCode::strokesAlike,
+                      {hex(drawn[0].color), hex(drawn[1].color)},
+                      {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}}},
+                     "plot frame");
   }
   found.value.press = firstIsPress ? std::move(a) : b;
   found.value.release = travelledBack(firstIsPress ? std::move(b) : std::move(a));

@@ -29,6 +29,6 @@ struct StrokeHints {
 /// Failure noForceGraph: nothing that could be a press; notCertain: more curves than two, or press and
 /// release that cannot be told apart.
 Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
-                                          const PlotFrame& frame, const StrokeHints& hints = {});
+                                          const StrokeHints& hints = {});
 
 }  // namespace detent::importer

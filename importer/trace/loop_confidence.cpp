@@ -87,7 +87,7 @@ double shareExplained(const PlanePair& pair, const Structure& s, const WorkPlane
       if (extent >= longEnough) longOnes.add(left);
     }
   }
-  // Short pieces are mostly rests of lettering. But a fine grid cuts the curves themselves up, and where no
+  // Short pieces are mostly remnants of lettering. But a fine grid cuts the curves themselves up, and where no
   // second stroke was found short pieces may be one: dashes.
   const bool shortCounts = pair.release.empty() || longOnes.all < 0.3 * every.all;
   return (shortCounts ? every : longOnes).explained();

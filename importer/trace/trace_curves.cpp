@@ -23,11 +23,10 @@ using namespace trace;
 constexpr double kCredibleLoop = 0.5;    // below: another ink may hold the curves
 constexpr double kSameInkAngle = 0.985;  // cosine between a given colour and an ink found
 
-Failure cancelled() { return {FailureCode::wrongUsage, "tracing", "", "cancelled", "run it again"}; }
-
-Failure noCurve(const std::string& why) {
-  return {FailureCode::noForceGraph, "plot frame", "", why,
-          "pass --frame if the plot stands elsewhere, or --press-color with the curve's colour"};
+Failure noCurve(Message why) {
+  return {FailureCode::noForceGraph, "plot frame", "", std::move(why),
+          {{RemedyKind::giveFrame, "if the plot stands elsewhere"},
+           {RemedyKind::pickPress, "with the curve's colour"}}};
 }
 
 Rgb rgbOf(Color3 c) {
@@ -241,19 +240,19 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
                                             const TraceHints& hints, const TraceOptions& options,
                                             const Progress& progress) {
   const Backdrop backdrop = Backdrop::measure(area);
-  if (progress.isCancelled()) return cancelled();
+  if (progress.isCancelled()) return Failure::cancelled();
   const PlotText text = findText(area, backdrop);
   std::vector<Ink> palette = findInks(area, backdrop, either(text.mask, area.masked));
   addLetterInk(palette, area, backdrop, text.mask);
   const GivenInks given = addGivenInks(palette, hints, backdrop);
   if (palette.empty()) return noCurve("is empty: nothing but paper and grid lines in it");
-  if (progress.isCancelled()) return cancelled();
+  if (progress.isCancelled()) return Failure::cancelled();
 
   const Coverage coverage = unmix(area, backdrop, palette);
   const PlotInks plot{area, backdrop, palette, coverage, text, findLegendSamples(coverage, text, area)};
   std::vector<CurveInk> curves = findCurves(plot, given);
   if (given.any() && curves.empty()) return noCurve("shows no line in the colours given");
-  if (progress.isCancelled()) return cancelled();
+  if (progress.isCancelled()) return Failure::cancelled();
   const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrand;
   if (curves.empty() || oneInkBothStrokes) {
     const auto loopIn = [&](const Ink& ink, bool neutral) {
@@ -287,7 +286,7 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
                                             const AxesFound& axes, const TraceHints& hints,
                                             const TraceOptions& options, const Progress& progress) {
   if (!(options.pointSpacing_px > 0 && options.pointSpacing_px <= 16))
-    return Failure{FailureCode::wrongUsage, "point spacing", "", "must lie in (0, 16] px", "leave it at 1"};
+    return Failure{FailureCode::wrongUsage, "point spacing", "", "must lie in (0, 16] px", "Leave it at 1"};
   std::vector<CurveTrace> exact = traceVector(view, frame, axes, hints);
   if (!exact.empty()) return exact;
   const PlotArea area = makePlotArea(view.raster, frame, axes.texts, hints.masks_px);

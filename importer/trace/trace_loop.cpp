@@ -16,11 +16,9 @@ namespace detent::importer::trace {
 
 namespace {
 
-Failure cancelledFailure() { return {FailureCode::wrongUsage, "trace", "", "cancelled", "Start it again"}; }
-
 Failure noCurveFailure() {
   return {FailureCode::noForceGraph, "plot", "", "no curve runs through the plot frame in this ink",
-          "Pass --press-color, or --frame if another rectangle holds the graph"};
+          {{RemedyKind::pickPress, {}}, {RemedyKind::giveFrame, "if another rectangle holds the graph"}}};
 }
 
 /// Below this what was followed is leaders, lettering or rubbish: true loops, also dotted and on scans, stay
@@ -28,11 +26,12 @@ Failure noCurveFailure() {
 constexpr double kNotACurve = 0.15;
 
 Failure doubtfulFailure(double confidence) {
-  const int percent = static_cast<int>(std::lround(100 * confidence));
-  return {FailureCode::notCertain, "curves", "",
-          "what can be followed in this ink does not look like a force curve (confidence " +
-              std::to_string(percent) + " %)",
-          "Pass --press-color and --release-color, or --mask over what is no curve"};
+  return failureOf({DoubtCode::doesNotLookLikeOne,
+                    {{confidence, Measure::share}},
+                    {{RemedyKind::pickPress, {}},
+                     {RemedyKind::pickRelease, {}},
+                     {RemedyKind::addMask, "over what is no curve"}}},
+                   "curves");
 }
 
 /// On the plane, from area pixels.
@@ -97,11 +96,11 @@ Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink
                         onPlane(area.rows_px, plane.origin.y, plane.scale));
   const Structure structure = explainStructure(plane, lines, letteringOn(plane, area.words));
   showPlane(progress, structure.curveInk, "loop: ink left to the curves");
-  if (progress.isCancelled()) return cancelledFailure();
+  if (progress.isCancelled()) return Failure::cancelled();
 
   const PlanePair pair = findPair(structure, plane);
   if (pair.press.size() < 8) return noCurveFailure();
-  if (progress.isCancelled()) return cancelledFailure();
+  if (progress.isCancelled()) return Failure::cancelled();
   const RefinedPair refined = refinePair(pair, plane, ink, lines, structure);
   const double confidence = judge(pair, refined, structure, plane).confidence();
   if (confidence < kNotACurve) return doubtfulFailure(confidence);

@@ -32,8 +32,9 @@ class Reader {
  public:
   explicit Reader(std::string subject) : subject_(std::move(subject)) {}
 
-  [[noreturn]] void refuse(const std::string& place, std::string problem, std::string remedy) const {
-    throw Refusal{{FailureCode::unreadableInput, subject_, place, std::move(problem), std::move(remedy)}};
+  [[noreturn]] void refuse(Message place, Message problem, Remedies remedies) const {
+    throw Refusal{
+        {FailureCode::unreadableInput, subject_, std::move(place), std::move(problem), std::move(remedies)}};
   }
 
   void requireObject(const json& value, const std::string& place) const {
@@ -112,7 +113,10 @@ class Reader {
   T accepted(Result<T> result, const std::string& place) const {
     if (!result) {
       const Failure& inner = result.failure();
-      refuse(join2(place, inner.place), inner.problem, inner.remedy);
+      const Message where = place.empty()         ? inner.place
+                            : inner.place.empty() ? Message(place)
+                                                  : Message("%1, %2", place, inner.place);
+      refuse(where, inner.problem, inner.remedies);
     }
     return *std::move(result);
   }
@@ -125,9 +129,6 @@ class Reader {
   }
 
  private:
-  static std::string join2(const std::string& a, const std::string& b) {
-    return a.empty() ? b : b.empty() ? a : a + ", " + b;
-  }
   static std::string kindOf(const json& value) {
     if (value.is_null()) return "null";
     if (value.is_number()) return "a number";
@@ -245,12 +246,24 @@ std::optional<AxisProvenance> axisFrom(const Reader& in, const json& object, con
   return axis;
 }
 
+std::vector<RecordedWarning> warningsFrom(const Reader& in, const json& value, const std::string& place) {
+  const auto texts = in.texts(value, place, "warnings"), codes = in.texts(value, place, "warningCodes");
+  if (!codes.empty() && codes.size() != texts.size())
+    in.refuse(Reader::join(place, "warningCodes"),
+              Message("has %1 entries for %2 warnings", codes.size(), texts.size()),
+              "Give one code for each warning, or none at all");
+  std::vector<RecordedWarning> warnings;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    warnings.push_back({codes.empty() ? "" : codes[i], texts[i]});
+  return warnings;
+}
+
 Provenance provenanceFrom(const Reader& in, const json& value) {
   const std::string place = "provenance";
   in.requireObject(value, place);
   in.refuseUnknownKeys(value, place,
                        {"sourceFile", "sourceSha256", "page", "graph", "frame", "xAxis", "yAxis", "quality",
-                        "pressRms_px", "releaseRms_px", "confidence", "given", "warnings"});
+                        "pressRms_px", "releaseRms_px", "confidence", "given", "warnings", "warningCodes"});
   Provenance p;
   p.sourceFile = in.textOr(value, place, "sourceFile", "");
   p.sourceSha256 = in.textOr(value, place, "sourceSha256", "");
@@ -268,7 +281,7 @@ Provenance provenanceFrom(const Reader& in, const json& value) {
   p.releaseRms_px = in.numberOr(value, place, "releaseRms_px", 0);
   p.confidence = in.numberOr(value, place, "confidence", 0);
   p.given = in.texts(value, place, "given");
-  p.warnings = in.texts(value, place, "warnings");
+  p.warnings = warningsFrom(in, value, place);
   return p;
 }
 
@@ -340,7 +353,12 @@ ordered_json jsonOf(const Provenance& p) {
   out["releaseRms_px"] = p.releaseRms_px;
   out["confidence"] = p.confidence;
   out["given"] = p.given;
-  out["warnings"] = p.warnings;
+  out["warnings"] = ordered_json::array();
+  out["warningCodes"] = ordered_json::array();
+  for (const RecordedWarning& warning : p.warnings) {
+    out["warnings"].push_back(warning.text);
+    out["warningCodes"].push_back(warning.code);
+  }
   return out;
 }
 

@@ -13,7 +13,7 @@
 
 namespace detent {
 
-constexpr int buttonFileVersion = 1;
+constexpr int buttonFileVersion = 2;
 
 /// `subject` names the text in Failures (a file name). Failures: unreadableInput with line and column for
 /// malformed JSON, with the path of the value ("states[0].press[3].force_N") for everything else.

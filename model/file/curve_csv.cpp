@@ -13,10 +13,11 @@ namespace {
 
 constexpr std::string_view header = "stroke,displacement_mm,force_N";
 
-Failure csvFailure(FailureCode code, const std::string& subject, std::size_t line, std::string problem,
-                   std::string remedy) {
-  return {code, subject, line == 0 ? "" : "line " + std::to_string(line), std::move(problem),
-          std::move(remedy)};
+/// `line` from 1; 0: the file as a whole.
+Failure csvFailure(FailureCode code, const std::string& subject, std::size_t line, Message problem,
+                   Remedies remedies) {
+  return {code, subject, line == 0 ? Message() : Message("line %1", line), std::move(problem),
+          std::move(remedies)};
 }
 
 void appendNumber(std::string& out, double value) {
@@ -81,12 +82,12 @@ std::string quoted(std::string_view text) {
 
 std::optional<Failure> appendRow(GraphPolylines& lines, std::string_view text, const std::string& subject,
                                  std::size_t number) {
-  const auto refuse = [&](std::string problem, std::string remedy) {
-    return csvFailure(FailureCode::unreadableInput, subject, number, std::move(problem), std::move(remedy));
+  const auto refuse = [&](Message problem, Remedies remedies) {
+    return csvFailure(FailureCode::unreadableInput, subject, number, std::move(problem), std::move(remedies));
   };
   const Row row = rowFrom(text);
   if (!row.complete)
-    return refuse("has not 3 fields: " + quoted(text), "Write stroke,displacement_mm,force_N");
+    return refuse("does not have 3 fields: " + quoted(text), "Write stroke,displacement_mm,force_N");
   if (row.stroke != "press" && row.stroke != "release")
     return refuse("names the stroke " + quoted(row.stroke), "Write press or release");
   const auto x = numberFrom(row.displacement), force = numberFrom(row.force);
@@ -100,20 +101,21 @@ std::optional<Failure> appendRow(GraphPolylines& lines, std::string_view text, c
 
 Result<StrokeCurve> strokeThrough(StrokePolyline points, Stroke stroke, double tolerance_N,
                                   const std::string& subject) {
-  const char* name = stroke == Stroke::press ? "press rows" : "release rows";
-  if (stroke == Stroke::release) std::reverse(points.begin(), points.end());
-  const std::size_t rows = points.size();
+  const bool travelledBack = stroke == Stroke::release;
+  if (travelledBack) std::reverse(points.begin(), points.end());
+  if (const auto fault = faultOf(points)) {
+    const std::size_t row = travelledBack ? points.size() - fault->index : fault->index + 1;
+    return Failure{
+        FailureCode::unreadableInput, subject,
+        travelledBack ? Message("release rows, point %1", row) : Message("press rows, point %1", row),
+        fault->problem, fault->remedies};
+  }
   auto curve = curveThroughDensePoints(points, tolerance_N);
   if (curve) return curve;
   Failure failure = curve.failure();
-  std::string place = name;
-  if (failure.place.rfind("point ", 0) == 0 && stroke == Stroke::release) {
-    // Points were counted backwards.
-    const std::size_t index = static_cast<std::size_t>(std::stoul(failure.place.substr(6)));
-    failure.place = "point " + std::to_string(rows + 1 - index);
-  }
-  if (!failure.place.empty()) place += ", " + failure.place;
-  return Failure{failure.code, subject, place, failure.problem, failure.remedy};
+  failure.subject = subject;
+  failure.place = travelledBack ? Message("release rows") : Message("press rows");
+  return failure;
 }
 
 double forceRange(const GraphPolylines& lines) {

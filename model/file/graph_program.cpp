@@ -19,8 +19,8 @@ bool endsWith(const std::string& path, std::string_view suffix) {
   return true;
 }
 
-Failure usage(const std::string& subject, std::string problem, std::string remedy) {
-  return {FailureCode::wrongUsage, subject, "", std::move(problem), std::move(remedy)};
+Failure usage(const std::string& subject, Message problem, Remedies remedies) {
+  return {FailureCode::wrongUsage, subject, "", std::move(problem), std::move(remedies)};
 }
 
 std::string stateNames(const Button& button) {

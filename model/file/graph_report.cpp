@@ -81,7 +81,7 @@ std::string textOf(const Provenance& p) {
   if (!p.quality.empty()) text += ", quality " + p.quality;
   text += format(", confidence %.2f\n", p.confidence);
   for (const std::string& given : p.given) text += "  given by hand: " + given + "\n";
-  for (const std::string& warning : p.warnings) text += "  warning: " + warning + "\n";
+  for (const RecordedWarning& warning : p.warnings) text += "  warning: " + warning.text + "\n";
   return text;
 }
 
@@ -253,10 +253,11 @@ Report compareReport(const GraphDistance& distance, const std::string& first, co
 Report failureReport(const Failure& failure) {
   return {failure.sentence() + "\n", oneLine({{"status", "failed"},
                                               {"exit_code", failure.exitCode()},
-                                              {"subject", failure.subject},
-                                              {"place", failure.place},
-                                              {"problem", failure.problem},
-                                              {"remedy", failure.remedy},
+                                              {"code", nameOf(failure.code)},
+                                              {"subject", english(failure.subject.name)},
+                                              {"place", english(failure.place)},
+                                              {"problem", english(failure.problem)},
+                                              {"remedy", commandLineWords(failure.remedies)},
                                               {"message", failure.sentence()}})};
 }
 

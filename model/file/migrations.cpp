@@ -4,15 +4,17 @@
 namespace detent {
 
 const std::vector<Migration>& buttonMigrations() {
-  static const std::vector<Migration> none;  // version 1 is the first
-  return none;
+  static const std::vector<Migration> steps{
+      [](nlohmann::json&) {},  // 2 adds provenance.warningCodes, which may be missing
+  };
+  return steps;
 }
 
 Result<nlohmann::json> migrated(nlohmann::json document, const std::vector<Migration>& steps,
                                 const std::string& subject) {
   const auto newest = static_cast<long long>(steps.size()) + 1;
-  const auto refuse = [&](std::string problem, std::string remedy) -> Failure {
-    return {FailureCode::unreadableInput, subject, "version", std::move(problem), std::move(remedy)};
+  const auto refuse = [&](Message problem, Remedies remedies) -> Failure {
+    return {FailureCode::unreadableInput, subject, "version", std::move(problem), std::move(remedies)};
   };
   const auto found = document.find("version");
   if (found == document.end()) return refuse("is missing", "Add \"version\": " + std::to_string(newest));

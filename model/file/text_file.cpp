@@ -18,12 +18,12 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-Failure unreadable(const std::string& path, std::string problem, std::string remedy) {
-  return {FailureCode::unreadableInput, path, "", std::move(problem), std::move(remedy)};
+Failure unreadable(const std::string& path, Message problem, Remedies remedies) {
+  return {FailureCode::unreadableInput, path, "", std::move(problem), std::move(remedies)};
 }
 
-Failure notWritten(const std::string& path, FailureCode code, std::string problem, std::string remedy) {
-  return {code, path, "", "cannot be written: " + std::move(problem), std::move(remedy)};
+Failure notWritten(const std::string& path, FailureCode code, Message problem, Remedies remedies) {
+  return {code, path, "", Message("cannot be written: %1", std::move(problem)), std::move(remedies)};
 }
 
 std::string systemReason() { return std::strerror(errno); }
@@ -88,7 +88,7 @@ Result<Done> writeTextFileAtomically(const std::string& path, std::string_view t
   if (fs::is_directory(status))
     return notWritten(path, FailureCode::wrongUsage, "it is a folder", "Name a file inside it");
   if (fs::exists(status) && !fs::is_regular_file(status))
-    return notWritten(path, FailureCode::wrongUsage, "it is no regular file", "Name a file");
+    return notWritten(path, FailureCode::wrongUsage, "it is not a regular file", "Name a file");
   const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
   if (!fs::is_directory(folder, error))
     return notWritten(path, FailureCode::wrongUsage, "its folder does not exist", "Create the folder first");

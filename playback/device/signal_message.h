@@ -31,7 +31,7 @@ struct SignalCounts {
 /// [0, 10], values finite. Anything else is malformed. Shared by FUDI and OSC.
 bool acceptable(const SignalMessage& message);
 
-/// Splits a packet into messages. Any bytes are survived; what is no message is counted.
+/// Splits a packet into messages. Any bytes are survived; what is not a message is counted.
 void parseFudi(std::string_view packet, SignalCounts& counts,
                const std::function<void(const SignalMessage&)>& onMessage);
 

@@ -7,7 +7,7 @@
 
 namespace detent::playback {
 
-/// While one lives, standard input gives single keys. Does nothing where standard input is no terminal.
+/// While one lives, standard input gives single keys. Does nothing where standard input is not a terminal.
 class RawTerminal {
  public:
   RawTerminal();

@@ -73,10 +73,10 @@ Result<PressTrace> parsePressTrace(const std::string& text, const std::string& n
     }
     PressReading reading;
     if (!parseNumber(first, reading.time_s) || !std::isfinite(reading.time_s)) {
-      return badLine(name, number, quoted(first) + " is no time");
+      return badLine(name, number, quoted(first) + " is not a time");
     }
     if (!parseNumber(second, reading.value)) {
-      return badLine(name, number, quoted(second) + " is no number");
+      return badLine(name, number, quoted(second) + " is not a number");
     }
     trace.readings.push_back(reading);
   }

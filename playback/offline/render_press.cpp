@@ -115,7 +115,7 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
     while (engine->nextEvent(event)) summary.events.push_back(event);
     for (std::size_t i = 0; i < count; ++i) summary.peak = std::max(summary.peak, std::fabs(block[i]));
     if (settings.cancelled && settings.cancelled()) {
-      return Failure{FailureCode::wrongUsage, "render", "", "was cancelled", "Start it again"};
+      return Failure::cancelled("render");
     }
     if (!sink(block.data(), count)) break;
   }

@@ -43,7 +43,7 @@ struct RenderSettings {
   double sampleRate_Hz = 48000;  ///< 8000..192000
   std::size_t block = 4096;      ///< samples per engine call, 1..8192; does not change the result
   std::function<bool()>
-      cancelled;  ///< asked once per block; true: Failure wrongUsage "was cancelled", nothing is left behind
+      cancelled;        ///< asked once per block; true: Failure::cancelled, nothing is left behind
   double tail_s = 0.5;  ///< at most this much after the last reading; ends early when all is silent
 };
 

@@ -119,7 +119,7 @@ class LiveView {
     const std::size_t colon = a_.signalTarget.rfind(':');
     const int port = colon == std::string::npos ? 0 : std::atoi(a_.signalTarget.c_str() + colon + 1);
     if (port < 1 || port > 65535) {
-      return Failure{FailureCode::wrongUsage, "--signals-to", "",
+      return Failure{FailureCode::wrongUsage, Subject::option("--signals-to"), "",
                      "\"" + a_.signalTarget + "\" is not HOST:PORT", "Give for example localhost:9001"};
     }
     return player_->sendSignals(a_.signalTarget.substr(0, colon), static_cast<std::uint16_t>(port));

@@ -128,7 +128,7 @@ Result<SensorCalibration> calibrate(const std::vector<KnownWeight>& weights,
   for (std::size_t i = 0; i < weights.size(); ++i) {
     if (!std::isfinite(weights[i].force_N) || !std::isfinite(circuit.linearised(weights[i].raw))) {
       return Failure{FailureCode::unreadableInput, "calibration", "weight " + std::to_string(i + 1),
-                     "is no usable reading (not a number, or the sensor is saturated)",
+                     "is not a usable reading (not a number, or the sensor is saturated)",
                      "Leave it out or lower the load"};
     }
     different.insert(weights[i].force_N);

@@ -52,7 +52,7 @@ class Reader {
       return "";
     }
     if (key == "sensor.circuit") return circuit(value);
-    if (!numbersOf(value, n_)) return "holds something that is no number";
+    if (!numbersOf(value, n_)) return "holds something that is not a number";
     if (key == "gain") return take(1, [&] { profile.gain = n_[0]; });
     if (key == "resonance") return take(3, [&] { profile.resonances.push_back({n_[0], n_[1], n_[2]}); });
     if (key == "equalizer") return take(3, [&] { profile.equalizer.push_back({n_[0], n_[1], n_[2]}); });
@@ -178,7 +178,7 @@ Result<DeviceProfile> readDeviceProfile(const std::filesystem::path& file) {
     const std::string why = error                         ? error.message()
                             : size > largestProfile_bytes ? "larger than 1 MiB"
                                                           : "cannot be read";
-    return Failure{FailureCode::unreadableInput, file.string(), "", "is no device profile (" + why + ")",
+    return Failure{FailureCode::unreadableInput, file.string(), "", "is not a device profile (" + why + ")",
                    "Write one with `detent-play sweep` or `detent-play calibrate`"};
   }
   return parseDeviceProfile(text.str(), file.string());

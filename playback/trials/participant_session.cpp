@@ -16,7 +16,7 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
   for (const SessionStart& before : record.sessions) {
     const bool simulated = before.kind == SessionKind::simulated;
     if (simulated == (start.kind == SessionKind::simulated)) continue;
-    return Failure{FailureCode::wrongUsage, "--participant", record.participant,
+    return Failure{FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
                    simulated ? "was simulated so far" : "is a person's so far", "Give another id"};
   }
   return Done{};
@@ -99,7 +99,7 @@ Result<Simulation> simulationNamed(const std::string& name) {
     const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, rate);
     if (error == std::errc() && stop == end && rate >= 0 && rate <= 1) return Simulation{rate, false, name};
   }
-  return Failure{FailureCode::wrongUsage, "--simulate", "", "\"" + name + "\" is no way to answer",
+  return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "", "\"" + name + "\" is not a way to answer",
                  "Give guess, perfect or errors=P with P from 0 to 1"};
 }
 

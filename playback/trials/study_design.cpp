@@ -37,8 +37,8 @@ Failure wrong(const std::string& subject, const std::string& problem, const std:
   return {FailureCode::wrongUsage, subject, "", problem, remedy};
 }
 
-Failure unreadable(const fs::path& file, const std::string& problem, const std::string& remedy) {
-  return {FailureCode::unreadableInput, file.string(), "", problem, remedy};
+Failure unreadable(const fs::path& file, Message problem, Remedies remedies) {
+  return {FailureCode::unreadableInput, file.string(), "", std::move(problem), std::move(remedies)};
 }
 
 std::string labelOf(const std::string& file) {
@@ -93,14 +93,14 @@ Json jsonOf(const Study& study) {
 Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file) {
   for (const FeedbackMode mode : {FeedbackMode::full, FeedbackMode::clickOnly, FeedbackMode::slopeOnly})
     if (name == nameOf(mode)) return mode;
-  return unreadable(file, "knows a mode \"" + name + "\" that is none", "Restore the file as it was made");
+  return unreadable(file, "knows a mode \"" + name + "\" that does not exist", "Restore the file as it was made");
 }
 
 /// Everything study.json says; buttons without their files. Throws nlohmann's exceptions.
 Result<Study> studyFrom(const Json& json, const std::string& file) {
   Study study;
   if (json.at("format") != "detent-study")
-    return unreadable(file, "is no study", "Name a folder made by detent-play study new");
+    return unreadable(file, "is not a study", "Name a folder made by detent-play study new");
   if (const int version = json.at("version"); version != studyVersion)
     return unreadable(file,
                       "is a study of version " + std::to_string(version) + ", this program knows " +
@@ -112,7 +112,7 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
   StudyDesign& d = study.design;
   const std::string kind = json.at("kind");
   if (kind != nameOf(StudyKind::abx) && kind != nameOf(StudyKind::matching))
-    return unreadable(file, "knows a kind \"" + kind + "\" that is none", "Restore the file as it was made");
+    return unreadable(file, "knows a kind \"" + kind + "\" that does not exist", "Restore the file as it was made");
   d.kind = kind == nameOf(StudyKind::abx) ? StudyKind::abx : StudyKind::matching;
   d.targets = json.at("targets") == "physical" ? TargetKind::physicalButton : TargetKind::virtualButton;
   d.modes.clear();
@@ -231,7 +231,7 @@ Result<Done> checkParticipantId(const std::string& id) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
   });
   if (plain && !id.empty() && id.size() <= longest && id.front() != '-') return Done{};
-  return wrong("--participant", "\"" + id + "\" is no participant's id",
+  return wrong("--participant", "\"" + id + "\" is not a participant's id",
                "Give 1 to 32 letters, digits, - or _, such as P01; no name of a person");
 }
 
@@ -302,7 +302,7 @@ Result<Study> openStudy(const fs::path& folder) {
   const std::string file = (folder / "study.json").string();
   Result<std::string> text = readTextFile(file);
   if (!text)
-    return unreadable(folder, "is no study: study.json " + text.failure().problem,
+    return unreadable(folder, Message("is not a study: study.json %1", text.failure().problem),
                       "Make one with detent-play study new, or name its folder");
   try {
     const Json json = Json::parse(*text);
@@ -313,7 +313,7 @@ Result<Study> openStudy(const fs::path& folder) {
     study->sha256 = sha256Hex(*text);
     if (Result<Done> ok = readParts(*study, json); !ok) return ok.failure();
     if (Result<Done> ok = checkDesign(study->design, study->buttons.size()); !ok)
-      return unreadable(file, ok.failure().subject + " " + ok.failure().problem,
+      return unreadable(file, Message("%1 %2", ok.failure().subject.name, ok.failure().problem),
                         "Restore the file as it was made");
     return study;
   } catch (const Json::exception& fault) {

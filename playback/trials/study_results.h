@@ -26,7 +26,7 @@ struct TrialRow {
   Listening listening = Listening::quiet;
   std::size_t interruptions = 0;
   /// "quiet", "masked/click-only", "quiet/simulated", "quiet/rehearsal/repeated": listening; mode where the
-  /// study has several; what is no real answer; repeated after the device was lost.
+  /// study has several; what is not a real answer; repeated after the device was lost.
   std::string condition;
 };
 

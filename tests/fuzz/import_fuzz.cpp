@@ -78,7 +78,7 @@ void importGraph(const LocatedGraph& graph) {
   spacing.pointSpacing_px = 2;
   const auto traces = traceCurves(graph.view, graph.frame.value, graph.axes, {}, spacing);
   if (!traces) return;
-  auto strokes = separateStrokes(*traces, graph.axes, graph.frame.value);
+  auto strokes = separateStrokes(*traces, graph.axes);
   if (!strokes) return;
   auto callouts = readCallouts(graph.view, graph.frame.value, graph.axes, strokes->value);
   const AxisCalibration& calibration = graph.axes.calibration.value;

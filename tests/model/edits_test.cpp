@@ -40,7 +40,7 @@ template <class T>
 void requireRefusal(const Result<T>& result, const std::string& part) {
   REQUIRE_FALSE(result.ok());
   CHECK_THAT(result.failure().sentence(), Catch::Contains(part));
-  CHECK_FALSE(result.failure().remedy.empty());
+  CHECK_FALSE(result.failure().remedies.empty());
 }
 
 double largestDifference(const StrokeCurve& a, const StrokeCurve& b) {
@@ -68,7 +68,7 @@ TEST_CASE("a valley moves with its flanks and stays the valley") {
   CHECK(moved.knots().back() == curve.knots().back());
   requireRefusal(moveTurn(curve, valley, {1.7, 0.65}), "no extremum");
   requireRefusal(moveTurn(curve, valley, {0.9, 0.35}), "outside its flanks");
-  requireRefusal(moveTurn(curve, {1.65, 0.4}, {1.7, 0.35}), "is no extremum of the curve");
+  requireRefusal(moveTurn(curve, {1.65, 0.4}, {1.7, 0.35}), "is not an extremum of the curve");
 }
 
 TEST_CASE("knots move between their neighbours and keep their slopes") {

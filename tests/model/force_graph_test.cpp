@@ -23,7 +23,7 @@ template <class T>
 void requireRefusal(const Result<T>& result, const std::string& part) {
   REQUIRE_FALSE(result.ok());
   CHECK_THAT(result.failure().sentence(), Catch::Contains(part));
-  CHECK_FALSE(result.failure().remedy.empty());
+  CHECK_FALSE(result.failure().remedies.empty());
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void requireRefusal(std::vector<Knot> knots, const std::string& part) {
   const auto curve = StrokeCurve::fromKnots(std::move(knots));
   REQUIRE_FALSE(curve.ok());
   CHECK_THAT(curve.failure().sentence(), Catch::Contains(part));
-  CHECK_FALSE(curve.failure().remedy.empty());
+  CHECK_FALSE(curve.failure().remedies.empty());
 }
 
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();

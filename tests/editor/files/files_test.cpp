@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "editor/document/message_words.h"
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
 #include "editor/files/file_watch.h"

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "editor/importing/failure_words.h"
+#include "editor/importing/finding_words.h"
 #include "editor/importing/quality_figures.h"
 
 using namespace detent;
@@ -109,38 +109,55 @@ TEST_CASE("Corrections are undone by value, a run of nudges at once") {
 }
 
 TEST_CASE("What the importer says is put in the words of someone before the page") {
-  const auto none = adviceFor({FailureCode::noForceGraph, "plot frame", "x axis",
-                               "no row of numbers stands along it", "Give its range with --x-axis"},
+  const auto none = adviceFor({FailureCode::noForceGraph,
+                               "plot frame",
+                               "x axis",
+                               "nothing there",
+                               {{RemedyKind::giveXAxis, "if it is"}, {RemedyKind::raiseLimit, {}}}},
                               "a.pdf");
-  CHECK(none.problem == "Plot frame, x axis: no row of numbers stands along it.");
-  CHECK(none.remedies == std::vector{Remedy::xAxis});
+  CHECK(none.problem == "Plot frame, x axis: nothing there.");
+  CHECK(none.remedies == std::vector{RemedyKind::giveXAxis});
   CHECK_FALSE(none.remedy.contains("--"));
 
-  const auto curves =
-      adviceFor({FailureCode::notCertain, "a.pdf", "graph 1", "the curves are not certain (two)",
-                 "Pass --press-color and --release-color, or --mask over what is no curve"},
-                "a.pdf");
-  CHECK(curves.remedies == std::vector{Remedy::pressColor, Remedy::releaseColor, Remedy::mask});
-  CHECK_FALSE(curves.problem.contains("a.pdf"));
-  CHECK_FALSE(curves.remedy.contains("--"));
-
   const auto file =
-      adviceFor({FailureCode::unreadableInput, "a.pdf", "", "the PDF is encrypted with a password",
-                 "Save a copy without the password and pass that"},
-                "a.pdf");
-  CHECK(file.remedy == "Save a copy without the password and open that.");
+      adviceFor({FailureCode::unreadableInput, std::string("a.pdf"), "", "broken", "Mend it"}, "a.pdf");
+  CHECK(file.problem == "Broken.");
+  CHECK(file.remedy == "Mend it.");
+  CHECK(file.remedies.empty());
 
-  CHECK(adviceFor({FailureCode::noForceGraph, "a.pdf", "page 1", "no force graph found", ""}, "a.pdf")
-            .remedies == std::vector{Remedy::frame});
-  for (const char* warning :
-       {"no unit found on the x axis: taken as mm; pass --x-unit if it is another",
-        "No unit of force found, gf taken from the size of the numbers; pass --y-unit if that is wrong",
-        "the y axis has no ticks: its scale comes from where its numbers stand"}) {
-    const QString words = warningInWords(warning);
+  const auto doubt = adviceFor({importer::DoubtCode::pointsMakeNoCurve, {7}},
+                               {RemedyKind::addMask, RemedyKind::setResolution, RemedyKind::giveFrame});
+  CHECK(doubt.problem.contains('7'));
+  CHECK(doubt.remedies.size() == 3);
+}
+
+TEST_CASE("Findings are told in the units shown and in the person's number style") {
+  const importer::Remark preload{importer::RemarkCode::preloadTakenOff, {newtons(0.5)}};
+  const QString inGrams = inWords(preload, {LengthUnit::inch, ForceUnit::gramForce});
+  INFO(inGrams.toStdString());
+  CHECK(inGrams.contains("50.99 gf"));
+  const importer::Remark shifted{importer::RemarkCode::displacementShifted, {millimetres(1.27)}};
+  CHECK(inWords(shifted, {LengthUnit::inch, ForceUnit::newton}).contains("0.05 in"));
+  const QLocale before;
+  QLocale::setDefault(QLocale(QLocale::German));
+  const QString german = inWords(shifted, modelUnits);
+  QLocale::setDefault(before);
+  CHECK(german.contains("1,27 mm"));
+}
+
+TEST_CASE("Every finding has words at the editor, and none names an option of a program") {
+  using namespace importer;
+  for (int code = 0; code <= static_cast<int>(RemarkCode::printedValueDiffers); ++code) {
+    const Remark remark{static_cast<RemarkCode>(code), {"a", "b", "c", "d"}, RemedyKind::giveXUnit};
+    const QString words = inWords(remark, modelUnits);
     INFO(words.toStdString());
-    CHECK_FALSE(words.contains("--"));
-    CHECK_FALSE(words.contains("pass"));
     CHECK(words.endsWith('.'));
+    CHECK_FALSE(words.contains("--"));
+    CHECK_FALSE(nameOf(remark.code).empty());
+  }
+  for (int step = 0; step <= static_cast<int>(ImportStep::callouts); ++step) {
+    CHECK_FALSE(inProgress(static_cast<ImportStep>(step)).isEmpty());
+    CHECK_FALSE(nameOfWork(static_cast<ImportStep>(step)).isEmpty());
   }
 }
 

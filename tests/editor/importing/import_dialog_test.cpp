@@ -119,7 +119,7 @@ void ImportDialogTest::anAxisIsCorrectedAndOnlyWhatDependsOnItRuns() {
   ImportState state;
   QVERIFY(open(state, sample("white-vector.pdf")));
   const double travel_mm = report(state).button.states().front().graph.travel_mm();
-  QVERIFY(report(state).seconds.count("trace"));
+  QVERIFY(report(state).seconds.count(importer::ImportStep::trace));
   Corrections next = state.current()->history.now();
   next.x.min = 0, next.x.max = 9;  // twice the truth
   state.apply(next, "Displacement range");
@@ -127,13 +127,15 @@ void ImportDialogTest::anAxisIsCorrectedAndOnlyWhatDependsOnItRuns() {
   QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - 2 * travel_mm) <
           0.01 * travel_mm);
   const auto& seconds = report(state).seconds;
-  QVERIFY(seconds.count("axes") && seconds.count("strokes") && seconds.count("fit"));
-  QVERIFY(!seconds.count("locate") && !seconds.count("texts") && !seconds.count("trace"));
+  QVERIFY(seconds.count(importer::ImportStep::axes) && seconds.count(importer::ImportStep::strokes) &&
+          seconds.count(importer::ImportStep::fit));
+  QVERIFY(!seconds.count(importer::ImportStep::locate) && !seconds.count(importer::ImportStep::texts) &&
+          !seconds.count(importer::ImportStep::trace));
   QVERIFY(!report(state).evidence->axes.calibration.value.x.ticks.empty());  // still shown, though not used
   state.undo();
   QVERIFY(again(state));
   QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - travel_mm) < 1e-9);
-  QVERIFY(!report(state).seconds.count("axes"));  // what was found was kept
+  QVERIFY(!report(state).seconds.count(importer::ImportStep::axes));  // what was found was kept
 }
 
 void ImportDialogTest::oneMisreadTickIsRetyped() {
@@ -183,7 +185,7 @@ void ImportDialogTest::unitsArePickedAndGoBackToFound() {
   QVERIFY(again(state));
   QVERIFY(std::abs(report(state).press.fit.tactilePoints.front().point.force_N - 0.980665 * force_N) <
           1e-3 * force_N);
-  QVERIFY(!report(state).seconds.count("trace"));
+  QVERIFY(!report(state).seconds.count(importer::ImportStep::trace));
   QVERIFY(reset->isVisibleTo(&panel));
   reset->click();
   QVERIFY(again(state));
@@ -209,8 +211,8 @@ void ImportDialogTest::aColourIsPickedOnThePage() {
   const auto color = state.current()->history.now().pressColor;
   QVERIFY(color);
   QVERIFY(again(state));
-  QVERIFY(!report(state).seconds.count("locate"));
-  QVERIFY(report(state).seconds.count("trace"));
+  QVERIFY(!report(state).seconds.count(importer::ImportStep::locate));
+  QVERIFY(report(state).seconds.count(importer::ImportStep::trace));
 }
 
 void ImportDialogTest::aMaskChangesTheTraceAndUndoRestores() {
@@ -230,8 +232,10 @@ void ImportDialogTest::aMaskChangesTheTraceAndUndoRestores() {
   QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
   QCOMPARE(state.current()->history.now().masks.size(), std::size_t{1});
   QVERIFY(again(state));
-  QVERIFY(!state.current()->last->report || state.current()->last->report->seconds.count("trace"));
-  QVERIFY(!state.current()->last->report || !state.current()->last->report->seconds.count("locate"));
+  QVERIFY(!state.current()->last->report ||
+          state.current()->last->report->seconds.count(importer::ImportStep::trace));
+  QVERIFY(!state.current()->last->report ||
+          !state.current()->last->report->seconds.count(importer::ImportStep::locate));
   state.undo();
   QVERIFY(again(state));
   QCOMPARE(report(state).button.states(), before->button.states());
@@ -246,7 +250,7 @@ void ImportDialogTest::strokesAreExchanged() {
   state.apply(next, "Exchange strokes");
   QVERIFY(again(state));
   QVERIFY(state.current()->last->report);
-  QVERIFY(!report(state).seconds.count("trace"));
+  QVERIFY(!report(state).seconds.count(importer::ImportStep::trace));
   const auto& points = report(state).press.fit.tactilePoints;
   QVERIFY(points.empty() || std::abs(points.front().point.force_N - peak_N) > 0.02);
 }

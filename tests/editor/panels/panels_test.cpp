@@ -364,7 +364,7 @@ void PanelsTest::svgIsWrittenOrRefused() {
   QVERIFY(text.contains("<svg") && text.contains("polyline"));
   const auto refused = rig.workspace.renderSvg(folder.filePath("no/such/folder.svg"), {800, 600});
   QVERIFY(!refused.ok());
-  QVERIFY(!refused.failure().remedy.empty());
+  QVERIFY(!refused.failure().remedies.empty());
 }
 
 void PanelsTest::actionsAreNamedAndExplained() {

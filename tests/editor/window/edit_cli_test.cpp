@@ -34,7 +34,7 @@ TEST_CASE("detent-edit refuses what it does not know, and says what to do") {
   const auto wrong = run({"--nonsense"});
   CHECK(wrong.exitCode == 2);
   CHECK(wrong.out.empty());
-  CHECK(wrong.err == "detent-edit: --nonsense is no option. See detent-edit --help.\n");
+  CHECK(wrong.err == "detent-edit: --nonsense is not an option. See detent-edit --help.\n");
 }
 
 TEST_CASE("detent-edit without a screen is no crash") {

@@ -87,7 +87,7 @@ TEST_CASE("drawn plots are calibrated to a tenth of a pixel") {
   CHECK(c.y.max == Approx(s.yFrom + s.ySteps * s.yStep));
   CHECK(worstCornerError_px(axes, s, newton) < 0.1);
   CHECK(axes.calibration.confidence > 0.8);
-  CHECK(axes.warnings.empty());
+  CHECK(axes.remarks.empty());
 }
 
 TEST_CASE("the calibration is invertible and knows its scale") {
@@ -108,9 +108,10 @@ TEST_CASE("a label that contradicts the grid is left out, and said") {
   s.oddLabel = 7, s.oddText = "3.7";  // stands at 3.5
   const auto axes = read(drawn(s));
   CHECK(worstCornerError_px(axes, s, 0.01) < 0.1);
-  REQUIRE(axes.warnings.size() == 1);
-  CHECK(axes.warnings[0].find("3.7") != std::string::npos);
-  CHECK(axes.warnings[0].find("3.5") != std::string::npos);
+  REQUIRE(axes.remarks.size() == 1);
+  CHECK(axes.remarks[0].code == RemarkCode::labelContradicts);
+  CHECK(axes.remarks[0].values.at(0).text.find("3.7") != std::string::npos);
+  CHECK(axes.remarks[0].values.at(2).text.find("3.5") != std::string::npos);
   CHECK(axes.calibration.confidence > 0.8);
   CHECK(axes.calibration.confidence < 1);
 }
@@ -121,7 +122,7 @@ TEST_CASE("a zero beside its corner contradicts nothing") {
   s.xShiftOfFirst = -14;
   const auto axes = read(drawn(s));
   CHECK(worstCornerError_px(axes, s, 0.01) < 0.1);
-  CHECK(axes.warnings.empty());
+  CHECK(axes.remarks.empty());
   CHECK(axes.calibration.confidence > 0.95);
 }
 
@@ -164,7 +165,7 @@ TEST_CASE("a plot without units says which ones it took") {
     CHECK(axes.calibration.value.y.unit == "gf");
     CHECK_FALSE(axes.calibration.value.y.unitFound);
     CHECK_FALSE(axes.calibration.value.x.unitFound);
-    CHECK(axes.warnings.size() == 2);
+    CHECK(axes.remarks.size() == 2);
     CHECK(axes.calibration.confidence < 0.5);
   }
   SECTION("words without units: surely a force graph, still not sure enough") {
@@ -185,7 +186,7 @@ TEST_CASE("a plot without units says which ones it took") {
     const auto axes = read(drawn(s), hints);
     CHECK(axes.calibration.value.y.unitBy == DecidedBy::given);
     CHECK(axes.calibration.value.y.unit == symbolOf(ForceUnit::ounceForce));
-    CHECK(axes.warnings.empty());
+    CHECK(axes.remarks.empty());
     CHECK(axes.calibration.confidence > 0.8);
   }
 }
@@ -222,7 +223,8 @@ TEST_CASE("what cannot be read is refused with a sentence") {
     const auto axes = readAxes(view, looked.frame);
     REQUIRE_FALSE(axes.ok());
     CHECK(axes.failure().code == FailureCode::noForceGraph);
-    CHECK(axes.failure().remedy.find("-axis") != std::string::npos);
+    CHECK((axes.failure().remedies.include(RemedyKind::giveXAxis) ||
+           axes.failure().remedies.include(RemedyKind::giveYAxis)));
   }
   SECTION("numbers that make no progression") {
     auto view = looked.view;
@@ -232,7 +234,7 @@ TEST_CASE("what cannot be read is refused with a sentence") {
     const auto axes = readAxes(view, looked.frame);
     REQUIRE_FALSE(axes.ok());
     CHECK(axes.failure().code == FailureCode::notCertain);
-    CHECK(axes.failure().place == "x axis");
+    CHECK(axes.failure().remedies.include(RemedyKind::giveXAxis));
   }
   SECTION("an empty range") {
     AxisHints hints;

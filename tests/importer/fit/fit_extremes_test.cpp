@@ -118,7 +118,7 @@ TEST_CASE("what cannot be fitted is refused with a sentence") {
     const auto fitted = fitStroke(points, Stroke::press, options);
     REQUIRE_FALSE(fitted);
     CHECK(fitted.failure().code == FailureCode::unreadableInput);
-    CHECK_FALSE(fitted.failure().remedy.empty());
+    CHECK_FALSE(fitted.failure().remedies.empty());
     return fitted.failure().sentence();
   };
   const double nan = std::numeric_limits<double>::quiet_NaN(),
@@ -142,7 +142,7 @@ TEST_CASE("options outside their ranges are refused by name") {
     const auto fitted = fitStroke(points, Stroke::press, options);
     REQUIRE_FALSE(fitted);
     CHECK(fitted.failure().code == FailureCode::wrongUsage);
-    return fitted.failure().place;
+    return english(fitted.failure().place);
   };
   CHECK(refused([](FitOptions& o) { o.noise.sigma_mm = 0; }) == "noise.sigma_mm");
   CHECK(refused([](FitOptions& o) { o.noise.sigma_N = std::nan(""); }) == "noise.sigma_N");

@@ -287,6 +287,6 @@ TEST_CASE("frames given by hand") {
     REQUIRE_FALSE(given.ok());
     CHECK(given.failure().code == FailureCode::wrongUsage);
     CHECK_FALSE(given.failure().problem.empty());
-    CHECK_FALSE(given.failure().remedy.empty());
+    CHECK_FALSE(given.failure().remedies.empty());
   }
 }

@@ -85,7 +85,8 @@ TEST_CASE("A page that cannot be read costs only itself and is named") {
   REQUIRE(listed);
   CHECK(listed->empty());
   REQUIRE(session->remarks().size() == 1);
-  CHECK_THAT(session->remarks().front(), Catch::Contains("page 2") && Catch::Contains("50 points"));
+  CHECK(session->remarks().front().code == RemarkCode::pageUnreadable);
+  CHECK(session->remarks().front().values.at(0).number == 2);
 
   const auto report = session->importGraph({});
   REQUIRE_FALSE(report);

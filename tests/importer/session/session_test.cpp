@@ -39,28 +39,30 @@ TEST_CASE("A hint runs the steps that depend on it and no others") {
   auto session = opened("white-vector.pdf");
   ImportRequest request = firstGraph();
   const ImportReport found = imported(session, request);
-  for (const char* step : {"locate", "texts", "trace", "strokes", "fit"})
+  for (const ImportStep step :
+       {ImportStep::locate, ImportStep::texts, ImportStep::trace, ImportStep::strokes, ImportStep::fit})
     CHECK(found.seconds.count(step) == 1);
 
   request.hints.axes.xMin = 0, request.hints.axes.xMax = 9;
   const ImportReport wider = imported(session, request);
   CHECK(travel_mm(wider) == Approx(2 * travel_mm(found)).epsilon(1e-3));
-  CHECK(wider.seconds.count("axes") == 1);
-  for (const char* step : {"locate", "texts", "trace"}) CHECK(wider.seconds.count(step) == 0);
+  CHECK(wider.seconds.count(ImportStep::axes) == 1);
+  for (const ImportStep step : {ImportStep::locate, ImportStep::texts, ImportStep::trace})
+    CHECK(wider.seconds.count(step) == 0);
   CHECK(wider.x->ticks.size() == found.x->ticks.size());  // still there, for a person to see
   for (const TickLabel& tick : wider.x->ticks) CHECK_FALSE(tick.used);
 
   request.hints.axes = {};
   const ImportReport again = imported(session, request);
   CHECK(again.button.states() == found.button.states());
-  CHECK(again.seconds.count("axes") == 0);  // what was found was kept
+  CHECK(again.seconds.count(ImportStep::axes) == 0);  // what was found was kept
 
   request.hints.strokes.swap = true;
-  CHECK(imported(session, request).seconds.count("trace") == 0);
+  CHECK(imported(session, request).seconds.count(ImportStep::trace) == 0);
   request.hints.trace.masks_px = {{0, 0, 5, 5}};
   const ImportReport masked = imported(session, request);
-  CHECK(masked.seconds.count("trace") == 1);
-  CHECK(masked.seconds.count("locate") == 0);
+  CHECK(masked.seconds.count(ImportStep::trace) == 1);
+  CHECK(masked.seconds.count(ImportStep::locate) == 0);
 }
 
 TEST_CASE("Hints of a numbered graph do not change which graphs the page has") {
@@ -89,7 +91,7 @@ TEST_CASE("A given frame keeps the graph's number and its axes follow their own 
   CHECK(report.graph == 3);
   request.hints.axes.yUnit = ForceUnit::gramForce;
   const ImportReport inGrams = imported(session, request);
-  CHECK(inGrams.seconds.count("locate") == 0);
+  CHECK(inGrams.seconds.count(ImportStep::locate) == 0);
   CHECK(inGrams.y->unit == "gf");
 }
 
@@ -126,7 +128,7 @@ TEST_CASE("A failed import leaves what was found so far; a good one leaves nothi
   const auto evidence = session.evidenceOfFailure();
   REQUIRE(evidence);
   CHECK(evidence->axes.calibration.value.x.max == Approx(3.5));
-  CHECK(evidence->steps.front().step == "plot frame");
+  CHECK(evidence->steps.front().step == ImportStep::locate);
   request.hints = {};
   CHECK(session.importGraph(request));
   CHECK_FALSE(session.evidenceOfFailure());
@@ -158,7 +160,7 @@ TEST_CASE("A cancelled import leaves nothing half done behind") {
     Progress progress;
     progress.cancelled = [&] { return ++asked > atMost; };
     const auto stopped = session.importGraph(firstGraph(), progress);
-    if (!stopped) CHECK(stopped.failure().problem == "cancelled");
+    if (!stopped) CHECK(stopped.failure().code == FailureCode::cancelled);
     CHECK(imported(session, firstGraph()).button.states() == whole.button.states());
     if (stopped) break;
   }
@@ -176,10 +178,10 @@ TEST_CASE("A view that was let go is made again, and gives the same result") {
   large.hints.dpi = 900;
   imported(session, large);
   request.hints.strokes.swap = true;
-  CHECK(imported(session, request).seconds.count("view") == 1);
+  CHECK(imported(session, request).seconds.count(ImportStep::view) == 1);
   request.hints.strokes.swap = false;
   const ImportReport again = imported(session, request);
   CHECK(again.button.states() == first.button.states());
-  CHECK(again.seconds.count("locate") == 0);
+  CHECK(again.seconds.count(ImportStep::locate) == 0);
   CHECK(again.evidence->view.raster.rgb == first.evidence->view.raster.rgb);
 }

@@ -33,10 +33,15 @@ CurveTrace trace(double lift_N, Rgb color = {0, 0, 255}, double to_mm = 4) {
   return t;
 }
 
+bool rests(const Found<StrokePair>& found, EvidenceCode on) {
+  return std::any_of(found.evidence.begin(), found.evidence.end(),
+                     [on](const EvidenceItem& evidence) { return evidence.code == on; });
+}
+
 Result<Found<StrokePair>> separate(const std::vector<CurveTrace>& traces, bool swap = false) {
   StrokeHints hints;
   hints.swap = swap;
-  return separateStrokes(traces, axes(), PlotFrame{}, hints);
+  return separateStrokes(traces, axes(), hints);
 }
 
 }  // namespace
@@ -49,7 +54,7 @@ TEST_CASE("Hysteresis: the press lies above", "[strokes]") {
     REQUIRE(found.ok());
     CHECK(found->confidence > 0.9);
     CHECK(found->by == DecidedBy::found);
-    CHECK(found->evidence.find("above") != std::string::npos);
+    CHECK(rests(*found, EvidenceCode::pressAboveRelease));
     const StrokePair& pair = found->value;
     REQUIRE(pair.release.has_value());
     CHECK(pair.press.points[200].force_N == Approx(0.6).epsilon(0.01));
@@ -71,7 +76,7 @@ TEST_CASE("The legend outweighs hysteresis", "[strokes]") {
   traces[1].label = "Downstroke (press)";
   const auto found = separate(traces);
   REQUIRE(found.ok());
-  CHECK(found->evidence.find("legend") != std::string::npos);
+  CHECK(rests(*found, EvidenceCode::namedByLegend));
   CHECK(found->value.press.points_px[100] == traces[1].points_px[100]);
 }
 
@@ -106,8 +111,9 @@ TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
   const auto found = separate({trace(0.05), trace(0.05, {255, 0, 0})});
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().code == FailureCode::notCertain);
-  CHECK(found.failure().remedy.find("--press-color") != std::string::npos);
-  CHECK(found.failure().problem.find("#ff0000") != std::string::npos);
+  CHECK(found.failure().remedies.include(RemedyKind::pickPress));
+  CHECK(found.failure().reason == nameOf(DoubtCode::tooManyCurves));
+  CHECK(english(found.failure().problem).find("#ff0000") != std::string::npos);
 }
 
 TEST_CASE("One curve is a press; none is no graph; many need a choice", "[strokes]") {
@@ -123,7 +129,7 @@ TEST_CASE("One curve is a press; none is no graph; many need a choice", "[stroke
   const auto unclear = separate(many);
   REQUIRE_FALSE(unclear.ok());
   CHECK(unclear.failure().code == FailureCode::notCertain);
-  CHECK(unclear.failure().problem.find("#010203") != std::string::npos);
+  CHECK(english(unclear.failure().problem).find("#010203") != std::string::npos);
   many[0].label = "downstroke";
   many[2].label = "upstroke";
   const auto clear = separate(many);

@@ -588,7 +588,7 @@ TEST_CASE("loop: an empty frame, words alone, a cancelled run and a mask over ev
   Plot blank(400, 300, 2);
   REQUIRE_FALSE(blank.trace().ok());
   CHECK(blank.trace().failure().code == FailureCode::noForceGraph);
-  CHECK_FALSE(blank.trace().failure().remedy.empty());
+  CHECK_FALSE(blank.trace().failure().remedies.empty());
 
   Plot words(400, 300, 1.5);
   for (int k = 0; k < 4; ++k) words.word(0.2, 0.2 + 0.15 * k, 12);
@@ -602,7 +602,7 @@ TEST_CASE("loop: an empty frame, words alone, a cancelled run and a mask over ev
   stop.cancelled = [] { return true; };
   const auto cancelled = plot.trace({}, stop);
   REQUIRE_FALSE(cancelled.ok());
-  CHECK(cancelled.failure().code == FailureCode::wrongUsage);
+  CHECK(cancelled.failure().code == FailureCode::cancelled);
   TraceHints hidden;
   hidden.masks_px = {{0, 0, 400, 300}};
   CHECK_FALSE(plot.trace(hidden).ok());

@@ -52,7 +52,7 @@ void requireRefusal(const std::string& text, const std::string& part) {
   CHECK(button.failure().exitCode() == 3);
   CHECK(sentence.rfind("b.json", 0) == 0);
   CHECK_THAT(sentence, Catch::Contains(part));
-  CHECK_FALSE(button.failure().remedy.empty());
+  CHECK_FALSE(button.failure().remedies.empty());
   CHECK(sentence.find('\n') == std::string::npos);
   CHECK(sentence.size() < 400);
 }
@@ -110,7 +110,9 @@ TEST_CASE("the fixture of version 1 reads as it was written, for ever") {
   CHECK(p.yAxis->by == DecidedBy::given);
   CHECK(p.confidence == 0.93);
   CHECK(p.given == std::vector<std::string>{"--y-unit cN"});
-  CHECK(p.warnings.size() == 1);
+  REQUIRE(p.warnings.size() == 1);
+  CHECK(p.warnings[0].code.empty());  // there were none
+  CHECK_FALSE(p.warnings[0].text.empty());
 }
 
 TEST_CASE("buttons survive the file whole") {
@@ -214,9 +216,22 @@ TEST_CASE("misspelt keys are refused, keys of others are let be") {
             .ok());
 }
 
+TEST_CASE("warnings keep their codes, from version 2 on") {
+  std::vector<ButtonState> states = fixtureButton().states();
+  Provenance provenance = *fixtureButton().provenance();
+  provenance.warnings = {{"several-graphs", "2 graphs found"}, {"", "from an older file"}};
+  const auto button = Button::fromStates("", std::move(states), provenance);
+  REQUIRE(button.ok());
+  const std::string text = jsonFrom(*button);
+  const auto back = buttonFromJson(text, "b.json");
+  REQUIRE(back.ok());
+  CHECK(back->provenance()->warnings == provenance.warnings);
+  requireRefusal(replaced(text, "\"several-graphs\", ", ""), "provenance.warningCodes");
+}
+
 TEST_CASE("newer versions are refused, wrong ones named") {
-  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 2"),
-                 "version: is 2, newer than this program reads");
+  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 3"),
+                 "version: is 3, newer than this program reads");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 18446744073709551615"),
                  "newer than");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 0"), "versions count from 1");

@@ -16,7 +16,7 @@ void requireRefusal(const Result<ForceGraph>& result, int exitCode, const std::s
   INFO(result.failure().sentence());
   CHECK(result.failure().exitCode() == exitCode);
   CHECK_THAT(result.failure().sentence(), Catch::Contains(part));
-  CHECK(result.failure().subject == "a.csv");
+  CHECK(english(result.failure().subject.name) == "a.csv");
 }
 
 Result<ForceGraph> read(const std::string& rows) { return graphFromCsv(header + rows, "a.csv"); }
@@ -68,7 +68,7 @@ TEST_CASE("faults are refused with their line") {
   requireRefusal(graphFromCsv("time,force\n1,2\n", "a.csv"), 3, "Use detent-import");
   requireRefusal(read(""), 4, "has a header but no rows");
   requireRefusal(read("release,1,1\nrelease,0,0\n"), 4, "has no press rows");
-  requireRefusal(read("press,0,0\npress,1\n"), 3, "line 3: has not 3 fields");
+  requireRefusal(read("press,0,0\npress,1\n"), 3, "line 3: does not have 3 fields");
   requireRefusal(read("press,0,0\npush,1,1\n"), 3, "line 3: names the stroke \"push\"");
   requireRefusal(read("press,0,0\npress,one,1\n"), 3, "line 3: displacement \"one\"");
   for (const char* bad : {"nan", "inf", "-inf", "1e999", "", "1,5", "0x10", "1 2"})

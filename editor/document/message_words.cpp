@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/document/message_words.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace detent::editor {
+namespace {
+
+QString inWords(const MessageValue& value, const DisplayUnits& units) {
+  const QLocale locale;
+  switch (value.measure) {
+    case Measure::text:
+      return QString::fromStdString(value.text);
+    case Measure::number:
+      return locale.toString(value.number, 'g', 6);
+    case Measure::share:
+      return locale.toString(100 * value.number, 'f', 0) + QStringLiteral(" %");
+    case Measure::displacement_mm:
+      return locale.toString(units.lengthFrom(value.number), 'g', 4) + ' ' + units.lengthSymbol();
+    case Measure::force_N:
+      return locale.toString(units.forceFrom(value.number), 'g', 4) + ' ' + units.forceSymbol();
+    case Measure::messages:
+      break;
+  }
+  QStringList parts;
+  for (const Message& message : value.messages) parts << inWords(message, units);
+  return parts.join(QStringLiteral("; "));
+}
+
+}  // namespace
+
+QString inWords(const Message& message, const DisplayUnits& units) {
+  std::vector<std::string> values;
+  for (const MessageValue& value : message.values()) values.push_back(inWords(value, units).toStdString());
+  const QString pattern = QCoreApplication::translate("detent", message.words());
+  return QString::fromStdString(filled(pattern.toStdString(), values));
+}
+
+QString asSentence(QString text) {
+  text = text.trimmed();
+  if (text.isEmpty()) return text;
+  text[0] = text[0].toUpper();
+  if (!text.endsWith('.') && !text.endsWith('!') && !text.endsWith('?')) text += '.';
+  return text;
+}
+
+QString sentenceOf(const Failure& failure, const DisplayUnits& units) {
+  QStringList where;
+  if (!failure.subject.empty()) where << inWords(failure.subject.name, units);
+  if (!failure.place.empty()) where << inWords(failure.place, units);
+  QString text = where.join(QStringLiteral(", "));
+  if (!text.isEmpty()) text += QStringLiteral(": ");
+  text += inWords(failure.problem, units) + '.';
+  for (const Remedy& remedy : failure.remedies)
+    if (remedy.kind == RemedyKind::advice) text += ' ' + asSentence(inWords(remedy.words, units));
+  return text;
+}
+
+}  // namespace detent::editor

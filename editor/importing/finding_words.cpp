@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/importing/finding_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace detent::editor {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("detent::editor::ImportDialog", text); }
+
+/// What to do on the page, as the end of a sentence; empty of what is not a correction.
+QString instruction(RemedyKind kind) {
+  switch (kind) {
+    case RemedyKind::giveFrame:
+      return tr("draw the plot frame, or drag its corners onto the ends of the axes");
+    case RemedyKind::giveXAxis:
+      return tr("give the displacement axis the values at its two ends");
+    case RemedyKind::giveYAxis:
+      return tr("give the force axis the values at its two ends");
+    case RemedyKind::giveXUnit:
+      return tr("choose the unit of the displacement axis");
+    case RemedyKind::giveYUnit:
+      return tr("choose the unit of the force axis");
+    case RemedyKind::pickPress:
+      return tr("click the press curve with the pipette");
+    case RemedyKind::pickRelease:
+      return tr("click the release curve with the pipette");
+    case RemedyKind::addMask:
+      return tr("paint a mask over what is not part of a curve");
+    case RemedyKind::setResolution:
+      return tr("set a resolution, so that a picture of the page is traced");
+    case RemedyKind::swapStrokes:
+      return tr("exchange press and release");
+    case RemedyKind::advice:
+    case RemedyKind::choosePage:
+    case RemedyKind::chooseGraph:
+    case RemedyKind::importAll:
+    case RemedyKind::raiseLimit:
+      return {};
+  }
+  return {};
+}
+
+QString joined(const std::vector<RemedyKind>& corrections) {
+  QStringList parts;
+  for (const RemedyKind each : corrections) parts << instruction(each);
+  if (parts.size() < 3) return asSentence(parts.join(tr(", or ")));
+  const QString last = parts.takeLast();
+  return asSentence(parts.join(tr(", ")) + tr(", or ") + last);
+}
+
+QString placeOf(const Failure& failure, const QString& documentName, const DisplayUnits& units) {
+  QStringList parts;
+  const QString subject = inWords(failure.subject.name, units);
+  const bool shown =
+      failure.subject.kind == Subject::Kind::part || failure.subject.kind == Subject::Kind::named;
+  if (shown && subject != documentName) parts << subject;
+  if (!failure.place.empty()) parts << inWords(failure.place, units);
+  return parts.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
+bool isCorrection(RemedyKind kind) { return !instruction(kind).isEmpty(); }
+
+std::vector<RemedyKind> correctionsAmong(const Remedies& remedies) {
+  std::vector<RemedyKind> corrections;
+  for (const Remedy& remedy : remedies)
+    if (isCorrection(remedy.kind)) corrections.push_back(remedy.kind);
+  return corrections;
+}
+
+Advice adviceFor(const Failure& failure, const QString& documentName, const DisplayUnits& units) {
+  Advice advice;
+  const QString place = placeOf(failure, documentName, units), problem = inWords(failure.problem, units);
+  advice.problem = asSentence(place.isEmpty() ? problem : place + QStringLiteral(": ") + problem);
+  advice.remedies = correctionsAmong(failure.remedies);
+  if (!advice.remedies.empty()) advice.remedy = joined(advice.remedies);
+  for (const Remedy& remedy : failure.remedies)
+    if (remedy.kind == RemedyKind::advice)
+      advice.remedy += (advice.remedy.isEmpty() ? "" : " ") + asSentence(inWords(remedy.words, units));
+  return advice;
+}
+
+Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& corrections,
+                 const DisplayUnits& units) {
+  return {asSentence(inWords(messageOf(doubt), units)), joined(corrections), corrections};
+}
+
+QString inWords(const importer::Remark& remark, const DisplayUnits& units) {
+  QString text = asSentence(inWords(messageOf(remark), units));
+  QStringList advised;
+  for (const RemedyKind each : correctionsAmong(remark.remedies)) advised << instruction(each);
+  if (!advised.isEmpty()) text += ' ' + asSentence(tr("If that is wrong, ") + advised.join(tr(", or ")));
+  return text;
+}
+
+QString inWords(const std::vector<importer::EvidenceItem>& evidence, const DisplayUnits& units) {
+  QStringList parts;
+  for (const Message& message : messagesOf(evidence)) parts << inWords(message, units);
+  return parts.join(QStringLiteral("; "));
+}
+
+QString textOnButton(RemedyKind correction) {
+  switch (correction) {
+    case RemedyKind::giveFrame:
+      return tr("Draw plot frame");
+    case RemedyKind::giveXAxis:
+    case RemedyKind::giveYAxis:
+      return tr("Set axis values");
+    case RemedyKind::giveXUnit:
+      return tr("Displacement unit");
+    case RemedyKind::giveYUnit:
+      return tr("Force unit");
+    case RemedyKind::pickPress:
+      return tr("Pick press curve");
+    case RemedyKind::pickRelease:
+      return tr("Pick release curve");
+    case RemedyKind::addMask:
+      return tr("Paint mask");
+    case RemedyKind::setResolution:
+      return tr("Resolution");
+    case RemedyKind::swapStrokes:
+      return tr("Exchange strokes");
+    case RemedyKind::advice:
+    case RemedyKind::choosePage:
+    case RemedyKind::chooseGraph:
+    case RemedyKind::importAll:
+    case RemedyKind::raiseLimit:
+      return {};
+  }
+  return {};
+}
+
+QString nameOfFinding(importer::ImportStep step) {
+  switch (step) {
+    case importer::ImportStep::axes:
+      return tr("Axes");
+    case importer::ImportStep::strokes:
+      return tr("Press and release");
+    default:
+      return tr("Plot frame");
+  }
+}
+
+QString nameOfWork(importer::ImportStep step) {
+  switch (step) {
+    case importer::ImportStep::read:
+      return tr("reading");
+    case importer::ImportStep::locate:
+      return tr("finding the frame");
+    case importer::ImportStep::view:
+      return tr("drawing the page");
+    case importer::ImportStep::axes:
+      return tr("axes");
+    case importer::ImportStep::texts:
+      return tr("texts");
+    case importer::ImportStep::copies:
+      return tr("comparing copies");
+    case importer::ImportStep::trace:
+      return tr("tracing");
+    case importer::ImportStep::strokes:
+      return tr("strokes");
+    case importer::ImportStep::fit:
+      return tr("fit");
+    case importer::ImportStep::callouts:
+      return tr("callouts");
+  }
+  return {};
+}
+
+QString inProgress(importer::ImportStep step) {
+  switch (step) {
+    case importer::ImportStep::read:
+      return tr("Reading the log …");
+    case importer::ImportStep::locate:
+    case importer::ImportStep::view:
+    case importer::ImportStep::axes:
+    case importer::ImportStep::texts:
+    case importer::ImportStep::copies:
+      return tr("Finding the graph and reading its axes …");
+    case importer::ImportStep::trace:
+      return tr("Tracing the curves …");
+    case importer::ImportStep::strokes:
+      return tr("Telling press from release …");
+    case importer::ImportStep::fit:
+    case importer::ImportStep::callouts:
+      return tr("Fitting …");
+  }
+  return {};
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What an import found, doubts and advises, in the words of someone who sits before the page.
+
+#include <QString>
+#include <vector>
+
+#include "editor/document/message_words.h"
+#include "importer/importer.h"
+
+namespace detent::editor {
+
+/// A fault or doubt, what to do about it, and the corrections that do it, the likeliest first.
+struct Advice {
+  QString problem, remedy;
+  std::vector<RemedyKind> remedies;
+};
+
+/// `documentName` is left out of the sentence: the dialogue shows it anyway.
+Advice adviceFor(const Failure& failure, const QString& documentName, const DisplayUnits& units = modelUnits);
+
+/// A doubt with these corrections: what is already given need not be advised again.
+Advice adviceFor(const importer::Doubt& doubt, const std::vector<RemedyKind>& corrections,
+                 const DisplayUnits& units = modelUnits);
+
+/// Whether the dialogue has a control that does it.
+bool isCorrection(RemedyKind kind);
+/// The corrections among them, in their order.
+std::vector<RemedyKind> correctionsAmong(const Remedies& remedies);
+
+QString inWords(const importer::Remark& remark, const DisplayUnits& units);
+/// One line, empty without evidence.
+QString inWords(const std::vector<importer::EvidenceItem>& evidence, const DisplayUnits& units);
+
+/// "Draw plot frame", on a button; empty of what is not a correction.
+QString textOnButton(RemedyKind correction);
+
+/// "Plot frame": of what a step's finding speaks.
+QString nameOfFinding(importer::ImportStep step);
+/// "tracing": beside the time it took.
+QString nameOfWork(importer::ImportStep step);
+/// "Tracing the curves …".
+QString inProgress(importer::ImportStep step);
+
+}  // namespace detent::editor

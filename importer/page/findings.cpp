@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/page/findings.h"
+
+namespace detent::importer {
+namespace {
+
+/// How a finding is called by scripts, and the pattern of its words.
+struct Wording {
+  std::string_view name;
+  const char* words;
+};
+
+/// A pattern that is translated in the editor: the build target detent-edit-texts looks for this name.
+constexpr const char* words(const char* pattern) { return pattern; }
+
+Wording wordingOf(EvidenceCode code) {
+  switch (code) {
+    case EvidenceCode::frameGiven:
+      return {"frame-given", words("plot frame given by hand")};
+    case EvidenceCode::edgesDrawn:
+      return {"edges-drawn", words("%1 of 4 edges drawn, %2 vertical and %3 horizontal lines or ticks")};
+    case EvidenceCode::labelsAroundBox:
+      return {"labels-around-box", words("%1 labels below and %2 beside a rectangle of lines")};
+    case EvidenceCode::axisGiven:
+      return {"axis-given", words("%1: given")};
+    case EvidenceCode::labelsInProgression:
+      return {"labels-in-progression", words("%1: %2 of %3 labels on an even progression over %4 ticks")};
+    case EvidenceCode::toldApartByCourse:
+      return {"told-apart-by-course", words("drawn as one loop and told apart by its course")};
+    case EvidenceCode::namedByLegend:
+      return {"named-by-legend", words("named by the legend")};
+    case EvidenceCode::pressAboveRelease:
+      return {"press-above-release", words("press lies above release on %1 of where they differ")};
+    case EvidenceCode::oneHigherForce:
+      return {"one-higher-force", words("one reaches a higher force")};
+    case EvidenceCode::pressAlone:
+      return {"press-alone", words("one curve: press only")};
+    case EvidenceCode::pressAloneThoughNamedRelease:
+      return {"press-alone-though-named-release",
+              words("one curve, taken as press although the legend calls it release")};
+    case EvidenceCode::exchangedByHand:
+      return {"exchanged-by-hand", words("exchanged by hand")};
+  }
+  return {"", ""};
+}
+
+Wording wordingOf(DoubtCode code) {
+  switch (code) {
+    case DoubtCode::axesUncertain:
+      return {"axes-uncertain", words("the axes are not certain (%1)")};
+    case DoubtCode::curvesUncertain:
+      return {"curves-uncertain", words("the curves are not certain (%1)")};
+    case DoubtCode::pointsMakeNoCurve:
+      return {"points-make-no-curve", words("the traced points make no curve (the fit is %1 px off them)")};
+    case DoubtCode::valueContradicts:
+      return {"value-contradicts", words("the graph %1")};
+    case DoubtCode::rangeUnreadable:
+      return {"range-unreadable", words("the %1 numbers along it make no even progression")};
+    case DoubtCode::ratherADrawing:
+      return {"rather-a-drawing", words("this is more likely a drawing than a force graph (%1)")};
+    case DoubtCode::doesNotLookLikeOne:
+      return {"does-not-look-like-one",
+              words("what can be followed in this ink does not look like a force curve (confidence %1)")};
+    case DoubtCode::tooManyCurves:
+      return {"too-many-curves", words("%1 curves, and which two belong together is not clear: %2")};
+    case DoubtCode::strokesAlike:
+      return {"strokes-alike", words("press and release cannot be told apart: neither legend nor hysteresis "
+                                     "says which is which (%1, %2)")};
+  }
+  return {"", ""};
+}
+
+Wording wordingOf(RemarkCode code) {
+  switch (code) {
+    case RemarkCode::imagesUndecoded:
+      return {"images-undecoded",
+              words("page %1: images of the document that cannot be decoded: %2; the rest was read")};
+    case RemarkCode::pageUnreadable:
+      return {"page-unreadable", words("page %1: %2")};
+    case RemarkCode::lengthUnitAssumed:
+      return {"length-unit-assumed", words("no unit found on the %1 axis: taken as %2")};
+    case RemarkCode::smallForcesTakenAsNewton:
+      return {"small-forces-taken-as-newton",
+              words("no unit found on the %1 axis: taken as N because it ends at 5 or below")};
+    case RemarkCode::largeForcesTakenAsGram:
+      return {"large-forces-taken-as-gram",
+              words("no unit found on the %1 axis: taken as gf because it ends above 5")};
+    case RemarkCode::labelContradicts:
+      return {
+          "label-contradicts",
+          words("the label \"%1\" on the %2 axis stands at %3 of the scale that the others make: left out")};
+    case RemarkCode::axisWithoutTicks:
+      return {"axis-without-ticks",
+              words("the %1 axis has no ticks: its scale comes from where its numbers stand")};
+    case RemarkCode::displacementUnitAssumed:
+      return {"displacement-unit-assumed", words("no unit of displacement found: taken as %1")};
+    case RemarkCode::forceUnitAssumed:
+      return {"force-unit-assumed",
+              words("no unit of force found: taken as %1 from the size of the numbers")};
+    case RemarkCode::forcesTurned:
+      return {"forces-turned", words("compression is negative in this file: forces were made positive")};
+    case RemarkCode::displacementTurned:
+      return {"displacement-turned",
+              words("displacement falls while force rises in this file: its direction was reversed")};
+    case RemarkCode::severalPresses:
+      return {"several-presses", words("the log holds %1 presses: the first complete cycle was taken")};
+    case RemarkCode::displacementShifted:
+      return {"displacement-shifted",
+              words("displacement starts at %1: shifted so that the press starts at zero")};
+    case RemarkCode::preloadTakenOff:
+      return {"preload-taken-off", words("a force of %1 before contact was taken off as the meter's offset")};
+    case RemarkCode::rowsAveraged:
+      return {"rows-averaged", words("the log is long: each %1 rows were averaged into one")};
+    case RemarkCode::rowsLeftOut:
+      return {
+          "rows-left-out",
+          words("%1 of %2 rows hold no two finite numbers and were left out, the first in line %3 (\"%4\")")};
+    case RemarkCode::noRelease:
+      return {"no-release", words("the log holds no release stroke")};
+    case RemarkCode::sameGraphSeveralTimes:
+      return {"same-graph-several-times",
+              words("the same graph is drawn %1 times (%2); the one on page %3 is taken, which reads best")};
+    case RemarkCode::severalGraphs:
+      return {"several-graphs", words("%1 graphs found; this is the most certain one (page %2, graph %3)")};
+    case RemarkCode::printedValueDiffers:
+      return {"printed-value-differs", words("%1")};
+  }
+  return {"", ""};
+}
+
+}  // namespace
+
+std::string_view nameOf(ImportStep step) {
+  switch (step) {
+    case ImportStep::read:
+      return "read";
+    case ImportStep::locate:
+      return "locate";
+    case ImportStep::view:
+      return "view";
+    case ImportStep::axes:
+      return "axes";
+    case ImportStep::texts:
+      return "texts";
+    case ImportStep::copies:
+      return "copies";
+    case ImportStep::trace:
+      return "trace";
+    case ImportStep::strokes:
+      return "strokes";
+    case ImportStep::fit:
+      return "fit";
+    case ImportStep::callouts:
+      return "callouts";
+  }
+  return "";
+}
+
+std::string_view nameOf(EvidenceCode code) { return wordingOf(code).name; }
+std::string_view nameOf(DoubtCode code) { return wordingOf(code).name; }
+std::string_view nameOf(RemarkCode code) { return wordingOf(code).name; }
+
+Message messageOf(const EvidenceItem& e) { return Message::of(wordingOf(e.code).words, e.values); }
+Message messageOf(const Doubt& d) { return Message::of(wordingOf(d.code).words, d.values); }
+Message messageOf(const Remark& r) { return Message::of(wordingOf(r.code).words, r.values); }
+
+std::vector<Message> messagesOf(const std::vector<EvidenceItem>& evidence) {
+  std::vector<Message> messages;
+  for (const EvidenceItem& each : evidence) messages.push_back(messageOf(each));
+  return messages;
+}
+
+Failure failureOf(const Doubt& doubt, Subject subject, Message place) {
+  return {FailureCode::notCertain, std::move(subject), std::move(place),
+          messageOf(doubt),        doubt.remedies,     nameOf(doubt.code)};
+}
+
+std::string commandLineWords(const Remark& remark) {
+  const std::string remedies = detent::commandLineWords(remark.remedies);
+  return english(messageOf(remark)) + (remedies.empty() ? "" : ". " + remedies);
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the steps of an import say of their work: from what something was concluded, what is in doubt, what a person
+// should know. Codes with values; the words are made at the edges, English patterns stand in findings.cpp.
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/message.h"
+#include "model/remedy.h"
+#include "model/result.h"
+
+namespace detent::importer {
+
+/// The steps of an import that take time or give a finding, in flow order.
+enum class ImportStep { read, locate, view, axes, texts, copies, trace, strokes, fit, callouts };
+
+/// "locate": as scripts see it.
+std::string_view nameOf(ImportStep step);
+
+/// From what something was concluded.
+enum class EvidenceCode {
+  frameGiven,
+  edgesDrawn,           ///< edges drawn (of 4), vertical and horizontal lines or ticks
+  labelsAroundBox,      ///< labels below, labels beside a rectangle of lines
+  axisGiven,            ///< axis
+  labelsInProgression,  ///< axis, labels in it, numbers read, ticks
+  toldApartByCourse,    ///< both strokes are drawn as one loop
+  namedByLegend,
+  pressAboveRelease,  ///< share of where they differ
+  oneHigherForce,
+  pressAlone,
+  pressAloneThoughNamedRelease,
+  exchangedByHand
+};
+
+struct EvidenceItem {
+  EvidenceCode code;
+  std::vector<MessageValue> values = {};
+};
+
+/// "labels-in-progression".
+std::string_view nameOf(EvidenceCode code);
+Message messageOf(const EvidenceItem& evidence);
+std::vector<Message> messagesOf(const std::vector<EvidenceItem>& evidence);
+
+/// What is not certain.
+enum class DoubtCode {
+  axesUncertain,       ///< messages of their evidence
+  curvesUncertain,     ///< messages of their evidence
+  pointsMakeNoCurve,   ///< distance of the fit from the points, px
+  valueContradicts,    ///< message of the printed value
+  rangeUnreadable,     ///< numbers along the axis that make no even progression
+  ratherADrawing,      ///< messages of the axes' evidence
+  doesNotLookLikeOne,  ///< confidence of the curves, 0..1
+  tooManyCurves,       ///< how many, their colours and names
+  strokesAlike         ///< colours of the two
+};
+
+struct Doubt {
+  DoubtCode code;
+  std::vector<MessageValue> values = {};
+  Remedies remedies = {};
+};
+
+/// "axes-uncertain".
+std::string_view nameOf(DoubtCode code);
+Message messageOf(const Doubt& doubt);
+/// notCertain, with the doubt's code as its reason.
+Failure failureOf(const Doubt& doubt, Subject subject = {}, Message place = {});
+
+/// What a person should know of an import although it came through.
+enum class RemarkCode {
+  imagesUndecoded,  ///< page, images of the document
+  pageUnreadable,   ///< page, what is wrong with it
+  // axes
+  lengthUnitAssumed,         ///< axis, unit taken
+  smallForcesTakenAsNewton,  ///< axis
+  largeForcesTakenAsGram,    ///< axis
+  labelContradicts,          ///< text of the label, axis, value where it stands
+  axisWithoutTicks,          ///< axis
+  // force logs
+  displacementUnitAssumed,  ///< unit taken
+  forceUnitAssumed,         ///< unit taken
+  forcesTurned,
+  displacementTurned,
+  severalPresses,       ///< how many
+  displacementShifted,  ///< mm at its start
+  preloadTakenOff,      ///< N
+  rowsAveraged,         ///< rows in each
+  rowsLeftOut,          ///< how many, of how many, line of the first, its text
+  noRelease,
+  // graphs of a document
+  sameGraphSeveralTimes,  ///< how often, where (messages), page taken
+  severalGraphs,          ///< how many, page and graph taken
+  printedValueDiffers     ///< message of the comparison
+};
+
+struct Remark {
+  RemarkCode code;
+  std::vector<MessageValue> values = {};
+  Remedies remedies = {};
+};
+
+/// "several-graphs".
+std::string_view nameOf(RemarkCode code);
+Message messageOf(const Remark& remark);
+/// The message and what helps, as detent-import says it.
+std::string commandLineWords(const Remark& remark);
+
+}  // namespace detent::importer
