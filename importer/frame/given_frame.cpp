@@ -37,8 +37,7 @@ Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, 
   const double margin = page.unit == PageUnit::pixel ? 0.5 : 0;
   for (const auto& p : given)
     if (!(p.x >= -margin && p.y >= -margin && p.x <= page.width - margin && p.y <= page.height - margin))
-      return refused(page,
-                     Message("corner (%1, %2) is outside the page", p.x, p.y));
+      return refused(page, Message("corner (%1, %2) is outside the page", p.x, p.y));
   std::vector<Point> corners = given;
   if (given.size() == 2) {
     const Box box = boundsOf(given);

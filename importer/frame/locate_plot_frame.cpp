@@ -197,8 +197,11 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
                                          const FrameCandidate& candidate, const Progress& progress) {
   const Box box = view.viewToPage.inverse().boxOf(candidate.pageBox);
   if (view.raster.empty() || box.width() < 16 || box.height() < 16)
-    return Failure{FailureCode::noForceGraph, page.source, Message("page %1", page.number),
-                   "the plot frame is smaller than 16 pixels", {{RemedyKind::giveFrame, "of a larger region"}}};
+    return Failure{FailureCode::noForceGraph,
+                   page.source,
+                   Message("page %1", page.number),
+                   "the plot frame is smaller than 16 pixels",
+                   {{RemedyKind::giveFrame, "of a larger region"}}};
   if (progress.isCancelled()) return Failure::cancelled(page.source);
   const bool given = candidate.givenCorners.size() == 4;
   const cv::Mat d = darknessOf(view.raster);

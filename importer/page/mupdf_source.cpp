@@ -123,16 +123,18 @@ std::optional<Failure> MupdfSource::open() {
                       "Save a copy without the password and import that");
   if (pageCount_ <= 0) return damaged("", "it has no pages");
   if (pageCount_ > file_.limits.maxPages)
-    return unreadable(file_.name, "",
-                      "the document claims " + std::to_string(pageCount_) +
-                          " pages, more than the limit of " + std::to_string(file_.limits.maxPages),
-                      {{RemedyKind::advice, "Split out the pages with the graphs"}, {RemedyKind::raiseLimit, {}}});
+    return unreadable(
+        file_.name, "",
+        "the document claims " + std::to_string(pageCount_) + " pages, more than the limit of " +
+            std::to_string(file_.limits.maxPages),
+        {{RemedyKind::advice, "Split out the pages with the graphs"}, {RemedyKind::raiseLimit, {}}});
   return std::nullopt;
 }
 
 std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int number) const {
-  const Remedies simplify{{RemedyKind::advice, "Export the page as a picture of at least 300 dpi and import that"},
-                          {RemedyKind::raiseLimit, {}}};
+  const Remedies simplify{
+      {RemedyKind::advice, "Export the page as a picture of at least 300 dpi and import that"},
+      {RemedyKind::raiseLimit, {}}};
   switch (control.stop) {
     case CollectStop::none:
       return std::nullopt;

@@ -74,7 +74,8 @@ std::optional<Failure> refusal(const SourceFile& file, FileKind kind, const Pict
                       "the picture claims " + std::to_string(header.width_px) + " x " +
                           std::to_string(header.height_px) + " pixels, which is more than the limit of " +
                           megapixels(file.limits.maxMegapixels * 1e6) + " megapixels",
-                      {{RemedyKind::advice, "Scale the picture down or crop it to the graph"}, {RemedyKind::raiseLimit, {}}});
+                      {{RemedyKind::advice, "Scale the picture down or crop it to the graph"},
+                       {RemedyKind::raiseLimit, {}}});
   if (!header.complete)
     return unreadable(file.name, "end of file", "the " + kindName(kind) + " is truncated",
                       "Copy or download the file again");

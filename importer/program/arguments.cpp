@@ -193,7 +193,8 @@ void settle(const RawOptions& raw, Arguments& a) {
   if (a.batch && (a.list || !a.buttonPath.empty() || !a.csvPath.empty() || !a.tracePath.empty() ||
                   !a.overlayPath.empty())) {
     throw CLI::ValidationError(
-        "--batch", "writes into --out-dir and cannot be combined with --list, -o, --csv, --trace-csv, --overlay");
+        "--batch",
+        "writes into --out-dir and cannot be combined with --list, -o, --csv, --trace-csv, --overlay");
   }
 }
 

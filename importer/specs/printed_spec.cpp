@@ -221,9 +221,8 @@ Message messageOf(const SpecCheck& check) {
   const Measure measure = spec.isForce() ? Measure::force_N : Measure::displacement_mm;
   const std::vector<MessageValue> values{
       nameOf(spec.quantity), {check.read, measure}, {spec.nominal, measure}, spec.page, spec.text};
-  return Message::of(check.agrees
-                         ? "agrees with the page: %1 %2 read, %3 printed (page %4: \"%5\")"
-                         : "differs from the page: %1 %2 read, %3 printed (page %4: \"%5\")",
+  return Message::of(check.agrees ? "agrees with the page: %1 %2 read, %3 printed (page %4: \"%5\")"
+                                  : "differs from the page: %1 %2 read, %3 printed (page %4: \"%5\")",
                      values);
 }
 

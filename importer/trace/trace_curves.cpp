@@ -24,7 +24,10 @@ constexpr double kCredibleLoop = 0.5;    // below: another ink may hold the curv
 constexpr double kSameInkAngle = 0.985;  // cosine between a given colour and an ink found
 
 Failure noCurve(Message why) {
-  return {FailureCode::noForceGraph, "plot frame", "", std::move(why),
+  return {FailureCode::noForceGraph,
+          "plot frame",
+          "",
+          std::move(why),
           {{RemedyKind::giveFrame, "if the plot stands elsewhere"},
            {RemedyKind::pickPress, "with the curve's colour"}}};
 }

@@ -17,7 +17,10 @@ namespace detent::importer::trace {
 namespace {
 
 Failure noCurveFailure() {
-  return {FailureCode::noForceGraph, "plot", "", "no curve runs through the plot frame in this ink",
+  return {FailureCode::noForceGraph,
+          "plot",
+          "",
+          "no curve runs through the plot frame in this ink",
           {{RemedyKind::pickPress, {}}, {RemedyKind::giveFrame, "if another rectangle holds the graph"}}};
 }
 

@@ -135,7 +135,8 @@ DeviceResult<PaDeviceIndex> findDevice(const std::string& wanted, Direction dire
   const PaDeviceIndex standard = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
   if (std::find(partly.begin(), partly.end(), standard) != partly.end()) return standard;
   if (partly.empty()) {
-    return DeviceTrouble{wanted, output ? "is not an output of this machine" : "is not an input of this machine",
+    return DeviceTrouble{wanted,
+                         output ? "is not an output of this machine" : "is not an input of this machine",
                          "See `detent-play devices`"};
   }
   return DeviceTrouble{wanted, "names several devices: " + names, "Give a longer part of the name", true};

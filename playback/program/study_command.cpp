@@ -50,7 +50,8 @@ Result<std::vector<FeedbackMode>> modesNamed(const std::vector<std::string>& nam
   for (const std::string& name : names) {
     const auto at = modes.find(name);
     if (at == modes.end())
-      return Failure{FailureCode::wrongUsage, Subject::option("--modes"), "", "\"" + name + "\" is not one of them",
+      return Failure{FailureCode::wrongUsage, Subject::option("--modes"), "",
+                     "\"" + name + "\" is not one of them",
                      "Give full, click-only, slope-only, separated by commas"};
     found.push_back(at->second);
   }

@@ -165,7 +165,8 @@ Result<ParticipantRecord> askParticipant(const Study& study, const std::string& 
                    "a terminal has keys for 9 buttons, the study has " + std::to_string(study.buttons.size()),
                    "Run it in detent-edit, or with fewer buttons"};
   if (!RawTerminal().interactive())
-    return Failure{FailureCode::deviceTrouble, "study run", "", "standard input is not a terminal to answer at",
+    return Failure{FailureCode::deviceTrouble, "study run", "",
+                   "standard input is not a terminal to answer at",
                    "Run it in a terminal or in detent-edit, or pass --simulate"};
   Result<std::vector<ParticipantRecord>> before = readParticipants(study);
   if (!before) return before.failure();

@@ -86,7 +86,8 @@ class Replay {
 
  private:
   Result<Done> header(const Json& json) {
-    if (json.at("format") != "detent-study-journal") return wrong("is not a journal of a study", "Take it away");
+    if (json.at("format") != "detent-study-journal")
+      return wrong("is not a journal of a study", "Take it away");
     if (const int version = json.at("version"); version != journalVersion)
       return wrong("is of version " + std::to_string(version), "Use the program that wrote it");
     if (json.at("participant") != record_.participant)

@@ -99,7 +99,8 @@ Result<Simulation> simulationNamed(const std::string& name) {
     const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, rate);
     if (error == std::errc() && stop == end && rate >= 0 && rate <= 1) return Simulation{rate, false, name};
   }
-  return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "", "\"" + name + "\" is not a way to answer",
+  return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
+                 "\"" + name + "\" is not a way to answer",
                  "Give guess, perfect or errors=P with P from 0 to 1"};
 }
 

@@ -93,7 +93,8 @@ Json jsonOf(const Study& study) {
 Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file) {
   for (const FeedbackMode mode : {FeedbackMode::full, FeedbackMode::clickOnly, FeedbackMode::slopeOnly})
     if (name == nameOf(mode)) return mode;
-  return unreadable(file, "knows a mode \"" + name + "\" that does not exist", "Restore the file as it was made");
+  return unreadable(file, "knows a mode \"" + name + "\" that does not exist",
+                    "Restore the file as it was made");
 }
 
 /// Everything study.json says; buttons without their files. Throws nlohmann's exceptions.
@@ -112,7 +113,8 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
   StudyDesign& d = study.design;
   const std::string kind = json.at("kind");
   if (kind != nameOf(StudyKind::abx) && kind != nameOf(StudyKind::matching))
-    return unreadable(file, "knows a kind \"" + kind + "\" that does not exist", "Restore the file as it was made");
+    return unreadable(file, "knows a kind \"" + kind + "\" that does not exist",
+                      "Restore the file as it was made");
   d.kind = kind == nameOf(StudyKind::abx) ? StudyKind::abx : StudyKind::matching;
   d.targets = json.at("targets") == "physical" ? TargetKind::physicalButton : TargetKind::virtualButton;
   d.modes.clear();
