@@ -167,7 +167,7 @@ TEST_CASE(
     twoChannels += number(x, '.') + "," + number(force_gf, '.') + "," + number(3 * force_gf + 20, '.') + "\n";
   };
   for (int i = 0; i <= 400; ++i) add(0.01 * i, pressForce_gf(0.01 * i));
-  for (int i = 400; i >= 0; --i) add(0.01 * i, releaseForce_gf(0.01 * i));
+  for (int i = 399; i >= 0; --i) add(0.01 * i, releaseForce_gf(0.01 * i));
   checkStrokes(readOk(twoChannels));
 }
 
