@@ -39,7 +39,8 @@ Json checksJson(const std::vector<SpecCheck>& checks) {
 
 /// "warnings" in words, for people and old scripts, and their codes in the same order.
 void addRemarks(Json& json, const std::vector<Remark>& remarks) {
-  json["warnings"] = json["warning_codes"] = Json::array();
+  json["warnings"] = Json::array();
+  json["warning_codes"] = Json::array();
   for (const Remark& remark : remarks) {
     json["warnings"].push_back(commandLineWords(remark));
     json["warning_codes"].push_back(nameOf(remark.code));
