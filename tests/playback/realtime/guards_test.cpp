@@ -95,24 +95,6 @@ TEST_CASE("guard: a bottom that is met again before it is armed is counted and n
   CHECK(countOf(tracker.updateDisplacement(state.end_mm), CrossingKind::bottomOut) == 1);
 }
 
-TEST_CASE("guard: of more grains than one reading can tell apart none is lost") {
-  std::vector<CurvePoint> bends;  // each bend of the table ends a run of merged grains
-  double force_N = 0.1;
-  for (int i = 0; i <= 400; ++i, force_N += i % 2 == 0 ? 0.001 : 0.007) bends.push_back({0.5 * i, force_N});
-  PlaybackSettings settings;
-  settings.grainsPerMm = 1000;
-  const auto program =
-      std::make_unique<HapticProgram>(programOf(buttonOf("bends", {stateOf("", bends, {})}), settings));
-  StrokeTracker tracker;
-  tracker.use(program.get());
-  const Crossings& crossings = tracker.updateForce(30);
-  std::uint64_t grains = 0;
-  for (std::size_t i = 0; i < crossings.count; ++i)
-    grains += crossings.items[i].kind == CrossingKind::grain ? crossings.items[i].count : 0;
-  REQUIRE(crossings.count > 980);
-  CHECK(grains == 200000);
-}
-
 TEST_CASE("guard: a reading stamped ahead of the stream is felt now, not when its stamp comes") {
   const auto program = std::make_unique<HapticProgram>(programOf(linearButton()));
   LiveSession session(48000);
