@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "importer/doubts.h"
+
 namespace detent::importer {
 namespace {
 
@@ -71,14 +73,14 @@ double diagonal_px(const PlotFrame& frame) {
 }
 
 std::optional<Doubt> doubt(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
-                           bool axesGiven) {
+                           const std::vector<WeighedDoubt>& doubts, bool axesGiven, double sure) {
   const Remedies giveAxes{{RemedyKind::giveXAxis, {}},
                           {RemedyKind::giveYAxis, "(values at the frame's edges)"},
                           {RemedyKind::giveFrame, "if the frame was missed"}};
   const Remedy mask{RemedyKind::addMask, "over what is not a curve"};
-  if (findings.graph.confidence() < confidenceBar)
+  if (findings.graph.confidence() < sure)
     return Doubt{DoubtCode::axesUncertain, {messagesOf(findings.graph.axes.calibration.evidence)}, giveAxes};
-  if (findings.strokes.confidence < confidenceBar)
+  if (findings.strokes.confidence < sure)
     return Doubt{DoubtCode::curvesUncertain,
                  {messagesOf(findings.strokes.evidence)},
                  {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}, mask}};
@@ -86,6 +88,9 @@ std::optional<Doubt> doubt(const GraphFindings& findings, const std::vector<Spec
     return Doubt{DoubtCode::pointsMakeNoCurve,
                  {std::lround(rms_px)},
                  {mask, {RemedyKind::setResolution, "to trace a picture of the page"}}};
+  const auto gravest = std::min_element(
+      doubts.begin(), doubts.end(), [](const auto& x, const auto& y) { return x.confidence < y.confidence; });
+  if (gravest != doubts.end() && gravest->confidence < sure) return gravest->doubt;
   const SpecCheck* conflict = grossConflict(checks);
   if (conflict && !axesGiven) return Doubt{DoubtCode::valueContradicts, {messageOf(*conflict)}, giveAxes};
   return {};
@@ -139,7 +144,12 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   if (!button) return button.failure();
   const AxisHints& axes = request.hints.axes;
   const auto checks = checkAgainst(findings.specs, *button);
-  const auto uncertain = doubt(findings, checks, axes.xMin && axes.yMin);
+  const auto doubts = doubtsOf(findings, checks, request.hints);
+  for (const WeighedDoubt& each : doubts)
+    provenance.confidence = std::min(provenance.confidence, each.confidence);
+  if (!doubts.empty()) button = Button::fromStates(button->name(), button->states(), provenance);
+  if (!button) return button.failure();
+  const auto uncertain = doubt(findings, checks, doubts, axes.xMin && axes.yMin, request.sure);
   if (uncertain && !request.acceptDoubt) return failureOf(*uncertain);
 
   const AxisCalibration& calibration = findings.graph.axes.calibration.value;

@@ -30,7 +30,7 @@ struct GraphSource {
   std::vector<Remark> remarks;
 };
 
-/// Failure notCertain below `confidenceBar`, with what to pass; a broken rule of the model otherwise.
+/// Failure notCertain below the request's `sure`, with what to pass; a broken rule of the model otherwise.
 Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& source,
                                     const ImportRequest& request);
 

@@ -40,6 +40,10 @@ struct ImportHints {
   bool operator==(const ImportHints&) const = default;
 };
 
+/// Below this confidence an import says notCertain (exit 5) and what to pass, unless its request sets another bar. Set
+/// from the corpus (docs/decisions/0800-import-confidence.md).
+inline constexpr double confidenceBar = 0.5;
+
 /// Which graph, how carefully, and what is already settled.
 struct ImportRequest {
   std::string path;
@@ -48,14 +52,11 @@ struct ImportRequest {
   Quality quality = Quality::standard;
   ImportHints hints;
   PageLimits limits;
-  /// The caller shows doubts to a person: what is below `confidenceBar` comes back as a report with its
-  /// `doubt`, not as a Failure.
+  double sure = confidenceBar;  ///< 0..1: what is less certain is refused
+  /// The caller shows doubts to a person: what is below `sure` comes back as a report with its `doubt`, not as a
+  /// Failure.
   bool acceptDoubt = false;
 };
-
-/// Below this confidence an import says notCertain (exit 5) and what to pass. Set from the corpus
-/// (docs/decisions/0800-import-confidence.md).
-inline constexpr double confidenceBar = 0.5;
 
 /// One graph of a document, as `--list` prints it.
 struct ListedGraph {

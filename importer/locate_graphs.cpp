@@ -2,6 +2,9 @@
 #include "importer/locate_graphs.h"
 
 #include <algorithm>
+#include <optional>
+
+#include "importer/axes/frame_by_numbers.h"
 
 namespace detent::importer {
 namespace {
@@ -9,6 +12,37 @@ namespace {
 /// Below this a listed graph would more often be a dimension drawing than a force graph
 /// (docs/decisions/0800-import-confidence.md).
 constexpr double listBar = 0.3;
+
+/// The graph read again in the frame that its numbers ask for, if that explains more of them.
+std::optional<LocatedGraph> readWider(const LocatedGraph& graph, const Page& page,
+                                      const LocateOptions& options, const Progress& progress) {
+  const auto wide = frameByNumbers(graph.view, graph.frame.value, graph.axes.calibration.value);
+  if (!wide) return {};
+  LocatedGraph wider = graph;
+  const Point p = graph.view.viewToPage({wide->x0, wide->y0}),
+              q = graph.view.viewToPage({wide->x1, wide->y1});
+  wider.candidate.value.pageBox = {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x),
+                                   std::max(p.y, q.y)};
+  wider.candidate.value.byNumbers = true;
+  wider.candidate.evidence.push_back({EvidenceCode::widenedToNumbers});
+  auto frame = locatePlotFrame(wider.view, page, wider.candidate.value, progress);
+  if (!frame) return {};
+  auto axes = readAxes(wider.view, frame->value, options.axes, progress);
+  if (!axes) return {};
+  const auto used = [](const AxesFound& found) {
+    const auto& c = found.calibration.value;
+    const auto count = [](const AxisReading& a) {
+      return std::count_if(a.ticks.begin(), a.ticks.end(), [](const TickLabel& t) { return t.used; });
+    };
+    return count(c.x) + count(c.y);
+  };
+  if (used(*axes) <= used(graph.axes) ||
+      axes->calibration.confidence < 0.8 * graph.axes.calibration.confidence)
+    return {};
+  wider.frame = std::move(frame).value();
+  wider.axes = std::move(axes).value();
+  return wider;
+}
 
 Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
                                    Found<FrameCandidate> candidate, const LocateOptions& options,
@@ -19,8 +53,11 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
   if (!frame) return frame.failure();
   auto axes = readAxes(*view, frame->value, options.axes, progress);
   if (!axes) return axes.failure();
-  return LocatedGraph{std::move(candidate), std::move(view).value(), std::move(frame).value(),
-                      std::move(axes).value()};
+  LocatedGraph graph{std::move(candidate), std::move(view).value(), std::move(frame).value(),
+                     std::move(axes).value()};
+  if (graph.candidate.by == DecidedBy::given) return graph;
+  if (auto wider = readWider(graph, page, options, progress)) return std::move(*wider);
+  return graph;
 }
 
 RejectedFrame rejection(const FrameCandidate& candidate, const Result<LocatedGraph>& graph,
@@ -58,22 +95,32 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
     if (!given) return given.failure();
     candidates.push_back(std::move(given).value());
   } else {
-    candidates = findPlotFrames(page, document, progress);
+    candidates = findPlotFrames(page, PaperBy::page, progress);
   }
 
   LocatedPage located;
-  for (const auto& candidate : candidates) {
-    if (progress.isCancelled()) return Failure::cancelled(page.source);
-    auto graph = readCandidate(document, page, candidate, options, progress);
-    if (graph && (frameGiven || graph->confidence() >= listBar)) {
-      located.graphs.push_back(std::move(graph).value());
-      continue;
+  const auto readAll = [&](const std::vector<Found<FrameCandidate>>& found) {
+    for (const auto& candidate : found) {
+      if (progress.isCancelled()) return;
+      auto graph = readCandidate(document, page, candidate, options, progress);
+      if (graph && (frameGiven || graph->confidence() >= listBar)) {
+        located.graphs.push_back(std::move(graph).value());
+        continue;
+      }
+      located.rejected.push_back(rejection(candidate.value, graph, page.source));
+      if (!graph && moreTelling(graph.failure(), located.bestRejection))
+        located.bestRejection = graph.failure();
     }
-    located.rejected.push_back(rejection(candidate.value, graph, page.source));
-    if (!graph && moreTelling(graph.failure(), located.bestRejection)) {
-      located.bestRejection = graph.failure();
-    }
+  };
+  readAll(candidates);
+  // A document's junk pages are many, and none of the vendors' at hand has papers of two colours.
+  const bool picture = page.unit == PageUnit::pixel;
+  if (located.graphs.empty() && picture) {
+    for (auto& candidate : candidates) candidate.value.paper = PaperBy::region;
+    readAll(frameGiven ? candidates : findPlotFrames(page, PaperBy::region, progress));
   }
+  if (located.graphs.empty() && picture && !frameGiven) readAll(findPlotsByNumbers(page, progress));
+  if (progress.isCancelled()) return Failure::cancelled(page.source);
   return located;
 }
 

@@ -7,7 +7,18 @@
 
 namespace detent {
 
-enum class ForceUnit { newton, millinewton, centinewton, gramForce, kilogramForce, ounceForce, poundForce };
+enum class ForceUnit {
+  newton,
+  millinewton,
+  centinewton,
+  gramForce,
+  kilogramForce,
+  ounceForce,
+  poundForce,
+  decinewton,
+  kilonewton,
+  dyne
+};
 enum class LengthUnit { millimetre, centimetre, micrometre, inch, mil };
 
 /// Newtons in one unit (exact where the definition is: 1 gf = 0.00980665 N, 1 lbf = 4.4482216152605 N).
@@ -19,8 +30,8 @@ double millimetresPer(LengthUnit unit);
 std::string_view symbolOf(ForceUnit unit);
 std::string_view symbolOf(LengthUnit unit);
 
-/// From a symbol or word as printed or typed: "gf", "g", "gram", "cN", "mN", "N", "ozf", "oz", "lbf",
-/// "kgf"...; case matters only where it must ("mN" and "MN"). nullopt if it names no known unit.
+/// From a symbol or word as printed or typed, Latin, Cyrillic or CJK: "gf", "g", "gram", "cN", "mN", "N", "ozf", "oz",
+/// "lbf", "kgf", "гс", "牛"...; case matters only where it must ("mN" and "MN"). nullopt if it names no known unit.
 std::optional<ForceUnit> forceUnitFrom(std::string_view text);
 std::optional<LengthUnit> lengthUnitFrom(std::string_view text);
 

@@ -27,7 +27,9 @@ struct AxisReading {
   double residual_px = 0;   ///< rms of used ticks
   std::string unit;         ///< symbol as we print it: "mm", "cN", "gf"; never empty
   DecidedBy unitBy = DecidedBy::found;
-  bool unitFound = false;  ///< false: stated default, with a warning
+  bool unitFound = false;  ///< false: stated default, which an import must not rest on
+  std::string
+      otherQuantity;  ///< what its title measures instead of a way or force: "kPa", "Time"; empty if nothing
   std::vector<TickLabel> ticks;
   std::string title;  ///< as read
 };
@@ -66,6 +68,7 @@ struct AxesFound {
   /// Tick labels, titles and the document's own texts; legend and callouts come with readGraphTexts.
   std::vector<SeenText> texts;
   std::vector<Remark> remarks;
+  bool otherRightScale = false;  ///< numbers on the right that are not the left ones in another unit of force
 };
 
 /// Failure noForceGraph: no numbers; notCertain: numbers that make no progression (remedy: --x-axis /

@@ -20,12 +20,16 @@ bool isNumberText(const TextBox& t) {
          printedNumber(t.utf8).has_value();
 }
 
-/// Words of the document's own text that are numbers; where there are none, words of ink.
-std::vector<Box> labelWords(const GraphReading& r, const Box& band) {
+/// Words of the document's own text that are numbers.
+std::vector<Box> ownLabelWords(const GraphReading& r, const Box& band) {
   std::vector<Box> words;
   for (const auto& t : r.view.texts)
     if (isNumberText(t) && t.box.touches(band)) words.push_back(t.box);
-  if (words.size() >= 2) return words;
+  return words;
+}
+
+/// Words of ink that may be numbers.
+std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band) {
   const double largest = 0.12 * std::min(r.box.width(), r.box.height()) + 10;
   return wordBoxes(glyphsIn(r.glyphs, band, largest), labelGapInHeights);
 }
@@ -85,7 +89,7 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
     LabelPlace place;
     place.center_px = axis == Axis::x ? w.middle().x : w.middle().y;
     place.reach_px = 0.45 * height + 1.5;
-    place.readings = numberReadings(kind == TextKind::words ? number : seen.utf8);
+    place.readings = numberReadings(kind == TextKind::words ? number : seen.utf8, seen.confidence);
     found.readings.push_back(place.readings);
     found.extent = found.words.empty() ? w : found.extent.joined(w);
     found.words.push_back(std::move(seen));
@@ -127,6 +131,22 @@ int AxisLabels::numbers() const {
       std::count_if(readings.begin(), readings.end(), [](const auto& r) { return !r.empty(); }));
 }
 
+std::optional<AxisLabels> readRightLabels(GraphReading& r) {
+  constexpr int fewestRegular = 4;  // what is less may be a legend's
+  const Box& b = r.box;
+  const Box band{b.x1 + 1, b.y0 - 0.1 * b.height(), b.x1 + 0.25 * b.width(), b.y1 + 0.08 * b.height()};
+  const auto mirrored = [](const Box& box) { return Box{-box.x1, box.y0, -box.x0, box.y1}; };
+  std::vector<Box> words = inkedLabelWords(r, band);
+  for (Box& word : words) word = mirrored(word);
+  std::vector<double> ticks;
+  for (const auto& line : r.frame.yLines) ticks.push_back(line.position_px);
+  LabelRow row = labelsLeft(words, mirrored(b), ticks);
+  if (row.regular < fewestRegular) return {};
+  for (Box& word : row.words) word = mirrored(word);
+  // Where two scales share a frame, gridlines and ticks are the left one's.
+  return fitRow(r, row, {}, Axis::y, TextKind::number);
+}
+
 std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
   const Box& b = r.box;
   const double w = b.width(), h = b.height();
@@ -135,8 +155,15 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
                      : Box{b.x0 - 0.36 * w, b.y0 - 0.1 * h, b.x0 - 1, b.y1 + 0.08 * h};
   auto lines = x ? r.frame.xLines : r.frame.yLines;
   for (auto& line : lines) line.position_px -= x ? r.frame.drawnOffset_px.x : r.frame.drawnOffset_px.y;
-  const auto words = labelWords(r, band);
-  auto best = tryRows(r, axis, words, lines, TextKind::number);
+  // Numbers of the document's text beside a plot whose own labels are drawn must not hide those.
+  std::optional<AxisLabels> best;
+  if (const auto own = ownLabelWords(r, band); own.size() >= 2) {
+    best = tryRows(r, axis, own, lines, TextKind::number);
+    if (best && agreed(*best) >= 3) return best;
+  }
+  const auto words = inkedLabelWords(r, band);
+  auto inked = tryRows(r, axis, words, lines, TextKind::number);
+  if (inked && (!best || agreed(*inked) > agreed(*best))) best = std::move(inked);
   if (best && agreed(*best) >= 2) return best;
   // "20gf" read as digits alone is nonsense: once more with letters.
   auto lettered = tryRows(r, axis, words, lines, TextKind::words);

@@ -27,4 +27,7 @@ struct AxisLabels {
 /// progression. nullopt if no row of two or more words is there.
 std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis);
 
+/// The column of numbers right of the frame, if one of four or more stands there evenly spaced; else nothing is read.
+std::optional<AxisLabels> readRightLabels(GraphReading& r);
+
 }  // namespace detent::importer

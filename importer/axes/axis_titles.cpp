@@ -2,13 +2,19 @@
 #include "importer/axes/axis_titles.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace detent::importer {
 namespace {
 
 template <class Unit, class Parse>
 void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse parse) {
+  constexpr double sureLetter = 0.85;  // a single letter may be anything's rest
   for (const auto& line : lines) {
+    if (line.utf8.size() < 2 && line.confidence < sureLetter) continue;
     const auto unit = parse(line.utf8);
     if (unit && (!best.unit || unit->sure > best.unit->sure)) {
       best.unit = unit;
@@ -16,6 +22,32 @@ void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse p
     }
     if (best.text.empty()) best.text = line.utf8;
   }
+}
+
+/// From here on a unit stands where only units stand: in brackets, after a slash.
+constexpr double surePlace = 0.9;
+
+bool hasLetters(const SeenText& line) {
+  return std::count_if(line.utf8.begin(), line.utf8.end(), [](char c) {
+           return static_cast<unsigned char>(c) >= 0x80 || std::isalpha(static_cast<unsigned char>(c)) != 0;
+         }) >= 2;
+}
+
+/// What the line nearest to the axis measures, if it says so and it is not what the axis must measure. `alien`: the unit
+/// of the other axis, in its brackets.
+template <class Alien>
+std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Alien alien) {
+  const SeenText* nearest = nullptr;
+  const auto away = [&](const SeenText& t) {
+    return std::hypot(std::clamp(towards.x, t.box.x0, t.box.x1) - towards.x,
+                      std::clamp(towards.y, t.box.y0, t.box.y1) - towards.y);
+  };
+  for (const SeenText& line : lines)
+    if (hasLetters(line) && (nearest == nullptr || away(line) < away(*nearest))) nearest = &line;
+  if (nearest == nullptr) return {};
+  if (auto other = otherQuantityIn(nearest->utf8); !other.empty()) return other;
+  const auto unit = alien(nearest->utf8);
+  return unit && unit->sure >= surePlace ? std::string(symbolOf(unit->unit)) : std::string();
 }
 
 }  // namespace
@@ -26,12 +58,18 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   const Box below{b.x0 - 0.05 * b.width(), labels.y1 + 1, b.x1 + 0.15 * b.width(), labels.y1 + below_px};
   const Box beside{std::min(labels.x1 + 2, b.x1), b.y1 - 0.15 * b.height(), b.x1 + 0.45 * b.width(),
                    b.y1 + 0.25 * b.height()};
+  const Point towards{0.5 * (b.x0 + b.x1), labels.y1};
   AxisTitle<LengthUnit> best;
-  consider(best, r.ownTexts(below), lengthUnitIn);
+  std::vector<SeenText> nearby = r.ownTexts(below);
+  consider(best, nearby, lengthUnitIn);
   consider(best, r.ownTexts(beside), lengthUnitIn);
-  if (best.unit) return best;
-  consider(best, r.readLines(below, 0, {0.5 * (b.x0 + b.x1), labels.y1}, 3), lengthUnitIn);
+  if (!best.unit) {
+    const auto read = r.readLines(below, 0, towards, 3);
+    consider(best, read, lengthUnitIn);
+    nearby.insert(nearby.end(), read.begin(), read.end());
+  }
   if (!best.unit) consider(best, r.readLines(beside, 0, {b.x1, b.y1}, 4), lengthUnitIn);
+  if (!best.unit || best.unit->sure < surePlace) best.other = otherQuantity(nearby, towards, forceUnitIn);
   return best;
 }
 
@@ -42,13 +80,26 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
   const Box above{b.x0 - 0.4 * b.width(), b.y0 - 0.4 * b.height(), b.x0 + 0.5 * b.width(), b.y0 - 1};
   const Box corner{b.x0 - 0.35 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.12 * b.width(),
                    b.y0 + 0.02 * b.height()};
+  const Point towards{labels.x0, 0.5 * (b.y0 + b.y1)};
   AxisTitle<ForceUnit> best;
+  std::vector<SeenText> upwards;
+  for (const auto& t : r.ownTexts(leftOfAxis))
+    if (std::abs(t.angle_deg) > 45) upwards.push_back(t);
   for (const auto& region : {leftOfAxis, above, corner}) consider(best, r.ownTexts(region), forceUnitIn);
-  if (best.unit) return best;
-  consider(best, r.readLines(left, 90, {labels.x0, 0.5 * (b.y0 + b.y1)}, 2), forceUnitIn);
+  if (!best.unit) {
+    const auto read = r.readLines(left, 90, towards, 2);
+    consider(best, read, forceUnitIn);
+    upwards.insert(upwards.end(), read.begin(), read.end());
+  }
   if (!best.unit) consider(best, r.readLines(above, 0, {b.x0, b.y0}, 4), forceUnitIn);
   if (!best.unit) consider(best, r.readLines(corner, 90, {b.x0, b.y0}, 3), forceUnitIn);
   if (!best.unit) consider(best, r.readLines(left, 0, {labels.x0, b.y0}, 2), forceUnitIn);
+  if (!best.unit) {  // downwards, as in Chinese sheets; other writing read so makes units of single letters
+    AxisTitle<ForceUnit> downwards;
+    consider(downwards, r.readLines(left, -90, towards, 1), forceUnitIn);
+    if (downwards.unit && downwards.unit->sure >= surePlace) best = std::move(downwards);
+  }
+  if (!best.unit || best.unit->sure < surePlace) best.other = otherQuantity(upwards, towards, lengthUnitIn);
   return best;
 }
 

@@ -14,6 +14,8 @@ template <class Unit>
 struct AxisTitle {
   std::optional<PrintedUnit<Unit>> unit;
   std::string text;  ///< the line that names the unit, or else the nearest one
+  std::string
+      other;  ///< what the nearest line measures instead, as printed: "kPa", "Time"; empty if nothing else
 };
 
 /// Below the labels, or at the right end of the axis. The document's own text first; pixels only without it.

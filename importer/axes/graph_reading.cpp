@@ -28,7 +28,7 @@ bool ofUse(const SeenText& t) {
 
 GraphReading::GraphReading(const PageView& v, const PlotFrame& f)
     : view(v), frame(f), box(f.box()), reader(v) {
-  const cv::Mat ink = inkOf(darknessOf(view.raster));
+  const cv::Mat ink = inkOf(darknessOf(view.raster, frame.paper));
   glyphs = glyphBoxes(withoutFrameInk(ink, box, positions(frame.xLines), positions(frame.yLines)), 1,
                       largestGlyph_px());
 }
@@ -37,7 +37,7 @@ double GraphReading::largestGlyph_px() const { return 0.16 * std::min(box.width(
 
 std::vector<SeenText> GraphReading::readLines(const Box& region, double angle_deg, Point towards,
                                               std::size_t atMost) {
-  const int turns = angle_deg == 90 ? 1 : 0;
+  const int turns = angle_deg == 90 ? 1 : angle_deg == -90 ? 3 : 0;
   auto inside = glyphsIn(glyphs, region, largestGlyph_px());
   for (auto& g : inside) g = turned(g, turns);
   auto lines = textLines(inside, 1.3);

@@ -47,19 +47,21 @@ std::optional<double> parsed(std::string_view s) {
 
 std::optional<double> printedNumber(std::string_view utf8) {
   std::string s = plain(utf8);
-  // Dust beside a digit is read as a point.
-  while (s.size() > 1 && s.back() == '.') s.pop_back();
+  // Dust beside a digit is read as a point, a tick behind it as a minus.
+  while (s.size() > 1 && (s.back() == '.' || s.back() == '-')) s.pop_back();
   if (s.empty() || s == "-" || s == "." || s.size() > 9) return std::nullopt;
   if (s.front() == '.') s.insert(s.begin(), '0');
   return parsed(s);
 }
 
-std::vector<NumberReading> numberReadings(std::string_view utf8) {
+std::vector<NumberReading> numberReadings(std::string_view utf8, double confidence) {
+  constexpr double readWithCertainty = 0.9, repair = 0.45, repairOfSure = 0.3;
   std::vector<NumberReading> readings;
   const auto first = printedNumber(utf8);
   if (!first) return readings;
   readings.push_back({*first, 1.0});
-  const std::string s = plain(utf8);
+  std::string s = plain(utf8);
+  while (s.back() == '-' || s.back() == '.') s.pop_back();
   const auto digits = static_cast<std::size_t>(
       std::count_if(s.begin(), s.end(), [](char c) { return c >= '0' && c <= '9'; }));
   if (s.find('.') != std::string::npos || digits < 2) return readings;
@@ -70,7 +72,9 @@ std::vector<NumberReading> numberReadings(std::string_view utf8) {
   double scale = 0.1;
   for (std::size_t k = 1; k < digits; ++k, scale *= 0.1) {
     const bool afterFirst = k + 1 == digits;
-    readings.push_back({*first * scale, leadingZero && afterFirst ? 0.9 : 0.45});
+    readings.push_back({*first * scale, leadingZero && afterFirst         ? 0.9
+                                        : confidence >= readWithCertainty ? repairOfSure
+                                                                          : repair});
   }
   return readings;
 }

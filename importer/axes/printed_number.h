@@ -17,7 +17,8 @@ struct NumberReading {
 /// Decimal point or comma, any Unicode minus, blanks ignored. nullopt if anything else stands in it.
 std::optional<double> printedNumber(std::string_view utf8);
 
-/// All readings of a label: as it stands, and with the decimal point that small print loses put back.
-std::vector<NumberReading> numberReadings(std::string_view utf8);
+/// All readings of a label: as it stands, and with the decimal point that small print loses put back, which weighs less
+/// where the label was read with certainty. `confidence` 0..1 of the reading.
+std::vector<NumberReading> numberReadings(std::string_view utf8, double confidence = 0);
 
 }  // namespace detent::importer

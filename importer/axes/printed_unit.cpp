@@ -3,98 +3,164 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <vector>
 
 namespace detent::importer {
 namespace {
 
+/// What a recogniser makes of a unit. Readings that are units or words of their own count only beside a word that names
+/// the quantity.
 template <class Unit>
-struct Spelling {
-  std::string_view text;  // blanks removed; case matters where it tells units apart
+struct Misreading {
+  std::string_view text;  // blanks removed
   Unit unit;
-  double sure;  // 1: nothing else; less: what a recogniser makes of it
+  double sure;
+  bool needsWord;
 };
 
-constexpr std::array forceSpellings{Spelling<ForceUnit>{"cN", ForceUnit::centinewton, 1},
-                                    Spelling<ForceUnit>{"CN", ForceUnit::centinewton, 0.9},
-                                    Spelling<ForceUnit>{"cn", ForceUnit::centinewton, 0.9},
-                                    Spelling<ForceUnit>{"eN", ForceUnit::centinewton, 0.8},
-                                    Spelling<ForceUnit>{"\xC2\xA2N", ForceUnit::centinewton, 0.8},
-                                    Spelling<ForceUnit>{"oN", ForceUnit::centinewton, 0.6},
-                                    Spelling<ForceUnit>{"(N", ForceUnit::centinewton, 0.5},
-                                    Spelling<ForceUnit>{"cM", ForceUnit::centinewton, 0.5},
-                                    Spelling<ForceUnit>{"mN", ForceUnit::millinewton, 1},
-                                    Spelling<ForceUnit>{"N", ForceUnit::newton, 1},
-                                    Spelling<ForceUnit>{"Newton", ForceUnit::newton, 1},
-                                    Spelling<ForceUnit>{"newton", ForceUnit::newton, 1},
-                                    Spelling<ForceUnit>{"gf", ForceUnit::gramForce, 1},
-                                    Spelling<ForceUnit>{"gF", ForceUnit::gramForce, 0.9},
-                                    Spelling<ForceUnit>{"Gf", ForceUnit::gramForce, 0.9},
-                                    Spelling<ForceUnit>{"GF", ForceUnit::gramForce, 0.9},
-                                    Spelling<ForceUnit>{"of", ForceUnit::gramForce, 0.6},
-                                    Spelling<ForceUnit>{"gt", ForceUnit::gramForce, 0.6},
-                                    Spelling<ForceUnit>{"9f", ForceUnit::gramForce, 0.7},
-                                    Spelling<ForceUnit>{"af", ForceUnit::gramForce, 0.6},
-                                    Spelling<ForceUnit>{"ef", ForceUnit::gramForce, 0.6},
-                                    Spelling<ForceUnit>{"sf", ForceUnit::gramForce, 0.6},
-                                    Spelling<ForceUnit>{"gr", ForceUnit::gramForce, 0.7},
-                                    Spelling<ForceUnit>{"g", ForceUnit::gramForce, 0.95},
-                                    Spelling<ForceUnit>{"gram", ForceUnit::gramForce, 1},
-                                    Spelling<ForceUnit>{"grams", ForceUnit::gramForce, 1},
-                                    Spelling<ForceUnit>{"gram-force", ForceUnit::gramForce, 1},
-                                    Spelling<ForceUnit>{"kgf", ForceUnit::kilogramForce, 1},
-                                    Spelling<ForceUnit>{"kg", ForceUnit::kilogramForce, 0.9},
-                                    Spelling<ForceUnit>{"ozf", ForceUnit::ounceForce, 1},
-                                    Spelling<ForceUnit>{"oz", ForceUnit::ounceForce, 1},
-                                    Spelling<ForceUnit>{"oz.", ForceUnit::ounceForce, 1},
-                                    Spelling<ForceUnit>{"0zf", ForceUnit::ounceForce, 0.8},
-                                    Spelling<ForceUnit>{"02f", ForceUnit::ounceForce, 0.6},
-                                    Spelling<ForceUnit>{"lbf", ForceUnit::poundForce, 1},
-                                    Spelling<ForceUnit>{"lb", ForceUnit::poundForce, 0.9}};
+constexpr std::array forceMisreadings{Misreading<ForceUnit>{"eN", ForceUnit::centinewton, 0.8, false},
+                                      Misreading<ForceUnit>{"\xC2\xA2N", ForceUnit::centinewton, 0.8, false},
+                                      Misreading<ForceUnit>{"oN", ForceUnit::centinewton, 0.6, true},
+                                      Misreading<ForceUnit>{"(N", ForceUnit::centinewton, 0.5, true},
+                                      Misreading<ForceUnit>{"cM", ForceUnit::centinewton, 0.5, true},
+                                      Misreading<ForceUnit>{"of", ForceUnit::gramForce, 0.6, true},
+                                      Misreading<ForceUnit>{"gt", ForceUnit::gramForce, 0.6, true},
+                                      Misreading<ForceUnit>{"9f", ForceUnit::gramForce, 0.7, true},
+                                      Misreading<ForceUnit>{"af", ForceUnit::gramForce, 0.6, true},
+                                      Misreading<ForceUnit>{"ef", ForceUnit::gramForce, 0.6, true},
+                                      Misreading<ForceUnit>{"sf", ForceUnit::gramForce, 0.6, true},
+                                      Misreading<ForceUnit>{"0zf", ForceUnit::ounceForce, 0.8, false},
+                                      Misreading<ForceUnit>{"02f", ForceUnit::ounceForce, 0.6, true},
+                                      Misreading<ForceUnit>{"Ibf", ForceUnit::poundForce, 0.8, false},
+                                      Misreading<ForceUnit>{"1bf", ForceUnit::poundForce, 0.8, false},
+                                      Misreading<ForceUnit>{"Ib", ForceUnit::poundForce, 0.8, false},
+                                      Misreading<ForceUnit>{"1b", ForceUnit::poundForce, 0.8, false}};
 
-constexpr std::array lengthSpellings{Spelling<LengthUnit>{"mm", LengthUnit::millimetre, 1},
-                                     Spelling<LengthUnit>{"MM", LengthUnit::millimetre, 0.9},
-                                     Spelling<LengthUnit>{"rnm", LengthUnit::millimetre, 0.8},
-                                     Spelling<LengthUnit>{"mrn", LengthUnit::millimetre, 0.8},
-                                     Spelling<LengthUnit>{"mmn", LengthUnit::millimetre, 0.8},
-                                     Spelling<LengthUnit>{"nm", LengthUnit::millimetre, 0.6},
-                                     Spelling<LengthUnit>{"mn", LengthUnit::millimetre, 0.5},
-                                     Spelling<LengthUnit>{"am", LengthUnit::millimetre, 0.5},
-                                     Spelling<LengthUnit>{"mim", LengthUnit::millimetre, 0.7},
-                                     Spelling<LengthUnit>{"imm", LengthUnit::millimetre, 0.7},
-                                     Spelling<LengthUnit>{"cm", LengthUnit::centimetre, 1},
-                                     Spelling<LengthUnit>{"inch", LengthUnit::inch, 1},
-                                     Spelling<LengthUnit>{"inches", LengthUnit::inch, 1},
-                                     Spelling<LengthUnit>{"in", LengthUnit::inch, 0.9},
-                                     Spelling<LengthUnit>{"in.", LengthUnit::inch, 0.9},
-                                     Spelling<LengthUnit>{"mil", LengthUnit::mil, 0.9},
-                                     Spelling<LengthUnit>{"\xC2\xB5m", LengthUnit::micrometre, 1},
-                                     Spelling<LengthUnit>{"\xCE\xBCm", LengthUnit::micrometre, 1},
-                                     Spelling<LengthUnit>{"um", LengthUnit::micrometre, 0.8},
-                                     Spelling<LengthUnit>{"millimeter", LengthUnit::millimetre, 1},
-                                     Spelling<LengthUnit>{"millimetre", LengthUnit::millimetre, 1}};
+constexpr std::array lengthMisreadings{Misreading<LengthUnit>{"rnm", LengthUnit::millimetre, 0.8, false},
+                                       Misreading<LengthUnit>{"mrn", LengthUnit::millimetre, 0.8, false},
+                                       Misreading<LengthUnit>{"mmn", LengthUnit::millimetre, 0.8, false},
+                                       Misreading<LengthUnit>{"nm", LengthUnit::millimetre, 0.6, true},
+                                       Misreading<LengthUnit>{"mn", LengthUnit::millimetre, 0.5, true},
+                                       Misreading<LengthUnit>{"am", LengthUnit::millimetre, 0.5, true},
+                                       Misreading<LengthUnit>{"mim", LengthUnit::millimetre, 0.7, true},
+                                       Misreading<LengthUnit>{"imm", LengthUnit::millimetre, 0.7, true},
+                                       Misreading<LengthUnit>{"mii", LengthUnit::mil, 0.6, true},
+                                       Misreading<LengthUnit>{"mi", LengthUnit::mil, 0.5, true},
+                                       // The English model knows no Greek letter.
+                                       Misreading<LengthUnit>{"pm", LengthUnit::micrometre, 0.8, true},
+                                       Misreading<LengthUnit>{"ym", LengthUnit::micrometre, 0.8, true},
+                                       Misreading<LengthUnit>{"wm", LengthUnit::micrometre, 0.8, true},
+                                       Misreading<LengthUnit>{"jm", LengthUnit::micrometre, 0.8, true},
+                                       Misreading<LengthUnit>{"jum", LengthUnit::micrometre, 0.8, true},
+                                       Misreading<LengthUnit>{"lum", LengthUnit::micrometre, 0.8, true},
+                                       Misreading<LengthUnit>{"Hm", LengthUnit::micrometre, 0.8, true},
+                                       Misreading<LengthUnit>{"vm", LengthUnit::micrometre, 0.7, true}};
 
-/// Full-width brackets and blanks to plain ones.
+constexpr std::array forceWords{"force", "kraft", "load", "weight", "力",
+                                "荷重",  "сила",  "усил", "fuerza", "carga"};
+constexpr std::array lengthWords{"travel", "stroke",     "displacement", "deflection", "distance", "weg",
+                                 "hub",    "course",     "depth",        "position",   "行程",     "位移",
+                                 "変位",   "ストローク", "перемещение",  "ход",        "recorrido"};
+
+/// Units of other quantities, whole. Single letters are left out: a recogniser makes them of anything.
+constexpr std::array otherUnits{"ms",
+                                "sec",
+                                "secs",
+                                "min",
+                                "hrs",
+                                "Hz",
+                                "kHz",
+                                "MHz",
+                                "Pa",
+                                "hPa",
+                                "kPa",
+                                "MPa",
+                                "GPa",
+                                "bar",
+                                "mbar",
+                                "psi",
+                                "mV",
+                                "kV",
+                                "mA",
+                                "\xC2\xB5"
+                                "A",
+                                "uA",
+                                "Ohm",
+                                "ohm",
+                                "ohms",
+                                "kOhm",
+                                "MOhm",
+                                "mOhm",
+                                "\xCE\xA9",
+                                "k\xCE\xA9",
+                                "m\xCE\xA9",
+                                "\xE2\x84\xA6",
+                                "mW",
+                                "kW",
+                                "\xC2\xB0",
+                                "\xC2\xB0"
+                                "C",
+                                "\xC2\xB0"
+                                "F",
+                                "deg",
+                                "rad",
+                                "Nm",
+                                "mNm",
+                                "Ncm",
+                                "Nmm",
+                                "km",
+                                "dB",
+                                "dBA",
+                                "dB(A)",
+                                "%",
+                                "a.u.",
+                                "arb.u.",
+                                "EUR",
+                                "USD",
+                                "mol",
+                                "mJ",
+                                "kJ",
+                                "rpm",
+                                "pF",
+                                "nF",
+                                "\xC2\xB5"
+                                "F",
+                                "ppm",
+                                "pcs",
+                                "cycles"};
+
+/// Words of titles that measure something else.
+constexpr std::array otherWords{"time",         "zeit",      "cycles",      "frequency", "frequenz",
+                                "pressure",     "druck [",   "stress",      "strain",    "temperature",
+                                "temperatur",   "voltage",   "spannung",    "current",   "resistance",
+                                "widerstand",   "torque",    "drehmoment",  "angle",     "winkel",
+                                "acceleration", "speed",     "velocity",    "stiffness", "energy",
+                                "wavelength",   "intensity", "probability", "price",     "month"};
+
+/// Full-width letters and brackets, and blanks of other widths, to plain ones.
 std::string plainTitle(std::string_view s) {
-  std::string out(s);
-  const auto replaceAll = [&](std::string_view from, std::string_view to) {
-    std::string next;
-    std::size_t done = 0;
-    for (auto at = out.find(from); at != std::string::npos; at = out.find(from, done)) {
-      next.append(out, done, at - done).append(to);
-      done = at + from.size();
+  std::string out;
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    const auto byte = [&](std::size_t k) {
+      return i + k < s.size() ? static_cast<unsigned char>(s[i + k]) : 0U;
+    };
+    if (byte(0) == 0xEF && (byte(1) == 0xBC || byte(1) == 0xBD)) {  // U+FF01..U+FF5E: ASCII from '!' on
+      const unsigned code = (byte(1) == 0xBC ? 0x00U : 0x40U) + (byte(2) - 0x80U) + 0x20U;
+      out += code < 0x7F ? static_cast<char>(code) : ' ';
+      i += 2;
+    } else if (byte(0) == 0xE3 && byte(1) == 0x80 && (byte(2) == 0x90 || byte(2) == 0x91)) {
+      out += byte(2) == 0x90 ? '[' : ']';
+      i += 2;
+    } else if (byte(0) == 0xE3 && byte(1) == 0x80 && byte(2) == 0x80) {
+      out += ' ';
+      i += 2;
+    } else if (byte(0) == 0xC2 && byte(1) == 0xA0) {
+      out += ' ';
+      i += 1;
+    } else {
+      out += s[i];
     }
-    next.append(out, done);
-    out = std::move(next);
-  };
-  replaceAll("\xEF\xBC\x88", "(");
-  replaceAll("\xEF\xBC\x89", ")");
-  replaceAll("\xE3\x80\x90", "[");
-  replaceAll("\xE3\x80\x91", "]");
-  replaceAll("\xEF\xBC\x8F", "/");
-  replaceAll("\xEF\xBC\x8E", ".");
-  replaceAll("\xC2\xA0", " ");
+  }
   return out;
 }
 
@@ -104,7 +170,7 @@ struct Piece {
 };
 
 std::string trimmed(std::string_view s) {
-  const auto first = s.find_first_not_of(" \t[](){}|:;\"'"), last = s.find_last_not_of(" \t[](){}|:;\"'");
+  const auto first = s.find_first_not_of(" \t[](){}|:;'"), last = s.find_last_not_of(" \t[](){}|:;'");
   return first == std::string_view::npos ? std::string() : std::string(s.substr(first, last - first + 1));
 }
 
@@ -113,59 +179,129 @@ std::string withoutBlanks(std::string s) {
   return s;
 }
 
-/// Where units stand in titles, surest first: in brackets, after a slash, after "in", as the last word.
-std::vector<Piece> pieces(std::string_view title) {
-  const std::string t = plainTitle(title);
-  std::vector<Piece> out;
+std::string lowered(std::string s) {
+  for (char& c : s)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return s;
+}
+
+/// "unit: gf", "单位：gf": what stands after the word.
+std::string withoutUnitWord(std::string text) {
+  const std::string low = lowered(text);
+  for (const std::string_view word :
+       {"unit", "einheit", "\xE5\x8D\x95\xE4\xBD\x8D", "\xE5\x8D\x98\xE4\xBD\x8D"}) {
+    if (!low.starts_with(word)) continue;
+    return trimmed(std::string_view(text).substr(word.size()));
+  }
+  return text;
+}
+
+constexpr std::string_view likeBrackets = "IlL1|iftCcrJj";  // what a recogniser makes of one
+
+/// What stands in brackets, also with what may be the closing one taken off.
+std::vector<std::string> bracketed(const std::string& t) {
+  constexpr std::size_t longest = 24;  // bytes; a recogniser loses closing brackets, and the rest is no unit
+  std::vector<std::string> out;
   for (std::size_t i = 0; i < t.size(); ++i) {
     if (t[i] != '(' && t[i] != '[' && t[i] != '{') continue;
     auto close = t.find_first_of(")]}|", i + 1);
-    // A recogniser loses closing brackets or reads them as letters.
-    if (close == std::string::npos) close = t.size();
-    if (close - i <= 14)
-      out.push_back({withoutBlanks(trimmed(std::string_view(t).substr(i + 1, close - i - 1))), 1.0});
-  }
-  // "Iegf]": the opening bracket was read as a letter.
-  for (std::size_t i = 1; i < t.size(); ++i)
-    if (t[i] == ']' || t[i] == ')') {
-      auto open = t.find_last_of(" ([{", i - 1);
-      open = open == std::string::npos ? 0 : open + 1;
-      if (open < i) out.push_back({trimmed(std::string_view(t).substr(open, i - open)), 0.9});
-      if (open + 1 < i) out.push_back({trimmed(std::string_view(t).substr(open + 1, i - open - 1)), 0.7});
-    }
-  if (const auto slash = t.rfind('/'); slash != std::string::npos)
-    out.push_back({withoutBlanks(trimmed(std::string_view(t).substr(slash + 1))), 0.95});
-  if (const auto in = t.rfind(" in "); in != std::string::npos)
-    out.push_back({trimmed(std::string_view(t).substr(in + 4)), 0.95});
-  if (const auto blank = t.find_last_of(" ,"); blank != std::string::npos) {
-    out.push_back({trimmed(std::string_view(t).substr(blank + 1)), 0.7});
-  } else {
-    out.push_back({trimmed(t), 0.6});
+    const bool closed = close != std::string::npos;
+    if (!closed) close = t.size();
+    const std::string inside = withoutBlanks(trimmed(std::string_view(t).substr(i + 1, close - i - 1)));
+    if (close - i > longest || inside.empty()) continue;
+    out.push_back(withoutUnitWord(inside));
+    if (!closed && inside.size() > 1 && likeBrackets.find(inside.back()) != std::string_view::npos)
+      out.push_back(withoutUnitWord(inside.substr(0, inside.size() - 1)));
   }
   return out;
 }
 
-template <class Unit, std::size_t N>
+/// "Iegf]": the opening bracket was read as a letter.
+void addUnopened(const std::string& t, std::vector<Piece>& out) {
+  for (std::size_t i = 1; i < t.size(); ++i) {
+    if (t[i] != ']' && t[i] != ')') continue;
+    auto open = t.find_last_of(' ', i - 1);
+    open = open == std::string::npos ? 0 : open + 1;
+    const std::string inside = trimmed(std::string_view(t).substr(open, i - open));
+    if (inside.empty()) continue;
+    out.push_back({inside, 0.9});
+    if (likeBrackets.find(inside.front()) != std::string_view::npos) out.push_back({inside.substr(1), 0.7});
+  }
+}
+
+/// Where units stand in titles, surest first: in brackets; without any after a slash, after "in", as the last word.
+std::vector<Piece> pieces(const std::string& t) {
+  std::vector<Piece> out;
+  for (auto& inside : bracketed(t)) out.push_back({std::move(inside), 1.0});
+  if (!out.empty()) return out;
+  addUnopened(t, out);
+  if (!out.empty()) return out;
+  if (const auto slash = t.rfind('/'); slash != std::string::npos)
+    out.push_back({withoutBlanks(trimmed(std::string_view(t).substr(slash + 1))), 0.95});
+  if (const auto in = t.rfind(" in "); in != std::string::npos)
+    out.push_back({trimmed(std::string_view(t).substr(in + 4)), 0.95});
+  if (const auto comma = t.rfind(','); comma != std::string::npos)
+    out.push_back({withoutBlanks(trimmed(std::string_view(t).substr(comma + 1))), 0.85});
+  if (const auto blank = t.find_last_of(' '); blank != std::string::npos)
+    out.push_back({trimmed(std::string_view(t).substr(blank + 1)), 0.7});
+  else
+    out.push_back({trimmed(t), 0.6});
+  return out;
+}
+
+template <std::size_t N>
+bool hasWord(const std::string& low, const std::array<const char*, N>& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](const char* word) { return low.find(word) != std::string::npos; });
+}
+
+/// A letter that may be a word's end is a unit only where a unit must stand.
+bool mayBeUnit(const Piece& piece) {
+  if (piece.sure >= 0.9) return true;
+  return piece.text.size() > 1 ? piece.text != "in" : piece.text == "N" || piece.text == "g";
+}
+
+template <class Unit, std::size_t N, class FromSymbol>
 std::optional<PrintedUnit<Unit>> unitIn(std::string_view title,
-                                        const std::array<Spelling<Unit>, N>& spellings) {
+                                        const std::array<Misreading<Unit>, N>& misreadings,
+                                        bool hasQuantityWord, FromSymbol fromSymbol) {
   std::optional<PrintedUnit<Unit>> best;
-  for (const auto& piece : pieces(title))
-    for (const auto& s : spellings) {
-      // A misreading counts only where a unit must stand.
-      if (piece.text != s.text || (s.sure < 0.85 && piece.sure < 0.9)) continue;
-      const double sure = piece.sure * s.sure;
-      if (!best || sure > best->sure) best = PrintedUnit<Unit>{s.unit, sure};
-    }
+  const auto offer = [&](Unit unit, double sure) {
+    if (!best || sure > best->sure) best = PrintedUnit<Unit>{unit, sure};
+  };
+  for (const Piece& piece : pieces(plainTitle(title))) {
+    if (const auto unit = fromSymbol(piece.text); unit && mayBeUnit(piece)) offer(*unit, piece.sure);
+    if (piece.sure < 0.9) continue;
+    for (const auto& m : misreadings)
+      if (piece.text == m.text && (hasQuantityWord || !m.needsWord)) offer(m.unit, piece.sure * m.sure);
+  }
   return best;
 }
 
 }  // namespace
 
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title) {
-  return unitIn(title, forceSpellings);
+  return unitIn(title, forceMisreadings, hasWord(lowered(plainTitle(title)), forceWords), forceUnitFrom);
 }
+
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title) {
-  return unitIn(title, lengthSpellings);
+  return unitIn(title, lengthMisreadings, hasWord(lowered(plainTitle(title)), lengthWords), lengthUnitFrom);
+}
+
+std::string otherQuantityIn(std::string_view title) {
+  const std::string t = plainTitle(title), low = lowered(t);
+  for (const Piece& piece : pieces(t)) {
+    if (piece.sure < 0.9) continue;
+    if (std::find(otherUnits.begin(), otherUnits.end(), piece.text) != otherUnits.end()) return piece.text;
+    // A force per length, a multiple of a force: a unit with more around it.
+    const auto sign = piece.text.find_first_of("/*^");
+    const bool multiple = piece.text.starts_with("x1") || piece.text.starts_with("\xC3\x97");
+    if (piece.sure >= 1 && (multiple || (sign != std::string::npos && sign > 0))) return piece.text;
+  }
+  if (hasWord(low, forceWords) || hasWord(low, lengthWords)) return {};
+  for (const std::string_view word : otherWords)
+    if (low.find(word) != std::string::npos) return std::string(word);
+  return {};
 }
 
 }  // namespace detent::importer

@@ -17,8 +17,13 @@ struct PrintedUnit {
   double sure = 0;
 };
 
-/// "Force [cN]", "Kraft / cN", "Kraft in cN", "F (gf)", "力(gf)"; forgiving towards what OCR makes of it.
+/// "Force [cN]", "Kraft / cN", "Kraft in cN", "F (gf)", "力(gf)"; forgiving towards what OCR makes of it. Where a title
+/// has brackets the unit stands in them, whole: "[dN]", "(x10 gf)" and "(N/mm)" hold no N, gf or mm.
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title);
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title);
+
+/// What a title measures that is neither a force nor a way, as printed: "kPa", "N/mm", "x10 gf", "Temperature". Empty if
+/// it measures one of the two or does not say.
+std::string otherQuantityIn(std::string_view title);
 
 }  // namespace detent::importer

@@ -19,6 +19,8 @@ namespace {
 constexpr double newtonAtMost =
     5;  // an unnamed force axis that ends at or below this is in newton: no button needs 5 gf
 
+constexpr double readWithCertainty = 0.9;
+
 /// What the user said about one axis.
 struct AxisGiven {
   std::optional<double> min, max;
@@ -160,22 +162,27 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven) {
   if (rangeGiven) return 1;
   const auto& p = *labels->progression;
   double agreed = 0, all = 0;
+  int contradicting = 0;
   for (std::size_t i = 0; i < labels->words.size(); ++i) {
     const bool readable = !labels->readings[i].empty();
     all += readable ? 1 : 0.25;
     if (!readable) continue;
     const LabelVerdict verdict = verdictOn(*labels, i);
+    contradicting += verdict == LabelVerdict::contradicts && labels->words[i].confidence >= readWithCertainty;
     agreed += verdict == LabelVerdict::fits ? 1 : verdict == LabelVerdict::rest ? 0.5 : 0;
   }
   const double many = p.labels >= 4 ? 1.0 : p.labels == 3 ? 0.9 : 0.5;
   const double sharp = p.fromTicks ? std::clamp(1.15 - 0.25 * p.residual_px, 0.3, 1.0) : 0.6;
-  return std::sqrt(agreed / std::max(1.0, all)) * many * sharp;
+  // One label that was read with certainty may be a misprint; two or more make a scale that is not even.
+  constexpr double uneven = 0.4;
+  const double even = contradicting >= 2 && 5 * contradicting >= p.labels ? uneven : 1;
+  return std::sqrt(agreed / std::max(1.0, all)) * many * sharp * even;
 }
 
 /// What is written beside the frame names travel or force, if not their units.
 bool namesForceOrTravel(const std::vector<SeenText>& texts) {
-  constexpr std::array words{"travel", "stroke", "displacement", "deflection",
-                             "force",  "kraft",  "weg",          "hub"};
+  constexpr std::array words{"travel", "stroke", "displacement", "deflection", "force",
+                             "kraft",  "load",   "weg",          "hub"};
   return std::any_of(texts.begin(), texts.end(), [&](const SeenText& text) {
     std::string low = text.utf8;
     std::transform(low.begin(), low.end(), low.begin(),
@@ -187,6 +194,7 @@ bool namesForceOrTravel(const std::vector<SeenText>& texts) {
 
 /// One unit by default may be right; with none, the numbers could be of anything, unless words say of what.
 double sureOfUnits(const AxisCalibration& found, const std::vector<SeenText>& texts) {
+  if (!found.x.otherQuantity.empty() || !found.y.otherQuantity.empty()) return 0.2;
   if (found.x.unitFound && found.y.unitFound) return 1;
   if (found.x.unitFound || found.y.unitFound) return 0.7;
   return namesForceOrTravel(texts) ? 0.45 : 0.28;
@@ -207,7 +215,6 @@ void fillReading(AxisReading& reading, const std::optional<AxisLabels>& labels) 
 /// A label that was read with certainty and stands at another value's line: some datasheets print it so. The
 /// grid is followed.
 void remarkContradictions(const std::optional<AxisLabels>& labels, Axis axis, std::vector<Remark>& remarks) {
-  constexpr double readWithCertainty = 0.9;
   if (!hasProgression(labels)) return;
   const Progression& p = *labels->progression;
   for (std::size_t i = 0; i < labels->words.size(); ++i) {
@@ -239,6 +246,7 @@ LengthUnit xUnitOf(AxisReading& x, const AxisHints& hints, GraphReading& r,
   const Box edge{r.box.x0, r.box.y1, r.box.x1, r.box.y1 + 1};
   const auto title = readXTitle(r, labels && !labels->words.empty() ? labels->extent : edge);
   x.title = title.text;
+  x.otherQuantity = title.other;
   if (title.unit) return title.unit->unit;
   x.unitFound = false;
   remarks.push_back({RemarkCode::lengthUnitAssumed,
@@ -260,6 +268,7 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   const Box edge{r.box.x0 - 1, r.box.y0, r.box.x0, r.box.y1};
   const auto title = readYTitle(r, labels && !labels->words.empty() ? labels->extent : edge);
   y.title = title.text;
+  y.otherQuantity = title.other;
   if (title.unit) return title.unit->unit;
   y.unitFound = false;
   const bool newton = std::max(std::abs(values.first), std::abs(values.last)) <= newtonAtMost;
@@ -267,6 +276,28 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
                      {"y"},
                      {{RemedyKind::giveYUnit, "if it is another"}}});
   return newton ? ForceUnit::newton : ForceUnit::gramForce;
+}
+
+/// Whether one scale is the other in another unit of force: zero at the same place, a known factor between them.
+bool sameForces(const Progression& a, const Progression& b, double frameHeight_px) {
+  constexpr double sameFactor = 0.015, samePlace = 0.02;
+  constexpr std::array units{ForceUnit::newton,       ForceUnit::centinewton, ForceUnit::gramForce,
+                             ForceUnit::ounceForce,   ForceUnit::poundForce,  ForceUnit::millinewton,
+                             ForceUnit::kilogramForce};
+  if (std::abs(a.position(0) - b.position(0)) > samePlace * frameHeight_px) return false;
+  const double factor = b.perPx / a.perPx;
+  return std::any_of(units.begin(), units.end(), [&](ForceUnit from) {
+    return std::any_of(units.begin(), units.end(), [&](ForceUnit to) {
+      return std::abs(factor * newtonsPer(to) / newtonsPer(from) - 1) < sameFactor;
+    });
+  });
+}
+
+bool hasOtherRightScale(GraphReading& r, const std::optional<AxisLabels>& left) {
+  if (!hasProgression(left)) return false;
+  const auto right = readRightLabels(r);
+  if (!right || right->numbers() < 3) return false;
+  return !right->progression || !sameForces(*left->progression, *right->progression, r.box.height());
 }
 
 std::vector<SeenText> allTexts(const GraphReading& r, const std::optional<AxisLabels>& x,
@@ -317,6 +348,7 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   const double mm = millimetresPer(xUnit), newton = newtonsPer(yUnit);
   cal.viewToUnits = homographyOf(corners, {x.first * mm, x.last * mm}, {y.first * newton, y.last * newton});
 
+  found.otherRightScale = hasOtherRightScale(r, yLabels);
   found.texts = allTexts(r, xLabels, yLabels);
   found.calibration.confidence =
       sureOf(xLabels, xGiven.range()) * sureOf(yLabels, yGiven.range()) * sureOfUnits(cal, found.texts);

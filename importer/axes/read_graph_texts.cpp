@@ -85,7 +85,7 @@ int importance(const Box& line, const Box& frame) {
 
 void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axes, const Progress& progress) {
   const Box box = frame.box();
-  const cv::Mat d = darknessOf(view.raster);
+  const cv::Mat d = darknessOf(view.raster, frame.paper);
   const int grid = gridInk(d, frame);
   // Writing darker than its grid stands out of it; where the grid is as dark, writing has a hole cut for it.
   const cv::Mat ink = grid > 0 && grid < 150 ? inkAbove(d, grid + 30) : inkOf(d);

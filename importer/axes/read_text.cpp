@@ -2,13 +2,18 @@
 #include "importer/axes/read_text.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 #include <tesseract/baseapi.h>
 
+#include "importer/axes/light_model.h"
 #include "importer/frame/darkness.h"
 
 /// libgomp's, on which Debian's Tesseract runs; <omp.h> is not there for every compiler.
@@ -28,14 +33,32 @@ struct Rendering {
   bool thinned = false;  ///< strokes one pixel thinner on either side
 };
 
+/// Where Tesseract keeps its models: where its user says, else where distributions put them.
+std::optional<LightModel> installedModel() {
+  std::vector<std::string> folders;
+  if (const char* said = std::getenv("TESSDATA_PREFIX")) folders = {said, std::string(said) + "/tessdata"};
+  folders.insert(folders.end(), {"/usr/share/tesseract-ocr/5/tessdata", "/usr/share/tessdata",
+                                 "/usr/local/share/tessdata", "/opt/homebrew/share/tessdata"});
+  for (const std::string& folder : folders) {
+    std::ifstream file(folder + "/eng.traineddata", std::ios::binary);
+    if (!file) continue;
+    return LightModel::from(std::string(std::istreambuf_iterator<char>(file), {}));
+  }
+  return {};
+}
+
 /// One engine per thread. LSTM only; dictionaries would turn "gf" into "of".
 class Engine {
  public:
-  Engine() {
+  Engine() : model_(installedModel()) {
     api_ = std::make_unique<tesseract::TessBaseAPI>();
-    const std::array<std::string, 4> names{"load_system_dawg", "load_freq_dawg", "debug_file",
-                                           "tessedit_do_invert"};
-    const std::vector<std::string> keys(names.begin(), names.end()), values{"0", "0", "/dev/null", "0"};
+    const std::vector<std::string> keys{"load_system_dawg", "load_freq_dawg", "debug_file",
+                                        "tessedit_do_invert"};
+    const std::vector<std::string> values{"0", "0", "/dev/null", "0"};
+    if (model_ && api_->Init(model_->bytes().data(), static_cast<int>(model_->bytes().size()), "eng",
+                             tesseract::OEM_LSTM_ONLY, nullptr, 0, &keys, &values, false, nullptr) == 0)
+      return;
+    model_.reset();  // a model of another layout: the slow start knows it
     if (api_->Init(nullptr, "eng", tesseract::OEM_LSTM_ONLY, nullptr, 0, &keys, &values, false) != 0)
       api_.reset();
   }
@@ -49,18 +72,20 @@ class Engine {
     // batch.
     omp_set_max_active_levels(0);
     api_->SetPageSegMode(tesseract::PSM_SINGLE_LINE);
-    api_->SetVariable("tessedit_char_whitelist", kind == TextKind::number ? "0123456789.,-" : "");
+    const std::string digits = "0123456789.,-", asked = model_ ? model_->renamed(digits) : digits;
+    api_->SetVariable("tessedit_char_whitelist", kind == TextKind::number ? asked.c_str() : "");
     api_->SetImage(grey.data, grey.cols, grey.rows, 1, static_cast<int>(grey.step));
     api_->SetSourceResolution(200);
     if (api_->Recognize(nullptr) != 0) return seen;
     const std::unique_ptr<char[]> text(api_->GetUTF8Text());
-    if (text) seen.utf8 = text.get();
+    if (text) seen.utf8 = model_ ? model_->original(text.get()) : text.get();
     while (!seen.utf8.empty() && (seen.utf8.back() == '\n' || seen.utf8.back() == ' ')) seen.utf8.pop_back();
     seen.confidence = seen.utf8.empty() ? 0 : std::clamp(api_->MeanTextConf() / 100.0, 0.0, 1.0);
     return seen;
   }
 
  private:
+  std::optional<LightModel> model_;  // empty: the engine names letters as they are
   std::unique_ptr<tesseract::TessBaseAPI> api_;
 };
 

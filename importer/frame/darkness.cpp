@@ -38,10 +38,44 @@ int paperLuminance(const cv::Mat& grey) {
   return best;
 }
 
+/// Wider than two strokes of the largest writing and any line, so that most of a window is paper; far below a plot's
+/// size, so that it is one paper.
+int windowOf(const cv::Mat& grey) {
+  constexpr int smallest_px = 31, largest_px = 121, perSide = 14;
+  return std::clamp(std::min(grey.cols, grey.rows) / perSide, smallest_px, largest_px) | 1;
+}
+
+/// Beside a step between papers the median takes the wrong one under writing that stands close to it. There strokes are
+/// what a small window does not see: thin light things on dark, thin dark ones on light.
+void standOutBesideSteps(const cv::Mat& grey, const cv::Mat& paper, int window, cv::Mat& contrast) {
+  constexpr int step = 48;  // grey levels between papers
+  const auto square = [](int side) { return cv::getStructuringElement(cv::MORPH_RECT, {side, side}); };
+  cv::Mat beside, light, dark;
+  cv::morphologyEx(paper, beside, cv::MORPH_GRADIENT, square(3));
+  cv::threshold(beside, beside, step, 255, cv::THRESH_BINARY);
+  if (cv::countNonZero(beside) == 0) return;
+  cv::dilate(beside, beside, square(window / 2 * 2 + 1));
+  const int strokes = std::clamp(window / 3, 7, 25) | 1;
+  cv::morphologyEx(grey, light, cv::MORPH_TOPHAT, square(strokes));
+  cv::morphologyEx(grey, dark, cv::MORPH_BLACKHAT, square(strokes));
+  cv::max(light, dark, light);
+  light.copyTo(contrast, beside);
+}
+
+cv::Mat contrastByRegion(const cv::Mat& grey) {
+  const int window = windowOf(grey);
+  cv::Mat paper, contrast;
+  cv::medianBlur(grey, paper, window);
+  cv::absdiff(grey, paper, contrast);
+  standOutBesideSteps(grey, paper, window, contrast);
+  return contrast;
+}
+
 }  // namespace
 
-cv::Mat darknessOf(const Raster& raster) {
+cv::Mat darknessOf(const Raster& raster, PaperBy by) {
   const cv::Mat grey = luminanceOf(raster);
+  if (by == PaperBy::region) return contrastByRegion(grey);
   const int paper = paperLuminance(grey);
   cv::Mat darkness;
   if (paper >= 128) {

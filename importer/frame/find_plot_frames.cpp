@@ -8,6 +8,7 @@
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
 #include "importer/frame/label_rows.h"
+#include "importer/frame/labelled_plots.h"
 #include "importer/frame/plot_frame.h"
 #include "importer/frame/plot_rectangles.h"
 #include "importer/frame/straight_lines.h"
@@ -24,9 +25,9 @@ struct Overview {
 constexpr int maxSide_px =
     2600;  // larger pictures are searched at half or quarter size; locating is done in full
 
-Overview seen(const Page& page) {
+Overview seen(const Page& page, PaperBy paper) {
   Overview o;
-  o.darkness = darknessOf(page.overview);
+  o.darkness = darknessOf(page.overview, paper);
   while (std::max(o.darkness.cols, o.darkness.rows) > maxSide_px) {
     cv::Mat even = o.darkness(cv::Rect(0, 0, o.darkness.cols / 2 * 2, o.darkness.rows / 2 * 2)), half;
     cv::resize(even, half, cv::Size(even.cols / 2, even.rows / 2), 0, 0, cv::INTER_AREA);
@@ -210,10 +211,9 @@ Box PlotFrame::box() const {
   return b;
 }
 
-std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Document&,
-                                                  const Progress& progress) {
+std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, PaperBy paper, const Progress& progress) {
   if (page.overview.width_px < 32 || page.overview.height_px < 32) return {};
-  Overview o = seen(page);
+  Overview o = seen(page, paper);
   const bool picture = page.unit == PageUnit::pixel;
   const double side = std::max(o.darkness.cols, o.darkness.rows);
   const double minSide = std::max(36.0, (picture ? 0.1 : 0.04) * side);
@@ -230,6 +230,7 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Docume
       auto& c = s.candidate.value;
       c.pageBox = scaledToPage(r.box, o.shrink, page.overviewToPage);
       c.quarterTurns = way.quarterTurns;
+      c.paper = paper;
       c.regionBox = regionAround(c.pageBox, way.quarterTurns, pageBounds(page));
       s.rectangleScore = r.score;
       s.score = r.score + 0.5 * std::min(12, way.below + way.left);
@@ -243,6 +244,29 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Docume
   std::sort(all.begin(), all.end(), readsBefore);
   std::vector<Found<FrameCandidate>> found;
   for (auto& s : all) found.push_back(std::move(s.candidate));
+  return found;
+}
+
+std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const Progress& progress) {
+  if (page.overview.width_px < 32 || page.overview.height_px < 32) return {};
+  Overview o = seen(page, PaperBy::region);
+  if (progress.isCancelled()) return {};
+  const double minSide = std::max(36.0, 0.1 * std::max(o.darkness.cols, o.darkness.rows));
+  const auto plots = findLabelledPlots(inkOf(o.darkness), minSide, 0.7 * minSide);
+  std::vector<Found<FrameCandidate>> found;
+  for (const LabelledPlot& plot : plots) {
+    Found<FrameCandidate> candidate;
+    auto& c = candidate.value;
+    c.pageBox = scaledToPage(plot.box, o.shrink, page.overviewToPage);
+    c.regionBox = plots.size() == 1 && page.unit == PageUnit::pixel
+                      ? pageBounds(page)
+                      : regionAround(c.pageBox, 0, pageBounds(page));
+    c.paper = PaperBy::region;
+    c.byNumbers = true;
+    candidate.confidence = std::clamp(0.45 + 0.1 * (std::min(plot.below, plot.left) - 2), 0.2, 0.95);
+    candidate.evidence = {{EvidenceCode::numbersAlone, {plot.below, plot.left}}};
+    found.push_back(std::move(candidate));
+  }
   return found;
 }
 

@@ -204,7 +204,7 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
                    {{RemedyKind::giveFrame, "of a larger region"}}};
   if (progress.isCancelled()) return Failure::cancelled(page.source);
   const bool given = candidate.givenCorners.size() == 4;
-  const cv::Mat d = darknessOf(view.raster);
+  const cv::Mat d = darknessOf(view.raster, candidate.paper);
   const double reach =
       std::clamp(4 * viewPerOverview(view, page), 3.0, 0.02 * std::min(box.width(), box.height()) + 3);
   Edges e = locateEdges(d, d.t(), box, reach);
@@ -213,6 +213,7 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
   Found<PlotFrame> found;
   auto& frame = found.value;
   frame = given ? givenFrame(view, candidate.givenCorners) : foundFrame(e);
+  frame.paper = candidate.paper;
   if (isUpright(frame)) {
     findLinesUpright(d, frame, e);
     if (!given) settleOpenEdges(frame, e);
@@ -226,7 +227,7 @@ Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
     found.evidence = {{EvidenceCode::frameGiven}};
     return found;
   }
-  found.confidence = std::min(1.0, 0.4 + 0.15 * e.drawn);
+  found.confidence = std::min(1.0, (candidate.byNumbers ? 0.7 : 0.4) + 0.15 * e.drawn);
   found.evidence = {{EvidenceCode::edgesDrawn, {e.drawn, frame.xLines.size(), frame.yLines.size()}}};
   return found;
 }

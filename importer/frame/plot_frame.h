@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "importer/frame/paper.h"
 #include "importer/page/found.h"
 #include "importer/page/page.h"
 
@@ -31,7 +32,8 @@ struct PlotFrame {
   /// curves shift them (docs/decisions/0402-lines-on-whole-pixels.md). Corners and lines here are where they
   /// are drawn.
   Point drawnOffset_px;
-  Box box() const;  ///< bounding box of the corners
+  PaperBy paper = PaperBy::page;  ///< what its lines and numbers stand out of
+  Box box() const;                ///< bounding box of the corners
 };
 
 /// A graph found on a page: where, which way up. The view that later steps use is made from it.
@@ -40,12 +42,18 @@ struct FrameCandidate {
   Box regionBox;                    ///< frame with tick labels, titles and legend, in page units
   int quarterTurns = 0;             ///< clockwise turns that make it upright
   std::vector<Point> givenCorners;  ///< tl, tr, br, bl in page units if the user gave the frame, else empty
+  PaperBy paper = PaperBy::page;    ///< what its lines and numbers stand out of
+  bool byNumbers = false;           ///< found without lines: edges that are not drawn speak against nothing
 };
 
 /// All frames that could hold a force graph, reading order (top to bottom, left to right). Empty is an
 /// answer, not an error.
-std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const Document& document,
+std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, PaperBy paper = PaperBy::page,
                                                   const Progress& progress = {});
+
+/// Places between a row and a column of evenly spaced numbers, whatever lines stand there. Upright plots only; boxes end
+/// at the outermost numbers. Asked where no rectangle of lines holds a graph.
+std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const Progress& progress = {});
 
 /// The frame a user gave: 2 opposite corners or 4 (tl, tr, br, bl), page units. Confidence 1, decided by
 /// `given`. Failure wrongUsage: other counts, corners outside the page, no area.

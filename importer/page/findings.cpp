@@ -40,6 +40,13 @@ Wording wordingOf(EvidenceCode code) {
               words("one curve, taken as press although the legend calls it release")};
     case EvidenceCode::exchangedByHand:
       return {"exchanged-by-hand", words("exchanged by hand")};
+    case EvidenceCode::namedAsTwo:
+      return {"named-as-two",
+              words("the legend names them \"%1\" and \"%2\", not one switch's press and release")};
+    case EvidenceCode::numbersAlone:
+      return {"numbers-alone", words("%1 numbers in a row and %2 in a column, without a rectangle of lines")};
+    case EvidenceCode::widenedToNumbers:
+      return {"widened-to-numbers", words("widened to where its numbers end")};
   }
   return {"", ""};
 }
@@ -66,6 +73,31 @@ Wording wordingOf(DoubtCode code) {
     case DoubtCode::strokesAlike:
       return {"strokes-alike", words("press and release cannot be told apart: neither legend nor hysteresis "
                                      "says which is which (%1, %2)")};
+    case DoubtCode::unitMissing:
+      return {"unit-missing", words("the %1 axis names no unit; %2 would be a guess")};
+    case DoubtCode::otherQuantity:
+      return {"other-quantity", words("the %1 axis measures \"%2\"")};
+    case DoubtCode::implausibleTravel:
+      return {"implausible-travel", words("a travel of %1 is not a button's")};
+    case DoubtCode::implausibleForce:
+      return {"implausible-force", words("a force of %1 is not a button's")};
+    case DoubtCode::negativeTravel:
+      return {"negative-travel", words("the press starts at %1, left of zero")};
+    case DoubtCode::negativeForce:
+      return {"negative-force", words("the press goes down to %1, below zero")};
+    case DoubtCode::strokesCoincide:
+      return {"strokes-coincide", words("press and release are the same line over most of their length")};
+    case DoubtCode::alongAnAxis:
+      return {"along-an-axis", words("more than half of a curve is parallel to an axis, as gridlines are")};
+    case DoubtCode::manyTactilePoints:
+      return {"many-tactile-points", words("a stroke with %1 tactile points is not a button's")};
+    case DoubtCode::endsInAFall:
+      return {"ends-in-a-fall",
+              words("the press drops at the end of its travel, as an edge of the frame does")};
+    case DoubtCode::cutAtPictureEdge:
+      return {"cut-at-picture-edge", words("a curve ends where the picture does")};
+    case DoubtCode::otherScale:
+      return {"other-scale", words("a second scale on the right measures something else")};
   }
   return {"", ""};
 }

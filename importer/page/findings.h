@@ -32,7 +32,10 @@ enum class EvidenceCode {
   oneHigherForce,
   pressAlone,
   pressAloneThoughNamedRelease,
-  exchangedByHand
+  exchangedByHand,
+  namedAsTwo,       ///< legend texts of two curves that are not one switch's strokes
+  numbersAlone,     ///< numbers in a row, numbers in a column; no rectangle of lines
+  widenedToNumbers  ///< the labels count on beyond the rectangle of lines
 };
 
 struct EvidenceItem {
@@ -55,7 +58,20 @@ enum class DoubtCode {
   ratherADrawing,      ///< messages of the axes' evidence
   doesNotLookLikeOne,  ///< confidence of the curves, 0..1
   tooManyCurves,       ///< how many, their colours and names
-  strokesAlike         ///< colours of the two
+  strokesAlike,        ///< colours of the two
+  // what no step sees alone, docs/decisions/0805-doubts.md
+  unitMissing,        ///< axis, unit that would be taken
+  otherQuantity,      ///< axis, what it measures as printed
+  implausibleTravel,  ///< mm
+  implausibleForce,   ///< N
+  negativeTravel,     ///< mm at the press's start
+  negativeForce,      ///< N at its lowest
+  strokesCoincide,
+  alongAnAxis,
+  manyTactilePoints,  ///< how many
+  endsInAFall,
+  cutAtPictureEdge,
+  otherScale
 };
 
 struct Doubt {

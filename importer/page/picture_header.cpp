@@ -162,7 +162,6 @@ std::vector<PictureHeader> tiffHeaders(std::span<const unsigned char> bytes, int
     header.width_px = dir.width_px;
     header.height_px = dir.height_px;
     header.orientation = dir.orientation;
-    header.decoderTurns = true;
     header.dpi = dpiOf(dir);
     header.directoryOffset = static_cast<std::size_t>(at);
     headers.push_back(header);
@@ -173,22 +172,9 @@ std::vector<PictureHeader> tiffHeaders(std::span<const unsigned char> bytes, int
 
 // ---- the other formats
 
-std::optional<Rgb> pngTransparentColor(const ByteReader& in, std::size_t at, std::uint32_t size,
-                                       std::uint32_t colorType, std::uint32_t bitDepth) {
-  const auto byte = [&](std::size_t offset) {
-    const std::uint32_t value = in.u16(at + offset);
-    if (bitDepth == 16) return static_cast<std::uint8_t>((value * 255 + 32767) / 65535);
-    return static_cast<std::uint8_t>(value * 255 / ((1U << bitDepth) - 1));
-  };
-  if (colorType == 0 && size == 2) return Rgb{byte(0), byte(0), byte(0)};
-  if (colorType == 2 && size == 6) return Rgb{byte(0), byte(2), byte(4)};
-  return std::nullopt;
-}
-
 PictureHeader pngHeader(std::span<const unsigned char> bytes) {
   const ByteReader in(bytes, true);
   PictureHeader header;
-  std::uint32_t colorType = 0, bitDepth = 8;
   header.complete = false;
   for (std::size_t at = 8; at + 12 <= in.size();) {
     const std::uint32_t size = in.u32(at);
@@ -197,14 +183,10 @@ PictureHeader pngHeader(std::span<const unsigned char> bytes) {
     if (in.has(at + 4, "IHDR") && size >= 13) {
       header.width_px = in.u32(data);
       header.height_px = in.u32(data + 4);
-      bitDepth = std::clamp(in.u8(data + 8), 1U, 16U);
-      colorType = in.u8(data + 9);
     } else if (in.has(at + 4, "pHYs") && size >= 9 && in.u8(data + 8) == 1) {
       header.dpi = plausibleDpi(in.u32(data) * mmPerInch / 1000);
     } else if (in.has(at + 4, "eXIf")) {
       applyExif(in.part(data, size), header);
-    } else if (in.has(at + 4, "tRNS")) {
-      header.transparentColor = pngTransparentColor(in, data, size, colorType, bitDepth);
     } else if (in.has(at + 4, "IEND")) {
       header.complete = true;
       break;

@@ -28,12 +28,10 @@ bool isPicture(FileKind kind);
 /// One picture of the file (TIFF may hold several). Sizes as stored, before any orientation.
 struct PictureHeader {
   long long width_px = 0, height_px = 0;
-  int orientation = 1;                  ///< EXIF, 1..8
-  std::optional<double> dpi;            ///< the horizontal one
-  bool complete = true;                 ///< false: the file ends before its own end mark or before its pixels
-  bool decoderTurns = false;            ///< the decoder applies the orientation itself
-  std::optional<Rgb> transparentColor;  ///< PNG colour key of pictures without alpha channel (8-bit values)
-  std::size_t directoryOffset = 0;      ///< TIFF: where this picture's directory stands
+  int orientation = 1;              ///< EXIF, 1..8
+  std::optional<double> dpi;        ///< the horizontal one
+  bool complete = true;             ///< false: the file ends before its own end mark or before its pixels
+  std::size_t directoryOffset = 0;  ///< TIFF: where this picture's directory stands
 };
 
 /// All pictures of the file, first one first; empty if the header cannot be understood. At most

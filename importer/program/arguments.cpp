@@ -96,6 +96,12 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   app.add_option("--quality", a.request.quality,
                  "draft, standard or precise (default: standard); see docs/bench-importer.md")
       ->transform(CLI::CheckedTransformer(qualities, CLI::ignore_case));
+  app.add_option(
+         "--sure", a.request.sure,
+         "confidence below which an import is refused with exit 5; docs/import-confidence.md says what a "
+         "confidence is worth")
+      ->check(CLI::Range(0.0, 1.0))
+      ->capture_default_str();
   app.add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
 }
 
@@ -114,8 +120,8 @@ void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
                     "plot frame: X0,Y0,X1,Y1 or four corners as eight numbers, page units");
   group->add_option("--x-axis", raw.xAxis, "MIN:MAX at the frame's left and right edge, in the x unit");
   group->add_option("--y-axis", raw.yAxis, "MIN:MAX at the frame's bottom and top edge, in the y unit");
-  group->add_option("--x-unit", raw.xUnit, "mm, cm, um, in or mil");
-  group->add_option("--y-unit", raw.yUnit, "N, mN, cN, gf, kgf, ozf or lbf");
+  group->add_option("--x-unit", raw.xUnit, "mm, cm, um, in or mil (thou)");
+  group->add_option("--y-unit", raw.yUnit, "N, mN, cN, dN, kN, gf, kgf (kp), ozf, lbf or dyn");
   group->add_option("--press-color", raw.pressColor, "colour of the press curve, #rrggbb");
   group->add_option("--release-color", raw.releaseColor, "colour of the release curve, #rrggbb");
   group->add_option("--mask", raw.masks, "X0,Y0,X1,Y1 to ignore, page units; may be given several times")
@@ -179,7 +185,7 @@ void settle(const RawOptions& raw, Arguments& a) {
   if (!raw.yUnit.empty()) {
     hints.axes.yUnit = forceUnitFrom(raw.yUnit);
     if (!hints.axes.yUnit)
-      throw wrong("--y-unit", raw.yUnit, "a unit of force (N, mN, cN, gf, kgf, ozf, lbf)");
+      throw wrong("--y-unit", raw.yUnit, "a unit of force (N, mN, cN, dN, kN, gf, kgf, ozf, lbf, dyn)");
   }
   if (!raw.pressColor.empty()) hints.trace.pressColor = parseColor("--press-color", raw.pressColor);
   if (!raw.releaseColor.empty()) hints.trace.releaseColor = parseColor("--release-color", raw.releaseColor);

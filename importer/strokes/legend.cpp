@@ -79,7 +79,28 @@ bool anySign(std::string_view text, const List& list) {
                      [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; });
 }
 
+/// Words that name neither a stroke nor what every legend names: a switch's own name.
+std::vector<std::string> ownWords(std::string_view utf8) {
+  constexpr std::array kCommonWords = {"stroke", "curve", "force", "travel", "key",  "switch",
+                                       "the",    "of",    "on",    "hub",    "kraft"};
+  std::vector<std::string> own;
+  for (std::string& word : wordsOf(utf8)) {
+    const std::vector<std::string> one{word};
+    if (!anyWord(one, kPressWords) && !anyWord(one, kReleaseWords) && !anyWord(one, kCommonWords))
+      own.push_back(std::move(word));
+  }
+  return own;
+}
+
 }  // namespace
+
+bool mayBeOnePair(std::string_view a, std::string_view b) {
+  if (wordsOf(a).empty() || wordsOf(b).empty()) return true;
+  const std::optional<Stroke> ofA = strokeNamedBy(a), ofB = strokeNamedBy(b);
+  if (!ofA && !ofB) return false;
+  if (ofA == ofB) return false;
+  return ownWords(a) == ownWords(b) || ownWords(a).empty() || ownWords(b).empty();
+}
 
 std::optional<Stroke> strokeNamedBy(std::string_view utf8) {
   const std::vector<std::string> words = wordsOf(utf8);

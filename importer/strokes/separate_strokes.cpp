@@ -136,6 +136,12 @@ bool namedAsPair(const CurveTrace& first, const CurveTrace& second) {
   return a && b && *a != *b;
 }
 
+/// A legend that gives both curves names which are not one switch's press and release speaks of two switches.
+double creditOfNames(const CurveTrace& first, const CurveTrace& second) {
+  constexpr double namedOtherwise = 0.3;
+  return mayBeOnePair(first.label, second.label) ? 1 : namedOtherwise;
+}
+
 /// Which of two traces is the press.
 Verdict judge(const CurveTrace& first, const CurveTrace& second, const Comparison& c, double newtonPerPx) {
   Verdict verdict;
@@ -227,10 +233,12 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
   const Verdict verdict = judge(drawn[0], drawn[1], compared, newtonPerPx);
   Found<StrokePair> found;
+  const double names = creditOfNames(drawn[0], drawn[1]);
   const double together = namedAsPair(drawn[0], drawn[1]) ? 1 : creditOfTravel(compared);
   found.confidence =
-      verdict.confidence() * credit(std::min(drawn[0].confidence, drawn[1].confidence)) * together;
+      verdict.confidence() * credit(std::min(drawn[0].confidence, drawn[1].confidence)) * together * names;
   found.evidence = verdict.reasons;
+  if (names < 1) found.evidence.push_back({EvidenceCode::namedAsTwo, {drawn[0].label, drawn[1].label}});
   bool firstIsPress = verdict.logOdds >= 0;
   if (hints.swap) {
     firstIsPress = !firstIsPress;

@@ -87,3 +87,53 @@ TEST_CASE("units in titles") {
   CHECK(length("Displacement [inch]") == in);
   CHECK(length("Travel") == "none");
 }
+
+TEST_CASE("what stands in a title's brackets is the unit, whole or not at all") {
+  const auto force = [](const char* title) {
+    const auto unit = forceUnitIn(title);
+    return unit ? std::string(symbolOf(unit->unit)) : std::string("none");
+  };
+  const auto length = [](const char* title) {
+    const auto unit = lengthUnitIn(title);
+    return unit ? std::string(symbolOf(unit->unit)) : std::string("none");
+  };
+  CHECK(force("Kraft [dN]") == "dN");
+  CHECK(force("Force (kN)") == "kN");
+  CHECK(force("Load [kp]") == "kgf");
+  CHECK(force("Force (lb)") == "lbf");
+  CHECK(force("Force [dyn]") == "dyn");
+  CHECK(force("\xE5\x8A\x9B\xEF\xBC\x88\xE5\x85\x8B\xEF\xBC\x89") == "gf");  // 力（克）
+  CHECK(force("\xE5\x8A\x9B (\xE5\x8D\x95\xE4\xBD\x8D:gf)") == "gf");        // 力 (单位:gf)
+  CHECK(force("Iegf]") == "none");
+  CHECK(force("Force lgf]") == "gf");  // the opening bracket was read as a letter
+  CHECK(length("Weg [mil]") == "mil");
+  CHECK(length("Stroke (thou)") == "mil");
+  CHECK(length("\xE8\xA1\x8C\xE7\xA8\x8B(\xE6\xAF\xAB\xE7\xB1\xB3)") == "mm");  // 行程(毫米)
+  CHECK(length("Travel [ym]") == "\xC2\xB5m");                                  // as misread
+  for (const char* other : {"Pressure (kPa)", "Force [x10 gf]", "Stiffness (N/mm)", "Torque (mNm)",
+                            "Load [%]", "Force [arb. u.]", "Voltage [V]",
+                            "Temperature [\xC2\xB0"
+                            "C]",
+                            "y (mm)", "Force [MN]"})
+    CHECK(force(other) == "none");
+  for (const char* other :
+       {"Time [s]", "Wavelength (nm)", "Frequency [Hz]", "Cycles (x1000)", "Distance (m)", "Sample"})
+    CHECK(length(other) == "none");
+}
+
+TEST_CASE("a title that measures something else says what") {
+  CHECK(otherQuantityIn("Pressure (kPa)") == "kPa");
+  CHECK(otherQuantityIn("Stiffness (N/mm)") == "N/mm");
+  CHECK(otherQuantityIn("Force [x10 gf]") == "x10gf");
+  CHECK(otherQuantityIn("Time") == "time");
+  for (const char* own :
+       {"Force [cN]", "Travel (mm)", "Operating force over time of use [N]", "Kraft", "F (gf)"})
+    CHECK(otherQuantityIn(own).empty());
+}
+
+TEST_CASE("a tick behind a number is no part of it, and sure readings are repaired less readily") {
+  CHECK(*printedNumber("80-") == 80);
+  CHECK(*printedNumber("-80") == -80);
+  CHECK_FALSE(printedNumber("-").has_value());
+  CHECK(numberReadings("80", 0.95).back().weight < numberReadings("80", 0.5).back().weight);
+}

@@ -22,7 +22,7 @@ struct Looked {
 Looked look(const cv::Mat& grey) {
   const auto document = documentOf(grey);
   const auto page = document.page(1).value();
-  const auto candidates = findPlotFrames(page, document);
+  const auto candidates = findPlotFrames(page);
   REQUIRE_FALSE(candidates.empty());
   Looked looked{document.view(page, candidates[0].value.regionBox, candidates[0].value.quarterTurns).value(),
                 {}};

@@ -23,7 +23,7 @@ Seen lookAt(const cv::Mat& grey) {
   const auto document = documentOf(grey);
   const auto page = document.page(1).value();
   Seen seen;
-  seen.candidates = findPlotFrames(page, document);
+  seen.candidates = findPlotFrames(page);
   for (const auto& c : seen.candidates) {
     const auto view = document.view(page, c.value.regionBox, c.value.quarterTurns).value();
     auto frame = locatePlotFrame(view, page, c.value);
@@ -199,7 +199,7 @@ TEST_CASE("a render whose lines fall on whole pixels by chance is not taken for 
   s.grid = false, s.lineWidth = 1.11;
   const auto document = documentOf(drawn(s));
   const auto page = document.page(1).value();
-  const auto candidates = findPlotFrames(page, document);
+  const auto candidates = findPlotFrames(page);
   REQUIRE(candidates.size() == 1);
   auto view = document.view(page, candidates[0].value.regionBox).value();
   view.nativePixels = false;

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 using detent::Stroke;
+using detent::importer::mayBeOnePair;
 using detent::importer::strokeNamedBy;
 
 TEST_CASE("Legend words in the languages of datasheets", "[legend]") {
@@ -28,4 +29,14 @@ TEST_CASE("What names no stroke, both, or a point", "[legend]") {
   for (const char* text : {"", "Force (gf)", "pressure", "press and release", "reset point",
                            "Operating position", "Druckpunkt", "复位点", "55gf", "\xff\xfe", "uptown"})
     CHECK(strokeNamedBy(text) == std::nullopt);
+}
+
+TEST_CASE("Two names of one switch's strokes, and of two switches", "[legend]") {
+  CHECK(mayBeOnePair("press", "release"));
+  CHECK(mayBeOnePair("Gateron Red press", "Gateron Red release"));
+  CHECK(mayBeOnePair("Switch A", "Switch A release"));
+  CHECK(mayBeOnePair("", "Switch B"));
+  CHECK_FALSE(mayBeOnePair("Switch A", "Switch B"));
+  CHECK_FALSE(mayBeOnePair("downstroke_a", "downstroke_b"));
+  CHECK_FALSE(mayBeOnePair("Brown press", "Red release"));
 }

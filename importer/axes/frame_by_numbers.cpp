@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/axes/frame_by_numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "importer/axes/text_lines.h"
+#include "importer/frame/darkness.h"
+#include "importer/frame/glyph_marks.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr std::size_t fewestLabels = 3;
+
+/// One axis' used labels, along it.
+struct LabelSeries {
+  std::vector<double> places;  // increasing
+  double step_px = 0;          // between neighbours
+  double across = 0;           // middle of the words, across the axis
+  double height = 0;           // of a word
+};
+
+std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX) {
+  LabelSeries s;
+  std::vector<double> across, heights;
+  for (const TickLabel& tick : axis.ticks) {
+    if (!tick.used || tick.box.empty()) continue;
+    s.places.push_back(tick.position_px);
+    across.push_back(alongX ? 0.5 * (tick.box.y0 + tick.box.y1) : tick.box.x1);
+    heights.push_back(tick.box.height());
+  }
+  if (s.places.size() < fewestLabels) return {};
+  std::sort(s.places.begin(), s.places.end());
+  s.step_px = s.places.back() - s.places.front();
+  for (std::size_t i = 1; i < s.places.size(); ++i)
+    s.step_px = std::min(s.step_px, s.places[i] - s.places[i - 1]);
+  std::sort(across.begin(), across.end());
+  std::sort(heights.begin(), heights.end());
+  s.across = across[across.size() / 2], s.height = heights[heights.size() / 2];
+  if (s.step_px < 1.5 * s.height) return {};
+  return s;
+}
+
+/// Whether a word like the labels stands at a place along the axis.
+bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, double place) {
+  const double along = 0.35 * s.height + 2, beside = 0.4 * s.height + 2;
+  return std::any_of(words.begin(), words.end(), [&](const Box& w) {
+    const double at = alongX ? 0.5 * (w.x0 + w.x1) : 0.5 * (w.y0 + w.y1);
+    const double off = (alongX ? 0.5 * (w.y0 + w.y1) : w.x1) - s.across;
+    return std::abs(at - place) <= along && std::abs(off) <= beside && w.height() <= 1.4 * s.height &&
+           w.height() >= 0.7 * s.height && w.width() <= 4.5 * w.height();
+  });
+}
+
+/// How far the words count on from the outermost label in a direction; `edge` if not beyond it.
+double reach(const std::vector<Box>& words, const LabelSeries& s, bool alongX, int direction, double edge) {
+  constexpr double clearlyBeyond = 0.4;  // of a step: a last label may stand a little off the grid
+  double at = direction > 0 ? s.places.back() : s.places.front();
+  for (int k = 0; k < 20 && wordAt(words, s, alongX, at + direction * s.step_px); ++k)
+    at += direction * s.step_px;
+  return direction * (at - edge) > clearlyBeyond * s.step_px ? at : edge;
+}
+
+}  // namespace
+
+std::optional<Box> frameByNumbers(const PageView& view, const PlotFrame& frame, const AxisCalibration& axes) {
+  const auto x = seriesOf(axes.x, true), y = seriesOf(axes.y, false);
+  if (!x || !y) return {};
+  const double largest = 2 * std::max(x->height, y->height) + 4;
+  const auto words =
+      wordBoxes(glyphBoxes(inkOf(darknessOf(view.raster, frame.paper)), 2, largest), labelGapInHeights);
+  const Box box = frame.box();
+  const Box wide{reach(words, *x, true, -1, box.x0), reach(words, *y, false, -1, box.y0),
+                 reach(words, *x, true, 1, box.x1), reach(words, *y, false, 1, box.y1)};
+  if (wide == box) return {};
+  return wide;
+}
+
+}  // namespace detent::importer

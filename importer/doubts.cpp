@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/doubts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace detent::importer {
+namespace {
+
+// What a doubted import is worth at most. Below `confidenceBar`: refused unless the user lowers the bar.
+constexpr double contradicted = 0.2;  // the page says otherwise
+constexpr double unconfirmed = 0.4;   // the page does not say
+
+// Sizes beyond which a button has to be said twice: no key, dome or tact switch at hand comes near them.
+constexpr double mostForce_N = 50, leastForce_N = 0.04, mostTravel_mm = 25, leastTravel_mm = 0.04;
+constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke, noise makes dozens
+constexpr double negativeShare = 0.05;  // of the stroke's span: a trace's start is noisier than its middle
+constexpr double sameLineShare = 0.005, sameLineLength = 0.8;  // of the span, of the release
+constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;
+constexpr double endFallShare = 0.4;
+constexpr double pictureEdge_px = 2.5;
+
+bool confirmedBySpec(const std::vector<SpecCheck>& checks, bool force) {
+  return std::any_of(checks.begin(), checks.end(),
+                     [&](const SpecCheck& c) { return c.spec.isForce() == force && c.agrees; });
+}
+
+/// Smallest and largest of one coordinate.
+struct Extent {
+  double low = 0, high = 0;
+  double span() const { return high - low; }
+};
+
+template <class Points, class Coordinate>
+Extent extentOf(const Points& points, Coordinate of) {
+  const auto [low, high] = std::minmax_element(points.begin(), points.end(),
+                                               [&](const auto& a, const auto& b) { return of(a) < of(b); });
+  return {of(*low), of(*high)};
+}
+
+Extent travelOf(const StrokePoints& s) {
+  return extentOf(s.points, [](const CurvePoint& p) { return p.displacement_mm; });
+}
+
+Extent forceOf(const StrokePoints& s) {
+  return extentOf(s.points, [](const CurvePoint& p) { return p.force_N; });
+}
+
+/// Distance of a point from a polyline.
+double distanceTo(const std::vector<Point>& line, Point p) {
+  double best = HUGE_VAL;
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const double dx = line[i + 1].x - line[i].x, dy = line[i + 1].y - line[i].y;
+    const double length2 = dx * dx + dy * dy;
+    const double t =
+        length2 > 0 ? std::clamp(((p.x - line[i].x) * dx + (p.y - line[i].y) * dy) / length2, 0.0, 1.0) : 0;
+    best = std::min(best, std::hypot(line[i].x + t * dx - p.x, line[i].y + t * dy - p.y));
+  }
+  return best;
+}
+
+/// Share of the release that runs on the press, judged at a few hundred places.
+double coincidingShare(const StrokePair& strokes, double within_px) {
+  const auto &press = strokes.press.points_px, &release = strokes.release->points_px;
+  if (press.size() < 2 || release.empty()) return 0;
+  const std::size_t step = std::max<std::size_t>(1, release.size() / 300);
+  double near = 0, all = 0;
+  for (std::size_t i = 0; i < release.size(); i += step, all += 1)
+    near += distanceTo(press, release[i]) <= within_px;
+  return near / all;
+}
+
+/// Share of a stroke's length that its longest straight stretch along one axis takes.
+double shareAlongAnAxis(const std::vector<Point>& line) {
+  std::vector<double> at{0};
+  for (std::size_t i = 1; i < line.size(); ++i)
+    at.push_back(at.back() + std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y));
+  if (!(at.back() > 0)) return 0;
+  const auto longest = [&](auto across) {
+    double best = 0;
+    for (std::size_t from = 0, to = 0; from < line.size(); ++from) {
+      to = std::max(to, from);
+      while (to + 1 < line.size() &&
+             std::abs(across(line[to + 1]) - across(line[from])) <= alongAxisWithin_px)
+        ++to;
+      best = std::max(best, at[to] - at[from]);
+    }
+    return best;
+  };
+  return std::max(longest([](Point p) { return p.x; }), longest([](Point p) { return p.y; })) / at.back();
+}
+
+/// How far the force drops over the last stretch of travel, as a share of the stroke's span.
+double fallAtEnd(const StrokePoints& press) {
+  constexpr double lastShare = 0.03;
+  const Extent travel = travelOf(press), force = forceOf(press);
+  double highest = press.points.back().force_N;
+  for (const CurvePoint& p : press.points)
+    if (p.displacement_mm > travel.high - lastShare * travel.span()) highest = std::max(highest, p.force_N);
+  return force.span() > 0 ? (highest - press.points.back().force_N) / force.span() : 0;
+}
+
+bool touchesPictureEdge(const std::vector<Point>& line, const Raster& picture) {
+  if (line.empty()) return false;
+  const auto at = [&](Point p) {
+    return p.x < pictureEdge_px || p.y < pictureEdge_px || p.x > picture.width_px - 1 - pictureEdge_px ||
+           p.y > picture.height_px - 1 - pictureEdge_px;
+  };
+  return at(line.front()) || at(line.back());
+}
+
+class Doubts {
+ public:
+  Doubts(const GraphFindings& findings, const std::vector<SpecCheck>& checks, const ImportHints& hints)
+      : findings_(findings), checks_(checks), hints_(hints) {}
+
+  std::vector<WeighedDoubt> all() {
+    units();
+    sizes();
+    signs();
+    shapes();
+    place();
+    return std::move(doubts_);
+  }
+
+ private:
+  void add(DoubtCode code, double confidence, std::vector<MessageValue> values, Remedies remedies) {
+    doubts_.push_back({{code, std::move(values), std::move(remedies)}, confidence});
+  }
+
+  void units() {
+    const AxisCalibration& axes = findings_.graph.axes.calibration.value;
+    unit(axes.x, false, hints_.axes.xUnit.has_value());
+    unit(axes.y, true, hints_.axes.yUnit.has_value());
+  }
+
+  void unit(const AxisReading& axis, bool force, bool given) {
+    if (given || axis.unitFound || (axis.otherQuantity.empty() && confirmedBySpec(checks_, force))) return;
+    const std::string name = force ? "y" : "x";
+    const RemedyKind give = force ? RemedyKind::giveYUnit : RemedyKind::giveXUnit;
+    if (axis.otherQuantity.empty())
+      add(DoubtCode::unitMissing, unconfirmed, {name, axis.unit}, give);
+    else
+      add(DoubtCode::otherQuantity, contradicted, {name, axis.otherQuantity},
+          {{give, force ? "if it is a force all the same" : "if it is a travel all the same"}});
+  }
+
+  void sizes() {
+    const AxisHints& given = hints_.axes;
+    const double travel_mm = travelOf(findings_.strokes.value.press).high;
+    const double force_N = forceOf(findings_.strokes.value.press).high;
+    const bool travelGiven = given.xUnit || (given.xMin && given.xMax),
+               forceGiven = given.yUnit || given.yMin;
+    if ((travel_mm > mostTravel_mm || travel_mm < leastTravel_mm) && !travelGiven &&
+        !confirmedBySpec(checks_, false))
+      add(DoubtCode::implausibleTravel, unconfirmed, {{travel_mm, Measure::displacement_mm}},
+          {{RemedyKind::giveXUnit, {}}, {RemedyKind::giveXAxis, "if it is"}});
+    if ((force_N > mostForce_N || force_N < leastForce_N) && !forceGiven && !confirmedBySpec(checks_, true))
+      add(DoubtCode::implausibleForce, unconfirmed, {{force_N, Measure::force_N}},
+          {{RemedyKind::giveYUnit, {}}, {RemedyKind::giveYAxis, "if it is"}});
+  }
+
+  void signs() {
+    const Extent travel = travelOf(findings_.strokes.value.press),
+                 force = forceOf(findings_.strokes.value.press);
+    if (travel.low < -negativeShare * travel.span())
+      add(DoubtCode::negativeTravel, contradicted, {{travel.low, Measure::displacement_mm}},
+          {{RemedyKind::giveXAxis, "if the axis was misread"}});
+    if (force.low < -2 * negativeShare * force.span())
+      add(DoubtCode::negativeForce, contradicted, {{force.low, Measure::force_N}},
+          {{RemedyKind::giveYAxis, "if the axis was misread"}});
+  }
+
+  void shapes() {
+    const Remedies helps{{RemedyKind::addMask, "over what is not a curve"},
+                         {RemedyKind::pickPress, {}},
+                         {RemedyKind::pickRelease, {}}};
+    const StrokePair& strokes = findings_.strokes.value;
+    const Box frame = findings_.graph.frame.value.box();
+    if (strokes.release) {
+      const double within_px = std::max(0.6, sameLineShare * std::min(frame.width(), frame.height()));
+      if (coincidingShare(strokes, within_px) > sameLineLength)
+        add(DoubtCode::strokesCoincide, unconfirmed, {}, helps);
+    }
+    double along = shareAlongAnAxis(strokes.press.points_px);
+    if (strokes.release) along = std::max(along, shareAlongAnAxis(strokes.release->points_px));
+    if (along > alongAxisShare) add(DoubtCode::alongAnAxis, unconfirmed, {}, helps);
+    if (fallAtEnd(strokes.press) > endFallShare) add(DoubtCode::endsInAFall, unconfirmed, {}, helps);
+    std::size_t points = findings_.fitted.press.summary.tactilePoints.size();
+    if (findings_.fitted.release)
+      points = std::max(points, findings_.fitted.release->summary.tactilePoints.size());
+    if (points > mostTactilePoints) add(DoubtCode::manyTactilePoints, unconfirmed, {points}, helps);
+  }
+
+  void place() {
+    const StrokePair& strokes = findings_.strokes.value;
+    const Raster& picture = findings_.graph.view.raster;
+    const bool cut = touchesPictureEdge(strokes.press.points_px, picture) ||
+                     (strokes.release && touchesPictureEdge(strokes.release->points_px, picture));
+    if (cut && hints_.frame.empty())
+      add(DoubtCode::cutAtPictureEdge, unconfirmed, {},
+          {{RemedyKind::advice, "Use the whole picture"},
+           {RemedyKind::giveFrame, "if the curve ends there"}});
+    if (findings_.graph.axes.otherRightScale)
+      add(DoubtCode::otherScale, unconfirmed, {},
+          {{RemedyKind::pickPress, {}},
+           {RemedyKind::pickRelease, "with the colours of the left scale's curves"}});
+  }
+
+  const GraphFindings& findings_;
+  const std::vector<SpecCheck>& checks_;
+  const ImportHints& hints_;
+  std::vector<WeighedDoubt> doubts_;
+};
+
+}  // namespace
+
+std::vector<WeighedDoubt> doubtsOf(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
+                                   const ImportHints& hints) {
+  return Doubts(findings, checks, hints).all();
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What speaks against an import although every step was sure of itself: the page contradicts itself, or what came out
+// does not look like one button's strokes. docs/decisions/0805-doubts.md names where each was seen to be a wrong button.
+
+#include <vector>
+
+#include "importer/assemble_report.h"
+
+namespace detent::importer {
+
+/// `confidence`: what an import with this doubt is worth at most, 0..1.
+struct WeighedDoubt {
+  Doubt doubt;
+  double confidence = 0;
+};
+
+/// Empty for an import that nothing speaks against. What was given by hand is not doubted.
+std::vector<WeighedDoubt> doubtsOf(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
+                                   const ImportHints& hints);
+
+}  // namespace detent::importer

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/frame/labelled_plots.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "importer/frame/glyph_marks.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr int fewestLabels = 3;
+constexpr std::size_t mostWords = 1500;  // pages of running text are no place for this
+
+double middleX(const Box& b) { return 0.5 * (b.x0 + b.x1); }
+double middleY(const Box& b) { return 0.5 * (b.y0 + b.y1); }
+
+/// Up to five characters, high enough to be read.
+bool couldBeNumber(const Box& word) {
+  return word.height() >= 5 && word.width() <= 4.5 * word.height() && word.height() <= 3.5 * word.width();
+}
+
+bool alike(const Box& a, const Box& b) {
+  return a.height() <= 1.35 * b.height() + 2 && b.height() <= 1.35 * a.height() + 2;
+}
+
+/// Words in a line, those at even distances.
+struct Series {
+  std::vector<Box> words;  // along the axis
+  double step_px = 0;
+  double height_px = 0;
+};
+
+/// The longest even progression of places that has no gap; `places` increasing.
+Series evenSeries(const std::vector<Box>& words, const std::vector<double>& places, double height,
+                  double minStep) {
+  Series best;
+  const double tolerance = 0.3 * height + 1.5;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      const double first = places[j] - places[i];
+      if (first < minStep) continue;
+      std::vector<std::size_t> members{i, j};
+      double step = first;
+      for (std::size_t k = j + 1; k < places.size(); ++k) {
+        const double off = places[k] - places[members.back()] - step;
+        if (off > tolerance) break;
+        if (off < -tolerance) continue;
+        members.push_back(k);
+        step = (places[k] - places[i]) / static_cast<double>(members.size() - 1);
+      }
+      if (members.size() <= best.words.size()) continue;
+      best = Series{{}, step, height};
+      for (const std::size_t k : members) best.words.push_back(words[k]);
+    }
+  return best;
+}
+
+template <class Aligned, class Place>
+std::vector<Series> allSeries(const std::vector<Box>& words, Aligned aligned, Place place,
+                              double minStepInHeights) {
+  std::vector<Series> found;
+  for (const Box& seed : words) {
+    const bool known = std::any_of(found.begin(), found.end(), [&](const Series& s) {
+      return std::find(s.words.begin(), s.words.end(), seed) != s.words.end();
+    });
+    if (known) continue;
+    std::vector<Box> line;
+    for (const Box& w : words)
+      if (alike(w, seed) && aligned(w, seed)) line.push_back(w);
+    std::sort(line.begin(), line.end(), [&](const Box& a, const Box& b) { return place(a) < place(b); });
+    std::vector<double> places;
+    for (const Box& w : line) places.push_back(place(w));
+    auto series = evenSeries(line, places, seed.height(), minStepInHeights * seed.height());
+    if (static_cast<int>(series.words.size()) >= fewestLabels) found.push_back(std::move(series));
+  }
+  return found;
+}
+
+/// The place that a row and a column enclose, if the column stands at the row's left end and the row at the column's
+/// foot.
+std::optional<LabelledPlot> between(const Series& row, const Series& column) {
+  if (!alike(row.words.front(), column.words.front())) return {};
+  const double left = middleX(row.words.front()), right = middleX(row.words.back());
+  const double top = middleY(column.words.front()), bottom = middleY(column.words.back());
+  double columnEnd = column.words.front().x1;
+  for (const Box& w : column.words) columnEnd = std::max(columnEnd, w.x1);
+  const double rowTop = row.words.front().y0, width = right - left, height = bottom - top;
+  // The first label may stand one step right of the axis, the last one a step above it: zeros are often left out.
+  if (columnEnd > left + 0.5 * row.height_px || left - columnEnd > 1.6 * row.step_px) return {};
+  if (rowTop < bottom - 0.3 * row.height_px || rowTop - bottom > 1.6 * column.step_px) return {};
+  const bool zeroLeft = left - columnEnd > 0.75 * row.step_px && left - columnEnd > 3 * row.height_px;
+  const bool zeroBelow = rowTop - bottom > 0.75 * column.step_px && rowTop - bottom > 2 * row.height_px;
+  LabelledPlot plot;
+  plot.box = {zeroLeft ? left - row.step_px : left, top, right, zeroBelow ? bottom + column.step_px : bottom};
+  plot.below = static_cast<int>(row.words.size()), plot.left = static_cast<int>(column.words.size());
+  if (width <= 0 || height <= 0 || plot.box.x0 < columnEnd - row.height_px || plot.box.y1 > rowTop + 1)
+    return {};
+  plot.score = 2 * std::min(plot.below, plot.left) + std::max(plot.below, plot.left) -
+               2 * std::max(0.0, (left - columnEnd) / row.step_px - 1) -
+               2 * std::max(0.0, (rowTop - bottom) / column.step_px - 1);
+  return plot;
+}
+
+bool meets(const Box& a, const Box& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.y0 < b.y1 && b.y0 < a.y1; }
+
+}  // namespace
+
+std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_px, double minHeight_px) {
+  const double largest = 0.12 * std::min(ink.cols, ink.rows);
+  auto words = wordBoxes(glyphBoxes(ink, 2, largest), labelGapInHeights);
+  std::erase_if(words, [](const Box& w) { return !couldBeNumber(w); });
+  if (words.size() > mostWords) return {};
+  const auto rows = allSeries(
+      words,
+      [](const Box& a, const Box& b) { return std::abs(middleY(a) - middleY(b)) <= 0.3 * b.height() + 1; },
+      middleX, 1.6);
+  const auto columns = allSeries(
+      words,
+      [](const Box& a, const Box& b) {
+        return std::abs(a.x1 - b.x1) <= 0.4 * b.height() + 2 ||
+               std::abs(middleX(a) - middleX(b)) <= 0.3 * b.height() + 1;
+      },
+      middleY, 1.2);
+  std::vector<LabelledPlot> all;
+  for (const Series& row : rows)
+    for (const Series& column : columns)
+      if (auto plot = between(row, column);
+          plot && plot->box.width() >= minWidth_px && plot->box.height() >= minHeight_px)
+        all.push_back(*plot);
+  std::sort(all.begin(), all.end(),
+            [](const LabelledPlot& a, const LabelledPlot& b) { return a.score > b.score; });
+  std::vector<LabelledPlot> kept;
+  for (const LabelledPlot& plot : all)
+    if (std::none_of(kept.begin(), kept.end(), [&](const LabelledPlot& k) { return meets(k.box, plot.box); }))
+      kept.push_back(plot);
+  return kept;
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <csetjmp>
+#include <cstdio>
+
+#include <jpeglib.h>
+
+#include "importer/page/stored_picture.h"
+
+namespace detent::importer {
+namespace {
+
+struct ErrorExit {
+  jpeg_error_mgr manager;  // first, so that libjpeg's pointer to it is one to this
+  std::jmp_buf back;
+};
+
+[[noreturn]] void failed(j_common_ptr jpeg) {
+  std::longjmp(reinterpret_cast<ErrorExit*>(jpeg->err)->back, 1);
+}
+void ignored(j_common_ptr) {}
+void ignoredLevel(j_common_ptr, int) {}
+
+/// Adobe's way, in which every CMYK JPEG at hand is written: inverted, so that ink and black just multiply.
+void fromCmyk(const JSAMPLE* from, std::uint8_t* to, int width) {
+  for (int x = 0; x < width; ++x, from += 4, to += 4)
+    for (int c = 0; c < 3; ++c) to[c] = static_cast<std::uint8_t>(from[c] * from[3] / 255);
+}
+
+void fromRgb(const JSAMPLE* from, std::uint8_t* to, int width) {
+  for (int x = 0; x < width; ++x, from += 3, to += 4) to[0] = from[0], to[1] = from[1], to[2] = from[2];
+}
+
+/// What a jump back must not skip the destructors of stands outside. libjpeg reports by longjmp.
+bool readRows(jpeg_decompress_struct& jpeg, ErrorExit& error, std::span<const unsigned char> bytes,
+              StoredPicture& picture, std::vector<JSAMPLE>& line) {
+  if (setjmp(error.back) != 0) return false;
+  jpeg_mem_src(&jpeg, bytes.data(), static_cast<unsigned long>(bytes.size()));
+  jpeg_read_header(&jpeg, TRUE);
+  if (jpeg.image_width != static_cast<JDIMENSION>(picture.width_px) ||
+      jpeg.image_height != static_cast<JDIMENSION>(picture.height_px))
+    return false;
+  const bool cmyk = jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK;
+  jpeg.out_color_space = cmyk ? JCS_CMYK : JCS_RGB;
+  jpeg_start_decompress(&jpeg);
+  while (jpeg.output_scanline < jpeg.output_height) {
+    std::uint8_t* to = picture.row(static_cast<int>(jpeg.output_scanline));
+    JSAMPROW row = line.data();
+    if (jpeg_read_scanlines(&jpeg, &row, 1) != 1) return false;
+    cmyk ? fromCmyk(row, to, picture.width_px) : fromRgb(row, to, picture.width_px);
+  }
+  jpeg_finish_decompress(&jpeg);
+  return true;
+}
+
+}  // namespace
+
+std::optional<StoredPicture> decodeJpeg(std::span<const unsigned char> bytes, int width, int height) {
+  StoredPicture picture(width, height);
+  std::vector<JSAMPLE> line(4 * static_cast<std::size_t>(width));
+  jpeg_decompress_struct jpeg{};
+  ErrorExit error{};
+  jpeg.err = jpeg_std_error(&error.manager);
+  error.manager.error_exit = failed;
+  error.manager.output_message = ignored;
+  error.manager.emit_message = ignoredLevel;
+  jpeg_create_decompress(&jpeg);
+  const bool read = readRows(jpeg, error, bytes, picture, line);
+  jpeg_destroy_decompress(&jpeg);
+  if (!read) return {};
+  return picture;
+}
+
+}  // namespace detent::importer

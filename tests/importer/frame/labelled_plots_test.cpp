@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Plots by their numbers alone, and on papers of two colours.
+
+#include "importer/frame/labelled_plots.h"
+
+#include <catch2/catch.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "importer/frame/darkness.h"
+#include "importer/frame/glyph_marks.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+/// Numbers along two axes; nothing else.
+cv::Mat numbersOf(int columns, int rows, int paper, int ink) {
+  cv::Mat grey(520, 800, CV_8U, cv::Scalar(paper));
+  const auto write = [&](const std::string& text, int cx, int cy) {
+    cv::putText(grey, text, {cx - 6 * static_cast<int>(text.size()), cy + 6}, cv::FONT_HERSHEY_SIMPLEX, 0.55,
+                cv::Scalar(ink), 1, cv::LINE_AA);
+  };
+  for (int k = 0; k < columns; ++k) write(std::to_string(k), 100 + 120 * k, 460);
+  for (int k = 0; k < rows; ++k) write(std::to_string(20 * k + 10), 60, 430 - 70 * k);
+  return grey;
+}
+
+Raster rasterOf(const cv::Mat& grey) {
+  Raster raster;
+  raster.width_px = grey.cols, raster.height_px = grey.rows;
+  for (int y = 0; y < grey.rows; ++y)
+    for (int x = 0; x < grey.cols; ++x)
+      for (int c = 0; c < 3; ++c) raster.rgb.push_back(grey.at<std::uint8_t>(y, x));
+  return raster;
+}
+
+std::vector<LabelledPlot> plotsIn(const cv::Mat& grey) {
+  return findLabelledPlots(inkOf(darknessOf(rasterOf(grey), PaperBy::region)), 80, 60);
+}
+
+}  // namespace
+
+TEST_CASE("a row and a column of numbers enclose a plot, without any line") {
+  for (const auto& [paper, ink] : {std::pair{255, 0}, {30, 230}, {110, 250}}) {
+    const auto plots = plotsIn(numbersOf(6, 5, paper, ink));
+    REQUIRE(plots.size() == 1);
+    CHECK(plots.front().below >= 5);
+    CHECK(plots.front().left == 5);
+    CHECK(plots.front().box.x0 == Approx(100).margin(8));
+    CHECK(plots.front().box.x1 == Approx(700).margin(8));
+    CHECK(plots.front().box.y0 == Approx(150).margin(8));
+    CHECK(plots.front().box.y1 == Approx(430).margin(8));
+  }
+}
+
+TEST_CASE("a row alone, a column alone, and nothing") {
+  CHECK(plotsIn(numbersOf(6, 0, 255, 0)).empty());
+  CHECK(plotsIn(numbersOf(0, 5, 255, 0)).empty());
+  CHECK(plotsIn(numbersOf(0, 0, 255, 0)).empty());
+}
+
+TEST_CASE("by region: white words on a black page and black ones on its white panel both stand out") {
+  cv::Mat grey(300, 400, CV_8U, cv::Scalar(20));
+  grey(cv::Rect(120, 40, 260, 200)).setTo(255);
+  grey(cv::Rect(60, 100, 3, 12)).setTo(240);
+  grey(cv::Rect(200, 100, 3, 12)).setTo(10);
+  const cv::Mat region = darknessOf(rasterOf(grey), PaperBy::region);
+  CHECK(region.at<std::uint8_t>(105, 61) > 200);
+  CHECK(region.at<std::uint8_t>(105, 201) > 200);
+  CHECK(region.at<std::uint8_t>(150, 50) == 0);
+  CHECK(region.at<std::uint8_t>(150, 300) == 0);
+}

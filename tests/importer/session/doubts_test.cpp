@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What speaks against an import, one at a time.
+
+#include "importer/doubts.h"
+
+#include <algorithm>
+
+#include <catch2/catch.hpp>
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+/// 100 px per mm and per N; the origin stands at (100, 500) of a picture of 700 x 600.
+Point inView(CurvePoint p) { return {100 + 100 * p.displacement_mm, 500 - 100 * p.force_N}; }
+
+StrokePoints strokeOf(const std::vector<CurvePoint>& points) {
+  StrokePoints stroke;
+  for (const CurvePoint& p : points) {
+    stroke.points.push_back(p);
+    stroke.points_px.push_back(inView(p));
+  }
+  return stroke;
+}
+
+/// A press that nothing speaks against, on axes that name their units.
+struct Import {
+  LocatedGraph graph;
+  std::vector<CurveTrace> traces;
+  std::vector<CurvePoint> press{{0, 0.2}, {1, 0.7}, {1.5, 0.5}, {3, 0.8}, {3.2, 1.6}}, release;
+  std::vector<SpecCheck> checks;
+  ImportHints hints;
+  std::size_t tactilePoints = 1;
+
+  Import() {
+    graph.view.raster.width_px = 700, graph.view.raster.height_px = 600;
+    graph.frame.value.corners = {Point{100, 100}, Point{500, 100}, Point{500, 500}, Point{100, 500}};
+    AxisCalibration& axes = graph.axes.calibration.value;
+    axes.x.unit = "mm", axes.y.unit = "N";
+    axes.x.unitFound = axes.y.unitFound = true;
+  }
+
+  std::vector<DoubtCode> doubts() const {
+    const auto fitted = [&](const std::vector<CurvePoint>&) {
+      FittedStroke stroke{StrokeCurve::throughPoints({{0, 0}, {1, 1}}).value(), {}};
+      stroke.summary.tactilePoints.resize(tactilePoints);
+      return stroke;
+    };
+    StrokePair pair{strokeOf(press), {}};
+    FittedStrokes strokes{fitted(press), {}};
+    if (!release.empty()) pair.release = strokeOf(release), strokes.release = fitted(release);
+    Found<StrokePair> found;
+    found.value = pair;
+    std::vector<DoubtCode> kinds;
+    for (const WeighedDoubt& each :
+         doubtsOf({graph, traces, found, strokes, 0.1, 0.1, {}, {}}, checks, hints)) {
+      CHECK(each.confidence < confidenceBar);
+      CHECK_FALSE(english(messageOf(each.doubt)).empty());
+      CHECK_FALSE(commandLineWords(each.doubt.remedies).empty());
+      kinds.push_back(each.doubt.code);
+    }
+    return kinds;
+  }
+  bool doubted(DoubtCode kind) const {
+    const auto kinds = doubts();
+    return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a press and a release that nothing speaks against") {
+  Import import;
+  CHECK(import.doubts().empty());
+  import.release = {{3.2, 1.6}, {3, 0.6}, {1.4, 0.3}, {1, 0.4}, { 0, 0.1 }};
+  CHECK(import.doubts().empty());
+}
+
+TEST_CASE("a unit that no title names is doubted, unless the page confirms it or it is given") {
+  Import import;
+  import.graph.axes.calibration.value.y.unitFound = false;
+  CHECK(import.doubted(DoubtCode::unitMissing));
+  import.checks = {{ {SpecQuantity::tactileForce, 0.7, {}, {}, "Tactile force 0.7 N", 1}, 0.7, true }};
+  CHECK_FALSE(import.doubted(DoubtCode::unitMissing));
+  import.graph.axes.calibration.value.y.otherQuantity = "kPa";
+  CHECK(import.doubted(DoubtCode::otherQuantity));
+  import.hints.axes.yUnit = ForceUnit::newton;
+  CHECK(import.doubts().empty());
+}
+
+TEST_CASE("sizes no button has are said twice or doubted") {
+  Import import;
+  for (CurvePoint& p : import.press) p.force_N *= 1000;
+  CHECK(import.doubted(DoubtCode::implausibleForce));
+  import.hints.axes.yUnit = ForceUnit::newton;
+  CHECK_FALSE(import.doubted(DoubtCode::implausibleForce));
+  Import wide;
+  for (CurvePoint& p : wide.press) p.displacement_mm *= 10;
+  CHECK(wide.doubted(DoubtCode::implausibleTravel));
+}
+
+TEST_CASE("travel and force below zero") {
+  Import import;
+  for (CurvePoint& p : import.press) p.displacement_mm -= 3.2;
+  CHECK(import.doubted(DoubtCode::negativeTravel));
+  Import low;
+  for (CurvePoint& p : low.press) p.force_N -= 0.8;
+  CHECK(low.doubted(DoubtCode::negativeForce));
+}
+
+TEST_CASE("one line traced twice, a line along an axis, more turns than a button has") {
+  Import twice;
+  twice.release = twice.press;
+  std::reverse(twice.release.begin(), twice.release.end());
+  CHECK(twice.doubted(DoubtCode::strokesCoincide));
+  Import level;
+  level.press = {{0, 0.2}, {0.5, 0.7}, {3.5, 0.7}};
+  CHECK(level.doubted(DoubtCode::alongAnAxis));
+  Import falls;
+  falls.press.push_back({3.21, 0});
+  CHECK(falls.doubted(DoubtCode::endsInAFall));
+  Import turns;
+  turns.tactilePoints = 7;
+  CHECK(turns.doubted(DoubtCode::manyTactilePoints));
+}
+
+TEST_CASE("a curve that ends where the picture does, and a second scale") {
+  Import cut;
+  cut.graph.view.raster.width_px = 421;
+  CHECK(cut.doubted(DoubtCode::cutAtPictureEdge));
+  Import scales;
+  scales.graph.axes.otherRightScale = true;
+  CHECK(scales.doubted(DoubtCode::otherScale));
+}
