@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A force-feedback device as the loop sees it: one exchange per period. Everything that is particular to a device stays behind
+// this.
+
+#include <string>
+
+#include "playback/device/device_trouble.h"
+#include "playback/realtime/force_engine.h"
+
+namespace detent::playback {
+
+/// How the link is doing; counted since it was opened.
+struct ForceLinkCounts {
+  std::uint64_t exchanges = 0;   ///< asked for
+  std::uint64_t late = 0;        ///< answers that did not come in their period
+  std::uint64_t malformed = 0;   ///< answers that were none
+  std::uint64_t repeated = 0;    ///< the same answer again
+  std::uint64_t reconnects = 0;  ///< times the device came back
+};
+
+/// One thread uses it, from opening to destruction. The destructor leaves the device without force.
+class ForceDevice {
+ public:
+  virtual ~ForceDevice() = default;
+
+  /// Sends a force and gives the newest reading; waits for it no longer than half a period. `fresh` is false where none came.
+  /// Never throws; a lost device gives no fresh reading until it is back.
+  virtual ForceReading exchange(const ForceCommand& command) = 0;
+
+  /// False while the device is gone (unplugged, reset); exchanges then try to bring it back.
+  virtual bool connected() const { return true; }
+  virtual ForceLinkCounts counts() const { return {}; }
+};
+
+}  // namespace detent::playback

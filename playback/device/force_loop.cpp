@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/device/force_loop.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "playback/device/steady_clock.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr int loopPriority = 70;              // above the audio callback (JACK: 65): a late force is felt, a late sample heard
+constexpr double punctual_s = 100e-6;
+constexpr std::size_t keptRows = 1 << 16;     // a minute at 1 kHz
+constexpr double fullQueuePause_s = 0.0005;
+constexpr int longestFade_steps = 4000;       // the force is gone long before; a device that never answers ends too
+
+}  // namespace
+
+ForceLoop::ForceLoop(std::unique_ptr<ForceDevice> device, const ForceProgram& program, const ForceLoopSettings& settings)
+    : settings_(settings),
+      device_(std::move(device)),
+      program_(std::make_unique<ForceProgram>(program)),
+      engine_(*program_),
+      rows_(keptRows),
+      programs_(4),
+      retired_(8),
+      thread_([this] { run(); }) {}
+
+ForceLoop::~ForceLoop() {
+  abandoned_ = true;
+  stopping_ = true;
+  thread_.join();
+}
+
+void ForceLoop::setProgram(const ForceProgram& program) {
+  std::unique_ptr<ForceProgram> used;
+  while (retired_.try_dequeue(used)) used.reset();
+  programs_.enqueue(std::make_unique<ForceProgram>(program));
+}
+
+void ForceLoop::takeProgram() {
+  std::unique_ptr<ForceProgram> next;
+  if (!programs_.try_dequeue(next)) return;
+  std::swap(program_, next);
+  engine_.setProgram(*program_);
+  retired_.try_enqueue(std::move(next));  // freed by the other thread
+}
+
+ForceLoopStatus ForceLoop::status() const {
+  const std::lock_guard lock(statusMutex_);
+  return published_;
+}
+
+void ForceLoop::takeSteps(std::vector<ForceStep>& steps) {
+  ForceStep step;
+  while (rows_.try_dequeue(step)) steps.push_back(step);
+}
+
+void ForceLoop::publish(bool finished) {
+  std::unique_lock lock(statusMutex_, std::defer_lock);
+  if (finished) {
+    lock.lock();
+  } else if (!lock.try_lock()) {
+    return;
+  }
+  published_.last = engine_.last();
+  published_.deadlines = deadlines_;
+  published_.guard = engine_.counts();
+  published_.link = device_->counts();
+  published_.lowestBalance_mJ = engine_.lowestBalance_mJ();
+  published_.droppedRows = dropped_;
+  published_.connected = device_->connected();
+  published_.finished = finished;
+}
+
+void ForceLoop::keep(const ForceStep& step, bool wait) {
+  while (!rows_.try_enqueue(step)) {
+    if (!wait || abandoned_) {
+      ++dropped_;
+      return;
+    }
+    sleepUntil(now_s() + fullQueuePause_s);
+  }
+}
+
+void ForceLoop::waitFor(double due_s) {
+  sleepUntil(due_s);
+  const double late_s = std::max(0.0, now_s() - due_s);
+  ++deadlines_.steps;
+  deadlines_.within100us += late_s <= punctual_s ? 1 : 0;
+  deadlines_.missed += late_s >= program_->period_s ? 1 : 0;
+  deadlines_.worst_s = std::max(deadlines_.worst_s, late_s);
+  deadlines_.mean_s += (late_s - deadlines_.mean_s) / static_cast<double>(deadlines_.steps);
+}
+
+void ForceLoop::run() {
+  deadlines_.realtime = settings_.paced && requestRealtime(loopPriority);
+  double due_s = now_s();
+  for (std::int64_t i = 0; !stopping_ && (settings_.steps == 0 || i < settings_.steps); ++i) {
+    if (settings_.paced) {
+      waitFor(due_s);
+      // After a stall the loop goes on from now: it does not run after the time it lost.
+      due_s = std::max(due_s, now_s() - program_->period_s) + program_->period_s;
+    }
+    takeProgram();
+    command_ = engine_.step(device_->exchange(command_));
+    keep(engine_.last(), !settings_.paced);
+    publish(false);
+  }
+  engine_.stop();
+  for (int i = 0; i < longestFade_steps && !engine_.silent(); ++i) {
+    if (settings_.paced) sleepUntil(due_s += program_->period_s);
+    command_ = engine_.step(device_->exchange(command_));
+  }
+  device_->exchange(ForceCommand{});
+  publish(true);
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A force device that is computed: mass, Coulomb and viscous friction, encoder steps, held and delayed force, saturation, with a
+// simulated finger on it. One exchange is one period of its own time, whatever the clock says; deterministic.
+
+#include <cstddef>
+#include <vector>
+
+#include "playback/device/force_device.h"
+#include "playback/device/simulated_finger.h"
+
+namespace detent::playback {
+
+struct SimulatedDeviceSettings {
+  double mass_kg = 0.05;
+  double friction_N = 0.05;
+  double damping_Ns_per_mm = 0.001;
+  double step_mm = 0.001;
+  double period_s = 0.001;
+  double delay_s = 0.001;                   ///< from a reading to its force
+  double force_N = 10;                      ///< the motor saturates here
+  double start_mm = 0;
+  double lowest_mm = -3, highest_mm = 150;  ///< hard, inelastic stops
+};
+
+class SimulatedForceDevice : public ForceDevice {
+ public:
+  SimulatedForceDevice(const SimulatedDeviceSettings& settings, SimulatedFinger finger);
+
+  ForceReading exchange(const ForceCommand& command) override;
+
+  /// Where it truly is, between the encoder's steps.
+  double truePosition_mm() const { return position_mm_; }
+  double trueVelocity_mm_per_s() const { return velocity_mm_per_s_; }
+  /// Work the finger has done on the device so far (mJ): what a person would feel of the energy.
+  double fingerWork_mJ() const { return fingerWork_mJ_; }
+
+ private:
+  void advance(double motor_N);
+  double stepped_mm() const;
+
+  SimulatedDeviceSettings settings_;
+  SimulatedFinger finger_;
+  std::size_t substeps_ = 1, delaySubsteps_ = 0;
+  double dt_s_ = 0;
+  double position_mm_ = 0, velocity_mm_per_s_ = 0, fingerWork_mJ_ = 0;
+  std::vector<double> waiting_N_;  ///< forces on their way to the motor, a ring of periods
+  std::size_t newest_ = 0;
+};
+
+}  // namespace detent::playback

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A finger for devices without hardware: a mass that follows an intended movement through its own stiffness and damping,
+// trembles, and pushes but never pulls. Deterministic.
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace detent::playback {
+
+/// Mechanics of a finger tip that presses. Sources and how little is known: docs/decisions/1102-simulated-finger.md.
+struct FingerMechanics {
+  double mass_kg = 0.008;
+  double stiffness_N_per_mm = 0.3;
+  double damping_Ns_per_mm = 0.002;
+  double pulpStiffness_N_per_mm = 2;  ///< of the contact
+  double pulpDamping_Ns_per_mm = 0.001;
+  double reaction_s = 0.12;  ///< from feeling the bottom to turning back
+  double tremor_mm = 0.006;  ///< peak
+};
+
+/// Goes to a place and rests there.
+struct FingerHold {
+  double at_mm = 0;
+  double force_N = 0;       ///< the button's force there: what the finger has to carry
+  double approach_s = 0.4;  ///< > 0
+};
+/// Presses again and again: down until the bottom is felt, back after the reaction time, pause.
+struct FingerPresses {
+  double travel_mm = 4;  ///< where the bottom is
+  double force_N = 1;    ///< strongest force of the button: the finger aims beyond the travel to pass it
+  double press_s = 0.12, release_s = 0.1, pause_s = 0.25;
+};
+/// Intended positions over time, straight between points, the last one held.
+struct FingerPath {
+  std::vector<double> time_s, position_mm;  ///< same length >= 1, times increasing
+};
+/// Forces over time, with no stiffness of its own; the last one held.
+struct FingerForcePath {
+  std::vector<double> time_s, force_N;
+};
+using FingerPlan = std::variant<FingerHold, FingerPresses, FingerPath, FingerForcePath>;
+
+class SimulatedFinger {
+ public:
+  SimulatedFinger(const FingerMechanics& mechanics, FingerPlan plan);
+
+  /// Force of the finger on a device (N, >= 0, along pressing), then one time step of its own. Semi-implicit; `dt_s` at most
+  /// 50 µs for the stiffness above.
+  double push_N(double device_mm, double device_mm_per_s, double dt_s);
+
+ private:
+  double intended_mm(double device_mm);
+  double intended(const FingerHold& plan, double device_mm);
+  double intended(const FingerPresses& plan, double device_mm);
+  double intended(const FingerPath& plan, double device_mm);
+  double intended(const FingerForcePath&, double device_mm) { return device_mm; }
+  double contact_N(double device_mm, double device_mm_per_s) const;
+  double tremor_mm() const;
+
+  FingerMechanics mechanics_;
+  FingerPlan plan_;
+  double time_s_ = 0, tip_mm_, tip_mm_per_s_ = 0, wantedBefore_mm_ = 0;
+  bool started_ = false;
+  std::size_t next_ = 0;  ///< of a path
+  double phaseStart_s_ = 0, turned_mm_ = 0, felt_s_ = -1;
+  enum class Phase : std::uint8_t { pause, down, back } phase_ = Phase::pause;
+};
+
+}  // namespace detent::playback

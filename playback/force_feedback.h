@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Force feedback, as playback's front door offers it: press a button and feel its force, or watch a simulated finger do so.
+//
+// Reading order: prepare/force_device_profile.h   what a device is      prepare/prepare_force.h   button -> program
+//                realtime/force_engine.h          one step of the loop  this file                 running it
+// Threads: as for playback.h, ordinary threads only. Built without devices (DETENT_WITH_DEVICE=OFF), ForcePlayer answers
+// deviceTrouble.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/button.h"
+#include "model/result.h"
+#include "playback/offline/render_press.h"
+#include "playback/prepare/prepare_force.h"
+
+namespace detent::playback {
+
+enum class ForceDeviceKind : std::uint8_t { simulated, serial, odrive, falcon };
+
+/// Which device, as the command line and Setup name it: "sim", "sim:falcon", "sim:rig", "serial:PORT", "odrive:PORT",
+/// "falcon", "falcon:N".
+struct ForceDeviceChoice {
+  ForceDeviceKind kind = ForceDeviceKind::simulated;
+  std::string port;         ///< of serial and odrive
+  unsigned number = 0;      ///< of several Falcons
+  ForceDeviceProfile profile;
+};
+/// Failure: wrongUsage with the words that are known.
+Result<ForceDeviceChoice> forceDeviceFrom(const std::string& text);
+
+/// What the simulated finger does. Real devices have a real one.
+struct FingerChoice {
+  enum class Kind : std::uint8_t { hold, press, trace };
+  Kind kind = Kind::press;
+  std::optional<double> hold_mm;  ///< none: in the middle of the travel
+  PressTrace trace;               ///< intended positions, or forces
+};
+/// "hold", "hold=X" (mm), "press", or the name of a press trace. Failure: wrongUsage, or what is wrong with the file.
+Result<FingerChoice> fingerFrom(const std::string& text);
+
+struct ForcePlayerSettings {
+  ForceDeviceChoice device;
+  ForceSettings force;
+  FingerChoice finger;
+  double seconds = 0;   ///< 0: until stopped
+  bool paced = true;    ///< false: a simulated device runs as fast as it can
+  std::string falconFirmware;  ///< file; the user's own (docs/force-feedback.md)
+};
+
+/// A snapshot for displays; counts since the start.
+struct ForceStatus {
+  ForceStep last;
+  // Punctuality of the loop: how long after its time a step began.
+  std::uint64_t steps = 0, within100us = 0, missedDeadlines = 0;
+  double worstLate_s = 0, meanLate_s = 0;
+  bool realtime = false;
+  ForceGuardCounts guard;
+  std::uint64_t lateAnswers = 0, malformedAnswers = 0, repeatedAnswers = 0, reconnects = 0;
+  double lowestBalance_mJ = 0;  ///< of the passivity observer; below 0: the button gave more than it held
+  std::uint64_t droppedRows = 0;
+  bool connected = true, finished = false;
+};
+
+/// A button under a finger. Destroying it lets the force fall to nothing within 10 ms and joins its thread.
+class ForcePlayer {
+ public:
+  /// Failure: wrongUsage for settings that mean nothing, deviceTrouble where the device cannot be had.
+  static Result<std::unique_ptr<ForcePlayer>> start(const Button& button, const ForcePlayerSettings& settings);
+  virtual ~ForcePlayer() = default;
+
+  /// Exchanges the button under the finger.
+  virtual Result<Done> setButton(const Button& button) = 0;
+  /// What the device could not render as the button has it, its slope limit, its play radius.
+  virtual const ForceSummary& summary() const = 0;
+  virtual ForceStatus status() const = 0;
+  /// Appends every step since the last call, in order.
+  virtual void takeSteps(std::vector<ForceStep>& steps) = 0;
+  virtual void stop() = 0;
+};
+
+}  // namespace detent::playback

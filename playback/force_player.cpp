@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ForcePlayer: the front door's way to prepare/, realtime/ and device/.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "playback/device/force_loop.h"
+#include "playback/device/simulated_device.h"
+#include "playback/force_feedback.h"
+
+namespace detent::playback {
+
+namespace {
+
+/// Where the first state rests by itself: no force, nothing stored.
+double restOf_mm(const ForceProgram& program) {
+  const ForceStateTable& t = program.states[0];
+  const auto least = std::min_element(t.rows.begin(), t.rows.begin() + t.rowCount,
+                                      [](const ForceRow& a, const ForceRow& b) { return a.stored_mJ < b.stored_mJ; });
+  return t.first_mm + static_cast<double>(least - t.rows.begin()) * t.spacing_mm;
+}
+
+double strongestForce_N(const Button& button, double limit_N) {
+  double strongest_N = 0;
+  for (const ButtonState& state : button.states()) {
+    strongest_N = std::max(strongest_N, state.graph.press().forceRange_N().second);
+  }
+  return std::min(strongest_N, limit_N);
+}
+
+Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, const ForceDeviceProfile& device,
+                          double travel_mm) {
+  switch (finger.kind) {
+    case FingerChoice::Kind::hold: {
+      const double at_mm = finger.hold_mm.value_or(travel_mm / 2);
+      if (at_mm < -1 || at_mm > travel_mm + 1) {
+        return Failure{FailureCode::wrongUsage, "--finger hold", "",
+                       "the place lies more than 1 mm outside the travel of " + std::to_string(travel_mm) + " mm",
+                       "Give one inside the travel"};
+      }
+      const double carried_N = button.states().front().graph.press().force_N(at_mm) + device.friction_N;
+      return FingerPlan{FingerHold{at_mm, std::min(carried_N, device.limits.force_N), 0.4}};
+    }
+    case FingerChoice::Kind::press: {
+      FingerPresses presses;
+      presses.travel_mm = travel_mm;
+      presses.force_N = strongestForce_N(button, device.limits.force_N);
+      return FingerPlan{presses};
+    }
+    case FingerChoice::Kind::trace:
+      break;
+  }
+  std::vector<double> times_s, values;
+  for (const PressReading& r : finger.trace.readings) {
+    if (!std::isfinite(r.value) || (!times_s.empty() && r.time_s <= times_s.back())) continue;
+    times_s.push_back(r.time_s);
+    values.push_back(r.value);
+  }
+  if (times_s.empty()) {
+    return Failure{FailureCode::unreadableInput, "--finger", "", "the trace has no reading that is a number",
+                   "Give a press trace with finite values"};
+  }
+  if (finger.trace.quantity == PressTrace::Quantity::force_N) return FingerPlan{FingerForcePath{times_s, values}};
+  return FingerPlan{FingerPath{times_s, values}};
+}
+
+Result<std::unique_ptr<ForceDevice>> simulatedOn(const Button& button, const PreparedForce& prepared,
+                                                 const ForcePlayerSettings& settings) {
+  const ForceDeviceProfile& p = settings.device.profile;
+  Result<FingerPlan> plan = planOf(settings.finger, button, p, prepared.summary.travel_mm);
+  if (!plan) return plan.failure();
+  SimulatedDeviceSettings s;
+  s.mass_kg = p.mass_kg;
+  s.friction_N = p.friction_N;
+  s.damping_Ns_per_mm = p.damping_Ns_per_mm;
+  s.step_mm = p.step_mm;
+  s.period_s = prepared.program.period_s;
+  s.delay_s = p.delay_s;
+  s.force_N = p.limits.force_N;
+  s.start_mm = restOf_mm(prepared.program);
+  s.lowest_mm = std::min(s.lowest_mm, s.start_mm);
+  return std::unique_ptr<ForceDevice>(std::make_unique<SimulatedForceDevice>(s, SimulatedFinger({}, *std::move(plan))));
+}
+
+Result<std::unique_ptr<ForceDevice>> openDevice(const Button& button, const PreparedForce& prepared,
+                                                const ForcePlayerSettings& settings) {
+  switch (settings.device.kind) {
+    case ForceDeviceKind::simulated:
+      return simulatedOn(button, prepared, settings);
+    case ForceDeviceKind::serial:
+    case ForceDeviceKind::odrive:
+    case ForceDeviceKind::falcon:
+      break;
+  }
+  return Failure{FailureCode::deviceTrouble, settings.device.profile.name, "", "is not built in yet", "Use --device sim"};
+}
+
+class RunningForce : public ForcePlayer {
+ public:
+  RunningForce(const ForcePlayerSettings& settings, ForceSummary summary, std::unique_ptr<ForceDevice> device,
+               const ForceProgram& program)
+      : settings_(settings),
+        summary_(std::move(summary)),
+        loop_(std::move(device), program,
+              {settings.paced, static_cast<std::int64_t>(std::llround(settings.seconds / program.period_s))}) {}
+
+  Result<Done> setButton(const Button& button) override {
+    Result<PreparedForce> prepared = prepareForce(button, settings_.device.profile, settings_.force);
+    if (!prepared) return prepared.failure();
+    summary_ = std::move(prepared->summary);
+    loop_.setProgram(prepared->program);
+    return Done{};
+  }
+
+  const ForceSummary& summary() const override { return summary_; }
+
+  ForceStatus status() const override {
+    const ForceLoopStatus from = loop_.status();
+    ForceStatus to;
+    to.last = from.last;
+    to.steps = from.deadlines.steps;
+    to.within100us = from.deadlines.within100us;
+    to.missedDeadlines = from.deadlines.missed;
+    to.worstLate_s = from.deadlines.worst_s;
+    to.meanLate_s = from.deadlines.mean_s;
+    to.realtime = from.deadlines.realtime;
+    to.guard = from.guard;
+    to.lateAnswers = from.link.late;
+    to.malformedAnswers = from.link.malformed;
+    to.repeatedAnswers = from.link.repeated;
+    to.reconnects = from.link.reconnects;
+    to.lowestBalance_mJ = from.lowestBalance_mJ;
+    to.droppedRows = from.droppedRows;
+    to.connected = from.connected;
+    to.finished = from.finished;
+    return to;
+  }
+
+  void takeSteps(std::vector<ForceStep>& steps) override { loop_.takeSteps(steps); }
+  void stop() override { loop_.stop(); }
+
+ private:
+  ForcePlayerSettings settings_;
+  ForceSummary summary_;
+  ForceLoop loop_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button& button, const ForcePlayerSettings& settings) {
+  Result<PreparedForce> prepared = prepareForce(button, settings.device.profile, settings.force);
+  if (!prepared) return prepared.failure();
+  Result<std::unique_ptr<ForceDevice>> device = openDevice(button, *prepared, settings);
+  if (!device) return device.failure();
+  return std::unique_ptr<ForcePlayer>(
+      std::make_unique<RunningForce>(settings, prepared->summary, *std::move(device), prepared->program));
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What is known about one force-feedback device: mechanics, encoder, timing and limits. Presets of the simulated devices; a
+// real one starts from the preset nearest to it (docs/force-feedback.md).
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "playback/realtime/force_program.h"
+
+namespace detent::playback {
+
+/// Plain value. Damping and friction are the device's own, without any button.
+struct ForceDeviceProfile {
+  std::string name;
+  double mass_kg = 0.05;             ///< > 0; moved with the finger
+  double friction_N = 0.05;          ///< >= 0; Coulomb
+  double damping_Ns_per_mm = 0.001;  ///< >= 0; viscous
+  double step_mm = 0.01;             ///< > 0; encoder, at the finger
+  double rate_Hz = 1000;             ///< 50..20000; steps of the law
+  double delay_s = 0.001;  ///< >= 0; from a reading to the force it causes, beyond the hold of one period
+  double largestSlope_N_per_mm = 2;  ///< > 0; stiffest wall it is asked for
+  ForceLimits limits;
+  ForceGuide guide;  ///< present on three-axis devices
+};
+
+/// 1 µm encoder, 50 g: a good device on a bench.
+ForceDeviceProfile simulatedDevice();
+/// Novint Falcon: 38 µm at the knee, 8 N, 1 kHz, three axes. Mass, friction and damping are not measured.
+ForceDeviceProfile falconDevice();
+/// Voice coil with a 10 µm linear encoder.
+ForceDeviceProfile voiceCoilRig();
+
+}  // namespace detent::playback

@@ -1,0 +1,336 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/prepare/prepare_force.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "model/sections.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double shortestTravel_mm = 0.1, longestTravel_mm = 100;
+constexpr double slowest_Hz = 50, fastest_Hz = 20000;
+// Below its rest a state holds the handle where a button's cap would stop, over a way and with a force that cannot surprise.
+constexpr double restraint_N = 0.5, restraint_mm = 3, restraintEnd_mm = 1;
+// A state that has come back to within this of its rest is there.
+constexpr double settle_mm = 0.05;
+// Damping that is sampled and delayed must stay a small part of what the mass does in that time (docs/decisions/1101).
+constexpr double dampingOfMass = 0.25;
+constexpr double widestPlayOfTravel = 0.25;
+constexpr double noticedCrossing_N = 0.001;
+
+Failure outOfRange(const std::string& value, const std::string& problem, const std::string& remedy) {
+  return {FailureCode::wrongUsage, value, "", problem, remedy};
+}
+
+std::string numberText(double value) {
+  std::string text = std::to_string(value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (!text.empty() && text.back() == '.') text.pop_back();
+  return text;
+}
+
+Result<Done> checkDevice(const ForceDeviceProfile& d, double rate_Hz) {
+  const struct {
+    const char* name;
+    double value, least, most;
+  } rules[] = {{"rate in Hz", rate_Hz, slowest_Hz, fastest_Hz},
+               {"mass of the device in kg", d.mass_kg, 1e-4, 100},
+               {"friction of the device in N", d.friction_N, 0, 100},
+               {"damping of the device in N·s/mm", d.damping_Ns_per_mm, 0, 1},
+               {"encoder step in mm", d.step_mm, 1e-6, 1},
+               {"delay of the device in s", d.delay_s, 0, 0.1},
+               {"steepest slope in N/mm", d.largestSlope_N_per_mm, 1e-3, 1e4},
+               {"force limit in N", d.limits.force_N, 1e-3, 1000},
+               {"slew limit in N/s", d.limits.slew_N_per_s, 1, 1e7},
+               {"speed limit in mm/s", d.limits.speed_mm_per_s, 1, 1e5}};
+  for (const auto& rule : rules) {
+    if (rule.value >= rule.least && rule.value <= rule.most) continue;
+    return outOfRange(rule.name, "is " + numberText(rule.value),
+                      "Give one from " + numberText(rule.least) + " to " + numberText(rule.most));
+  }
+  return Done{};
+}
+
+/// Below its start a stroke holds the handle back to it, and lets go of one that is far away.
+double restrained_N(double start_N, double below_mm, double slope_N_per_mm) {
+  const double held_N = std::max(-restraint_N, start_N - slope_N_per_mm * below_mm);
+  const double let_mm = below_mm - std::max(0.0, start_N) / slope_N_per_mm - restraint_mm;
+  return let_mm <= 0 ? held_N : held_N * std::max(0.0, 1 - let_mm / restraintEnd_mm);
+}
+
+/// A curve within the device's force; above its end stands a wall.
+double forceOn(const StrokeCurve& curve, double at_mm, double slope_N_per_mm, double largest_N) {
+  const double above_mm = std::max(0.0, at_mm - curve.end_mm());
+  return std::clamp(curve.force_N(at_mm), -largest_N, largest_N) + slope_N_per_mm * above_mm;
+}
+
+/// The force with which a curve begins; of a wall at its start, the foot.
+double startForce_N(const StrokeCurve& curve, double largest_N) {
+  return std::clamp(curve.knots().front().force_N, -largest_N, largest_N);
+}
+
+double dampingAt(const std::vector<DampingPoint>& points, double at_mm) {
+  if (points.empty()) return 0;
+  const auto next = std::find_if(points.begin(), points.end(),
+                                 [&](const DampingPoint& p) { return p.displacement_mm > at_mm; });
+  if (next == points.begin()) return points.front().damping_Ns_per_mm;
+  if (next == points.end()) return points.back().damping_Ns_per_mm;
+  const DampingPoint &a = *(next - 1), &b = *next;
+  const double share = (at_mm - a.displacement_mm) / (b.displacement_mm - a.displacement_mm);
+  return a.damping_Ns_per_mm + share * (b.damping_Ns_per_mm - a.damping_Ns_per_mm);
+}
+
+class Preparation {
+ public:
+  Preparation(const Button& button, const ForceDeviceProfile& device, const ForceSettings& settings)
+      : button_(button), device_(device), settings_(settings) {}
+
+  PreparedForce run() {
+    ForceProgram& p = prepared_.program;
+    p.period_s = 1 / settings_.rate_Hz.value_or(device_.rate_Hz);
+    p.step_mm = device_.step_mm;
+    p.velocity = settings_.velocity;
+    p.limits = device_.limits;
+    p.guide = device_.guide;
+    p.passivityController = settings_.passivityController;
+    p.law.holdLead_s = 0.5 * p.period_s + device_.delay_s;
+    p.law.settle_mm = std::max(settle_mm, 2 * device_.step_mm);
+    p.stateCount = static_cast<std::uint32_t>(button_.states().size());
+    prepared_.summary.slopeLimit_N_per_mm = slope_ = device_.largestSlope_N_per_mm;
+    for (std::size_t s = 0; s < p.stateCount; ++s) prepareState(s);
+    setPlayRadius();
+    return std::move(prepared_);
+  }
+
+ private:
+  void remark(ForceRemarkKind kind, std::size_t state, double at_mm, double value, double limit) {
+    prepared_.summary.remarks.push_back({kind, state, at_mm, value, limit});
+  }
+
+  void prepareState(std::size_t s) {
+    const ButtonState& from = button_.states()[s];
+    ForceStateTable& to = prepared_.program.states[s];
+    const StrokeCurve& press = from.graph.press();
+    const StrokeCurve& release =
+        settings_.law == ForceLawKind::graph ? from.graph.curve(Stroke::release) : press;
+    setPlaces(press, release, to);
+    setStrokes(press, release, to, s);
+    setDamping(from, to, s);
+    if (button_.selfLocking()) {
+      fill(press, restOf(press), to, &ForceRow::pending_N);
+      setStored(&ForceRow::pending_N, to);
+      setActuation(from, release, to);
+    } else {
+      setStored(&ForceRow::release_N, to);
+    }
+    prepared_.summary.travel_mm = std::max(prepared_.summary.travel_mm, from.graph.travel_mm());
+    prepared_.summary.rowSpacing_mm = std::max(prepared_.summary.rowSpacing_mm, to.spacing_mm);
+  }
+
+  // A press that lies below its release would make energy: there both have the release's force.
+  void setStrokes(const StrokeCurve& press, const StrokeCurve& release, ForceStateTable& to, std::size_t s) {
+    fill(release, beforeRelease(press, release), to, &ForceRow::release_N);
+    fill(press, beforePress(press, release), to, &ForceRow::press_N);
+    double crossing_N = 0, crossing_mm = 0;
+    for (std::size_t i = 0; i < to.rowCount; ++i) {
+      ForceRow& row = to.rows[i];
+      const double apart_N = static_cast<double>(row.release_N - row.press_N), at_mm = placeOf(to, i);
+      if (apart_N > crossing_N && at_mm > std::max(press.start_mm(), release.start_mm()) + apart_N / slope_) {
+        crossing_N = apart_N;
+        crossing_mm = at_mm;
+      }
+      row.press_N = std::max(row.press_N, row.release_N);
+      to.hysteresis = to.hysteresis || row.release_N < row.press_N;
+    }
+    if (crossing_N > noticedCrossing_N) remark(ForceRemarkKind::strokesCross, s, crossing_mm, crossing_N, 0);
+    remarkSteepness(press, s);
+    if (!(release == press)) remarkSteepness(release, s);
+  }
+
+  void setPlaces(const StrokeCurve& press, const StrokeCurve& release, ForceStateTable& to) {
+    const auto held_mm = [&](const StrokeCurve& c) {
+      const double ramp_mm = std::max(0.0, startForce_N(c, device_.limits.force_N)) / slope_;
+      return c.start_mm() - (ramp_mm + restraint_mm + restraintEnd_mm);
+    };
+    to.first_mm = std::min(held_mm(press), held_mm(release));
+    const double end_mm = std::max(press.end_mm(), release.end_mm());
+    to.rowCount = maxForceRows;
+    to.spacing_mm = (end_mm - to.first_mm) / (maxForceRows - 1);
+    to.wallSlope_N_per_mm = slope_;
+  }
+
+  using Force = std::function<double(double at_mm)>;
+
+  /// Held back to a curve's start.
+  Force restOf(const StrokeCurve& curve) const {
+    return [&curve, start_N = startForce_N(curve, device_.limits.force_N), slope = slope_](double at_mm) {
+      return restrained_N(start_N, curve.start_mm() - at_mm, slope);
+    };
+  }
+
+  // Nothing is known about a press that begins deeper than the release ends: there it has the release's force.
+  Force beforePress(const StrokeCurve& press, const StrokeCurve& release) const {
+    if (release.start_mm() >= press.start_mm()) return restOf(press);
+    return
+        [&release, rest = restOf(release), slope = slope_, largest_N = device_.limits.force_N](double at_mm) {
+          return at_mm < release.start_mm() ? rest(at_mm) : forceOn(release, at_mm, slope, largest_N);
+        };
+  }
+
+  // A self-locking state comes to rest where its release ends; a momentary button has to come back to where the press began.
+  Force beforeRelease(const StrokeCurve& press, const StrokeCurve& release) const {
+    if (button_.selfLocking() || press.start_mm() >= release.start_mm()) return restOf(release);
+    const double largest_N = device_.limits.force_N, start_N = startForce_N(release, largest_N);
+    return [&press, rest = restOf(press), start_N, slope = slope_, largest_N](double at_mm) {
+      return std::min(start_N,
+                      at_mm < press.start_mm() ? rest(at_mm) : forceOn(press, at_mm, slope, largest_N));
+    };
+  }
+
+  static double placeOf(const ForceStateTable& t, std::size_t row) {
+    return t.first_mm + static_cast<double>(row) * t.spacing_mm;
+  }
+
+  /// A stroke on the table's places, nowhere steeper than the device can render: steeper rises come later, steeper falls last
+  /// longer, so a peak keeps its force.
+  void fill(const StrokeCurve& curve, const Force& beforeStart, ForceStateTable& to,
+            float ForceRow::*force) const {
+    const double change_N = slope_ * to.spacing_mm;
+    double before_N = 0;
+    for (std::size_t i = 0; i < to.rowCount; ++i) {
+      const double at_mm = placeOf(to, i);
+      const double wanted_N = at_mm < curve.start_mm()
+                                  ? beforeStart(at_mm)
+                                  : forceOn(curve, at_mm, slope_, device_.limits.force_N);
+      before_N = i == 0 ? wanted_N : std::clamp(wanted_N, before_N - change_N, before_N + change_N);
+      to.rows[i].*force = static_cast<float>(before_N);
+    }
+  }
+
+  void remarkSteepness(const StrokeCurve& curve, std::size_t s) {
+    double rise = 0, rise_mm = 0, fall = 0, fall_mm = 0;
+    const double narrowest_mm =
+        curve.travel_mm() / maxForceRows;  // of what a table can hold; a wall is no steeper in it
+    for (std::size_t i = 1; i <= maxForceRows; ++i) {
+      const double to_mm = curve.start_mm() + static_cast<double>(i) * narrowest_mm;
+      const double slope = (curve.force_N(to_mm) - curve.forceBefore_N(to_mm - narrowest_mm)) / narrowest_mm;
+      if (slope > rise) rise = slope, rise_mm = to_mm;
+      if (-slope > fall) fall = -slope, fall_mm = to_mm;
+    }
+    constexpr double rounding = 1.001;
+    if (rise > slope_ * rounding) remark(ForceRemarkKind::wallSoftened, s, rise_mm, rise, slope_);
+    if (fall > slope_ * rounding) remark(ForceRemarkKind::fallSoftened, s, fall_mm, fall, slope_);
+    const auto [low_N, high_N] = curve.forceRange_N();
+    const double strongest_N = std::max(std::abs(low_N), std::abs(high_N)),
+                 largest_N = device_.limits.force_N;
+    if (strongest_N > largest_N)
+      remark(ForceRemarkKind::forceClipped, s, curve.end_mm(), strongest_N, largest_N);
+  }
+
+  void setDamping(const ButtonState& from, ForceStateTable& to, std::size_t s) {
+    to.damped = std::any_of(from.damping.begin(), from.damping.end(),
+                            [](const DampingPoint& d) { return d.damping_Ns_per_mm > 0; });
+    if (!to.damped) return;
+    const double late_s = prepared_.program.period_s + device_.delay_s;
+    const double largest = dampingOfMass * device_.mass_kg * 1e-3 / late_s;
+    double strongest = 0, strongest_mm = 0;
+    for (std::size_t i = 0; i < to.rowCount; ++i) {
+      const double at_mm = placeOf(to, i);
+      const double damping = dampingAt(from.damping, at_mm);
+      if (damping > strongest) strongest = damping, strongest_mm = at_mm;
+      to.rows[i].damping_Ns_per_mm = static_cast<float>(std::min(damping, largest));
+    }
+    if (strongest > largest) remark(ForceRemarkKind::dampingLimited, s, strongest_mm, strongest, largest);
+  }
+
+  void setStored(float ForceRow::*force, ForceStateTable& to) const {
+    double stored_mJ = 0, least_mJ = 0;
+    std::vector<double> sums_mJ(to.rowCount, 0.0);
+    for (std::size_t i = 1; i < to.rowCount; ++i) {
+      stored_mJ += 0.5 * static_cast<double>(to.rows[i].*force + to.rows[i - 1].*force) * to.spacing_mm;
+      sums_mJ[i] = stored_mJ;
+      least_mJ = std::min(least_mJ, stored_mJ);
+    }
+    for (std::size_t i = 0; i < to.rowCount; ++i)
+      to.rows[i].stored_mJ = static_cast<float>(sums_mJ[i] - least_mJ);
+  }
+
+  void setActuation(const ButtonState& from, const StrokeCurve& release, ForceStateTable& to) {
+    const StrokeCurve& press = from.graph.press();
+    double acts_mm =
+        press.end_mm();  // without a stated operating point: where the last jump ends, else at the bottom
+    for (const Section& section : sectionsOf(press, Stroke::press)) {
+      if (section.kind == SectionKind::jump) acts_mm = section.to_mm;
+    }
+    to.rest_mm = release.start_mm();
+    // Where the operating point is the rest itself, a press has to leave the rest before it can have actuated again.
+    const double leave_mm = press.start_mm() + 2 * prepared_.program.law.settle_mm;
+    const double last_mm = press.end_mm() - 2 * device_.step_mm;
+    to.operating_mm =
+        std::min(std::max(from.operatingPoint_mm.value_or(acts_mm), leave_mm), std::max(last_mm, leave_mm));
+    to.actuationEnergy_mJ = stored_mJ(to, to.rest_mm, &ForceRow::release_N) -
+                            stored_mJ(to, press.start_mm(), &ForceRow::pending_N);
+  }
+
+  /// What a stroke holds at the operating point, above what it holds at its own rest.
+  static double stored_mJ(const ForceStateTable& table, double rest_mm, float ForceRow::*force) {
+    double energy_mJ = 0;
+    for (std::size_t i = 1; i < table.rowCount; ++i) {
+      const double at_mm = table.first_mm + (static_cast<double>(i) - 0.5) * table.spacing_mm;
+      if (at_mm < rest_mm || at_mm > table.operating_mm) continue;
+      energy_mJ +=
+          0.5 * static_cast<double>(table.rows[i].*force + table.rows[i - 1].*force) * table.spacing_mm;
+    }
+    return energy_mJ;
+  }
+
+  // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the slope limit.
+  void setPlayRadius() {
+    double radius_mm = 2 * device_.step_mm;
+    for (std::size_t s = 0; s < prepared_.program.stateCount; ++s) {
+      const ForceStateTable& t = prepared_.program.states[s];
+      if (!t.hysteresis) continue;
+      for (std::size_t i = 1; i < t.rowCount; ++i) {
+        const double apart_N = static_cast<double>(t.rows[i].press_N - t.rows[i].release_N);
+        const double rise = static_cast<double>(t.rows[i].press_N - t.rows[i - 1].press_N) / t.spacing_mm;
+        radius_mm = std::max(radius_mm, apart_N / (2 * std::max(slope_ - std::max(rise, 0.0), 0.5 * slope_)));
+      }
+    }
+    const double widest_mm = std::max(2 * device_.step_mm, widestPlayOfTravel * prepared_.summary.travel_mm);
+    if (radius_mm > widest_mm) {
+      remark(ForceRemarkKind::wideReturn, 0, 0, radius_mm, widest_mm);
+      radius_mm = widest_mm;
+    }
+    prepared_.program.law.playRadius_mm = prepared_.summary.playRadius_mm = radius_mm;
+  }
+
+  const Button& button_;
+  const ForceDeviceProfile& device_;
+  const ForceSettings& settings_;
+  double slope_ = 0;
+  PreparedForce prepared_;
+};
+
+}  // namespace
+
+Result<PreparedForce> prepareForce(const Button& button, const ForceDeviceProfile& device,
+                                   const ForceSettings& settings) {
+  if (Result<Done> checked = checkDevice(device, settings.rate_Hz.value_or(device.rate_Hz)); !checked)
+    return checked.failure();
+  for (const ButtonState& state : button.states()) {
+    const double travel_mm = state.graph.travel_mm();
+    if (travel_mm >= shortestTravel_mm && travel_mm <= longestTravel_mm) continue;
+    return outOfRange(
+        "travel of " + (state.name.empty() ? "the button" : "state " + state.name),
+        "is " + numberText(travel_mm) + " mm",
+        "A force device can render 0.1 to 100 mm; scale the button (edit it, or convert its graph)");
+  }
+  return Preparation(button, device, settings).run();
+}
+
+}  // namespace detent::playback

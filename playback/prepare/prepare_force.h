@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// From a button and a force device to what the force loop plays. Only what the button has is prepared: no release curve where
+// it is the press curve, no damping where there is none, no second state for a momentary button.
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "model/button.h"
+#include "model/result.h"
+#include "playback/prepare/force_device_profile.h"
+#include "playback/realtime/force_program.h"
+
+namespace detent::playback {
+
+/// graph: both curves, joined by a play operator. spring: the paper's law, one curve k(x) x and b(x) v.
+enum class ForceLawKind : std::uint8_t { graph, spring };
+
+struct ForceSettings {
+  ForceLawKind law = ForceLawKind::graph;
+  VelocityMethod velocity = VelocityMethod::kalman;
+  std::optional<double> rate_Hz;     ///< 50..20000; none: the device's own
+  bool passivityController = false;  ///< damps when the observer's balance falls below 0
+};
+
+/// What a device cannot render as the button has it.
+enum class ForceRemarkKind : std::uint8_t {
+  wallSoftened,    ///< value: steepest rise, limit: rendered (N/mm)
+  fallSoftened,    ///< value: steepest fall, limit: rendered (N/mm)
+  forceClipped,    ///< value: strongest force, limit: of the device (N)
+  strokesCross,    ///< value: how far the release lies above the press (N); rendered as equal there
+  dampingLimited,  ///< value: strongest damping, limit: rendered (N·s/mm)
+  wideReturn,      ///< value: play radius, limit: a quarter of the travel (mm); the radius is cut to it
+};
+struct ForceRemark {
+  ForceRemarkKind kind{};
+  std::size_t state = 0;
+  double at_mm = 0, value = 0, limit = 0;
+};
+
+struct ForceSummary {
+  double travel_mm = 0;
+  double slopeLimit_N_per_mm = 0;
+  double playRadius_mm = 0;  ///< half the way from the press to the release curve
+  double rowSpacing_mm = 0;  ///< coarsest of the states
+  std::vector<ForceRemark> remarks;
+};
+
+struct PreparedForce {
+  ForceProgram program;
+  ForceSummary summary;
+};
+
+/// Failure wrongUsage names the value of device or settings that is out of its range, or a travel outside 0.1..100 mm. Any
+/// thread; allocates.
+Result<PreparedForce> prepareForce(const Button& button, const ForceDeviceProfile& device,
+                                   const ForceSettings& settings = {});
+
+}  // namespace detent::playback

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/force_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "model/file/button_file.h"
+#include "playback/force_feedback.h"
+#include "playback/program/choice_option.h"
+#include "playback/program/force_log.h"
+#include "playback/program/force_words.h"
+#include "playback/program/json_output.h"
+#include "playback/program/live_line.h"
+
+namespace detent::playback {
+
+namespace {
+
+struct ForceArguments {
+  std::string button, device = "sim", finger = "press";
+  double rate_Hz = 0;  ///< 0: the device's own
+  ForceSettings force;
+  double seconds = 0;
+  bool fast = false;
+  std::string logFile, firmwareFile;
+  bool json = false;
+};
+
+const std::map<std::string, ForceLawKind> laws{{"graph", ForceLawKind::graph}, {"spring", ForceLawKind::spring}};
+const std::map<std::string, VelocityMethod> velocities{
+    {"kalman", VelocityMethod::kalman}, {"foaw", VelocityMethod::foaw}, {"difference", VelocityMethod::difference}};
+
+void addOptions(CLI::App& app, ForceArguments& a) {
+  app.add_option("BUTTON", a.button, "*.button.json")->required();
+  app.add_option("--device", a.device, "sim[:falcon|:rig]|serial:PORT|odrive:PORT|falcon[:N]")->capture_default_str();
+  app.add_option("--finger", a.finger,
+                 "Of a simulated device: hold (rests in the middle), hold=X (at X mm), press (again and again), or a press "
+                 "trace CSV (time_s,displacement_mm or time_s,force_N)")
+      ->capture_default_str();
+  app.add_option("--rate", a.rate_Hz, "Steps per second in Hz, 50..20000; 0: the device's own")->capture_default_str();
+  addChoice(app, "--law", a.force.law, laws,
+            "Both curves of the graph, or one curve with damping (the paper's spring and damper)", "graph");
+  addChoice(app, "--velocity", a.force.velocity, velocities, "How velocity is estimated", "kalman");
+  app.add_option("--seconds", a.seconds, "End after so many seconds; 0: on Ctrl-C")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_flag("--controller", a.force.passivityController,
+               "Damp where the button gives more energy than it took (else this is only measured)");
+  app.add_flag("--fast", a.fast, "A simulated device runs as fast as the machine can; the result is the same");
+  app.add_option("--log", a.logFile, "One row per step: time_s,position_mm,velocity_mm_per_s,force_N,energy_mJ,state");
+  app.add_option("--firmware", a.firmwareFile, "Firmware file of a Falcon; its licence forbids shipping it");
+  app.add_flag("--json", a.json, "One JSON object on stdout at the end");
+}
+
+/// Energy and extremes of a run, from its rows.
+struct RunFigures {
+  double taken_mJ = 0, given_mJ = 0, strongest_N = 0, fastest_mm_per_s = 0;
+  double lowest_mm = 0, highest_mm = 0;
+  std::uint64_t rows = 0, stateChanges = 0;
+
+  void add(const ForceStep& step) {
+    if (rows > 0) {
+      const double work_mJ = step.energy_mJ - before_.energy_mJ;
+      (work_mJ > 0 ? taken_mJ : given_mJ) += std::abs(work_mJ);
+      stateChanges += step.state != before_.state ? 1 : 0;
+    }
+    lowest_mm = rows == 0 ? step.position_mm : std::min(lowest_mm, step.position_mm);
+    highest_mm = rows == 0 ? step.position_mm : std::max(highest_mm, step.position_mm);
+    strongest_N = std::max(strongest_N, std::abs(step.force_N));
+    fastest_mm_per_s = std::max(fastest_mm_per_s, std::abs(step.velocity_mm_per_s));
+    before_ = step;
+    ++rows;
+  }
+
+ private:
+  ForceStep before_;
+};
+
+double percentPunctual(const ForceStatus& s) {
+  return s.steps == 0 ? 100 : 100 * static_cast<double>(s.within100us) / static_cast<double>(s.steps);
+}
+
+std::string liveText(const ForceStatus& s, const Button& button) {
+  char text[160];
+  std::snprintf(text, sizeof text, "%8.3f mm %8.1f mm/s %7.3f N %8.3f mJ  %-10s %5.1f %% on time%s", s.last.position_mm,
+                s.last.velocity_mm_per_s, s.last.force_N, s.last.energy_mJ, stateName(button, s.last.state).c_str(),
+                percentPunctual(s), s.connected ? "" : "  DEVICE LOST, no force");
+  return text;
+}
+
+Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProfile& device, const ForceSummary& summary,
+            const ForceStatus& s, const RunFigures& run, double rate_Hz) {
+  Json remarks = Json::array();
+  for (const ForceRemark& r : summary.remarks) {
+    remarks.push_back({{"code", codeOf(r.kind)},
+                       {"state", stateName(button, static_cast<std::uint32_t>(r.state))},
+                       {"displacement_mm", r.at_mm},
+                       {"value", r.value},
+                       {"limit", r.limit},
+                       {"text", sentenceOf(r, button)}});
+  }
+  return {{"status", "ok"},
+          {"button", button.name()},
+          {"device", a.device},
+          {"device_name", device.name},
+          {"encoder_step_mm", device.step_mm},
+          {"rate_Hz", rate_Hz},
+          {"rows", run.rows},
+          {"seconds", static_cast<double>(run.rows) / rate_Hz},
+          {"slope_limit_N_per_mm", summary.slopeLimit_N_per_mm},
+          {"play_radius_mm", summary.playRadius_mm},
+          {"position_mm", {{"lowest", run.lowest_mm}, {"highest", run.highest_mm}}},
+          {"strongest_N", run.strongest_N},
+          {"fastest_mm_per_s", run.fastest_mm_per_s},
+          {"state_changes", run.stateChanges},
+          {"energy_mJ",
+           {{"taken", run.taken_mJ},
+            {"given", run.given_mJ},
+            {"net", s.last.energy_mJ},
+            {"lowest_balance", s.lowestBalance_mJ}}},
+          {"deadlines",
+           {{"steps", s.steps},
+            {"within_100us", s.within100us},
+            {"missed", s.missedDeadlines},
+            {"worst_us", 1e6 * s.worstLate_s},
+            {"mean_us", 1e6 * s.meanLate_s},
+            {"realtime_scheduling", s.realtime}}},
+          {"safety",
+           {{"missing_readings", s.guard.missing},
+            {"readings_not_finite", s.guard.notFinite},
+            {"absurd_readings", s.guard.absurd},
+            {"fades", s.guard.faded},
+            {"too_fast", s.guard.tooFast},
+            {"force_limited_steps", s.guard.forceLimited},
+            {"slew_limited_steps", s.guard.slewLimited}}},
+          {"link",
+           {{"late", s.lateAnswers},
+            {"malformed", s.malformedAnswers},
+            {"repeated", s.repeatedAnswers},
+            {"reconnects", s.reconnects}}},
+          {"dropped_rows", s.droppedRows},
+          {"remarks", remarks}};
+}
+
+void printFigures(const ForceStatus& s, const RunFigures& run, const ForceSummary& summary, double rate_Hz) {
+  std::fprintf(stderr,
+               "%llu steps at %g Hz, %.2f to %.2f mm, up to %.3f N and %.0f mm/s; play radius %.3f mm, steepest slope %.3g "
+               "N/mm\n",
+               static_cast<unsigned long long>(run.rows), rate_Hz, run.lowest_mm, run.highest_mm, run.strongest_N,
+               run.fastest_mm_per_s, summary.playRadius_mm, summary.slopeLimit_N_per_mm);
+  std::fprintf(stderr, "energy: %.3f mJ taken, %.3f mJ given back; lowest balance %.4f mJ\n", run.taken_mJ, run.given_mJ,
+               s.lowestBalance_mJ);
+  if (s.steps > 0) {
+    std::fprintf(stderr, "deadlines: %.2f %% within 100 us, worst %.0f us, %llu missed%s\n", percentPunctual(s),
+                 1e6 * s.worstLate_s, static_cast<unsigned long long>(s.missedDeadlines),
+                 s.realtime ? "" : " (no real-time scheduling: docs/force-feedback.md)");
+  }
+  const std::uint64_t bad = s.guard.missing + s.guard.notFinite + s.guard.absurd;
+  if (bad > 0 || s.guard.tooFast > 0) {
+    std::fprintf(stderr,
+                 "safety: %llu readings late, %llu not a number, %llu absurd, %llu times too fast; the force was taken away "
+                 "%llu times\n",
+                 static_cast<unsigned long long>(s.guard.missing), static_cast<unsigned long long>(s.guard.notFinite),
+                 static_cast<unsigned long long>(s.guard.absurd), static_cast<unsigned long long>(s.guard.tooFast),
+                 static_cast<unsigned long long>(s.guard.faded + s.guard.tooFast));
+  }
+}
+
+Result<ForcePlayerSettings> settingsFrom(const ForceArguments& a) {
+  ForcePlayerSettings settings;
+  Result<ForceDeviceChoice> device = forceDeviceFrom(a.device);
+  if (!device) return device.failure();
+  Result<FingerChoice> finger = fingerFrom(a.finger);
+  if (!finger) return finger.failure();
+  settings.device = *std::move(device);
+  settings.finger = *std::move(finger);
+  settings.force = a.force;
+  if (a.rate_Hz != 0) settings.force.rate_Hz = a.rate_Hz;
+  settings.seconds = a.seconds;
+  settings.falconFirmware = a.firmwareFile;
+  settings.paced = !a.fast;
+  if (a.fast && settings.device.kind != ForceDeviceKind::simulated) {
+    return Failure{FailureCode::wrongUsage, "--fast", "", "only simulated devices have a time of their own",
+                   "Leave it out, or use --device sim"};
+  }
+  if (a.fast && a.seconds == 0) {
+    return Failure{FailureCode::wrongUsage, "--fast", "", "needs an end", "Add --seconds S"};
+  }
+  return settings;
+}
+
+int run(const ForceArguments& a, const Cancelled& cancelled) {
+  Result<Button> button = readButtonFile(a.button);
+  if (!button) return fail(button.failure());
+  Result<ForcePlayerSettings> settings = settingsFrom(a);
+  if (!settings) return fail(settings.failure());
+  std::optional<ForceLog> log;
+  if (!a.logFile.empty()) {
+    Result<ForceLog> opened = ForceLog::open(a.logFile);
+    if (!opened) return fail(opened.failure());
+    log.emplace(*std::move(opened));
+  }
+  Result<std::unique_ptr<ForcePlayer>> player = ForcePlayer::start(*button, *settings);
+  if (!player) return fail(player.failure());
+  const ForceSummary& summary = (*player)->summary();
+  for (const ForceRemark& r : summary.remarks) {
+    std::fprintf(stderr, "note: %s: %s.\n", a.button.c_str(), sentenceOf(r, *button).c_str());
+  }
+  const double rate_Hz = settings->force.rate_Hz.value_or(settings->device.profile.rate_Hz);
+  RunFigures figures;
+  std::vector<ForceStep> steps;
+  LiveLine line;
+  for (bool finished = false; !finished;) {
+    finished = (*player)->status().finished;
+    if (!finished) std::this_thread::sleep_for(std::chrono::milliseconds(a.fast ? 1 : 50));
+    steps.clear();
+    (*player)->takeSteps(steps);
+    for (const ForceStep& step : steps) {
+      figures.add(step);
+      if (log) log->write(step, 1 / rate_Hz, *button);
+    }
+    line.show(liveText((*player)->status(), *button));
+    if (cancelled()) (*player)->stop();
+  }
+  line.end();
+  const ForceStatus status = (*player)->status();
+  player->reset();
+  if (log) {
+    if (Result<Done> written = log->finish(); !written) return fail(written.failure());
+  }
+  printFigures(status, figures, summary, rate_Hz);
+  if (a.json) print(jsonOf(a, *button, settings->device.profile, summary, status, figures, rate_Hz));
+  return 0;
+}
+
+}  // namespace
+
+void addForceCommand(CLI::App& program, Action& chosen) {
+  CLI::App* app = program.add_subcommand(
+      "force", "A button as force on a force-feedback device, or under a simulated finger. mm, N, s, mJ");
+  const auto arguments = std::make_shared<ForceArguments>();
+  addOptions(*app, *arguments);
+  app->callback([&chosen, arguments] {
+    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+  });
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The log of a force loop: one row per step, written as it runs, whole or not there.
+
+#include <fstream>
+#include <string>
+
+#include "model/result.h"
+#include "playback/force_feedback.h"
+
+namespace detent::playback {
+
+class ForceLog {
+ public:
+  /// Opens a file beside `path`; `finish` renames it. Failure: unreadableInput where it cannot be written.
+  static Result<ForceLog> open(const std::string& path);
+  ForceLog(ForceLog&& other) noexcept = default;
+  ForceLog& operator=(ForceLog&&) = delete;
+  /// What was not finished goes.
+  ~ForceLog();
+
+  /// `period_s` gives a step its time; the names of the states come from `button`, without commas.
+  void write(const ForceStep& step, double period_s, const Button& button);
+  Result<Done> finish();
+
+ private:
+  explicit ForceLog(std::string path);
+  std::string path_, partPath_;
+  std::ofstream out_;
+};
+
+}  // namespace detent::playback

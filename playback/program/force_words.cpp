@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/force_words.h"
+
+#include <cstdio>
+
+namespace detent::playback {
+
+namespace {
+
+template <class... Values>
+std::string worded(const char* format, Values... values) {
+  char text[240];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+}  // namespace
+
+std::string sentenceOf(const ForceRemark& r, const Button& button) {
+  const std::string where = button.selfLocking() ? "state " + stateName(button, static_cast<std::uint32_t>(r.state)) + ": " : "";
+  switch (r.kind) {
+    case ForceRemarkKind::wallSoftened:
+      return where + worded("a wall at %.2f mm: %.3g N/mm is steeper than the device renders; %.3g N/mm is felt", r.at_mm,
+                            r.value, r.limit);
+    case ForceRemarkKind::fallSoftened:
+      return where + worded("the force falls by %.3g N/mm at %.2f mm, faster than the device renders; %.3g N/mm is felt",
+                            r.value, r.at_mm, r.limit);
+    case ForceRemarkKind::forceClipped:
+      return where + worded("%.3g N is more than the device gives; %.3g N is felt", r.value, r.limit);
+    case ForceRemarkKind::strokesCross:
+      return where + worded("the release lies up to %.3g N above the press at %.2f mm, which would make energy; both are felt "
+                            "as the release there",
+                            r.value, r.at_mm);
+    case ForceRemarkKind::dampingLimited:
+      return where + worded("damping of %.3g N·s/mm at %.2f mm is more than the device renders; %.3g N·s/mm is felt", r.value,
+                            r.at_mm, r.limit);
+    case ForceRemarkKind::wideReturn:
+      return where + worded("from press to release would take %.3g mm on this device; it is cut to %.3g mm and may be unsteady",
+                            2 * r.value, 2 * r.limit);
+  }
+  return where;
+}
+
+std::string codeOf(ForceRemarkKind kind) {
+  switch (kind) {
+    case ForceRemarkKind::wallSoftened:
+      return "wall_softened";
+    case ForceRemarkKind::fallSoftened:
+      return "fall_softened";
+    case ForceRemarkKind::forceClipped:
+      return "force_clipped";
+    case ForceRemarkKind::strokesCross:
+      return "strokes_cross";
+    case ForceRemarkKind::dampingLimited:
+      return "damping_limited";
+    case ForceRemarkKind::wideReturn:
+      return "wide_return";
+  }
+  return "";
+}
+
+std::string stateName(const Button& button, std::uint32_t state) {
+  const std::string& name = button.states()[state % button.states().size()].name;
+  return name.empty() ? "momentary" : name;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/realtime/force_engine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace detent::playback {
+
+namespace {
+
+// The controller damps no harder than this: beyond, its own sampling would make energy.
+constexpr double controllerDamping_Ns_per_mm = 0.005;
+constexpr double controllerSpeed_mm_per_s = 0.5;  // below it there is nothing to damp
+
+}  // namespace
+
+ForceEngine::ForceEngine(const ForceProgram& program)
+    : program_(&program),
+      law_(program),
+      guard_(program.limits, program.period_s),
+      velocity_(program.velocity, program.period_s, program.step_mm),
+      sidewaysVelocity_{velocity_, velocity_} {}
+
+void ForceEngine::setProgram(const ForceProgram& program) {
+  const ForceStep last = last_;
+  *this = ForceEngine(program);
+  last_.index = last.index;
+  last_.position_mm = last.position_mm;
+  last_.energy_mJ = last.energy_mJ;
+}
+
+// An encoder that flickers between two steps says no more than that the position lies at their common edge: exactly what
+// this gives. Three steps wide would hide movement.
+double ForceEngine::steadied_mm(double position_mm) {
+  const double half_mm = 0.5 * program_->step_mm * (1 + 1e-9);
+  return steady_mm_ = std::max(position_mm - half_mm, std::min(position_mm + half_mm, steady_mm_));
+}
+
+// E(n) = E(n-1) + F(n-1) (x(n) - x(n-1)): what the held force did on the way here (Hannaford and Ryu's passivity observer).
+void ForceEngine::observe(double position_mm) {
+  last_.energy_mJ += last_.force_N * (position_mm - last_.position_mm);
+  last_.position_mm = position_mm;
+  // A force that rises or fades by itself moves energy of its own: the balance begins where it is whole.
+  const double worked_mJ = last_.energy_mJ + law_.stateEnergy_mJ();
+  const bool whole = guard_.gain() == 1;
+  if (whole && !full_) balanceOrigin_mJ_ = law_.stored_mJ(position_mm) - worked_mJ;
+  full_ = whole;
+  last_.balance_mJ = full_ ? balanceOrigin_mJ_ + worked_mJ : 0;
+  lowestBalance_mJ_ = std::min(lowestBalance_mJ_, last_.balance_mJ);
+}
+
+double ForceEngine::controlled_N(double force_N, double velocity_mm_per_s) const {
+  const double speed_mm_per_s = std::abs(velocity_mm_per_s);
+  if (!program_->passivityController || last_.balance_mJ >= 0 || speed_mm_per_s < controllerSpeed_mm_per_s)
+    return force_N;
+  const double wanted_Ns_per_mm =
+      -last_.balance_mJ / (program_->period_s * velocity_mm_per_s * velocity_mm_per_s);
+  return force_N + std::min(wanted_Ns_per_mm, controllerDamping_Ns_per_mm) * velocity_mm_per_s;
+}
+
+std::array<double, 2> ForceEngine::guide(const std::array<double, 2>& sideways_mm) {
+  std::array<double, 2> force_N{};
+  const ForceGuide& g = program_->guide;
+  if (!g.present) return force_N;
+  for (std::size_t i = 0; i < force_N.size(); ++i) {
+    if (!std::isfinite(sideways_mm[i])) continue;
+    const double velocity = sidewaysVelocity_[i].update(sideways_mm[i]);
+    const double wanted_N = -g.stiffness_N_per_mm * sideways_mm[i] - g.damping_Ns_per_mm * velocity;
+    force_N[i] = guard_.gain() * std::clamp(wanted_N, -g.force_N, g.force_N);
+  }
+  return force_N;
+}
+
+ForceCommand ForceEngine::step(const ForceReading& reading) {
+  ++last_.index;
+  const ReadingVerdict verdict = guard_.judge(reading.position_mm, reading.fresh);
+  ForceCommand command;
+  if (verdict != ReadingVerdict::good) {
+    // The last force for a moment, then down to nothing.
+    command.force_N = last_.force_N = guard_.limit(heldForce_N_, 0);
+    resuming_ = resuming_ || guard_.silent();
+    return command;
+  }
+  if (!running_) {
+    running_ = true;
+    steady_mm_ = last_.position_mm = reading.position_mm;
+    velocity_.restart(reading.position_mm);
+    for (std::size_t i = 0; i < sidewaysVelocity_.size(); ++i)
+      sidewaysVelocity_[i].restart(reading.sideways_mm[i]);
+    law_.restart(reading.position_mm);
+  } else if (resuming_) {
+    velocity_.restart(reading.position_mm);
+  }
+  resuming_ = false;
+  observe(reading.position_mm);
+  const double position_mm = steadied_mm(reading.position_mm);
+  last_.velocity_mm_per_s = velocity_.update(position_mm);
+  heldForce_N_ = controlled_N(law_.step(position_mm, last_.velocity_mm_per_s), last_.velocity_mm_per_s);
+  last_.state = law_.state();
+  last_.actuated = law_.actuated();
+  command.force_N = last_.force_N = guard_.limit(heldForce_N_, last_.velocity_mm_per_s);
+  command.sideways_N = guide(reading.sideways_mm);
+  return command;
+}
+
+}  // namespace detent::playback

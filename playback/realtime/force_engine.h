@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// One step of the force loop: a reading in, a force out. Same rules as the audio callback: no allocation, lock, clock, file or
+// exception. Reading order: velocity_estimator.h, play_operator.h, force_law.h, force_guard.h, this file.
+
+#include <array>
+#include <cstdint>
+
+#include "playback/realtime/force_guard.h"
+#include "playback/realtime/force_law.h"
+#include "playback/realtime/force_program.h"
+#include "playback/realtime/velocity_estimator.h"
+
+namespace detent::playback {
+
+/// What a device measured in one period.
+struct ForceReading {
+  double position_mm = 0;               ///< along the button's axis, 0 at rest, grows with pressing
+  std::array<double, 2> sideways_mm{};  ///< of three-axis devices; 0 on the axis
+  bool fresh = true;                    ///< false: no new answer in this period
+};
+
+/// What it is asked for.
+struct ForceCommand {
+  double force_N = 0;                  ///< against pressing
+  std::array<double, 2> sideways_N{};  ///< along growing `sideways_mm`
+};
+
+/// One row of a log.
+struct ForceStep {
+  std::int64_t index = 0;  ///< steps since the start; time is index * period
+  double position_mm = 0, velocity_mm_per_s = 0, force_N = 0;
+  double energy_mJ = 0;  ///< net work of the finger on the button since the start
+  double balance_mJ =
+      0;  ///< stored at full force, plus work since, plus what changes of state gave or took: below 0,
+          ///< the button gave more than it held
+  std::uint32_t state = 0;
+  bool actuated = false;
+};
+
+class ForceEngine {
+ public:
+  /// The program must outlive the engine.
+  explicit ForceEngine(const ForceProgram& program);
+
+  /// Exchanges the button; the new one's force rises from nothing. The old program may go afterwards.
+  void setProgram(const ForceProgram& program);
+
+  /// One period. Bad readings and too much force never leave here (force_guard.h).
+  ForceCommand step(const ForceReading& reading);
+  /// What the last step did.
+  const ForceStep& last() const { return last_; }
+
+  /// Lets the force fall to nothing within `stopRamp_s` of steps; `silent` once it has.
+  void stop() { guard_.stop(); }
+  bool silent() const { return guard_.silent(); }
+
+  const ForceGuardCounts& counts() const { return guard_.counts(); }
+  /// Lowest balance seen (mJ, <= 0): what a passivity observer reports.
+  double lowestBalance_mJ() const { return lowestBalance_mJ_; }
+
+ private:
+  double steadied_mm(double position_mm);
+  void observe(double position_mm);
+  double controlled_N(double force_N, double velocity_mm_per_s) const;
+  std::array<double, 2> guide(const std::array<double, 2>& sideways_mm);
+
+  const ForceProgram* program_;
+  ForceLaw law_;
+  ForceGuard guard_;
+  VelocityEstimator velocity_;
+  std::array<VelocityEstimator, 2> sidewaysVelocity_;
+  ForceStep last_;
+  bool running_ = false;
+  bool resuming_ = false;  ///< readings were bad until the force was gone: the velocity is not known
+  double steady_mm_ =
+      0;  ///< centre of a play of half an encoder step: a flicker between two steps does not move it
+  double balanceOrigin_mJ_ = 0;  ///< balance less energy less state energy
+  bool full_ = false;            ///< the force is let through whole: the balance counts
+  double heldForce_N_ = 0;       ///< of the last good reading, before the limits
+  double lowestBalance_mJ_ = 0;
+};
+
+}  // namespace detent::playback

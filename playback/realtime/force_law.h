@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The force of a button at a position and a velocity: F = F(x) + b(x) v, with press and release joined by a play operator
+// and the states of a self-locking button. Shrestha, "Basic Model", with measured curves in the place of k(x) x.
+
+#include <cstdint>
+
+#include "playback/realtime/force_program.h"
+#include "playback/realtime/play_operator.h"
+
+namespace detent::playback {
+
+/// Runs one program. The program must outlive it. No allocation, lock, clock or exception.
+class ForceLaw {
+ public:
+  explicit ForceLaw(const ForceProgram& program);
+
+  /// At rest in the first state at a position.
+  void restart(double position_mm);
+
+  /// Force in N, before any limit. `position_mm` is free of flicker (force_engine.h), finite.
+  double step(double position_mm, double velocity_mm_per_s);
+
+  std::uint32_t state() const { return state_; }
+  /// The press of this actuation has passed the operating point (self-locking buttons).
+  bool actuated() const { return actuated_; }
+  /// Energy held at a position of the present state (mJ, >= 0).
+  double stored_mJ(double position_mm) const;
+  /// Change of stored energy by actuations since `restart` (mJ); what a change of state may give or take.
+  double stateEnergy_mJ() const { return stateEnergy_mJ_; }
+
+ private:
+  struct Strokes {
+    double press_N, release_N, pending_N, damping_Ns_per_mm;
+  };
+  Strokes at(double position_mm) const;
+  static Strokes strokesOf(const ForceRow& row, double wall_N);
+  double curveForce_N(const Strokes& strokes, double pressShare) const;
+  bool pending() const { return program_->stateCount > 1 && !actuated_; }
+  double movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const;
+  void followState(double position_mm);
+  const ForceStateTable& table() const { return program_->states[state_]; }
+
+  const ForceProgram* program_;
+  PlayOperator play_;
+  std::uint32_t state_ = 0;
+  bool actuated_ = false;
+  double fading_N_ = 0;  ///< of the state before, cross-fading
+  double fadeFactor_ = 0;
+  double leadSpeed_mm_per_s_ = 0;
+  double stateEnergy_mJ_ = 0;
+};
+
+}  // namespace detent::playback

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a force loop needs to make one button felt on one device, prepared beforehand: fixed size, plainly copyable,
+// nothing to allocate or free while it plays. Built by prepare/prepare_force.h, played by force_engine.h.
+//
+// Signs: displacement grows with pressing; a positive force is what the button pushes back with, as in a force graph.
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace detent::playback {
+
+inline constexpr std::size_t maxForceRows =
+    2048;  ///< per state; a travel of 4 mm is stored every 3 µm or finer
+inline constexpr std::size_t maxForceStates = 2;  ///< momentary: 1, self-locking: 2
+
+/// Everything a state feels at one displacement; linear between rows.
+struct ForceRow {
+  float press_N = 0, release_N = 0;  ///< press >= release
+  float pending_N =
+      0;  ///< self-locking: both ways before the actuation, held at the rest the state began with
+  float damping_Ns_per_mm = 0;
+  float stored_mJ = 0;  ///< what a finger that lets go here gets back, slowly
+};
+
+/// One state of the button, on evenly spaced displacements. No slope in it is steeper than the device can render.
+struct ForceStateTable {
+  double first_mm = 0;    ///< displacement of row 0; before it the force is row 0's
+  double spacing_mm = 1;  ///< > 0
+  std::uint32_t rowCount = 0;
+  double wallSlope_N_per_mm = 0;  ///< beyond the last row: a wall that only pushes
+  bool hysteresis = false;        ///< press and release differ; else one curve is computed
+  bool damped = false;            ///< else no damping is computed
+  double rest_mm = 0;             ///< where a release ends after an actuation (self-locking)
+  double operating_mm = 0;        ///< a press that arrives here has actuated (self-locking)
+  double actuationEnergy_mJ = 0;  ///< stored energy after the actuation less that before it (self-locking)
+  std::array<ForceRow, maxForceRows> rows{};
+};
+
+enum class VelocityMethod : std::uint8_t { kalman, foaw, difference };
+
+/// The law's numbers besides its curves.
+struct ForceLawSettings {
+  double playRadius_mm =
+      0.02;                   ///< > 0; way from the press to the release curve is twice this (play operator)
+  double holdLead_s = 0;      ///< >= 0; half a period and the device's delay: how late the force will act
+  double settle_mm = 0.05;    ///< this close to its rest an actuated state has come back
+  double crossFade_s = 0.01;  ///< a difference of force between two states fades with this time constant
+};
+
+/// What the device can do and may be asked for. Every limit is on by default.
+struct ForceLimits {
+  double force_N = 5;            ///< > 0; largest force, both signs
+  double slew_N_per_s = 2000;    ///< > 0; fastest change of force
+  double speed_mm_per_s = 2000;  ///< > 0; above it the force fades: no button moves like that
+  double lowest_mm = -50;        ///< readings outside lowest..highest are absurd
+  double highest_mm = 150;
+  double startRamp_s = 0.2;        ///< > 0; force rises from nothing over this
+  double stopRamp_s = 0.01;        ///< > 0; and falls to nothing over this
+  std::uint32_t heldReadings = 3;  ///< so many bad readings in a row are bridged with the last force
+};
+
+/// Sideways springs of a three-axis device: the motion stays on the axis of the button (Shrestha, Figure 3).
+struct ForceGuide {
+  bool present = false;
+  double stiffness_N_per_mm = 0;
+  double damping_Ns_per_mm = 0;
+  double force_N = 0;  ///< largest
+};
+
+/// A button prepared for one device.
+struct ForceProgram {
+  double period_s = 0.001;  ///< > 0; one step
+  double step_mm = 0.01;    ///< > 0; of the device's encoder
+  VelocityMethod velocity = VelocityMethod::kalman;
+  ForceLawSettings law;
+  ForceLimits limits;
+  ForceGuide guide;
+  bool passivityController = false;  ///< else the observer is a meter only
+  std::uint32_t stateCount = 0;
+  std::array<ForceStateTable, maxForceStates> states{};
+};
+
+static_assert(std::is_trivially_copyable_v<ForceProgram>, "a program crosses threads by plain copy");
+
+}  // namespace detent::playback

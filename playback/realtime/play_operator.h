@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Rate-independent memory of a direction: the play (backlash) operator. Choosing press or release by the sign of the
+// velocity chatters on a resting finger; this does not (docs/decisions/1100-play-between-the-curves.md).
+
+#include <algorithm>
+
+namespace detent::playback {
+
+/// A centre that is dragged along by a position once that is `radius` away from it.
+class PlayOperator {
+ public:
+  void restart(double position_mm, double radius_mm) { centre_mm_ = position_mm + radius_mm; }
+  double update(double position_mm, double radius_mm) {
+    centre_mm_ = std::max(position_mm - radius_mm, std::min(position_mm + radius_mm, centre_mm_));
+    return centre_mm_;
+  }
+  /// As after a long way inwards.
+  void setPressing(double position_mm, double radius_mm) { centre_mm_ = position_mm - radius_mm; }
+  /// 0 after a long way out, 1 after a long way in, linear between.
+  double pressShare(double position_mm, double radius_mm) const {
+    return 0.5 * (1 + (position_mm - centre_mm_) / radius_mm);
+  }
+  double centre_mm() const { return centre_mm_; }
+
+ private:
+  double centre_mm_ = 0;
+};
+
+}  // namespace detent::playback
