@@ -60,7 +60,8 @@ Result<ForceDeviceChoice> forceDeviceFrom(const std::string& text) {
   if (kind == "sim" && !(detailed && detail.empty())) return simulatedFrom(text, detail);
   if (kind == "falcon") return falconFrom(text, detailed, detail);
   if (kind != "serial" && kind != "odrive") return unknownDevice(text, "there is no such device");
-  if (detail.empty()) return unknownDevice(text, "the port is missing, for example " + kind + ":/dev/ttyACM0");
+  if (detail.empty())
+    return unknownDevice(text, "the port is missing, for example " + kind + ":/dev/ttyACM0");
   ForceDeviceChoice choice;
   choice.kind = kind == "serial" ? ForceDeviceKind::serial : ForceDeviceKind::odrive;
   choice.port = detail;

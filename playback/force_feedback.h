@@ -17,6 +17,7 @@
 #include "model/result.h"
 #include "playback/offline/render_press.h"
 #include "playback/prepare/prepare_force.h"
+#include "playback/realtime/force_engine.h"
 
 namespace detent::playback {
 
@@ -26,8 +27,8 @@ enum class ForceDeviceKind : std::uint8_t { simulated, serial, odrive, falcon };
 /// "falcon", "falcon:N".
 struct ForceDeviceChoice {
   ForceDeviceKind kind = ForceDeviceKind::simulated;
-  std::string port;         ///< of serial and odrive
-  unsigned number = 0;      ///< of several Falcons
+  std::string port;     ///< of serial and odrive
+  unsigned number = 0;  ///< of several Falcons
   ForceDeviceProfile profile;
 };
 /// Failure: wrongUsage with the words that are known.
@@ -47,8 +48,8 @@ struct ForcePlayerSettings {
   ForceDeviceChoice device;
   ForceSettings force;
   FingerChoice finger;
-  double seconds = 0;   ///< 0: until stopped
-  bool paced = true;    ///< false: a simulated device runs as fast as it can
+  double seconds = 0;          ///< 0: until stopped
+  bool paced = true;           ///< false: a simulated device runs as fast as it can
   std::string falconFirmware;  ///< file; the user's own (docs/force-feedback.md)
 };
 
@@ -70,7 +71,8 @@ struct ForceStatus {
 class ForcePlayer {
  public:
   /// Failure: wrongUsage for settings that mean nothing, deviceTrouble where the device cannot be had.
-  static Result<std::unique_ptr<ForcePlayer>> start(const Button& button, const ForcePlayerSettings& settings);
+  static Result<std::unique_ptr<ForcePlayer>> start(const Button& button,
+                                                    const ForcePlayerSettings& settings);
   virtual ~ForcePlayer() = default;
 
   /// Exchanges the button under the finger.

@@ -12,14 +12,6 @@ namespace detent::playback {
 
 namespace {
 
-/// Where the first state rests by itself: no force, nothing stored.
-double restOf_mm(const ForceProgram& program) {
-  const ForceStateTable& t = program.states[0];
-  const auto least = std::min_element(t.rows.begin(), t.rows.begin() + t.rowCount,
-                                      [](const ForceRow& a, const ForceRow& b) { return a.stored_mJ < b.stored_mJ; });
-  return t.first_mm + static_cast<double>(least - t.rows.begin()) * t.spacing_mm;
-}
-
 double strongestForce_N(const Button& button, double limit_N) {
   double strongest_N = 0;
   for (const ButtonState& state : button.states()) {
@@ -34,9 +26,10 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
     case FingerChoice::Kind::hold: {
       const double at_mm = finger.hold_mm.value_or(travel_mm / 2);
       if (at_mm < -1 || at_mm > travel_mm + 1) {
-        return Failure{FailureCode::wrongUsage, "--finger hold", "",
-                       "the place lies more than 1 mm outside the travel of " + std::to_string(travel_mm) + " mm",
-                       "Give one inside the travel"};
+        return Failure{
+            FailureCode::wrongUsage, "--finger hold", "",
+            "the place lies more than 1 mm outside the travel of " + std::to_string(travel_mm) + " mm",
+            "Give one inside the travel"};
       }
       const double carried_N = button.states().front().graph.press().force_N(at_mm) + device.friction_N;
       return FingerPlan{FingerHold{at_mm, std::min(carried_N, device.limits.force_N), 0.4}};
@@ -60,7 +53,8 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
     return Failure{FailureCode::unreadableInput, "--finger", "", "the trace has no reading that is a number",
                    "Give a press trace with finite values"};
   }
-  if (finger.trace.quantity == PressTrace::Quantity::force_N) return FingerPlan{FingerForcePath{times_s, values}};
+  if (finger.trace.quantity == PressTrace::Quantity::force_N)
+    return FingerPlan{FingerForcePath{times_s, values}};
   return FingerPlan{FingerPath{times_s, values}};
 }
 
@@ -77,9 +71,10 @@ Result<std::unique_ptr<ForceDevice>> simulatedOn(const Button& button, const Pre
   s.period_s = prepared.program.period_s;
   s.delay_s = p.delay_s;
   s.force_N = p.limits.force_N;
-  s.start_mm = restOf_mm(prepared.program);
+  s.start_mm = prepared.summary.rest_mm;
   s.lowest_mm = std::min(s.lowest_mm, s.start_mm);
-  return std::unique_ptr<ForceDevice>(std::make_unique<SimulatedForceDevice>(s, SimulatedFinger({}, *std::move(plan))));
+  return std::unique_ptr<ForceDevice>(
+      std::make_unique<SimulatedForceDevice>(s, SimulatedFinger({}, *std::move(plan))));
 }
 
 Result<std::unique_ptr<ForceDevice>> openDevice(const Button& button, const PreparedForce& prepared,
@@ -92,7 +87,8 @@ Result<std::unique_ptr<ForceDevice>> openDevice(const Button& button, const Prep
     case ForceDeviceKind::falcon:
       break;
   }
-  return Failure{FailureCode::deviceTrouble, settings.device.profile.name, "", "is not built in yet", "Use --device sim"};
+  return Failure{FailureCode::deviceTrouble, settings.device.profile.name, "", "is not built in yet",
+                 "Use --device sim"};
 }
 
 class RunningForce : public ForcePlayer {
@@ -101,8 +97,9 @@ class RunningForce : public ForcePlayer {
                const ForceProgram& program)
       : settings_(settings),
         summary_(std::move(summary)),
-        loop_(std::move(device), program,
-              {settings.paced, static_cast<std::int64_t>(std::llround(settings.seconds / program.period_s))}) {}
+        loop_(
+            std::move(device), program,
+            {settings.paced, static_cast<std::int64_t>(std::llround(settings.seconds / program.period_s))}) {}
 
   Result<Done> setButton(const Button& button) override {
     Result<PreparedForce> prepared = prepareForce(button, settings_.device.profile, settings_.force);
@@ -147,7 +144,8 @@ class RunningForce : public ForcePlayer {
 
 }  // namespace
 
-Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button& button, const ForcePlayerSettings& settings) {
+Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button& button,
+                                                        const ForcePlayerSettings& settings) {
   Result<PreparedForce> prepared = prepareForce(button, settings.device.profile, settings.force);
   if (!prepared) return prepared.failure();
   Result<std::unique_ptr<ForceDevice>> device = openDevice(button, *prepared, settings);

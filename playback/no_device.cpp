@@ -27,5 +27,8 @@ Result<LatencyResult> measureLatency(const LatencySettings&,
                                      const std::function<bool(std::size_t, std::size_t)>&) {
   return withoutDevices();
 }
+Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button&, const ForcePlayerSettings&) {
+  return withoutDevices();
+}
 
 }  // namespace detent::playback

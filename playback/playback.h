@@ -26,6 +26,7 @@
 
 #include "model/button.h"
 #include "model/result.h"
+#include "playback/force_feedback.h"
 #include "playback/offline/render_press.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/device_profile.h"

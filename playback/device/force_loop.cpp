@@ -10,15 +10,18 @@ namespace detent::playback {
 
 namespace {
 
-constexpr int loopPriority = 70;              // above the audio callback (JACK: 65): a late force is felt, a late sample heard
+constexpr int loopPriority =
+    70;  // above the audio callback (JACK: 65): a late force is felt, a late sample heard
 constexpr double punctual_s = 100e-6;
-constexpr std::size_t keptRows = 1 << 16;     // a minute at 1 kHz
+constexpr std::size_t keptRows = 1 << 16;  // a minute at 1 kHz
 constexpr double fullQueuePause_s = 0.0005;
-constexpr int longestFade_steps = 4000;       // the force is gone long before; a device that never answers ends too
+constexpr int longestFade_steps =
+    4000;  // the force is gone long before; a device that never answers ends too
 
 }  // namespace
 
-ForceLoop::ForceLoop(std::unique_ptr<ForceDevice> device, const ForceProgram& program, const ForceLoopSettings& settings)
+ForceLoop::ForceLoop(std::unique_ptr<ForceDevice> device, const ForceProgram& program,
+                     const ForceLoopSettings& settings)
     : settings_(settings),
       device_(std::move(device)),
       program_(std::make_unique<ForceProgram>(program)),

@@ -43,7 +43,8 @@ struct ForceLoopStatus {
 /// Owns the device while it lives. Its functions belong to one other thread.
 class ForceLoop {
  public:
-  ForceLoop(std::unique_ptr<ForceDevice> device, const ForceProgram& program, const ForceLoopSettings& settings);
+  ForceLoop(std::unique_ptr<ForceDevice> device, const ForceProgram& program,
+            const ForceLoopSettings& settings);
   /// Lets the force fall to nothing, then lets the device go.
   ~ForceLoop();
   ForceLoop(const ForceLoop&) = delete;

@@ -17,8 +17,8 @@ struct SimulatedDeviceSettings {
   double damping_Ns_per_mm = 0.001;
   double step_mm = 0.001;
   double period_s = 0.001;
-  double delay_s = 0.001;                   ///< from a reading to its force
-  double force_N = 10;                      ///< the motor saturates here
+  double delay_s = 0.001;  ///< from a reading to its force
+  double force_N = 10;     ///< the motor saturates here
   double start_mm = 0;
   double lowest_mm = -3, highest_mm = 150;  ///< hard, inelastic stops
 };

@@ -104,6 +104,7 @@ class Preparation {
     prepared_.summary.slopeLimit_N_per_mm = slope_ = device_.largestSlope_N_per_mm;
     for (std::size_t s = 0; s < p.stateCount; ++s) prepareState(s);
     setPlayRadius();
+    setRest();
     return std::move(prepared_);
   }
 
@@ -268,8 +269,8 @@ class Preparation {
       if (section.kind == SectionKind::jump) acts_mm = section.to_mm;
     }
     to.rest_mm = release.start_mm();
-    // Where the operating point is the rest itself, a press has to leave the rest before it can have actuated again.
-    const double leave_mm = press.start_mm() + 2 * prepared_.program.law.settle_mm;
+    // Where the operating point is a rest itself, a press has to pass the rest before it can come back to it.
+    const double leave_mm = std::max(press.start_mm(), to.rest_mm) + 2 * prepared_.program.law.settle_mm;
     const double last_mm = press.end_mm() - 2 * device_.step_mm;
     to.operating_mm =
         std::min(std::max(from.operatingPoint_mm.value_or(acts_mm), leave_mm), std::max(last_mm, leave_mm));
@@ -287,6 +288,14 @@ class Preparation {
           0.5 * static_cast<double>(table.rows[i].*force + table.rows[i - 1].*force) * table.spacing_mm;
     }
     return energy_mJ;
+  }
+
+  void setRest() {
+    const ForceStateTable& t = prepared_.program.states[0];
+    const auto least =
+        std::min_element(t.rows.begin(), t.rows.begin() + t.rowCount,
+                         [](const ForceRow& a, const ForceRow& b) { return a.stored_mJ < b.stored_mJ; });
+    prepared_.summary.rest_mm = placeOf(t, static_cast<std::size_t>(least - t.rows.begin()));
   }
 
   // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the slope limit.

@@ -41,6 +41,7 @@ struct ForceRemark {
 
 struct ForceSummary {
   double travel_mm = 0;
+  double rest_mm = 0;  ///< where the first state rests by itself: it holds no energy there
   double slopeLimit_N_per_mm = 0;
   double playRadius_mm = 0;  ///< half the way from the press to the release curve
   double rowSpacing_mm = 0;  ///< coarsest of the states

@@ -35,18 +35,23 @@ struct ForceArguments {
   bool json = false;
 };
 
-const std::map<std::string, ForceLawKind> laws{{"graph", ForceLawKind::graph}, {"spring", ForceLawKind::spring}};
-const std::map<std::string, VelocityMethod> velocities{
-    {"kalman", VelocityMethod::kalman}, {"foaw", VelocityMethod::foaw}, {"difference", VelocityMethod::difference}};
+const std::map<std::string, ForceLawKind> laws{{"graph", ForceLawKind::graph},
+                                               {"spring", ForceLawKind::spring}};
+const std::map<std::string, VelocityMethod> velocities{{"kalman", VelocityMethod::kalman},
+                                                       {"foaw", VelocityMethod::foaw},
+                                                       {"difference", VelocityMethod::difference}};
 
 void addOptions(CLI::App& app, ForceArguments& a) {
   app.add_option("BUTTON", a.button, "*.button.json")->required();
-  app.add_option("--device", a.device, "sim[:falcon|:rig]|serial:PORT|odrive:PORT|falcon[:N]")->capture_default_str();
+  app.add_option("--device", a.device, "sim[:falcon|:rig]|serial:PORT|odrive:PORT|falcon[:N]")
+      ->capture_default_str();
   app.add_option("--finger", a.finger,
-                 "Of a simulated device: hold (rests in the middle), hold=X (at X mm), press (again and again), or a press "
+                 "Of a simulated device: hold (rests in the middle), hold=X (at X mm), press (again and "
+                 "again), or a press "
                  "trace CSV (time_s,displacement_mm or time_s,force_N)")
       ->capture_default_str();
-  app.add_option("--rate", a.rate_Hz, "Steps per second in Hz, 50..20000; 0: the device's own")->capture_default_str();
+  app.add_option("--rate", a.rate_Hz, "Steps per second in Hz, 50..20000; 0: the device's own")
+      ->capture_default_str();
   addChoice(app, "--law", a.force.law, laws,
             "Both curves of the graph, or one curve with damping (the paper's spring and damper)", "graph");
   addChoice(app, "--velocity", a.force.velocity, velocities, "How velocity is estimated", "kalman");
@@ -55,8 +60,10 @@ void addOptions(CLI::App& app, ForceArguments& a) {
       ->check(CLI::Range(0.0, 1e6));
   app.add_flag("--controller", a.force.passivityController,
                "Damp where the button gives more energy than it took (else this is only measured)");
-  app.add_flag("--fast", a.fast, "A simulated device runs as fast as the machine can; the result is the same");
-  app.add_option("--log", a.logFile, "One row per step: time_s,position_mm,velocity_mm_per_s,force_N,energy_mJ,state");
+  app.add_flag("--fast", a.fast,
+               "A simulated device runs as fast as the machine can; the result is the same");
+  app.add_option("--log", a.logFile,
+                 "One row per step: time_s,position_mm,velocity_mm_per_s,force_N,energy_mJ,state");
   app.add_option("--firmware", a.firmwareFile, "Firmware file of a Falcon; its licence forbids shipping it");
   app.add_flag("--json", a.json, "One JSON object on stdout at the end");
 }
@@ -91,14 +98,15 @@ double percentPunctual(const ForceStatus& s) {
 
 std::string liveText(const ForceStatus& s, const Button& button) {
   char text[160];
-  std::snprintf(text, sizeof text, "%8.3f mm %8.1f mm/s %7.3f N %8.3f mJ  %-10s %5.1f %% on time%s", s.last.position_mm,
-                s.last.velocity_mm_per_s, s.last.force_N, s.last.energy_mJ, stateName(button, s.last.state).c_str(),
-                percentPunctual(s), s.connected ? "" : "  DEVICE LOST, no force");
+  std::snprintf(text, sizeof text, "%8.3f mm %8.1f mm/s %7.3f N %8.3f mJ  %-10s %5.1f %% on time%s",
+                s.last.position_mm, s.last.velocity_mm_per_s, s.last.force_N, s.last.energy_mJ,
+                stateName(button, s.last.state).c_str(), percentPunctual(s),
+                s.connected ? "" : "  DEVICE LOST, no force");
   return text;
 }
 
-Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProfile& device, const ForceSummary& summary,
-            const ForceStatus& s, const RunFigures& run, double rate_Hz) {
+Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProfile& device,
+            const ForceSummary& summary, const ForceStatus& s, const RunFigures& run, double rate_Hz) {
   Json remarks = Json::array();
   for (const ForceRemark& r : summary.remarks) {
     remarks.push_back({{"code", codeOf(r.kind)},
@@ -153,25 +161,28 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
 
 void printFigures(const ForceStatus& s, const RunFigures& run, const ForceSummary& summary, double rate_Hz) {
   std::fprintf(stderr,
-               "%llu steps at %g Hz, %.2f to %.2f mm, up to %.3f N and %.0f mm/s; play radius %.3f mm, steepest slope %.3g "
+               "%llu steps at %g Hz, %.2f to %.2f mm, up to %.3f N and %.0f mm/s; play radius %.3f mm, "
+               "steepest slope %.3g "
                "N/mm\n",
-               static_cast<unsigned long long>(run.rows), rate_Hz, run.lowest_mm, run.highest_mm, run.strongest_N,
-               run.fastest_mm_per_s, summary.playRadius_mm, summary.slopeLimit_N_per_mm);
-  std::fprintf(stderr, "energy: %.3f mJ taken, %.3f mJ given back; lowest balance %.4f mJ\n", run.taken_mJ, run.given_mJ,
-               s.lowestBalance_mJ);
+               static_cast<unsigned long long>(run.rows), rate_Hz, run.lowest_mm, run.highest_mm,
+               run.strongest_N, run.fastest_mm_per_s, summary.playRadius_mm, summary.slopeLimit_N_per_mm);
+  std::fprintf(stderr, "energy: %.3f mJ taken, %.3f mJ given back; lowest balance %.4f mJ\n", run.taken_mJ,
+               run.given_mJ, s.lowestBalance_mJ);
   if (s.steps > 0) {
-    std::fprintf(stderr, "deadlines: %.2f %% within 100 us, worst %.0f us, %llu missed%s\n", percentPunctual(s),
-                 1e6 * s.worstLate_s, static_cast<unsigned long long>(s.missedDeadlines),
+    std::fprintf(stderr, "deadlines: %.2f %% within 100 us, worst %.0f us, %llu missed%s\n",
+                 percentPunctual(s), 1e6 * s.worstLate_s, static_cast<unsigned long long>(s.missedDeadlines),
                  s.realtime ? "" : " (no real-time scheduling: docs/force-feedback.md)");
   }
   const std::uint64_t bad = s.guard.missing + s.guard.notFinite + s.guard.absurd;
   if (bad > 0 || s.guard.tooFast > 0) {
-    std::fprintf(stderr,
-                 "safety: %llu readings late, %llu not a number, %llu absurd, %llu times too fast; the force was taken away "
-                 "%llu times\n",
-                 static_cast<unsigned long long>(s.guard.missing), static_cast<unsigned long long>(s.guard.notFinite),
-                 static_cast<unsigned long long>(s.guard.absurd), static_cast<unsigned long long>(s.guard.tooFast),
-                 static_cast<unsigned long long>(s.guard.faded + s.guard.tooFast));
+    std::fprintf(
+        stderr,
+        "safety: %llu readings late, %llu not a number, %llu absurd, %llu times too fast; the force was "
+        "taken away "
+        "%llu times\n",
+        static_cast<unsigned long long>(s.guard.missing), static_cast<unsigned long long>(s.guard.notFinite),
+        static_cast<unsigned long long>(s.guard.absurd), static_cast<unsigned long long>(s.guard.tooFast),
+        static_cast<unsigned long long>(s.guard.faded + s.guard.tooFast));
   }
 }
 
@@ -211,7 +222,7 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
   }
   Result<std::unique_ptr<ForcePlayer>> player = ForcePlayer::start(*button, *settings);
   if (!player) return fail(player.failure());
-  const ForceSummary& summary = (*player)->summary();
+  const ForceSummary summary = (*player)->summary();
   for (const ForceRemark& r : summary.remarks) {
     std::fprintf(stderr, "note: %s: %s.\n", a.button.c_str(), sentenceOf(r, *button).c_str());
   }

@@ -13,13 +13,15 @@ namespace detent::playback {
 namespace {
 
 Failure cannotWrite(const std::string& path) {
-  return {FailureCode::unreadableInput, path, "", "the log cannot be written", "Name a file in a folder you may write to"};
+  return {FailureCode::unreadableInput, path, "", "the log cannot be written",
+          "Name a file in a folder you may write to"};
 }
 
 /// A state's name as one field.
 std::string fieldOf(std::string name) {
   std::replace_if(
-      name.begin(), name.end(), [](char c) { return c == ',' || c == '"' || static_cast<unsigned char>(c) < ' '; }, ' ');
+      name.begin(), name.end(),
+      [](char c) { return c == ',' || c == '"' || static_cast<unsigned char>(c) < ' '; }, ' ');
   return name;
 }
 

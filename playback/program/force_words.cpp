@@ -17,26 +17,35 @@ std::string worded(const char* format, Values... values) {
 }  // namespace
 
 std::string sentenceOf(const ForceRemark& r, const Button& button) {
-  const std::string where = button.selfLocking() ? "state " + stateName(button, static_cast<std::uint32_t>(r.state)) + ": " : "";
+  const std::string where =
+      button.selfLocking() ? "state " + stateName(button, static_cast<std::uint32_t>(r.state)) + ": " : "";
   switch (r.kind) {
     case ForceRemarkKind::wallSoftened:
-      return where + worded("a wall at %.2f mm: %.3g N/mm is steeper than the device renders; %.3g N/mm is felt", r.at_mm,
-                            r.value, r.limit);
+      return where +
+             worded("a wall at %.2f mm: %.3g N/mm is steeper than the device renders; %.3g N/mm is felt",
+                    r.at_mm, r.value, r.limit);
     case ForceRemarkKind::fallSoftened:
-      return where + worded("the force falls by %.3g N/mm at %.2f mm, faster than the device renders; %.3g N/mm is felt",
-                            r.value, r.at_mm, r.limit);
+      return where +
+             worded(
+                 "the force falls by %.3g N/mm at %.2f mm, faster than the device renders; %.3g N/mm is felt",
+                 r.value, r.at_mm, r.limit);
     case ForceRemarkKind::forceClipped:
       return where + worded("%.3g N is more than the device gives; %.3g N is felt", r.value, r.limit);
     case ForceRemarkKind::strokesCross:
-      return where + worded("the release lies up to %.3g N above the press at %.2f mm, which would make energy; both are felt "
-                            "as the release there",
-                            r.value, r.at_mm);
+      return where + worded(
+                         "the release lies up to %.3g N above the press at %.2f mm, which would make energy; "
+                         "both are felt "
+                         "as the release there",
+                         r.value, r.at_mm);
     case ForceRemarkKind::dampingLimited:
-      return where + worded("damping of %.3g N·s/mm at %.2f mm is more than the device renders; %.3g N·s/mm is felt", r.value,
-                            r.at_mm, r.limit);
+      return where +
+             worded("damping of %.3g N·s/mm at %.2f mm is more than the device renders; %.3g N·s/mm is felt",
+                    r.value, r.at_mm, r.limit);
     case ForceRemarkKind::wideReturn:
-      return where + worded("from press to release would take %.3g mm on this device; it is cut to %.3g mm and may be unsteady",
-                            2 * r.value, 2 * r.limit);
+      return where + worded(
+                         "from press to release would take %.3g mm on this device; it is cut to %.3g mm and "
+                         "may be unsteady",
+                         2 * r.value, 2 * r.limit);
   }
   return where;
 }

@@ -8,6 +8,8 @@
 #include "model/version.h"
 #include "playback/program/calibrate_command.h"
 #include "playback/program/devices_command.h"
+#include "playback/program/force_command.h"
+#include "playback/program/identify_command.h"
 #include "playback/program/latency_command.h"
 #include "playback/program/live_command.h"
 #include "playback/program/render_command.h"
@@ -30,6 +32,8 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   addLatencyCommand(program, chosen);
   addCalibrateCommand(program, chosen);
   addStudyCommand(program, chosen);
+  addForceCommand(program, chosen);
+  addIdentifyCommand(program, chosen);
   program.require_subcommand(0, 1);
   try {
     program.parse(argc, argv);

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/xy_plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "model/file/svg_plot.h"
+
+namespace detent::playback {
+
+namespace {
+
+// Pixels.
+constexpr double width = 640, plotHeight = 300, left = 70, right = 20, top = 34, axisRoom = 46,
+                 noteHeight = 16, legendHeight = 16;
+constexpr int aboutTicks = 6;
+constexpr double thinnest_px = 0.4;  // points closer than this to the last one are left out
+
+template <class... Values>
+void append(std::string& out, const char* format, Values... values) {
+  char text[400];
+  std::snprintf(text, sizeof text, format, values...);
+  out += text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    if (c == '<') {
+      out += "&lt;";
+    } else if (c == '&') {
+      out += "&amp;";
+    } else {
+      out += c;
+    }
+  }
+  return out;
+}
+
+struct Range {
+  double low = std::numeric_limits<double>::infinity(), high = -std::numeric_limits<double>::infinity();
+  void add(double value) {
+    if (!std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  Ticks ticks() const {
+    if (!(low <= high)) return niceTicks(0, 1, aboutTicks);
+    return niceTicks(low, high > low ? high : low + 1, aboutTicks);
+  }
+};
+
+class Panel {
+ public:
+  Panel(const XyPlot& plot, double y) : plot_(plot), top_(y + top) {
+    Range xs, ys;
+    for (const PlotLine& line : plot.lines) {
+      for (const PlotPoint& p : line.points) xs.add(p.x), ys.add(p.y);
+    }
+    x_ = xs.ticks();
+    y_ = ys.ticks();
+  }
+
+  std::string svg() const {
+    std::string out;
+    append(out, "<text x=\"%g\" y=\"%g\" font-weight=\"bold\">%s</text>\n", left, top_ - 14,
+           escaped(plot_.title).c_str());
+    grid(out);
+    for (const PlotLine& line : plot_.lines) draw(out, line);
+    words(out);
+    return out;
+  }
+
+  static double heightOf(const XyPlot& plot) {
+    const auto named = std::count_if(plot.lines.begin(), plot.lines.end(),
+                                     [](const PlotLine& l) { return !l.name.empty(); });
+    return top + plotHeight + axisRoom + noteHeight * static_cast<double>(plot.notes.size()) +
+           legendHeight * static_cast<double>(named) + 10;
+  }
+
+ private:
+  double px(double x) const {
+    return left + (x - x_.at(0)) / (x_.last() - x_.at(0)) * (width - left - right);
+  }
+  double py(double y) const {
+    return top_ + plotHeight - (y - y_.at(0)) / (y_.last() - y_.at(0)) * plotHeight;
+  }
+
+  void grid(std::string& out) const {
+    for (int i = 0; i < x_.count; ++i) {
+      const double x = px(x_.at(i));
+      append(out, "<path d=\"M%.2f %.2fV%.2f\" stroke=\"#ddd\"/>\n", x, top_, top_ + plotHeight);
+      append(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%.*f</text>\n", x,
+             top_ + plotHeight + 16, x_.decimals, x_.at(i));
+    }
+    for (int i = 0; i < y_.count; ++i) {
+      const double y = py(y_.at(i));
+      append(out, "<path d=\"M%.2f %.2fH%.2f\" stroke=\"#ddd\"/>\n", left, y, width - right);
+      append(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"end\">%.*f</text>\n", left - 6, y + 4,
+             y_.decimals, y_.at(i));
+    }
+    append(out, "<rect x=\"%g\" y=\"%.2f\" width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"#444\"/>\n",
+           left, top_, width - left - right, plotHeight);
+    append(out, "<text x=\"%g\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n", (left + width - right) / 2,
+           top_ + plotHeight + 34, escaped(plot_.xTitle).c_str());
+    append(out, "<text transform=\"translate(16 %.2f) rotate(-90)\" text-anchor=\"middle\">%s</text>\n",
+           top_ + plotHeight / 2, escaped(plot_.yTitle).c_str());
+  }
+
+  void draw(std::string& out, const PlotLine& line) const {
+    out += "<path fill=\"none\" stroke=\"" + line.color + "\" stroke-width=\"1.4\"" +
+           (line.dashed ? " stroke-dasharray=\"6 4\"" : "") + " d=\"";
+    bool pen = false;
+    double lastX = 0, lastY = 0;
+    for (const PlotPoint& p : line.points) {
+      if (!std::isfinite(p.x) || !std::isfinite(p.y)) {
+        pen = false;
+        continue;
+      }
+      const double x = px(p.x), y = py(p.y);
+      if (pen && std::abs(x - lastX) + std::abs(y - lastY) < thinnest_px) continue;
+      append(out, "%c%.2f %.2f", pen ? 'L' : 'M', x, y);
+      pen = true;
+      lastX = x;
+      lastY = y;
+    }
+    out += "\"/>\n";
+  }
+
+  void words(std::string& out) const {
+    double y = top_ + plotHeight + axisRoom + 8;
+    for (const PlotLine& line : plot_.lines) {
+      if (line.name.empty()) continue;
+      append(out, "<path d=\"M%g %.2fh24\" stroke=\"%s\" stroke-width=\"2\"%s/>\n", left, y - 4,
+             line.color.c_str(), line.dashed ? " stroke-dasharray=\"6 4\"" : "");
+      append(out, "<text x=\"%g\" y=\"%.2f\">%s</text>\n", left + 32, y, escaped(line.name).c_str());
+      y += legendHeight;
+    }
+    for (const std::string& note : plot_.notes) {
+      append(out, "<text x=\"%g\" y=\"%.2f\" fill=\"#444\">%s</text>\n", left, y, escaped(note).c_str());
+      y += noteHeight;
+    }
+  }
+
+  const XyPlot& plot_;
+  double top_;
+  Ticks x_, y_;
+};
+
+}  // namespace
+
+std::string svgOf(const std::vector<XyPlot>& plots) {
+  double height = 0;
+  std::string body;
+  for (const XyPlot& plot : plots) {
+    body += Panel(plot, height).svg();
+    height += Panel::heightOf(plot);
+  }
+  std::string out;
+  append(out,
+         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" viewBox=\"0 0 %g %g\" "
+         "font-family=\"sans-serif\" "
+         "font-size=\"12\">\n<rect width=\"100%%\" height=\"100%%\" fill=\"white\"/>\n",
+         width, height, width, height);
+  return out + body + "</svg>\n";
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Lines over two axes as an SVG: what a run or a recording looks like.
+
+#include <string>
+#include <vector>
+
+namespace detent::playback {
+
+struct PlotPoint {
+  double x = 0, y = 0;
+};
+
+/// One line; a NaN breaks it.
+struct PlotLine {
+  std::string name;   ///< in the legend; empty: in none
+  std::string color;  ///< of SVG, "#1f5fa8"
+  std::vector<PlotPoint> points;
+  bool dashed = false;
+};
+
+struct XyPlot {
+  std::string title, xTitle, yTitle;
+  std::vector<std::string> notes;  ///< lines of text under the plot: equations, settings
+  std::vector<PlotLine> lines;
+};
+
+/// A whole SVG document with the plots one below the other. Lines are thinned to what a screen shows. Deterministic.
+std::string svgOf(const std::vector<XyPlot>& plots);
+
+}  // namespace detent::playback

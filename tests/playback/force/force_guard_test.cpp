@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/realtime/force_guard.h"
+
+#include <cmath>
+#include <limits>
+
+#include <catch2/catch.hpp>
+
+#include "playback/realtime/force_engine.h"
+
+namespace {
+
+using namespace detent::playback;
+
+constexpr double period_s = 0.001;
+
+/// A guard that has let the whole force through.
+ForceGuard running(const ForceLimits& limits = {}) {
+  ForceGuard guard(limits, period_s);
+  for (int i = 0; i < 300; ++i) {
+    guard.judge(1, true);
+    guard.limit(1, 0);
+  }
+  return guard;
+}
+
+}  // namespace
+
+TEST_CASE("force guard: the start ramps in") {
+  ForceGuard guard({}, period_s);
+  double before_N = 0;
+  for (int i = 0; i < 220; ++i) {
+    guard.judge(0, true);
+    const double force_N = guard.limit(2, 0);
+    CHECK(force_N - before_N <= 2 * period_s / 0.2 + 1e-12);
+    before_N = force_N;
+  }
+  CHECK(before_N == 2);
+}
+
+TEST_CASE("force guard: bad readings are held for three samples, then the force is gone within 10 ms") {
+  const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+                        1e6, 40};
+  for (const double reading : bad) {
+    ForceGuard guard = running();
+    for (int i = 0; i < 3; ++i) {
+      CHECK(guard.judge(reading, true) != ReadingVerdict::good);
+      CHECK(guard.limit(1, 0) == 1);
+    }
+    for (int i = 0; i < 10; ++i) {
+      guard.judge(std::nan(""), true);
+      CHECK(guard.limit(1, 0) < 1);
+    }
+    CHECK(guard.silent());
+    CHECK(guard.counts().faded == 1);
+  }
+  ForceGuard late = running();
+  for (int i = 0; i < 13; ++i) {
+    CHECK(late.judge(1, false) == ReadingVerdict::missing);
+    late.limit(1, 0);
+  }
+  CHECK(late.silent());
+  CHECK(late.counts().missing == 13);
+  // Good readings bring it back, slowly.
+  for (int i = 0; i < 5; ++i) late.judge(1, true);
+  CHECK(late.limit(1, 0) < 0.02);
+}
+
+TEST_CASE("force guard: force, its change and speed are limited and counted") {
+  ForceLimits limits;
+  limits.force_N = 5;
+  ForceGuard guard = running(limits);
+  guard.judge(1, true);
+  CHECK(guard.limit(1000, 0) == Approx(1 + limits.slew_N_per_s * period_s));
+  for (int i = 0; i < 10; ++i) CHECK(guard.limit(1000, 0) <= 5);
+  CHECK(guard.limit(std::numeric_limits<double>::quiet_NaN(), 0) == 0);
+  CHECK(guard.counts().forceLimited > 5);
+  CHECK(guard.counts().slewLimited > 0);
+  for (int i = 0; i < 10; ++i) {
+    guard.judge(1, true);
+    guard.limit(1, 5000);
+  }
+  CHECK(guard.silent());
+  CHECK(guard.counts().tooFast == 1);
+}
+
+TEST_CASE("force guard: after a stop the force is gone within 10 ms and stays gone") {
+  ForceGuard guard = running();
+  guard.stop();
+  for (int i = 0; i < 10; ++i) {
+    guard.judge(1, true);
+    guard.limit(1, 0);
+  }
+  CHECK(guard.silent());
+  for (int i = 0; i < 300; ++i) {
+    guard.judge(1, true);
+    CHECK(guard.limit(1, 0) == 0);
+  }
+}

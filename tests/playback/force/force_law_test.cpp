@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The force law on sample-like buttons, under a simulated finger.
+#include "playback/realtime/force_law.h"
+
+#include <limits>
+#include <random>
+
+#include <catch2/catch.hpp>
+
+#include "tests/playback/force/force_run.h"
+#include "tests/playback/force/sample_files.h"
+
+namespace {
+
+using namespace detent;
+using namespace detent::playback;
+using namespace detent::test;
+
+std::vector<ForceDeviceProfile> presets() { return {simulatedDevice(), falconDevice(), voiceCoilRig()}; }
+
+/// Slow full stroke through the law alone; gives the force at each place.
+double forceAfter(ForceLaw& law, double from_mm, double to_mm) {
+  const int steps = 2000;
+  double force_N = 0;
+  for (int i = 1; i <= steps; ++i) force_N = law.step(from_mm + (to_mm - from_mm) * i / steps, 0);
+  return force_N;
+}
+
+}  // namespace
+
+TEST_CASE("force law: full strokes lie on the two curves, and nothing happens between at rest") {
+  const Button button = sampleButton("B");
+  const PreparedForce prepared = forceOf(button, simulatedDevice());
+  const ForceGraph& graph = button.states().front().graph;
+  ForceLaw law(prepared.program);
+  law.restart(0);
+  for (const double x : {0.5, 1.25, 1.75, 2.5, 3.5})
+    CHECK(forceAfter(law, 0, x) == Approx(graph.press().force_N(x)).margin(0.002));
+  for (const double x : {3.5, 2.2, 1.55, 1.05, 0.3}) {
+    CHECK(forceAfter(law, 3.9, x) == Approx(graph.release()->force_N(x)).margin(0.002));
+  }
+  // The same place, again and again: the same force, to the last bit.
+  const double force_N = law.step(0.3, 0);
+  for (int i = 0; i < 100; ++i) CHECK(law.step(0.3, 0) == force_N);
+}
+
+TEST_CASE("force law: the on/off button holds at 22.9 mm and comes back after the second press") {
+  const PreparedForce prepared = forceOf(sampleButton("latch"), simulatedDevice());
+  ForceLaw law(prepared.program);
+  law.restart(0);
+  CHECK(forceAfter(law, 0, 12) == Approx(1.2).margin(0.01));
+  CHECK(forceAfter(law, 12, 5) == Approx(0.5).margin(0.01));  // not actuated: it springs back
+  forceAfter(law, 5, 24.5);
+  CHECK(law.actuated());
+  forceAfter(law, 24.5, 22.9);
+  CHECK(law.state() == 1);
+  CHECK(forceAfter(law, 22.9, 22.0) < -0.4);  // restricted at the new rest
+  forceAfter(law, 22.0, 25.0);
+  CHECK(law.actuated());
+  CHECK(forceAfter(law, 25.0, 10) == Approx(1.0).margin(0.01));
+  forceAfter(law, 10, 0);
+  CHECK(law.state() == 0);
+}
+
+TEST_CASE("force law: what a button does not have is not computed") {
+  const PreparedForce spring = forceOf(sampleButton("push"), simulatedDevice());
+  CHECK_FALSE(spring.program.states[0].hysteresis);
+  CHECK(spring.program.states[0].damped);
+  const PreparedForce graph = forceOf(sampleButton("A"), simulatedDevice());
+  CHECK(graph.program.states[0].hysteresis);
+  CHECK_FALSE(graph.program.states[0].damped);
+  ForceSettings settings;
+  settings.law = ForceLawKind::spring;
+  CHECK_FALSE(forceOf(sampleButton("A"), simulatedDevice(), settings).program.states[0].hysteresis);
+}
+
+TEST_CASE("force law: a resting finger feels nothing move, on every device and sample") {
+  for (const ForceDeviceProfile& device : presets()) {
+    for (const std::string& name : sampleNames()) {
+      const Button button = sampleButton(name);
+      const PreparedForce prepared = forceOf(button, device);
+      for (const double share : {0.0, 0.3, 0.55, 0.8}) {
+        const double at_mm = share * prepared.summary.travel_mm;
+        const double carried_N = button.states().front().graph.press().force_N(at_mm) + device.friction_N;
+        ForceRun run(prepared, device, FingerHold{at_mm, carried_N, 0.4});
+        run.run(1.2);
+        Quiet quiet;
+        run.run(0.8, [&](const ForceStep& s) { quiet.add(s.position_mm, s.force_N); });
+        INFO(device.name << ", " << name << " at " << at_mm << " mm");
+        CHECK(quiet.peakToPeak_mm() <= device.step_mm * 1.0001);
+        CHECK(quiet.rms_N() <= 0.005);
+        CHECK(quiet.largestJump_N() <= 0.05);
+      }
+    }
+  }
+}
+
+TEST_CASE("force law: a finger never gets back more than it gave") {
+  std::mt19937 random(20131008);
+  std::uniform_real_distribution<> share(0, 1);
+  for (const ForceDeviceProfile& device : presets()) {
+    for (const std::string& name : sampleNames()) {
+      const PreparedForce prepared = forceOf(sampleButton(name), device);
+      for (int i = 0; i < 6; ++i) {
+        FingerPresses presses{prepared.summary.travel_mm * (0.3 + 0.75 * share(random)),
+                              0.3 + 2 * share(random), 0.04 + 0.3 * share(random), 0.03 + 0.3 * share(random),
+                              0.1};
+        FingerMechanics finger;
+        finger.stiffness_N_per_mm = 0.2 + 0.6 * share(random);
+        ForceRun run(prepared, device, presses, finger);
+        run.run(1.5);
+        INFO(device.name << ", " << name << ", press " << i);
+        CHECK(run.leastFingerWork_mJ() >= -1e-6);
+      }
+    }
+  }
+}
+
+TEST_CASE(
+    "prepare force: impossible buttons and devices are refused with a sentence, hard ones are softened and "
+    "told") {
+  const auto steep = StrokeCurve::fromKnots({{0, 0.1, 0, 0}, {1, 0.2, 0, 0}, {1.0001, 1e5, 0, 0}});
+  REQUIRE(steep);
+  const Button hard = buttonOf("hard", {{"", *ForceGraph::fromCurves(*steep, {}), {}, {}, {}}});
+  const PreparedForce prepared = forceOf(hard, voiceCoilRig());
+  CHECK(prepared.summary.remarks.size() >= 2);
+  for (const ForceRow& row : prepared.program.states[0].rows) CHECK(std::abs(row.press_N) <= 10);
+
+  CHECK(prepareForce(buttonOf("tiny", {stateOf("", {{0, 0}, {0.05, 1}}, {})}), simulatedDevice())
+            .failure()
+            .code == FailureCode::wrongUsage);
+  CHECK(prepareForce(buttonOf("long", {stateOf("", {{0, 0}, {150, 1}}, {})}), simulatedDevice())
+            .failure()
+            .code == FailureCode::wrongUsage);
+  ForceDeviceProfile broken = simulatedDevice();
+  broken.step_mm = std::numeric_limits<double>::quiet_NaN();
+  CHECK(prepareForce(sampleButton("A"), broken).failure().code == FailureCode::wrongUsage);
+  ForceSettings settings;
+  settings.rate_Hz = 10;
+  CHECK(prepareForce(sampleButton("A"), simulatedDevice(), settings).failure().code ==
+        FailureCode::wrongUsage);
+  CHECK(prepareForce(buttonOf("shortest", {stateOf("", {{0, 0}, {0.1, 1}}, {})}), simulatedDevice()).ok());
+}
