@@ -17,6 +17,7 @@
 #include "model/result.h"
 #include "playback/offline/render_press.h"
 #include "playback/prepare/prepare_force.h"
+#include "playback/prepare/stability.h"
 #include "playback/realtime/force_engine.h"
 
 namespace detent::playback {
@@ -48,9 +49,8 @@ struct ForcePlayerSettings {
   ForceDeviceChoice device;
   ForceSettings force;
   FingerChoice finger;
-  double seconds = 0;          ///< 0: until stopped
-  bool paced = true;           ///< false: a simulated device runs as fast as it can
-  std::string falconFirmware;  ///< file; the user's own (docs/force-feedback.md)
+  double seconds = 0;  ///< 0: until stopped
+  bool paced = true;   ///< false: a simulated device runs as fast as it can
 };
 
 /// A snapshot for displays; counts since the start.

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "playback/device/force_loop.h"
+#include "playback/device/odrive_force_device.h"
+#include "playback/device/serial_force_device.h"
 #include "playback/device/simulated_device.h"
 #include "playback/force_feedback.h"
 
@@ -77,18 +79,59 @@ Result<std::unique_ptr<ForceDevice>> simulatedOn(const Button& button, const Pre
       std::make_unique<SimulatedForceDevice>(s, SimulatedFinger({}, *std::move(plan))));
 }
 
+Failure failureFrom(const DeviceTrouble& trouble) {
+  return {trouble.wrongUsage ? FailureCode::wrongUsage : FailureCode::deviceTrouble, trouble.device, "",
+          trouble.problem, trouble.remedy};
+}
+
+Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
+                                              const ForceDeviceChoice& choice) {
+  DeviceResult<std::unique_ptr<SerialForceDevice>> device =
+      SerialForceDevice::open(choice.port, choice.baud, prepared.program.period_s);
+  if (!device) return failureFrom(device.trouble());
+  const SerialForceInfo& info = (*device)->info();
+  if (prepared.program.step_mm < info.step_mm * 0.999 ||
+      prepared.program.limits.force_N > info.force_N * 1.001) {
+    return Failure{
+        FailureCode::wrongUsage, choice.port, "",
+        "the device has steps of " + std::to_string(1000 * info.step_mm) + " um and gives " +
+            std::to_string(info.force_N) + " N; it was prepared for finer steps or more force",
+        "Give --step-mm " + std::to_string(info.step_mm) + " --max-N " + std::to_string(info.force_N)};
+  }
+  if (choice.uploadTable) {
+    if (DeviceResult<bool> sent = (*device)->upload(prepared.program); !sent)
+      return failureFrom(sent.trouble());
+  }
+  return std::unique_ptr<ForceDevice>(std::move(*device));
+}
+
+Result<std::unique_ptr<ForceDevice>> odriveOn(const PreparedForce& prepared,
+                                              const ForceDeviceChoice& choice) {
+  OdriveSettings settings;
+  settings.port = choice.port;
+  settings.axis = choice.axis;
+  settings.mmPerTurn = choice.mmPerTurn;
+  settings.period_s = prepared.program.period_s;
+  DeviceResult<std::unique_ptr<OdriveForceDevice>> device = OdriveForceDevice::open(settings);
+  if (!device) return failureFrom(device.trouble());
+  return std::unique_ptr<ForceDevice>(std::move(*device));
+}
+
 Result<std::unique_ptr<ForceDevice>> openDevice(const Button& button, const PreparedForce& prepared,
                                                 const ForcePlayerSettings& settings) {
   switch (settings.device.kind) {
     case ForceDeviceKind::simulated:
       return simulatedOn(button, prepared, settings);
     case ForceDeviceKind::serial:
+      return serialOn(prepared, settings.device);
     case ForceDeviceKind::odrive:
+      return odriveOn(prepared, settings.device);
     case ForceDeviceKind::falcon:
       break;
   }
-  return Failure{FailureCode::deviceTrouble, settings.device.profile.name, "", "is not built in yet",
-                 "Use --device sim"};
+  return Failure{FailureCode::deviceTrouble, "Novint Falcon " + std::to_string(settings.device.number), "",
+                 "this version cannot reach a Falcon yet",
+                 "Try its preset without hardware: --device sim:falcon"};
 }
 
 class RunningForce : public ForcePlayer {

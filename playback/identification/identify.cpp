@@ -120,7 +120,8 @@ Fit fitted(const std::vector<Sample>& samples, const std::vector<double>& knots_
   covarianceOptions.algorithm_type = ceres::DENSE_SVD;
   covarianceOptions.null_space_rank = -1;
   ceres::Covariance covariance(covarianceOptions);
-  if (!covariance.Compute({{parameters.data(), parameters.data()}}, &problem)) return fit;
+  const std::vector<std::pair<const double*, const double*>> whole{{parameters.data(), parameters.data()}};
+  if (!covariance.Compute(whole, &problem)) return fit;
   std::vector<double> block(columns.count() * columns.count());
   covariance.GetCovarianceBlock(parameters.data(), parameters.data(), block.data());
   for (std::size_t i = 0; i < columns.count(); ++i) {

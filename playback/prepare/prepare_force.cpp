@@ -7,6 +7,7 @@
 #include <string>
 
 #include "model/sections.h"
+#include "playback/prepare/damping.h"
 
 namespace detent::playback {
 
@@ -18,8 +19,6 @@ constexpr double slowest_Hz = 50, fastest_Hz = 20000;
 constexpr double restraint_N = 0.5, restraint_mm = 3, restraintEnd_mm = 1;
 // A state that has come back to within this of its rest is there.
 constexpr double settle_mm = 0.05;
-// Damping that is sampled and delayed must stay a small part of what the mass does in that time (docs/decisions/1101).
-constexpr double dampingOfMass = 0.25;
 constexpr double widestPlayOfTravel = 0.25;
 constexpr double noticedCrossing_N = 0.001;
 
@@ -72,17 +71,6 @@ double forceOn(const StrokeCurve& curve, double at_mm, double slope_N_per_mm, do
 /// The force with which a curve begins; of a wall at its start, the foot.
 double startForce_N(const StrokeCurve& curve, double largest_N) {
   return std::clamp(curve.knots().front().force_N, -largest_N, largest_N);
-}
-
-double dampingAt(const std::vector<DampingPoint>& points, double at_mm) {
-  if (points.empty()) return 0;
-  const auto next = std::find_if(points.begin(), points.end(),
-                                 [&](const DampingPoint& p) { return p.displacement_mm > at_mm; });
-  if (next == points.begin()) return points.front().damping_Ns_per_mm;
-  if (next == points.end()) return points.back().damping_Ns_per_mm;
-  const DampingPoint &a = *(next - 1), &b = *next;
-  const double share = (at_mm - a.displacement_mm) / (b.displacement_mm - a.displacement_mm);
-  return a.damping_Ns_per_mm + share * (b.damping_Ns_per_mm - a.damping_Ns_per_mm);
 }
 
 class Preparation {
@@ -237,8 +225,7 @@ class Preparation {
     to.damped = std::any_of(from.damping.begin(), from.damping.end(),
                             [](const DampingPoint& d) { return d.damping_Ns_per_mm > 0; });
     if (!to.damped) return;
-    const double late_s = prepared_.program.period_s + device_.delay_s;
-    const double largest = dampingOfMass * device_.mass_kg * 1e-3 / late_s;
+    const double largest = largestDamping_Ns_per_mm(device_, 1 / prepared_.program.period_s);
     double strongest = 0, strongest_mm = 0;
     for (std::size_t i = 0; i < to.rowCount; ++i) {
       const double at_mm = placeOf(to, i);

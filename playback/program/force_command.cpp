@@ -31,7 +31,12 @@ struct ForceArguments {
   ForceSettings force;
   double seconds = 0;
   bool fast = false;
-  std::string logFile, firmwareFile;
+  std::string logFile;
+  // Of serial devices and ODrives.
+  double step_mm = 0, largest_N = 0;  ///< 0: the preset's
+  unsigned baud = 230400, axis = 0;
+  double mmPerTurn = 60;
+  bool upload = false;
   bool json = false;
 };
 
@@ -64,7 +69,21 @@ void addOptions(CLI::App& app, ForceArguments& a) {
                "A simulated device runs as fast as the machine can; the result is the same");
   app.add_option("--log", a.logFile,
                  "One row per step: time_s,position_mm,velocity_mm_per_s,force_N,energy_mJ,state");
-  app.add_option("--firmware", a.firmwareFile, "Firmware file of a Falcon; its licence forbids shipping it");
+  const std::string real = "Real devices (docs/force-feedback.md)";
+  app.add_option("--step-mm", a.step_mm, "Encoder step at the finger in mm; 0: the preset's")
+      ->capture_default_str()
+      ->group(real);
+  app.add_option("--max-N", a.largest_N, "Largest force in N; 0: the preset's")
+      ->capture_default_str()
+      ->group(real);
+  app.add_option("--baud", a.baud, "Of a serial port")->capture_default_str()->group(real);
+  app.add_flag("--upload", a.upload, "The microcontroller runs the law from a table, at its own rate")
+      ->group(real);
+  app.add_option("--axis", a.axis, "Of an ODrive, 0 or 1")->capture_default_str()->group(real);
+  app.add_option("--mm-per-turn", a.mmPerTurn,
+                 "Of an ODrive's capstan; negative where the motor is mounted the other way")
+      ->capture_default_str()
+      ->group(real);
   app.add_flag("--json", a.json, "One JSON object on stdout at the end");
 }
 
@@ -105,6 +124,26 @@ std::string liveText(const ForceStatus& s, const Button& button) {
   return text;
 }
 
+Json stabilityJson(const StabilityMargin& margin, const Button& button) {
+  Json stretches = Json::array();
+  for (const UnstableStretch& u : margin.unstable) {
+    stretches.push_back({{"state", stateName(button, static_cast<std::uint32_t>(u.state))},
+                         {"from_mm", u.from_mm},
+                         {"to_mm", u.to_mm},
+                         {"falling", u.falling},
+                         {"slope_N_per_mm", u.worst.slope_N_per_mm},
+                         {"allowed_N_per_mm", u.worst.allowed_N_per_mm},
+                         {"bound", codeOf(u.worst.bound)}});
+  }
+  return {{"stable_as_drawn", margin.stable()},
+          {"least_margin_N_per_mm", margin.least.margin_N_per_mm()},
+          {"at_mm", margin.least.displacement_mm},
+          {"allowed_N_per_mm", margin.least.allowed_N_per_mm},
+          {"bound", codeOf(margin.least.bound)},
+          {"any_finger_N_per_mm", margin.anyFinger_N_per_mm},
+          {"unstable", stretches}};
+}
+
 Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProfile& device,
             const ForceSummary& summary, const ForceStatus& s, const RunFigures& run, double rate_Hz) {
   Json remarks = Json::array();
@@ -126,6 +165,7 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
           {"seconds", static_cast<double>(run.rows) / rate_Hz},
           {"slope_limit_N_per_mm", summary.slopeLimit_N_per_mm},
           {"play_radius_mm", summary.playRadius_mm},
+          {"stability", stabilityJson(stabilityOf(button, device, rate_Hz), button)},
           {"position_mm", {{"lowest", run.lowest_mm}, {"highest", run.highest_mm}}},
           {"strongest_N", run.strongest_N},
           {"fastest_mm_per_s", run.fastest_mm_per_s},
@@ -197,7 +237,12 @@ Result<ForcePlayerSettings> settingsFrom(const ForceArguments& a) {
   settings.force = a.force;
   if (a.rate_Hz != 0) settings.force.rate_Hz = a.rate_Hz;
   settings.seconds = a.seconds;
-  settings.falconFirmware = a.firmwareFile;
+  settings.device.baud = a.baud;
+  settings.device.axis = a.axis;
+  settings.device.mmPerTurn = a.mmPerTurn;
+  settings.device.uploadTable = a.upload;
+  if (a.step_mm != 0) settings.device.profile.step_mm = a.step_mm;
+  if (a.largest_N != 0) settings.device.profile.limits.force_N = a.largest_N;
   settings.paced = !a.fast;
   if (a.fast && settings.device.kind != ForceDeviceKind::simulated) {
     return Failure{FailureCode::wrongUsage, "--fast", "", "only simulated devices have a time of their own",
@@ -227,6 +272,9 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
     std::fprintf(stderr, "note: %s: %s.\n", a.button.c_str(), sentenceOf(r, *button).c_str());
   }
   const double rate_Hz = settings->force.rate_Hz.value_or(settings->device.profile.rate_Hz);
+  for (const UnstableStretch& u : stabilityOf(*button, settings->device.profile, rate_Hz).unstable) {
+    std::fprintf(stderr, "stability: %s: %s.\n", a.button.c_str(), sentenceOf(u, *button).c_str());
+  }
   RunFigures figures;
   std::vector<ForceStep> steps;
   LiveLine line;

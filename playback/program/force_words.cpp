@@ -68,6 +68,31 @@ std::string codeOf(ForceRemarkKind kind) {
   return "";
 }
 
+std::string sentenceOf(const UnstableStretch& u, const Button& button) {
+  const char* bears = u.worst.bound == StabilityBound::damping ? "its damping bears"
+                      : u.worst.bound == StabilityBound::quantisation
+                          ? "its friction bears with its encoder steps"
+                          : "it may be asked for";
+  const std::string where =
+      button.selfLocking() ? "state " + stateName(button, static_cast<std::uint32_t>(u.state)) + ": " : "";
+  return where +
+         worded("the %s from %.2f to %.2f mm has %.3g N/mm, the device allows %.3g N/mm: more than %s",
+                u.falling ? "falling jump" : "wall", u.from_mm, u.to_mm, u.worst.slope_N_per_mm,
+                u.worst.allowed_N_per_mm, bears);
+}
+
+std::string codeOf(StabilityBound bound) {
+  switch (bound) {
+    case StabilityBound::damping:
+      return "damping";
+    case StabilityBound::quantisation:
+      return "quantisation";
+    case StabilityBound::device:
+      return "device";
+  }
+  return "";
+}
+
 std::string stateName(const Button& button, std::uint32_t state) {
   const std::string& name = button.states()[state % button.states().size()].name;
   return name.empty() ? "momentary" : name;

@@ -12,6 +12,9 @@ namespace detent::playback {
 std::string sentenceOf(const ForceRemark& remark, const Button& button);
 /// "wall_softened": the same for scripts.
 std::string codeOf(ForceRemarkKind kind);
+/// "the wall from 4.00 to 4.01 mm (142 N/mm) is steeper than the 0.667 N/mm that this device's damping bears".
+std::string sentenceOf(const UnstableStretch& stretch, const Button& button);
+std::string codeOf(StabilityBound bound);
 /// Of a log row: the state's name, "momentary" where it has none.
 std::string stateName(const Button& button, std::uint32_t state);
 

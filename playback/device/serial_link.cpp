@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/device/serial_link.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <termios.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "playback/device/steady_clock.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double reopenPause_s = 0.2, longestWrite_s = 0.001;
+constexpr std::size_t longestLine = 250, reserved = 4096;
+
+speed_t speedOf(unsigned baud) {
+  constexpr std::pair<unsigned, speed_t> known[] = {
+      {9600, B9600},     {57600, B57600},   {115200, B115200},   {230400, B230400},
+      {460800, B460800}, {921600, B921600}, {1000000, B1000000}, {2000000, B2000000}};
+  for (const auto& [rate, speed] : known) {
+    if (rate == baud) return speed;
+  }
+  return B115200;
+}
+
+bool ready(int descriptor, short events, double wait_s) {
+  pollfd poll{descriptor, events, 0};
+  timespec time{};
+  time.tv_sec = static_cast<time_t>(std::max(0.0, wait_s));
+  time.tv_nsec = static_cast<long>((std::max(0.0, wait_s) - static_cast<double>(time.tv_sec)) * 1e9);
+  return ::ppoll(&poll, 1, &time, nullptr) > 0;
+}
+
+}  // namespace
+
+std::uint8_t xorOf(std::string_view text) {
+  std::uint8_t sum = 0;
+  for (const char c : text) sum = static_cast<std::uint8_t>(sum ^ static_cast<std::uint8_t>(c));
+  return sum;
+}
+
+int SerialLink::openPort(const std::string& port, unsigned baud) {
+  const int descriptor = ::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor < 0) return descriptor;
+  termios mode{};
+  if (::tcgetattr(descriptor, &mode) != 0) {
+    ::close(descriptor);
+    errno = ENOTTY;
+    return -1;
+  }
+  ::cfmakeraw(&mode);
+  mode.c_cflag |= CLOCAL | CREAD;
+  ::cfsetspeed(&mode, speedOf(baud));
+  ::tcsetattr(descriptor, TCSANOW, &mode);
+  ::tcflush(descriptor, TCIOFLUSH);
+  return descriptor;
+}
+
+DeviceResult<SerialLink> SerialLink::open(const std::string& port, unsigned baud) {
+  const int descriptor = openPort(port, baud);
+  if (descriptor >= 0) return SerialLink(port, baud, descriptor);
+  return DeviceTrouble{port, std::string("cannot be opened (") + std::strerror(errno) + ")",
+                       "Check the name, the cable and your right to use it (group dialout)"};
+}
+
+SerialLink::SerialLink(std::string port, unsigned baud, int descriptor)
+    : port_(std::move(port)), baud_(baud), descriptor_(descriptor) {
+  received_.reserve(reserved);
+  line_.reserve(reserved);
+}
+
+SerialLink::SerialLink(SerialLink&& other) noexcept { *this = std::move(other); }
+
+SerialLink& SerialLink::operator=(SerialLink&& other) noexcept {
+  std::swap(port_, other.port_);
+  std::swap(baud_, other.baud_);
+  std::swap(descriptor_, other.descriptor_);
+  std::swap(lastTry_s_, other.lastTry_s_);
+  std::swap(received_, other.received_);
+  std::swap(line_, other.line_);
+  return *this;
+}
+
+SerialLink::~SerialLink() { close(); }
+
+void SerialLink::close() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+  descriptor_ = -1;
+  lastTry_s_ = now_s();
+}
+
+bool SerialLink::reopen() {
+  if (now_s() - lastTry_s_ < reopenPause_s) return false;
+  lastTry_s_ = now_s();
+  descriptor_ = openPort(port_, baud_);
+  received_.clear();
+  return isOpen();
+}
+
+void SerialLink::send(std::string_view text) {
+  const double deadline_s = now_s() + longestWrite_s;
+  while (isOpen() && !text.empty()) {
+    const ssize_t sent = ::write(descriptor_, text.data(), text.size());
+    if (sent > 0) {
+      text.remove_prefix(static_cast<std::size_t>(sent));
+    } else if (sent < 0 && errno == EAGAIN && now_s() < deadline_s) {
+      ready(descriptor_, POLLOUT, deadline_s - now_s());
+    } else if (!(sent < 0 && errno == EINTR)) {
+      close();
+    }
+  }
+}
+
+bool SerialLink::fill(double deadline_s) {
+  std::array<char, 512> bytes{};
+  if (!isOpen() || !ready(descriptor_, POLLIN, deadline_s - now_s())) return false;
+  const ssize_t count = ::read(descriptor_, bytes.data(), bytes.size());
+  if (count > 0) {
+    received_.append(bytes.data(), static_cast<std::size_t>(count));
+    return true;
+  }
+  if (count == 0 || (errno != EAGAIN && errno != EINTR)) close();
+  return isOpen();
+}
+
+std::optional<std::string_view> SerialLink::line(double deadline_s) {
+  for (;;) {
+    const std::size_t end = received_.find('\n');
+    if (end != std::string::npos) {
+      line_.assign(received_, 0, end);
+      received_.erase(0, end + 1);
+      while (!line_.empty() && (line_.back() == '\r' || line_.back() == ' ')) line_.pop_back();
+      return line_;
+    }
+    // What has no end is no line: a device that babbles fills no memory.
+    if (received_.size() > longestLine) received_.clear();
+    if (!fill(deadline_s)) return {};
+  }
+}
+
+void SerialLink::forget() {
+  received_.clear();
+  while (fill(now_s())) received_.clear();
+}
+
+}  // namespace detent::playback

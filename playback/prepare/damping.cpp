@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/prepare/damping.h"
+
+#include <algorithm>
+
+namespace detent::playback {
+
+namespace {
+
+// b (T + delay) / m: at 1 a sampled damper oscillates by itself; a quarter leaves room for the estimate of velocity.
+constexpr double dampingOfMass = 0.25;
+
+}  // namespace
+
+double dampingAt(const std::vector<DampingPoint>& points, double at_mm) {
+  if (points.empty()) return 0;
+  const auto next = std::find_if(points.begin(), points.end(),
+                                 [&](const DampingPoint& p) { return p.displacement_mm > at_mm; });
+  if (next == points.begin()) return points.front().damping_Ns_per_mm;
+  if (next == points.end()) return points.back().damping_Ns_per_mm;
+  const DampingPoint &a = *(next - 1), &b = *next;
+  const double share = (at_mm - a.displacement_mm) / (b.displacement_mm - a.displacement_mm);
+  return a.damping_Ns_per_mm + share * (b.damping_Ns_per_mm - a.damping_Ns_per_mm);
+}
+
+double leastDamping(const std::vector<DampingPoint>& points) {
+  if (points.empty()) return 0;
+  return std::min_element(points.begin(), points.end(),
+                          [](const DampingPoint& a, const DampingPoint& b) {
+                            return a.damping_Ns_per_mm < b.damping_Ns_per_mm;
+                          })
+      ->damping_Ns_per_mm;
+}
+
+double raiseDamping(std::vector<DampingPoint>& points, double least_Ns_per_mm, double travel_mm) {
+  if (points.empty()) {
+    points = {{0, least_Ns_per_mm}, {travel_mm, least_Ns_per_mm}};
+    return least_Ns_per_mm;
+  }
+  double added = 0;
+  for (DampingPoint& p : points) {
+    added = std::max(added, least_Ns_per_mm - p.damping_Ns_per_mm);
+    p.damping_Ns_per_mm = std::max(p.damping_Ns_per_mm, least_Ns_per_mm);
+  }
+  return added;
+}
+
+double largestDamping_Ns_per_mm(const ForceDeviceProfile& device, double rate_Hz) {
+  constexpr double mPerMm = 1e-3;
+  return dampingOfMass * device.mass_kg * mPerMm / (1 / rate_Hz + device.delay_s);
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/prepare/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "model/sampling.h"
+#include "playback/prepare/damping.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr std::size_t places = 1024;            // along a travel
+constexpr double leastAllowed_N_per_mm = 0.01;  // a slope limit below this leaves nothing to feel
+constexpr double rounding = 1.0001;
+
+double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.delay_s; }
+
+MarginPoint allowedAt(const ForceDeviceProfile& device, double rate_Hz, double damping_Ns_per_mm) {
+  MarginPoint p;
+  p.allowed_N_per_mm = (device.damping_Ns_per_mm + damping_Ns_per_mm) / late_s(device, rate_Hz);
+  const double quantisation = 2 * device.friction_N / device.step_mm;
+  if (quantisation < p.allowed_N_per_mm)
+    p.allowed_N_per_mm = quantisation, p.bound = StabilityBound::quantisation;
+  if (device.largestSlope_N_per_mm < p.allowed_N_per_mm) {
+    p.allowed_N_per_mm = device.largestSlope_N_per_mm;
+    p.bound = StabilityBound::device;
+  }
+  return p;
+}
+
+/// Slope of a curve over one place, walls included; 0 outside it.
+double slopeOver(const StrokeCurve& curve, double from_mm, double to_mm) {
+  const double low_mm = std::max(from_mm, curve.start_mm()), high_mm = std::min(to_mm, curve.end_mm());
+  if (low_mm > high_mm) return 0;
+  return (curve.force_N(high_mm) - curve.forceBefore_N(low_mm)) / (to_mm - from_mm);
+}
+
+class MarginOfState {
+ public:
+  MarginOfState(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz)
+      : state_(state), device_(device), rate_Hz_(rate_Hz) {}
+
+  void add(std::size_t index, StabilityMargin& margin) const {
+    std::vector<MarginPoint> points;
+    const double spacing_mm = state_.graph.travel_mm() / static_cast<double>(places);
+    bool broken = false;
+    for (std::size_t i = 0; i < places; ++i) {
+      const double from_mm = static_cast<double>(i) * spacing_mm;
+      const double rise = slopeOver(state_.graph.press(), from_mm, from_mm + spacing_mm);
+      const double releaseRise =
+          slopeOver(state_.graph.curve(Stroke::release), from_mm, from_mm + spacing_mm);
+      const double steepest = std::abs(rise) >= std::abs(releaseRise) ? rise : releaseRise;
+      MarginPoint p = allowedAt(device_, rate_Hz_, dampingAt(state_.damping, from_mm + spacing_mm / 2));
+      p.displacement_mm = from_mm + spacing_mm / 2;
+      p.slope_N_per_mm = std::abs(steepest);
+      points.push_back(p);
+      const bool breaks = p.slope_N_per_mm > p.allowed_N_per_mm * rounding;
+      if (breaks && !broken)
+        margin.unstable.push_back({index, from_mm, from_mm + spacing_mm, p, steepest < 0});
+      if (breaks) extend(margin.unstable.back(), from_mm + spacing_mm, p, steepest < 0);
+      broken = breaks;
+      if (margin.states.empty() && points.size() == 1) margin.least = p;
+      if (p.margin_N_per_mm() < margin.least.margin_N_per_mm()) margin.least = p;
+    }
+    margin.states.push_back(std::move(points));
+  }
+
+ private:
+  static void extend(UnstableStretch& stretch, double to_mm, const MarginPoint& p, bool falling) {
+    stretch.to_mm = to_mm;
+    if (p.margin_N_per_mm() >= stretch.worst.margin_N_per_mm()) return;
+    stretch.worst = p;
+    stretch.falling = falling;
+  }
+
+  const ButtonState& state_;
+  const ForceDeviceProfile& device_;
+  double rate_Hz_;
+};
+
+/// A stroke with limited slopes, or itself where nothing had to change. A wall at the end of the travel keeps what fits.
+Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, StabilityChange& change) {
+  const double spacing_mm = curve.travel_mm() / static_cast<double>(places);
+  std::vector<CurvePoint> points;
+  double worst_N = 0;
+  for (std::size_t i = 0; i <= places; ++i) {
+    const double at_mm =
+        i == places ? curve.end_mm() : curve.start_mm() + static_cast<double>(i) * spacing_mm;
+    // The first point of a wall at the start is its foot.
+    const double wanted_N = i == 0 ? curve.forceBefore_N(at_mm) : curve.force_N(at_mm);
+    double force_N = wanted_N;
+    if (i > 0) {
+      const double most_N = slope_N_per_mm * (at_mm - points.back().displacement_mm);
+      force_N = std::clamp(wanted_N, points.back().force_N - most_N, points.back().force_N + most_N);
+    }
+    points.push_back({at_mm, force_N});
+    if (std::abs(force_N - wanted_N) > 1e-9) {
+      if (change.changedTo_mm == 0 && change.changedFrom_mm == 0) change.changedFrom_mm = at_mm;
+      change.changedTo_mm = std::max(change.changedTo_mm, at_mm);
+      worst_N = std::max(worst_N, std::abs(force_N - wanted_N));
+    }
+  }
+  if (worst_N == 0) return curve;
+  change.largestForceChange_N = std::max(change.largestForceChange_N, worst_N);
+  const auto [low_N, high_N] = curve.forceRange_N();
+  return curveThroughDensePoints(points, samplingTolerance * std::max(high_N - low_N, 1e-3));
+}
+
+}  // namespace
+
+StabilityMargin stabilityOf(const Button& button, const ForceDeviceProfile& device, double rate_Hz) {
+  StabilityMargin margin;
+  double strongest = 0;
+  for (std::size_t s = 0; s < button.states().size(); ++s) {
+    MarginOfState(button.states()[s], device, rate_Hz).add(s, margin);
+    for (const DampingPoint& d : button.states()[s].damping)
+      strongest = std::max(strongest, d.damping_Ns_per_mm);
+  }
+  margin.anyFinger_N_per_mm = (device.damping_Ns_per_mm - strongest) / late_s(device, rate_Hz);
+  return margin;
+}
+
+Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfile& device, double rate_Hz) {
+  const double mostDamping = largestDamping_Ns_per_mm(device, rate_Hz);
+  const StabilityMargin margin = stabilityOf(button, device, rate_Hz);
+  std::vector<ButtonState> states = button.states();
+  std::vector<StabilityChange> changes;
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    ButtonState& state = states[s];
+    StabilityChange change;
+    change.state = s;
+    double needed = 0;
+    for (const MarginPoint& p : margin.states[s]) {
+      if (p.margin_N_per_mm() >= 0 || p.bound != StabilityBound::damping) continue;
+      needed = std::max(needed, p.slope_N_per_mm * late_s(device, rate_Hz) - device.damping_Ns_per_mm);
+    }
+    // Beyond what the device may be asked for, damping helps nothing.
+    needed = std::min({needed, mostDamping,
+                       device.largestSlope_N_per_mm * late_s(device, rate_Hz) - device.damping_Ns_per_mm});
+    if (needed > 0) {
+      change.addedDamping_Ns_per_mm = raiseDamping(state.damping, needed, state.graph.travel_mm());
+    }
+    const double allowed = allowedAt(device, rate_Hz, leastDamping(state.damping)).allowed_N_per_mm;
+    if (allowed < leastAllowed_N_per_mm) {
+      return Failure{FailureCode::wrongUsage, device.name, "",
+                     "has so little friction or damping that no button is stable on it",
+                     "Give its friction and damping, or choose another device"};
+    }
+    Result<StrokeCurve> press = limited(state.graph.press(), allowed, change);
+    if (!press) return press.failure();
+    std::optional<StrokeCurve> release;
+    if (state.graph.release()) {
+      Result<StrokeCurve> slower = limited(*state.graph.release(), allowed, change);
+      if (!slower) return slower.failure();
+      release = *std::move(slower);
+    }
+    Result<ForceGraph> graph = ForceGraph::fromCurves(*std::move(press), std::move(release));
+    if (!graph) return graph.failure();
+    state.graph = *std::move(graph);
+    if (change.largestForceChange_N > 0 || change.addedDamping_Ns_per_mm > 0) changes.push_back(change);
+  }
+  Result<Button> stable = Button::fromStates(button.name(), std::move(states), button.provenance());
+  if (!stable) return stable.failure();
+  return StableButton{*std::move(stable), std::move(changes)};
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Whether a device can render a button, told before it is felt: the margin along the travel, and the nearest button that it can
+// render as drawn. Formulas and what simulation says about them: docs/decisions/1101-stability-margin.md.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "model/button.h"
+#include "model/result.h"
+#include "playback/prepare/force_device_profile.h"
+
+namespace detent::playback {
+
+/// Why a slope is too steep. Of several the one that allows least.
+enum class StabilityBound : std::uint8_t {
+  damping,  ///< K <= (b + b(x)) / (T / 2 + delay): a held force gives back more than the damping takes
+  quantisation,  ///< K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
+  device  ///< the steepest slope the device is asked for
+};
+
+struct MarginPoint {
+  double displacement_mm = 0;
+  double slope_N_per_mm = 0;  ///< steepest of both strokes there, its size
+  double allowed_N_per_mm = 0;
+  StabilityBound bound = StabilityBound::damping;
+  double margin_N_per_mm() const { return allowed_N_per_mm - slope_N_per_mm; }
+};
+
+/// A stretch whose slope is not allowed.
+struct UnstableStretch {
+  std::size_t state = 0;
+  double from_mm = 0, to_mm = 0;
+  MarginPoint worst;
+  bool falling = false;  ///< a jump, else a wall
+};
+
+struct StabilityMargin {
+  std::vector<std::vector<MarginPoint>> states;  ///< per state, evenly over the travel
+  std::vector<UnstableStretch> unstable;
+  MarginPoint least;
+  /// Colgate and Schenkel's bound for any finger whatever, b / (T / 2 + delay) less the button's own damping: stricter than what a
+  /// hand needs, and below 0 where the button damps more than the device does.
+  double anyFinger_N_per_mm = 0;
+  bool stable() const { return unstable.empty(); }
+};
+
+/// `rate_Hz` > 0. Any thread; allocates.
+StabilityMargin stabilityOf(const Button& button, const ForceDeviceProfile& device, double rate_Hz);
+
+/// What had to change.
+struct StabilityChange {
+  std::size_t state = 0;
+  double largestForceChange_N = 0, changedFrom_mm = 0,
+         changedTo_mm = 0;            ///< 0 and empty where the curves stay
+  double addedDamping_Ns_per_mm = 0;  ///< largest
+};
+struct StableButton {
+  Button button;
+  std::vector<StabilityChange> changes;  ///< empty: the button was stable as it is
+};
+
+/// The nearest button whose margin is nowhere below 0: first damping is added, as much as the device's mass bears, then slopes
+/// are limited; a peak keeps its force. Failure: wrongUsage where no button is stable on the device (no friction, no damping).
+Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfile& device, double rate_Hz);
+
+}  // namespace detent::playback
