@@ -14,9 +14,11 @@
 #include <CLI/CLI.hpp>
 
 #include "model/file/button_file.h"
+#include "model/file/text_file.h"
 #include "playback/force_feedback.h"
 #include "playback/program/choice_option.h"
 #include "playback/program/force_log.h"
+#include "playback/program/force_plots.h"
 #include "playback/program/force_words.h"
 #include "playback/program/json_output.h"
 #include "playback/program/live_line.h"
@@ -25,13 +27,15 @@ namespace detent::playback {
 
 namespace {
 
+constexpr std::size_t mostDrawnSteps = 200000;  // of a picture; the log has them all
+
 struct ForceArguments {
   std::string button, device = "sim", finger = "press";
   double rate_Hz = 0;  ///< 0: the device's own
   ForceSettings force;
   double seconds = 0;
   bool fast = false;
-  std::string logFile;
+  std::string logFile, plotFile, figuresFile;
   // Of serial devices and ODrives.
   double step_mm = 0, largest_N = 0;  ///< 0: the preset's
   unsigned baud = 230400, axis = 0;
@@ -69,6 +73,10 @@ void addOptions(CLI::App& app, ForceArguments& a) {
                "A simulated device runs as fast as the machine can; the result is the same");
   app.add_option("--log", a.logFile,
                  "One row per step: time_s,position_mm,velocity_mm_per_s,force_N,energy_mJ,state");
+  app.add_option("--plot", a.plotFile,
+                 "SVG of the run: force over displacement beside the button's curves, both over time");
+  app.add_option("--figures", a.figuresFile,
+                 "SVG of the figures 4, 5 and 6 of Shrestha's paper, from this run");
   const std::string real = "Real devices (docs/force-feedback.md)";
   app.add_option("--step-mm", a.step_mm, "Encoder step at the finger in mm; 0: the preset's")
       ->capture_default_str()
@@ -254,6 +262,15 @@ Result<ForcePlayerSettings> settingsFrom(const ForceArguments& a) {
   return settings;
 }
 
+Result<Done> writePictures(const ForceArguments& a, const Button& button, const std::vector<ForceStep>& steps,
+                           double period_s) {
+  if (!a.plotFile.empty()) {
+    if (Result<Done> w = writeTextFileAtomically(a.plotFile, runSvg(button, steps, period_s)); !w) return w;
+  }
+  return a.figuresFile.empty() ? Result<Done>(Done{})
+                               : writeTextFileAtomically(a.figuresFile, paperFiguresSvg(button, steps));
+}
+
 int run(const ForceArguments& a, const Cancelled& cancelled) {
   Result<Button> button = readButtonFile(a.button);
   if (!button) return fail(button.failure());
@@ -276,7 +293,8 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
     std::fprintf(stderr, "stability: %s: %s.\n", a.button.c_str(), sentenceOf(u, *button).c_str());
   }
   RunFigures figures;
-  std::vector<ForceStep> steps;
+  std::vector<ForceStep> steps, drawn;
+  const bool draws = !a.plotFile.empty() || !a.figuresFile.empty();
   LiveLine line;
   for (bool finished = false; !finished;) {
     finished = (*player)->status().finished;
@@ -286,6 +304,7 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
     for (const ForceStep& step : steps) {
       figures.add(step);
       if (log) log->write(step, 1 / rate_Hz, *button);
+      if (draws && drawn.size() < mostDrawnSteps) drawn.push_back(step);
     }
     line.show(liveText((*player)->status(), *button));
     if (cancelled()) (*player)->stop();
@@ -296,6 +315,8 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
   if (log) {
     if (Result<Done> written = log->finish(); !written) return fail(written.failure());
   }
+  if (Result<Done> pictures = writePictures(a, *button, drawn, 1 / rate_Hz); !pictures)
+    return fail(pictures.failure());
   printFigures(status, figures, summary, rate_Hz);
   if (a.json) print(jsonOf(a, *button, settings->device.profile, summary, status, figures, rate_Hz));
   return 0;

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// detent_force_bench [step|rest|velocity|energy|day ...]: the tables of docs/bench-force.md.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "tests/playback/force/force_run.h"
+#include "tests/playback/force/sample_files.h"
+
+namespace {
+
+using namespace detent;
+using namespace detent::playback;
+using namespace detent::test;
+
+std::vector<ForceDeviceProfile> presets() { return {simulatedDevice(), falconDevice(), voiceCoilRig()}; }
+
+/// The paper's law: force from the raw reading, velocity by the difference of two, press or release by its sign.
+class PaperLaw {
+ public:
+  PaperLaw(const Button& button, double period_s)
+      : graph_(button.states().front().graph), period_s_(period_s) {}
+  double step(double x_mm) {
+    const double v = (x_mm - before_mm_) / period_s_;
+    if (v != 0) pressing_ = v > 0;
+    before_mm_ = x_mm;
+    return graph_.curve(pressing_ ? Stroke::press : Stroke::release).force_N(x_mm);
+  }
+
+ private:
+  ForceGraph graph_;
+  double period_s_, before_mm_ = 0;
+  bool pressing_ = true;
+};
+
+void stepTimes() {
+  std::printf("\nforce step: 1e7 steps of a press and release, ns\n%-8s %8s %8s %10s %10s\n", "button",
+              "median", "99.9 %", "99.9999 %", "worst");
+  for (const std::string& name : sampleNames()) {
+    const PreparedForce prepared = forceOf(sampleButton(name), voiceCoilRig());
+    ForceEngine engine(prepared.program);
+    std::vector<float> times_ns(10000000);
+    const double travel_mm = prepared.summary.travel_mm;
+    for (std::size_t i = 0; i < times_ns.size(); ++i) {
+      ForceReading reading;
+      reading.position_mm =
+          0.5 * travel_mm * (1.05 - std::cos(static_cast<double>(i % 4000) * 2 * std::numbers::pi / 4000));
+      const auto begin = std::chrono::steady_clock::now();
+      engine.step(reading);
+      times_ns[i] = static_cast<float>(
+          std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - begin).count());
+    }
+    std::sort(times_ns.begin(), times_ns.end());
+    const auto at = [&](double share) {
+      return static_cast<double>(times_ns[static_cast<std::size_t>(share * 9999999)]);
+    };
+    std::printf("%-8s %8.0f %8.0f %10.0f %10.0f\n", name.c_str(), at(0.5), at(0.999), at(0.999999), at(1));
+  }
+}
+
+void resting() {
+  std::printf(
+      "\nresting finger, 6 um tremor, 20 places of the travel, 2 s each after 1.2 s; worst place\n%-28s %-6s "
+      "| %8s %8s %8s | %8s %8s %8s\n",
+      "device", "button", "steps pp", "rms mN", "jump mN", "paper pp", "rms mN", "jump mN");
+  for (const ForceDeviceProfile& device : presets()) {
+    for (const std::string& name : sampleNames()) {
+      const Button button = sampleButton(name);
+      const PreparedForce prepared = forceOf(button, device);
+      double worst[6] = {};
+      for (int place = 0; place < 20; ++place) {
+        const double at_mm = prepared.summary.travel_mm * place / 20;
+        const FingerHold hold{at_mm, button.states().front().graph.press().force_N(at_mm) + device.friction_N,
+                              0.4};
+        ForceRun run(prepared, device, hold);
+        Quiet quiet, paper;
+        run.run(1.2);
+        run.run(2, [&](const ForceStep& s) { quiet.add(s.position_mm, s.force_N); });
+        SimulatedForceDevice other(simulationOf(device, prepared), SimulatedFinger({}, hold));
+        PaperLaw law(button, prepared.program.period_s);
+        ForceCommand command;
+        for (int i = 0; i < 3200; ++i) {
+          const ForceReading reading = other.exchange(command);
+          command.force_N = law.step(reading.position_mm);
+          if (i >= 1200) paper.add(reading.position_mm, command.force_N);
+        }
+        const double found[6] = {
+            quiet.peakToPeak_mm() / device.step_mm, 1e3 * quiet.rms_N(), 1e3 * quiet.largestJump_N(),
+            paper.peakToPeak_mm() / device.step_mm, 1e3 * paper.rms_N(), 1e3 * paper.largestJump_N()};
+        for (int i = 0; i < 6; ++i) worst[i] = std::max(worst[i], found[i]);
+      }
+      std::printf("%-28s %-6s | %8.2f %8.2f %8.2f | %8.1f %8.1f %8.1f\n", device.name.c_str(), name.c_str(),
+                  worst[0], worst[1], worst[2], worst[3], worst[4], worst[5]);
+    }
+  }
+}
+
+struct VelocityErrors {
+  double moving = 0, resting = 0, delay_s = 0;
+};
+
+VelocityErrors velocityErrors(VelocityMethod method, double step_mm, double rate_Hz) {
+  const double period_s = 1 / rate_Hz;
+  const auto position = [](double t) {
+    const double s = std::clamp(t / 0.1, 0.0, 1.0);
+    return 4 * s * s * s * (10 + s * (6 * s - 15));
+  };
+  const auto velocity = [](double t) {
+    const double s = std::clamp(t / 0.1, 0.0, 1.0);
+    return 4 * 30 * s * s * (1 - s) * (1 - s) / 0.1;
+  };
+  const auto steps = static_cast<int>(0.1 * rate_Hz), restSteps = static_cast<int>(rate_Hz);
+  std::vector<double> byDelay(12, 0.0);
+  double resting = 0;
+  for (int place = 0; place < 20; ++place) {
+    double steady_mm = 0;
+    const auto read = [&](double x_mm) {
+      const double at_mm = std::round((x_mm + step_mm * place / 20) / step_mm) * step_mm,
+                   half_mm = 0.5 * step_mm * (1 + 1e-9);
+      return steady_mm = std::max(at_mm - half_mm, std::min(at_mm + half_mm, steady_mm));
+    };
+    VelocityEstimator estimator(method, period_s, step_mm);
+    estimator.restart(read(0));
+    for (int k = 1; k <= steps; ++k) {
+      const double estimate = estimator.update(read(position(k * period_s)));
+      for (std::size_t d = 0; d < byDelay.size(); ++d) {
+        const double off = estimate - velocity(k * period_s - static_cast<double>(d) * 0.0005);
+        byDelay[d] += off * off;
+      }
+    }
+    for (int k = 0; k < restSteps / 5; ++k) estimator.update(read(4));
+    for (int k = 0; k < restSteps; ++k) {
+      const double v = estimator.update(read(4 + 0.006 * std::sin(2 * std::numbers::pi * 9 * k * period_s)));
+      resting += v * v;
+    }
+  }
+  const auto best = std::min_element(byDelay.begin(), byDelay.end());
+  return {std::sqrt(byDelay[0] / (20.0 * steps)), std::sqrt(resting / (20.0 * restSteps)),
+          0.0005 * static_cast<double>(best - byDelay.begin())};
+}
+
+void velocities() {
+  std::printf(
+      "\nvelocity: press of 4 mm in 100 ms, then rest with 6 um tremor; rms mm/s moving, at rest, delay "
+      "ms\n%8s %8s | %-22s | %-22s | %-22s\n",
+      "step um", "rate Hz", "Kalman with bound", "FOAW", "difference (paper)");
+  for (const double step_mm : {0.001, 0.01, 0.038}) {
+    for (const double rate_Hz : {500.0, 1000.0, 4000.0, 10000.0}) {
+      std::printf("%8.0f %8.0f", 1000 * step_mm, rate_Hz);
+      for (const VelocityMethod method :
+           {VelocityMethod::kalman, VelocityMethod::foaw, VelocityMethod::difference}) {
+        const VelocityErrors e = velocityErrors(method, step_mm, rate_Hz);
+        std::printf(" | %6.2f %6.2f %6.1f   ", e.moving, e.resting, 1000 * e.delay_s);
+      }
+      std::printf("\n");
+    }
+  }
+}
+
+void energies() {
+  std::printf(
+      "\nenergy: 10,000 random presses per device over all samples; mJ\n%-28s %-6s %8s %16s %16s %10s\n",
+      "device", "button", "presses", "least at finger", "least at motor", "taken");
+  std::mt19937 random(20131008);
+  std::uniform_real_distribution<> share(0, 1);
+  for (const ForceDeviceProfile& device : presets()) {
+    for (const std::string& name : sampleNames()) {
+      const PreparedForce prepared = forceOf(sampleButton(name), device);
+      double finger_mJ = 0, motor_mJ = 0, most_mJ = 0;
+      int presses = 0;
+      // Runs of four presses, so that the states of a self-locking button alternate.
+      for (; presses < 1112; presses += 4) {
+        FingerPresses plan{prepared.summary.travel_mm * (0.3 + 0.75 * share(random)), 0.3 + 2 * share(random),
+                           0.04 + 0.3 * share(random), 0.03 + 0.3 * share(random), 0.05};
+        FingerMechanics finger;
+        finger.stiffness_N_per_mm = 0.2 + 0.6 * share(random);
+        finger.damping_Ns_per_mm = 0.0005 + 0.003 * share(random);
+        ForceRun run(prepared, device, plan, finger);
+        run.run(4 * (plan.press_s + plan.release_s + 0.2),
+                [&](const ForceStep& s) { most_mJ = std::max(most_mJ, s.energy_mJ); });
+        finger_mJ = std::min(finger_mJ, run.leastFingerWork_mJ());
+        motor_mJ = std::min(motor_mJ, run.engine().lowestBalance_mJ());
+      }
+      std::printf("%-28s %-6s %8d %16.6f %16.6f %10.2f\n", device.name.c_str(), name.c_str(), presses,
+                  finger_mJ, motor_mJ, most_mJ);
+    }
+  }
+}
+
+void day() {
+  std::printf(
+      "\n24 simulated hours of a resting finger at half the travel of B; after the first minute and at the "
+      "end\n");
+  for (const ForceDeviceProfile& device : presets()) {
+    const Button button = sampleButton("B");
+    const PreparedForce prepared = forceOf(button, device);
+    ForceRun run(prepared, device,
+                 FingerHold{2, button.states().front().graph.press().force_N(2) + device.friction_N, 0.4});
+    run.run(60);
+    const ForceStep begin = run.engine().last();
+    run.run(86400 - 60);
+    const ForceStep& end = run.engine().last();
+    std::printf("%-28s position %+.4f steps, force %+.4f mN, energy %+.6f mJ, %lld steps\n",
+                device.name.c_str(), (end.position_mm - begin.position_mm) / device.step_mm,
+                1000 * (end.force_N - begin.force_N), end.energy_mJ - begin.energy_mJ,
+                static_cast<long long>(end.index));
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::vector<std::string> wanted(argv + 1, argv + argc);
+  const auto asked = [&](const char* name) {
+    return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
+  };
+  if (asked("step")) stepTimes();
+  if (asked("rest")) resting();
+  if (asked("velocity")) velocities();
+  if (asked("energy")) energies();
+  if (asked("day")) day();
+  return 0;
+}

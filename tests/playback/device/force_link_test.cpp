@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Serial force devices over pseudo terminals: the sample firmware on a simulated board, an ODrive, and what goes wrong.
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <thread>
+
+#include <catch2/catch.hpp>
+#include <fcntl.h>
+#include <poll.h>
+#include <pty.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include "playback/device/odrive_force_device.h"
+#include "playback/device/serial_force_device.h"
+#include "playback/device/steady_clock.h"
+#include "playback/prepare/prepare_force.h"
+#include "tests/playback/sample_buttons.h"
+
+namespace {
+
+using namespace detent;
+using namespace detent::playback;
+
+/// The other end of a serial line: answers each line by a function, on a thread of its own.
+class FakeDevice {
+ public:
+  using Answer = std::function<std::string(const std::string& line)>;
+  explicit FakeDevice(Answer answer) : answer_(std::move(answer)) {
+    char name[64] = {};
+    termios mode{};
+    ::cfmakeraw(&mode);
+    REQUIRE(::openpty(&master_, &slave_, name, &mode, nullptr) == 0);
+    port = name;
+    thread_ = std::thread([this] { serve(); });
+  }
+  ~FakeDevice() {
+    ending_ = true;
+    thread_.join();
+    ::close(master_);
+    ::close(slave_);
+  }
+  std::string port;
+
+ private:
+  void serve() {
+    std::string received;
+    while (!ending_) {
+      pollfd poll{master_, POLLIN, 0};
+      if (::poll(&poll, 1, 5) <= 0) continue;
+      char bytes[256];
+      const ssize_t count = ::read(master_, bytes, sizeof bytes);
+      if (count <= 0) continue;
+      received.append(bytes, static_cast<std::size_t>(count));
+      for (std::size_t end = 0; (end = received.find('\n')) != std::string::npos;
+           received.erase(0, end + 1)) {
+        const std::string text = answer_(received.substr(0, end));
+        if (!text.empty()) [[maybe_unused]]
+          const ssize_t written = ::write(master_, text.data(), text.size());
+      }
+    }
+  }
+  Answer answer_;
+  int master_ = -1, slave_ = -1;
+  std::atomic<bool> ending_{false};
+  std::thread thread_;
+};
+
+constexpr double slow_s = 2;  // a period so long that a loaded machine answers within it
+
+std::string bodyOf(const std::string& line) { return std::string(forceLineBody(line).value_or("")); }
+std::string sequenceOf(const std::string& body) { return body.substr(2, body.find(',', 2) - 2); }
+
+/// A board that answers as the protocol says; `position_nm` is what it measures.
+std::string goodBoard(const std::string& line, long position_nm) {
+  const std::string body = bodyOf(line);
+  if (body == "?") return forceLine("I,fake,10000,5000000,4000,64");
+  if (body.starts_with("F,") || body.starts_with("H,")) {
+    return forceLine("P," + sequenceOf(body) + ",1," + std::to_string(position_nm));
+  }
+  return body.empty() || body == "X" ? "" : forceLine("A");
+}
+
+std::unique_ptr<SerialForceDevice> opened(const FakeDevice& fake, double period_s = slow_s) {
+  auto device = SerialForceDevice::open(fake.port, 230400, period_s);
+  REQUIRE(device);
+  return std::move(*device);
+}
+
+}  // namespace
+
+namespace firmware {
+
+std::uint32_t time_us = 0;
+std::string sent;
+std::string incoming;
+int direction = 0, pwm = 0;
+constexpr int OUTPUT = 1, CHANGE = 1;
+
+std::uint32_t micros() { return time_us; }
+void pinMode(std::uint8_t, int) {}
+void digitalWrite(std::uint8_t, int value) { direction = value; }
+int digitalRead(std::uint8_t) { return 0; }
+void analogWrite(std::uint8_t, int value) { pwm = value; }
+int digitalPinToInterrupt(std::uint8_t pin) { return pin; }
+void attachInterrupt(int, void (*)(), int) {}
+
+struct SerialPort {
+  void begin(std::uint32_t) {}
+  void print(const char* text) { sent += text; }
+  int available() { return static_cast<int>(incoming.size()); }
+  int read() {
+    const char c = incoming.front();
+    incoming.erase(0, 1);
+    return c;
+  }
+} Serial;
+
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wold-style-cast"
+#pragma GCC diagnostic ignored "-Wvolatile"
+using std::abs;
+using std::int32_t;
+using std::int64_t;
+using std::snprintf;
+using std::strchr;
+using std::strrchr;
+using std::strtol;
+using std::strtoul;
+using std::uint16_t;
+using std::uint32_t;
+using std::uint8_t;
+int32_t constrain(int32_t value, int32_t low, int32_t high) { return std::clamp(value, low, high); }
+#include "samples/firmware/force1d/force1d.ino"
+#pragma GCC diagnostic pop
+
+/// The board for `us` microseconds of its own time.
+void run(std::uint32_t us) {
+  for (const std::uint32_t end = time_us + us; time_us != end; time_us += 10) loop();
+}
+
+std::string exchange(const std::string& line) {
+  incoming += line + "\n";
+  sent.clear();
+  run(20);
+  return sent;
+}
+
+}  // namespace firmware
+
+TEST_CASE("serial force device: forces go out, positions come back") {
+  std::atomic<long> force_uN{0};
+  FakeDevice fake([&](const std::string& line) {
+    const std::string body = bodyOf(line);
+    if (body.starts_with("F,")) force_uN = std::atol(body.substr(body.rfind(',') + 1).c_str());
+    return goodBoard(line, 1250000);
+  });
+  auto device = opened(fake);
+  CHECK(device->info().step_mm == Approx(0.01));
+  CHECK(device->info().force_N == Approx(5));
+  ForceCommand command;
+  command.force_N = 1.5;
+  const ForceReading reading = device->exchange(command);
+  CHECK(reading.fresh);
+  CHECK(reading.position_mm == Approx(1.25));
+  CHECK(force_uN == 1500000);
+}
+
+TEST_CASE("serial force device: late, repeated, broken and half answers are no readings, and are counted") {
+  std::atomic<int> mode{0};
+  FakeDevice fake([&](const std::string& line) -> std::string {
+    const std::string good = goodBoard(line, 0);
+    if (!good.starts_with("P")) return good;
+    switch (mode.load()) {
+      case 0:
+        return good + good;
+      case 1:
+        return "";
+      case 2:
+        return good.substr(0, good.size() / 2);
+      case 3:
+        return "P,1,2,3*00\n";
+      default:
+        return forceLine("P,1,1,1") + good;
+    }
+  });
+  auto device = opened(fake, 0.2);
+  CHECK(device->exchange({}).fresh);
+  mode = 1;
+  CHECK_FALSE(device->exchange({}).fresh);
+  CHECK(device->counts().late >= 1);
+  mode = 2;
+  CHECK_FALSE(device->exchange({}).fresh);
+  mode = 3;
+  CHECK_FALSE(device->exchange({}).fresh);
+  CHECK(device->counts().malformed >= 1);
+  mode = 4;
+  device->exchange({});
+  CHECK(device->exchange({}).fresh);
+  CHECK(device->counts().repeated >= 1);
+}
+
+TEST_CASE("serial force device: nobody there, a wrong port and a table that does not fit are told") {
+  CHECK_FALSE(SerialForceDevice::open("/dev/null", 230400, 0.001));
+  CHECK_FALSE(SerialForceDevice::open("/nowhere", 230400, 0.001));
+  FakeDevice silent([](const std::string&) { return std::string(); });
+  CHECK_FALSE(SerialForceDevice::open(silent.port, 230400, 0.001));
+  FakeDevice small([](const std::string& line) {
+    return bodyOf(line) == "?" ? forceLine("I,small,10000,5000000,4000,0") : goodBoard(line, 0);
+  });
+  auto device = opened(small);
+  const auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
+  REQUIRE(prepared);
+  CHECK_FALSE(device->upload(prepared->program));
+}
+
+TEST_CASE("serial force device: the sample firmware takes a table and renders the button with it") {
+  firmware::setup();
+  CHECK(firmware::exchange("?*3F").starts_with("I,force1d,10000,5000000,4000,256*"));
+  CHECK(firmware::exchange("?*00").empty());
+  FakeDevice board([](const std::string& line) { return firmware::exchange(line); });
+  auto device = opened(board);
+  const Button button = test::linearButton();
+  const auto prepared = prepareForce(button, voiceCoilRig());
+  REQUIRE(prepared);
+  REQUIRE(device->upload(prepared->program));
+  firmware::counts = 0;
+  for (int i = 0; i <= 200; ++i) {  // 2 mm inwards, slowly
+    firmware::counts = i;
+    device->exchange({});
+    firmware::run(20000);
+  }
+  CHECK(firmware::force_uN * 1e-6 == Approx(button.states().front().graph.press().force_N(2)).margin(0.01));
+  CHECK(firmware::pwm > 0);
+  // Silence: no force.
+  firmware::run(60000);
+  CHECK(firmware::pwm == 0);
+}
+
+TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end") {
+  std::atomic<double> torque_Nm{0};
+  std::atomic<bool> idle{false}, watchdog{false};
+  std::atomic<int> mode{0};
+  std::atomic<double> turns{1.5};
+  FakeDevice fake([&](const std::string& line) -> std::string {
+    const std::size_t star = line.rfind('*');
+    if (star == std::string::npos || std::atoi(line.c_str() + star + 1) != xorOf(line.substr(0, star)))
+      return "";
+    if (line.starts_with("c 0 ")) torque_Nm = std::atof(line.c_str() + 4);
+    if (line.starts_with("w axis0.requested_state 1 ")) idle = true;
+    if (line.starts_with("w axis0.config.enable_watchdog 1")) watchdog = true;
+    if (!line.starts_with("f 0")) return "";
+    if (mode == 1) return "nonsense\n";
+    if (mode == 2) return "";
+    return std::to_string(turns.load()) + " 0.000000\r\n";
+  });
+  {
+    OdriveSettings settings;
+    settings.port = fake.port;
+    settings.period_s = 0.4;
+    auto device = OdriveForceDevice::open(settings);
+    REQUIRE(device);
+    CHECK(watchdog);
+    turns = 1.55;
+    ForceCommand command;
+    command.force_N = 2;
+    const ForceReading reading = (*device)->exchange(command);
+    CHECK(reading.fresh);
+    CHECK(reading.position_mm == Approx(3).margin(1e-4));
+    CHECK(torque_Nm == Approx(-2 * 60 / (2 * 3.14159265 * 1000)).margin(1e-5));
+    mode = 1;
+    CHECK_FALSE((*device)->exchange({}).fresh);
+    CHECK((*device)->counts().malformed >= 1);
+    mode = 2;
+    CHECK_FALSE((*device)->exchange({}).fresh);
+    CHECK((*device)->counts().late >= 1);
+  }
+  for (const double end_s = now_s() + 2; !idle && now_s() < end_s;) sleepUntil(now_s() + 0.01);
+  CHECK(idle);
+  CHECK(torque_Nm == 0);
+}

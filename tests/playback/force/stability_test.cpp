@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/prepare/stability.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/playback/force/sample_files.h"
+
+namespace {
+
+using namespace detent;
+using namespace detent::playback;
+using namespace detent::test;
+
+}  // namespace
+
+TEST_CASE("stability: a wall breaks the margin where it stands, a soft spring does not") {
+  const StabilityMargin wall = stabilityOf(sampleButton("A"), falconDevice(), 1000);
+  REQUIRE_FALSE(wall.stable());
+  CHECK(wall.unstable.back().from_mm > 3.9);
+  CHECK_FALSE(wall.unstable.back().falling);
+  CHECK(wall.least.allowed_N_per_mm == Approx(0.001 / 0.0015));
+  const Button soft = buttonOf("soft", {stateOf("", {{0, 0}, {4, 1}}, {})});
+  CHECK(stabilityOf(soft, falconDevice(), 1000).stable());
+  CHECK(nearestStable(soft, falconDevice(), 1000)->changes.empty());
+  CHECK(nearestStable(soft, falconDevice(), 1000)->button == soft);
+}
+
+TEST_CASE("stability: friction and encoder steps bound it too") {
+  ForceDeviceProfile device = falconDevice();
+  device.friction_N = 0.001;
+  const StabilityMargin margin = stabilityOf(sampleButton("B"), device, 1000);
+  CHECK(margin.least.bound == StabilityBound::quantisation);
+  CHECK(margin.least.allowed_N_per_mm == Approx(2 * 0.001 / 0.038));
+  device.friction_N = 0;
+  CHECK_FALSE(nearestStable(sampleButton("B"), device, 1000));
+}
+
+TEST_CASE("stability: the nearest stable button is stable and says what was changed") {
+  for (const std::string& name : sampleNames()) {
+    for (const ForceDeviceProfile& device : {simulatedDevice(), falconDevice(), voiceCoilRig()}) {
+      const Button button = sampleButton(name);
+      const Result<StableButton> stable = nearestStable(button, device, 1000);
+      INFO(name << " on " << device.name);
+      REQUIRE(stable);
+      const StabilityMargin after = stabilityOf(stable->button, device, 1000);
+      CHECK(after.least.margin_N_per_mm() >= -0.02 * after.least.allowed_N_per_mm);
+      CHECK(stable->changes.empty() == stabilityOf(button, device, 1000).stable());
+      CHECK(stable->button.states().front().graph.travel_mm() == button.states().front().graph.travel_mm());
+    }
+  }
+}
