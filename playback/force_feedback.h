@@ -28,8 +28,12 @@ enum class ForceDeviceKind : std::uint8_t { simulated, serial, odrive, falcon };
 /// "falcon", "falcon:N".
 struct ForceDeviceChoice {
   ForceDeviceKind kind = ForceDeviceKind::simulated;
-  std::string port;     ///< of serial and odrive
-  unsigned number = 0;  ///< of several Falcons
+  std::string port;          ///< of serial and odrive
+  unsigned baud = 230400;    ///< of serial; USB ignores it
+  unsigned axis = 0;         ///< of an ODrive
+  double mmPerTurn = 60;     ///< of an ODrive's capstan; negative where the motor is mounted the other way
+  bool uploadTable = false;  ///< of serial: the microcontroller runs the law at its own rate
+  unsigned number = 0;       ///< of several Falcons
   ForceDeviceProfile profile;
 };
 /// Failure: wrongUsage with the words that are known.
