@@ -96,7 +96,7 @@ TEST_CASE("identify: records that are none are refused with the line") {
   CHECK(parseForceRecord("", "r.csv").failure().code == FailureCode::unreadableInput);
   CHECK(english(parseForceRecord("a,b\n", "r.csv").failure().place) == "line 1");
   const std::string header = "time_s,displacement_mm,force_N\n";
-  for (const std::string& line : {"0,0\n", "0,x,1\n", "0,nan,1\n", "0,1,inf\n"}) {
+  for (const char* line : {"0,0\n", "0,x,1\n", "0,nan,1\n", "0,1,inf\n"}) {
     CHECK(english(parseForceRecord(header + line, "r.csv").failure().place) == "line 2");
   }
   CHECK(english(parseForceRecord(header + "0,0,0\n0,0,0\n", "r.csv").failure().place) == "line 3");
