@@ -95,7 +95,11 @@ std::vector<std::string> ownWords(std::string_view utf8) {
 }  // namespace
 
 bool mayBeOnePair(std::string_view a, std::string_view b) {
-  if (wordsOf(a).empty() || wordsOf(b).empty()) return true;
+  const auto speaks = [](std::string_view text) {  // a callout beside its leader names a point, not a curve
+    const std::vector<std::string> words = wordsOf(text);
+    return !words.empty() && !anyWord(words, kPointWords) && !anySign(text, kPointSigns);
+  };
+  if (!speaks(a) || !speaks(b)) return true;
   const std::optional<Stroke> ofA = strokeNamedBy(a), ofB = strokeNamedBy(b);
   if (!ofA && !ofB) return false;
   if (ofA == ofB) return false;

@@ -16,7 +16,7 @@ std::optional<Stroke> strokeNamedBy(std::string_view utf8);
 
 /// Whether two legend texts may be the press and the release of one switch: "press" and "release" do, also "X press" and
 /// "X release"; "Switch A" and "Switch B", "down a" and "down b", "A press" and "B release" do not. A text that is empty
-/// speaks neither for nor against.
+/// or names a point speaks neither for nor against.
 bool mayBeOnePair(std::string_view a, std::string_view b);
 
 }  // namespace detent::importer

@@ -36,6 +36,7 @@ TEST_CASE("Two names of one switch's strokes, and of two switches", "[legend]") 
   CHECK(mayBeOnePair("Gateron Red press", "Gateron Red release"));
   CHECK(mayBeOnePair("Switch A", "Switch A release"));
   CHECK(mayBeOnePair("", "Switch B"));
+  CHECK(mayBeOnePair("Operating point", "Reset point"));
   CHECK_FALSE(mayBeOnePair("Switch A", "Switch B"));
   CHECK_FALSE(mayBeOnePair("downstroke_a", "downstroke_b"));
   CHECK_FALSE(mayBeOnePair("Brown press", "Red release"));
