@@ -9,6 +9,8 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "editor/document/message_words.h"
+
 namespace detent::editor {
 namespace {
 
@@ -165,8 +167,8 @@ void SignalView::paintEvent(QPaintEvent*) {
   if (!signal_ || signal_->failure) {
     painter.setPen(colors.axis);
     painter.setFont(font());
-    const QString text = signal_ ? QString::fromStdString(signal_->failure->sentence())
-                                 : tr("The vibration of a press is drawn here.");
+    const QString text =
+        signal_ ? sentenceOf(*signal_->failure) : tr("The vibration of a press is drawn here.");
     painter.drawText(rect().adjusted(16, 8, -16, -8), Qt::AlignCenter | Qt::TextWordWrap, text);
   } else {
     const Layout layout = layoutOf();
