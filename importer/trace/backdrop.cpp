@@ -148,20 +148,25 @@ bool isGridline(const LineCandidate& line, const std::vector<LineCandidate>& all
 
 Backdrop Backdrop::measure(const PlotArea& area) {
   Backdrop backdrop;
-  backdrop.measurePaper(area);
+  backdrop.paper_ = paperOf(area);
   backdrop.measureShading(area);
   backdrop.measureNoise(area);
   backdrop.measureLines(area);
   return backdrop;
 }
 
-void Backdrop::measurePaper(const PlotArea& area) {
+Color3 paperOf(const PlotArea& area) {
   const Raster& r = area.raster;
   const int step = std::max(1, std::min(r.width_px, r.height_px) / kMaxSamplesPerLine);
   ModeOfColors mode;
   for (int y = 0; y < r.height_px; y += step)
     for (int x = 0; x < r.width_px; x += step) mode.add(colorAt(r, x, y));
-  paper_ = mode.mode();
+  return mode.mode();
+}
+
+Rgb rgbOf(Color3 c) {
+  const auto level = [](float v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5F, 0.0F, 255.0F)); };
+  return {level(c.r), level(c.g), level(c.b)};
 }
 
 void Backdrop::measureShading(const PlotArea& area) {

@@ -26,6 +26,11 @@ inline Color3 colorAt(const Raster& raster, int x, int y) {
   return {static_cast<float>(p[0]), static_cast<float>(p[1]), static_cast<float>(p[2])};
 }
 
+/// The area's commonest colour.
+Color3 paperOf(const PlotArea& area);
+
+Rgb rgbOf(Color3 color);
+
 class Backdrop {
  public:
   /// Lines are taken from the picture itself: a row or column most of whose pixels differ from the paper.
@@ -44,7 +49,6 @@ class Backdrop {
 
  private:
   Color3 shadedPaper(int x, int y) const;
-  void measurePaper(const PlotArea& area);
   void measureShading(const PlotArea& area);
   void measureLines(const PlotArea& area);
   void measureNoise(const PlotArea& area);

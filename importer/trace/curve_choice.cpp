@@ -8,15 +8,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kMinSpan = 0.12;     // of the frame's width
-constexpr double kMinInkShare = 0.5;  // of the visible course: dashes have about this much
-constexpr double kMinInkShareNeutral = 0.85;
-constexpr double kMinOwnColumns = 0.4;  // of the columns spanned: the rest may be hidden or bridged
-constexpr double kMinExplained = 0.3;   // of the ink's mass outside text and legend
-constexpr double kMinOfBest = 0.3;      // of the best curve's gain: less is a remnant of something else
-constexpr double kMinStrength = 0.22;   // of the best curve's distance from the paper
-constexpr double kStrandsApart = 0.02;  // of the frame's height: two strokes in one ink get this far apart
-constexpr float kGreyChroma = 26;       // colour levels between the largest and the smallest channel
+constexpr float kGreyChroma = 26;  // colour levels between the largest and the smallest channel
 
 double massOf(const Plane& plane) {
   double sum = 0;
@@ -105,12 +97,13 @@ CurveField pooledField(const CurveField& field, int factor) {
 }
 
 /// Whether a line found in an ink is long, inked and curved enough to be a force curve.
-bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool neutral) {
-  if (!course.found() || course.span_px < kMinSpan * frame.width() ||
-      course.gain_px < kMinSpan * frame.width())
+bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool neutral,
+             const CurveChoiceOptions& options) {
+  if (!course.found() || course.span_px < options.minSpan * frame.width() ||
+      course.gain_px < options.minSpan * frame.width())
     return false;
-  if (course.inkShare < (neutral ? kMinInkShareNeutral : kMinInkShare)) return false;
-  if (course.inkColumns_px < kMinOwnColumns * course.span_px) return false;
+  if (course.inkShare < (neutral ? options.minInkShareNeutral : options.minInkShare)) return false;
+  if (course.inkColumns_px < options.minOwnColumns * course.span_px) return false;
   return !isAxisParallel(course, thickness) && !(neutral && isStraight(course, thickness));
 }
 
@@ -137,28 +130,39 @@ CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explain
   // line.
   Plane rest = field.own;
   clearLetters(rest, plot.text.mask, full.own.width, curve.pooling);
-  eraseAlong(rest, curve.course.points, std::max(thickness + 2, kStrandsApart * frame.height()));
+  eraseAlong(rest, curve.course.points, std::max(thickness + 2, plot.options.strandsApart * frame.height()));
   curve.secondStrand = inkedColumns(rest) / std::max(1.0, curve.course.inkColumns_px);
-  if (curve.secondStrand > kSecondStrand) accounted += massOf(field.own);
+  if (curve.secondStrand > plot.options.secondStrand) accounted += massOf(field.own);
   explained = mass > 0 ? accounted / mass : 0;
   return curve;
 }
 
 std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
-  if (plot.palette[static_cast<std::size_t>(index)].mass_px < 0.5 * kMinSpan * plot.area.frame.width())
+  if (plot.palette[static_cast<std::size_t>(index)].mass_px <
+      0.5 * plot.options.minSpan * plot.area.frame.width())
     return {};
   double explained = 0;
   CurveInk curve = bestLine(plot, index, neutral, explained);
   const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
-  if (!isCurve(curve.course, frame, pooledThickness(curve), neutral) || explained < kMinExplained) return {};
+  if (!isCurve(curve.course, frame, pooledThickness(curve), neutral, plot.options) ||
+      explained < plot.options.minExplained)
+    return {};
   return curve;
 }
 
-/// Edge pixels between two touching lines look like a third ink; its course never leaves theirs.
-bool isSeam(const CurveInk& curve, const std::vector<CurveInk>& stronger, const Plane& size) {
+/// Edge pixels between two touching lines look like a third ink whose course never leaves theirs; the halo
+/// that half-resolution colour leaves around a line is as long as the line itself, but paler.
+bool isSeam(const PlotInks& plot, const CurveInk& curve, const std::vector<CurveInk>& stronger,
+            const Plane& size) {
+  const auto strength = [&](const CurveInk& c) {
+    return plot.palette[static_cast<std::size_t>(c.ink)].strength;
+  };
   return std::any_of(stronger.begin(), stronger.end(), [&](const CurveInk& other) {
-    return curve.course.gain_px < 0.6 * other.course.gain_px &&
-           shareAlong(curve.course, other.course, other.thickness_px / other.pooling + 2, size) > 0.75;
+    const double along = shareAlong(curve.course, other.course, other.thickness_px / other.pooling + 2, size);
+    const bool shorter = curve.course.gain_px < 0.6 * other.course.gain_px;
+    return (shorter && along > 0.75) ||
+           (strength(curve) < static_cast<float>(plot.options.haloStrength) * strength(other) &&
+            along > plot.options.haloAlong);
   });
 }
 
@@ -266,12 +270,14 @@ std::vector<CurveInk> chooseCurveInks(const PlotInks& plot) {
   for (CurveInk& curve : found) {
     const Plane size((plot.coverage.unknown.width - 1) / curve.pooling + 1,
                      (plot.coverage.unknown.height - 1) / curve.pooling + 1);
-    const bool faint = !curves.empty() && strength(curve) < kMinStrength * strength(curves.front());
+    const bool faint =
+        !curves.empty() && strength(curve) < plot.options.minStrength * strength(curves.front());
     if (faint) continue;  // shading of an uneven paper
-    if (!curves.empty() && curve.course.gain_px < kMinOfBest * curves.front().course.gain_px) break;
-    if (!isSeam(curve, curves, size)) curves.push_back(std::move(curve));
+    if (!curves.empty() && curve.course.gain_px < plot.options.minOfBest * curves.front().course.gain_px)
+      break;
+    if (!isSeam(plot, curve, curves, size)) curves.push_back(std::move(curve));
   }
-  if (curves.size() != 1 || curves.front().secondStrand > kSecondStrand) return curves;
+  if (curves.size() != 1 || curves.front().secondStrand > plot.options.secondStrand) return curves;
   for (int k : neutral) {
     auto curve = curveOf(plot, k, true);
     // A lone coloured curve may have its partner in the ink of the frame; a leader or a callout is much

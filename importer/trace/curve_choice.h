@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "importer/page/tuned.h"
 #include "importer/trace/follow_curve.h"
 #include "importer/trace/plot_text.h"
 
@@ -20,9 +21,27 @@ struct CurveInk {
   double secondStrand = 0;  ///< columns with ink far from the course, as a share of the course's own
 };
 
-/// Above this share a second line runs in the same ink (dashes have about half the columns, and strokes touch
-/// in places).
-inline constexpr double kSecondStrand = 0.18;
+struct CurveChoiceOptions {
+  double minSpan = tuned("choice.minSpan", 0.12);  ///< of the frame's width, of a line that may be a curve
+  double minInkShare =
+      tuned("choice.minInkShare", 0.5);  ///< of its visible course: dashes have about this much
+  double minInkShareNeutral =
+      tuned("choice.minInkShareNeutral", 0.85);  ///< the same in the ink of text and frame
+  double minOwnColumns =
+      tuned("choice.minOwnColumns", 0.4);  ///< of the columns spanned; the rest may be bridged
+  double minExplained = tuned("choice.minExplained", 0.3);  ///< of the ink's mass outside text and legend
+  double minOfBest =
+      tuned("choice.minOfBest", 0.3);  ///< of the best curve's gain: less is a rest of something
+  double minStrength =
+      tuned("choice.minStrength", 0.22);  ///< of the best curve's contrast: less is shaded paper
+  double strandsApart =
+      tuned("choice.strandsApart", 0.02);  ///< of the frame's height, between two strokes in one ink
+  /// Above this share of its columns a second line runs in the ink: dashes have about half, and strokes touch.
+  double secondStrand = tuned("choice.secondStrand", 0.18);
+  double haloStrength =
+      tuned("choice.haloStrength", 0.6);  ///< of the line's contrast: a paler one along it is its halo
+  double haloAlong = tuned("choice.haloAlong", 0.9);  ///< share of a halo's course that lies on its line
+};
 
 /// Everything measured on one plot area.
 struct PlotInks {
@@ -32,6 +51,7 @@ struct PlotInks {
   const Coverage& coverage;
   const PlotText& text;
   std::vector<LegendSample> samples;
+  CurveChoiceOptions options = {};
 };
 
 /// What ink `index` looks like to the follower. `curveInks`: inks that may lie over it as curves; other inks

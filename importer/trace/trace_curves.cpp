@@ -11,6 +11,7 @@
 #include "importer/trace/curve_choice.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/line_ends.h"
+#include "importer/trace/settled_chroma.h"
 #include "importer/trace/trace_loop.h"
 #include "importer/trace/trace_vector.h"
 
@@ -30,11 +31,6 @@ Failure noCurve(Message why) {
           std::move(why),
           {{RemedyKind::giveFrame, "if the plot stands elsewhere"},
            {RemedyKind::pickPress, "with the curve's colour"}}};
-}
-
-Rgb rgbOf(Color3 c) {
-  const auto level = [](float v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5F, 0.0F, 255.0F)); };
-  return {level(c.r), level(c.g), level(c.b)};
 }
 
 /// Inks the user named, as indices into the palette; -1: not named.
@@ -256,7 +252,8 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
   std::vector<CurveInk> curves = findCurves(plot, given);
   if (given.any() && curves.empty()) return noCurve("shows no line in the colours given");
   if (progress.isCancelled()) return Failure::cancelled();
-  const bool oneInkBothStrokes = curves.size() == 1 && curves.front().secondStrand > kSecondStrand;
+  const bool oneInkBothStrokes =
+      curves.size() == 1 && curves.front().secondStrand > plot.options.secondStrand;
   if (curves.empty() || oneInkBothStrokes) {
     const auto loopIn = [&](const Ink& ink, bool neutral) {
       return traceLoop(area, coverageBy(ink, neutral, area, backdrop, palette),
@@ -292,8 +289,9 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
     return Failure{FailureCode::wrongUsage, "point spacing", "", "must lie in (0, 16] px", "Leave it at 1"};
   std::vector<CurveTrace> exact = traceVector(view, frame, axes, hints);
   if (!exact.empty()) return exact;
-  const PlotArea area = makePlotArea(view.raster, frame, axes.texts, hints.masks_px);
+  PlotArea area = makePlotArea(view.raster, frame, axes.texts, hints.masks_px);
   if (area.raster.empty()) return noCurve("lies outside the picture or has no area");
+  settleChroma(area.raster, rgbOf(paperOf(area)));
   return traceRaster(area, view, axes, hints, options, progress);
 }
 
