@@ -11,17 +11,19 @@ namespace detent::playback {
 namespace {
 
 constexpr double lookForSilence_s = 0.01;
-constexpr double gapInPeriods = 1.5;   // a gap this long gets readings in between
-constexpr double mostBetween = 20000;  // per gap
+constexpr double gapInPeriods = 1.5;           // a gap this long gets readings in between
+constexpr double mostBetween = 20000;          // per gap
+constexpr std::size_t heardBeforehand = 1024;  // readings the noise of a recording is known from
 constexpr double longestRender_s = 7 * 24 * 3600.0;
 
 ConditionerSettings conditionerFor(PressTrace::Quantity quantity, const HapticProgram& program) {
-  ConditionerSettings settings = limitsFor(strongestForce_N(program));
+  ConditionerSettings settings = limitsFor(program);
   if (quantity == PressTrace::Quantity::displacement_mm) {
     // A trace in mm is what somebody recorded or drew: any finite, ordered value is meant.
     settings.lowest = -1e9;
     settings.highest = 1e9;
     settings.fastest_per_s = 1e12;
+    settings.mostNoise = 0;
   }
   // A drawn trace may have two readings a second apart; only a live sensor falls silent.
   settings.silentAfter_s = 1e12;
@@ -51,6 +53,9 @@ std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const Haptic
                                            double sampleRate_Hz, double origin_s, ConditionerCounts& counts) {
   const double period_s = program.interpolationDelay_s;
   ForceConditioner conditioner(conditionerFor(trace.quantity, program));
+  // A live sensor is heard long before a finger comes; a recording may begin with the press.
+  const std::size_t heard = std::min(trace.readings.size(), heardBeforehand);
+  for (std::size_t i = 0; i < heard; ++i) conditioner.learn(trace.readings[i].value);
   std::vector<EngineInput> inputs;
   inputs.reserve(trace.readings.size());
   EngineInput input;
@@ -63,15 +68,21 @@ std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const Haptic
   };
   for (const PressReading& r : trace.readings) {
     if (conditioner.judge(r.time_s, r.value) == ConditionerVerdict::reject) continue;
-    const double gap_s = r.time_s - last.time_s;
-    if (!inputs.empty() && r.value != last.value && gap_s > gapInPeriods * period_s) {
+    const PressReading now{r.time_s, conditioner.value()};
+    // A time proved wrong by those after it: what was put down for it never was.
+    while (!inputs.empty() && now.time_s <= last.time_s &&
+           inputs.back().time_frames >= (now.time_s - origin_s) * sampleRate_Hz) {
+      inputs.pop_back();
+    }
+    const double gap_s = now.time_s - last.time_s;
+    if (!inputs.empty() && now.value != last.value && gap_s > gapInPeriods * period_s) {
       const double pieces = std::min(std::ceil(gap_s / period_s), mostBetween);
       for (double k = 1; k < pieces; ++k) {
-        put(last.time_s + gap_s * (k / pieces), last.value + (r.value - last.value) * (k / pieces));
+        put(last.time_s + gap_s * (k / pieces), last.value + (now.value - last.value) * (k / pieces));
       }
     }
-    put(r.time_s, r.value);
-    last = r;
+    put(now.time_s, now.value);
+    last = now;
   }
   counts = conditioner.counts();
   return inputs;

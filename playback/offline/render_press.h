@@ -39,9 +39,18 @@ Result<PressTrace> parsePressTrace(const std::string& text, const std::string& n
 std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const HapticProgram& program,
                                            double sampleRate_Hz, double origin_s, ConditionerCounts& counts);
 
+/// How samples stand in a file.
+enum class SampleFormat : std::uint8_t {
+  standard,  ///< WAV: 32 bit float, FLAC: 24 bit
+  bits16,
+  bits24,
+  float32  ///< WAV only
+};
+
 struct RenderSettings {
-  double sampleRate_Hz = 48000;  ///< 8000..192000
-  std::size_t block = 4096;      ///< samples per engine call, 1..8192; does not change the result
+  SampleFormat format = SampleFormat::standard;  ///< of files
+  double sampleRate_Hz = 48000;                  ///< 8000..192000
+  std::size_t block = 4096;  ///< samples per engine call, 1..8192; does not change the result
   std::function<bool()>
       cancelled;        ///< asked once per block; true: Failure::cancelled, nothing is left behind
   double tail_s = 0.5;  ///< at most this much after the last reading; ends early when all is silent
@@ -74,9 +83,17 @@ struct RenderedPress {
 Result<RenderedPress> renderPress(const HapticProgram& program, const PressTrace& trace,
                                   const RenderSettings& settings);
 
-/// The same into a mono float WAV, or FLAC (24 bit: FLAC has no float) by the file's ending. Written beside
-/// the target and renamed, so that the target is never half written. Failure: wrongUsage for another ending,
-/// unreadableInput where the file cannot be written.
+/// What a file of this trace will be, at most (FLAC is smaller).
+struct ExpectedSize {
+  double duration_s = 0;
+  double bytes = 0;
+};
+ExpectedSize expectedSize(const PressTrace& trace, const RenderSettings& settings,
+                          const std::filesystem::path& file);
+
+/// The same into a mono WAV, or FLAC, by the file's ending; a WAV that would pass 4 GiB becomes an RF64.
+/// Written beside the target and renamed, so that the target is never half written. Failure: wrongUsage for
+/// another ending, or float samples in a FLAC; unreadableInput where the file cannot be written.
 Result<RenderSummary> renderPressToFile(const HapticProgram& program, const PressTrace& trace,
                                         const RenderSettings& settings, const std::filesystem::path& file);
 

@@ -19,13 +19,37 @@ struct CloseSound {
 };
 using SoundFile = std::unique_ptr<SNDFILE, CloseSound>;
 
-int formatOf(const std::filesystem::path& file) {
+constexpr double largestWav_bytes = 4.0 * 1024 * 1024 * 1024 - 4096;  // its length fields have 32 bits
+
+enum class Container { wav, flac, unknown };
+
+Container containerOf(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (ending == ".wav") return SF_FORMAT_WAV | SF_FORMAT_FLOAT;
-  if (ending == ".flac") return SF_FORMAT_FLAC | SF_FORMAT_PCM_24;
-  return 0;
+  if (ending == ".wav") return Container::wav;
+  return ending == ".flac" ? Container::flac : Container::unknown;
+}
+
+SampleFormat samplesIn(Container container, SampleFormat format) {
+  if (format != SampleFormat::standard) return format;
+  return container == Container::flac ? SampleFormat::bits24 : SampleFormat::float32;
+}
+
+int bytesOf(SampleFormat format) {
+  if (format == SampleFormat::bits16) return 2;
+  return format == SampleFormat::bits24 ? 3 : 4;
+}
+
+/// libsndfile's number for it; 0: no such file.
+int formatOf(Container container, SampleFormat format, double bytes) {
+  const int samples = format == SampleFormat::bits16   ? SF_FORMAT_PCM_16
+                      : format == SampleFormat::bits24 ? SF_FORMAT_PCM_24
+                                                       : SF_FORMAT_FLOAT;
+  if (container == Container::wav) {
+    return (bytes > largestWav_bytes ? SF_FORMAT_RF64 : SF_FORMAT_WAV) | samples;
+  }
+  return container == Container::flac && format != SampleFormat::float32 ? SF_FORMAT_FLAC | samples : 0;
 }
 
 /// A file beside the target that disappears unless it is kept.
@@ -65,12 +89,32 @@ Failure cannotWrite(const std::filesystem::path& file, const std::string& why) {
 
 }  // namespace
 
+ExpectedSize expectedSize(const PressTrace& trace, const RenderSettings& settings,
+                          const std::filesystem::path& file) {
+  ExpectedSize size;
+  if (trace.readings.empty()) return size;
+  double last_s = 0;
+  for (const PressReading& r : trace.readings) {
+    if (r.time_s > last_s) last_s = r.time_s;
+  }
+  size.duration_s = last_s - std::min(0.0, trace.readings.front().time_s) + settings.tail_s;
+  size.bytes =
+      size.duration_s * settings.sampleRate_Hz * bytesOf(samplesIn(containerOf(file), settings.format));
+  return size;
+}
+
 Result<RenderSummary> renderPressToFile(const HapticProgram& program, const PressTrace& trace,
                                         const RenderSettings& settings, const std::filesystem::path& file) {
   SF_INFO info{};
   info.channels = 1;
   info.samplerate = static_cast<int>(settings.sampleRate_Hz);
-  info.format = formatOf(file);
+  const Container container = containerOf(file);
+  const SampleFormat samplesAs = samplesIn(container, settings.format);
+  info.format = formatOf(container, samplesAs, expectedSize(trace, settings, file).bytes);
+  if (container == Container::flac && info.format == 0) {
+    return Failure{FailureCode::wrongUsage, file.string(), "", "FLAC holds no float samples",
+                   "Give --bits 16 or 24, or a .wav"};
+  }
   if (info.format == 0) {
     return Failure{FailureCode::wrongUsage, file.string(), "", "is neither .wav nor .flac",
                    "Give one of these endings"};

@@ -3,6 +3,7 @@
 // What is known about one vibrating device and its sensor: measured by `detent-play sweep` and `calibrate`,
 // kept in a text file (study/profile_file.h, docs/device-profile.md), used when a button is prepared for it.
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,20 @@ struct Resonance {
   double gain_dB = 0;  ///< above the median of the response
 };
 
+/// What turns the signal into movement, and what it can bear.
+struct Transducer {
+  double power_W = 0;  ///< it bears for ever; 0: unknown, no limit
+  double impedance_ohm = 8;
+  double fullScale_V = 0;  ///< at its terminals where the signal is at full scale
+
+  /// Share of full scale that even a square wave may have for ever: amplitude^2 / impedance <= power.
+  double highestLevel() const {
+    if (!(power_W > 0) || !(fullScale_V > 0)) return 1;
+    const double level = std::sqrt(power_W * impedance_ohm) / fullScale_V;
+    return level < 1 ? level : 1;
+  }
+};
+
 /// The round trip from sensor to vibration, as the paper states its own (51.12 ms, N = 50, SD 1.65).
 struct MeasuredLatency {
   std::size_t n = 0;
@@ -31,6 +46,7 @@ struct DeviceProfile {
   double gain = 1;                       ///< > 0, <= 10; applied before the limiter
   std::vector<Resonance> resonances;     ///< strongest first
   std::vector<EqualizerBand> equalizer;  ///< at most maxEqualizerBands
+  Transducer transducer;
   SensorCalibration sensor;
   std::optional<MeasuredLatency> latency;
 };

@@ -18,6 +18,13 @@ enum class FeedbackMode {
   off         ///< nothing sounds; the position is still followed
 };
 
+/// What the profile's equalizer may flatten.
+enum class EqualizerUse {
+  off,
+  sparingJumps,  ///< every band but those that change the jumps' own frequencies
+  full
+};
+
 /// Where the frequency of the jumps comes from.
 enum class JumpFrequencySource {
   paper,   ///< pressJumpFrequency_Hz and releaseJumpFrequency_Hz
@@ -36,6 +43,8 @@ struct PlaybackSettings {
   double grainDuration_s =
       0.020;  ///< not given by K&L. 3 cycles: PseudoBend (UIST 2019) uses 3, HapticButton 5; (0, 1]
   double grainAmplitude = 0.5;  ///< not given by K&L, only that jumps are clearly stronger; [0, 1]
+  GrainCarrier grainCarrier = GrainCarrier::running;  ///< docs/decisions/0905
+  double highPass_Hz = 20;  ///< of the grains: nothing constant reaches a transducer; 0: none; [0, 100]
   LowPassPlacement lowPassPlacement = LowPassPlacement::slopeOnly;  ///< docs/decisions/0900
   double lowPassCutoff_Hz = 150;  ///< "a low-pass filter with cutoff frequency of 150Hz"; (0, 20000]
   unsigned lowPassOrder = 2;      ///< not given by K&L; 1 or 2 (docs/decisions/0900)
@@ -59,11 +68,11 @@ struct PlaybackSettings {
   double bottomOutAmplitude = 0.7;  ///< not given by K&L; [0, 1]
 
   // Following the finger.
-  SectionSettings sections;       ///< what counts as a tactile point (model/sections.h)
-  double hysteresis_N = 0.02;     ///< at least 1 count of the sensor (10 bit over 12 N: 0.0117 N); (0, 10]
-  double hysteresis_mm = 0.01;    ///< for displacement inputs; (0, 1]
-  double rearmDistance_mm = 0.1;  ///< back from a tactile point before it can fire again; at most half the
-                                  ///< way from the stroke's start to it; [0, 10]
+  SectionSettings sections;     ///< what counts as a tactile point (model/sections.h)
+  double hysteresis_N = 0;      ///< turning back; 0: from the sensor's noise (docs/decisions/0906); [0, 10]
+  double hysteresis_mm = 0.01;  ///< for displacement inputs; (0, 1]
+  double rearm_N = 0;  ///< back from a tactile force before its jump can fire again, at most half the way to
+                       ///< the stroke's start; 0: 2.5 times the hysteresis; [0, 10]
 
   // Time.
   EventPlacement placement = EventPlacement::timeStamped;  ///< docs/decisions/0901
@@ -72,7 +81,9 @@ struct PlaybackSettings {
 
   // Output.
   double limiterCeiling = 1;  ///< (0, 1]
-  bool equalize = true;       ///< use the profile's equalizer
+  /// "the frequency of the signal is predetermined from the resonant frequency of the device": flattened, the
+  /// jump would lose what it was put there for (docs/decisions/0907).
+  EqualizerUse equalizer = EqualizerUse::sparingJumps;
 };
 
 }  // namespace detent::playback

@@ -4,14 +4,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
 #include "playback/prepare/stroke_table.h"
+#include "playback/realtime/biquad.h"
 
 namespace detent::playback {
 
 namespace {
 
 constexpr double highestFrequency_Hz = 2000;
+
+// Following the finger (docs/decisions/0906). What reaches the tracker is steadied already (force_steadier.h);
+// these keep the strokes apart where a sensor's steps or a tremor remain.
+constexpr double unknownSensorsHysteresis_N = 0.02;  // above one count of 10 bit over 12 N (0.0117 N)
+constexpr double smallestHysteresis_N = 0.005;
+constexpr double noiseInHysteresis = 4;
+constexpr double rearmInHysteresis = 2.5;
+
+constexpr double unfeltChange_dB = 0.5;  // a third of the just noticeable difference of a vibration
 
 /// One bound of one setting.
 struct Bound {
@@ -98,13 +109,19 @@ class Preparation {
       strongest_N = std::max({strongest_N, std::fabs(low), std::fabs(high)});
     }
     HapticProgram& p = prepared_.program;
-    p.hysteresis_N = settings_.hysteresis_N;
+    p.sensorNoise_N = profile_.sensor.knownNoise_N();
+    const double fromNoise_N = p.sensorNoise_N > 0
+                                   ? std::max(noiseInHysteresis * p.sensorNoise_N, smallestHysteresis_N)
+                                   : unknownSensorsHysteresis_N;
+    const double wanted_N = settings_.hysteresis_N > 0 ? settings_.hysteresis_N : fromNoise_N;
+    p.hysteresis_N = wanted_N;
     if (strongest_N > 0 && p.hysteresis_N > strongest_N / 10) {
       p.hysteresis_N = strongest_N / 10;
       warn(
           formatted("the button's %.3g N are little for a hysteresis of %.3g N; a tenth of its force is used",
-                    strongest_N, settings_.hysteresis_N));
+                    strongest_N, wanted_N));
     }
+    rearm_N_ = settings_.rearm_N > 0 ? settings_.rearm_N : rearmInHysteresis * p.hysteresis_N;
     p.restForce_N = p.hysteresis_N / 4;
     p.hysteresis_mm = settings_.hysteresis_mm;
   }
@@ -119,17 +136,39 @@ class Preparation {
     p.bottomOut = {s.bottomOutFrequency_Hz, halfCycles / (2 * s.bottomOutFrequency_Hz), s.bottomOutAmplitude,
                    Envelope::rising};
     p.lowPass = {s.lowPassPlacement, s.lowPassCutoff_Hz, s.lowPassOrder};
-    if (s.equalize) {
-      p.equalizerBandCount = static_cast<std::uint32_t>(profile_.equalizer.size());
-      std::copy(profile_.equalizer.begin(), profile_.equalizer.end(), p.equalizer.begin());
-    }
-    p.limiterCeiling = s.limiterCeiling;
+    p.grainCarrier = s.grainCarrier;
+    p.highPass_Hz = s.highPass_Hz;
+    p.limiterCeiling = std::min(s.limiterCeiling, profile_.transducer.highestLevel());
     p.placement = s.placement;
     p.interpolationDelay_s = s.sensorPeriod_s;
     p.longestInterval_s = std::max(4 * s.sensorPeriod_s, 0.02);
     p.burstSpacing_s = s.burstSpacing_s;
     p.gain = profile_.gain;
     setJumpFrequencies();
+    setEqualizer();
+  }
+
+  void setEqualizer() {
+    if (settings_.equalizer == EqualizerUse::off) return;
+    HapticProgram& p = prepared_.program;
+    std::string left;
+    for (const EqualizerBand& band : profile_.equalizer) {
+      if (settings_.equalizer == EqualizerUse::full || !touchesJumps(band)) {
+        p.equalizer[p.equalizerBandCount++] = band;
+      } else {
+        left += formatted(left.empty() ? "%.4g" : ", %.4g", band.frequency_Hz);
+      }
+    }
+    if (!left.empty()) prepared_.summary.sparedBands_Hz = left;
+  }
+
+  bool touchesJumps(const EqualizerBand& band) const {
+    constexpr double anyRate_Hz = 192000;  // the highest: there the band lies as the profile means it
+    const BiquadCoefficients section = peaking(anyRate_Hz, band.frequency_Hz, band.q, band.gain_dB);
+    const auto change_dB = [&](double frequency_Hz) {
+      return std::fabs(20 * std::log10(magnitude(section, anyRate_Hz, frequency_Hz)));
+    };
+    return std::max(change_dB(press_Hz_), change_dB(release_Hz_)) > unfeltChange_dB;
   }
 
   void setJumpFrequencies() {
@@ -199,11 +238,22 @@ class Preparation {
       if (s.kind != SectionKind::bottomOut) continue;
       to.hasBottomOut = true;
       to.bottomOut_mm = s.from_mm > to.start_mm ? s.from_mm : to.end_mm;
-      to.bottomOutRearm_mm = to.bottomOut_mm - rearmDistance(to.bottomOut_mm - to.start_mm);
+      to.bottomOutRearm_mm = rearmPlace(press.curve, to.bottomOut_mm, to.start_mm);
     }
   }
 
-  double rearmDistance(double way_mm) const { return std::min(settings_.rearmDistance_mm, way_mm / 2); }
+  /// Back along the curve from where something fired to where the force differs by the re-arm force; at most
+  /// half the way to `end_mm`.
+  double rearmPlace(const StrokeCurve& curve, double fires_mm, double end_mm) const {
+    constexpr int steps = 256;
+    const double fires_N = curve.force_N(fires_mm);
+    const double farthest_mm = (fires_mm + end_mm) / 2;
+    for (int i = 1; i < steps; ++i) {
+      const double x_mm = fires_mm + (farthest_mm - fires_mm) * i / steps;
+      if (std::fabs(curve.force_N(x_mm) - fires_N) >= rearm_N_) return x_mm;
+    }
+    return farthest_mm;
+  }
 
   void prepareStroke(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
     if (slopes()) addSlopes(plan, state, table);
@@ -253,7 +303,9 @@ class Preparation {
         table.slopes[table.slopeCount++] = range;
       }
     }
-    if (ranges.size() > maxSlopes) warn("more slopes than a program holds; the last ones are silent");
+    if (ranges.size() > maxSlopes)
+      warn(formatted("more than the %g slopes a program holds; the last ones are silent",
+                     static_cast<double>(maxSlopes)));
   }
 
   void addJumps(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
@@ -266,13 +318,22 @@ class Preparation {
       if (s.kind == SectionKind::jump) found.push_back({s, jumpArea_mJ(plan.curve, s)});
     }
     if (found.size() > maxJumps) {
-      warn(formatted("%g jumps on one stroke; the %g strongest are kept", static_cast<double>(found.size()),
-                     static_cast<double>(maxJumps)));
-      std::vector<Candidate> byArea = found;
-      std::nth_element(byArea.begin(), byArea.begin() + maxJumps, byArea.end(),
-                       [](const Candidate& a, const Candidate& b) { return a.area_mJ > b.area_mJ; });
-      const double bar = byArea[maxJumps].area_mJ;
-      std::erase_if(found, [&](const Candidate& c) { return c.area_mJ <= bar; });
+      // Of equal ones those met first are kept; what is kept stays in the order travelled.
+      std::vector<std::size_t> byArea(found.size());
+      std::iota(byArea.begin(), byArea.end(), std::size_t{0});
+      std::stable_sort(byArea.begin(), byArea.end(),
+                       [&](std::size_t a, std::size_t b) { return found[a].area_mJ > found[b].area_mJ; });
+      std::sort(byArea.begin() + maxJumps, byArea.end());
+      std::string left;
+      for (auto i = byArea.begin() + maxJumps; i != byArea.end(); ++i)
+        left += formatted(left.empty() ? "%.4g" : ", %.4g", found[*i].section.from_mm);
+      warn(formatted("%g jumps on one stroke; the %g strongest are kept, left out are those at ",
+                     static_cast<double>(found.size()), static_cast<double>(maxJumps)) +
+           left + " mm");
+      std::sort(byArea.begin(), byArea.begin() + maxJumps);
+      std::vector<Candidate> kept;
+      for (std::size_t i = 0; i < maxJumps; ++i) kept.push_back(found[byArea[i]]);
+      found = std::move(kept);
     }
     for (const Candidate& c : found)
       table.jumps[table.jumpCount++] = jumpEntry(c.section, c.area_mJ, plan, state);
@@ -285,8 +346,7 @@ class Preparation {
     JumpEntry entry;
     entry.from_mm = std::clamp(section.from_mm, state.low_mm, state.end_mm);
     entry.to_mm = std::clamp(section.to_mm, state.low_mm, state.end_mm);
-    entry.rearm_mm = press ? entry.from_mm - rearmDistance(entry.from_mm - state.start_mm)
-                           : entry.from_mm + rearmDistance(state.end_mm - entry.from_mm);
+    entry.rearm_mm = rearmPlace(plan.curve, entry.from_mm, press ? state.start_mm : state.end_mm);
     entry.burst.frequency_Hz = press ? press_Hz_ : release_Hz_;
     entry.burst.duration_s =
         std::clamp(s.jumpDurationPerTravel_s_per_mm * std::fabs(section.to_mm - section.from_mm),
@@ -307,6 +367,7 @@ class Preparation {
   const PlaybackSettings& settings_;
   PreparedProgram prepared_;
   double press_Hz_ = 0, release_Hz_ = 0;
+  double rearm_N_ = 0;
 };
 
 }  // namespace
@@ -339,9 +400,10 @@ Result<Done> checkSettings(const PlaybackSettings& s) {
                    {"bottomOutFrequency_Hz", s.bottomOutFrequency_Hz, 0, highestFrequency_Hz, false},
                    {"bottomOutDuration_s", s.bottomOutDuration_s, 0, 1, false},
                    {"bottomOutAmplitude", s.bottomOutAmplitude, 0, 1, true},
-                   {"hysteresis_N", s.hysteresis_N, 0, 10, false},
+                   {"highPass_Hz", s.highPass_Hz, 0, 100, true},
+                   {"hysteresis_N", s.hysteresis_N, 0, 10, true},
                    {"hysteresis_mm", s.hysteresis_mm, 0, 1, false},
-                   {"rearmDistance_mm", s.rearmDistance_mm, 0, 10, true},
+                   {"rearm_N", s.rearm_N, 0, 10, true},
                    {"sensorPeriod_s", s.sensorPeriod_s, 0, 0.25, false},
                    {"burstSpacing_s", s.burstSpacing_s, 0, 0.1, true},
                    {"limiterCeiling", s.limiterCeiling, 0, 1, false},
@@ -376,7 +438,23 @@ Result<Done> checkProfile(const DeviceProfile& profile) {
       return ok;
     }
   }
-  return Done{};
+  // Whatever the circuit, more force is a larger reading.
+  const SensorCalibration& sensor = profile.sensor;
+  if (sensor.circuit != SensorCircuit::newtons || sensor.weights > 0) {
+    const double low = 0.1 * sensor.fullScale_counts, high = 0.9 * sensor.fullScale_counts;
+    if (sensor.coefficientCount > 1 && !(sensor.force_N(high) > sensor.force_N(low))) {
+      return Failure{FailureCode::wrongUsage, "device profile", "sensor.coefficients",
+                     "the force falls while the reading rises",
+                     "Swap the sensor's two wires, or calibrate again"};
+    }
+  } else if (sensor.coefficientCount > 1 && !(sensor.coefficients[1] > 0)) {
+    return Failure{FailureCode::wrongUsage, "device profile", "sensor.coefficients",
+                   "the force falls while the reading rises", "Calibrate the sensor again"};
+  }
+  const Transducer& t = profile.transducer;
+  return checkBounds("device profile", {{"transducer power_W", t.power_W, 0, 1000, true},
+                                        {"transducer impedance_ohm", t.impedance_ohm, 0, 1e5, false},
+                                        {"transducer full_scale_V", t.fullScale_V, 0, 1000, true}});
 }
 
 Result<PreparedProgram> prepareProgram(const Button& button, const DeviceProfile& profile,

@@ -19,7 +19,8 @@ struct PrepareSummary {
   std::size_t grains = 0;  ///< grain positions of the first state's press stroke
   std::size_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0;  ///< over all states
   std::size_t tablePoints = 0;
-  double tableError_N = 0;  ///< largest distance of a table from its curve
+  double tableError_N = 0;     ///< largest distance of a table from its curve
+  std::string sparedBands_Hz;  ///< "390, 780": equalizer bands left out for the jumps' sake; empty: none
   std::vector<std::string> warnings;
 
   /// "54 grains, 1 press jump, 1 release jump, bottom-out; table 212 points, error 0.0001 N".

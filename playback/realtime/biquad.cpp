@@ -30,6 +30,16 @@ BiquadCoefficients lowPass(double sampleRate_Hz, double cutoff_Hz, unsigned orde
   return c;
 }
 
+BiquadCoefficients highPass(double sampleRate_Hz, double cutoff_Hz) {
+  BiquadCoefficients c;
+  if (outOfBand(sampleRate_Hz, cutoff_Hz)) return c;
+  const double k = std::tan(std::numbers::pi * cutoff_Hz / sampleRate_Hz);
+  c.b0 = 1 / (1 + k);
+  c.b1 = -c.b0;
+  c.a1 = (k - 1) / (k + 1);
+  return c;
+}
+
 BiquadCoefficients peaking(double sampleRate_Hz, double frequency_Hz, double q, double gain_dB) {
   BiquadCoefficients c;
   if (outOfBand(sampleRate_Hz, frequency_Hz) || !(q > 0)) return c;

@@ -16,6 +16,10 @@ struct BiquadCoefficients {
 /// 0.45 of the sample rate gives the identity.
 BiquadCoefficients lowPass(double sampleRate_Hz, double cutoff_Hz, unsigned order);
 
+/// First-order high-pass, -3 dB at the cutoff: nothing constant passes (Pd's hip~). A cutoff of 0, or out of
+/// band, gives the identity.
+BiquadCoefficients highPass(double sampleRate_Hz, double cutoff_Hz);
+
 /// Peaking section after R. Bristow-Johnson's audio EQ cookbook. A frequency at or above 0.45 of the sample
 /// rate gives the identity: the device's resonance lies outside what this rate can play.
 BiquadCoefficients peaking(double sampleRate_Hz, double frequency_Hz, double q, double gain_dB);
@@ -47,7 +51,7 @@ class Biquad {
   }
 
  private:
-  static constexpr double inaudible = 1e-15;
+  static constexpr double inaudible = 1e-9;  // -180 dB: 36 dB below the last bit of 24
   BiquadCoefficients c_;
   double s1_ = 0, s2_ = 0;
 };

@@ -5,14 +5,31 @@
 
 namespace detent::playback {
 
-ConditionerSettings limitsFor(double strongest_N) {
+namespace {
+constexpr std::uint32_t earlyReadingsThatProve = 8;  // 19 ms at 425 Hz, 80 ms at 100 Hz
+}
+
+ConditionerSettings limitsFor(const HapticProgram& program) {
   constexpr double overload = 5;           // a finger that presses a button five times too hard
   constexpr double fastestPress_s = 1e-3;  // from nothing to the strongest force
+  constexpr double noisiest = 0.125;       // of the strongest force
+  const double strongest_N = strongestForce_N(program);
   ConditionerSettings settings;
+  settings.knownNoise = program.sensorNoise_N;
+  settings.mostNoise = noisiest * strongest_N;
   settings.highest = std::fmax(settings.highest, overload * strongest_N);
   settings.lowest = std::fmin(settings.lowest, -strongest_N);
   settings.fastest_per_s = std::fmax(settings.fastest_per_s, strongest_N / fastestPress_s);
   return settings;
+}
+
+void ForceConditioner::setSettings(const ConditionerSettings& settings) {
+  settings_ = settings;
+  steadier_.configure(settings.knownNoise, settings.mostNoise);
+}
+
+void ForceConditioner::learn(double value) {
+  if (std::isfinite(value) && value >= settings_.lowest && value <= settings_.highest) steadier_.learn(value);
 }
 
 ConditionerVerdict ForceConditioner::judge(double time_s, double value) {
@@ -26,10 +43,8 @@ ConditionerVerdict ForceConditioner::judge(double time_s, double value) {
   }
   if (!any_) return accept(time_s, value, true);
   const double elapsed_s = time_s - lastTime_s_;
-  if (!(elapsed_s > 0)) {
-    ++counts_.outOfOrder;
-    return ConditionerVerdict::reject;
-  }
+  if (!(elapsed_s > 0)) return judgeEarly(time_s, value);
+  earlyInRow_ = 0;
   if (elapsed_s > settings_.silentAfter_s) {
     ++counts_.gaps;
     return accept(time_s, value, true);
@@ -44,11 +59,26 @@ ConditionerVerdict ForceConditioner::judge(double time_s, double value) {
   return ConditionerVerdict::reject;
 }
 
+// One time far ahead would make every reading after it too early. Where readings keep coming, each after the
+// one before and all of them early, that one time was wrong.
+ConditionerVerdict ForceConditioner::judgeEarly(double time_s, double value) {
+  ++counts_.outOfOrder;
+  earlyInRow_ = earlyInRow_ > 0 && time_s > earlySuspect_s_ ? earlyInRow_ + 1 : 1;
+  earlySuspect_s_ = time_s;
+  if (earlyInRow_ < earlyReadingsThatProve) return ConditionerVerdict::reject;
+  --counts_.outOfOrder;  // this one is taken; those before it are lost and stay counted
+  ++counts_.wrongTimes;
+  return accept(time_s, value, true);
+}
+
 ConditionerVerdict ForceConditioner::accept(double time_s, double value, bool resumed) {
   if (!any_ || value != lastValue_ || resumed || value <= settings_.stuckAbove) sameSince_s_ = time_s;
   stuck_ = time_s - sameSince_s_ > settings_.stuckAfter_s;
   any_ = true;
   suspected_ = false;
+  earlyInRow_ = 0;
+  if (resumed) steadier_.startAnew();
+  steadyValue_ = steadier_.next(value);
   lastTime_s_ = time_s;
   lastValue_ = value;
   ++counts_.accepted;

@@ -5,6 +5,9 @@
 
 #include <cstdint>
 
+#include "playback/realtime/force_steadier.h"
+#include "playback/realtime/haptic_program.h"
+
 namespace detent::playback {
 
 /// What a reading may look like. Forces in N for a force sensor, mm for a displacement trace.
@@ -17,10 +20,12 @@ struct ConditionerSettings {
   double silentAfter_s = 0.25;  ///< no reading for longer: the sensor is silent
   double stuckAfter_s = 10;     ///< the same reading above `stuckAbove` for longer: the sensor is stuck
   double stuckAbove = 0.05;
+  double knownNoise = 0;  ///< SD of the sensor at rest; 0: unknown, it is measured as readings come
+  double mostNoise = 0;   ///< a larger SD is movement; 0: readings are passed on as they are
 };
 
-/// Limits for a button whose strongest force is `strongest_N`: the defaults, widened for heavy buttons.
-ConditionerSettings limitsFor(double strongest_N);
+/// Limits for forces on this program's button: the defaults, widened for heavy buttons, and its sensor's noise.
+ConditionerSettings limitsFor(const HapticProgram& program);
 
 /// What was rejected so far.
 struct ConditionerCounts {
@@ -28,8 +33,11 @@ struct ConditionerCounts {
   std::uint64_t notFinite = 0;
   std::uint64_t outOfRange = 0;
   std::uint64_t outOfOrder = 0;  ///< time not after the reading before
+  std::uint64_t wrongTimes = 0;  ///< times far ahead that the readings after them proved wrong
   std::uint64_t glitches = 0;    ///< single readings no finger can make
   std::uint64_t gaps = 0;        ///< silences that ended
+
+  std::uint64_t rejected() const { return notFinite + outOfRange + outOfOrder + wrongTimes + glitches; }
 };
 
 enum class ConditionerVerdict : std::uint8_t {
@@ -38,16 +46,23 @@ enum class ConditionerVerdict : std::uint8_t {
   resume   ///< pass it on as a new start: the readings before it are too old to connect to
 };
 
-/// Judges readings one by one. Pure function of its inputs; one owner, any thread; no allocation.
+/// Judges readings one by one, and takes the noise out of what it lets through (force_steadier.h). Pure function of its inputs; one owner, any thread; no allocation.
 class ForceConditioner {
  public:
-  explicit ForceConditioner(const ConditionerSettings& settings = {}) : settings_(settings) {}
+  explicit ForceConditioner(const ConditionerSettings& settings = {}) { setSettings(settings); }
 
   /// Keeps counts and history.
-  void setSettings(const ConditionerSettings& settings) { settings_ = settings; }
+  void setSettings(const ConditionerSettings& settings);
+
+  /// Looks at a reading of a recording that is about to be judged from its start, for its noise only.
+  void learn(double value);
 
   /// `time_s` on any steady clock, the same for all readings.
   ConditionerVerdict judge(double time_s, double value);
+  /// What the last accepted reading comes to.
+  double value() const { return steadyValue_; }
+  /// SD of the readings, as far as it is known; 0: none worth mentioning.
+  double noise() const { return steadier_.noise(); }
 
   const ConditionerCounts& counts() const { return counts_; }
   /// No accepted reading within the limit before `now_s` (or none at all).
@@ -56,12 +71,18 @@ class ForceConditioner {
 
  private:
   ConditionerVerdict accept(double time_s, double value, bool resumed);
+  ConditionerVerdict judgeEarly(double time_s, double value);
 
   ConditionerSettings settings_;
+  ForceSteadier steadier_;
+  double steadyValue_ = 0;
   ConditionerCounts counts_;
   double lastTime_s_ = 0, lastValue_ = 0;
   double sameSince_s_ = 0;
   double suspect_ = 0;
+  double earlySuspect_s_ =
+      0;  ///< a time before lastTime_s_: the first of a series that proves that one wrong
+  std::uint32_t earlyInRow_ = 0;
   bool any_ = false, suspected_ = false, stuck_ = false;
 };
 

@@ -53,23 +53,11 @@ void HapticEngine::use(const HapticProgram* program) {
   pendingCount_ = 0;
   lastScheduled_ = now_;
   nextBurstFrame_ = now_;
-  for (Biquad& section : equalizer_) section.reset();
-  equalizerCount_ = 0;
-  lowPassOnSlope_ = lowPassOnAll_ = false;
   if (program == nullptr) return;
   tracker_.placeAtForce(force_N);
-  lowPass_.setCoefficients(lowPass(sampleRate_Hz_, program->lowPass.cutoff_Hz, program->lowPass.order));
-  lowPassOnSlope_ = program->lowPass.placement == LowPassPlacement::slopeOnly;
-  lowPassOnAll_ = program->lowPass.placement == LowPassPlacement::wholeChain;
-  for (std::size_t i = 0; i < program->equalizerBandCount && i < maxEqualizerBands; ++i) {
-    const EqualizerBand& band = program->equalizer[i];
-    equalizer_[equalizerCount_].setCoefficients(
-        peaking(sampleRate_Hz_, band.frequency_Hz, band.q, band.gain_dB));
-    ++equalizerCount_;
-  }
+  if (!chain().silent()) current_ = (current_ + 1) % chainCount;
+  chain().use(*program, sampleRate_Hz_);
   limiter_.configure(program->limiterCeiling, program->limiterRelease_s * sampleRate_Hz_);
-  stealFade_frames_ = static_cast<std::int64_t>(program->stealFade_s * sampleRate_Hz_);
-  programGain_ = program->gain;
 }
 
 void HapticEngine::setGain(double gain) {
@@ -167,7 +155,9 @@ void HapticEngine::scheduleOne(const Crossing& crossing, double time_frames) {
       break;
   }
   if (p.event.kind != EventKind::grain && p.burst.amplitude > 0) {
-    if (static_cast<double>(nextBurstFrame_ - p.frame) > longestQueue_s * sampleRate_Hz_) {
+    const double waits_frames = static_cast<double>(nextBurstFrame_ - p.frame);
+    // The bottom-out always plays: without it a press has no end.
+    if (crossing.kind != CrossingKind::bottomOut && waits_frames > longestQueue_s * sampleRate_Hz_) {
       ++counts_.crowded;
       return;
     }
@@ -233,8 +223,7 @@ void HapticEngine::play(const Pending& pending) {
   switch (event.kind) {
     case EventKind::grain:
       counts_.grains += event.count;
-      // "If a new grain signal comes during playing the previous signal, the new one is played immediately."
-      grain_.start(pending.burst, sampleRate_Hz_);
+      chain().startGrain(pending.burst);
       break;
     case EventKind::pressJump:
       ++counts_.pressJumps;
@@ -260,27 +249,7 @@ void HapticEngine::play(const Pending& pending) {
 }
 
 void HapticEngine::startBurst(const Burst& burst) {
-  if (!(burst.amplitude > 0) || !(burst.duration_s > 0)) return;
-  std::size_t playing = 0;
-  Voice *oldest = nullptr, *free = nullptr, *mostFaded = nullptr;
-  for (Voice& v : voices_) {
-    if (!v.active()) {
-      free = &v;
-    } else if (v.fading()) {
-      if (mostFaded == nullptr || v.fadeLevel() < mostFaded->fadeLevel()) mostFaded = &v;
-    } else {
-      ++playing;
-      if (oldest == nullptr || v.age() > oldest->age()) oldest = &v;
-    }
-  }
-  if (playing >= playingVoices) {
-    oldest->fadeOut(stealFade_frames_);
-    ++counts_.stolenVoices;
-  }
-  // Only more steals within one fade than there are spare voices end here; the one nearest to silence gives
-  // way.
-  if (free == nullptr) free = mostFaded != nullptr ? mostFaded : oldest;
-  free->start(burst, sampleRate_Hz_);
+  if (chain().startBurst(burst)) ++counts_.stolenVoices;
 }
 
 void HapticEngine::report(const EngineEvent& event) {
@@ -307,13 +276,9 @@ float HapticEngine::takePeak() {
 }
 
 bool HapticEngine::silent() const {
-  if (grain_.active() || !limiter_.idle() || gain_ != gainTarget_) return false;
-  if ((lowPassOnSlope_ || lowPassOnAll_) && !lowPass_.silent()) return false;
-  for (std::size_t i = 0; i < equalizerCount_; ++i) {
-    if (!equalizer_[i].silent()) return false;
-  }
-  for (const Voice& v : voices_) {
-    if (v.active()) return false;
+  if (!limiter_.idle() || gain_ != gainTarget_) return false;
+  for (const SoundChain& c : chains_) {
+    if (!c.silent()) return false;
   }
   return true;
 }
@@ -343,23 +308,19 @@ void HapticEngine::render(float* out, std::size_t count) {
 }
 
 void HapticEngine::renderSpan(float* out, std::size_t count) {
-  double* bus = bus_.data();
-  for (std::size_t i = 0; i < count; ++i) bus[i] = 0;
-  if (grain_.active()) grain_.addTo(bus, count);
-  if (lowPassOnSlope_) lowPass_.process(bus, count);
-  for (Voice& v : voices_) {
-    if (v.active()) v.addTo(bus, count);
+  double* mix = mix_.data();
+  for (std::size_t i = 0; i < count; ++i) mix[i] = 0;
+  for (SoundChain& c : chains_) {
+    if (!c.silent()) c.addTo(mix, bus_.data(), count);
   }
-  if (lowPassOnAll_) lowPass_.process(bus, count);
-  for (std::size_t i = 0; i < equalizerCount_; ++i) equalizer_[i].process(bus, count);
   for (std::size_t i = 0; i < count; ++i) {
     if (gain_ != gainTarget_) {
       gain_ += gainStep_;
       if ((gainStep_ >= 0) == (gain_ >= gainTarget_)) gain_ = gainTarget_;
     }
-    bus[i] *= gain_ * programGain_;
+    mix[i] *= gain_;
   }
-  limiter_.process(bus, out, count);
+  limiter_.process(mix, out, count);
   for (std::size_t i = 0; i < count; ++i) {
     const float level = out[i] < 0 ? -out[i] : out[i];
     if (level > peak_) peak_ = level;

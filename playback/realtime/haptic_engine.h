@@ -4,18 +4,18 @@
 // inputs, sample index) and of nothing else: no clock, no allocation, no lock, no file, no throw, no unseeded
 // chance. The live path and the offline render call this same class.
 //
-// Reading order: haptic_program.h (what is played), stroke_tracker.h (readings -> crossings), voice.h,
-// biquad.h, limiter.h (crossings -> samples), this file (when), live_session.h (the bridge to other threads).
+// Reading order: haptic_program.h (what is played), stroke_tracker.h (readings -> crossings), grain_voice.h,
+// voice.h, biquad.h, sound_chain.h, limiter.h (crossings -> samples), this file (when), live_session.h (the
+// bridge to other threads).
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 
-#include "playback/realtime/biquad.h"
 #include "playback/realtime/haptic_program.h"
 #include "playback/realtime/limiter.h"
+#include "playback/realtime/sound_chain.h"
 #include "playback/realtime/stroke_tracker.h"
-#include "playback/realtime/voice.h"
 
 namespace detent::playback {
 
@@ -62,7 +62,7 @@ struct EngineCounts {
   std::uint64_t grains = 0;  ///< grain positions crossed and played (merged ones counted singly)
   std::uint64_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0, triggers = 0;
   std::uint64_t suppressed = 0;     ///< chatter: met while not armed
-  std::uint64_t crowded = 0;        ///< bursts left out because too many were waiting for their turn
+  std::uint64_t crowded = 0;        ///< jumps left out because too many were waiting for their turn
   std::uint64_t late = 0;           ///< events whose place had already been rendered; played at once
   std::uint64_t droppedInputs = 0;  ///< input ring full (flooding); the next reading carries the position on
   std::uint64_t hastened = 0;       ///< events played early because the event ring was full
@@ -85,8 +85,8 @@ class HapticEngine {
   std::int64_t frame() const { return now_; }
 
   /// Plays another program from the next sample on; `program` must outlive its use (nullptr: silence).
-  /// Sounding voices finish; a pressed finger is taken over without a sound. Callback thread or before the
-  /// stream starts.
+  /// What sounds, ends as its own program meant it; a pressed finger is taken over without a sound. Callback
+  /// thread or before the stream starts.
   void use(const HapticProgram* program);
   const HapticProgram* program() const { return program_; }
 
@@ -117,6 +117,8 @@ class HapticEngine {
   const StrokePosition& position() const { return tracker_.position(); }
   /// Largest |sample| since the last call.
   float takePeak();
+  /// The limiter is turning the sound down.
+  bool limiting() const { return !limiter_.idle(); }
   /// Nothing sounds and nothing is waiting.
   bool idle() const;
 
@@ -129,8 +131,7 @@ class HapticEngine {
   static constexpr std::size_t inputCapacity = 4096;  // powers of two
   static constexpr std::size_t pendingCapacity = 4096;
   static constexpr std::size_t reportCapacity = 4096;
-  static constexpr std::size_t playingVoices = 12;
-  static constexpr std::size_t voiceCount = 24;  // the rest fade out
+  static constexpr std::size_t chainCount = 3;
   static constexpr std::size_t span = 256;
 
   void applyDueInputs();
@@ -164,19 +165,15 @@ class HapticEngine {
   std::array<EngineEvent, reportCapacity> reports_;
   std::size_t reportHead_ = 0, reportCount_ = 0;
 
-  Voice grain_;
-  std::array<Voice, voiceCount> voices_;
-  Biquad lowPass_;
-  bool lowPassOnSlope_ = false, lowPassOnAll_ = false;
-  std::array<Biquad, maxEqualizerBands> equalizer_;
-  std::size_t equalizerCount_ = 0;
-  double programGain_ = 1;
+  SoundChain& chain() { return chains_[current_]; }
+
+  std::array<SoundChain, chainCount> chains_;  // the current program's, and those that still end
+  std::size_t current_ = 0;
   double gain_ = 1, gainTarget_ = 1, gainStep_ = 0;
   Limiter limiter_;
-  std::int64_t stealFade_frames_ = 1;
   float peak_ = 0;
   EngineCounts counts_;
-  std::array<double, span> bus_;
+  std::array<double, span> mix_, bus_;
 };
 
 }  // namespace detent::playback

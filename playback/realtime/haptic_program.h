@@ -82,6 +82,12 @@ struct StateProgram {
 /// Where the 150 Hz low-pass stands (docs/decisions/0900).
 enum class LowPassPlacement : std::uint8_t { slopeOnly, wholeChain, none };
 
+/// What a grain does to the sine of the one still sounding (grain_voice.h, docs/decisions/0905).
+enum class GrainCarrier : std::uint8_t {
+  running,     ///< it runs on, only the envelope begins anew
+  retriggered  ///< it begins anew too: for comparison; fast strokes lose their vibration
+};
+
 struct LowPass {
   LowPassPlacement placement = LowPassPlacement::slopeOnly;
   double cutoff_Hz = 150;
@@ -111,7 +117,9 @@ struct HapticProgram {
   Burst grain;
   Burst bottomOut;
 
+  GrainCarrier grainCarrier = GrainCarrier::running;
   LowPass lowPass;
+  double highPass_Hz = 20;  ///< of the slope's grains; 0: none. Nothing constant reaches a transducer
   std::uint32_t equalizerBandCount = 0;
   std::array<EqualizerBand, maxEqualizerBands> equalizer{};
   double limiterCeiling = 1;  ///< (0, 1]
@@ -120,6 +128,8 @@ struct HapticProgram {
   double hysteresis_N = 0.02;   ///< force must turn back this far before the stroke turns; >= 0
   double hysteresis_mm = 0.01;  ///< the same for displacement inputs
   double restForce_N = 0.005;   ///< at or below this the button is fully released; < hysteresis_N
+  double sensorNoise_N =
+      0;  ///< SD of the sensor's readings on a still finger, where known (force_steadier.h)
 
   EventPlacement placement = EventPlacement::timeStamped;
   double interpolationDelay_s =

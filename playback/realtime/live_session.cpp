@@ -13,6 +13,8 @@ namespace {
 constexpr std::size_t commandCapacity = 4096;
 constexpr std::size_t reportCapacity = 8192;
 constexpr double statusInterval_s = 0.02;
+// A reading that waited this long for a callback tells where the finger is, not what it just did.
+constexpr double stale_s = 0.2;
 }  // namespace
 
 /// What the callback and the other threads share, and the callback's own book-keeping.
@@ -22,6 +24,7 @@ struct LiveSession::State {
   HapticEngine engine;
   StreamClock clock;
   double lastInput_frames = 0;
+  double entry_s = 0;  // of the running callback
   std::int64_t lastStatusFrame = 0;
   SessionStatus status;
   std::array<const HapticProgram*, 16> retired{};  // not reported yet
@@ -47,6 +50,7 @@ bool LiveSession::receive(SessionReport& report) { return state_->reports.try_de
 
 void LiveSession::process(float* out, std::size_t count, double entry_s) {
   State& s = *state_;
+  s.entry_s = entry_s;
   s.clock.onCallback(entry_s, s.engine.frame(), static_cast<std::int64_t>(count));
   s.engine.setBufferDelay(static_cast<double>(count));
   s.status.blockFrames = static_cast<std::uint32_t>(count);
@@ -55,6 +59,7 @@ void LiveSession::process(float* out, std::size_t count, double entry_s) {
     while (lane.try_dequeue(command)) handle(command, count);
   }
   s.engine.render(out, count);
+  if (s.engine.limiting()) ++s.status.limitedBlocks;
   publish();
 }
 
@@ -75,8 +80,14 @@ double LiveSession::frameOf(const SessionCommand& command) const {
   return command.time;
 }
 
-void LiveSession::handle(const SessionCommand& command, std::size_t count) {
+void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
   State& s = *state_;
+  SessionCommand command = sent;
+  if (command.timeBase == TimeBase::clock && s.entry_s - command.time > stale_s) {
+    ++s.status.staleCommands;
+    if (command.kind != CommandKind::force && command.kind != CommandKind::resync) return;
+    command.kind = CommandKind::resync;
+  }
   HapticEngine& engine = s.engine;
   switch (command.kind) {
     case CommandKind::force:

@@ -45,6 +45,8 @@ struct SessionStatus {
   std::uint64_t xruns = 0;
   std::uint64_t callbacks = 0;
   std::uint64_t droppedReports = 0;
+  std::uint64_t limitedBlocks = 0;  ///< blocks in which the limiter turned the sound down
+  std::uint64_t staleCommands = 0;  ///< waited too long for a callback: not played, at most a new position
   EngineCounts counts;
 };
 

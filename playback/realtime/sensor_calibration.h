@@ -26,9 +26,13 @@ struct SensorCalibration {
   std::size_t coefficientCount = 2;
   std::array<double, maxCoefficients> coefficients{0, 1, 0, 0};
   std::array<double, maxCoefficients> standardErrors{};  ///< of the coefficients; 0 where unknown
+  double noise_N = 0;                                    ///< SD of the readings at rest; 0: not measured
   double residual_N = 0;                                 ///< SD of the weights about the curve
   double lowest_N = 0, highest_N = 12;                   ///< range covered by the weights
   std::size_t weights = 0;  ///< how many readings it came from; 0: never calibrated
+
+  /// SD of what it sends for a still finger: measured, or at worst what its weights scatter by; 0: unknown.
+  double knownNoise_N() const { return noise_N > 0 ? noise_N : residual_N; }
 
   /// The circuit's linear quantity. A saturated divider (at or above full scale) is not a number.
   double linearised(double raw) const {

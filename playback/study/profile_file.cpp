@@ -57,6 +57,9 @@ class Reader {
     if (key == "resonance") return take(3, [&] { profile.resonances.push_back({n_[0], n_[1], n_[2]}); });
     if (key == "equalizer") return take(3, [&] { profile.equalizer.push_back({n_[0], n_[1], n_[2]}); });
     if (key == "latency") return latency();
+    if (key == "transducer.power_W") return take(1, [&] { profile.transducer.power_W = n_[0]; });
+    if (key == "transducer.impedance_ohm") return take(1, [&] { profile.transducer.impedance_ohm = n_[0]; });
+    if (key == "transducer.full_scale_V") return take(1, [&] { profile.transducer.fullScale_V = n_[0]; });
     return sensor(key);
   }
 
@@ -112,6 +115,7 @@ class Reader {
       std::copy(n_.begin(), n_.end(), s.standardErrors.begin());
       return "";
     }
+    if (key == "sensor.noise_N") return take(1, [&] { s.noise_N = n_[0]; });
     if (key == "sensor.residual_N") return take(1, [&] { s.residual_N = n_[0]; });
     if (key == "sensor.weights")
       return take(1, [&] { s.weights = static_cast<std::size_t>(std::max(0.0, n_[0])); });
@@ -201,6 +205,11 @@ std::string toText(const DeviceProfile& p) {
   text += "# frequency in Hz, Q, gain in dB\n";
   for (const Resonance& r : p.resonances) put("resonance", {r.frequency_Hz, r.q, r.gain_dB});
   for (const EqualizerBand& b : p.equalizer) put("equalizer", {b.frequency_Hz, b.q, b.gain_dB});
+  if (p.transducer.power_W > 0) {
+    put("transducer.power_W", {p.transducer.power_W});
+    put("transducer.impedance_ohm", {p.transducer.impedance_ohm});
+    put("transducer.full_scale_V", {p.transducer.fullScale_V});
+  }
   const SensorCalibration& s = p.sensor;
   text += "# force_N = c0 + c1 u + c2 u^2 + c3 u^3; u from the circuit\n";
   const char* circuits[] = {"newtons", "linear", "divider"};
@@ -210,6 +219,7 @@ std::string toText(const DeviceProfile& p) {
       {s.coefficients.begin(), s.coefficients.begin() + static_cast<long>(s.coefficientCount)});
   put("sensor.standard_errors",
       {s.standardErrors.begin(), s.standardErrors.begin() + static_cast<long>(s.coefficientCount)});
+  if (s.noise_N > 0) put("sensor.noise_N", {s.noise_N});
   put("sensor.residual_N", {s.residual_N});
   put("sensor.range_N", {s.lowest_N, s.highest_N});
   put("sensor.weights", {static_cast<double>(s.weights)});

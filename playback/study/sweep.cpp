@@ -160,6 +160,25 @@ Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const s
   return result;
 }
 
+bool agree(const FrequencyResponse& a, const FrequencyResponse& b) {
+  constexpr double frequencyShare = 0.03, resonance_dB = 2, median_dB = 1;
+  if (a.gain_dB.size() != b.gain_dB.size() || a.resonances.size() != b.resonances.size() || a.gain_dB.empty())
+    return false;
+  for (const Resonance& r : a.resonances) {
+    const bool found = std::any_of(b.resonances.begin(), b.resonances.end(), [&](const Resonance& other) {
+      return std::fabs(other.frequency_Hz - r.frequency_Hz) <= frequencyShare * r.frequency_Hz &&
+             std::fabs(other.gain_dB - r.gain_dB) <= resonance_dB;
+    });
+    if (!found) return false;
+  }
+  std::vector<double> differences_dB(a.gain_dB.size());
+  for (std::size_t i = 0; i < differences_dB.size(); ++i)
+    differences_dB[i] = std::fabs(a.gain_dB[i] - b.gain_dB[i]);
+  const auto middle = differences_dB.begin() + static_cast<long>(differences_dB.size() / 2);
+  std::nth_element(differences_dB.begin(), middle, differences_dB.end());
+  return *middle <= median_dB;
+}
+
 void applyResponse(const FrequencyResponse& response, const SweepSettings& settings, DeviceProfile& profile) {
   profile.resonances = response.resonances;
   profile.equalizer.clear();

@@ -36,6 +36,10 @@ struct FrequencyResponse {
 Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const std::vector<float>& recorded,
                                        const SweepSettings& settings);
 
+/// Two sweeps of one device gave the same: as many resonances, each within 3 % and 2 dB, and gains that differ
+/// by less than 1 dB in the median. A dropout, or a machine too busy to play, makes them differ.
+bool agree(const FrequencyResponse& a, const FrequencyResponse& b);
+
 /// Puts resonances and the equalizer that flattens them into a profile.
 void applyResponse(const FrequencyResponse& response, const SweepSettings& settings, DeviceProfile& profile);
 

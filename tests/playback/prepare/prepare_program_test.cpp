@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/prepare/prepare_program.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -63,8 +64,15 @@ TEST_CASE("prepare: the device's resonance and equalizer are used when asked for
   const auto program = std::make_unique<HapticProgram>(programOf(tactileButton(), settings, profile));
   CHECK(program->states[0].press.jumps[0].burst.frequency_Hz == 370);
   CHECK(program->states[0].release.jumps[0].burst.frequency_Hz == Approx(410.0 * 370 / 390));
-  CHECK(program->equalizerBandCount == 1);
-  settings.equalize = false;
+  // The band at the jumps' own frequency is spared unless asked for.
+  CHECK(program->equalizerBandCount == 0);
+  settings.equalizer = EqualizerUse::full;
+  CHECK(programOf(tactileButton(), settings, profile).equalizerBandCount == 1);
+  settings.equalizer = EqualizerUse::sparingJumps;
+  profile.equalizer.push_back({780, 10, -12});
+  CHECK(programOf(tactileButton(), settings, profile).equalizerBandCount == 1);
+  profile.equalizer.pop_back();
+  settings.equalizer = EqualizerUse::off;
   CHECK(programOf(tactileButton(), settings, profile).equalizerBandCount == 0);
   const Result<PreparedProgram> without = prepareProgram(tactileButton(), {}, settings);
   REQUIRE(without);
@@ -86,7 +94,7 @@ TEST_CASE("prepare: settings outside their range are refused by name") {
   s.grainFrequency_Hz = nan;
   refused(s, "grainFrequency_Hz");
   s = {};
-  s.hysteresis_N = 0;
+  s.hysteresis_N = -0.001;
   refused(s, "hysteresis_N");
   s = {};
   s.limiterCeiling = 1.5;
@@ -132,4 +140,34 @@ TEST_CASE("prepare: many jumps and long names are cut with a warning, never out 
   REQUIRE(prepared);
   CHECK(prepared->program.states[0].press.jumpCount <= maxJumps);
   CHECK(std::string(prepared->program.name.data()).size() == maxProgramName - 1);
+}
+
+TEST_CASE("prepare: of more equal jumps than a program holds the first are kept, and the rest is told") {
+  std::vector<CurvePoint> press{{0, 0.1}};
+  constexpr int jumps = 40;
+  for (int i = 0; i < jumps; ++i) {
+    press.push_back({0.1 * i + 0.04, 0.9 + 0.02 * i});
+    press.push_back({0.1 * i + 0.08, 0.4 + 0.02 * i});
+  }
+  press.push_back({4.2, 3});
+  const Result<PreparedProgram> prepared = prepareProgram(buttonOf("many", {stateOf("", press, {})}), {}, {});
+  REQUIRE(prepared);
+  CHECK(prepared->program.states[0].press.jumpCount == maxJumps);
+  CHECK(prepared->program.states[0].press.jumps[0].from_mm <
+        prepared->program.states[0].press.jumps[1].from_mm);
+  const auto& warnings = prepared->summary.warnings;
+  CHECK(std::any_of(warnings.begin(), warnings.end(),
+                    [](const std::string& w) { return w.find("left out") != std::string::npos; }));
+}
+
+TEST_CASE("prepare: a transducer's power bounds the ceiling, its sensor's noise the hysteresis") {
+  DeviceProfile profile;
+  profile.transducer = {1, 4, 8};  // 2 V of 8
+  profile.sensor.noise_N = 0.01;
+  const auto program = std::make_unique<HapticProgram>(programOf(tactileButton(), {}, profile));
+  CHECK(program->limiterCeiling == Approx(0.25));
+  CHECK(program->hysteresis_N == Approx(0.04));
+  profile.sensor.weights = 3;
+  profile.sensor.coefficients = {0, -1, 0, 0};
+  CHECK_FALSE(prepareProgram(tactileButton(), profile, {}));
 }

@@ -51,3 +51,14 @@ TEST_CASE("conditioner: silence and a stuck sensor are seen, and a return starts
   for (int i = 0; i < 5000; ++i) c.judge(101 + i / 425.0, 0.0);  // an untouched sensor is not stuck
   CHECK_FALSE(c.stuck());
 }
+
+TEST_CASE("conditioner: after one time far ahead it hears again within a tenth of a second") {
+  ForceConditioner conditioner;
+  std::size_t lost = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const double time_s = i / 425.0 + (i == 500 ? 0.4 : 0);
+    if (conditioner.judge(time_s, 0.5) == ConditionerVerdict::reject) ++lost;
+  }
+  CHECK(lost < 42);  // of 425 a second
+  CHECK(conditioner.counts().wrongTimes == 1);
+}

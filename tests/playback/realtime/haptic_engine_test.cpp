@@ -323,3 +323,70 @@ TEST_CASE("engine: 24 hours of presses neither drift nor grow") {
   CHECK(engine->counts().late == 0);
   CHECK(engine->counts().droppedEvents == 0);
 }
+
+TEST_CASE("engine: fast strokes keep their vibration, and nothing constant") {
+  PlaybackSettings settings;
+  settings.mode = FeedbackMode::slopeOnly;
+  const auto levelAt = [&](double speed_mm_per_s) {
+    const auto program = std::make_unique<HapticProgram>(programOf(linearButton(), settings));
+    const auto engine = std::make_unique<HapticEngine>(48000);
+    engine->use(program.get());
+    const double moves_s = 4 / speed_mm_per_s;
+    for (double t = 0; t <= moves_s; t += 1e-3)
+      engine->push({InputKind::displacement, t * 48000, t * speed_mm_per_s});
+    std::vector<float> out(static_cast<std::size_t>((moves_s + 0.02) * 48000));
+    engine->render(out.data(), out.size());
+    double mean = 0, square = 0;
+    for (float x : out) mean += static_cast<double>(x) / static_cast<double>(out.size());
+    for (float x : out) square += static_cast<double>(x) * static_cast<double>(x);
+    return std::pair{std::sqrt(square / static_cast<double>(out.size())), std::fabs(mean)};
+  };
+  const auto [slow, slowMean] = levelAt(5);
+  for (double speed : {50.0, 100.0, 200.0}) {
+    const auto [level, mean] = levelAt(speed);
+    INFO(speed << " mm/s: " << level << " beside " << slow);
+    CHECK(level > slow / 2);
+    CHECK(level < slow * 2);
+    CHECK(mean < 0.01);
+  }
+  settings.grainCarrier = GrainCarrier::retriggered;  // what it was: lost at 50 mm/s
+  settings.highPass_Hz = 20;
+  CHECK(levelAt(50).first < slow / 2);
+}
+
+TEST_CASE("engine: the bottom-out plays after more jumps than can wait") {
+  std::vector<CurvePoint> press{{0, 0.1}};
+  for (int i = 0; i < 30; ++i) {
+    press.push_back({0.1 * i + 0.04, 0.9 + 0.02 * i});
+    press.push_back({0.1 * i + 0.08, 0.4 + 0.02 * i});
+  }
+  press.push_back({3.0, 1.6});
+  press.push_back({3.1, 6});
+  const auto program = std::make_unique<HapticProgram>(programOf(buttonOf("many", {stateOf("", press, {})})));
+  REQUIRE(program->states[0].hasBottomOut);
+  const auto engine = std::make_unique<HapticEngine>(48000);
+  engine->use(program.get());
+  engine->push({InputKind::force, 0, 0});
+  engine->push({InputKind::force, 113, 10});
+  std::vector<float> out(48000);
+  engine->render(out.data(), out.size());
+  CHECK(engine->counts().bottomOuts == 1);
+  CHECK(engine->counts().pressJumps + engine->counts().crowded == program->states[0].press.jumpCount);
+}
+
+TEST_CASE("engine: another program leaves no step in what sounds") {
+  PlaybackSettings settings;
+  DeviceProfile profile;
+  profile.gain = 0.1;
+  profile.equalizer = {{200, 2, 12}};
+  const auto one = std::make_unique<HapticProgram>(programOf(linearButton(), settings));
+  const auto other = std::make_unique<HapticProgram>(programOf(tactileButton(), settings, profile));
+  const auto engine = std::make_unique<HapticEngine>(48000);
+  engine->use(one.get());
+  engine->trigger(0, {200, 0.1, 0.8, Envelope::falling});
+  std::vector<float> out(4800);
+  engine->render(out.data(), 1000);
+  engine->use(other.get());
+  engine->render(out.data() + 1000, out.size() - 1000);
+  for (std::size_t i = 1; i < out.size(); ++i) CHECK(std::fabs(out[i] - out[i - 1]) < 0.03f);
+}

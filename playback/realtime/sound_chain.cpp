@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/realtime/sound_chain.h"
+
+namespace detent::playback {
+
+void SoundChain::use(const HapticProgram& program, double sampleRate_Hz) {
+  stop();
+  sampleRate_Hz_ = sampleRate_Hz;
+  carrier_ = program.grainCarrier;
+  lowPass_.setCoefficients(lowPass(sampleRate_Hz, program.lowPass.cutoff_Hz, program.lowPass.order));
+  lowPassOnSlope_ = program.lowPass.placement == LowPassPlacement::slopeOnly;
+  lowPassOnAll_ = program.lowPass.placement == LowPassPlacement::wholeChain;
+  highPassOn_ = program.highPass_Hz > 0;
+  highPass_.setCoefficients(highPass(sampleRate_Hz, program.highPass_Hz));
+  equalizerCount_ = 0;
+  for (std::size_t i = 0; i < program.equalizerBandCount && i < maxEqualizerBands; ++i) {
+    const EqualizerBand& band = program.equalizer[i];
+    equalizer_[equalizerCount_++].setCoefficients(
+        peaking(sampleRate_Hz, band.frequency_Hz, band.q, band.gain_dB));
+  }
+  stealFade_frames_ = static_cast<std::int64_t>(program.stealFade_s * sampleRate_Hz);
+  gain_ = program.gain;
+}
+
+void SoundChain::stop() {
+  grain_ = GrainVoice{};
+  for (Voice& v : voices_) v.stop();
+  lowPass_.reset();
+  highPass_.reset();
+  for (Biquad& section : equalizer_) section.reset();
+}
+
+void SoundChain::startGrain(const Burst& burst) { grain_.start(burst, carrier_, sampleRate_Hz_); }
+
+bool SoundChain::startBurst(const Burst& burst) {
+  if (!(burst.amplitude > 0) || !(burst.duration_s > 0)) return false;
+  std::size_t playing = 0;
+  Voice *oldest = nullptr, *free = nullptr, *mostFaded = nullptr;
+  for (Voice& v : voices_) {
+    if (!v.active()) {
+      free = &v;
+    } else if (v.fading()) {
+      if (mostFaded == nullptr || v.fadeLevel() < mostFaded->fadeLevel()) mostFaded = &v;
+    } else {
+      ++playing;
+      if (oldest == nullptr || v.age() > oldest->age()) oldest = &v;
+    }
+  }
+  const bool steals = playing >= playingVoices;
+  if (steals) oldest->fadeOut(stealFade_frames_);
+  // Only more steals within one fade than there are spare voices end here; the one nearest to silence gives
+  // way.
+  if (free == nullptr) free = mostFaded != nullptr ? mostFaded : oldest;
+  free->start(burst, sampleRate_Hz_);
+  return steals;
+}
+
+bool SoundChain::silent() const {
+  if (grain_.active()) return false;
+  if ((lowPassOnSlope_ || lowPassOnAll_) && !lowPass_.silent()) return false;
+  if (highPassOn_ && !highPass_.silent()) return false;
+  for (std::size_t i = 0; i < equalizerCount_; ++i) {
+    if (!equalizer_[i].silent()) return false;
+  }
+  for (const Voice& v : voices_) {
+    if (v.active()) return false;
+  }
+  return true;
+}
+
+void SoundChain::addTo(double* mix, double* bus, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) bus[i] = 0;
+  if (grain_.active()) grain_.addTo(bus, count);
+  if (lowPassOnSlope_) lowPass_.process(bus, count);
+  if (highPassOn_) highPass_.process(bus, count);
+  for (Voice& v : voices_) {
+    if (v.active()) v.addTo(bus, count);
+  }
+  if (lowPassOnAll_) lowPass_.process(bus, count);
+  for (std::size_t i = 0; i < equalizerCount_; ++i) equalizer_[i].process(bus, count);
+  for (std::size_t i = 0; i < count; ++i) mix[i] += gain_ * bus[i];
+}
+
+}  // namespace detent::playback
