@@ -98,17 +98,14 @@ class Player : public LivePlayer {
     follower_.use(taken.get());
     follower_.placeAtForce(force_N);
     routeProgram_ = std::move(taken);
-    ownForce_.setSettings(limitsFor(strongestForce_N(program)));
-    static_cast<void>(rebuildRoute());  // the target was good before; a lost one shows as lost packets
+    ownForce_.setSettings(limitsFor(program));
+    if (sensor_) sensor_->setConditioner(limitsFor(program));
   }
 
   void setGain(double gain) override {
-    if (!sounding_) return;
-    SessionCommand command;
-    command.kind = CommandKind::gain;
-    command.value = gain;
     const std::lock_guard lock(controlMutex_);
-    session_.send(Lane::control, command);
+    ownGain_ = gain;
+    sendGain();
   }
 
   void pushForce(double force_N) override { pushOwn(CommandKind::force, ownForce_, force_N); }
@@ -137,7 +134,7 @@ class Player : public LivePlayer {
     settings.calibration = calibration;
     {
       const std::lock_guard lock(readingMutex_);
-      settings.conditioner = limitsFor(strongestForce_N(*routeProgram_));
+      settings.conditioner = limitsFor(*routeProgram_);
     }
     DeviceResult<std::unique_ptr<SerialSensor>> sensor =
         SerialSensor::open(settings, [this](const SensorReading& reading) { forward(reading); });
@@ -151,20 +148,24 @@ class Player : public LivePlayer {
     sensor_.reset();
   }
 
-  Result<std::uint16_t> listenFudi(std::uint16_t port) override {
-    return keep(fudi_, openFudiServer(port, false, receiver()));
+  Result<std::uint16_t> listenFudi(std::uint16_t port, const std::string& address) override {
+    return keep(fudi_, openFudiServer(port, address, receiver()));
   }
-  Result<std::uint16_t> listenOsc(std::uint16_t port) override {
-    return keep(osc_, openOscServer(port, receiver()));
+  Result<std::uint16_t> listenOsc(std::uint16_t port, const std::string& address) override {
+    return keep(osc_, openOscServer(port, address, receiver()));
   }
 
   Result<Done> sendSignals(const std::string& host, std::uint16_t port) override {
+    // A name may take seconds to resolve: nothing waits for it.
+    DeviceResult<std::unique_ptr<SignalSender>> sender = SignalSender::open(host, port);
+    if (!sender) return failureOf(sender.trouble());
     const std::lock_guard lock(readingMutex_);
-    target_ = {host, port};
-    return rebuildRoute();
+    route_ = std::make_unique<PdRoute>(std::move(*sender));
+    return Done{};
   }
 
   Result<std::int64_t> playTrace(const PressTrace& trace, double lead_s) override {
+    const std::lock_guard traceLock(traceMutex_);
     stopTrace();
     if (!sounding_) {
       return Failure{FailureCode::wrongUsage, "press trace", "", "cannot be played without a sound device",
@@ -212,8 +213,19 @@ class Player : public LivePlayer {
       s.sensorRate_Hz = health.rate_Hz;
       s.sensorReconnects = health.reconnects;
       const ConditionerCounts& c = health.readings;
-      s.rejectedReadings = c.notFinite + c.outOfRange + c.outOfOrder + c.glitches;
+      s.rejectedReadings = c.rejected() + health.wrongStamps;
+      s.sensorSendsCounts = health.lines.counts > 0;
+      s.sensorGreeting = health.greeting;
+      s.sensorNoise_N = health.noise_N;
       s.malformedLines = health.lines.malformed + health.lines.badChecksums + health.lines.overlong;
+    }
+    s.droppedReadings = last.counts.droppedInputs + last.staleCommands;
+    s.droppedEvents = last.counts.crowded + last.counts.hastened + last.droppedReports;
+    s.limitedBlocks = last.limitedBlocks;
+    {
+      const std::lock_guard readingLock(readingMutex_);
+      s.messageForces = ownForce_.counts().accepted;
+      s.rejectedReadings += ownForce_.counts().rejected();
     }
     for (const auto* server : {fudi_.get(), osc_.get()}) {
       if (server == nullptr) continue;
@@ -279,7 +291,7 @@ class Player : public LivePlayer {
     const ConditionerVerdict verdict = conditioner.judge(time_s, value);
     if (verdict == ConditionerVerdict::reject) return;
     const bool resumed = verdict == ConditionerVerdict::resume && kind == CommandKind::force;
-    sendReading(resumed ? CommandKind::resync : kind, time_s, value);
+    sendReading(resumed ? CommandKind::resync : kind, time_s, conditioner.value());
   }
 
   void forward(const SensorReading& reading) {
@@ -289,13 +301,16 @@ class Player : public LivePlayer {
 
   // readingMutex_ is held: one producer of the sensor lane at a time.
   void sendReading(CommandKind kind, double time_s, double value) {
-    if (route_) {
-      if (kind == CommandKind::force) route_->onForce(value);
-      if (kind == CommandKind::resync) route_->onResume(value);
-    }
     if (tracePlaying_) return;  // one finger at a time
     follow(kind, time_s, value);
     if (!sounding_) return;
+    // Nothing waits for a device that is away: on its return the finger is where it is then.
+    const bool away = output_ && output_->state() == StreamState::lost;
+    if (away || missedReadings_) {
+      missedReadings_ = away;
+      if (away) return;
+      if (kind == CommandKind::force) kind = CommandKind::resync;
+    }
     SessionCommand command;
     command.kind = kind;
     command.timeBase = TimeBase::clock;
@@ -313,6 +328,7 @@ class Player : public LivePlayer {
     }
     const Crossings& crossings =
         kind == CommandKind::force ? follower_.updateForce(value) : follower_.updateDisplacement(value);
+    if (route_) route_->send(crossings, *routeProgram_);
     if (sounding_) return;  // the callback reports what it plays
     const double frame = (time_s - began_s_) * session_.sampleRate_Hz();
     for (std::size_t i = 0; i < crossings.count; ++i) {
@@ -345,9 +361,12 @@ class Player : public LivePlayer {
         case SignalKind::displacement:
           pushDisplacement(m.value);
           return;
-        case SignalKind::gain:
-          setGain(m.value);
+        case SignalKind::gain: {
+          const std::lock_guard lock(controlMutex_);
+          gainShare_ = m.value;
+          sendGain();
           return;
+        }
       }
       if (!sounding_) return;
       const std::lock_guard lock(networkMutex_);
@@ -366,13 +385,13 @@ class Player : public LivePlayer {
     return port;  // the old server's thread may want the lock: it ends here, outside
   }
 
-  /// readingMutex_ is held.
-  Result<Done> rebuildRoute() {
-    if (!target_) return Done{};
-    DeviceResult<std::unique_ptr<SignalSender>> sender = SignalSender::open(target_->first, target_->second);
-    if (!sender) return failureOf(sender.trouble());
-    route_ = std::make_unique<PdRoute>(*routeProgram_, std::move(*sender));
-    return Done{};
+  /// controlMutex_ is held. Others may turn down what was set here, never up.
+  void sendGain() {
+    if (!sounding_) return;
+    SessionCommand command;
+    command.kind = CommandKind::gain;
+    command.value = ownGain_ * gainShare_;
+    session_.send(Lane::control, command);
   }
 
   /// controlMutex_ is held.
@@ -427,17 +446,19 @@ class Player : public LivePlayer {
   LiveSession session_;
   const double began_s_;
   std::mutex controlMutex_, readingMutex_, networkMutex_;  // control before reading where both are held
+  std::mutex traceMutex_;                                  // before all others: one playTrace at a time
   std::vector<std::unique_ptr<HapticProgram>> programs_;
   SessionStatus lastStatus_;
   std::deque<EngineEvent> events_;
   ForceConditioner ownForce_;
-  ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12}};
-  std::optional<std::pair<std::string, std::uint16_t>> target_;
+  ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12, 0, 0}};
   std::unique_ptr<HapticProgram> routeProgram_;
   StrokeTracker follower_;  // of routeProgram_
   EngineCounts followedCounts_;
   std::deque<EngineEvent> followedEvents_;
   std::unique_ptr<PdRoute> route_;
+  bool missedReadings_ = false;         // readingMutex_
+  double ownGain_ = 1, gainShare_ = 1;  // controlMutex_
   double fingerPeak_N_ = 0;
   std::atomic<bool> tracePlaying_{false}, stopTrace_{false};
   std::thread traceThread_;

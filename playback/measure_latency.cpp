@@ -218,6 +218,28 @@ class Measurement {
 
 }  // namespace
 
+namespace {
+
+constexpr double waitedInThePort_s = 0.3;
+constexpr double longestWait_s = 10;
+
+/// The later half of the readings lies elsewhere than the earlier one, by more than their noise explains.
+bool drifts(const std::vector<double>& readings) {
+  const std::size_t half = readings.size() / 2;
+  if (half < 4) return false;
+  double early = 0, late = 0, spread = 0;
+  for (std::size_t i = 0; i < half; ++i) {
+    early += readings[i] / static_cast<double>(half);
+    late += readings[readings.size() - 1 - i] / static_cast<double>(half);
+  }
+  for (std::size_t i = 0; i < half; ++i) spread += (readings[i] - early) * (readings[i] - early);
+  const double sd = std::sqrt(spread / static_cast<double>(half - 1));
+  const double one = 0.5;  // a converter's reading hangs between two counts
+  return std::fabs(late - early) > one + 4 * sd * std::sqrt(2 / static_cast<double>(half));
+}
+
+}  // namespace
+
 Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double seconds) {
   SerialSettings settings;
   settings.port = port;
@@ -226,21 +248,30 @@ Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double 
   settings.conditioner.highest = 1e9;
   settings.conditioner.fastest_per_s = 1e12;
   std::mutex mutex;
-  std::vector<double> readings;
-  {
-    DeviceResult<std::unique_ptr<SerialSensor>> sensor =
-        SerialSensor::open(settings, [&](const SensorReading& r) {
-          const std::lock_guard lock(mutex);
-          readings.push_back(r.raw);
-        });
-    if (!sensor) return failureOf(sensor.trouble());
-    sleepUntil(now_s() + seconds);
+  std::vector<double> arriving;
+  DeviceResult<std::unique_ptr<SerialSensor>> sensor =
+      SerialSensor::open(settings, [&](const SensorReading& r) {
+        const std::lock_guard lock(mutex);
+        arriving.push_back(r.raw);
+      });
+  if (!sensor) return failureOf(sensor.trouble());
+  const auto readFor = [&](double time_s) {
+    sleepUntil(now_s() + time_s);
+    const std::lock_guard lock(mutex);
+    return std::exchange(arriving, {});
+  };
+  readFor(waitedInThePort_s);
+  std::vector<double> readings = readFor(seconds);
+  for (double waited_s = 0; waited_s < longestWait_s && !readings.empty() && drifts(readings);
+       waited_s += seconds) {
+    readings = readFor(seconds);
   }
   if (readings.empty()) {
     return Failure{FailureCode::deviceTrouble, port, "", "sent no reading",
                    "Check baud rate and wiring; docs/serial-protocol.md"};
   }
   RawReading raw;
+  raw.steady = !drifts(readings);
   raw.n = readings.size();
   for (double r : readings) raw.mean += r / static_cast<double>(raw.n);
   for (double r : readings) raw.sd += (r - raw.mean) * (r - raw.mean);

@@ -86,6 +86,13 @@ struct PlayerStatus {
   EngineCounts counts;
   SensorCondition sensor = SensorCondition::none;
   double sensorRate_Hz = 0;
+  double sensorNoise_N = 0;        ///< SD of its readings; 0: not known yet, or none
+  bool sensorSendsCounts = false;  ///< the converter's numbers, which a profile turns into newtons
+  std::string sensorGreeting;  ///< what its firmware said of itself ("detent-force 1 fsr400 divider 1023")
+  std::uint64_t messageForces = 0;    ///< readings by OSC, FUDI or pushForce
+  std::uint64_t droppedReadings = 0;  ///< came faster, or waited longer, than can be played
+  std::uint64_t droppedEvents = 0;    ///< jumps left out or hastened because too many came at once
+  std::uint64_t limitedBlocks = 0;    ///< blocks in which the limiter had to turn the sound down
   std::uint64_t sensorReconnects = 0, rejectedReadings = 0, malformedLines = 0;
   std::uint64_t signalMessages = 0, malformedMessages = 0;
 };
@@ -122,9 +129,9 @@ class LivePlayer {
   /// Lets go of the sensor's port; nothing to do where there is none.
   virtual void detachSensor() = 0;
   /// Signal messages of other programs (docs/osc.md): FUDI over UDP, OSC. Port 0: the system chooses. Gives
-  /// the port.
-  virtual Result<std::uint16_t> listenFudi(std::uint16_t port) = 0;
-  virtual Result<std::uint16_t> listenOsc(std::uint16_t port) = 0;
+  /// the port. Only this machine is heard unless another of its IPv4 addresses is given (0.0.0.0: all).
+  virtual Result<std::uint16_t> listenFudi(std::uint16_t port, const std::string& address = "127.0.0.1") = 0;
+  virtual Result<std::uint16_t> listenOsc(std::uint16_t port, const std::string& address = "127.0.0.1") = 0;
   /// The paper's own route beside or instead of our sound: a message per event to a synthesizer such as Pure
   /// Data.
   virtual Result<Done> sendSignals(const std::string& host, std::uint16_t port) = 0;
@@ -172,11 +179,13 @@ Result<std::vector<float>> playAndRecordSamples(const PlayerSettings& settings,
                                                 const std::string& inputDevice,
                                                 const std::vector<float>& samples);
 
-/// Mean and standard deviation of a sensor's raw readings over `seconds`, for calibration. Failure:
-/// deviceTrouble if it cannot be opened or sends nothing.
+/// Mean and standard deviation of a sensor's raw readings over `seconds`, for calibration. What had waited in
+/// the port is thrown away, and it waits up to 10 s for readings that no longer drift. Failure: deviceTrouble if
+/// it cannot be opened or sends nothing.
 struct RawReading {
   double mean = 0, sd = 0;
   std::size_t n = 0;
+  bool steady = true;  ///< false: it still drifted after the longest wait
 };
 Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double seconds);
 

@@ -80,13 +80,14 @@ class FudiServer : public SignalServer {
 
 }  // namespace
 
-DeviceResult<std::unique_ptr<SignalServer>> openFudiServer(std::uint16_t port, bool anyAddress,
+DeviceResult<std::unique_ptr<SignalServer>> openFudiServer(std::uint16_t port, const std::string& address,
                                                            SignalReceiver receiver) {
   auto server = std::make_unique<FudiServer>(std::move(receiver));
-  const asio::ip::address_v4 address =
-      anyAddress ? asio::ip::address_v4::any() : asio::ip::address_v4::loopback();
-  if (const ErrorCode error = server->start(udp::endpoint(address, port))) {
-    return DeviceTrouble{"UDP port " + std::to_string(port),
+  ErrorCode error;
+  const asio::ip::address_v4 ip = asio::ip::make_address_v4(address, error);
+  if (!error) error = server->start(udp::endpoint(ip, port));
+  if (error) {
+    return DeviceTrouble{"UDP port " + address + ":" + std::to_string(port),
                          "cannot be listened on (" + error.message() + ")", "Choose another port"};
   }
   return std::unique_ptr<SignalServer>(std::move(server));

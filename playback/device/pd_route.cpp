@@ -3,21 +3,15 @@
 
 namespace detent::playback {
 
-PdRoute::PdRoute(const HapticProgram& program, std::unique_ptr<SignalSender> sender)
-    : program_(std::make_unique<HapticProgram>(program)), sender_(std::move(sender)) {
-  tracker_.use(program_.get());
-}
-
-void PdRoute::onForce(double force_N) {
-  const Crossings& crossings = tracker_.updateForce(force_N);
+void PdRoute::send(const Crossings& crossings, const HapticProgram& program) {
   for (std::size_t i = 0; i < crossings.count; ++i) {
     const Crossing& c = crossings.items[i];
-    const StateProgram& state = program_->states[c.state];
+    const StateProgram& state = program.states[c.state];
     SignalMessage message;
     switch (c.kind) {
       case CrossingKind::grain:
         message.kind = SignalKind::grain;
-        message.burst = program_->grain;
+        message.burst = program.grain;
         break;
       case CrossingKind::pressJump:
         message.kind = SignalKind::jump;
@@ -29,7 +23,7 @@ void PdRoute::onForce(double force_N) {
         break;
       case CrossingKind::bottomOut:
         message.kind = SignalKind::bottomOut;
-        message.burst = program_->bottomOut;
+        message.burst = program.bottomOut;
         break;
       case CrossingKind::contactClosed:
       case CrossingKind::contactOpened:

@@ -95,9 +95,11 @@ void LineAssembler::finishLine(const std::function<void(const SensorLine&)>& onR
       // checksum.
       if (first && !reading.timed && line.find('*') == std::string_view::npos) return;
       ++counts_.readings;
+      if (!reading.newtons) ++counts_.counts;
       onReading(reading);
       return;
     case LineVerdict::comment:
+      greet(trimmed(line));
       return;
     case LineVerdict::malformed:
       if (!first) ++counts_.malformed;
@@ -106,6 +108,26 @@ void LineAssembler::finishLine(const std::function<void(const SensorLine&)>& onR
       if (!first) ++counts_.badChecksums;
       return;
   }
+}
+
+void LineAssembler::greet(std::string_view comment) {
+  constexpr std::string_view mark = "# detent-force ";
+  if (comment.substr(0, mark.size()) == mark) greeting_ = comment.substr(2);
+}
+
+bool ClockAligner::believable(double offset_s) {
+  constexpr double plausible_s = 0.02;  // a first reading that waited in a buffer
+  constexpr unsigned enough = 4;
+  if (offset_s > offset_s_ - plausible_s) {
+    suspectsInRow_ = 0;
+    return true;
+  }
+  const bool same = suspectsInRow_ > 0 && std::fabs(offset_s - suspect_s_) < plausible_s;
+  suspectsInRow_ = same ? suspectsInRow_ + 1 : 1;
+  suspect_s_ = offset_s;
+  if (suspectsInRow_ < enough) return false;
+  suspectsInRow_ = 0;
+  return true;
 }
 
 double ClockAligner::hostTime_s(std::uint32_t device_us, double arrival_s) {
@@ -128,6 +150,10 @@ double ClockAligner::hostTime_s(std::uint32_t device_us, double arrival_s) {
   if (std::fabs(offset_s - offset_s_) > restartStep_s) {
     offset_s_ = offset_s;
     return last_s_ = arrival_s;
+  }
+  if (!believable(offset_s)) {
+    ++wrongStamps_;
+    return last_s_ = std::fmax(arrival_s, last_s_ + apart_s);
   }
   if (offset_s < offset_s_) {
     offset_s_ = offset_s;

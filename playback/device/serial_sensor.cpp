@@ -8,6 +8,7 @@
 #include <thread>
 
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/serial_port.hpp>
 #include <boost/asio/steady_timer.hpp>
 
@@ -57,6 +58,10 @@ class SerialSensor::Reader {
     return health_;
   }
 
+  void setConditioner(const ConditionerSettings& settings) {
+    asio::post(context_, [this, settings] { conditioner_.setSettings(settings); });
+  }
+
  private:
   ErrorCode openPort() {
     ErrorCode error;
@@ -98,6 +103,7 @@ class SerialSensor::Reader {
     if (!line.timed && reading.time_s <= lastTime_s_) reading.time_s = lastTime_s_ + 1e-6;
     const ConditionerVerdict verdict = conditioner_.judge(reading.time_s, reading.force_N);
     if (verdict == ConditionerVerdict::reject) return;
+    reading.force_N = conditioner_.value();
     reading.resumed = verdict == ConditionerVerdict::resume || reconnected_;
     reconnected_ = false;
     lastTime_s_ = reading.time_s;
@@ -115,6 +121,9 @@ class SerialSensor::Reader {
     const std::lock_guard lock(mutex_);
     health_.lines = assembler_.counts();
     health_.readings = conditioner_.counts();
+    health_.noise_N = conditioner_.noise();
+    health_.wrongStamps = aligner_.wrongStamps();
+    health_.greeting = assembler_.greeting();
     health_.force_N = last_.force_N;
     health_.raw = last_.raw;
     health_.rate_Hz = rate_Hz_;
@@ -195,5 +204,6 @@ DeviceResult<std::unique_ptr<SerialSensor>> SerialSensor::open(const SerialSetti
 }
 
 SensorHealth SerialSensor::health() const { return reader_->health(); }
+void SerialSensor::setConditioner(const ConditionerSettings& settings) { reader_->setConditioner(settings); }
 
 }  // namespace detent::playback

@@ -27,6 +27,9 @@ enum class SensorState : std::uint8_t { starting, running, silent, stuck, unplug
 
 /// How the sensor is doing.
 struct SensorHealth {
+  double noise_N = 0;             ///< SD of the readings; 0: not known yet, or none
+  std::uint64_t wrongStamps = 0;  ///< time stamps not believed
+  std::string greeting;           ///< the firmware's "# detent-force ..." line, without the "# "
   SensorState state = SensorState::starting;
   double rate_Hz = 0;  ///< of accepted readings, over the last second or so
   double force_N = 0;  ///< last accepted
@@ -53,6 +56,8 @@ class SerialSensor {
   ~SerialSensor();  ///< stops and joins the reader thread
 
   SensorHealth health() const;  ///< any thread
+  /// Other limits from the next reading on: another button was loaded. Any thread.
+  void setConditioner(const ConditionerSettings& settings);
 
  private:
   class Reader;

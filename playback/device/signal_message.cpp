@@ -96,7 +96,7 @@ bool acceptable(const SignalMessage& m) {
            b.amplitude >= 0 && b.amplitude <= 1;
   }
   if (!std::isfinite(m.value)) return false;
-  return m.kind != SignalKind::gain || (m.value >= 0 && m.value <= 10);
+  return m.kind != SignalKind::gain || (m.value >= 0 && m.value <= 1);
 }
 
 void parseFudi(std::string_view packet, SignalCounts& counts,

@@ -28,7 +28,7 @@ struct SignalCounts {
 };
 
 /// Limits of what a message may ask for: frequency (0, 2000] Hz, duration (0, 1] s, amplitude [0, 1], gain
-/// [0, 10], values finite. Anything else is malformed. Shared by FUDI and OSC.
+/// [0, 1] of the player's own, values finite. Anything else is malformed. Shared by FUDI and OSC.
 bool acceptable(const SignalMessage& message);
 
 /// Splits a packet into messages. Any bytes are survived; what is not a message is counted.

@@ -23,10 +23,13 @@ class SignalServer {
   virtual SignalCounts counts() const = 0;  ///< any thread
 };
 
-/// Listens on 127.0.0.1 unless `anyAddress`. Port 0: the system chooses.
-DeviceResult<std::unique_ptr<SignalServer>> openFudiServer(std::uint16_t port, bool anyAddress,
+inline constexpr const char* thisMachineOnly = "127.0.0.1";
+
+/// Listens on an IPv4 address of this machine. Port 0: the system chooses.
+DeviceResult<std::unique_ptr<SignalServer>> openFudiServer(std::uint16_t port, const std::string& address,
                                                            SignalReceiver receiver);
-DeviceResult<std::unique_ptr<SignalServer>> openOscServer(std::uint16_t port, SignalReceiver receiver);
+DeviceResult<std::unique_ptr<SignalServer>> openOscServer(std::uint16_t port, const std::string& address,
+                                                          SignalReceiver receiver);
 
 /// Handles one packet on an OSC server as if it had arrived, on the calling thread; nothing may arrive
 /// meanwhile. For fuzzing; false if `server` is no OSC server.

@@ -17,11 +17,11 @@ namespace {
 termios savedMode{};
 std::atomic<bool> modeSaved{false};
 
-void restoreMode() {
+}  // namespace
+
+void restoreTerminal() {
   if (modeSaved.exchange(false)) ::tcsetattr(STDIN_FILENO, TCSANOW, &savedMode);
 }
-
-}  // namespace
 
 RawTerminal::RawTerminal() {
   if (::isatty(STDIN_FILENO) == 0 || ::tcgetattr(STDIN_FILENO, &savedMode) != 0) return;
@@ -33,7 +33,7 @@ RawTerminal::RawTerminal() {
   modeSaved = interactive_;
 }
 
-RawTerminal::~RawTerminal() { restoreMode(); }
+RawTerminal::~RawTerminal() { restoreTerminal(); }
 
 std::optional<char> RawTerminal::key(double timeout_s) {
   if (!interactive_) {

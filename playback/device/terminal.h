@@ -22,6 +22,10 @@ class RawTerminal {
   bool interactive_ = false;
 };
 
+/// Gives the terminal back as it was, if a RawTerminal took it. Any thread, also while one lives: for the end
+/// by force.
+void restoreTerminal();
+
 /// Columns of the terminal behind standard error; 80 where unknown.
 int terminalColumns();
 bool errorIsTerminal();

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/program/calibrate_command.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
-#include <locale>
 #include <map>
 #include <memory>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -36,6 +39,7 @@ struct CalibrateArguments {
 };
 
 constexpr double weighing_s = 1.0;
+constexpr double largestSd_counts = 3, largestSdOfMean = 0.02;  // above, a weighing is told to be noisy
 
 void addOptions(CLI::App& app, CalibrateArguments& a) {
   addSensorOptions(app, a.sensor);
@@ -53,35 +57,81 @@ void addOptions(CLI::App& app, CalibrateArguments& a) {
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
-/// Weights from the person at the terminal: one mass in grams per line, an empty line or the end of input
-/// ends.
-Result<std::vector<KnownWeight>> askForWeights(const CalibrateArguments& a, const Cancelled& cancelled) {
+/// "20", "20.5 g", "20,5", "0.05 kg": grams; empty where it is none of these.
+std::optional<double> massIn_g(std::string text) {
+  std::replace(text.begin(), text.end(), ',', '.');
+  double mass = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), mass);
+  if (error != std::errc() || !std::isfinite(mass) || mass < 0) return {};
+  std::string unit(end, static_cast<const char*>(text.data() + text.size()));
+  std::erase_if(unit, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
+  if (unit.empty() || unit == "g") return mass;
+  if (unit == "kg") return 1000 * mass;
+  return {};
+}
+
+/// What a person is told of one weighing.
+void report(const KnownWeight& weight, const RawReading& raw) {
+  std::fprintf(stderr, "%.4f N: %.2f, SD %.2f over %zu readings\n", weight.force_N, raw.mean, raw.sd, raw.n);
+  if (!raw.steady)
+    std::fprintf(stderr, "warning: the reading still drifts; let the weight settle and weigh it again\n");
+  if (raw.sd > largestSd_counts && raw.sd > largestSdOfMean * std::fabs(raw.mean))
+    std::fprintf(stderr, "warning: SD %.2f is much; put the sensor on something firm, check its wiring\n",
+                 raw.sd);
+}
+
+struct Weighings {
   std::vector<KnownWeight> weights;
-  std::fprintf(stderr, "Lay a weight on the sensor, type its mass in g, Enter. An empty line ends.\n");
+  std::vector<double> sds;  ///< of the raw readings; as many as weights where they were measured
+};
+
+/// Weights from the person at the terminal: one mass per line, an empty line or the end of input ends.
+Result<Weighings> askForWeights(const CalibrateArguments& a, const Cancelled& cancelled) {
+  Weighings weighings;
+  std::fprintf(stderr,
+               "Lay a weight on the sensor, type its mass in g, Enter. 0 for none. An empty line ends.\n");
   for (std::string line; !cancelled() && std::getline(std::cin, line) && !line.empty();) {
-    KnownWeight w;
-    std::istringstream text(line);
-    text.imbue(std::locale::classic());
-    if (!(text >> w.force_N)) {
-      std::fprintf(stderr, "no number\n");
+    const std::optional<double> mass_g = massIn_g(line);
+    if (!mass_g) {
+      std::fprintf(stderr, "\"%s\" is no mass; type for example 50, 20.5 g or 0.05 kg\n", line.c_str());
       continue;
     }
-    w.force_N *= 1e-3 * standardGravity_m_per_s2;
+    KnownWeight w;
+    w.force_N = 1e-3 * *mass_g * standardGravity_m_per_s2;
     Result<RawReading> raw = readRawSensor(a.sensor.port, a.sensor.baud, weighing_s);
     if (!raw) return raw.failure();
     w.raw = raw->mean;
-    std::fprintf(stderr, "%.4f N: %.2f, SD %.2f over %zu readings\n", w.force_N, raw->mean, raw->sd, raw->n);
-    weights.push_back(w);
+    report(w, *raw);
+    weighings.weights.push_back(w);
+    weighings.sds.push_back(raw->sd);
   }
-  return weights;
+  return weighings;
+}
+
+/// The median over the weights of what the reading's SD is in newtons; 0 where it was not measured.
+double noiseOf(const Weighings& weighings, const SensorCalibration& calibration) {
+  std::vector<double> noises_N;
+  for (std::size_t i = 0; i < weighings.sds.size(); ++i) {
+    const double raw = weighings.weights[i].raw;
+    const double noise_N =
+        std::fabs(calibration.force_N(raw + weighings.sds[i]) - calibration.force_N(raw - weighings.sds[i])) /
+        2;
+    if (std::isfinite(noise_N)) noises_N.push_back(noise_N);
+  }
+  if (noises_N.empty()) return 0;
+  std::nth_element(noises_N.begin(), noises_N.begin() + static_cast<long>(noises_N.size() / 2),
+                   noises_N.end());
+  return noises_N[noises_N.size() / 2];
 }
 
 int run(const CalibrateArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileToExtend(a.outputFile);
   if (!profile) return fail(profile.failure());
-  Result<std::vector<KnownWeight>> weights = std::vector<KnownWeight>{};
+  Weighings weighings;
   if (a.weightsFile.empty()) {
-    weights = askForWeights(a, cancelled);
+    Result<Weighings> asked = askForWeights(a, cancelled);
+    if (!asked) return fail(asked.failure());
+    weighings = *std::move(asked);
   } else {
     std::ifstream in(a.weightsFile, std::ios::binary);
     if (!in)
@@ -89,11 +139,17 @@ int run(const CalibrateArguments& a, const Cancelled& cancelled) {
           {FailureCode::unreadableInput, a.weightsFile, "", "cannot be read", "Give a CSV of known weights"});
     std::ostringstream text;
     text << in.rdbuf();
-    weights = parseWeights(text.str(), a.weightsFile);
+    Result<std::vector<KnownWeight>> weights = parseWeights(text.str(), a.weightsFile);
+    if (!weights) return fail(weights.failure());
+    weighings.weights = *std::move(weights);
   }
-  if (!weights) return fail(weights.failure());
-  Result<SensorCalibration> calibration = calibrate(*weights, a.calibration);
+  if (cancelled()) {
+    return fail(
+        {FailureCode::wrongUsage, "calibrate", "", "was cancelled; nothing was written", "Start it again"});
+  }
+  Result<SensorCalibration> calibration = calibrate(weighings.weights, a.calibration);
   if (!calibration) return fail(calibration.failure());
+  calibration->noise_N = noiseOf(weighings, *calibration);
   profile->sensor = *calibration;
   if (Result<Done> w = writeDeviceProfile(*profile, a.outputFile); !w) return fail(w.failure());
   Json coefficients = Json::array(), errors = Json::array();
@@ -103,6 +159,11 @@ int run(const CalibrateArguments& a, const Cancelled& cancelled) {
     coefficients.push_back(calibration->coefficients[i]);
     errors.push_back(calibration->standardErrors[i]);
   }
+  for (const KnownWeight& w : weighings.weights) {
+    std::fprintf(stderr, "%.4f N read as %.4f N, off by %+.4f N\n", w.force_N, calibration->force_N(w.raw),
+                 calibration->force_N(w.raw) - w.force_N);
+  }
+  if (calibration->noise_N > 0) std::fprintf(stderr, "noise %.4f N\n", calibration->noise_N);
   std::fprintf(stderr, "residual %.4f N over %.3g to %.3g N, %zu weights\n", calibration->residual_N,
                calibration->lowest_N, calibration->highest_N, calibration->weights);
   if (a.json) {
@@ -111,6 +172,7 @@ int run(const CalibrateArguments& a, const Cancelled& cancelled) {
            {"coefficients", coefficients},
            {"standard_errors", errors},
            {"residual_N", calibration->residual_N},
+           {"noise_N", calibration->noise_N},
            {"weights", calibration->weights}});
   }
   return 0;

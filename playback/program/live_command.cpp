@@ -16,18 +16,23 @@ void addOptions(CLI::App& app, LiveArguments& a) {
   addFeelOptions(app, a.feel);
   addDeviceOptions(app, a.player);
   addSensorOptions(app, a.sensor);
-  app.add_option("--udp", a.udpPort, "Listen for FUDI signal messages on this UDP port (docs/osc.md)");
-  app.add_option("--osc", a.oscPort, "Listen for OSC messages on this UDP port");
+  app.add_option(
+      "--udp", a.udp,
+      "PORT or ADDRESS:PORT to listen on for FUDI signal messages (docs/osc.md); without an address only "
+      "this machine is heard");
+  app.add_option("--osc", a.osc, "PORT or ADDRESS:PORT to listen on for OSC messages, likewise");
   app.add_option("--signals-to", a.signalTarget,
                  "HOST:PORT of a synthesizer (samples/puredata) that gets a message per event");
   app.add_option("--press", a.pressFile,
                  "Play this recorded press (time_s,force_N or time_s,displacement_mm)");
   app.add_option("--finger-N", a.fingerPeak_N,
                  "Force of the keyboard's finger in N; 0: a quarter more than needed")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1000.0));
   app.add_option("--gain", a.gain, "Output gain")->capture_default_str()->check(CLI::Range(0.0, 10.0));
   app.add_option("--seconds", a.seconds, "End after so many seconds; 0: on q or Ctrl-C")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 1e9));
   app.add_flag("--json", a.json, "One JSON object on stdout at the end");
 }
 

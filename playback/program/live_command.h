@@ -14,8 +14,8 @@ struct LiveArguments {
   FeelOptions feel;
   PlayerSettings player;
   SensorOptions sensor;
-  int udpPort = -1, oscPort = -1;  ///< -1: closed
-  std::string signalTarget;        ///< HOST:PORT
+  std::string udp, osc;      ///< PORT or ADDRESS:PORT; empty: closed
+  std::string signalTarget;  ///< HOST:PORT
   std::string pressFile;
   double fingerPeak_N = 0;  ///< 0: a quarter more than the button needs
   double gain = 1;

@@ -11,7 +11,9 @@
 
 #include "playback/device/steady_clock.h"
 #include "playback/device/terminal.h"
+#include "playback/program/endpoint.h"
 #include "playback/program/live_command.h"
+#include "playback/program/live_warnings.h"
 
 namespace detent::playback {
 
@@ -73,7 +75,8 @@ class LiveView {
         follow();
       }
     }
-    finish();
+    finish();  // first: closing a device may take longer than somebody who pressed Ctrl-C waits
+    player_.reset();
     return exitCode_;
   }
 
@@ -81,10 +84,15 @@ class LiveView {
   Result<PreparedProgram> prepare() {
     Result<PreparedProgram> prepared = prepareProgram(buttons_[current_], profile_, settings_);
     if (prepared) {
-      for (const std::string& w : prepared->summary.warnings)
-        std::fprintf(stderr, "warning: %s\n", w.c_str());
+      for (const std::string& w : prepared->summary.warnings) warn(w);
+      for (const std::string& w : doubtsAbout(a_, buttons_[current_], profile_, *prepared)) warn(w);
     }
     return prepared;
+  }
+
+  /// A line of its own; on a terminal the status line is drawn again below it.
+  static void warn(const std::string& sentence) {
+    std::fprintf(stderr, "%swarning: %s\n", errorIsTerminal() ? "\r\033[K" : "", sentence.c_str());
   }
 
   Result<Done> connect() {
@@ -93,15 +101,11 @@ class LiveView {
       if (Result<Done> ok = player_->attachSensor(a_.sensor.port, a_.sensor.baud, profile_.sensor); !ok)
         return ok;
     }
-    if (a_.udpPort >= 0) {
-      Result<std::uint16_t> port = player_->listenFudi(static_cast<std::uint16_t>(a_.udpPort));
-      if (!port) return port.failure();
-      std::fprintf(stderr, "FUDI on UDP port %u\n", *port);
+    if (!a_.udp.empty()) {
+      if (Result<Done> ok = listen("--udp", a_.udp, &LivePlayer::listenFudi, "FUDI"); !ok) return ok;
     }
-    if (a_.oscPort >= 0) {
-      Result<std::uint16_t> port = player_->listenOsc(static_cast<std::uint16_t>(a_.oscPort));
-      if (!port) return port.failure();
-      std::fprintf(stderr, "OSC on UDP port %u\n", *port);
+    if (!a_.osc.empty()) {
+      if (Result<Done> ok = listen("--osc", a_.osc, &LivePlayer::listenOsc, "OSC"); !ok) return ok;
     }
     if (!a_.signalTarget.empty()) {
       if (Result<Done> ok = sendSignals(); !ok) return ok;
@@ -115,14 +119,21 @@ class LiveView {
     return Done{};
   }
 
+  Result<Done> listen(const char* option, const std::string& where,
+                      Result<std::uint16_t> (LivePlayer::*open)(std::uint16_t, const std::string&),
+                      const char* name) {
+    const Result<Endpoint> endpoint = parseEndpoint(where, option, "127.0.0.1", 0);
+    if (!endpoint) return endpoint.failure();
+    const Result<std::uint16_t> port = ((*player_).*open)(endpoint->port, endpoint->host);
+    if (!port) return port.failure();
+    std::fprintf(stderr, "%s on UDP port %u of %s\n", name, *port, endpoint->host.c_str());
+    return Done{};
+  }
+
   Result<Done> sendSignals() {
-    const std::size_t colon = a_.signalTarget.rfind(':');
-    const int port = colon == std::string::npos ? 0 : std::atoi(a_.signalTarget.c_str() + colon + 1);
-    if (port < 1 || port > 65535) {
-      return Failure{FailureCode::wrongUsage, Subject::option("--signals-to"), "",
-                     "\"" + a_.signalTarget + "\" is not HOST:PORT", "Give for example localhost:9001"};
-    }
-    return player_->sendSignals(a_.signalTarget.substr(0, colon), static_cast<std::uint16_t>(port));
+    const Result<Endpoint> target = parseEndpoint(a_.signalTarget, "--signals-to", "", 1);
+    if (!target) return target.failure();
+    return player_->sendSignals(target->host, target->port);
   }
 
   void handle(char key) {
@@ -181,15 +192,22 @@ class LiveView {
       if (a_.seconds <= 0) traceEnd_s_ = now_s() + traceTail_s;
     }
     if (traceEnd_s_ > 0 && now_s() > traceEnd_s_) ended_ = true;
-    if (errorIsTerminal()) draw(player_->status());
+    const PlayerStatus status = player_->status();
+    for (const std::string& w : warnings_.look(status, now_s())) warn(w);
+    if (!status.sensorGreeting.empty() && status.sensorGreeting != greeting_) {
+      greeting_ = status.sensorGreeting;
+      std::fprintf(stderr, "%ssensor: %s\n", errorIsTerminal() ? "\r\033[K" : "", greeting_.c_str());
+    }
+    if (errorIsTerminal()) draw(status);
   }
 
   void draw(const PlayerStatus& s) {
     const std::size_t bars = static_cast<std::size_t>(std::clamp(s.level, 0.0, 1.0) * 10 + 0.5);
     char text[400];
     std::snprintf(text, sizeof text,
-                  "%s%s %5.2f N %6.3f mm %s%s |%-10s| gain %+.0f dB %s %s grains %llu jumps %llu %s load "
-                  "%2.0f%% xruns %llu %s %s",
+                  "%s%s%s%s %5.2f N %6.3f mm %s%s |%-10s| gain %+.0f dB %s %s grains %llu jumps %llu %s load "
+                  "%2.0f%% xruns %llu %s",
+                  warnings_.mostUrgent().c_str(), warnings_.mostUrgent().empty() ? "" : " | ",
                   buttons_[current_].name().substr(0, 20).c_str(),
                   buttons_[current_].selfLocking() ? (s.state == 0 ? " (1)" : " (2)") : "", s.force_N,
                   s.displacement_mm, s.releasing ? "up  " : "down", s.contact ? "*" : " ",
@@ -198,8 +216,7 @@ class LiveView {
                   settings_.placement == EventPlacement::atOnce ? "fast" : "time-stamped",
                   static_cast<unsigned long long>(s.counts.grains),
                   static_cast<unsigned long long>(s.counts.pressJumps + s.counts.releaseJumps), last_,
-                  100 * s.load, static_cast<unsigned long long>(s.xruns), s.deviceLost ? "DEVICE LOST" : "",
-                  nameOf(s.sensor));
+                  100 * s.load, static_cast<unsigned long long>(s.xruns), nameOf(s.sensor));
     std::string line(text);
     line.resize(static_cast<std::size_t>(std::max(terminalColumns() - 1, 20)), ' ');
     std::fprintf(stderr, "\r%s", line.c_str());
@@ -207,7 +224,6 @@ class LiveView {
 
   void finish() {
     const PlayerStatus s = player_->status();
-    player_.reset();
     std::fprintf(
         stderr,
         "\n%llu grains, %llu press jumps, %llu release jumps, %llu bottom-outs, %llu xruns, load %.1f %%\n",
@@ -235,8 +251,12 @@ class LiveView {
                                       {"malformed_lines", s.malformedLines},
                                       {"sensor_reconnects", s.sensorReconnects},
                                       {"signal_messages", s.signalMessages},
-                                      {"malformed_messages", s.malformedMessages}};
-    std::cout << json.dump() << "\n";
+                                      {"malformed_messages", s.malformedMessages},
+                                      {"dropped_readings", s.droppedReadings},
+                                      {"dropped_events", s.droppedEvents},
+                                      {"clipped_blocks", s.limitedBlocks},
+                                      {"sensor_noise_N", s.sensorNoise_N}};
+    std::cout << json.dump() << std::endl;
   }
 
   const LiveArguments& a_;
@@ -246,6 +266,8 @@ class LiveView {
   double gain_;
   std::size_t current_ = 0;
   std::unique_ptr<LivePlayer> player_;
+  LiveWarnings warnings_{profile_.sensor.weights > 0};
+  std::string greeting_;
   const char* last_ = "";
   bool ended_ = false, tracing_ = false;
   double traceEnd_s_ = 0;

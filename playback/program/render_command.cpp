@@ -2,6 +2,7 @@
 #include "playback/program/render_command.h"
 
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <CLI/CLI.hpp>
 
 #include "model/file/button_file.h"
+#include "playback/program/choice_option.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
 #include "playback/study/text_output.h"
@@ -17,6 +19,9 @@ namespace detent::playback {
 
 namespace {
 
+const std::map<std::string, SampleFormat> formats{
+    {"16", SampleFormat::bits16}, {"24", SampleFormat::bits24}, {"float", SampleFormat::float32}};
+
 struct RenderArguments {
   std::string button;
   FeelOptions feel;
@@ -24,6 +29,7 @@ struct RenderArguments {
   bool standardPress = false;
   std::string outputFile, eventsFile;
   double sampleRate_Hz = 48000;
+  SampleFormat format = SampleFormat::standard;
   bool json = false;
 };
 
@@ -33,7 +39,9 @@ void addOptions(CLI::App& app, RenderArguments& a) {
       app.add_option("--press", a.pressFile, "Press trace CSV: time_s,force_N or time_s,displacement_mm");
   app.add_flag("--standard-press", a.standardPress, "Instead of a trace: a human-like press of 0.3 s")
       ->excludes(press);
-  app.add_option("-o,--output", a.outputFile, "*.wav (32 bit float) or *.flac (24 bit)")->required();
+  app.add_option("-o,--output", a.outputFile, "*.wav or *.flac")->required();
+  addChoice(app, "--bits", a.format, formats, "Samples: 16 or 24 bit, or 32 bit float (WAV only)",
+            "float; 24 in a FLAC");
   app.add_option("--events", a.eventsFile, "Also write what was felt, as CSV");
   app.add_option("--rate", a.sampleRate_Hz, "Samples per second, 8000..192000")->capture_default_str();
   addFeelOptions(app, a.feel);
@@ -70,6 +78,14 @@ std::string eventsCsv(const std::vector<EngineEvent>& events, double sampleRate_
   return text;
 }
 
+void warnOfSize(const ExpectedSize& size) {
+  constexpr double muchTime_s = 600, muchSpace_bytes = 1e9;
+  if (size.duration_s <= muchTime_s && size.bytes <= muchSpace_bytes) return;
+  std::fprintf(stderr,
+               "warning: the press lasts %.0f minutes, the file will have up to %.2f GB; Ctrl-C stops\n",
+               size.duration_s / 60, size.bytes / 1e9);
+}
+
 int run(const RenderArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
   if (!profile) return fail(profile.failure());
@@ -83,7 +99,9 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
   if (!trace) return fail(trace.failure());
   RenderSettings settings;
   settings.sampleRate_Hz = a.sampleRate_Hz;
+  settings.format = a.format;
   settings.cancelled = cancelled;
+  warnOfSize(expectedSize(*trace, settings, a.outputFile));
   Result<RenderSummary> summary = renderPressToFile(prepared->program, *trace, settings, a.outputFile);
   if (!summary) return fail(summary.failure());
   if (!a.eventsFile.empty()) {

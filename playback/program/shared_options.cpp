@@ -19,6 +19,10 @@ const std::map<std::string, EventPlacement> placements{{"fast", EventPlacement::
 const std::map<std::string, LowPassPlacement> lowPasses{{"slope", LowPassPlacement::slopeOnly},
                                                         {"all", LowPassPlacement::wholeChain},
                                                         {"off", LowPassPlacement::none}};
+const std::map<std::string, GrainCarrier> carriers{{"running", GrainCarrier::running},
+                                                   {"retriggered", GrainCarrier::retriggered}};
+const std::map<std::string, EqualizerUse> equalizers{
+    {"off", EqualizerUse::off}, {"spare-jumps", EqualizerUse::sparingJumps}, {"full", EqualizerUse::full}};
 const std::map<std::string, JumpFrequencySource> jumpSources{{"paper", JumpFrequencySource::paper},
                                                              {"profile", JumpFrequencySource::profile}};
 
@@ -46,6 +50,12 @@ void addFeelOptions(CLI::App& app, FeelOptions& options) {
   app.add_option("--grain-amplitude", s.grainAmplitude, "Share of full scale, 0..1")
       ->capture_default_str()
       ->group(group);
+  addChoice(app, "--grain-carrier", s.grainCarrier, carriers,
+            "Under a new grain the sine runs on, or begins anew (for comparison)", "running")
+      ->group(group);
+  app.add_option("--high-pass-hz", s.highPass_Hz, "High-pass of the grains in Hz, 0..100; 0: none")
+      ->capture_default_str()
+      ->group(group);
   addChoice(app, "--low-pass", s.lowPassPlacement, lowPasses, "What the 150 Hz low-pass acts on", "slope")
       ->group(group);
   app.add_option("--low-pass-order", s.lowPassOrder, "Its order, 1 or 2")
@@ -66,14 +76,19 @@ void addFeelOptions(CLI::App& app, FeelOptions& options) {
   addChoice(app, "--jump-frequency", s.jumpFrequencySource, jumpSources,
             "Jump frequencies as given, or the profile's nearest resonance", "paper")
       ->group(group);
+  addChoice(app, "--equalizer", s.equalizer, equalizers,
+            "What the profile's equalizer flattens; a jump stands at a resonance because it is strong there",
+            "spare-jumps")
+      ->group(group);
   app.add_option("--bottom-amplitude", s.bottomOutAmplitude, "Share of full scale, 0..1")
       ->capture_default_str()
       ->group(group);
   app.add_option("--hysteresis-N", s.hysteresis_N,
-                 "Force must turn back this far before the stroke turns, in N")
+                 "Force must turn back this far before the stroke turns, in N; 0: from the sensor's noise")
       ->capture_default_str()
       ->group(group);
-  app.add_option("--rearm-mm", s.rearmDistance_mm, "Way back before a jump is felt again, in mm")
+  app.add_option("--rearm-N", s.rearm_N,
+                 "Force back before a jump is felt again, in N; 0: 2.5 times the hysteresis")
       ->capture_default_str()
       ->group(group);
   app.add_option("--sensor-period-s", s.sensorPeriod_s,
@@ -91,7 +106,8 @@ void addDeviceOptions(CLI::App& app, PlayerSettings& options) {
   app.add_option("--buffer", options.bufferFrames, "Samples per callback; 0: the host's choice (least delay)")
       ->capture_default_str();
   app.add_option("--channels", options.channels, "Output channels that carry the signal")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(CLI::Range(1, 64));
 }
 
 void addSensorOptions(CLI::App& app, SensorOptions& options) {

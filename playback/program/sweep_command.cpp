@@ -26,6 +26,8 @@ struct SweepArguments {
   bool json = false;
 };
 
+constexpr std::size_t mostRuns = 5;
+
 void addOptions(CLI::App& app, SweepArguments& a) {
   addDeviceOptions(app, a.player);
   app.add_option("--input", a.inputDevice, "Accelerometer or microphone; default: the device's own input");
@@ -48,23 +50,57 @@ void addOptions(CLI::App& app, SweepArguments& a) {
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
-int run(const SweepArguments& a, const Cancelled&) {
+/// The device's own rate; what most have where the device is not found (playing will say so).
+double ownRateOf(const std::string& device) {
+  constexpr double usual_Hz = 48000;
+  const Result<std::vector<SoundDevice>> devices = listSoundDevices();
+  if (!devices) return usual_Hz;
+  for (const SoundDevice& d : *devices) {
+    const bool meant = device.empty() ? d.defaultOutput : d.name.find(device) != std::string::npos;
+    if (meant && d.outputChannels > 0) return d.sampleRate_Hz;
+  }
+  return usual_Hz;
+}
+
+/// One sweep proves nothing on a busy machine: a dropout looks like a resonance. Two that agree do.
+Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const PlayerSettings& player,
+                                               const SweepSettings& settings, const Cancelled& cancelled) {
+  const std::vector<float> played = sweepSignal(settings);
+  std::vector<FrequencyResponse> runs;
+  for (std::size_t run = 1; run <= mostRuns; ++run) {
+    std::fprintf(stderr, "Run %zu: playing %.0f s from %.0f to %.0f Hz at %.0f samples per second ...\n", run,
+                 settings.duration_s, settings.from_Hz, settings.to_Hz, settings.sampleRate_Hz);
+    Result<std::vector<float>> recorded = playAndRecordSamples(player, a.inputDevice, played);
+    if (!recorded) return recorded.failure();
+    if (cancelled()) {
+      return Failure{FailureCode::wrongUsage, "sweep", "", "was cancelled; nothing was written",
+                     "Start it again"};
+    }
+    Result<FrequencyResponse> response = analyseSweep(played, *recorded, settings);
+    if (!response) return response.failure();
+    for (const FrequencyResponse& before : runs) {
+      if (agree(before, *response)) return response;
+    }
+    runs.push_back(*std::move(response));
+  }
+  return Failure{
+      FailureCode::notCertain, "sweep", "",
+      "no two of " + std::to_string(mostRuns) + " runs agree; nothing was written",
+      "Close other programs, enlarge the sound server's buffer, fix the device so that nothing rattles"};
+}
+
+int run(const SweepArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileToExtend(a.outputFile);
   if (!profile) return fail(profile.failure());
   SweepSettings settings = a.sweep;
-  settings.sampleRate_Hz = a.player.sampleRate_Hz > 0 ? a.player.sampleRate_Hz : 48000;
+  settings.sampleRate_Hz = a.player.sampleRate_Hz > 0 ? a.player.sampleRate_Hz : ownRateOf(a.player.device);
   if (settings.to_Hz >= settings.sampleRate_Hz / 2 || settings.from_Hz >= settings.to_Hz) {
     return fail({FailureCode::wrongUsage, "sweep", "", "the range does not fit the sample rate",
                  "Choose 0 < from < to < rate / 2"});
   }
   PlayerSettings player = a.player;
   player.sampleRate_Hz = settings.sampleRate_Hz;
-  std::fprintf(stderr, "Playing %.0f s from %.0f to %.0f Hz ...\n", settings.duration_s, settings.from_Hz,
-               settings.to_Hz);
-  const std::vector<float> played = sweepSignal(settings);
-  Result<std::vector<float>> recorded = playAndRecordSamples(player, a.inputDevice, played);
-  if (!recorded) return fail(recorded.failure());
-  Result<FrequencyResponse> response = analyseSweep(played, *recorded, settings);
+  Result<FrequencyResponse> response = measureUntilTwoAgree(a, player, settings, cancelled);
   if (!response) return fail(response.failure());
   applyResponse(*response, settings, *profile);
   if (profile->name.empty()) profile->name = a.player.device;

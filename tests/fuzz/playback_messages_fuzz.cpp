@@ -24,7 +24,7 @@ void onMessage(const SignalMessage& message) { demand(acceptable(message)); }
 
 SignalServer& oscServer() {
   static const std::unique_ptr<SignalServer> server = [] {
-    auto opened = openOscServer(0, [](const SignalMessage& m, double) { onMessage(m); });
+    auto opened = openOscServer(0, thisMachineOnly, [](const SignalMessage& m, double) { onMessage(m); });
     demand(static_cast<bool>(opened));
     return std::move(*opened);
   }();

@@ -113,3 +113,23 @@ TEST_CASE("signal messages: FUDI in and out, limits, rubbish") {
   CHECK_FALSE(fromOsc("/detent/jump", arguments, 2, m));
   CHECK_FALSE(fromOsc("/other/jump", arguments, 3, m));
 }
+
+TEST_CASE("clock: one stamp far ahead costs one reading, not minutes") {
+  ClockAligner aligner;
+  double worst_s = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const double arrival_s = 10 + i / 1000.0 + 0.002;
+    std::uint32_t stamp_us = static_cast<std::uint32_t>(i * 1000);
+    if (i == 1000) stamp_us += 400000;
+    const double host_s = aligner.hostTime_s(stamp_us, arrival_s);
+    worst_s = std::max(worst_s, std::fabs(host_s - arrival_s));
+  }
+  CHECK(worst_s < 0.005);
+  CHECK(aligner.wrongStamps() == 1);
+}
+
+TEST_CASE("assembler: the firmware's greeting is kept") {
+  LineAssembler assembler;
+  assembler.feed("# detent-force 1 fsr400 divider 1023\r\n1,2*1D\n", [](const SensorLine&) {});
+  CHECK(assembler.greeting() == "detent-force 1 fsr400 divider 1023");
+}

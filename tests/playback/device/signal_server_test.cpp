@@ -45,7 +45,7 @@ struct Inbox {
 
 TEST_CASE("FUDI over UDP: what is sent arrives, rubbish is counted") {
   Inbox inbox;
-  auto server = openFudiServer(0, false, inbox.receiver());
+  auto server = openFudiServer(0, thisMachineOnly, inbox.receiver());
   REQUIRE(server);
   auto sender = SignalSender::open("127.0.0.1", (*server)->port());
   REQUIRE(sender);
@@ -65,12 +65,12 @@ TEST_CASE("FUDI over UDP: what is sent arrives, rubbish is counted") {
   CHECK((*server)->counts().malformed == 1);
   CHECK((*server)->counts().messages == 100);
   Inbox other;
-  CHECK_FALSE(openFudiServer((*server)->port(), false, other.receiver()));
+  CHECK_FALSE(openFudiServer((*server)->port(), thisMachineOnly, other.receiver()));
 }
 
 TEST_CASE("OSC: messages of several number types arrive, others are counted") {
   Inbox inbox;
-  auto server = openOscServer(0, inbox.receiver());
+  auto server = openOscServer(0, thisMachineOnly, inbox.receiver());
   REQUIRE(server);
   const lo_address target = lo_address_new("127.0.0.1", std::to_string((*server)->port()).c_str());
   lo_send(target, "/detent/jump", "fff", 390.0, 20.0, 0.5);
@@ -90,14 +90,16 @@ TEST_CASE("OSC: messages of several number types arrive, others are counted") {
 
 TEST_CASE("Pd route: a message per grain and jump, in order") {
   Inbox inbox;
-  auto server = openFudiServer(0, false, inbox.receiver());
+  auto server = openFudiServer(0, thisMachineOnly, inbox.receiver());
   REQUIRE(server);
   auto sender = SignalSender::open("127.0.0.1", (*server)->port());
   REQUIRE(sender);
   const auto program = std::make_unique<HapticProgram>(programOf(tactileButton()));
-  PdRoute route(*program, std::move(*sender));
+  PdRoute route(std::move(*sender));
+  StrokeTracker tracker;
+  tracker.use(program.get());
   for (int i = 0; i <= 200; ++i) {
-    route.onForce(i * 0.005);
+    route.send(tracker.updateForce(i * 0.005), *program);
     sleepUntil(now_s() + 0.0005);
   }
   CHECK(inbox.waitFor(route.sent()));

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/device/signal_watch.h"
+
+#include <atomic>
+#include <thread>
+
+#include <pthread.h>
+#include <signal.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "playback/device/steady_clock.h"
+#include "playback/device/terminal.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr int exitCodeOfSignals = 128;
+
+sigset_t endingSignals() {
+  sigset_t set;
+  sigemptyset(&set);
+  for (int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, number);
+  return set;
+}
+
+}  // namespace
+
+class SignalWatch::Listener {
+ public:
+  explicit Listener(double grace_s) : set_(endingSignals()), grace_s_(grace_s) {
+    ::pthread_sigmask(SIG_BLOCK, &set_, &before_);
+    thread_ = std::thread([this] { listen(); });
+  }
+  ~Listener() {
+    ended_ = true;
+    ::pthread_kill(thread_.native_handle(), SIGTERM);
+    thread_.join();
+    ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
+  }
+
+  bool seen() const { return seen_; }
+
+ private:
+  void listen() {
+    int number = 0;
+    ::sigwait(&set_, &number);
+    if (ended_) return;
+    seen_ = true;
+    const double deadline_s = now_s() + grace_s_;
+    while (!ended_) {
+      const double left_s = deadline_s - now_s();
+      if (left_s <= 0) endByForce(number);
+      timespec wait{};
+      wait.tv_nsec = static_cast<long>(1e9 * left_s);
+      ::sigtimedwait(&set_, nullptr, &wait);  // another signal, or the destructor's
+    }
+  }
+
+  [[noreturn]] static void endByForce(int number) {
+    restoreTerminal();
+    ::_exit(exitCodeOfSignals + number);
+  }
+
+  sigset_t set_, before_{};
+  const double grace_s_;
+  std::atomic<bool> seen_{false}, ended_{false};
+  std::thread thread_;
+};
+
+SignalWatch::SignalWatch(double grace_s) : listener_(std::make_unique<Listener>(grace_s)) {}
+SignalWatch::~SignalWatch() = default;
+bool SignalWatch::seen() const { return listener_->seen(); }
+
+}  // namespace detent::playback

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Ctrl-C and its like, heard on a thread of its own: at any moment, once or twice, the program is told, and if
+// it has not ended soon after (a library that waits, a terminal that is read), it is ended.
+
+#include <memory>
+
+namespace detent::playback {
+
+/// One per program, made on the main thread before any other thread (they inherit that SIGINT, SIGTERM and
+/// SIGHUP are not theirs). A second signal changes nothing: the program ends already.
+class SignalWatch {
+ public:
+  /// `grace_s`: from the first signal to the end by force, with the terminal as it was and exit code 128 + the
+  /// signal's number. Files are written beside their target and renamed, so none is half written.
+  explicit SignalWatch(double grace_s);
+  ~SignalWatch();
+  SignalWatch(const SignalWatch&) = delete;
+  SignalWatch& operator=(const SignalWatch&) = delete;
+
+  /// Any thread.
+  bool seen() const;
+
+ private:
+  class Listener;
+  std::unique_ptr<Listener> listener_;
+};
+
+}  // namespace detent::playback
