@@ -70,6 +70,16 @@ Result<Done> reloadDocument(ButtonDocument& document) {
   return Done{};
 }
 
+QString buttonText(const Button& button) { return QString::fromStdString(jsonFrom(button)); }
+
+Result<std::unique_ptr<ButtonDocument>> documentFromText(const QString& text) {
+  auto button = buttonFromJson(text.toStdString(), "text of the clipboard");
+  if (!button) return button.failure();
+  auto document = std::make_unique<ButtonDocument>(*std::move(button));
+  document->history().stack().resetClean();
+  return document;
+}
+
 QString withButtonEnding(const QString& path) {
   if (path.endsWith(QLatin1String(".json"), Qt::CaseInsensitive)) return path;
   if (path.endsWith(QLatin1String(".button"), Qt::CaseInsensitive)) return path + ".json";

@@ -27,6 +27,11 @@ Result<Done> reloadDocument(ButtonDocument& document);
 /// "x" and "x.button" become "x.button.json"; a name that ends in ".json" stays.
 QString withButtonEnding(const QString& path);
 
+/// A whole button as text for the clipboard: what its file would hold.
+QString buttonText(const Button& button);
+/// A new, unsaved document from such text; failures as readButtonFile.
+Result<std::unique_ptr<ButtonDocument>> documentFromText(const QString& text);
+
 /// Where saving offers to put a document that has no path: its title as a safe file name, in `folder`.
 QString suggestedPath(const ButtonDocument& document, const QString& folder, const QString& ending);
 

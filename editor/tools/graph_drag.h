@@ -20,7 +20,8 @@ struct DragTask {
   Stroke stroke = Stroke::press;
   std::optional<MarkId> mark;  ///< whose place is shown while it moves; none: the wanted place
   bool snaps = true;
-  Edit edit;  ///< from the button before the drag; its Failure is shown, the last shape stays
+  /// From the button before the drag. Where it fails, a point stops at the limit, other things keep their last shape.
+  Edit edit;
 };
 
 /// GUI thread. `say` gets the sentence of a refusal, and an empty one when it is over.
@@ -38,6 +39,9 @@ class GraphDrag {
 
  private:
   void clear();
+  void preview(const Button& next, CurvePoint to, CanvasFeedback& feedback);
+  CurvePoint farthest(CurvePoint from, CurvePoint to) const;
+  void stopAtLimit(CurvePoint wanted, const Failure& why, CanvasFeedback& feedback);
   CurvePoint wantedPlace(CurvePoint pointer, Qt::KeyboardModifiers modifiers, CanvasFeedback& feedback) const;
 
   ButtonDocument& document_;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/main_window.h"
 
+#include <cmath>
 #include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QFileInfo>
 #include <QHBoxLayout>
-#include <QLocale>
 #include <QMenu>
 #include <QMimeData>
 #include <QStatusBar>
@@ -15,9 +15,11 @@
 #include <QVBoxLayout>
 
 #include "editor/feel/feel_panel.h"
+#include "editor/files/document_files.h"
 #include "editor/files/exports.h"
 #include "editor/library/compare_dialog.h"
 #include "editor/library/library_panel.h"
+#include "editor/quantity/quantity.h"
 #include "editor/window/appearance.h"
 #include "editor/window/stored_view.h"
 #include "model/edits.h"
@@ -38,7 +40,8 @@ MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
   setObjectName("mainWindow");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
-  applyAppearance();  // before there are widgets: those made before would keep the old colours for a while
+  applyAppearance();  // before there are widgets: those made before would keep
+                      // the old colours for a while
   makeFileActions();
   makeEditActions();
   makeCentre();
@@ -57,7 +60,8 @@ MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
   showTab(nullptr);
 }
 
-// Documents go first, and through the same door as always: panels, recovery and watch let go of them.
+// Documents go first, and through the same door as always: panels, recovery and
+// watch let go of them.
 MainWindow::~MainWindow() {
   for (DocumentTab* tab : tabs_->all()) tabs_->remove(*tab);
   tabs_->disconnect(this);
@@ -134,7 +138,8 @@ void MainWindow::makeDocks() {
           [this](const QString& folder) { at_.settings.setValue("library/folder", folder); });
 }
 
-// A sound device is not touched before the pad is pressed, but the panel itself is not light either.
+// A sound device is not touched before the pad is pressed, but the panel itself
+// is not light either.
 void MainWindow::makeFeelPanel() {
   feel_ = new FeelPanel(at_.view);
   feel_->restoreState(at_.settings.value("feel").toMap());
@@ -182,7 +187,8 @@ void MainWindow::setOther(ButtonDocument* other) {
   updateFeel();
 }
 
-// A and B are never the same button, not even on the way from one pair to the next.
+// A and B are never the same button, not even on the way from one pair to the
+// next.
 void MainWindow::updateFeel() {
   if (!feel_) return;
   DocumentTab* tab = tabs_->current();
@@ -225,6 +231,7 @@ void MainWindow::connectTabs() {
 
 void MainWindow::adopt(DocumentTab& tab) {
   connect(&tab.workspace(), &GraphWorkspace::cursorMoved, this, &MainWindow::showCursor);
+  connect(&tab.workspace(), &GraphWorkspace::buttonCopyAsked, this, [this, &tab] { copyButton(tab); });
   connect(&tab.workspace(), &GraphWorkspace::statusMessage, statusBar(),
           [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::updateTitle);
@@ -322,9 +329,7 @@ void MainWindow::updateUnits() {
 void MainWindow::showCursor(std::optional<CurvePoint> at) {
   const DisplayUnits& units = at_.view.units();
   if (!at) return cursor_->clear();
-  const auto number = [](double value) {
-    return QLocale().toString(value, 'f', std::abs(value) < 1 ? 4 : 3);
-  };
+  const auto number = [](double value) { return fixedText(value, std::abs(value) < 1 ? 4 : 3); };
   cursor_->setText(number(units.lengthFrom(at->displacement_mm)) + " " + units.lengthSymbol() + ", " +
                    number(units.forceFrom(at->force_N)) + " " + units.forceSymbol());
 }
@@ -366,10 +371,39 @@ void MainWindow::dropEvent(QDropEvent* event) {
   if (files_->take(*event->mimeData())) event->acceptProposedAction();
 }
 
+// Text of ours goes where it belongs: a stretch into the graph shown, a button
+// into a tab of its own.
+bool MainWindow::pasteText(const QString& text) {
+  if (const auto stretch = stretchFrom(text); stretch && tabs_->current()) {
+    tabs_->current()->workspace().paste(*stretch);
+    return true;
+  }
+  auto document = documentFromText(text);
+  if (!document) return false;
+  tabs_->add(*std::move(document));
+  return true;
+}
+
 void MainWindow::paste() {
-  if (!files_->take(*QApplication::clipboard()->mimeData()))
-    statusBar()->showMessage(
-        tr("The clipboard holds no picture and no file. Copy a picture of a graph first."), messageTime_ms);
+  const QMimeData& held = *QApplication::clipboard()->mimeData();
+  if (held.hasText() && pasteText(held.text())) return;
+  if (!files_->take(held))
+    statusBar()->showMessage(tr("The clipboard holds no picture, no file and nothing copied from a "
+                                "button. Copy "
+                                "a picture of a graph, or points of a curve, first."),
+                             messageTime_ms);
+}
+
+void MainWindow::copyButton(DocumentTab& tab) {
+  QApplication::clipboard()->setText(buttonText(tab.document().button()));
+  statusBar()->showMessage(tr("Copied the whole button as text."), messageTime_ms);
+}
+
+void MainWindow::duplicateButton(DocumentTab& tab) {
+  auto copy = std::make_unique<ButtonDocument>(tab.document().history().committed());
+  copy->setOrigin(tab.document().origin());
+  copy->history().stack().resetClean();
+  tabs_->add(std::move(copy));
 }
 
 void MainWindow::copyPicture(DocumentTab& tab) {

@@ -103,6 +103,9 @@ class MainWindow : public QMainWindow {
   void storeWindow();
   void copyPicture(DocumentTab& tab);
   void copyCsv(DocumentTab& tab);
+  void copyButton(DocumentTab& tab);
+  void duplicateButton(DocumentTab& tab);
+  bool pasteText(const QString& text);
   void paste();
   void renameButton(DocumentTab& tab);
 

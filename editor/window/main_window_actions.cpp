@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Actions, menus and tool bar of the window. Every action has a name, a text, a tool tip and, unless it is
-// one of a set of choices, keys.
+// Actions, menus and tool bar of the window. Every action has a name, a text, a
+// tool tip and, unless it is one of a set of choices, keys.
 
 #include <QActionGroup>
 #include <QApplication>
@@ -112,9 +112,13 @@ void MainWindow::makeEditActions() {
   menu->addAction(undo_);
   menu->addAction(redo_);
   menu->addSeparator();
-  menu->addAction(action("paste", tr("&Paste a picture or file"),
-                         tr("Import the picture or file in the clipboard"), QKeySequence("Ctrl+V"),
-                         [this] { paste(); }));
+  menu->addAction(action("paste", tr("&Paste"),
+                         tr("Import the picture or file in the clipboard, or "
+                            "put copied points or a copied "
+                            "button in"),
+                         QKeySequence("Ctrl+V"), [this] { paste(); }));
+  menu->addAction(tabAction("duplicate", tr("&Duplicate"), tr("Open a copy of this button in a new tab"),
+                            QKeySequence("Ctrl+D"), [this](DocumentTab& tab) { duplicateButton(tab); }));
   menu->addAction(tabAction("copyPicture", tr("&Copy as picture"), tr("Copy a picture of the graph"),
                             QKeySequence("Ctrl+Shift+C"), [this](DocumentTab& tab) { copyPicture(tab); }));
   menu->addAction(tabAction("copyCsv", tr("Copy as C&SV"), tr("Copy samples of the state shown, in mm and N"),
@@ -301,8 +305,10 @@ void MainWindow::showShortcuts() {
 
 void MainWindow::showAbout() {
   QMessageBox::about(this, tr("About Detent"),
-                     tr("<b>Detent %1</b><p>From a printed force graph to a button you can feel.</p>"
-                        "<p>GPL-3.0-or-later. After S. Kim and G. Lee, UIST 2013, and P. Shrestha.</p>")
+                     tr("<b>Detent %1</b><p>From a printed force graph to a "
+                        "button you can feel.</p>"
+                        "<p>GPL-3.0-or-later. After S. Kim and G. Lee, UIST "
+                        "2013, and P. Shrestha.</p>")
                          .arg(QCoreApplication::applicationVersion()));
 }
 
