@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/importing/corrections.h"
 
+#include <QLocale>
+
 #include <catch2/catch.hpp>
 
 #include "editor/importing/finding_words.h"

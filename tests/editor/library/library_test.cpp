@@ -153,12 +153,12 @@ class LibraryTest : public QObject {
     QVERIFY(force);
     QCOMPARE(*force->b, 2 * *force->a);
     const DisplayUnits units;
-    QCOMPARE(shownValue(force->a, Measure::force, units), QString("55.00"));
+    QCOMPARE(shownValue(force->a, detent::editor::Measure::force, units), QString("55.00"));
     QCOMPARE(shownDifference(*force, units), QString("+55.00"));
-    QCOMPARE(shownUnit(Measure::force, units), QString("cN"));
+    QCOMPARE(shownUnit(detent::editor::Measure::force, units), QString("cN"));
     DisplayUnits inches;
     inches.length = LengthUnit::inch;
-    QCOMPARE(shownValue(travel->a, Measure::length, inches), QString("0.1575"));
+    QCOMPARE(shownValue(travel->a, detent::editor::Measure::length, inches), QString("0.1575"));
   }
 
   void whatOneHasAndTheOtherNotIsADash() {
