@@ -15,6 +15,8 @@ namespace {
 constexpr std::size_t places = 1024;            // along a travel
 constexpr double leastAllowed_N_per_mm = 0.01;  // a slope limit below this leaves nothing to feel
 constexpr double rounding = 1.0001;
+constexpr double limitedTo =
+    0.95;  // of what is allowed: a curve of few knots is up to 2.2 % steeper between its points
 
 double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.delay_s; }
 
@@ -149,11 +151,11 @@ Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfil
                      "has so little friction or damping that no button is stable on it",
                      "Give its friction and damping, or choose another device"};
     }
-    Result<StrokeCurve> press = limited(state.graph.press(), allowed, change);
+    Result<StrokeCurve> press = limited(state.graph.press(), limitedTo * allowed, change);
     if (!press) return press.failure();
     std::optional<StrokeCurve> release;
     if (state.graph.release()) {
-      Result<StrokeCurve> slower = limited(*state.graph.release(), allowed, change);
+      Result<StrokeCurve> slower = limited(*state.graph.release(), limitedTo * allowed, change);
       if (!slower) return slower.failure();
       release = *std::move(slower);
     }
