@@ -11,6 +11,7 @@
 //   offline/render_press.h      program + press -> WAV, FLAC, memory
 //   device/*                    sound, serial sensor, messages
 //   study/*                     measuring device and latency
+//   perception/*                what is felt, who is confused with whom
 //   trials/*                    studies with people: design, journal, results
 //   this file                   everything another room needs, in plain types
 //
@@ -29,6 +30,7 @@
 #include "playback/force_feedback.h"
 #include "playback/offline/render_press.h"
 #include "playback/offline/standard_press.h"
+#include "playback/perception/design_help.h"
 #include "playback/prepare/device_profile.h"
 #include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"

@@ -7,6 +7,7 @@
 
 #include "model/version.h"
 #include "playback/program/calibrate_command.h"
+#include "playback/program/confusion_command.h"
 #include "playback/program/devices_command.h"
 #include "playback/program/force_command.h"
 #include "playback/program/identify_command.h"
@@ -31,6 +32,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   addSweepCommand(program, chosen);
   addLatencyCommand(program, chosen);
   addCalibrateCommand(program, chosen);
+  addConfusionCommand(program, chosen);
   addStudyCommand(program, chosen);
   addForceCommand(program, chosen);
   addIdentifyCommand(program, chosen);

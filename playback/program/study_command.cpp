@@ -13,6 +13,7 @@
 
 #include "model/file/text_file.h"
 #include "playback/program/choice_option.h"
+#include "playback/program/confusion_command.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
 #include "playback/program/study_terminal.h"
@@ -178,10 +179,9 @@ void addRun(CLI::App& parent, Action& chosen) {
   app->add_option("DIR", a->folder, "Folder of the study")->required();
   app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
   app->add_option("--simulate", a->simulation, "The program answers: guess, perfect or errors=P (0..1)");
-  addChoice(*app, "--condition", a->listening, listenings, "Silence, or rain-like noise that masks the sound",
-            "quiet");
+  addChoice(*app, "--condition", a->listening, listenings,
+            "What reaches the ears, kept in every row: silence, or noise you play", "quiet");
   app->add_flag("--rehearse", a->devices.rehearse, "Without a sound device; every row says so");
-  app->add_option("--noise-device", a->devices.noiseDevice, "Sound output of the noise; default: the same");
   app->add_option("--profile", a->devices.sensorProfileFile, "Calibration of the sensor");
   addDeviceOptions(*app, a->devices.player);
   addSensorOptions(*app, a->devices.sensor);
@@ -249,6 +249,29 @@ Result<StudyResults> resultsIn(const std::string& folder) {
   return resultsOf(*study, *records);
 }
 
+/// What was to be expected of the study's buttons on its device, in its first mode.
+Result<std::vector<ForetoldPair>> foretold(const std::string& folder) {
+  if (holdsPrintedCounts(folder)) return std::vector<ForetoldPair>{};
+  Result<Study> study = openStudy(folder);
+  if (!study) return study.failure();
+  PerceptionSettings settings;
+  if (study->profile) settings.device = *study->profile;
+  settings.playback.mode = study->design.modes.front();
+  std::vector<FeltButton> felt;
+  for (const StudyButton& b : study->buttons) {
+    Result<FeltButton> one = feel(b.button, settings);
+    if (!one) return one.failure();
+    felt.push_back(*std::move(one));
+  }
+  std::vector<ForetoldPair> pairs;
+  const std::vector<PredictedPair> predicted = predictAll(felt);
+  for (const auto& [first, second] : pairsOf(felt.size())) {
+    const PredictedPair& pair = predicted[pairs.size()];
+    pairs.push_back({first, second, pair.dPrime, pair.shareOfErrors, reasonOf(pair)});
+  }
+  return pairs;
+}
+
 int runReport(const ReadArguments& a) {
   Result<StudyResults> results = resultsIn(a.folder);
   if (!results) return fail(results.failure());
@@ -259,7 +282,9 @@ int runReport(const ReadArguments& a) {
     if (Result<Done> ok = writeBids(*results, a.bidsFolder); !ok) return fail(ok.failure());
   }
   if (!a.htmlFile.empty()) {
-    if (Result<Done> ok = writeWholeFile(a.htmlFile, resultsPage(*results, {})); !ok)
+    Result<std::vector<ForetoldPair>> expected = foretold(a.folder);
+    if (!expected) return fail(expected.failure());
+    if (Result<Done> ok = writeWholeFile(a.htmlFile, resultsPage(*results, *expected)); !ok)
       return fail(ok.failure());
   }
   const std::string text = resultsText(*results);

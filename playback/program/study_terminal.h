@@ -10,12 +10,11 @@
 
 namespace detent::playback {
 
-/// What is under the finger and in the ears.
+/// What is under the finger.
 struct StudyDevices {
   PlayerSettings player;
   SensorOptions sensor;
   std::string sensorProfileFile;  ///< calibration; the study's own profile where empty
-  std::string noiseDevice;        ///< of the masking noise; empty: the player's
   bool rehearse = false;          ///< no sound device on purpose
 };
 

@@ -8,6 +8,7 @@
 
 #include "model/file/text_file.h"
 #include "model/sha256.h"
+#include "model/version.h"
 #include "playback/journal/line_journal.h"
 
 namespace detent::playback {
@@ -228,7 +229,7 @@ std::string headerLine(const Study& study, const std::string& participant, std::
                   {"participant", participant},
                   {"study", study.name},
                   {"study_sha256", study.sha256},
-                  {"program", programVersion},
+                  {"program", version()},
                   {"seed", study.design.seed},
                   {"profile_sha256", study.profileSha256},
                   {"buttons", buttons}},
@@ -241,7 +242,7 @@ std::string sessionLine(const SessionStart& s, std::size_t cutBytes, std::string
                   {"listening", nameOf(s.listening)},
                   {"device", s.device},
                   {"simulation", s.simulation},
-                  {"program", programVersion},
+                  {"program", version()},
                   {"utc_s", s.utc_s},
                   {"cut_bytes", cutBytes}},
                  chain);

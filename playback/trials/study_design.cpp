@@ -9,6 +9,7 @@
 #include "model/file/button_file.h"
 #include "model/file/text_file.h"
 #include "model/sha256.h"
+#include "model/version.h"
 #include "playback/offline/render_press.h"
 #include "playback/offline/standard_press.h"
 #include "playback/statistics/shuffle.h"
@@ -16,8 +17,6 @@
 #include "playback/study/text_output.h"
 
 namespace detent::playback {
-
-const char* const programVersion = DETENT_VERSION;
 
 namespace {
 
@@ -273,7 +272,7 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
   if (Result<Done> ok = checkDesign(design, buttonFiles.size()); !ok) return ok.failure();
   Study study;
   study.folder = folder;
-  study.program = programVersion;
+  study.program = version();
   study.design = design;
   if (Result<Done> ok = readButtons(study, buttonFiles); !ok) return ok.failure();
   if (!profileFile.empty()) {
@@ -333,7 +332,7 @@ Result<Done> checkStimuli(const Study& study) {
     if (same != now->end() && same->sha256 == made.sha256) continue;
     return unreadable(study.folder,
                       "button \"" + study.buttons[made.button].label + "\" (" + nameOf(made.mode) +
-                          ") would feel different in this program (" + programVersion +
+                          ") would feel different in this program (" + version() +
                           ") than in the one that made the study (" + study.program + ")",
                       "Go on with that program, or begin a new study");
   }

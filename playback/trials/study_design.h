@@ -65,9 +65,6 @@ struct Study {
   std::vector<StudyStimulus> stimuli;
 };
 
-/// Version of this program, as studies record it.
-extern const char* const programVersion;
-
 const char* nameOf(FeedbackMode mode);
 const char* nameOf(StudyKind kind);
 

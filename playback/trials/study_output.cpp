@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/version.h"
 #include "playback/study/text_output.h"
 
 namespace detent::playback {
@@ -214,7 +215,7 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
   const Json dataset{{"Name", results.study},
                      {"BIDSVersion", "1.8.0"},
                      {"DatasetType", "raw"},
-                     {"GeneratedBy", Json::array({{{"Name", "Detent"}, {"Version", programVersion}}})}};
+                     {"GeneratedBy", Json::array({{{"Name", "Detent"}, {"Version", version()}}})}};
   const Json columns{{"onset", {{"Description", "when the trial was shown"}, {"Units", "s"}}},
                      {"duration", {{"Description", "from there to the answer"}, {"Units", "s"}}},
                      {"first_press", {{"Description", "from onset to the first press"}, {"Units", "s"}}},

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "model/version.h"
 #include "playback/statistics/rank_correlation.h"
 
 namespace detent::playback {
@@ -300,7 +301,7 @@ std::string resultsPage(const StudyResults& results, const std::vector<ForetoldP
                                               ? results.labels[i]
                                               : results.labels[i] + " (" + name + ")");
   }
-  text += ". " + escaped(results.source) + " Detent " + programVersion + "</p>\n";
+  text += ". " + escaped(results.source) + " Detent " + version() + "</p>\n";
   text += notes(results) + table1(results);
   for (const GroupResult& group : results.groups) {
     if (!group.pairs.empty())

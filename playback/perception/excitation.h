@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a vibration excites in a fingertip: two channels, in steps of 5 ms, in dB above their thresholds.
+// docs/predicted-confusion.md has the sources of every number.
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace detent::playback {
+
+/// The channels of the fingertip that follow vibration: [0] RA (Meissner), best at about 40 Hz; [1] P
+/// (Pacinian), best at about 250 Hz.
+inline constexpr std::size_t channelCount = 2;
+
+inline constexpr double perceptionRate_Hz = 8000;  ///< of the samples given here
+inline constexpr double frame_s = 0.005;
+
+/// Levels over time. Silence and everything below the threshold is 0 dB.
+struct Excitation {
+  /// One row for each 5 ms; [channel], dB above the channel's threshold, >= 0.
+  std::vector<std::array<double, channelCount>> level_dB;
+
+  double duration_s() const { return frame_s * static_cast<double>(level_dB.size()); }
+};
+
+/// How far below full scale a sine at the channel's best frequency is just felt.
+struct ThresholdSettings {
+  double rapidlyAdapting_dB = -42;
+  double pacinian_dB = -45;  ///< MPEG's reference model: -45 dB at 250 Hz
+};
+
+/// `samples` at perceptionRate_Hz, full scale 1, taken as the acceleration of the surface.
+Excitation excitationOf(const std::vector<float>& samples, const ThresholdSettings& thresholds = {});
+
+struct MaskingSettings {
+  double slope = 0.2;          ///< dB of threshold per dB of masker just before (1 dB per 5 dB); [0, 1]
+  double backwardShare = 0.5;  ///< of `slope`, for a masker that follows; [0, 1]
+  std::array<double, channelCount> decay_s{0.100, 0.040};
+};
+
+/// Takes away what stronger neighbours in time hide: each channel's threshold rises after (and before) a
+/// strong vibration and falls back exponentially. Channels do not mask each other.
+Excitation masked(const Excitation& excitation, const MaskingSettings& settings = {});
+
+/// Loudness at one time: the stronger channel and half the weaker one, in dB above threshold.
+double loudness_dB(const std::array<double, channelCount>& level_dB);
+
+}  // namespace detent::playback

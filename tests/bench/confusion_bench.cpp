@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The forecast against K&L's noisy group (Table 2), beside three measures of others, and what tuning one
+// number would gain. Figures: docs/predicted-confusion.md
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "model/file/button_file.h"
+#include "playback/perception/baselines.h"
+#include "playback/perception/confusion.h"
+#include "playback/statistics/rank_correlation.h"
+
+using namespace detent;
+using namespace detent::playback;
+
+namespace {
+
+const std::string names = "ABCDEF";
+/// K&L, Table 2 (b): errors in 90 by A-B, A-C, B-C, A-D, ...
+const std::vector<double> found{3, 2, 5, 1, 3, 10, 0, 4, 5, 5, 1, 4, 1, 0, 2};
+
+std::vector<FeltButton> feelAll(const PerceptionSettings& settings) {
+  std::vector<FeltButton> felt;
+  for (const char name : names) {
+    const Result<Button> button =
+        readButtonFile(std::string(DETENT_SOURCE_DIR) + "/samples/buttons/" + name + ".button.json");
+    felt.push_back(*feel(*button, settings));
+  }
+  return felt;
+}
+
+std::vector<std::string> pairNames() {
+  std::vector<std::string> pairs;
+  for (std::size_t k = 1; k < names.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i) pairs.push_back({names[i], '-', names[k]});
+  return pairs;
+}
+
+std::vector<double> errorsOf(const std::vector<PredictedPair>& pairs) {
+  std::vector<double> errors;
+  for (const PredictedPair& pair : pairs) errors.push_back(pair.errorsPer90());
+  return errors;
+}
+
+void line(const char* what, const std::vector<double>& forecast) {
+  const auto worst =
+      static_cast<std::size_t>(std::max_element(forecast.begin(), forecast.end()) - forecast.begin());
+  const auto rank =
+      1 + std::count_if(forecast.begin(), forecast.end(), [&](double e) { return e > forecast[5]; });
+  std::printf("%-44s Spearman %5.2f   most confused %s   C-D is number %ld\n", what,
+              spearman(forecast, found), pairNames()[worst].c_str(), static_cast<long>(rank));
+}
+
+std::vector<double> baseline(const std::vector<FeltButton>& felt, VibrationDistance distance) {
+  std::vector<double> likeness;
+  for (std::size_t k = 1; k < felt.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i) likeness.push_back(-distanceBetween(felt[i], felt[k], distance));
+  return likeness;
+}
+
+/// Factor on d' that gives the fewest squared errors of counts, without the pair `leftOut`.
+double tunedSensitivity(const std::vector<FeltButton>& felt, std::size_t leftOut) {
+  double best = 1, least = 1e300;
+  for (double s = 0.3; s < 3; s *= 1.02) {
+    ConfusionSettings settings;
+    settings.sensitivity = s;
+    const std::vector<double> errors = errorsOf(predictAll(felt, {}, settings));
+    double sum = 0;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (i != leftOut) sum += (errors[i] - found[i]) * (errors[i] - found[i]);
+    if (sum < least) {
+      least = sum;
+      best = s;
+    }
+  }
+  return best;
+}
+
+double rms(const std::vector<double>& forecast) {
+  double sum = 0;
+  for (std::size_t i = 0; i < found.size(); ++i) sum += (forecast[i] - found[i]) * (forecast[i] - found[i]);
+  return std::sqrt(sum / static_cast<double>(found.size()));
+}
+
+}  // namespace
+
+int main() {
+  const std::vector<FeltButton> felt = feelAll({});
+  const auto began = std::chrono::steady_clock::now();
+  const std::vector<PredictedPair> pairs = predictAll(felt);
+  const double each_ms =
+      std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - began).count() /
+      static_cast<double>(pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const PredictedPair& p = pairs[i];
+    std::printf("%s  d' %5.2f  errors %5.1f  found %4.0f   press %.2f %.2f %.2f  release %.2f %.2f %.2f\n",
+                pairNames()[i].c_str(), p.dPrime, p.errorsPer90(), found[i], p.press.strength, p.press.timing,
+                p.press.travel, p.release.strength, p.release.timing, p.release.travel);
+  }
+  std::printf("%.2f ms per pair once both are felt\n\n", each_ms);
+  line("forecast, untuned", errorsOf(pairs));
+  line("1 - ST-SIM", baseline(felt, stSimDistance));
+  line("1 - SPQI", baseline(felt, spqiDistance));
+  line("spectral distance", baseline(felt, spectralDistance_dB));
+  PerceptionSettings flat;
+  flat.device = {};
+  line("forecast, flat device", errorsOf(predictAll(feelAll(flat))));
+  for (const double gain_dB : {6.0, 18.0}) {
+    PerceptionSettings other;
+    for (Resonance& r : other.device.resonances) r.gain_dB = gain_dB;
+    line(("forecast, resonances of " + std::to_string(static_cast<int>(gain_dB)) + " dB").c_str(),
+         errorsOf(predictAll(feelAll(other))));
+  }
+  for (const double slope : {0.0, 0.5, 0.8}) {
+    PerceptionSettings other;
+    other.masking.slope = slope;
+    line(("forecast, masking slope " + std::to_string(slope)).c_str(), errorsOf(predictAll(feelAll(other))));
+  }
+  for (int off = 0; off < 3; ++off) {
+    ConfusionSettings without;
+    constexpr double never = 1e9;
+    if (off == 0) without.noticeable_dB = {never, never};
+    if (off == 1) without.timingWeber = never;
+    if (off == 2) without.travelWeber = never;
+    line(off == 0   ? "forecast without strength"
+         : off == 1 ? "forecast without timing"
+                    : "forecast without travel",
+         errorsOf(predictAll(felt, {}, without)));
+  }
+  ConfusionSettings tuned;
+  tuned.sensitivity = tunedSensitivity(felt, found.size());
+  const std::vector<double> fitted = errorsOf(predictAll(felt, {}, tuned));
+  std::vector<double> leftOut;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ConfusionSettings others;
+    others.sensitivity = tunedSensitivity(felt, i);
+    leftOut.push_back(errorsOf(predictAll(felt, {}, others))[i]);
+  }
+  line("one number tuned (sensitivity)", fitted);
+  line("the same, each pair left out", leftOut);
+  std::printf("sensitivity %.2f; rms of errors in 90: untuned %.2f, tuned %.2f, left out %.2f\n",
+              tuned.sensitivity, rms(errorsOf(pairs)), rms(fitted), rms(leftOut));
+  return 0;
+}
