@@ -179,7 +179,7 @@ void loop() {
       line[lineLength] = 0;
       takeLine(line);
       lineLength = 0;
-    } else if (lineLength + 1 < sizeof line) {
+    } else if (lineLength + 1u < sizeof line) {
       line[lineLength++] = c;
     }
   }

@@ -140,7 +140,7 @@ class FeelPartsTest : public QObject {
     auto failed = std::make_shared<PressSignal>();
     failed->failure = Failure{FailureCode::wrongUsage, "gain", "", "is -1", "Give a gain above 0"};
     view.setSignal(failed);
-    QCOMPARE(view.pressSignal()->failure->subject, std::string("gain"));
+    QCOMPARE(english(view.pressSignal()->failure->subject.name), std::string("gain"));
     QCOMPARE(pixelsLike(view, silence), 0);
     view.setSignal(nullptr);
     view.grab();

@@ -523,7 +523,7 @@ void ImportDialogTest::aGraphOnItsSideIsCorrectedToo() {
     state.apply(next, "Move plot frame");
     QVERIFY(again(state));
     QVERIFY2(state.current()->last->report,
-             state.current()->last->failure ? state.current()->last->failure->problem.c_str() : "");
+             state.current()->last->failure ? english(state.current()->last->failure->problem).c_str() : "");
     QVERIFY(std::abs(report(state).button.states().front().graph.travel_mm() - travel_mm) < 0.02);
   }
 }

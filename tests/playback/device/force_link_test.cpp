@@ -148,8 +148,8 @@ void run(std::uint32_t us) {
   for (const std::uint32_t end = time_us + us; time_us != end; time_us += 10) loop();
 }
 
-std::string exchange(const std::string& line) {
-  incoming += line + "\n";
+std::string exchange(const std::string& sentLine) {
+  incoming += sentLine + "\n";
   sent.clear();
   run(20);
   return sent;
