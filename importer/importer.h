@@ -120,7 +120,7 @@ struct ImportReport {
 };
 
 /// An open input that is imported again and again while hints change: a step is recomputed only if something
-/// it depends on changed (STYLE 8). What was found is kept; pages and pixels are kept within a bound on
+/// it depends on changed. What was found is kept; pages and pixels are kept within a bound on
 /// memory (docs/decisions/1020-what-an-open-document-keeps.md). One thread at a time; `Progress::cancelled`
 /// may be asked from it.
 class ImportSession {

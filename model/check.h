@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Our own bugs: a check that stays on in release (STYLE 7). Never for the world's faults, never in the audio
+// Our own bugs: a check that stays on in release. Never for the world's faults, never in the audio
 // callback.
 
 namespace detent {

@@ -37,8 +37,7 @@ struct Subject {
     option  ///< an option of the program: "--frame"
   };
   Subject() = default;
-  Subject(std::string itsOwn)
-      : Subject(itsOwn.empty() ? Kind::none : Kind::named, Message(std::move(itsOwn))) {}
+  Subject(const std::string& itsOwn) : Subject(itsOwn.empty() ? Kind::none : Kind::named, Message(itsOwn)) {}
   template <std::size_t n>
   Subject(const char (&part)[n]) : Subject(n > 1 ? Kind::part : Kind::none, Message(part)) {}
   Subject(std::same_as<const char*> auto part) : Subject(Kind::part, Message(part)) {}

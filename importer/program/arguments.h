@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The command line of detent-import (DESIGN.md, "Fixed contracts").
+// The command line of detent-import: a fixed contract, scripts rely on it.
 
 #include <optional>
 #include <string>

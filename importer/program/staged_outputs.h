@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Output files that appear all together or not at all (DESIGN.md: nothing is left behind or half
-// overwritten).
+// Output files that appear all together or not at all: nothing is left behind or half
+// overwritten.
 
 #include <filesystem>
 #include <string>

@@ -20,8 +20,9 @@ struct ChromaOptions {
   double sameHue =
       tuned("chroma.sameHue", 0.8);  ///< cosine between the colours of a halo and of its line's core
   /// How sharply colour changes from pixel to pixel, against brightness: 0.73 to 0.84 at 4:2:0, 0.99 to 1.2 at full
-  /// resolution (letters smoothed by sub-pixels included). Colour sharper than this is left alone.
-  double sharpness = tuned("chroma.sharpness", 0.92);
+  /// resolution on white paper (letters smoothed by sub-pixels included), but 0.80 to 0.86 for thin lines on dark paper, which
+  /// settling would move by 0.2 px. Colour sharper than this is left alone.
+  double sharpness = tuned("chroma.sharpness", 0.80);
 };
 
 /// Moves spread colour back to where the brightness shows its line; leaves pictures alone whose colour is at

@@ -112,7 +112,7 @@ TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
   REQUIRE_FALSE(found.ok());
   CHECK(found.failure().code == FailureCode::notCertain);
   CHECK(found.failure().remedies.include(RemedyKind::pickPress));
-  CHECK(found.failure().reason == nameOf(DoubtCode::tooManyCurves));
+  CHECK(found.failure().reason == nameOf(DoubtCode::strokesAlike));
   CHECK(english(found.failure().problem).find("#ff0000") != std::string::npos);
 }
 
