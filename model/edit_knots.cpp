@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Edits of single knots.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -148,6 +149,71 @@ Result<StrokeCurve> removeKnot(const StrokeCurve& curve, std::size_t index) {
                    "Move it instead");
   std::vector<Knot> knots = curve.knots();
   knots.erase(knots.begin() + static_cast<std::ptrdiff_t>(index));
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotPlace>& places) {
+  std::vector<Knot> knots = curve.knots();
+  for (const KnotPlace& place : places) {
+    if (auto problem = noSuchKnot(curve, place.index)) return *problem;
+    knots[place.index].displacement_mm = place.to.displacement_mm;
+    knots[place.index].force_N = place.to.force_N;
+  }
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    if (!(knots[i].displacement_mm < knots[i - 1].displacement_mm)) continue;
+    return refusal("knot " + std::to_string(i + 1),
+                   "would stand at " + numberText(knots[i].displacement_mm) + " mm, before knot " +
+                       std::to_string(i) + " at " + numberText(knots[i - 1].displacement_mm) + " mm",
+                   "Keep the knots in their order, or select fewer");
+  }
+  return StrokeCurve::fromKnots(std::move(knots));
+}
+
+Result<StrokeCurve> removeKnots(const StrokeCurve& curve, const std::vector<std::size_t>& indices) {
+  std::vector<bool> goes(curve.knots().size(), false);
+  for (const std::size_t index : indices) {
+    if (auto problem = noSuchKnot(curve, index)) return *problem;
+    goes[index] = true;
+  }
+  std::vector<Knot> left;
+  for (std::size_t i = 0; i < goes.size(); ++i)
+    if (!goes[i]) left.push_back(curve.knots()[i]);
+  if (left.size() < 2)
+    return refusal("",
+                   std::to_string(curve.knots().size() - left.size()) +
+                       " knots cannot be removed: a curve needs 2 knots",
+                   "Leave two of them");
+  return StrokeCurve::fromKnots(std::move(left));
+}
+
+Result<std::vector<Knot>> stretchOf(const StrokeCurve& curve, double from_mm, double to_mm) {
+  if (!(from_mm < to_mm && from_mm >= curve.start_mm() && to_mm <= curve.end_mm()))
+    return refusal("", "has no stretch from " + numberText(from_mm) + " to " + numberText(to_mm) + " mm",
+                   "Choose two places on the curve, the first one before the second");
+  StrokeCurve cut = curve;
+  for (const double end_mm : {from_mm, to_mm}) {
+    const auto& knots = cut.knots();
+    if (std::any_of(knots.begin(), knots.end(), [&](const Knot& k) { return k.displacement_mm == end_mm; }))
+      continue;
+    auto with = insertKnot(cut, end_mm);
+    if (!with) return with.failure();
+    cut = *std::move(with);
+  }
+  std::vector<Knot> stretch;
+  for (const Knot& k : cut.knots())
+    if (k.displacement_mm >= from_mm && k.displacement_mm <= to_mm) stretch.push_back(k);
+  return stretch;
+}
+
+Result<StrokeCurve> putStretch(const StrokeCurve& curve, const std::vector<Knot>& stretch) {
+  if (stretch.empty()) return refusal("", "gets no knots", "Give one knot or more");
+  const double from_mm = stretch.front().displacement_mm, to_mm = stretch.back().displacement_mm;
+  std::vector<Knot> knots;
+  for (const Knot& k : curve.knots())
+    if (k.displacement_mm < from_mm) knots.push_back(k);
+  knots.insert(knots.end(), stretch.begin(), stretch.end());
+  for (const Knot& k : curve.knots())
+    if (k.displacement_mm > to_mm) knots.push_back(k);
   return StrokeCurve::fromKnots(std::move(knots));
 }
 

@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <vector>
 
 #include "model/button.h"
 #include "model/sections.h"
@@ -37,6 +38,24 @@ Result<StrokeCurve> insertKnot(const StrokeCurve& curve, double displacement_mm)
 /// Takes a knot away; its neighbours keep their slopes. Two knots must remain, and the travel must not become
 /// zero.
 Result<StrokeCurve> removeKnot(const StrokeCurve& curve, std::size_t index);
+
+/// Where a knot is put.
+struct KnotPlace {
+  std::size_t index = 0;
+  CurvePoint to;
+};
+/// Moves several knots at once; their slopes stay. Afterwards all knots must stand in the order they had.
+/// Nothing to move gives the curve itself.
+Result<StrokeCurve> placeKnots(const StrokeCurve& curve, const std::vector<KnotPlace>& places);
+/// Takes several knots away at once, as removeKnot does each. Indices in any order, each once or more often.
+Result<StrokeCurve> removeKnots(const StrokeCurve& curve, const std::vector<std::size_t>& indices);
+
+/// The knots of a stretch of a curve, its two ends included; an end where no knot stands gets one, so that
+/// the stretch keeps its shape. Refused unless from < to and both lie on the curve.
+Result<std::vector<Knot>> stretchOf(const StrokeCurve& curve, double from_mm, double to_mm);
+/// Puts a stretch into a curve: what stands between its first and last knot, those two places included, goes.
+/// Beyond the ends of the curve it makes it longer. `stretch` by displacement, one knot or more.
+Result<StrokeCurve> putStretch(const StrokeCurve& curve, const std::vector<Knot>& stretch);
 
 // ---- shapes of one stroke
 

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <QPointF>
+#include <QRectF>
 #include <QString>
 
 #include "editor/canvas/graph_marks.h"
@@ -40,6 +41,7 @@ struct CanvasFeedback {
   std::optional<SnapHit> snap;
   std::optional<RefusedMove> refused;
   std::optional<Proposal> proposal;
+  std::optional<QRectF> band_px;      ///< rectangle being drawn to select what lies in it
   std::optional<CurvePoint> dragged;  ///< where the dragged thing stands; the magnifier looks at it
   friend bool operator==(const CanvasFeedback&, const CanvasFeedback&) = default;
 };

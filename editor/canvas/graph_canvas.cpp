@@ -34,7 +34,7 @@ GraphCanvas::GraphCanvas(ButtonDocument& document, ViewSettings& settings, QWidg
   setAccessibleDescription(
       tr("Tab goes through the points of the graph, arrow keys move the selected one, Delete removes it."));
   connect(&document_, &ButtonDocument::changed, this, &GraphCanvas::graphChanged);
-  connect(&document_, &ButtonDocument::activeStateChanged, this, &GraphCanvas::graphChanged);
+  connect(&document_, &ButtonDocument::activeStateChanged, this, &GraphCanvas::stateChanged);
   connect(&document_, &ButtonDocument::originChanged, this, &GraphCanvas::takeOrigin);
   connect(&settings, &ViewSettings::changed, this, &GraphCanvas::takeSettings);
   takeOrigin();
@@ -54,8 +54,35 @@ bool GraphCanvas::hasUnderlay() const { return !underlay_->empty(); }
 
 void GraphCanvas::graphChanged() {
   values_.reset();
-  if (selected_ && !placeOf(*selected_, state(), values())) setSelected({});
+  followSelection();
   update();
+}
+
+// Another state has other marks.
+void GraphCanvas::stateChanged() {
+  values_.reset();
+  setSelection({});
+  update();
+}
+
+void GraphCanvas::followSelection() {
+  if (selectionThere_.empty() && selection_.empty()) return;
+  if (document_.activeState() != selectedState_) return setSelection({});
+  std::vector<MarkId> now;
+  const MarkedState after{state(), values()};
+  for (const MarkId& mark : selectionThere_)
+    if (const auto same = sameMark(mark, *selectedOn_, after)) now.push_back(*same);
+  if (now != selection_) {
+    selection_ = std::move(now);
+    showSelection();
+  }
+  if (!document_.history().dragging()) rememberSelection();
+}
+
+void GraphCanvas::rememberSelection() {
+  selectedOn_ = MarkedState{state(), values()};
+  selectionThere_ = selection_;
+  selectedState_ = document_.activeState();
 }
 
 void GraphCanvas::takeOrigin() {
@@ -89,12 +116,32 @@ void GraphCanvas::setFeedback(const CanvasFeedback& feedback) {
   update();
 }
 
+std::optional<MarkId> GraphCanvas::selected() const {
+  return selection_.empty() ? std::nullopt : std::optional(selection_.back());
+}
+
+bool GraphCanvas::isSelected(MarkId mark) const {
+  return std::find(selection_.begin(), selection_.end(), mark) != selection_.end();
+}
+
 void GraphCanvas::setSelected(const std::optional<MarkId>& selected) {
-  if (selected == selected_) return;
-  selected_ = selected;
-  const auto at = selected ? placeOf(*selected, state(), values()) : std::nullopt;
-  setAccessibleName(at ? tr("Force graph: %1").arg(describe({*selected, *at}, settings().units()))
-                       : tr("Force graph"));
+  setSelection(selected ? std::vector{*selected} : std::vector<MarkId>{});
+}
+
+void GraphCanvas::setSelection(std::vector<MarkId> marks) {
+  const bool changes = marks != selection_;
+  selection_ = std::move(marks);
+  rememberSelection();
+  if (changes) showSelection();
+}
+
+void GraphCanvas::showSelection() {
+  const auto last = selected();
+  const auto at = last ? placeOf(*last, state(), values()) : std::nullopt;
+  setAccessibleName(selection_.size() > 1
+                        ? tr("Force graph: %n points selected", nullptr, static_cast<int>(selection_.size()))
+                    : at ? tr("Force graph: %1").arg(describe({*last, *at}, settings().units()))
+                         : tr("Force graph"));
   emit selectionChanged();
   update();
 }
@@ -123,14 +170,14 @@ GraphScene GraphCanvas::scene() const {
                    colors(),
                    settings().units(),
                    exporting() ? nothing : feedback_,
-                   std::nullopt,
+                   {},
                    std::nullopt,
                    nullptr,
                    {},
                    {},
                    handlesShown_ && !exporting()};
   if (!exporting()) {
-    scene.selected = selected_;
+    scene.selection = selection_;
     scene.finger = finger_;
   }
   const auto& states = document_.button().states();
@@ -252,8 +299,8 @@ void GraphCanvas::leaveEvent(QEvent* event) {
 void GraphCanvas::contextMenuEvent(QContextMenuEvent* event) {
   if (!events_) return;
   QPointF at_px = event->pos();
-  if (event->reason() == QContextMenuEvent::Keyboard && selected_) {
-    if (const auto place = placeOf(*selected_, state(), values()))
+  if (event->reason() == QContextMenuEvent::Keyboard && selected()) {
+    if (const auto place = placeOf(*selected(), state(), values()))
       at_px = mapping().toPixel(place->displacement_mm, place->force_N);
   }
   const QPointF at = mapping().toPlot(at_px);

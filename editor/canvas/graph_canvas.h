@@ -8,6 +8,7 @@
 #include "editor/canvas/canvas_events.h"
 #include "editor/canvas/canvas_feedback.h"
 #include "editor/canvas/graph_painting.h"
+#include "editor/canvas/mark_identity.h"
 #include "editor/canvas/unit_plot.h"
 #include "editor/document/button_document.h"
 
@@ -35,8 +36,14 @@ class GraphCanvas : public UnitPlot {
 
   const CanvasFeedback& feedback() const { return feedback_; }
   void setFeedback(const CanvasFeedback& feedback);
-  const std::optional<MarkId>& selected() const { return selected_; }
+  /// The mark that was selected last; it keeps its identity through edits of others (mark_identity.h).
+  std::optional<MarkId> selected() const;
+  /// All selected marks, that one last; none twice.
+  const std::vector<MarkId>& selection() const { return selection_; }
+  /// This mark alone, or none.
   void setSelected(const std::optional<MarkId>& selected);
+  void setSelection(std::vector<MarkId> marks);
+  bool isSelected(MarkId mark) const;
   void showFinger(std::optional<FingerPosition> finger);
   void setMagnifierShown(bool shown);
   bool magnifierShown() const { return magnifierShown_; }
@@ -67,6 +74,10 @@ class GraphCanvas : public UnitPlot {
   void takeOrigin();
   void takeSettings();
   void graphChanged();
+  void stateChanged();
+  void followSelection();
+  void rememberSelection();
+  void showSelection();
   void drawMagnifier(QPainter& painter, const PlotMapping& map) const;
 
   ButtonDocument& document_;
@@ -75,7 +86,11 @@ class GraphCanvas : public UnitPlot {
   TracedPoints* traced_;    // owned by QCustomPlot
   mutable std::optional<GraphValues> values_;
   CanvasFeedback feedback_;
-  std::optional<MarkId> selected_;
+  std::vector<MarkId> selection_;
+  // What the selection was made on: through a drag it is followed from there, not from frame to frame.
+  std::optional<MarkedState> selectedOn_;
+  std::vector<MarkId> selectionThere_;
+  std::size_t selectedState_ = 0;
   std::optional<FingerPosition> finger_;
   bool magnifierShown_ = true, handlesShown_ = true;
 };

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <QCoreApplication>
-#include <QLocale>
+
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -122,10 +123,9 @@ QString nameOf(MarkId id) {
 }
 
 QString placeText(CurvePoint at, const DisplayUnits& units) {
-  const QLocale locale;
   return tr("%1 %2, %3 %4")
-      .arg(locale.toString(units.lengthFrom(at.displacement_mm), 'g', 5), units.lengthSymbol(),
-           locale.toString(units.forceFrom(at.force_N), 'g', 5), units.forceSymbol());
+      .arg(numberText(units.lengthFrom(at.displacement_mm), 5), units.lengthSymbol(),
+           numberText(units.forceFrom(at.force_N), 5), units.forceSymbol());
 }
 
 QString describe(const Mark& mark, const DisplayUnits& units) {

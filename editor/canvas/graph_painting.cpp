@@ -5,9 +5,9 @@
 #include <cmath>
 #include <QCoreApplication>
 #include <QFontMetricsF>
-#include <QLocale>
 
 #include "editor/canvas/curve_path.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -209,8 +209,7 @@ void paintTurns(QPainter& painter, const PlotMapping& map, const GraphScene& sce
 }
 
 QString shortForce(double force_N, const DisplayUnits& units) {
-  return QLocale().toString(units.forceFrom(force_N), 'g', 4) + QStringLiteral("\u2009") +
-         units.forceSymbol();
+  return numberText(units.forceFrom(force_N), 4) + QStringLiteral("\u2009") + units.forceSymbol();
 }
 
 void paintTactilePoints(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
@@ -250,7 +249,8 @@ void paintContact(QPainter& painter, const PlotMapping& map, const GraphScene& s
 }
 
 void paintSlopeHandles(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  const MarkId id = *scene.selected;
+  if (scene.selection.size() != 1) return;
+  const MarkId id = scene.selection.front();
   if (id.kind != MarkKind::knot && id.kind != MarkKind::slopeBefore && id.kind != MarkKind::slopeAfter)
     return;
   const StrokeCurve& curve = scene.state.graph.curve(id.stroke);
@@ -382,11 +382,20 @@ void paintFinger(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   painter.drawEllipse(at, 7, 7);
 }
 
+// The rectangle that selects what lies in it.
+void paintBand(QPainter& painter, const GraphScene& scene) {
+  painter.setPen(QPen(scene.colors.selection, 1, Qt::DashLine));
+  painter.setBrush(withAlpha(scene.colors.selection, 0.08));
+  painter.drawRect(*scene.feedback.band_px);
+}
+
 void paintFeedback(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  if (scene.selected) paintHighlight(painter, map, scene, *scene.selected, true);
-  if (scene.feedback.hovered && scene.feedback.hovered != scene.selected)
+  for (const MarkId& mark : scene.selection) paintHighlight(painter, map, scene, mark, true);
+  const auto& hovered = scene.feedback.hovered;
+  if (hovered && std::find(scene.selection.begin(), scene.selection.end(), *hovered) == scene.selection.end())
     paintHighlight(painter, map, scene, *scene.feedback.hovered, false);
-  if (scene.selected && scene.handlesShown) paintSlopeHandles(painter, map, scene);
+  if (scene.handlesShown) paintSlopeHandles(painter, map, scene);
+  if (scene.feedback.band_px) paintBand(painter, scene);
   if (scene.feedback.proposal) paintProposal(painter, map, scene);
   if (scene.feedback.snap) paintSnap(painter, map, scene);
   if (scene.feedback.dragged) paintDragReadout(painter, map, scene);

@@ -22,7 +22,7 @@ struct GraphScene {
   const GraphColors& colors;
   const DisplayUnits& units;
   const CanvasFeedback& feedback;
-  std::optional<MarkId> selected;
+  std::span<const MarkId> selection;  ///< the last one has handles
   std::optional<FingerPosition> finger;
   const ButtonState* otherState = nullptr;                 ///< of a self-locking button: drawn as a ghost
   std::span<const CurvePoint> tracedPress, tracedRelease;  ///< residuals are drawn to these; empty: none

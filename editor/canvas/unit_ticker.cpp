@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "editor/quantity/quantity.h"
+
 namespace detent::editor {
 
 void UnitTicker::generate(const QCPRange& range, const QLocale& locale, QChar formatChar, int precision,
@@ -15,9 +17,9 @@ void UnitTicker::generate(const QCPRange& range, const QLocale& locale, QChar fo
 }
 
 // Rounding must not print 1.0000000000000002, nor -0.
-QString UnitTicker::getTickLabel(double tick, const QLocale& locale, QChar formatChar, int precision) {
+QString UnitTicker::getTickLabel(double tick, const QLocale&, QChar, int precision) {
   if (std::abs(tick) < 1e-12) tick = 0;
-  return QCPAxisTicker::getTickLabel(tick, locale, formatChar, precision);
+  return numberText(tick, precision);
 }
 
 }  // namespace detent::editor

@@ -9,7 +9,6 @@
 #include <QBoxLayout>
 #include <QButtonGroup>
 #include <QLabel>
-#include <QLocale>
 #include <QPointer>
 #include <QPushButton>
 #include <QScrollArea>
@@ -25,6 +24,7 @@
 #include "editor/feel/press_strip.h"
 #include "editor/feel/signal_view.h"
 #include "editor/feel/sound_device_list.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -543,8 +543,7 @@ void FeelPanel::Parts::setSettings(const FeelSettings& settings) {
   const QSignalBlocker soundBlocked(sound_), gainBlocked(gain_);
   sound_->setChecked(settings.sound);
   gain_->setValue(static_cast<int>(std::lround(settings.gain_dB * gainStepsPer_dB)));
-  gainText_->setText(
-      FeelPanel::tr("%1 dB").arg(QLocale().toString(settings.gain_dB, 'f', 1).replace('-', QChar(0x2212))));
+  gainText_->setText(FeelPanel::tr("%1 dB").arg(fixedText(settings.gain_dB, 1).replace('-', QChar(0x2212))));
   player_.setGain(gainOf(settings.gain_dB));
   player_.setSoundWanted(settings.sound);
   const playback::PlayerSettings output{settings.device.toStdString(), settings.rate_Hz, settings.buffer};
@@ -655,7 +654,6 @@ void FeelPanel::Parts::showSound() {
 
 void FeelPanel::Parts::showStatus() {
   const playback::PlayerStatus& s = player_.status();
-  const QLocale locale;
   QString text;
   switch (player_.sound()) {
     case SoundState::off:
@@ -667,12 +665,12 @@ void FeelPanel::Parts::showStatus() {
       break;
     case SoundState::on:
       text = FeelPanel::tr("%1 · %2 kHz")
-                 .arg(QString::fromStdString(s.device), locale.toString(s.sampleRate_Hz / 1000));
+                 .arg(QString::fromStdString(s.device), numberText(s.sampleRate_Hz / 1000));
       if (s.blockFrames > 0 && s.sampleRate_Hz > 0)
         text += FeelPanel::tr(" · buffer %1 (%2 ms)")
                     .arg(s.blockFrames)
-                    .arg(locale.toString(1000 * s.blockFrames / s.sampleRate_Hz, 'f', 1));
-      text += FeelPanel::tr(" · load %1 %").arg(locale.toString(100 * s.meanLoad, 'f', 1)) +
+                    .arg(fixedText(1000 * s.blockFrames / s.sampleRate_Hz, 1));
+      text += FeelPanel::tr(" · load %1 %").arg(fixedText(100 * s.meanLoad, 1)) +
               FeelPanel::tr(" · drop-outs: %1").arg(s.xruns);
       break;
     case SoundState::lost:

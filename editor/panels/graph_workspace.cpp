@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <QActionGroup>
 #include <QBuffer>
+#include <QClipboard>
 #include <QComboBox>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
@@ -19,9 +21,21 @@
 #include "editor/canvas/graph_canvas.h"
 #include "editor/panels/operation_menu.h"
 #include "editor/tools/damping_view.h"
+#include "editor/tools/mark_edits.h"
 #include "editor/tools/tool_box.h"
 
 namespace detent::editor {
+namespace {
+
+bool isOfTheWindow(const QKeySequence& keys) {
+  if (keys.isEmpty() || !(keys[0].keyboardModifiers() & (Qt::ControlModifier | Qt::AltModifier)))
+    return false;
+  for (const auto own : {QKeySequence::Cut, QKeySequence::Copy, QKeySequence::SelectAll})
+    if (keys == QKeySequence(own)) return false;
+  return true;
+}
+
+}  // namespace
 
 GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
     : QWidget(parent),
@@ -57,10 +71,12 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   makeToolActions();
   makeEditActions();
   makeViewActions();
-  // Shortcuts work while the focus is anywhere in the workspace.
+  // Single keys, and those that every list and text field has for itself, work while the focus is in the
+  // workspace; all others anywhere in the window.
   for (const auto* actions : {&toolActions_, &editActions_, &viewActions_})
     for (QAction* action : *actions) {
-      action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+      action->setShortcutContext(isOfTheWindow(action->shortcut()) ? Qt::WindowShortcut
+                                                                   : Qt::WidgetWithChildrenShortcut);
       addAction(action);
     }
 
@@ -166,9 +182,73 @@ void GraphWorkspace::makeEditActions() {
   cornerAction_->setShortcut(Qt::Key_C);
   cornerAction_->setToolTip(tr("Turns the selected knot into a corner, or smooths it"));
   connect(cornerAction_, &QAction::triggered, this, [this] { tools_->keyboard().toggleSelectedCorner(); });
-  editActions_ = {deleteAction_, cornerAction_};
+  makeSelectionActions();
+  editActions_ += {deleteAction_, cornerAction_};
   addSeparator(editActions_);
   editActions_ += operations_->actions();
+}
+
+QAction* GraphWorkspace::addEditAction(const char* name, const QString& text, const QString& tip,
+                                       const QKeySequence& key, const std::function<void()>& act) {
+  auto* action = new QAction(text, this);
+  action->setObjectName(QString::fromLatin1(name));
+  action->setToolTip(
+      key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, act);
+  editActions_.push_back(action);
+  return action;
+}
+
+void GraphWorkspace::makeSelectionActions() {
+  Keyboard& hands = tools_->keyboard();
+  cutAction_ = addEditAction("editCut", tr("Cu&t"), tr("Copies the selected points as text and removes them"),
+                             QKeySequence::Cut, [this, &hands] {
+                               copySelected();
+                               hands.removeSelected();
+                             });
+  addEditAction("editCopy", tr("&Copy"), tr("Copies the selected stretch as text, or the whole button"),
+                QKeySequence::Copy, [this] { copySelected(); });
+  addEditAction("editSelectAll", tr("Select &all"), tr("Selects all knots, operating and reset point"),
+                QKeySequence::SelectAll, [&hands] { hands.selectAll(); });
+  severalActions_ = {
+      addEditAction("editAlignForce", tr("Align at one &force"),
+                    tr("Brings the selected knots to the force of the last one"), QKeySequence("Alt+Shift+F"),
+                    [&hands] { hands.align(GraphDirection::force); }),
+      addEditAction("editAlignDisplacement", tr("Align at one &displacement"),
+                    tr("Brings the selected knots to the displacement of the last one"),
+                    QKeySequence("Alt+Shift+D"), [&hands] { hands.align(GraphDirection::displacement); }),
+      addEditAction("editDistributeDisplacement", tr("Distribute over d&isplacement"),
+                    tr("Puts the selected knots of a stroke at equal distances"), QKeySequence("Alt+Shift+X"),
+                    [&hands] { hands.distribute(GraphDirection::displacement); }),
+      addEditAction("editDistributeForce", tr("Distribute over f&orce"),
+                    tr("Puts the selected knots of a stroke at equal steps of force"),
+                    QKeySequence("Alt+Shift+Y"), [&hands] { hands.distribute(GraphDirection::force); })};
+}
+
+void GraphWorkspace::copySelected() {
+  const GraphStretch stretch = stretchOfMarks(canvas_->selection(), canvas_->state(), canvas_->values());
+  if (!stretch.empty()) {
+    QGuiApplication::clipboard()->setText(textOf(stretch));
+    emit statusMessage(tr("Copied the selected stretch"));
+    return;
+  }
+  emit buttonCopyAsked();
+}
+
+void GraphWorkspace::paste(const GraphStretch& stretch) {
+  tools_->cancelDrag();
+  if (document_.history().dragging()) return;  // a dialog holds the button
+  const std::size_t state = document_.activeState();
+  const auto next = pasteStretch(document_.history().committed(), state, stretch);
+  if (!next) return emit statusMessage(QString::fromStdString(next.failure().sentence()));
+  document_.history().apply(*next, tr("Paste a stretch"));
+  std::vector<MarkId> pasted;
+  for (const Stroke stroke : {Stroke::press, Stroke::release})
+    for (const Knot& knot : stroke == Stroke::press ? stretch.press : stretch.release)
+      if (const auto index = knotAt(document_.graph().curve(stroke), knot.displacement_mm))
+        pasted.push_back({MarkKind::knot, stroke, *index});
+  canvas_->setSelection(std::move(pasted));
 }
 
 QAction* GraphWorkspace::addViewAction(const QString& name, const QString& text, const QString& tip,
@@ -274,7 +354,10 @@ void GraphWorkspace::followDocument() {
   bar_->setVisible(states.size() > 1 || canvas_->hasUnderlay());
   damping_->setVisible(dampingShown_->isChecked() && !states[document_.activeState()].damping.empty());
   dampingShown_->setEnabled(!states[document_.activeState()].damping.empty());
-  deleteAction_->setEnabled(canvas_->selected().has_value());
+  const std::size_t selected = canvas_->selection().size();
+  cutAction_->setEnabled(selected > 0);
+  for (QAction* several : severalActions_) several->setEnabled(selected > 1);
+  deleteAction_->setEnabled(selected > 0);
   cornerAction_->setEnabled(tools_->keyboard().selectedKnot().has_value());
   operations_->updateActions();
 }

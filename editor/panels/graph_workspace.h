@@ -3,6 +3,7 @@
 // The middle of a tab: the force graph with its tools, the displacement-force view, damping where a button
 // has it, and the bar that says which state is shown.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <QAction>
@@ -13,6 +14,7 @@
 #include "editor/document/button_document.h"
 #include "editor/document/finger_position.h"
 #include "editor/document/view_settings.h"
+#include "editor/tools/knot_text.h"
 #include "model/result.h"
 
 class QComboBox;
@@ -43,6 +45,11 @@ class GraphWorkspace : public QWidget {
   /// Fit, zoom, second view, damping, residuals, magnifier, handles, snapping. Separators among them.
   QList<QAction*> viewActions() const { return viewActions_; }
 
+  /// What is selected, as text on the clipboard (knot_text.h); where nothing is, asks for the whole button.
+  void copySelected();
+  /// One step; says why not where the graph cannot take it.
+  void paste(const GraphStretch& stretch);
+
   /// Where a finger of the feel panel is; nullopt: nowhere.
   void showFinger(std::optional<FingerPosition> finger);
 
@@ -59,11 +66,16 @@ class GraphWorkspace : public QWidget {
   void cursorMoved(std::optional<detent::CurvePoint> at);
   /// Refusals and hints for the status bar; empty: nothing to say any more.
   void statusMessage(const QString& text);
+  /// Copy was asked for with nothing selected.
+  void buttonCopyAsked();
 
  private:
   QWidget* makeBar();
   void makeToolActions();
   void makeEditActions();
+  void makeSelectionActions();
+  QAction* addEditAction(const char* name, const QString& text, const QString& tip, const QKeySequence& key,
+                         const std::function<void()>& act);
   void makeViewActions();
   QAction* addViewAction(const QString& name, const QString& text, const QString& tip,
                          const QKeySequence& key = {});
@@ -87,7 +99,8 @@ class GraphWorkspace : public QWidget {
   QLabel* underlayLabel_ = nullptr;
   QSlider* underlay_ = nullptr;
   QList<QAction*> toolActions_, editActions_, viewActions_;
-  QAction *deleteAction_ = nullptr, *cornerAction_ = nullptr, *dampingShown_ = nullptr,
+  QList<QAction*> severalActions_;  ///< need more than one selected point
+  QAction *cutAction_ = nullptr, *deleteAction_ = nullptr, *cornerAction_ = nullptr, *dampingShown_ = nullptr,
           *residualsShown_ = nullptr, *snapGrid_ = nullptr, *snapTraced_ = nullptr, *snapOther_ = nullptr;
 };
 

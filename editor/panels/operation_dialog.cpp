@@ -3,7 +3,6 @@
 
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -11,24 +10,27 @@
 #include <QVBoxLayout>
 
 #include "editor/document/graph_colors.h"
+#include "editor/quantity/quantity_field.h"
 
 namespace detent::editor {
 namespace {
 
 constexpr int slowPause_ms = 180;
 
-int digitsOf(FieldKind kind) {
+Quantity quantityOf(FieldKind kind) {
   switch (kind) {
     case FieldKind::length:
-      return 3;
+      return Quantity::length;
     case FieldKind::force:
-      return 2;
+      return Quantity::force;
     case FieldKind::damping:
-      return 4;
+      return Quantity::damping;
+    case FieldKind::ratio:
+      return Quantity::share;
     case FieldKind::count:
-      return 0;
+      return Quantity::count;
     default:
-      return 3;
+      return Quantity::number;
   }
 }
 
@@ -79,13 +81,6 @@ OperationDialog::~OperationDialog() {
   if (dragging_) document_.history().cancelDrag();
 }
 
-double OperationDialog::unitOf(FieldKind kind) const {
-  const DisplayUnits& units = settings_.units();
-  if (kind == FieldKind::length) return units.toMm(1);
-  if (kind == FieldKind::force) return units.toN(1);
-  return 1;
-}
-
 QWidget* OperationDialog::makeField(std::size_t index) {
   const OperationField& field = operation_.fields[index];
   if (field.kind == FieldKind::choice) {
@@ -98,40 +93,44 @@ QWidget* OperationDialog::makeField(std::size_t index) {
     editors_.push_back(choice);
     return choice;
   }
-  auto* number = new QDoubleSpinBox;
-  const double unit = unitOf(field.kind);
-  number->setDecimals(digitsOf(field.kind));
-  number->setRange(field.minimum / unit, field.maximum / unit);
-  number->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  number->setValue(field.value / unit);
+  auto* number = new QuantityField(quantityOf(field.kind), settings_.units());
+  number->setRange({field.minimum, field.maximum});
+  number->setValue(field.value);
   number->setToolTip(field.tip);
   number->setAccessibleName(field.name);
-  number->setKeyboardTracking(true);
-  if (field.kind == FieldKind::length) number->setSuffix(" " + settings_.units().lengthSymbol());
-  if (field.kind == FieldKind::force) number->setSuffix(" " + settings_.units().forceSymbol());
-  if (field.kind == FieldKind::damping) number->setSuffix(QStringLiteral(" N·s/mm"));
-  connect(number, &QDoubleSpinBox::valueChanged, this, &OperationDialog::fieldChanged);
+  connect(number, &QuantityField::valueChanged, this, &OperationDialog::fieldChanged);
+  connect(number, &QuantityField::refusalChanged, this, &OperationDialog::fieldChanged);
   editors_.push_back(number);
   return number;
 }
 
 std::vector<double> OperationDialog::values() const {
   std::vector<double> values;
-  for (std::size_t i = 0; i < editors_.size(); ++i) {
-    if (const auto* choice = qobject_cast<const QComboBox*>(editors_[i]))
+  for (const QWidget* editor : editors_) {
+    if (const auto* choice = qobject_cast<const QComboBox*>(editor))
       values.push_back(choice->currentIndex());
     else
-      values.push_back(static_cast<const QDoubleSpinBox*>(editors_[i])->value() *
-                       unitOf(operation_.fields[i].kind));
+      values.push_back(static_cast<const QuantityField*>(editor)->value());
   }
   return values;
 }
 
 void OperationDialog::setValue(std::size_t field, double value) {
-  if (auto* choice = qobject_cast<QComboBox*>(editors_[field]))
+  if (auto* choice = qobject_cast<QComboBox*>(editors_[field])) {
     choice->setCurrentIndex(static_cast<int>(value));
-  else
-    static_cast<QDoubleSpinBox*>(editors_[field])->setValue(value / unitOf(operation_.fields[field].kind));
+    return;
+  }
+  static_cast<QuantityField*>(editors_[field])->setValue(value);
+  fieldChanged();
+}
+
+// The first field whose text cannot be read.
+QString OperationDialog::fieldRefusal() const {
+  for (std::size_t i = 0; i < editors_.size(); ++i) {
+    const auto* field = qobject_cast<const QuantityField*>(editors_[i]);
+    if (field && !field->acceptable()) return tr("%1: %2").arg(operation_.fields[i].name, field->refusal());
+  }
+  return {};
 }
 
 void OperationDialog::fieldChanged() {
@@ -144,8 +143,11 @@ void OperationDialog::fieldChanged() {
 void OperationDialog::preview() {
   const Result<Button> next = operation_.edit(document_.history().committed(), values());
   if (next) document_.history().preview(*next);
-  refusal_->setText(next ? QString() : QString::fromStdString(next.failure().sentence()));
-  accept_->setEnabled(next.ok());
+  const QString unread = fieldRefusal();
+  refusal_->setText(!unread.isEmpty() ? unread
+                    : next            ? QString()
+                                      : QString::fromStdString(next.failure().sentence()));
+  accept_->setEnabled(unread.isEmpty() && next.ok());
 }
 
 void OperationDialog::done(int result) {

@@ -17,7 +17,7 @@ class QTimer;
 
 namespace detent::editor {
 
-/// What a number means; decides unit and digits on the screen. Values are always mm, N, N·s/mm.
+/// What a field asks for. Values are always mm, N, N·s/mm.
 enum class FieldKind { length, force, damping, factor, ratio, count, choice };
 
 struct OperationField {
@@ -52,7 +52,7 @@ class OperationDialog : public QDialog {
 
  private:
   QWidget* makeField(std::size_t index);
-  double unitOf(FieldKind kind) const;
+  QString fieldRefusal() const;
   void fieldChanged();
   void preview();
 

@@ -229,25 +229,30 @@ Qt::ItemFlags ValuesModel::flags(const QModelIndex& index) const {
   return flags;
 }
 
+ValuesModel::Typed ValuesModel::typed(const QModelIndex& index, const QString& text) const {
+  const auto mark = markOf(index);
+  if (!mark || !editable(*mark, index.column())) return {};
+  if (text == data(index, Qt::EditRole).toString()) return {document_.history().committed(), {}};
+  const Quantity quantity = quantityOf(index.column());
+  const QuantityReading reading =
+      readQuantity(text, quantity, settings_.units(), valueAt(*mark, index.column()));
+  if (!reading.value) return {{}, refusalOf(reading, quantity, settings_.units())};
+  const Result<Button> next = edited(*mark, index.column(), *reading.value);
+  if (!next) return {{}, QString::fromStdString(next.failure().sentence())};
+  return {*next, {}};
+}
+
 bool ValuesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const auto mark = markOf(index);
   if (role != Qt::EditRole || !mark || !editable(*mark, index.column())) return false;
   if (document_.history().dragging()) return false;  // another hand holds the button
-  const QString typed = value.toString();
-  if (typed == data(index, Qt::EditRole).toString()) return true;
-  const auto number = parseQuantity(typed, quantityOf(index.column()), settings_.units());
-  if (!number) {
-    emit refused(index,
-                 tr("“%1” is no number with a known unit. Type for example 1.25, or 60 gf.").arg(typed));
-    return false;
-  }
-  const Result<Button> next = edited(*mark, index.column(), *number);
-  if (!next) {
-    emit refused(index, QString::fromStdString(next.failure().sentence()));
+  const Typed next = typed(index, value.toString());
+  if (!next.button) {
+    emit refused(index, next.refusal);
     return false;
   }
   emit accepted();
-  document_.history().apply(*next, tr("Set: %1").arg(nameOf(*mark)));
+  document_.history().apply(*next.button, tr("Set: %1").arg(nameOf(*mark)));
   return true;
 }
 

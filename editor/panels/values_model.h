@@ -10,7 +10,7 @@
 #include "editor/canvas/graph_marks.h"
 #include "editor/document/button_document.h"
 #include "editor/document/view_settings.h"
-#include "editor/panels/quantity_text.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 
@@ -31,6 +31,14 @@ class ValuesModel : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+
+  /// What a text typed into a cell would make of the button, or why it cannot be; both empty where the cell
+  /// is not editable.
+  struct Typed {
+    std::optional<Button> button;
+    QString refusal;
+  };
+  Typed typed(const QModelIndex& index, const QString& text) const;
 
   /// The mark a row speaks about; nullopt for headings.
   std::optional<MarkId> markOf(const QModelIndex& index) const;

@@ -2,7 +2,10 @@
 #include "editor/panels/values_panel.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
+#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolTip>
 #include <QVBoxLayout>
@@ -11,6 +14,58 @@
 #include "editor/panels/values_model.h"
 
 namespace detent::editor {
+namespace {
+
+/// Keeps a cell open, marked, with the reason beside it, as long as what is typed there is refused.
+class ValueDelegate : public QStyledItemDelegate {
+ public:
+  ValueDelegate(ValuesModel& model, QObject* parent) : QStyledItemDelegate(parent), model_(model) {}
+
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                        const QModelIndex& index) const override {
+    auto* editor = new QLineEdit(parent);
+    editor->setObjectName(QStringLiteral("valueEditor"));
+    editor->setFrame(false);
+    editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    const QPersistentModelIndex cell(index);
+    connect(editor, &QLineEdit::textEdited, editor,
+            [this, editor, cell] { mark(*editor, refusal(*editor, cell)); });
+    return editor;
+  }
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override {
+    auto* editor = qobject_cast<QLineEdit*>(object);
+    if (!editor || event->type() != QEvent::KeyPress) return QStyledItemDelegate::eventFilter(object, event);
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const bool ends =
+        key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Backtab;
+    const auto* table = qobject_cast<QTableView*>(parent());
+    if (!ends || !table) return QStyledItemDelegate::eventFilter(object, event);
+    const QString why = refusal(*editor, table->currentIndex());
+    if (why.isEmpty()) return QStyledItemDelegate::eventFilter(object, event);
+    mark(*editor, why);
+    emit model_.refused(table->currentIndex(), why);
+    return true;
+  }
+
+ private:
+  QString refusal(const QLineEdit& editor, const QModelIndex& cell) const {
+    return model_.typed(cell, editor.text()).refusal;
+  }
+  static void mark(QLineEdit& editor, const QString& why) {
+    QPalette colors = editor.palette();
+    const bool dark = isDark(editor.parentWidget()->palette());
+    colors.setColor(QPalette::Text, why.isEmpty() ? editor.parentWidget()->palette().color(QPalette::Text)
+                                                  : graphColors(dark).refused);
+    editor.setPalette(colors);
+    editor.setAccessibleDescription(why);
+  }
+
+  ValuesModel& model_;
+};
+
+}  // namespace
 
 ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
     : QWidget(parent),
@@ -21,6 +76,7 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   table_->setObjectName(QStringLiteral("valuesTable"));
   table_->setAccessibleName(tr("Exact values of the force graph"));
   table_->setModel(model_);
+  table_->setItemDelegate(new ValueDelegate(*model_, table_));
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // a thousand rows are not measured
@@ -33,6 +89,7 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
     table_->setColumnWidth(column, (column < ValuesModel::slopeBefore ? 11 : 15) * character);
   table_->setWordWrap(false);
   table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);  // Tab leaves the table; arrows go through it
   table_->setAlternatingRowColors(true);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |

@@ -20,7 +20,7 @@ struct DragTask {
   Stroke stroke = Stroke::press;
   std::optional<MarkId> mark;  ///< whose place is shown while it moves; none: the wanted place
   bool snaps = true;
-  Edit edit;  ///< from the button before the drag; its Failure is shown, the last shape stays
+  Edit edit;  ///< from the button before the drag; where it fails, the drag stops at the limit and says why
 };
 
 /// GUI thread. `say` gets the sentence of a refusal, and an empty one when it is over.
@@ -38,6 +38,9 @@ class GraphDrag {
 
  private:
   void clear();
+  void preview(const Button& next, CurvePoint to, CanvasFeedback& feedback);
+  CurvePoint farthest(CurvePoint from, CurvePoint to) const;
+  void stopAtLimit(CurvePoint wanted, const Failure& why, CanvasFeedback& feedback);
   CurvePoint wantedPlace(CurvePoint pointer, Qt::KeyboardModifiers modifiers, CanvasFeedback& feedback) const;
 
   ButtonDocument& document_;

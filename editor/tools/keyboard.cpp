@@ -9,7 +9,9 @@
 namespace detent::editor {
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Keyboard", text); }
+QString tr(const char* text, const char* note = nullptr, int n = -1) {
+  return QCoreApplication::translate("Keyboard", text, note, n);
+}
 
 // Nobody presses Tab a thousand times to leave a graph.
 constexpr std::size_t mostWalked = 150;
@@ -67,7 +69,8 @@ void Keyboard::apply(const Result<Button>& next, const QString& label, const QSt
   if (!next) {
     const QString why = QString::fromStdString(next.failure().sentence());
     CanvasFeedback feedback;
-    const auto at = placeOf(*context_.canvas.selected(), context_.canvas.state(), context_.canvas.values());
+    const auto last = context_.canvas.selected();
+    const auto at = last ? placeOf(*last, context_.canvas.state(), context_.canvas.values()) : std::nullopt;
     if (at) feedback.refused = RefusedMove{*at, why};
     context_.canvas.setFeedback(feedback);
     context_.say(why);
@@ -91,6 +94,7 @@ bool Keyboard::nudge(int key, Qt::KeyboardModifiers modifiers) {
                                .arg(static_cast<int>(id.kind))
                                .arg(static_cast<int>(id.stroke))
                                .arg(id.index);
+  if (context_.canvas.selection().size() > 1) return nudgeAll(right, up);
   if (isSlope(id.kind)) {
     const Knot& knot = context_.canvas.state().graph.curve(id.stroke).knots()[id.index];
     const double slope =
@@ -105,6 +109,42 @@ bool Keyboard::nudge(int key, Qt::KeyboardModifiers modifiers) {
       now && !context_.canvas.feedback().refused)
     context_.say(describe({id, *now}, context_.settings.units()));
   return true;
+}
+
+bool Keyboard::nudgeAll(double right, double up) {
+  const std::vector<MarkId> marks = context_.canvas.selection();
+  QString key = QStringLiteral("nudge/%1").arg(context_.document.activeState());
+  for (const MarkId& mark : marks)
+    key += QStringLiteral("/%1.%2.%3")
+               .arg(static_cast<int>(mark.kind))
+               .arg(static_cast<int>(mark.stroke))
+               .arg(mark.index);
+  apply(moveSelection(context_.document.history().committed(), context_.document.activeState(), marks,
+                      right * nudge_mm, up * nudge_N),
+        tr("Move %n points", nullptr, static_cast<int>(marks.size())), key);
+  return true;
+}
+
+void Keyboard::selectAll() {
+  if (context_.busy()) return;
+  const std::vector<MarkId> all = allPoints(context_.canvas.state());
+  context_.canvas.setSelection(all);
+  context_.say(tr("%n points selected", nullptr, static_cast<int>(all.size())));
+}
+
+void Keyboard::align(GraphDirection direction) {
+  if (context_.busy()) return;
+  apply(alignSelection(context_.document.history().committed(), context_.document.activeState(),
+                       context_.canvas.selection(), direction),
+        direction == GraphDirection::force ? tr("Align at one force") : tr("Align at one displacement"));
+}
+
+void Keyboard::distribute(GraphDirection direction) {
+  if (context_.busy()) return;
+  apply(
+      distributeSelection(context_.document.history().committed(), context_.document.activeState(),
+                          context_.canvas.selection(), direction),
+      direction == GraphDirection::force ? tr("Distribute over force") : tr("Distribute over displacement"));
 }
 
 std::optional<MarkId> Keyboard::selectedKnot() const {
@@ -123,6 +163,10 @@ std::optional<MarkId> Keyboard::selectedKnot() const {
 void Keyboard::removeSelected() {
   auto selected = context_.canvas.selected();
   if (!selected || context_.busy()) return;
+  if (const auto& all = context_.canvas.selection(); all.size() > 1)
+    return apply(
+        removeSelection(context_.document.history().committed(), context_.document.activeState(), all),
+        tr("Remove %n points", nullptr, static_cast<int>(all.size())));
   if (selected->kind == MarkKind::turn || isSlope(selected->kind)) selected = selectedKnot();
   if (!selected) {
     context_.say(tr("No knot stands at this turn. Select a knot or a tactile point."));

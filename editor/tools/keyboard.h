@@ -2,6 +2,7 @@
 #pragma once
 // Working on the graph without a mouse.
 
+#include "editor/tools/selection_edits.h"
 #include "editor/tools/tool.h"
 
 namespace detent::editor {
@@ -22,12 +23,16 @@ class Keyboard {
   /// Also behind the menu's actions. They say why not, where something stands in the way.
   void removeSelected();
   void toggleSelectedCorner();
+  void selectAll();
+  void align(GraphDirection direction);
+  void distribute(GraphDirection direction);
   /// The selected knot, or the one under the selected tactile point or turn.
   std::optional<MarkId> selectedKnot() const;
 
  private:
   bool walk(int by);
   bool nudge(int key, Qt::KeyboardModifiers modifiers);
+  bool nudgeAll(double right, double up);
   bool nextSlopeHandle();
   void addKnotBeyond();
   void apply(const Result<Button>& next, const QString& label, const QString& mergeKey = {});

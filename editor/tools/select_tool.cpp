@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/select_tool.h"
 
+#include <algorithm>
 #include <cmath>
 #include <QCoreApplication>
 
 #include "editor/tools/hit_test.h"
 #include "editor/tools/mark_edits.h"
+#include "editor/tools/selection_edits.h"
 
 namespace detent::editor {
 namespace {
@@ -13,7 +15,9 @@ namespace {
 // Less than this is a click with an unsteady hand.
 constexpr double dragThreshold_px = 3;
 
-QString tr(const char* text) { return QCoreApplication::translate("SelectTool", text); }
+QString tr(const char* text, const char* note = nullptr, int n = -1) {
+  return QCoreApplication::translate("SelectTool", text, note, n);
+}
 
 // What a press at a place takes: a mark, else the section under it.
 std::optional<Mark> takenAt(const GraphCanvas& canvas, const PointerInput& input) {
@@ -21,7 +25,7 @@ std::optional<Mark> takenAt(const GraphCanvas& canvas, const PointerInput& input
   if (!marks.empty()) {
     // What is selected stays in hand where several lie over each other.
     for (const Mark& mark : marks)
-      if (mark.id == canvas.selected()) return mark;
+      if (canvas.isSelected(mark.id)) return mark;
     return marks.front();
   }
   const auto hit = curveAt(canvas, input.at_px);
@@ -39,8 +43,8 @@ bool isPoint(MarkKind kind) {
 
 QString SelectTool::hint() const {
   return tr(
-      "Drag points, slope handles and sections. Shift keeps to one axis, Ctrl does not snap, Escape "
-      "cancels.");
+      "Drag points, slope handles and sections; drag on the ground to select several. Shift keeps to one "
+      "axis, Ctrl does not snap, Escape cancels.");
 }
 
 void SelectTool::leave() {
@@ -51,6 +55,7 @@ void SelectTool::leave() {
 }
 
 void SelectTool::dragCancelled() {
+  context_.canvas.setFeedback({});
   holding_ = Holding::nothing;
   held_.reset();
 }
@@ -68,20 +73,85 @@ void SelectTool::hover(const PointerInput& input) {
 
 bool SelectTool::pressed(const PointerInput& input) {
   if (input.button != Qt::LeftButton || context_.busy()) return false;
-  pressed_px_ = last_px_ = input.at_px;
+  pressed_px_ = input.at_px;
   pressedAt_ = input.at;
   travelled_ = false;
   held_ = takenAt(context_.canvas, input);
-  wasSelected_ = held_ && context_.canvas.selected() == held_->id;
+  wasSelected_ = held_ && context_.canvas.isSelected(held_->id);
+  adding_ = input.modifiers & Qt::ShiftModifier;
+  selectedBefore_ = adding_ ? context_.canvas.selection() : std::vector<MarkId>{};
   holding_ = held_ ? Holding::mark : Holding::ground;
-  if (held_) {
-    context_.canvas.setSelected(held_->id);
+  if (!held_) return true;
+  if (adding_) {
+    toggleHeld();
+  } else {
+    // One of several stays one of several: the drag that follows moves them all.
+    if (!wasSelected_) context_.canvas.setSelected(held_->id);
     context_.say(describe(*held_, context_.settings.units()));
   }
   return true;
 }
 
+// Of what is selected already, Shift takes away; of the rest it adds.
+void SelectTool::toggleHeld() {
+  GraphCanvas& canvas = context_.canvas;
+  const auto points = [&](MarkId mark) { return pointsOf(mark, canvas.state(), canvas.values()); };
+  std::vector<MarkId> now;
+  const auto add = [&](MarkId mark) {
+    if (std::find(now.begin(), now.end(), mark) == now.end()) now.push_back(mark);
+  };
+  for (const MarkId& mark : canvas.selection())
+    for (const MarkId& point : points(mark)) add(point);
+  const std::vector<MarkId> held = points(held_->id);
+  if (held.empty()) return context_.say(tr("No knot stands here. Add one (K) to select it with others."));
+  const bool allThere = std::all_of(
+      held.begin(), held.end(), [&](MarkId m) { return std::find(now.begin(), now.end(), m) != now.end(); });
+  if (allThere && !now.empty()) {
+    std::erase_if(now, [&](MarkId m) { return std::find(held.begin(), held.end(), m) != held.end(); });
+  } else {
+    for (const MarkId& mark : held) add(mark);
+  }
+  canvas.setSelection(now);
+  if (const auto at = placeOf(held.back(), canvas.state(), canvas.values())) held_ = Mark{held.back(), *at};
+  context_.say(tr("%n points selected", nullptr, static_cast<int>(now.size())));
+}
+
+void SelectTool::bandTo(const PointerInput& input) {
+  GraphCanvas& canvas = context_.canvas;
+  const QRectF band = QRectF(pressed_px_, input.at_px).normalized();
+  const PlotMapping map = canvas.mapping();
+  std::vector<MarkId> now = selectedBefore_;
+  for (const MarkId& mark : allPoints(canvas.state())) {
+    const auto at = placeOf(mark, canvas.state(), canvas.values());
+    if (!at || !band.contains(map.toPixel(at->displacement_mm, at->force_N))) continue;
+    if (std::find(now.begin(), now.end(), mark) == now.end()) now.push_back(mark);
+  }
+  CanvasFeedback feedback;
+  feedback.band_px = band;
+  canvas.setFeedback(feedback);
+  canvas.setSelection(now);
+  context_.say(tr("%n points selected", nullptr, static_cast<int>(now.size())));
+}
+
+// All selected points go the way of the one in hand.
+void SelectTool::beginGroupDrag() {
+  const Mark mark = *held_;
+  const std::vector<MarkId> marks = context_.canvas.selection();
+  const std::size_t state = context_.document.activeState();
+  DragTask task;
+  task.label = tr("Move %n points", nullptr, static_cast<int>(marks.size()));
+  task.from = mark.at;
+  task.stroke = mark.id.stroke;
+  task.mark = mark.id;
+  task.edit = [mark, marks, state](const Button& start, CurvePoint to) {
+    return moveSelection(start, state, marks, to.displacement_mm - mark.at.displacement_mm,
+                         to.force_N - mark.at.force_N);
+  };
+  context_.drag.begin(std::move(task), pressedAt_);
+}
+
 void SelectTool::beginDrag(const PointerInput&) {
+  if (context_.canvas.selection().size() > 1) return beginGroupDrag();
   const Mark mark = *held_;
   const std::size_t state = context_.document.activeState();
   DragTask task;
@@ -103,14 +173,13 @@ bool SelectTool::moved(const PointerInput& input) {
       std::hypot(input.at_px.x() - pressed_px_.x(), input.at_px.y() - pressed_px_.y()) < dragThreshold_px)
     return true;
   if (holding_ == Holding::ground) {
-    context_.canvas.panBy(input.at_px - last_px_);
+    bandTo(input);
   } else {
     if (!travelled_ && context_.busy()) return true;
     if (!travelled_) beginDrag(input);
     context_.drag.moveTo(input.at, input.modifiers);
   }
   travelled_ = true;
-  last_px_ = input.at_px;
   return true;
 }
 
@@ -132,9 +201,11 @@ bool SelectTool::released(const PointerInput& input) {
   if (input.button != Qt::LeftButton || holding_ == Holding::nothing) return false;
   if (context_.drag.running())
     context_.drag.finish();
-  else if (!travelled_ && holding_ == Holding::ground)
+  else if (!travelled_ && holding_ == Holding::ground && !adding_)
     context_.canvas.setSelected({});
-  else if (!travelled_ && wasSelected_)
+  else if (!travelled_ && wasSelected_ && !adding_ && context_.canvas.selection().size() > 1)
+    context_.canvas.setSelected(held_->id);
+  else if (!travelled_ && wasSelected_ && !adding_)
     takeBeneath(input);
   holding_ = Holding::nothing;
   held_.reset();

@@ -9,9 +9,10 @@
 
 namespace detent::editor {
 
-/// Selects and moves points, slope handles and whole sections; a drag on empty ground pans. A click on what
-/// is selected takes what lies beneath it; a double click adds a knot, or turns a knot into a corner and
-/// back.
+/// Selects and moves points, slope handles and whole sections; a drag on empty ground selects the points in
+/// its rectangle. Shift adds to the selection and takes away from it; of several selected points a drag moves
+/// all. A click on what is selected takes what lies beneath it; a double click adds a knot, or turns a knot
+/// into a corner and back.
 class SelectTool : public Tool {
  public:
   using Tool::Tool;
@@ -27,12 +28,17 @@ class SelectTool : public Tool {
   enum class Holding { nothing, mark, ground };
   void hover(const PointerInput& input);
   void beginDrag(const PointerInput& input);
+  void beginGroupDrag();
   void takeBeneath(const PointerInput& input);
+  void toggleHeld();
+  void bandTo(const PointerInput& input);
 
   Holding holding_ = Holding::nothing;
   std::optional<Mark> held_;
   bool wasSelected_ = false;
-  QPointF pressed_px_, last_px_;
+  bool adding_ = false;                 ///< Shift was down when the button went down
+  std::vector<MarkId> selectedBefore_;  ///< what a rectangle adds to
+  QPointF pressed_px_;
   CurvePoint pressedAt_;
   bool travelled_ = false;
 };

@@ -115,6 +115,52 @@ TEST_CASE("inserting a knot changes no shape, removing it restores the knots") {
   requireRefusal(removeKnot(through({{0, 0}, {1, 1}}), 0), "needs 2 knots");
 }
 
+TEST_CASE("several knots are put at once, in their order, and keep their slopes") {
+  const StrokeCurve curve = tactile();
+  const StrokeCurve moved = require(placeKnots(curve, {{1, {0.6, 0.55}}, {2, {1.1, 0.65}}}));
+  CHECK(moved.knots()[1].displacement_mm == 0.6);
+  CHECK(moved.knots()[2].force_N == 0.65);
+  CHECK(moved.knots()[2].slopeAfter_N_per_mm == curve.knots()[2].slopeAfter_N_per_mm);
+  CHECK(moved.knots()[3] == curve.knots()[3]);
+  CHECK(require(placeKnots(curve, {})) == curve);
+  // One at a time the first would pass the second.
+  CHECK(placeKnots(curve, {{1, {1.2, 0.55}}, {2, {1.4, 0.6}}}).ok());
+  requireRefusal(placeKnots(curve, {{1, {1.2, 0.55}}}), "before knot 2");
+  requireRefusal(placeKnots(curve, {{9, {1, 1}}}), "no knot 10");
+  CHECK_FALSE(placeKnots(curve, {{1, {notANumber, 1}}}).ok());
+}
+
+TEST_CASE("several knots are removed at once") {
+  const StrokeCurve curve = tactile();
+  const StrokeCurve left = require(removeKnots(curve, {3, 1, 3}));
+  REQUIRE(left.knots().size() == curve.knots().size() - 2);
+  CHECK(left.knots()[1] == curve.knots()[2]);
+  CHECK(require(removeKnots(curve, {})) == curve);
+  requireRefusal(removeKnots(curve, {0, 1, 2, 3, 4}), "needs 2 knots");
+  requireRefusal(removeKnots(curve, {6}), "no knot 7");
+}
+
+TEST_CASE("a stretch taken out and put back changes no shape") {
+  holdsAlways("any curve, any two places", [] {
+    const StrokeCurve curve = anyCurve();
+    const double a = curve.start_mm() + curve.travel_mm() * between(0.0, 0.45);
+    const double b = curve.start_mm() + curve.travel_mm() * between(0.55, 1.0);
+    const auto stretch = stretchOf(curve, a, b);
+    if (!stretch) return;  // an end too close to a knot for a slope
+    const auto back = putStretch(curve, *stretch);
+    RC_ASSERT(back.ok());
+    const auto [low, high] = curve.forceRange_N();
+    RC_ASSERT(largestDifference(curve, *back) <= 1e-9 * std::max({1.0, std::abs(low), std::abs(high)}));
+  });
+  const StrokeCurve curve = tactile();
+  const auto stretch = require(stretchOf(curve, 0.7, 1.3));
+  CHECK(stretch.size() == 3);
+  CHECK(require(putStretch(curve, {Knot{5, 2, 1, 1}})).end_mm() == 5);
+  requireRefusal(stretchOf(curve, 1, 1), "has no stretch");
+  requireRefusal(stretchOf(curve, -1, 1), "has no stretch");
+  requireRefusal(putStretch(curve, {}), "no knots");
+}
+
 TEST_CASE("a tactile point goes exactly where it is moved and stays the only one") {
   const StrokeCurve curve = tactile();
   for (CurvePoint to :

@@ -9,7 +9,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
@@ -23,6 +22,7 @@
 #include "editor/feel/press_pad.h"
 #include "editor/feel/press_strip.h"
 #include "editor/feel/signal_view.h"
+#include "editor/quantity/quantity_field.h"
 #include "model/edits.h"
 #include "tests/editor/feel/feel_buttons.h"
 
@@ -381,8 +381,9 @@ class FeelPanelTest : public QObject {
     mode->setCurrentIndex(mode->findData(static_cast<int>(playback::FeedbackMode::off)));
     QTRY_COMPARE(rig.view()->pressSignal()->peak, 0.0);
     rig.part<QSlider>("gain")->setValue(-12);
-    QTest::keyClicks(rig.part<QDoubleSpinBox>("fullForce"), "");
-    rig.part<QDoubleSpinBox>("fullForce")->setValue(120);  // cN
+    auto* full = rig.part<QuantityField>("fullForce");
+    full->selectAll();
+    QTest::keyClicks(full, "1,2 N");
     const QVariantMap state = rig.panel.saveState();
     QCOMPARE(state.value("mode").toString(), QString("off"));
     QCOMPARE(state.value("gain_dB").toDouble(), -6.0);

@@ -2,15 +2,17 @@
 // Workspace, operations, values and history, judged by the button.
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QUndoView>
 
 #include "editor/panels/history_panel.h"
 #include "editor/panels/operation_dialog.h"
-#include "editor/panels/quantity_text.h"
 #include "editor/panels/values_model.h"
 #include "editor/panels/values_panel.h"
+#include "editor/quantity/quantity_field.h"
 #include "editor/tools/damping_view.h"
 #include "model/edits.h"
 #include "tests/editor/workspace_rig.h"
@@ -68,7 +70,8 @@ class PanelsTest : public QObject {
   void valuesAreTypedInTheUsersUnits();
   void invalidValuesSayWhyAndRestore();
   void sectionEndsAndSlopesAreTyped();
-  void quantitiesAsPeopleTypeThem();
+  void everyFieldReadsTheSameInEveryLocaleAndUnit();
+  void aRefusedTextStaysInItsCell();
   void historyListJumps();
   void contextMenuOffersWhatIsThere();
   void picturesAreDrawn();
@@ -296,17 +299,66 @@ void PanelsTest::sectionEndsAndSlopesAreTyped() {
   QVERIFY(!(model.flags(cell(model, reset, ValuesModel::force)) & Qt::ItemIsEditable));
 }
 
-void PanelsTest::quantitiesAsPeopleTypeThem() {
-  const DisplayUnits units;  // mm, cN
-  QVERIFY(near(*parseQuantity("1.25", Quantity::length, units), 1.25));
-  QVERIFY(near(*parseQuantity(" 1,25 mm ", Quantity::length, units), 1.25));
-  QVERIFY(near(*parseQuantity("0.1 in", Quantity::length, units), 2.54));
-  QVERIFY(near(*parseQuantity("55", Quantity::force, units), 0.55));
-  QVERIFY(near(*parseQuantity("60gf", Quantity::force, units), 60 * 0.00980665));
-  QVERIFY(near(*parseQuantity("-2", Quantity::slope, units), -0.02));
-  QVERIFY(near(*parseQuantity("1e2", Quantity::force, units), 1));
-  for (const char* text : {"", "mm", "1.2.3", "nan", "inf", "1e400", "5 apples", "1 gf"})
-    QVERIFY2(!parseQuantity(text, Quantity::length, units), text);
+// Cells of the table and fields of a dialogue: what they show is typed back, and a number means the same.
+void PanelsTest::everyFieldReadsTheSameInEveryLocaleAndUnit() {
+  for (const char* locale : {"C", "de_DE", "fr_FR", "en_IN"})
+    for (const LengthUnit length : {LengthUnit::millimetre, LengthUnit::micrometre, LengthUnit::inch})
+      for (const ForceUnit force : {ForceUnit::newton, ForceUnit::gramForce, ForceUnit::poundForce}) {
+        QLocale::setDefault(QLocale(QLatin1String(locale)));
+        WorkspaceRig rig(require(tactileButton()));
+        rig.settings.setUnits({length, force});
+        ValuesPanel panel(rig.document, rig.settings);
+        ValuesModel& model = panel.model();
+        const QModelIndex at = cell(model, tactile, ValuesModel::displacement);
+        for (const char* typed : {"1,305 mm", "1.305 mm", "1305 µm", "1,3 mm + 5 µm"}) {
+          QVERIFY(model.setData(at, QString::fromUtf8(typed), Qt::EditRole));
+          QVERIFY(near(rig.canvas().values().press.tactile[0].displacement_mm, 1.305));
+          QVERIFY(model.setData(at, model.data(at, Qt::EditRole).toString() + " + 0", Qt::EditRole));
+          QVERIFY(near(rig.canvas().values().press.tactile[0].displacement_mm, 1.305, 1e-8));
+        }
+        OperationDialog* dialog = opened(rig, "operationScaleForce");
+        auto* field = dialog->findChild<QuantityField*>();
+        const double before = field->value();
+        field->selectAll();
+        QTest::keyClicks(field, field->text());
+        QVERIFY2(near(dialog->values()[0], before, 1e-5 * before), qPrintable(field->text()));
+        field->selectAll();
+        QTest::keyClicks(field, "-10 %");
+        QVERIFY(near(dialog->values()[0], 0.9 * before, 1e-9));
+        field->selectAll();
+        QTest::keyClicks(field, "1.200,5");
+        QVERIFY(!field->acceptable());
+        QVERIFY(!dialog->findChild<QLabel*>("refusal")->text().isEmpty());
+        dialog->accept();
+        QVERIFY(dialog->isVisible());
+        reject(dialog);
+        QLocale::setDefault(QLocale::c());
+      }
+}
+
+void PanelsTest::aRefusedTextStaysInItsCell() {
+  WorkspaceRig rig(require(tactileButton()));
+  ValuesPanel panel(rig.document, rig.settings);
+  panel.resize(500, 400);
+  panel.show();
+  auto* table = panel.findChild<QTableView*>("valuesTable");
+  table->setCurrentIndex(cell(panel.model(), tactile, ValuesModel::displacement));
+  table->edit(table->currentIndex());
+  auto* editor = table->findChild<QLineEdit*>("valueEditor");
+  QVERIFY(editor);
+  editor->selectAll();
+  QTest::keyClicks(editor, "1.250,5");
+  QTest::keyClick(editor, Qt::Key_Return);
+  QCOMPARE(editor->text(), QString("1.250,5"));
+  QVERIFY(editor->isVisible());
+  QVERIFY(panel.findChild<QLabel*>("valuesRefusal")->isVisible());
+  QCOMPARE(rig.steps(), 0);
+  editor->selectAll();
+  QTest::keyClicks(editor, "+0.05");
+  const double before = rig.canvas().values().press.tactile[0].displacement_mm;
+  QTest::keyClick(editor, Qt::Key_Return);
+  QTRY_COMPARE(rig.steps(), 1);
+  QVERIFY(near(rig.canvas().values().press.tactile[0].displacement_mm, before + 0.05));
 }
 
 void PanelsTest::historyListJumps() {

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every tool by real events on the workspace, judged by the button that comes out.
 #include <cmath>
+#include <QClipboard>
+#include <QLocale>
 
+#include "editor/tools/knot_text.h"
+#include "editor/tools/mark_edits.h"
+#include "editor/tools/selection_edits.h"
 #include "model/edits.h"
 #include "tests/editor/workspace_rig.h"
 
@@ -25,7 +30,7 @@ class ToolsTest : public QObject {
  private slots:
   void dragOfTactilePointIsOneExactStep();
   void escapeCancelsADragExactly();
-  void refusedMoveKeepsTheLastValidShape();
+  void refusedMoveStopsAtTheLimit();
   void undoInTheMiddleOfADragEndsIt();
   void changeOfStateInTheMiddleOfADragEndsIt();
   void clickSelectsAndASecondClickTakesWhatLiesBeneath();
@@ -51,7 +56,15 @@ class ToolsTest : public QObject {
   void doubleClickAddsAKnot();
   void panMovesTheViewAlone();
   void wheelZoomsAtThePointer();
-  void dragOnEmptyGroundPans();
+  void dragOnEmptyGroundSelectsWhatLiesInIt();
+  void aJumpAddedElsewhereLeavesTheSelectionAlone();
+  void undoKeepsTheSelectionOnItsKnot();
+  void shiftAddsAndTakesAway();
+  void manyMoveAsOneStep();
+  void manyAreNudgedAndRemovedAsOneStep();
+  void alignAndDistribute();
+  void aStretchGoesThroughTheClipboardAsText();
+  void textThatIsNoStretchIsNone();
   void lostReleaseEndsTheDrag();
 };
 
@@ -91,15 +104,22 @@ void ToolsTest::escapeCancelsADragExactly() {
   QCOMPARE(rig.steps(), 0);
 }
 
-void ToolsTest::refusedMoveKeepsTheLastValidShape() {
+void ToolsTest::refusedMoveStopsAtTheLimit() {
   WorkspaceRig rig(require(tactileButton()));
   QSignalSpy said(&rig.workspace, &GraphWorkspace::statusMessage);
   const QPointF from = rig.pixel(tactile);
   rig.press(from);
   rig.move(from + QPointF(10, -10));
-  const Button valid = rig.button();
+  const double valley_mm = rig.canvas().values().press.turns[0].displacement_mm;
   rig.move(rig.pixel(3.99, 0.7));  // past the valley
-  QVERIFY(rig.button() == valid);
+  const Button limit = rig.button();
+  QVERIFY(rig.canvas().values().press.tactile[0].displacement_mm < valley_mm);
+  QVERIFY(rig.canvas().values().press.tactile[0].displacement_mm > valley_mm - 0.01);
+  QVERIFY(near(rig.canvas().values().press.tactile[0].force_N, 0.7, 1e-3));
+  QVERIFY(rig.canvas().feedback().refused->why.contains("70"));  // in the units shown, cN
+  rig.move(from + QPointF(5, 10));
+  rig.move(rig.pixel(3.99, 0.7));  // another way to the same place
+  QVERIFY(rig.button() == limit);
   QVERIFY(rig.canvas().feedback().refused.has_value());
   QVERIFY(rig.canvas().feedback().refused->why.contains("outside its flanks"));
   QVERIFY(said.last().at(0).toString().contains("outside its flanks"));
@@ -203,9 +223,10 @@ void ToolsTest::contactPointsKeepToTheTravel() {
   rig.press(rig.pixel(operating));
   rig.move(rig.pixel(5, 0.5));  // beyond the wall
   QVERIFY(rig.canvas().feedback().refused.has_value());
-  QCOMPARE(*rig.canvas().state().operatingPoint_mm, moved);
+  QVERIFY(*rig.canvas().state().operatingPoint_mm > rig.document.graph().travel_mm() - 0.01);  // at the limit
+  QVERIFY(*rig.canvas().state().operatingPoint_mm <= rig.document.graph().travel_mm());
   rig.release(rig.pixel(5, 0.5));
-  QCOMPARE(rig.steps(), 1);
+  QCOMPARE(rig.steps(), 2);
 }
 
 void ToolsTest::shiftKeepsToOneAxis() {
@@ -440,12 +461,160 @@ void ToolsTest::wheelZoomsAtThePointer() {
   QVERIFY(near(rig.canvas().shownRange().width(), before, 1e-9));
 }
 
-void ToolsTest::dragOnEmptyGroundPans() {
+void ToolsTest::dragOnEmptyGroundSelectsWhatLiesInIt() {
   WorkspaceRig rig(require(tactileButton()));
   const QRectF shown = rig.canvas().shownRange();
-  rig.drag(rig.pixel(0.5, 1.0), rig.pixel(0.5, 1.0) + QPointF(30, 0));
-  QVERIFY(rig.canvas().shownRange().left() < shown.left());
+  const QRectF range = rig.canvas().mapping().clip_px;
+  rig.drag(range.topLeft() + QPointF(3, 3), range.bottomRight() - QPointF(3, 3));
+  QCOMPARE(rig.canvas().shownRange(), shown);
+  QCOMPARE(rig.canvas().selection().size(), allPoints(rig.canvas().state()).size());
   QCOMPARE(rig.steps(), 0);
+  const QPointF knot = rig.pixel(rig.press().knots()[1].displacement_mm, rig.press().knots()[1].force_N);
+  rig.drag(knot + QPointF(-14, -14), knot + QPointF(14, 14));
+  QVERIFY(rig.canvas().isSelected({MarkKind::knot, Stroke::press, 1}));
+  QVERIFY(rig.canvas().selection().size() < allPoints(rig.canvas().state()).size());
+}
+
+// The selection is a knot, not a number in a list.
+void ToolsTest::aJumpAddedElsewhereLeavesTheSelectionAlone() {
+  WorkspaceRig rig(require(linearButton()));
+  rig.document.history().apply(require(addKnot(rig.button(), 0, Stroke::press, 3.1)), "Add knot");
+  const auto index = knotAt(rig.press(), 3.1);
+  QVERIFY(index.has_value());
+  rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, *index});
+  rig.document.history().apply(require(addJumpAt(rig.button(), 0, Stroke::press, {1.0, 0.5, 0.1})),
+                               "Add jump");
+  QVERIFY(rig.canvas().selected().has_value());
+  QVERIFY(rig.canvas().selected()->index > *index);
+  QCOMPARE(rig.press().knots()[rig.canvas().selected()->index].displacement_mm, 3.1);
+  rig.document.history().stack().undo();
+  QCOMPARE(rig.press().knots()[rig.canvas().selected()->index].displacement_mm, 3.1);
+  rig.document.history().apply(
+      require(removeMark(rig.button(), 0, MarkId{MarkKind::knot, Stroke::press, *knotAt(rig.press(), 3.1)})),
+      "Remove");
+  QVERIFY(!rig.canvas().selected());
+}
+
+void ToolsTest::undoKeepsTheSelectionOnItsKnot() {
+  WorkspaceRig rig(require(tactileButton()));
+  const std::size_t last = rig.press().knots().size() - 2;
+  const double at = rig.press().knots()[last].displacement_mm;
+  rig.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, last});
+  rig.document.history().apply(require(addKnot(rig.button(), 0, Stroke::press, 0.1)), "Add knot");
+  QCOMPARE(rig.press().knots()[rig.canvas().selected()->index].displacement_mm, at);
+  rig.document.history().stack().undo();
+  QCOMPARE(rig.canvas().selected()->index, last);
+}
+
+void ToolsTest::shiftAddsAndTakesAway() {
+  WorkspaceRig rig(require(tactileButton()));
+  const MarkId first{MarkKind::knot, Stroke::press, 0};
+  const auto shiftClick = [&](const MarkId& mark) {
+    rig.press(rig.pixel(mark), Qt::ShiftModifier);
+    rig.release(rig.pixel(mark));
+  };
+  rig.canvas().setSelected(first);
+  shiftClick(tactile);
+  QCOMPARE(rig.canvas().selection().size(), std::size_t(2));
+  QCOMPARE(rig.canvas().selected()->kind, MarkKind::knot);  // the one under the tactile point
+  shiftClick(tactile);
+  QCOMPARE(rig.canvas().selection(), std::vector{first});
+  rig.key(Qt::Key_Escape);
+  QVERIFY(rig.canvas().selection().empty());
+}
+
+void ToolsTest::manyMoveAsOneStep() {
+  WorkspaceRig rig(require(tactileButton()));
+  const Button before = rig.button();
+  const std::vector<Knot> knots = rig.press().knots();
+  rig.canvas().setSelection({{MarkKind::knot, Stroke::press, 1}, {MarkKind::knot, Stroke::press, 2}});
+  const QPointF from = rig.pixel(knots[2].displacement_mm, knots[2].force_N), to = from + QPointF(0, -40);
+  const double by_N = 40 / rig.canvas().mapping().pxPerY;
+  rig.drag(from, to, Qt::ShiftModifier);
+  QCOMPARE(rig.steps(), 1);
+  QCOMPARE(rig.canvas().selection().size(), std::size_t(2));
+  for (const std::size_t i : {1, 2}) {
+    QVERIFY(near(rig.press().knots()[i].force_N, knots[i].force_N + by_N, 1e-9));
+    QCOMPARE(rig.press().knots()[i].displacement_mm, knots[i].displacement_mm);
+  }
+  QVERIFY(rig.press().knots()[0] == knots[0]);
+  rig.document.history().stack().undo();
+  QVERIFY(rig.button() == before);
+}
+
+void ToolsTest::manyAreNudgedAndRemovedAsOneStep() {
+  WorkspaceRig rig(require(tactileButton()));
+  const std::vector<Knot> knots = rig.press().knots();
+  rig.canvas().setSelection({{MarkKind::knot, Stroke::press, 1}, {MarkKind::knot, Stroke::press, 2}});
+  for (int i = 0; i < 3; ++i) rig.key(Qt::Key_Up);
+  QCOMPARE(rig.steps(), 1);
+  for (const std::size_t i : {1, 2})
+    QVERIFY(near(rig.press().knots()[i].force_N, knots[i].force_N + 0.003, 1e-9));
+  rig.key(Qt::Key_Delete);
+  QCOMPARE(rig.steps(), 2);
+  QCOMPARE(rig.press().knots().size(), knots.size() - 2);
+  QVERIFY(rig.canvas().selection().empty());
+  // All of them cannot go; nothing happens, and it is said.
+  rig.action("editSelectAll")->trigger();
+  const Button left = rig.button();
+  rig.key(Qt::Key_Delete);
+  QVERIFY(rig.button() == left);
+}
+
+void ToolsTest::alignAndDistribute() {
+  WorkspaceRig rig(require(linearButton()));
+  for (const double x : {0.5, 0.7, 2.0})
+    rig.document.history().apply(require(addKnot(rig.button(), 0, Stroke::press, x)), "Add");
+  std::vector<MarkId> marks;
+  for (const double x : {0.5, 0.7, 2.0})
+    marks.push_back({MarkKind::knot, Stroke::press, *knotAt(rig.press(), x)});
+  rig.canvas().setSelection(marks);
+  QVERIFY(rig.action("editDistributeDisplacement")->isEnabled());
+  rig.action("editDistributeDisplacement")->trigger();
+  QVERIFY(near(rig.press().knots()[marks[1].index].displacement_mm, 1.25, 1e-12));
+  const double level = rig.press().knots()[marks[2].index].force_N;
+  rig.action("editAlignForce")->trigger();
+  for (const MarkId& mark : marks) QCOMPARE(rig.press().knots()[mark.index].force_N, level);
+  const Button aligned = rig.button();
+  rig.action("editAlignDisplacement")->trigger();  // three knots at one place are no curve: refused or a wall
+  QVERIFY(rig.press().knots().size() == aligned.states()[0].graph.press().knots().size());
+  rig.canvas().setSelected(marks[0]);
+  QVERIFY(!rig.action("editAlignForce")->isEnabled());
+}
+
+void ToolsTest::aStretchGoesThroughTheClipboardAsText() {
+  QLocale::setDefault(QLocale("de_DE"));
+  WorkspaceRig from(require(tactileButton())), to(require(linearButton()));
+  from.canvas().setSelected(MarkId{MarkKind::section, Stroke::press, 1});
+  const GraphStretch stretch =
+      stretchOfMarks(from.canvas().selection(), from.canvas().state(), from.canvas().values());
+  QVERIFY(stretch.press.size() >= 2 && stretch.release.empty());
+  const auto back = stretchFrom(textOf(stretch));
+  QVERIFY(back.has_value());
+  QVERIFY(*back == stretch);  // bit for bit
+  from.action("editCopy")->trigger();
+  QVERIFY(stretchFrom(QApplication::clipboard()->text()) == stretch);
+  to.workspace.paste(stretch);
+  QCOMPARE(to.steps(), 2 - 1);
+  for (double x = stretch.press.front().displacement_mm; x <= stretch.press.back().displacement_mm; x += 0.01)
+    QVERIFY(near(to.press().force_N(x), from.press().force_N(x), 1e-9));
+  QCOMPARE(to.canvas().selection().size(), stretch.press.size());
+  // Cut is copy and remove.
+  from.canvas().setSelected(MarkId{MarkKind::knot, Stroke::press, 1});
+  const std::size_t knots = from.press().knots().size();
+  from.action("editCut")->trigger();
+  QCOMPARE(from.press().knots().size(), knots - 1);
+  QVERIFY(stretchFrom(QApplication::clipboard()->text()).has_value());
+  QLocale::setDefault(QLocale::c());
+}
+
+void ToolsTest::textThatIsNoStretchIsNone() {
+  const QString header = textOf({{Knot{1, 1, 0, 0}}, {}}).section('\n', 0, 0);
+  for (const QString& text : {QString(), QString("words"), header, header + "\npress,1,2,3",
+                              header + "\npress,1,2,3,nan", header + "\npress,1,2,3,4,5",
+                              header + "\nsideways,1,2,3,4", QString("stroke,displacement_mm,force_N\npress,1,2")})
+    QVERIFY2(!stretchFrom(text), qPrintable(text));
+  QVERIFY(stretchFrom(header + "\r\npress,1,2,3,4\r\n").has_value());
 }
 
 void ToolsTest::lostReleaseEndsTheDrag() {

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/quantity/quantity.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QCoreApplication>
+#include <QLocale>
+
+#include "editor/quantity/expression.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr double largestFixed = 1e9, smallestFixed = 1e-5;  // beyond: powers of ten
+constexpr int mostDecimals = 17;
+
+QString tr(const char* text) { return QCoreApplication::translate("Quantity", text); }
+
+Dimension dimensionOf(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::length:
+      return {0, 1, 0};
+    case Quantity::force:
+      return {1, 0, 0};
+    case Quantity::slope:
+      return {1, -1, 0};
+    case Quantity::damping:
+      return {1, -1, 1};
+    default:
+      return {};
+  }
+}
+
+// C digits, and the decimal sign a person of this locale types.
+QString localized(QString text) {
+  const QString sign = QLocale().decimalPoint();
+  if (sign == QLatin1String(",")) text.replace(QLatin1Char('.'), QLatin1Char(','));
+  return text;
+}
+
+QString withoutTrailingZeros(QString text) {
+  if (!text.contains(QLatin1Char('.'))) return text;
+  while (text.endsWith(QLatin1Char('0'))) text.chop(1);
+  if (text.endsWith(QLatin1Char('.'))) text.chop(1);
+  return text == QLatin1String("-0") ? QStringLiteral("0") : text;
+}
+
+QuantityReading refused(QuantityTrouble trouble, const QString& culprit) { return {{}, 0, trouble, culprit}; }
+
+bool isMinus(QChar c) { return c == QLatin1Char('-') || c == QChar(0x2212); }
+
+// The change of what stands there that a text asks for.
+struct Change {
+  enum class Kind { none, plus, minus } kind = Kind::none;
+  QString rest;
+};
+
+Change changeIn(const QString& text) {
+  const bool plus = text.startsWith(QLatin1Char('+')), minus = !text.isEmpty() && isMinus(text[0]);
+  const bool explicitly = (plus || minus) && text.size() > 1 && text[1] == QLatin1Char('=');
+  if (explicitly) return {plus ? Change::Kind::plus : Change::Kind::minus, text.mid(2)};
+  if (plus) return {Change::Kind::plus, text.mid(1)};
+  return {Change::Kind::none, text};
+}
+
+// "30 %" of a share is 0.3; of anything else it is that part of what stands there. With a sign it is a change
+// by that part.
+QuantityReading readPercent(const QString& text, Quantity quantity, std::optional<double> now) {
+  const Change change = changeIn(text);
+  const bool less = change.kind == Change::Kind::minus ||
+                    (change.kind == Change::Kind::none && !text.isEmpty() && isMinus(text[0]));
+  QString number = change.rest;
+  if (less && change.kind == Change::Kind::none) number.remove(0, 1);
+  const Evaluation part = evaluate(number, {}, 1);
+  if (part.trouble) return refused(*part.trouble, part.culprit);
+  if (!part.value.dimension.none()) return refused(QuantityTrouble::noNumber, text + QLatin1Char('%'));
+  const double share = part.value.amount / 100;
+  const bool changes = less || change.kind == Change::Kind::plus;
+  if (quantity == Quantity::share && !changes) return {share, share, {}, {}};
+  if (!now) return refused(QuantityTrouble::nothingToChange, text + QLatin1Char('%'));
+  const double factor = !changes ? share : less ? 1 - share : 1 + share;
+  return {*now * factor, 0, {}, {}};
+}
+
+QuantityReading readNumber(const QString& text, Quantity quantity, double unit, std::optional<double> now) {
+  const Change change = changeIn(text);
+  if (change.kind == Change::Kind::minus && !now) return refused(QuantityTrouble::nothingToChange, text);
+  const Evaluation read = evaluate(change.rest, dimensionOf(quantity), unit);
+  if (read.trouble) return refused(*read.trouble, read.culprit);
+  const bool plain = read.value.dimension.none();
+  if (!plain && !(read.value.dimension == dimensionOf(quantity)))
+    return refused(QuantityTrouble::otherQuantity, text);
+  double shown = plain ? read.value.amount : read.value.amount / unit;
+  double value = plain ? read.value.amount * unit : read.value.amount;
+  if (change.kind != Change::Kind::none && now) {
+    value = change.kind == Change::Kind::plus ? *now + value : *now - value;
+    shown = value / unit;
+  }
+  return {value, shown, {}, {}};
+}
+
+}  // namespace
+
+QuantityReading readQuantity(const QString& text, Quantity quantity, const DisplayUnits& units,
+                             std::optional<double> now) {
+  QString trimmed = text.trimmed();
+  if (trimmed.isEmpty()) return refused(QuantityTrouble::empty, {});
+  const double unit = shownUnitOf(quantity, units);
+  if (quantity == Quantity::resolution && trimmed.endsWith(QLatin1String("dpi"), Qt::CaseInsensitive))
+    trimmed = trimmed.chopped(3).trimmed();
+  QuantityReading reading;
+  if (trimmed.endsWith(QLatin1Char('%'))) {
+    reading = readPercent(trimmed.chopped(1).trimmed(), quantity, now);
+    if (reading.value) reading.shown = *reading.value / unit;
+  } else {
+    reading = readNumber(trimmed, quantity, unit, now);
+  }
+  if (!reading.value) return reading;
+  if (!std::isfinite(*reading.value) || !std::isfinite(reading.shown))
+    return refused(QuantityTrouble::notFinite, trimmed);
+  const bool whole = quantity == Quantity::count || quantity == Quantity::resolution;
+  if (whole && *reading.value != std::round(*reading.value))
+    return refused(QuantityTrouble::notWhole, trimmed);
+  return reading;
+}
+
+QString refusalOf(const QuantityReading& reading, Quantity quantity, const DisplayUnits& units) {
+  const QString symbol = symbolOf(quantity, units);
+  const QString example = symbol.isEmpty() ? numberText(1.25) : numberText(1.25) + QLatin1Char(' ') + symbol;
+  switch (reading.trouble) {
+    case QuantityTrouble::empty:
+      return tr("Nothing is typed. Type for example %1.").arg(example);
+    case QuantityTrouble::noNumber:
+      return tr("“%1” is no number. Type for example %2, or +5, or -10 %.").arg(reading.culprit, example);
+    case QuantityTrouble::groupSeparator:
+      return tr("“%1” can be read in two ways. Type the number without spaces or separators between "
+                "thousands.")
+          .arg(reading.culprit);
+    case QuantityTrouble::unknownUnit:
+      return symbol.isEmpty()
+                 ? tr("“%1” is no unit for this. Type the number alone.").arg(reading.culprit)
+                 : tr("“%1” is no known unit. Type for example %2.").arg(reading.culprit, example);
+    case QuantityTrouble::otherQuantity:
+      return symbol.isEmpty()
+                 ? tr("“%1” has a unit, and a number without one is asked for.").arg(reading.culprit)
+                 : tr("“%1” measures something else. Type a number in %2.").arg(reading.culprit, symbol);
+    case QuantityTrouble::mixedUnits:
+      return tr("In “%1” some numbers have a unit and some have none. Give each its unit.")
+          .arg(reading.culprit);
+    case QuantityTrouble::nothingToChange:
+      return tr("“%1” changes a value, and there is none yet. Type for example %2.")
+          .arg(reading.culprit, example);
+    case QuantityTrouble::notWhole:
+      return tr("“%1” is no whole number.").arg(reading.culprit);
+    case QuantityTrouble::notFinite:
+      return tr("“%1” is too large, or divides by zero.").arg(reading.culprit);
+  }
+  return {};
+}
+
+double shownUnitOf(Quantity quantity, const DisplayUnits& units) {
+  switch (quantity) {
+    case Quantity::length:
+      return units.toMm(1);
+    case Quantity::force:
+      return units.toN(1);
+    case Quantity::slope:
+    case Quantity::damping:
+      return units.toSlope(1);
+    default:
+      return 1;
+  }
+}
+
+QString symbolOf(Quantity quantity, const DisplayUnits& units) {
+  switch (quantity) {
+    case Quantity::length:
+      return units.lengthSymbol();
+    case Quantity::force:
+      return units.forceSymbol();
+    case Quantity::slope:
+      return units.slopeSymbol();
+    case Quantity::damping:
+      return units.forceSymbol() + QStringLiteral("·s/") + units.lengthSymbol();
+    case Quantity::resolution:
+      return QStringLiteral("dpi");
+    default:
+      return {};
+  }
+}
+
+QString numberText(double value, int significant) {
+  if (value == 0 || !std::isfinite(value)) return value == 0 ? QStringLiteral("0") : QStringLiteral("–");
+  const double size = std::abs(value);
+  if (size >= largestFixed || size < smallestFixed)
+    return localized(QString::number(value, 'g', std::max(significant, 1)));
+  const int magnitude = static_cast<int>(std::floor(std::log10(size)));
+  const int decimals = std::clamp(significant - 1 - magnitude, 0, mostDecimals);
+  return localized(withoutTrailingZeros(QString::number(value, 'f', decimals)));
+}
+
+QString fixedText(double value, int decimals) {
+  if (!std::isfinite(value)) return QStringLiteral("–");
+  QString text = QString::number(value, 'f', decimals);
+  const bool isZero = std::all_of(text.cbegin(), text.cend(), [](QChar c) {
+    return c == QLatin1Char('-') || c == QLatin1Char('0') || c == QLatin1Char('.');
+  });
+  if (isZero && text.startsWith(QLatin1Char('-'))) text.remove(0, 1);
+  return localized(text);
+}
+
+QString quantityText(double value, Quantity quantity, const DisplayUnits& units, int significant) {
+  return numberText(value / shownUnitOf(quantity, units), significant);
+}
+
+QString quantityWithUnit(double value, Quantity quantity, const DisplayUnits& units, int significant) {
+  const QString number = quantityText(value, quantity, units, significant);
+  const QString symbol = symbolOf(quantity, units);
+  return symbol.isEmpty() ? number : number + QLatin1Char(' ') + symbol;
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The one way numbers with a unit are read and shown: in fields, tables, dialogues, on axes and ticks.
+//
+// Reading is the same in every locale: both decimal signs, never a group separator (what looks like one is
+// refused, not guessed), any known unit, sums and products, and changes of what stands there now.
+
+#include <optional>
+#include <QString>
+
+#include "editor/document/display_units.h"
+
+namespace detent::editor {
+
+/// What a number means; decides its units.
+enum class Quantity {
+  length,      ///< mm
+  force,       ///< N
+  slope,       ///< N/mm
+  damping,     ///< N·s/mm
+  share,       ///< of a whole: 0.3 or 30 %
+  number,      ///< without a unit
+  count,       ///< a whole number
+  resolution,  ///< dpi
+};
+
+/// What kept a text from being a quantity.
+enum class QuantityTrouble {
+  empty,
+  noNumber,         ///< "about two", "5 +", an open bracket
+  groupSeparator,   ///< "1,250.5", "1 250", "1'250"
+  unknownUnit,      ///< "5 apples"
+  otherQuantity,    ///< "5 gf" where a length is asked for
+  mixedUnits,       ///< "50 + 5 gf" while cN are shown: which unit has the 50?
+  nothingToChange,  ///< "+10 %" of no value
+  notWhole,         ///< "1.5" of a count
+  notFinite,
+};
+
+/// A text read. `trouble` says why there is no value; `culprit` is the part of the text it is about.
+struct QuantityReading {
+  std::optional<double> value;  ///< mm, N, N/mm, N·s/mm; else the number itself
+  double shown = 0;             ///< the value in the shown unit: exactly what was typed, where no unit was
+  QuantityTrouble trouble = QuantityTrouble::empty;
+  QString culprit;
+};
+
+/// Reads
+///   - a number, in the shown unit or with one of its own: "1.25", "1,25", "60 gf", "0.1 in", "20 N/mm";
+///   - sums, differences, products, quotients and brackets of such: "50+5", "2*0.3 mm", "(1+2)/4 mm";
+///   - a change of `now` (same unit as `value`): "+5", "-=5", "+10 %", "-10 %", "50 %". "-5" is the number
+///   -5.
+/// Any thread.
+QuantityReading readQuantity(const QString& text, Quantity quantity, const DisplayUnits& units,
+                             std::optional<double> now = {});
+
+/// Why a text was refused, and what can be typed instead: one sentence or two for the person.
+QString refusalOf(const QuantityReading& reading, Quantity quantity, const DisplayUnits& units);
+
+/// Size of the shown unit in mm, N, N/mm; 1 where there is no choice.
+double shownUnitOf(Quantity quantity, const DisplayUnits& units);
+/// "mm", "cN/mm", "N·s/mm", "dpi"; empty where there is none.
+QString symbolOf(Quantity quantity, const DisplayUnits& units);
+
+/// At most `significant` digits, in the decimal sign of the locale, without group separators and trailing
+/// zeros; powers of ten only beyond 1e9 and below 1e-5. Digits before the decimal sign are all shown.
+QString numberText(double value, int significant = 5);
+/// Exactly `decimals` digits after the decimal sign; never "-0".
+QString fixedText(double value, int decimals);
+
+/// A value (mm, N ...) in the shown unit, without the unit.
+QString quantityText(double value, Quantity quantity, const DisplayUnits& units, int significant = 5);
+/// With the unit: "1.305 mm".
+QString quantityWithUnit(double value, Quantity quantity, const DisplayUnits& units, int significant = 5);
+
+}  // namespace detent::editor

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A field for one quantity: reads what people type (quantity.h), refuses in place, steps with arrows and
+// wheel.
+
+#include <QAbstractSpinBox>
+
+#include "editor/quantity/quantity.h"
+
+namespace detent::editor {
+
+/// What lies in a QuantityField's range, in mm, N ... (as QuantityReading::value).
+struct QuantityRange {
+  double lowest = 0, highest = 0;
+};
+
+/// Shows a value with its unit. While a person types, every text that can be read is the value at once; one
+/// that cannot stays as typed, marked, with the reason as tool tip and description, and the value is the last
+/// one that was read. Changes ("+5") count from the value before typing began. GUI thread.
+class QuantityField : public QAbstractSpinBox {
+  Q_OBJECT
+
+ public:
+  QuantityField(Quantity quantity, const DisplayUnits& units, QWidget* parent = nullptr);
+
+  double value() const { return value_; }
+  /// Clamped to the range; typed text is given up. No signal.
+  void setValue(double value);
+  void setRange(QuantityRange range);
+  void setUnits(const DisplayUnits& units);
+  /// Shown instead of the lowest value of the range ("automatic").
+  void setLowestText(const QString& text);
+  /// What stands there can be read and lies in the range.
+  bool acceptable() const { return refusal_.isEmpty(); }
+  /// Why it is not; empty where it is.
+  const QString& refusal() const { return refusal_; }
+
+  void stepBy(int steps) override;
+  QValidator::State validate(QString& text, int& position) const override;
+  void fixup(QString& text) const override;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ signals:
+  void valueChanged(double value);
+  /// `acceptable` may have changed.
+  void refusalChanged();
+
+ protected:
+  StepEnabled stepEnabled() const override;
+  void focusInEvent(QFocusEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void take(const QString& typed);
+  void settle();
+  void showValue();
+  void refuse(const QString& why);
+  void mark();
+  QString textOf(double value) const;
+  QString rangeRefusal(double value) const;
+
+  Quantity quantity_;
+  DisplayUnits units_;
+  QuantityRange range_;
+  double value_ = 0;
+  double before_ = 0;  ///< when typing began
+  QString lowestText_;
+  QString refusal_;
+  QString ownToolTip_;
+};
+
+}  // namespace detent::editor
