@@ -16,8 +16,10 @@
 
 #include "editor/feel/feel_panel.h"
 #include "editor/files/exports.h"
+#include "editor/forecast/forecast_matrix.h"
 #include "editor/library/compare_dialog.h"
 #include "editor/library/library_panel.h"
+#include "editor/study/study_desk.h"
 #include "editor/window/appearance.h"
 #include "editor/window/stored_view.h"
 #include "model/edits.h"
@@ -272,6 +274,7 @@ void MainWindow::updateDocuments() {
   DocumentTab* current = tabs_->current();
   library_->setDocuments(documents, current ? &current->document() : nullptr);
   if (comparison_) comparison_->setDocuments(documents);
+  if (forecasts_) forecasts_->setDocuments(documents);
   if (!feel_) return;
   updateFeel();
   other_->clear();
@@ -305,6 +308,21 @@ void MainWindow::compareWith(ButtonDocument* other) {
   comparison_->show();
   comparison_->raise();
   comparison_->activateWindow();
+}
+
+void MainWindow::showForecasts() {
+  if (!forecasts_) forecasts_ = new ForecastMatrix(this);
+  forecasts_->setDocuments(tabs_->documents());
+  forecasts_->show();
+  forecasts_->raise();
+  forecasts_->activateWindow();
+}
+
+void MainWindow::showStudy() {
+  if (!study_) study_ = new StudyDesk(this);
+  study_->show();
+  study_->raise();
+  study_->activateWindow();
 }
 
 // ---- units, appearance

@@ -18,6 +18,8 @@
 namespace detent::editor {
 
 class CompareDialog;
+class ForecastMatrix;
+class StudyDesk;
 class FeelPanel;
 class LibraryPanel;
 
@@ -46,6 +48,8 @@ class MainWindow : public QMainWindow {
   std::vector<ShortcutRow> shortcuts() const;
   /// Beside the one that is shown.
   void compareWith(ButtonDocument* other);
+  void showForecasts();
+  void showStudy();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -115,6 +119,8 @@ class MainWindow : public QMainWindow {
   LibraryPanel* library_ = nullptr;
   FeelPanel* feel_ = nullptr;
   CompareDialog* comparison_ = nullptr;
+  ForecastMatrix* forecasts_ = nullptr;
+  StudyDesk* study_ = nullptr;
   QStackedWidget *values_ = nullptr, *history_ = nullptr;
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *historyDock_ = nullptr, *feelDock_ = nullptr;
   QComboBox* other_ = nullptr;  // which button is B of the feel panel
