@@ -226,7 +226,9 @@ TEST_CASE("warnings keep their codes, from version 2 on") {
   const auto back = buttonFromJson(text, "b.json");
   REQUIRE(back.ok());
   CHECK(back->provenance()->warnings == provenance.warnings);
-  requireRefusal(replaced(text, "\"several-graphs\", ", ""), "provenance.warningCodes");
+  auto withoutOne = nlohmann::json::parse(text);
+  withoutOne["provenance"]["warningCodes"].erase(0);
+  requireRefusal(withoutOne.dump(), "provenance.warningCodes");
 }
 
 TEST_CASE("newer versions are refused, wrong ones named") {
