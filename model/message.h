@@ -30,7 +30,7 @@ struct MessageValue {
   MessageValue(std::string words);
   MessageValue(std::string_view words);
   MessageValue(const char* words);
-  MessageValue(std::integral auto count) : MessageValue(static_cast<double>(count), Measure::number) {}
+  MessageValue(std::integral auto count);
   MessageValue(double value, Measure itsMeasure = Measure::number);
   MessageValue(Message message);
   MessageValue(std::vector<Message> list);
@@ -67,6 +67,10 @@ class Message {
   const char* words_ = "";
   std::vector<MessageValue> values_;
 };
+
+// Below Message, which it holds: a constructor's body asks for the destructor of what it builds.
+MessageValue::MessageValue(std::integral auto count)
+    : MessageValue(static_cast<double>(count), Measure::number) {}
 
 inline MessageValue millimetres(double value_mm) { return {value_mm, Measure::displacement_mm}; }
 inline MessageValue newtons(double value_N) { return {value_N, Measure::force_N}; }
