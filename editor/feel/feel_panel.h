@@ -2,62 +2,78 @@
 #pragma once
 // Press the button one edits, and see what it will feel like.
 
-#include <memory>
-#include <optional>
+#include <array>
 #include <QVariantMap>
 #include <QWidget>
 
-#include "editor/document/button_document.h"
-#include "editor/document/finger_position.h"
 #include "editor/document/view_settings.h"
-#include "editor/feel/feel_devices.h"
+#include "editor/feel/feel_session.h"
 
 class QAction;
+class QBoxLayout;
+class QScrollArea;
+class QToolButton;
 
 namespace detent::editor {
 
-/// A pad to press with mouse, keys, pen, touch or a force sensor; the vibration and spectrogram of a standard
-/// press; the sound device. Two buttons, A and B, are exchanged under the finger by one key. No sound device
-/// is touched before the first press. Without one everything but the sound works. GUI thread.
+class FeelSetup;
+class PressPad;
+class PressStrip;
+class SignalView;
+
+/// What a session does, to look at and to press: a pad for mouse, keys, pen and touch; the vibration and
+/// spectrogram of a press; the sound device; the setup. A and B are exchanged by one key. GUI thread.
 class FeelPanel : public QWidget {
   Q_OBJECT
 
  public:
-  explicit FeelPanel(ViewSettings& settings, QWidget* parent = nullptr, const FeelDevices& devices = {});
-  ~FeelPanel() override;
+  /// `settings` and `session` must outlive it.
+  FeelPanel(ViewSettings& settings, FeelSession& session, QWidget* parent = nullptr);
 
-  /// A, the button being edited; may be null. Must outlive its use here or be destroyed as a QObject.
-  void setDocument(ButtonDocument* document);
-  /// B, to compare with; may be null.
-  void setOther(ButtonDocument* other);
-  /// The one that is pressed now: A, or B after an exchange.
-  ButtonDocument* feltDocument() const;
-  /// From A to B and back; nothing where one of them is missing.
-  void exchange();
-  /// The same as an action (X), for menus and the list of shortcuts.
-  QAction* exchangeAction() const;
+  /// From A to B and back (X), for menus and the list of shortcuts.
+  QAction* exchangeAction() const { return exchange_; }
 
-  /// Choices that outlive a run (device, gain, drive, placement ...), as plain text and numbers. Restoring
-  /// opens no device: sound begins with the next press, the sensor is offered.
+  /// The session's choices and the panel's own.
   QVariantMap saveState() const;
   void restoreState(const QVariantMap& state);
 
- signals:
-  /// Where the finger stands on A's graph, at least 60 times a second while it presses; nullopt when it has
-  /// left, and while B is pressed.
-  void fingerMoved(std::optional<detent::editor::FingerPosition> position);
-  /// The same for B.
-  void otherFingerMoved(std::optional<detent::editor::FingerPosition> position);
-  void feltDocumentChanged(detent::editor::ButtonDocument* document);
-  void statusMessage(const QString& message);
-
  protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  class Parts;
-  std::unique_ptr<Parts> parts_;
+  QWidget* padColumn(ViewSettings& settings);
+  QWidget* viewColumn();
+  QWidget* controlColumn(ViewSettings& settings);
+  QLayout* choiceRow();
+  QLayout* pressRow();
+  QAction* ownAction(const char* name, const QString& text, const QString& tip, Qt::Key key);
+  QToolButton* buttonOf(QAction* action, const char* name, const QString& text);
+  void connectPad();
+  void connectSession();
+  void layOut();
+  void showPair();
+  void writeNames();
+  void showFelt();
+  void showPad();
+  void showPresses();
+  void showSettings();
+  void follow();
+  void showEvents(const std::vector<playback::EngineEvent>& events);
+
+  FeelSession& session_;
+  double lastPressed_s_ = 0;
+
+  QBoxLayout* sections_ = nullptr;
+  PressPad* pad_ = nullptr;
+  PressStrip* strip_ = nullptr;
+  SignalView* view_ = nullptr;
+  FeelSetup* setup_ = nullptr;
+  QScrollArea* setupArea_ = nullptr;
+  std::array<QToolButton*, 2> choices_{};
+  QToolButton *setupToggle_ = nullptr, *standardPress_ = nullptr, *myPress_ = nullptr;
+  QAction *exchange_ = nullptr, *play_ = nullptr;
 };
 
 }  // namespace detent::editor

@@ -6,18 +6,17 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QShowEvent>
 #include <QSignalBlocker>
 
 #include "editor/feel/placement_delays.h"
+#include "editor/quantity/quantity_field.h"
 
 namespace detent::editor {
 namespace {
@@ -107,13 +106,14 @@ void FeelSetup::addPressing(QFormLayout& form) {
   connect(drive_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   form.addRow(tr("&Press with mouse:"), drive_);
 
-  full_ = new QDoubleSpinBox;
+  full_ = new QuantityField(Quantity::force, view_.units());
+  full_->setRange({0, 100});
   full_->setObjectName("fullForce");
-  full_->setSpecialValueText(tr("automatic"));
+  full_->setLowestText(tr("automatic"));
   full_->setToolTip(
       tr("Force of a full press: at the end of a timed press, at full pen pressure, at the end of a "
          "drag. Automatic: a quarter more than the button's strongest force."));
-  connect(full_, &QDoubleSpinBox::valueChanged, this, &FeelSetup::take);
+  connect(full_, &QuantityField::valueChanged, this, &FeelSetup::take);
   form.addRow(tr("&Full press:"), full_);
 
   followState_ = new QCheckBox(tr("Graph follows the state"));
@@ -165,7 +165,7 @@ void FeelSetup::addFeeling(QFormLayout& form) {
   noProfile_->setToolTip(tr("Play as for a perfect device"));
   connect(noProfile_, &QPushButton::clicked, this, [this] {
     settings_.profileFile.clear();
-    emit changed(settings_);
+    tell();
   });
   form.addRow(tr("&Device profile:"), rowOf({profileFile_, noProfile_}));
   profileNote_ = noteLabel("profileNote");
@@ -186,7 +186,7 @@ void FeelSetup::addSound(QFormLayout& form) {
   rate_ = comboBox("sampleRate", tr("Sample rate in Hz"));
   addChoice(rate_, tr("the device's own"), 0.0);
   for (const double rate : {44100.0, 48000.0, 88200.0, 96000.0, 192000.0})
-    addChoice(rate_, tr("%1 Hz").arg(QLocale().toString(rate, 'f', 0)), rate);
+    addChoice(rate_, tr("%1 Hz").arg(fixedText(rate, 0)), rate);
   connect(rate_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   bufferChoice_ = comboBox("bufferFrames",
                            tr("Samples per buffer: smaller is faster, larger is safer against drop-outs"));
@@ -225,24 +225,34 @@ void FeelSetup::setSettings(const FeelSettings& settings) {
   select(rate_, settings.rate_Hz);
   select(bufferChoice_, settings.buffer);
   baud_->setCurrentText(QString::number(settings.sensorBaud));
-  connect_->setChecked(!settings.sensorPort.isEmpty());
-  connect_->setText(settings.sensorPort.isEmpty() ? tr("Connect") : tr("Disconnect"));
   showPorts();
   if (!settings.sensorPort.isEmpty()) port_->setCurrentText(settings.sensorPort);
-  const bool none = settings.profileFile.isEmpty();
-  profileFile_->setText(none ? tr("Choose…") : QFileInfo(settings.profileFile).fileName());
-  noProfile_->setEnabled(!none);
   filling_ = false;
+  showChosen();
   showUnits();
   showDevices();
   showDelays();
+}
+
+/// What a push button says about what it has chosen.
+void FeelSetup::showChosen() {
+  connect_->setChecked(!settings_.sensorPort.isEmpty());
+  connect_->setText(settings_.sensorPort.isEmpty() ? tr("Connect") : tr("Disconnect"));
+  const bool none = settings_.profileFile.isEmpty();
+  profileFile_->setText(none ? tr("Choose…") : QFileInfo(settings_.profileFile).fileName());
+  noProfile_->setEnabled(!none);
+}
+
+void FeelSetup::tell() {
+  showChosen();
+  emit changed(settings_);
 }
 
 void FeelSetup::take() {
   if (filling_) return;
   settings_.drive = static_cast<Drive>(drive_->currentData().toInt());
   settings_.mode = static_cast<playback::FeedbackMode>(mode_->currentData().toInt());
-  settings_.full_N = view_.units().toN(full_->value());
+  settings_.full_N = full_->value();
   settings_.followState = followState_->isChecked();
   settings_.placement =
       fast_->isChecked() ? playback::EventPlacement::atOnce : playback::EventPlacement::timeStamped;
@@ -253,19 +263,12 @@ void FeelSetup::take() {
   bool isNumber = false;
   const unsigned baud = baud_->currentText().toUInt(&isNumber);
   if (isNumber && baud > 0) settings_.sensorBaud = baud;
-  emit changed(settings_);
+  tell();
 }
 
 void FeelSetup::showUnits() {
-  const QSignalBlocker blocked(full_);
-  const DisplayUnits& units = view_.units();
-  const double newton = units.forceFrom(1);
-  const int decimals = newton >= 50 ? 0 : (newton >= 5 ? 1 : 2);
-  full_->setDecimals(decimals);
-  full_->setRange(0, units.forceFrom(100));
-  full_->setSingleStep(std::max(units.forceFrom(0.05), std::pow(10, -decimals)));
-  full_->setSuffix(" " + units.forceSymbol());
-  full_->setValue(units.forceFrom(settings_.full_N));
+  full_->setUnits(view_.units());
+  full_->setValue(settings_.full_N);
 }
 
 void FeelSetup::showDevices() {
@@ -279,11 +282,10 @@ void FeelSetup::showDevices() {
   for (const playback::SoundDevice& device : devices_.outputs()) {
     const QString name = QString::fromStdString(device.name);
     device_->addItem(name, name);
-    device_->setItemData(device_->count() - 1,
-                         tr("output channels: %1, %2 Hz")
-                             .arg(device.outputChannels)
-                             .arg(QLocale().toString(device.sampleRate_Hz, 'f', 0)),
-                         Qt::ToolTipRole);
+    device_->setItemData(
+        device_->count() - 1,
+        tr("output channels: %1, %2 Hz").arg(device.outputChannels).arg(fixedText(device.sampleRate_Hz, 0)),
+        Qt::ToolTipRole);
   }
   // One that is chosen but away stays chosen: it may come back.
   if (device_->findData(settings_.device) < 0)
@@ -328,7 +330,6 @@ void FeelSetup::setBuffer(unsigned frames) {
 }
 
 void FeelSetup::setProfile(const std::optional<playback::DeviceProfile>& profile, const QString& trouble) {
-  const QLocale locale;
   QString note = trouble;
   if (profile) {
     note = tr("%1: ").arg(QString::fromStdString(profile->name)) + tr("resonances: %1, equalizer bands: %2")
@@ -336,13 +337,13 @@ void FeelSetup::setProfile(const std::optional<playback::DeviceProfile>& profile
                                                                        .arg(profile->equalizer.size());
     if (profile->sensor.weights > 0)
       note += tr("; sensor calibrated from %1 to %2 N, ±%3 N")
-                  .arg(locale.toString(profile->sensor.lowest_N), locale.toString(profile->sensor.highest_N),
-                       locale.toString(profile->sensor.residual_N, 'g', 2));
+                  .arg(numberText(profile->sensor.lowest_N), numberText(profile->sensor.highest_N),
+                       numberText(profile->sensor.residual_N, 2));
     if (profile->latency)
-      note += tr("; measured delay %1 ms (SD %2, N = %3)")
-                  .arg(locale.toString(1000 * profile->latency->mean_s, 'f', 1),
-                       locale.toString(1000 * profile->latency->sd_s, 'f', 1))
-                  .arg(profile->latency->n);
+      note +=
+          tr("; measured delay %1 ms (SD %2, N = %3)")
+              .arg(fixedText(1000 * profile->latency->mean_s, 1), fixedText(1000 * profile->latency->sd_s, 1))
+              .arg(profile->latency->n);
   }
   profileNote_->setText(note);
   form_->setRowVisible(profileNote_, !note.isEmpty());
@@ -359,7 +360,7 @@ void FeelSetup::setSensor(const playback::PlayerStatus& status, const QString& t
       note = tr("Waiting for the first reading. If none comes: is the baud rate right?");
       break;
     case SensorCondition::running:
-      note = tr("Running, %1 readings a second").arg(QLocale().toString(status.sensorRate_Hz, 'f', 0));
+      note = tr("Running, %1 readings a second").arg(fixedText(status.sensorRate_Hz, 0));
       break;
     case SensorCondition::silent:
       note = tr("Silent: it has stopped sending. Check its power and its program.");
@@ -386,7 +387,7 @@ void FeelSetup::chooseProfile() {
                                    tr("Device profiles (*.device);;All files (*)"));
   if (file.isEmpty()) return;
   settings_.profileFile = file;
-  emit changed(settings_);
+  tell();
 }
 
 void FeelSetup::showEvent(QShowEvent* event) {

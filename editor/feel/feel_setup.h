@@ -10,7 +10,6 @@
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
 class QPushButton;
@@ -18,6 +17,8 @@ class QRadioButton;
 class QShowEvent;
 
 namespace detent::editor {
+
+class QuantityField;
 
 /// Shows FeelSettings and tells of changes by hand; changes nothing itself. GUI thread.
 class FeelSetup : public QWidget {
@@ -49,6 +50,8 @@ class FeelSetup : public QWidget {
   void addSound(QFormLayout& form);
   void addSensor(QFormLayout& form);
   void take();  ///< from the widgets
+  void tell();
+  void showChosen();
   void showUnits();
   void showDevices();
   void showPorts();
@@ -64,7 +67,7 @@ class FeelSetup : public QWidget {
 
   QFormLayout* form_;
   QComboBox *drive_, *mode_, *device_, *rate_, *bufferChoice_, *port_, *baud_;
-  QDoubleSpinBox* full_;
+  QuantityField* full_;
   QCheckBox* followState_;
   QRadioButton *fast_, *stamped_;
   QLabel *fastDelay_, *stampedDelay_, *profileNote_, *deviceNote_, *sensorNote_;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QLocale>
 #include <QPainter>
 
 #include "editor/document/graph_colors.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -60,10 +60,9 @@ void LevelMeter::setIdle() {
 }
 
 void LevelMeter::describe() {
-  const QString text = idle_ || peak_dB_ <= lowest_dB
-                           ? tr("silent")
-                           : tr("peak %1 dB").arg(QLocale().toString(peak_dB_, 'f', 0)) +
-                                 (limited_ ? tr(", limited") : QString());
+  const QString text = idle_ || peak_dB_ <= lowest_dB ? tr("silent")
+                                                      : tr("peak %1 dB").arg(fixedText(peak_dB_, 0)) +
+                                                            (limited_ ? tr(", limited") : QString());
   if (text != accessibleDescription()) setAccessibleDescription(text);
 }
 
@@ -101,9 +100,9 @@ void LevelMeter::paintEvent(QPaintEvent*) {
   painter.setPen(limited_ ? QColor(Qt::white) : colors.axis);
   painter.drawText(lim, Qt::AlignCenter, tr("LIM"));
   painter.setPen(colors.text);
-  const QString number =
-      peak_dB_ > lowest_dB ? tr("%1 dB").arg(QLocale().toString(peak_dB_, 'f', 1).replace('-', QChar(0x2212)))
-                           : QString(QChar(0x2212)) + QChar(0x221E) + " dB";
+  const QString number = peak_dB_ > lowest_dB
+                             ? tr("%1 dB").arg(fixedText(peak_dB_, 1).replace('-', QChar(0x2212)))
+                             : QString(QChar(0x2212)) + QChar(0x221E) + " dB";
   painter.drawText(QRectF(lim.right(), 0, width() - lim.right(), height()), Qt::AlignRight | Qt::AlignVCenter,
                    number);
 }

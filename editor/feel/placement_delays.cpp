@@ -3,7 +3,8 @@
 
 #include <cstdlib>
 #include <QCoreApplication>
-#include <QLocale>
+
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 
@@ -14,10 +15,9 @@ QString measuredDelay(playback::EventPlacement placement, unsigned bufferFrames)
   };
   for (const PlacementDelay& delay : placementDelays)
     if (delay.placement == placement && (nearest == nullptr || far(delay) < far(*nearest))) nearest = &delay;
-  const QLocale locale;
   return QCoreApplication::translate("PlacementDelay", "%1 ms, scattered over %2 ms (%3 frames at 48 kHz)")
-      .arg(locale.toString(nearest->median_ms, 'f', 1), locale.toString(nearest->spread_ms, 'g', 2),
-           locale.toString(nearest->bufferFrames));
+      .arg(fixedText(nearest->median_ms, 1), numberText(nearest->spread_ms, 2),
+           numberText(nearest->bufferFrames));
 }
 
 }  // namespace detent::editor

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <QLinearGradient>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QTabletEvent>
 #include <QTouchEvent>
 
 #include "editor/document/graph_colors.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -299,9 +299,9 @@ void PressPad::paintDepth(QPainter& painter) const {
   const DisplayUnits& units = settings_.units();
   const QRectF label(x + 14, area.top() - 8, side_px - 20, 16);
   painter.drawText(label, Qt::AlignLeft | Qt::AlignVCenter,
-                   QLocale().toString(units.lengthFrom(button_->start_mm), 'g', 3));
+                   numberText(units.lengthFrom(button_->start_mm), 3));
   painter.drawText(label.translated(0, area.height()), Qt::AlignLeft | Qt::AlignVCenter,
-                   QLocale().toString(units.lengthFrom(button_->end_mm), 'g', 3));
+                   numberText(units.lengthFrom(button_->end_mm), 3));
 }
 
 void PressPad::paintForce(QPainter& painter) const {
@@ -325,7 +325,7 @@ void PressPad::paintForce(QPainter& painter) const {
   painter.setPen(colors.axis);
   const QRectF label(x - side_px, area.top() - 8, side_px - 14, 16);
   painter.drawText(label, Qt::AlignRight | Qt::AlignVCenter,
-                   QLocale().toString(settings_.units().forceFrom(button_->full_N), 'g', 3));
+                   numberText(settings_.units().forceFrom(button_->full_N), 3));
   painter.drawText(label.translated(0, area.height()), Qt::AlignRight | Qt::AlignVCenter, "0");
 }
 
@@ -412,7 +412,7 @@ void PressPad::paintReadout(QPainter& painter) const {
                           const QString& what) {
     painter.setFont(scaled(font(), 1.35, true));
     painter.setPen(motion_.pressed ? colors.text : colors.axis);
-    const QString text = motion_.pressed ? QLocale().toString(value, 'f', value < 100 ? 2 : 1) : "–";
+    const QString text = motion_.pressed ? fixedText(value, value < 100 ? 2 : 1) : "–";
     painter.drawText(at, flags(side | Qt::AlignTop), text + " " + unit);
     painter.setFont(scaled(font(), 0.8));
     painter.setPen(colors.axis);

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
 
 #include "editor/document/message_words.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -191,8 +191,7 @@ void SignalView::paintWave(QPainter& painter, const Layout& layout, const GraphC
     painter.drawLine(QPointF(area.left(), y(v)), QPointF(area.right(), y(v)));
   painter.setPen(colors.axis);
   for (const double v : {-span, 0.0, span}) {
-    const QString text =
-        v == 0 ? QStringLiteral("0") : (v > 0 ? "+" : "−") + QLocale().toString(std::fabs(v));
+    const QString text = v == 0 ? QStringLiteral("0") : (v > 0 ? "+" : "−") + numberText(std::fabs(v));
     painter.drawText(QRectF(0, y(v) - 8, area.left() - 5, 16), Qt::AlignRight | Qt::AlignVCenter, text);
   }
 
@@ -290,7 +289,7 @@ void SignalView::paintSpectrum(QPainter& painter, const Layout& layout, const Gr
     painter.setPen(colors.axis);
     const double label = std::clamp(y(f), area.top() + 7, area.bottom() - 5);
     painter.drawText(QRectF(0, label - 8, area.left() - 5, 16), Qt::AlignRight | Qt::AlignVCenter,
-                     QLocale().toString(f, 'f', 0));
+                     fixedText(f, 0));
   }
   painter.setPen(QColor(255, 255, 255, 200));
   painter.drawText(area.adjusted(6, 3, -6, 0), Qt::AlignLeft | Qt::AlignTop, tr("Hz"));
@@ -304,7 +303,7 @@ void SignalView::paintTime(QPainter& painter, const Layout& layout, const GraphC
     const double x = std::round(layout.toX(t));
     painter.drawLine(QPointF(x, bottom), QPointF(x, bottom + 3));
     painter.drawText(QRectF(x - 30, bottom + 3, 60, 14), Qt::AlignHCenter | Qt::AlignTop,
-                     QLocale().toString(1000 * t, 'f', 0));
+                     fixedText(1000 * t, 0));
   }
   painter.drawText(QRectF(0, bottom + 3, left_px - 8, 14), Qt::AlignRight | Qt::AlignTop, tr("ms"));
 
@@ -322,7 +321,7 @@ void SignalView::paintTime(QPainter& painter, const Layout& layout, const GraphC
 
 QString SignalView::readout(const Layout& layout) const {
   const double time_s = (cursor_->x() - layout.wave.left()) / layout.wave.width() * layout.duration_s;
-  QString time = tr("%1 ms").arg(QLocale().toString(1000 * time_s, 'f', 1));
+  QString time = tr("%1 ms").arg(fixedText(1000 * time_s, 1));
   if (layout.spectrum.contains(*cursor_)) {
     const playback::Spectrogram& s = signal_->spectrogram;
     if (s.columns == 0) return time;
@@ -333,9 +332,9 @@ QString SignalView::readout(const Layout& layout) const {
     const float level =
         s.at(static_cast<std::size_t>(std::lround(column)), static_cast<std::size_t>(std::lround(row)));
     return tr("%1   %2 Hz   %3 dB")
-        .arg(time, QLocale().toString(row * s.row_Hz, 'f', 0),
+        .arg(time, fixedText(row * s.row_Hz, 0),
              level <= playback::lowestLevel_dB ? QStringLiteral("−∞")
-                                               : QLocale().toString(static_cast<double>(level), 'f', 1));
+                                               : fixedText(static_cast<double>(level), 1));
   }
   if (layout.marks.contains(*cursor_)) {
     const playback::EngineEvent* nearest = nullptr;
@@ -347,14 +346,14 @@ QString SignalView::readout(const Layout& layout) const {
     }
     if (nearest != nullptr)
       return tr("%1 ms   %2 at %3 mm")
-          .arg(QLocale().toString(1000 * timeOf(*nearest), 'f', 1), eventName(nearest->kind),
-               QLocale().toString(nearest->displacement_mm, 'f', 3));
+          .arg(fixedText(1000 * timeOf(*nearest), 1), eventName(nearest->kind),
+               fixedText(nearest->displacement_mm, 3));
     return time;
   }
   const auto at = static_cast<std::size_t>(std::max(0.0, time_s * drawnRate_Hz));
   if (at >= signal_->samples.size()) return time;
   return tr("%1   %2 % of full scale")
-      .arg(time, QLocale().toString(100 * static_cast<double>(signal_->samples[at]), 'f', 1));
+      .arg(time, fixedText(100 * static_cast<double>(signal_->samples[at]), 1));
 }
 
 void SignalView::paintCursor(QPainter& painter, const Layout& layout, const GraphColors& colors) const {

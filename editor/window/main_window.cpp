@@ -66,6 +66,7 @@ MainWindow::~MainWindow() {
   for (DocumentTab* tab : tabs_->all()) tabs_->remove(*tab);
   tabs_->disconnect(this);
   delete feel_;
+  delete session_;
 }
 
 // ---- the parts
@@ -141,16 +142,17 @@ void MainWindow::makeDocks() {
 // A sound device is not touched before the pad is pressed, but the panel itself
 // is not light either.
 void MainWindow::makeFeelPanel() {
-  feel_ = new FeelPanel(at_.view);
+  session_ = new FeelSession(this);
+  feel_ = new FeelPanel(at_.view, *session_);
   feel_->restoreState(at_.settings.value("feel").toMap());
   buttonMenu_->addAction(feel_->exchangeAction());
   ownActions_ << feel_->exchangeAction();
-  connect(feel_, &FeelPanel::statusMessage, statusBar(),
+  connect(session_, &FeelSession::said, statusBar(),
           [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
-  connect(feel_, &FeelPanel::fingerMoved, this, [this](std::optional<FingerPosition> finger) {
+  connect(session_, &FeelSession::fingerMoved, this, [this](std::optional<FingerPosition> finger) {
     if (DocumentTab* tab = tabs_->current()) tab->workspace().showFinger(finger);
   });
-  connect(feel_, &FeelPanel::otherFingerMoved, this, [this](std::optional<FingerPosition> finger) {
+  connect(session_, &FeelSession::otherFingerMoved, this, [this](std::optional<FingerPosition> finger) {
     if (DocumentTab* tab = tabs_->tabOf(otherDocument_)) tab->workspace().showFinger(finger);
   });
   other_ = new QComboBox;
@@ -190,14 +192,14 @@ void MainWindow::setOther(ButtonDocument* other) {
 // A and B are never the same button, not even on the way from one pair to the
 // next.
 void MainWindow::updateFeel() {
-  if (!feel_) return;
+  if (!session_) return;
   DocumentTab* tab = tabs_->current();
   ButtonDocument* shown = tab ? &tab->document() : nullptr;
   ButtonDocument* other = otherDocument_ == shown ? nullptr : otherDocument_.data();
   if (felt_ == std::pair(shown, other)) return;
-  feel_->setOther(nullptr);
-  feel_->setDocument(shown);
-  feel_->setOther(other);
+  session_->setDocument(FeelSide::b, nullptr);
+  session_->setDocument(FeelSide::a, shown);
+  session_->setDocument(FeelSide::b, other);
   felt_ = {shown, other};
 }
 
@@ -246,8 +248,8 @@ void MainWindow::letGo(DocumentTab& tab) {
     otherChosen_ = false;
     setOther(nullptr);
   }
-  if (feel_ && felt_.first == &tab.document()) {
-    feel_->setDocument(nullptr);
+  if (session_ && felt_.first == &tab.document()) {
+    session_->setDocument(FeelSide::a, nullptr);
     felt_.first = nullptr;
   }
   for (QPointer<ButtonDocument>* known : {&shown_, &shownBefore_})

@@ -19,6 +19,7 @@ namespace detent::editor {
 
 class CompareDialog;
 class FeelPanel;
+class FeelSession;
 class LibraryPanel;
 
 /// What a window works with; all of it outlives the window.
@@ -116,6 +117,7 @@ class MainWindow : public QMainWindow {
   FileDesk* files_ = nullptr;
   WelcomePage* welcome_ = nullptr;
   LibraryPanel* library_ = nullptr;
+  FeelSession* session_ = nullptr;
   FeelPanel* feel_ = nullptr;
   CompareDialog* comparison_ = nullptr;
   QStackedWidget *values_ = nullptr, *history_ = nullptr;

@@ -97,7 +97,8 @@ struct DragFigures {
 DragFigures drag(const Button& button, double editsPerSecond) {
   ViewSettings settings;
   ButtonDocument document(button);
-  FeelPanel panel(settings, nullptr, noDevices());
+  FeelSession session(nullptr, noDevices());
+  FeelPanel panel(settings, session);
   panel.resize(420, 900);
   panel.show();
   auto* view = panel.findChild<SignalView*>("signalView");
@@ -111,7 +112,7 @@ DragFigures drag(const Button& button, double editsPerSecond) {
     for (; !waiting.empty() && waiting.front().first <= revision; waiting.pop_front())
       figures.delays_ms.push_back(since_ms(waiting.front().second));
   });
-  panel.setDocument(&document);
+  session.setDocument(FeelSide::a, &document);
   while (!view->pressSignal() || !view->pressSignal()->program) QTest::qWait(5);
   quint64 revision = view->pressSignal()->revision;
 
@@ -140,15 +141,16 @@ struct FingerFigures {
 FingerFigures finger(const Button& button) {
   ViewSettings settings;
   ButtonDocument document(button);
-  FeelPanel panel(settings, nullptr, noDevices());
+  FeelSession session(nullptr, noDevices());
+  FeelPanel panel(settings, session);
   panel.resize(420, 900);
   panel.show();
   FingerFigures figures;
   std::vector<Clock::time_point> told;
-  QObject::connect(&panel, &FeelPanel::fingerMoved, &panel, [&](auto p) {
+  QObject::connect(&session, &FeelSession::fingerMoved, &panel, [&](auto p) {
     if (p) told.push_back(Clock::now());
   });
-  panel.setDocument(&document);
+  session.setDocument(FeelSide::a, &document);
   auto* pad = panel.findChild<QWidget*>("pressPad");
   pad->setFocus();
   QTest::qWait(200);

@@ -32,19 +32,20 @@ const QString jackDevice = "JACK Audio Connection Kit: system";
 struct Rig {
   ViewSettings settings;
   ButtonDocument a{tactileButton()}, b{linearButton()};
-  FeelPanel panel{settings};
+  FeelSession session;
+  FeelPanel panel{settings, session};
   std::optional<FingerPosition> finger;
   double deepest_mm = 0;
 
   Rig() {
-    QObject::connect(&panel, &FeelPanel::fingerMoved, &panel, [this](auto p) {
+    QObject::connect(&session, &FeelSession::fingerMoved, &panel, [this](auto p) {
       finger = p;
       if (p) deepest_mm = std::max(deepest_mm, p->displacement_mm);
     });
     panel.resize(420, 1000);
     panel.restoreState({{"device", jackDevice}});
     panel.show();
-    panel.setDocument(&a);
+    session.setDocument(FeelSide::a, &a);
   }
   template <class Widget>
   Widget* part(const char* name) {
@@ -114,9 +115,9 @@ class FeelLiveTest : public QObject {
     QVERIFY2(std::fabs(tenth / full - 0.1) < 0.02, qPrintable(QString::number(tenth / full)));
 
     // True levels: a linear button has no jump, and nothing makes up for it.
-    rig.panel.setOther(&rig.b);
-    rig.panel.exchange();
-    QTRY_COMPARE(rig.panel.feltDocument(), &rig.b);
+    rig.session.setDocument(FeelSide::b, &rig.b);
+    rig.session.exchange();
+    QTRY_COMPARE(rig.session.feltDocument(), &rig.b);
 
     QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
     QTRY_VERIFY(rig.status().contains("off"));

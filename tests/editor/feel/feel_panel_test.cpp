@@ -9,7 +9,6 @@
 #include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
@@ -23,6 +22,7 @@
 #include "editor/feel/press_pad.h"
 #include "editor/feel/press_strip.h"
 #include "editor/feel/signal_view.h"
+#include "editor/quantity/quantity_field.h"
 #include "model/edits.h"
 #include "tests/editor/feel/feel_buttons.h"
 
@@ -37,14 +37,15 @@ struct Rig {
   NoDevices none;
   ViewSettings settings;
   ButtonDocument a, b;
+  FeelSession session;
   FeelPanel panel;
   std::vector<std::optional<FingerPosition>> finger, otherFinger;
   std::vector<std::uint64_t> shown;
 
   explicit Rig(const Button& first = tactileButton(), const Button& second = linearButton())
-      : a(first), b(second), panel(settings, nullptr, none.devices()) {
-    QObject::connect(&panel, &FeelPanel::fingerMoved, &panel, [this](auto p) { finger.push_back(p); });
-    QObject::connect(&panel, &FeelPanel::otherFingerMoved, &panel,
+      : a(first), b(second), session(nullptr, none.devices()), panel(settings, session) {
+    QObject::connect(&session, &FeelSession::fingerMoved, &panel, [this](auto p) { finger.push_back(p); });
+    QObject::connect(&session, &FeelSession::otherFingerMoved, &panel,
                      [this](auto p) { otherFinger.push_back(p); });
     QObject::connect(view(), &SignalView::shown, &panel, [this](auto r) { shown.push_back(r); });
     panel.resize(400, 900);
@@ -61,7 +62,7 @@ struct Rig {
   QString status() { return part<QLabel>("soundStatus")->text(); }
 
   void open() {
-    panel.setDocument(&a);
+    session.setDocument(FeelSide::a, &a);
     pad()->setFocus();
     QTRY_VERIFY(view()->pressSignal() && view()->pressSignal()->program);
   }
@@ -186,13 +187,13 @@ class FeelPanelTest : public QObject {
     rig.open();
     QVERIFY(!rig.panel.exchangeAction()->isEnabled());
     QTest::keyClick(rig.pad(), Qt::Key_X);
-    QCOMPARE(rig.panel.feltDocument(), &rig.a);
-    rig.panel.setOther(&rig.b);
+    QCOMPARE(rig.session.feltDocument(), &rig.a);
+    rig.session.setDocument(FeelSide::b, &rig.b);
     QVERIFY(rig.panel.exchangeAction()->isEnabled());
-    QSignalSpy felt(&rig.panel, &FeelPanel::feltDocumentChanged);
+    QSignalSpy felt(&rig.session, &FeelSession::feltDocumentChanged);
 
     QTest::keyClick(rig.pad(), Qt::Key_X);
-    QCOMPARE(rig.panel.feltDocument(), &rig.b);
+    QCOMPARE(rig.session.feltDocument(), &rig.b);
     QCOMPARE(felt.count(), 1);
     QVERIFY(rig.part<QToolButton>("feelB")->isChecked());
     QTRY_VERIFY(rig.view()->pressSignal() &&
@@ -203,17 +204,17 @@ class FeelPanelTest : public QObject {
     QVERIFY(rig.finger.empty());
 
     QTest::keyClick(rig.pad(), Qt::Key_X);
-    QCOMPARE(rig.panel.feltDocument(), &rig.a);
+    QCOMPARE(rig.session.feltDocument(), &rig.a);
     QTest::mouseClick(rig.part<QToolButton>("feelB"), Qt::LeftButton);
-    QCOMPARE(rig.panel.feltDocument(), &rig.b);
-    rig.panel.setOther(nullptr);  // back to what is left
-    QCOMPARE(rig.panel.feltDocument(), &rig.a);
+    QCOMPARE(rig.session.feltDocument(), &rig.b);
+    rig.session.setDocument(FeelSide::b, nullptr);  // back to what is left
+    QCOMPARE(rig.session.feltDocument(), &rig.a);
   }
 
   void exchangingUnderTheFingerTakesItAlong() {
     Rig rig;
     rig.open();
-    rig.panel.setOther(&rig.b);
+    rig.session.setDocument(FeelSide::b, &rig.b);
     QTest::qWait(100);
     QTest::keyPress(rig.pad(), Qt::Key_Space);
     QTRY_VERIFY(rig.deepest() > 3.9);
@@ -279,17 +280,17 @@ class FeelPanelTest : public QObject {
     Rig rig;
     {
       ButtonDocument brief(tactileButton());
-      rig.panel.setDocument(&brief);
+      rig.session.setDocument(FeelSide::a, &brief);
       QTest::keyPress(rig.pad(), Qt::Key_Space);  // perhaps before the program is there
       QTest::qWait(60);
     }
-    QCOMPARE(rig.panel.feltDocument(), nullptr);
+    QCOMPARE(rig.session.feltDocument(), nullptr);
     QTest::keyRelease(rig.pad(), Qt::Key_Space);
     QTest::qWait(60);
     rig.open();
     rig.press();
     QTRY_VERIFY(rig.atRest());
-    rig.panel.setDocument(nullptr);
+    rig.session.setDocument(FeelSide::a, nullptr);
     QVERIFY(!rig.view()->pressSignal());
   }
 
@@ -306,9 +307,9 @@ class FeelPanelTest : public QObject {
     QTest::mousePress(rig.pad(), Qt::LeftButton, {}, from);
     QTest::mouseMove(rig.pad(), from + QPoint(0, rig.pad()->height() / 2));
     QTRY_VERIFY(!rig.finger.empty() && rig.finger.back() && rig.finger.back()->displacement_mm > 1);
-    rig.panel.setDocument(nullptr);
+    rig.session.setDocument(FeelSide::a, nullptr);
     QTRY_VERIFY(rig.atRest());
-    rig.panel.setDocument(&rig.b);
+    rig.session.setDocument(FeelSide::a, &rig.b);
     QTRY_VERIFY(rig.view()->pressSignal());
     rig.finger.clear();
     QTest::qWait(150);
@@ -319,7 +320,7 @@ class FeelPanelTest : public QObject {
   void myOwnPressIsDrawnForBothButtons() {
     Rig rig;
     rig.open();
-    rig.panel.setOther(&rig.b);
+    rig.session.setDocument(FeelSide::b, &rig.b);
     auto* mine = rig.part<QToolButton>("myPress");
     QVERIFY(!mine->isEnabled());
     rig.pressToTheEnd();
@@ -339,7 +340,7 @@ class FeelPanelTest : public QObject {
     });
     QCOMPARE(jumps, 2);
 
-    rig.panel.exchange();
+    rig.session.exchange();
     QTRY_VERIFY(rig.view()->pressSignal() && !rig.view()->pressSignal()->standard);
     QCOMPARE(rig.view()->pressSignal()->press.readings.size(), own->press.readings.size());
     QTest::mouseClick(rig.part<QToolButton>("standardPress"), Qt::LeftButton);
@@ -381,8 +382,9 @@ class FeelPanelTest : public QObject {
     mode->setCurrentIndex(mode->findData(static_cast<int>(playback::FeedbackMode::off)));
     QTRY_COMPARE(rig.view()->pressSignal()->peak, 0.0);
     rig.part<QSlider>("gain")->setValue(-12);
-    QTest::keyClicks(rig.part<QDoubleSpinBox>("fullForce"), "");
-    rig.part<QDoubleSpinBox>("fullForce")->setValue(120);  // cN
+    auto* full = rig.part<QuantityField>("fullForce");
+    full->selectAll();
+    QTest::keyClicks(full, "1,2 N");
     const QVariantMap state = rig.panel.saveState();
     QCOMPARE(state.value("mode").toString(), QString("off"));
     QCOMPARE(state.value("gain_dB").toDouble(), -6.0);
@@ -413,7 +415,7 @@ class FeelPanelTest : public QObject {
     rig.panel.restoreState({{"profileFile", good}});
     QTRY_VERIFY(std::abs(rig.view()->pressSignal()->peak / full - 0.5) < 0.02);
     QVERIFY(rig.part<QLabel>("profileNote")->text().contains("6.1 ms"));
-    QSignalSpy said(&rig.panel, &FeelPanel::statusMessage);
+    QSignalSpy said(&rig.session, &FeelSession::said);
     rig.panel.restoreState({{"profileFile", bad}});
     QTRY_VERIFY(std::abs(rig.view()->pressSignal()->peak / full - 1) < 0.02);
     QVERIFY(said.count() >= 1);
@@ -435,7 +437,7 @@ class FeelPanelTest : public QObject {
   void everythingIsReachedAndNamed() {
     Rig rig;
     rig.open();
-    rig.panel.setOther(&rig.b);
+    rig.session.setDocument(FeelSide::b, &rig.b);
     rig.panel.restoreState({{"setupShown", true}});
     QSet<QWidget*> reached;
     QWidget* at = rig.pad();

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/feel/feel_session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "editor/document/message_words.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr double overPress = 1.25;  // as playback's standard press
+
+double fullForceOf(const playback::HapticProgram& program) {
+  return std::max(overPress * playback::strongestForce_N(program), 4 * program.hysteresis_N);
+}
+
+}  // namespace
+
+FeelSession::FeelSession(QObject* parent, const FeelDevices& devices)
+    : QObject(parent), soundDevices_(nullptr, devices), player_(nullptr, devices) {
+  for (const FeelSide side : {FeelSide::a, FeelSide::b})
+    connect(&slot(side).source, &PressSignalSource::ready, this,
+            [this, side](const auto& signal) { takeSignal(side, signal); });
+  connect(&player_, &FeelPlayer::moved, this, &FeelSession::followPlayer);
+  connect(&player_, &FeelPlayer::felt, this, &FeelSession::eventsFelt);
+  connect(&player_, &FeelPlayer::recorded, this, [this](const auto& press) {
+    ownPress_ = press;
+    drawOwnPress(drawsOwn_);
+    emit ownPressChanged();
+  });
+  connect(&player_, &FeelPlayer::sensorChanged, this, &FeelSession::followSensor);
+}
+
+// ---- the pair
+
+void FeelSession::setDocument(FeelSide side, ButtonDocument* document) {
+  Slot& changed = slot(side);
+  if (document != nullptr && changed.document == document) return;
+  if (changed.document) changed.document->disconnect(this);
+  changed.document = document;
+  changed.signal.reset();
+  if (document != nullptr) {
+    connect(document, &ButtonDocument::changed, this, [this, side] { request(slot(side)); });
+    connect(document, &ButtonDocument::titleChanged, this, &FeelSession::pairChanged);
+    connect(document, &QObject::destroyed, this, [this, side] { setDocument(side, nullptr); });
+    request(changed);
+  }
+  emit pairChanged();
+  const FeelSide other = felt_ == FeelSide::a ? FeelSide::b : FeelSide::a;
+  if (!feltDocument() && slot(other).document) {
+    feel(other);
+  } else if (side == felt_) {
+    underFinger();
+    emit feltDocumentChanged(feltDocument());
+  }
+}
+
+void FeelSession::feel(FeelSide side) {
+  if (!slot(side).document || side == felt_) return;
+  if (motion_.pressed) tellFinger(std::nullopt);  // it leaves the graph of the one that was pressed
+  felt_ = side;
+  underFinger();
+  emit feltDocumentChanged(feltDocument());
+  emit said(tr("Pressing %1, at its true level").arg(feltDocument()->title()));
+}
+
+std::shared_ptr<const playback::HapticProgram> FeelSession::program() const {
+  return felt().document && felt().signal ? felt().signal->program : nullptr;
+}
+
+double FeelSession::full_N() const {
+  if (settings_.full_N > 0) return settings_.full_N;
+  const auto pressed = program();
+  return pressed ? fullForceOf(*pressed) : 1;
+}
+
+void FeelSession::underFinger() {
+  player_.setProgram(program());
+  state_ = 0;  // a program begins in its first state
+  emit feltChanged();
+}
+
+// ---- signals of a press
+
+void FeelSession::takeSignal(FeelSide side, std::shared_ptr<const PressSignal> signal) {
+  if (!slot(side).document) return;
+  slot(side).signal = std::move(signal);
+  if (side == felt_) underFinger();
+}
+
+void FeelSession::setWatched(bool watched) {
+  watched_ = watched;
+  for (Slot& each : slots_)
+    if (watched && each.stale) request(each);
+}
+
+void FeelSession::request(Slot& slot) {
+  slot.stale = !watched_;
+  if (slot.stale || !slot.document) return;
+  playback::PlaybackSettings settings;
+  settings.mode = settings_.mode;
+  settings.placement = settings_.placement;
+  slot.source.request({slot.document->button(), profile_.value_or(playback::DeviceProfile{}), settings,
+                       drawsOwn_ ? ownPress_ : nullptr});
+}
+
+void FeelSession::requestAll() {
+  for (Slot& each : slots_) request(each);
+}
+
+void FeelSession::drawOwnPress(bool own) {
+  const bool changes = own || own != drawsOwn_;
+  drawsOwn_ = own;
+  if (changes) requestAll();
+}
+
+bool FeelSession::playable() const { return program() && settings_.sound && !player_.playing(); }
+
+void FeelSession::play() {
+  if (!program()) return;
+  if (!player_.play(std::make_shared<const playback::PressTrace>(signal()->press)))
+    emit said(settings_.sound ? tr("One press at a time") : tr("Switch the sound on to play a press"));
+}
+
+// ---- settings
+
+void FeelSession::setSettings(const FeelSettings& settings) {
+  const FeelSettings before = std::exchange(settings_, settings);
+  player_.setGain(gainOf(settings.gain_dB));
+  player_.setSoundWanted(settings.sound);
+  if (settings.device != before.device || settings.rate_Hz != before.rate_Hz ||
+      settings.buffer != before.buffer)
+    player_.setOutput({settings.device.toStdString(), settings.rate_Hz, settings.buffer});
+  const bool profileChanged = settings.profileFile != before.profileFile;
+  if (profileChanged) loadProfile();
+  if (settings_.sensorPort != before.sensorPort || settings_.sensorBaud != before.sensorBaud ||
+      (profileChanged && !settings_.sensorPort.isEmpty()))
+    connectSensor();
+  if (profileChanged || settings.mode != before.mode || settings.placement != before.placement) requestAll();
+  emit settingsChanged();
+}
+
+void FeelSession::restoreState(const QVariantMap& state) {
+  FeelSettings settings = feelSettingsFrom(state);
+  const QString port = std::exchange(settings.sensorPort, QString());
+  setSettings(settings);
+  if (!port.isEmpty()) emit sensorOffered(port);
+}
+
+void FeelSession::loadProfile() {
+  profile_.reset();
+  profileTrouble_.clear();
+  if (settings_.profileFile.isEmpty()) return;
+  Result<playback::DeviceProfile> loaded = playback::loadDeviceProfile(settings_.profileFile.toStdString());
+  if (loaded) {
+    profile_ = *std::move(loaded);
+    return;
+  }
+  profileTrouble_ = sentenceOf(loaded.failure());
+  settings_.profileFile.clear();
+  emit said(profileTrouble_);
+}
+
+void FeelSession::connectSensor() {
+  SensorPort sensor;
+  sensor.port = settings_.sensorPort.toStdString();
+  sensor.baud = settings_.sensorBaud;
+  if (profile_) sensor.calibration = profile_->sensor;
+  player_.setSensor(sensor);
+}
+
+void FeelSession::followSensor() {
+  if (player_.sensorTrouble().isEmpty() || settings_.sensorPort.isEmpty()) return;
+  const QString port = std::exchange(settings_.sensorPort, QString());
+  emit settingsChanged();
+  emit sensorOffered(port);
+}
+
+// ---- the finger
+
+void FeelSession::pushDepth(double share) {
+  const auto pressed = program();
+  if (!pressed) return;
+  const playback::StateProgram& state = pressed->states[state_];
+  player_.pushDepth(state.start_mm + share * (state.end_mm - state.start_mm));
+}
+
+void FeelSession::followPlayer() {
+  const playback::PlayerStatus& s = player_.status();
+  const bool pressed = player_.pressed(), wasPressed = motion_.pressed;
+  followState(static_cast<std::size_t>(s.state));
+  // A finger that trembles at one place turns the engine's stroke to and fro; it has turned for the eye once
+  // it moves.
+  if (!pressed || s.displacement_mm != motion_.displacement_mm) motion_.releasing = s.releasing;
+  motion_ = {s.displacement_mm, s.force_N, pressed, motion_.releasing, s.contact};
+  if (pressed || wasPressed) {
+    std::optional<FingerPosition> finger;
+    const ButtonDocument* document = feltDocument();
+    // A point of one state says nothing on the graph of the other.
+    if (pressed && document != nullptr && document->activeState() == state_)
+      finger = FingerPosition{motion_.displacement_mm, motion_.force_N,
+                              motion_.releasing ? Stroke::release : Stroke::press};
+    tellFinger(finger);
+  }
+  emit moved();
+}
+
+void FeelSession::tellFinger(const std::optional<FingerPosition>& position) {
+  emit(felt_ == FeelSide::a ? fingerMoved(position) : otherFingerMoved(position));
+}
+
+void FeelSession::followState(std::size_t state) {
+  ButtonDocument* document = feltDocument();
+  if (document == nullptr || state >= document->button().states().size()) return;
+  const bool turned = state != state_;
+  if (turned) {
+    state_ = state;
+    emit stateChanged();
+  }
+  if (!settings_.followState || document->history().dragging() || document->activeState() == state) return;
+  if (turned || player_.pressed()) document->setActiveState(state);
+}
+
+}  // namespace detent::editor

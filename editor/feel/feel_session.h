@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Two buttons and one finger, without widgets: what is pressed, what it feels like, where the finger stands.
+// The window owns it; the feel panel shows it.
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <QObject>
+#include <QPointer>
+#include <QVariantMap>
+#include <vector>
+
+#include "editor/document/button_document.h"
+#include "editor/document/finger_position.h"
+#include "editor/feel/feel_devices.h"
+#include "editor/feel/feel_player.h"
+#include "editor/feel/feel_settings.h"
+#include "editor/feel/press_signal_source.h"
+#include "editor/feel/sound_device_list.h"
+
+namespace detent::editor {
+
+/// A: the button being edited; B: the one it is exchanged with.
+enum class FeelSide : std::uint8_t { a, b };
+
+/// Where the felt button stands. Plain value.
+struct FeelMotion {
+  double displacement_mm = 0, force_N = 0;
+  bool pressed = false, releasing = false, contact = false;
+};
+
+/// No device is touched before the first press; without one everything but the device works. GUI thread.
+class FeelSession : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit FeelSession(QObject* parent = nullptr, const FeelDevices& devices = {});
+
+  /// May be null. Must outlive its use here or be destroyed as a QObject.
+  void setDocument(FeelSide side, ButtonDocument* document);
+  ButtonDocument* document(FeelSide side) const { return slot(side).document; }
+  FeelSide feltSide() const { return felt_; }
+  /// The one that is pressed now: A, or B after an exchange.
+  ButtonDocument* feltDocument() const { return felt().document; }
+  /// Puts that button under the finger; nothing where there is none.
+  void feel(FeelSide side);
+  void exchange() { feel(felt_ == FeelSide::a ? FeelSide::b : FeelSide::a); }
+  bool exchangeable() const { return slots_[0].document && slots_[1].document; }
+
+  /// Signals are computed only while somebody looks.
+  void setWatched(bool watched);
+  /// What a press of the felt button is like; null until it is computed.
+  const std::shared_ptr<const PressSignal>& signal() const { return felt().signal; }
+  /// Null where nothing can be pressed.
+  std::shared_ptr<const playback::HapticProgram> program() const;
+  /// State of the felt button that is pressed.
+  std::size_t state() const { return state_; }
+  /// Force of a full press (N, > 0).
+  double full_N() const;
+  const FeelMotion& motion() const { return motion_; }
+
+  const FeelSettings& settings() const { return settings_; }
+  void setSettings(const FeelSettings& settings);
+  /// As plain text and numbers. Restoring opens no device: sound begins with the next press, and the
+  /// sensor's port is only offered.
+  QVariantMap saveState() const { return toMap(settings_); }
+  void restoreState(const QVariantMap& state);
+  const std::optional<playback::DeviceProfile>& profile() const { return profile_; }
+  /// Why the profile's file could not be read; empty where it could.
+  const QString& profileTrouble() const { return profileTrouble_; }
+
+  // The finger of the pad; shares are of a full press and of the travel, 0..1.
+  void down() { player_.down(full_N()); }
+  void up() { player_.up(); }
+  void pushForce(double share) { player_.pushForce(share * full_N()); }
+  void pushDepth(double share);
+  void lift() { player_.lift(); }
+
+  /// The last press by hand is there to be drawn and played instead of the standard one.
+  bool ownPressKnown() const { return ownPress_ != nullptr; }
+  void drawOwnPress(bool own);
+  bool playable() const;
+  /// Plays the drawn press on the sound device.
+  void play();
+
+  FeelPlayer& player() { return player_; }
+  SoundDeviceList& soundDevices() { return soundDevices_; }
+
+ signals:
+  /// Documents or their titles.
+  void pairChanged();
+  void feltDocumentChanged(detent::editor::ButtonDocument* document);
+  /// Another signal or program is under the finger.
+  void feltChanged();
+  /// Of a self-locking button another state is pressed.
+  void stateChanged();
+  void settingsChanged();
+  void ownPressChanged();
+  /// A port to connect to by hand: remembered, or one that could not be reached.
+  void sensorOffered(const QString& port);
+  /// motion() has changed; at least 60 times a second while a finger presses.
+  void moved();
+  void eventsFelt(const std::vector<detent::playback::EngineEvent>& events);
+  /// Where the finger stands on A's graph; nullopt when it has left, and while B is pressed.
+  void fingerMoved(std::optional<detent::editor::FingerPosition> position);
+  /// The same for B.
+  void otherFingerMoved(std::optional<detent::editor::FingerPosition> position);
+  /// For the status bar.
+  void said(const QString& message);
+
+ private:
+  struct Slot {
+    QPointer<ButtonDocument> document;
+    PressSignalSource source;
+    std::shared_ptr<const PressSignal> signal;
+    bool stale = false;  ///< changed while nobody looked
+  };
+  Slot& slot(FeelSide side) { return slots_[static_cast<std::size_t>(side)]; }
+  const Slot& slot(FeelSide side) const { return slots_[static_cast<std::size_t>(side)]; }
+  Slot& felt() { return slot(felt_); }
+  const Slot& felt() const { return slot(felt_); }
+  void request(Slot& slot);
+  void requestAll();
+  void takeSignal(FeelSide side, std::shared_ptr<const PressSignal> signal);
+  void underFinger();
+  void loadProfile();
+  void connectSensor();
+  void followSensor();
+  void followPlayer();
+  void followState(std::size_t state);
+  void tellFinger(const std::optional<FingerPosition>& position);
+
+  FeelSettings settings_;
+  std::optional<playback::DeviceProfile> profile_;
+  QString profileTrouble_;
+  SoundDeviceList soundDevices_;
+  FeelPlayer player_;
+  std::array<Slot, 2> slots_;
+  FeelSide felt_ = FeelSide::a;
+  std::size_t state_ = 0;
+  bool watched_ = false;
+  std::shared_ptr<const playback::PressTrace> ownPress_;  ///< the last one by hand
+  bool drawsOwn_ = false;
+  FeelMotion motion_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/feel/sound_box.h"
+
+#include <cmath>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "editor/feel/feel_clock.h"
+#include "editor/feel/level_meter.h"
+#include "editor/quantity/quantity.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr double gainStepsPer_dB = 2;  // of the slider
+constexpr double figuresEvery_s = 0.25;
+
+QString withMinus(QString number) { return number.replace('-', QChar(0x2212)); }
+
+}  // namespace
+
+SoundBox::SoundBox(FeelSession& session, QWidget* parent) : QWidget(parent), session_(session) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addLayout(levelRow());
+  column->addLayout(gainRow());
+  column->addLayout(statusRow());
+  connect(&session_, &FeelSession::settingsChanged, this, &SoundBox::showSettings);
+  connect(&session_, &FeelSession::moved, this, &SoundBox::showStatus);
+  connect(&session_.player(), &FeelPlayer::soundChanged, this, &SoundBox::showSound);
+  showSettings();
+  showSound();
+}
+
+QLayout* SoundBox::levelRow() {
+  sound_ = new QToolButton;
+  sound_->setObjectName("soundSwitch");
+  sound_->setText(tr("Sound"));
+  sound_->setCheckable(true);
+  sound_->setToolTip(
+      tr("Play what is felt on the sound device. The device is opened by the first press, "
+         "and closed when this is switched off."));
+  connect(sound_, &QToolButton::toggled, this, [this](bool on) {
+    FeelSettings next = session_.settings();
+    next.sound = on;
+    session_.setSettings(next);
+  });
+  meter_ = new LevelMeter;
+  meter_->setObjectName("levelMeter");
+  auto* row = new QHBoxLayout;
+  row->addWidget(sound_);
+  row->addWidget(meter_, 1);
+  return row;
+}
+
+QLayout* SoundBox::gainRow() {
+  auto* label = new QLabel(tr("&Gain"));
+  gain_ = new QSlider(Qt::Horizontal);
+  gain_->setObjectName("gain");
+  gain_->setRange(static_cast<int>(lowestGain_dB * gainStepsPer_dB),
+                  static_cast<int>(highestGain_dB * gainStepsPer_dB));
+  gain_->setPageStep(static_cast<int>(6 * gainStepsPer_dB));
+  gain_->setTickInterval(static_cast<int>(20 * gainStepsPer_dB));
+  gain_->setTickPosition(QSlider::TicksBelow);
+  gain_->setToolTip(
+      tr("Gain before the limiter, −40 to +20 dB; 0 dB is what the button and the device profile ask for"));
+  connect(gain_, &QSlider::valueChanged, this, [this](int steps) {
+    FeelSettings next = session_.settings();
+    next.gain_dB = steps / gainStepsPer_dB;
+    session_.setSettings(next);
+  });
+  label->setBuddy(gain_);
+  gainText_ = new QLabel;
+  gainText_->setMinimumWidth(gainText_->fontMetrics().horizontalAdvance("−40.0 dB"));
+  gainText_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  auto* row = new QHBoxLayout;
+  row->addWidget(label);
+  row->addWidget(gain_, 1);
+  row->addWidget(gainText_);
+  return row;
+}
+
+QLayout* SoundBox::statusRow() {
+  status_ = new QLabel;
+  status_->setObjectName("soundStatus");
+  status_->setWordWrap(true);
+  status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  again_ = new QPushButton(tr("Try again"));
+  again_->setObjectName("soundAgain");
+  again_->setToolTip(tr("Open the sound device once more"));
+  connect(again_, &QPushButton::clicked, &session_.player(), &FeelPlayer::startSound);
+  auto* row = new QHBoxLayout;
+  row->addWidget(status_, 1);
+  row->addWidget(again_);
+  return row;
+}
+
+void SoundBox::showSettings() {
+  const QSignalBlocker soundBlocked(sound_), gainBlocked(gain_);
+  sound_->setChecked(session_.settings().sound);
+  gain_->setValue(static_cast<int>(std::lround(session_.settings().gain_dB * gainStepsPer_dB)));
+  gainText_->setText(tr("%1 dB").arg(withMinus(fixedText(session_.settings().gain_dB, 1))));
+  showStatus();
+}
+
+void SoundBox::showSound() {
+  const SoundState sound = session_.player().sound();
+  again_->setVisible(sound == SoundState::failed);
+  if (sound == SoundState::lost || sound == SoundState::failed)
+    emit session_.said(tr("No sound: the finger is followed silently"));
+  showStatus();
+}
+
+QString SoundBox::soundWords() const {
+  const playback::PlayerStatus& s = session_.player().status();
+  switch (session_.player().sound()) {
+    case SoundState::off:
+      return session_.settings().sound ? tr("Sound starts with the first press.")
+                                       : tr("Sound is off; the finger is followed silently.");
+    case SoundState::starting:
+      return tr("Opening the sound device; the finger is followed silently until then.");
+    case SoundState::lost:
+      return tr("The sound device %1 is gone. Plug it in or start its server again: sound goes on by "
+                "itself. Until then the finger is followed silently.")
+          .arg(QString::fromStdString(s.device));
+    case SoundState::failed:
+      return tr("No sound: %1 The finger is followed silently.").arg(session_.player().trouble());
+    case SoundState::on:
+      break;
+  }
+  QString text = tr("%1 · %2 kHz").arg(QString::fromStdString(s.device), numberText(s.sampleRate_Hz / 1000));
+  if (s.blockFrames > 0 && s.sampleRate_Hz > 0)
+    text += tr(" · buffer %1 (%2 ms)")
+                .arg(s.blockFrames)
+                .arg(fixedText(1000 * s.blockFrames / s.sampleRate_Hz, 1));
+  text += tr(" · load %1 %").arg(fixedText(100 * s.meanLoad, 1)) + tr(" · drop-outs: %1").arg(s.xruns);
+  if (s.deviceLosses > 0) text += tr(" · losses: %1").arg(s.deviceLosses);
+  return text;
+}
+
+void SoundBox::showStatus() {
+  const SoundState sound = session_.player().sound();
+  const QString text = soundWords();
+  // Figures change all the time; they are read, not watched.
+  const bool figures = sound == SoundState::on && shownSound_ == SoundState::on;
+  if (text != status_->text() && (!figures || steadyTime_s() - figuresAt_s_ > figuresEvery_s)) {
+    status_->setText(text);
+    figuresAt_s_ = steadyTime_s();
+    shownSound_ = sound;
+  }
+  if (sound != SoundState::on) return meter_->setIdle();
+  const auto program = session_.program();
+  meter_->setLevel(session_.player().status().level, program ? program->limiterCeiling : 1, steadyTime_s());
+}
+
+}  // namespace detent::editor

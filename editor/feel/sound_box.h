@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Sound on or off, its level and gain, and how the sound device is doing.
+
+#include <QWidget>
+
+#include "editor/feel/feel_session.h"
+
+class QLabel;
+class QPushButton;
+class QSlider;
+class QToolButton;
+
+namespace detent::editor {
+
+class LevelMeter;
+
+/// Shows the sound of a session and changes its settings. GUI thread.
+class SoundBox : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `session` must outlive it.
+  explicit SoundBox(FeelSession& session, QWidget* parent = nullptr);
+
+ private:
+  QLayout* levelRow();
+  QLayout* gainRow();
+  QLayout* statusRow();
+  void showSettings();
+  void showSound();
+  void showStatus();
+  QString soundWords() const;
+
+  FeelSession& session_;
+  LevelMeter* meter_ = nullptr;
+  QToolButton* sound_ = nullptr;
+  QSlider* gain_ = nullptr;
+  QLabel *gainText_ = nullptr, *status_ = nullptr;
+  QPushButton* again_ = nullptr;
+  SoundState shownSound_ = SoundState::off;
+  double figuresAt_s_ = 0;
+};
+
+}  // namespace detent::editor
