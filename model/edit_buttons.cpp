@@ -17,8 +17,8 @@ std::optional<Failure> factorProblem(double factor) {
   if (std::isfinite(factor) && factor > 0) return {};
   char text[40];
   std::snprintf(text, sizeof text, "%.9g", factor);
-  return refusal("scale", "", "factor " + std::string(text) + " is not a finite number above 0",
-                 "Give a factor such as 1.1");
+  return refusal("scale", "", Message("factor %1 is not a finite number above 0", text),
+                 Message("Give a factor such as 1.1"));
 }
 
 Result<ForceGraph> editBothStrokes(const ForceGraph& graph, const CurveEdit& edit) {
@@ -45,7 +45,7 @@ using StateEdit = std::function<std::optional<Failure>(ButtonState&)>;
 
 Result<Button> editState(const Button& button, std::size_t index, const StateEdit& edit) {
   if (index >= button.states().size())
-    return refusal("button", "", "has no state " + std::to_string(index + 1), "Choose one of its states");
+    return refusal("button", "", Message("has no state %1", index + 1), Message("Choose one of its states"));
   std::vector<ButtonState> states = button.states();
   if (auto problem = edit(states[index])) return *problem;
   return Button::fromStates(button.name(), std::move(states), button.provenance());
@@ -84,7 +84,8 @@ Result<StrokeCurve> scaleTravel(const StrokeCurve& curve, double factor) {
 
 Result<ForceGraph> editStroke(const ForceGraph& graph, Stroke stroke, const CurveEdit& edit) {
   if (stroke == Stroke::release && !graph.release())
-    return refusal("force graph", "release curve", "does not exist", "Mirror the press curve first");
+    return refusal("force graph", Message("release curve"), Message("does not exist"),
+                   Message("Mirror the press curve first"));
   auto edited = edit(graph.curve(stroke));
   if (!edited) return edited.failure();
   if (stroke == Stroke::press) return ForceGraph::fromCurves(*std::move(edited), graph.release());
@@ -93,8 +94,8 @@ Result<ForceGraph> editStroke(const ForceGraph& graph, Stroke stroke, const Curv
 
 Result<ForceGraph> mirrorPressToRelease(const ForceGraph& graph, double hysteresis_N) {
   if (!std::isfinite(hysteresis_N) || hysteresis_N < 0)
-    return refusal("force graph", "hysteresis", "is not a finite number >= 0",
-                   "Give a force in N, 0 for none");
+    return refusal("force graph", Message("hysteresis"), Message("is not a finite number >= 0"),
+                   Message("Give a force in N, 0 for none"));
   std::vector<Knot> knots = graph.press().knots();
   for (Knot& k : knots) {
     if (hysteresis_N == 0) continue;
@@ -158,8 +159,9 @@ Result<Button> setDamping(const Button& button, std::size_t state, std::vector<D
 Result<Button> addState(const Button& button, std::size_t of) {
   std::vector<ButtonState> states = button.states();
   if (of >= states.size())
-    return refusal("button", "", "has no state " + std::to_string(of + 1), "Choose one of its states");
-  if (states.size() > 1) return refusal("button", "", "has two states already", "Remove one of them first");
+    return refusal("button", "", Message("has no state %1", of + 1), Message("Choose one of its states"));
+  if (states.size() > 1)
+    return refusal("button", "", Message("has two states already"), Message("Remove one of them first"));
   if (states[of].name.empty()) states[of].name = "unlocked";
   states.push_back(states[of]);
   states.back().name = states[of].name == "locked" ? "unlocked" : "locked";
@@ -169,8 +171,9 @@ Result<Button> addState(const Button& button, std::size_t of) {
 Result<Button> removeState(const Button& button, std::size_t state) {
   std::vector<ButtonState> states = button.states();
   if (state >= states.size())
-    return refusal("button", "", "has no state " + std::to_string(state + 1), "Choose one of its states");
-  if (states.size() == 1) return refusal("button", "", "has this state alone", "Add a second one first");
+    return refusal("button", "", Message("has no state %1", state + 1), Message("Choose one of its states"));
+  if (states.size() == 1)
+    return refusal("button", "", Message("has this state alone"), Message("Add a second one first"));
   states.erase(states.begin() + static_cast<std::ptrdiff_t>(state));
   return Button::fromStates(button.name(), std::move(states), button.provenance());
 }

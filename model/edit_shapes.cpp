@@ -2,19 +2,12 @@
 // Edits of whole shapes: tactile points, sections, jumps.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "model/check.h"
 #include "model/edits.h"
 
 namespace detent {
 namespace {
-
-std::string numberText(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.9g", value);
-  return buffer;
-}
 
 Failure refusal(Message place, Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, "stroke curve", std::move(place), std::move(problem), std::move(remedies)};
@@ -79,23 +72,22 @@ Hill hillAt(const StrokeCurve& curve, CurvePoint apex, double reachEnd_mm) {
   return hill;
 }
 
-std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const std::string& place) {
+std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Message& place) {
   const auto [before, apex, after] = hill;
   if (!(to.displacement_mm > before.displacement_mm && to.displacement_mm < after.displacement_mm))
-    return refusal(place,
-                   "cannot move to " + numberText(to.displacement_mm) + " mm, outside its flanks from " +
-                       numberText(before.displacement_mm) + " to " + numberText(after.displacement_mm) +
-                       " mm",
-                   "Keep it between the neighbouring extrema");
+    return refusal(
+        place,
+        Message("cannot move to %1, outside its flanks from %2 to %3", millimetres(to.displacement_mm),
+                millimetres(before.displacement_mm), millimetres(after.displacement_mm)),
+        Message("Keep it between the neighbouring extrema"));
   const bool top = apex.force_N > before.force_N || apex.force_N > after.force_N;
   const double bound =
       top ? std::max(before.force_N, after.force_N) : std::min(before.force_N, after.force_N);
   const bool stays = std::isfinite(to.force_N) && (top ? to.force_N > bound : to.force_N < bound);
   if (stays) return {};
-  return refusal(place,
-                 "would be no extremum at " + numberText(to.force_N) + " N: its flanks end at " +
-                     numberText(bound) + " N",
-                 std::string("Keep its force ") + (top ? "above" : "below") + " that");
+  return refusal(
+      place, Message("would be no extremum at %1: its flanks end at %2", newtons(to.force_N), newtons(bound)),
+      top ? Message("Keep its force above that") : Message("Keep its force below that"));
 }
 
 // The knot at a place of the curve (of a wall's two, the one with that force).
@@ -129,7 +121,7 @@ void stretchFlank(std::vector<Knot>& knots, std::size_t first, std::size_t last,
 }
 
 Result<StrokeCurve> moveApex(const StrokeCurve& original, const Hill& hill, CurvePoint to,
-                             const std::string& place) {
+                             const Message& place) {
   if (auto problem = hillProblem(hill, to, place)) return *problem;
   StrokeCurve curve = withExtremumKnotAt(original, hill.apex.displacement_mm);
   curve = withKnotAt(withKnotAt(curve, hill.before.displacement_mm), hill.after.displacement_mm);
@@ -147,9 +139,8 @@ Result<StrokeCurve> moveApex(const StrokeCurve& original, const Hill& hill, Curv
 }
 
 Failure noSuchTactilePoint(std::size_t index, std::size_t count) {
-  return refusal("",
-                 "has no tactile point " + std::to_string(index + 1) + ", it has " + std::to_string(count),
-                 "Choose one of its tactile points");
+  return refusal("", Message("has no tactile point %1, it has %2", index + 1, count),
+                 Message("Choose one of its tactile points"));
 }
 
 // ---- sections
@@ -176,12 +167,12 @@ struct Drag {
   static double levelledSlope(double share) { return 6 * share * (1 - share); }
 };
 
-std::optional<Failure> dragProblem(const Drag& drag, const std::string& place) {
+std::optional<Failure> dragProblem(const Drag& drag, const Message& place) {
   const auto fault = [&](double limit_mm) {
     return refusal(place,
-                   "cannot move by " + numberText(drag.by_mm) +
-                       " mm, past the end of the section beside it at " + numberText(limit_mm) + " mm",
-                   "Move it less");
+                   Message("cannot move by %1, past the end of the section beside it at %2",
+                           millimetres(drag.by_mm), millimetres(limit_mm)),
+                   Message("Move it less"));
   };
   if (drag.left_mm < drag.from_mm && !(drag.from_mm + drag.by_mm > drag.left_mm)) return fault(drag.left_mm);
   if (drag.right_mm > drag.to_mm && !(drag.to_mm + drag.by_mm < drag.right_mm)) return fault(drag.right_mm);
@@ -237,22 +228,22 @@ Result<StrokeCurve> straightBetween(const StrokeCurve& original, double from_mm,
 std::optional<Failure> newJumpProblem(const StrokeCurve& curve, Stroke stroke, const NewJump& jump) {
   const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
   if (!positive(jump.width_mm) || !positive(jump.drop_N))
-    return refusal(
-        "new jump",
-        "has width " + numberText(jump.width_mm) + " mm and drop " + numberText(jump.drop_N) + " N",
-        "Give both as numbers above 0");
+    return refusal(Message("new jump"),
+                   Message("has width %1 and drop %2", millimetres(jump.width_mm), newtons(jump.drop_N)),
+                   Message("Give both as numbers above 0"));
   const double end_mm = jump.at_mm + (stroke == Stroke::press ? jump.width_mm : -jump.width_mm);
   const auto inside = [&](double x) { return x > curve.start_mm() && x < curve.end_mm(); };
   if (!inside(jump.at_mm) || !inside(end_mm))
-    return refusal("new jump",
-                   "from " + numberText(jump.at_mm) + " to " + numberText(end_mm) + " mm leaves the curve, " +
-                       numberText(curve.start_mm()) + " to " + numberText(curve.end_mm()) + " mm",
-                   "Make it narrower or move it inward");
+    return refusal(Message("new jump"),
+                   Message("from %1 to %2 leaves the curve, %3 to %4", millimetres(jump.at_mm),
+                           millimetres(end_mm), millimetres(curve.start_mm()), millimetres(curve.end_mm())),
+                   Message("Make it narrower or move it inward"));
   const double towards =
       stroke == Stroke::press ? curve.slopeBefore_N_per_mm(jump.at_mm) : curve.slope_N_per_mm(jump.at_mm);
   if (towards > 0) return {};
-  return refusal("new jump", "starts at " + numberText(jump.at_mm) + " mm, where the force does not rise",
-                 "Start it on a rising slope, so that its start is a tactile point");
+  return refusal(Message("new jump"),
+                 Message("starts at %1, where the force does not rise", millimetres(jump.at_mm)),
+                 Message("Start it on a rising slope, so that its start is a tactile point"));
 }
 
 // Steepest safe slope at the end of a monotone piece that should arrive with `slope`.
@@ -270,16 +261,16 @@ Result<StrokeCurve> moveTactilePoint(const StrokeCurve& curve, Stroke stroke, st
   if (index >= points.size()) return noSuchTactilePoint(index, points.size());
   const CurvePoint apex{points[index].displacement_mm, points[index].force_N};
   const Hill hill = hillAt(curve, apex, bottomOutOf(curve, settings).displacement_mm);
-  return moveApex(curve, hill, to, "tactile point " + std::to_string(index + 1));
+  return moveApex(curve, hill, to, Message("tactile point %1", index + 1));
 }
 
 Result<StrokeCurve> moveTurn(const StrokeCurve& curve, CurvePoint turn, CurvePoint to,
                              const SectionSettings& settings) {
   std::vector<CurvePoint> turns = curve.localMaxima();
   for (const CurvePoint& p : curve.localMinima()) turns.push_back(p);
-  const std::string place = "turn at " + numberText(turn.displacement_mm) + " mm";
+  const Message place("turn at %1", millimetres(turn.displacement_mm));
   if (std::find(turns.begin(), turns.end(), turn) == turns.end())
-    return refusal(place, "is not an extremum of the curve", "Choose a valley or a hump");
+    return refusal(place, Message("is not an extremum of the curve"), Message("Choose a valley or a hump"));
   const double foot_mm = bottomOutOf(curve, settings).displacement_mm;
   return moveApex(curve, hillAt(curve, turn, foot_mm), to, place);
 }
@@ -288,9 +279,9 @@ Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIn
                                  const SectionSettings& settings) {
   const std::vector<TactilePoint> points = tactilePoints(press, Stroke::press, settings);
   if (tactileIndex >= points.size()) return noSuchTactilePoint(tactileIndex, points.size());
-  const std::string place = "tactile point " + std::to_string(tactileIndex + 1);
+  const Message place("tactile point %1", tactileIndex + 1);
   if (!std::isfinite(ratio) || ratio <= 0)
-    return refusal(place, "cannot have a snap ratio of " + numberText(ratio), "Give a ratio above 0");
+    return refusal(place, Message("cannot have a snap ratio of %1", ratio), Message("Give a ratio above 0"));
   const TactilePoint& tactile = points[tactileIndex];
   const double stop_mm =
       tactileIndex + 1 < points.size() ? points[tactileIndex + 1].displacement_mm : press.end_mm();
@@ -300,30 +291,30 @@ Result<StrokeCurve> setSnapRatio(const StrokeCurve& press, std::size_t tactileIn
         (!valley || p.force_N < valley->force_N))
       valley = p;
   if (!valley)
-    return refusal(place, "has no valley after it", "Add one, or move the end of the stroke above it");
+    return refusal(place, Message("has no valley after it"),
+                   Message("Add one, or move the end of the stroke above it"));
   const double foot_mm = bottomOutOf(press, settings).displacement_mm;
   const Hill hill = hillAt(press, *valley, foot_mm);
   return moveApex(press, hill, {valley->displacement_mm, tactile.force_N * (1 - ratio)},
-                  "valley after " + place);
+                  Message("valley after %1", place));
 }
 
 Result<StrokeCurve> moveSection(const StrokeCurve& curve, Stroke stroke, std::size_t index, double by_mm,
                                 double by_N, const SectionSettings& settings) {
   std::vector<Section> sections = sectionsOf(curve, stroke, settings);
   if (index >= sections.size())
-    return refusal(
-        "", "has no section " + std::to_string(index + 1) + ", it has " + std::to_string(sections.size()),
-        "Choose one of its sections");
+    return refusal("", Message("has no section %1, it has %2", index + 1, sections.size()),
+                   Message("Choose one of its sections"));
   if (!std::isfinite(by_mm) || !std::isfinite(by_N))
-    return refusal("section " + std::to_string(index + 1), "cannot move by a number that is not finite",
-                   "Give finite distances");
+    return refusal(Message("section %1", index + 1), Message("cannot move by a number that is not finite"),
+                   Message("Give finite distances"));
   const Section moved = sections[index];
   const auto [from_mm, to_mm] = std::minmax(moved.from_mm, moved.to_mm);
   double left_mm = from_mm, right_mm = to_mm;
   if (index > 0) (stroke == Stroke::press ? left_mm : right_mm) = sections[index - 1].from_mm;
   if (index + 1 < sections.size()) (stroke == Stroke::press ? right_mm : left_mm) = sections[index + 1].to_mm;
   const Drag drag{left_mm, from_mm, to_mm, right_mm, by_mm, by_N};
-  if (auto problem = dragProblem(drag, "section " + std::to_string(index + 1))) return *problem;
+  if (auto problem = dragProblem(drag, Message("section %1", index + 1))) return *problem;
   StrokeCurve prepared = curve;
   for (double x : {left_mm, from_mm, to_mm, right_mm}) prepared = withKnotAt(prepared, x);
   return dragged(prepared, drag);
@@ -339,10 +330,10 @@ Result<StrokeCurve> addJump(const StrokeCurve& curve, Stroke stroke, NewJump jum
   const double tactile_N = curve.force_N(jump.at_mm), end_N = curve.force_N(end_mm);
   const CurvePoint valley{jump.at_mm + 0.5 * sign * jump.width_mm, tactile_N - sign * jump.drop_N};
   if (sign * (end_N - valley.force_N) <= 0)
-    return refusal("new jump",
-                   "would not come back: the curve has " + numberText(end_N) + " N at its end, its valley " +
-                       numberText(valley.force_N) + " N",
-                   "Make the drop larger or the jump narrower");
+    return refusal(Message("new jump"),
+                   Message("would not come back: the curve has %1 at its end, its valley %2", newtons(end_N),
+                           newtons(valley.force_N)),
+                   Message("Make the drop larger or the jump narrower"));
   std::vector<Knot> knots =
       replacedBetween(prepared, from_mm, to_mm, {{valley.displacement_mm, valley.force_N, 0, 0}});
   for (std::size_t i = 1; i + 1 < knots.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/message.h"
 
+#include <cmath>
 #include <cstdio>
 
 namespace detent {
@@ -8,7 +9,8 @@ namespace {
 
 std::string numberText(double value, const char* unit) {
   char text[48];
-  std::snprintf(text, sizeof text, "%.6g%s", value, unit);
+  const bool large = std::abs(value) >= 1e6 && std::abs(value) < 1e9;  // "11000000 N", not "1.1e+07 N"
+  std::snprintf(text, sizeof text, large ? "%.0f%s" : "%.6g%s", value, unit);
   return text;
 }
 

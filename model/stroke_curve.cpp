@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <optional>
 #include <string>
@@ -16,18 +15,12 @@ namespace {
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-std::string numberText(double value) {
-  char buffer[40];
-  std::snprintf(buffer, sizeof buffer, "%.9g", value);
-  return buffer;
-}
-
 Failure curveFailure(Message place, Message problem, Remedies remedies) {
   return {FailureCode::unreadableInput, "stroke curve", std::move(place), std::move(problem),
           std::move(remedies)};
 }
 
-std::string knotPlace(std::size_t index) { return "knot " + std::to_string(index + 1); }
+Message knotPlace(std::size_t index) { return Message("knot %1", index + 1); }
 
 // One non-vertical piece over u = (x - x0)/h in [0, 1]; tangents are slopes times h, so no division by a tiny
 // h occurs.
@@ -182,20 +175,19 @@ std::optional<Failure> knotProblem(const std::vector<Knot>& knots, std::size_t i
                                                               {"slope after", k.slopeAfter_N_per_mm}}};
   for (const auto& [name, value] : values)
     if (!std::isfinite(value))
-      return curveFailure(knotPlace(i),
-                          std::string(name) + " is " + numberText(value) + ", not a finite number",
-                          "Give every knot finite numbers");
+      return curveFailure(knotPlace(i), Message("%1 is %2, not a finite number", name, value),
+                          Message("Give every knot finite numbers"));
   if (i == 0) return {};
   const double before = knots[i - 1].displacement_mm;
   if (k.displacement_mm < before)
     return curveFailure(knotPlace(i),
-                        "displacement " + numberText(k.displacement_mm) +
-                            " mm lies before the previous knot's " + numberText(before) + " mm",
-                        "Order the knots by increasing displacement");
+                        Message("displacement %1 lies before the previous knot's %2",
+                                millimetres(k.displacement_mm), millimetres(before)),
+                        Message("Order the knots by increasing displacement"));
   if (i >= 2 && k.displacement_mm == knots[i - 2].displacement_mm)
-    return curveFailure(knotPlace(i),
-                        "is the third knot at displacement " + numberText(k.displacement_mm) + " mm",
-                        "Keep at most two knots, the ends of one vertical piece, at one displacement");
+    return curveFailure(
+        knotPlace(i), Message("is the third knot at displacement %1", millimetres(k.displacement_mm)),
+        Message("Keep at most two knots, the ends of one vertical piece, at one displacement"));
   return {};
 }
 
@@ -210,9 +202,9 @@ std::optional<Failure> pieceProblem(const std::vector<Knot>& knots, std::size_t 
     if (length > 1) steepest *= length;  // the tangents over the piece must stay finite as well
   }
   if (std::isfinite(steepest)) return {};
-  return curveFailure("piece " + std::to_string(i + 1),
-                      "is so steep that its slope leaves the range of a double",
-                      "Make the piece vertical (equal displacements) or less steep");
+  return curveFailure(Message("piece %1", i + 1),
+                      Message("is so steep that its slope leaves the range of a double"),
+                      Message("Make the piece vertical (equal displacements) or less steep"));
 }
 
 // Three-point end slope of a monotone-safe curve (Fritsch and Butland's limits at the border).
@@ -275,19 +267,17 @@ std::vector<CurvePoint> turnsInto(const std::vector<MonotoneStretch>& stretches,
 
 Result<StrokeCurve> StrokeCurve::fromKnots(std::vector<Knot> knots) {
   if (knots.size() < 2)
-    return curveFailure("", "has " + std::to_string(knots.size()) + " knots, but a curve needs at least 2",
-                        "Give its start and its end");
+    return curveFailure("", Message("has %1 knots, but a curve needs at least 2", knots.size()),
+                        Message("Give its start and its end"));
   if (knots.size() > maxKnots)
-    return curveFailure("",
-                        "has " + std::to_string(knots.size()) + " knots, more than the " +
-                            std::to_string(maxKnots) + " allowed",
-                        "Thin the points first");
+    return curveFailure("", Message("has %1 knots, more than the %2 allowed", knots.size(), maxKnots),
+                        Message("Thin the points first"));
   for (std::size_t i = 0; i < knots.size(); ++i)
     if (auto problem = knotProblem(knots, i)) return *problem;
   if (!(knots.back().displacement_mm > knots.front().displacement_mm))
     return curveFailure(
-        "", "has zero travel: all knots lie at " + numberText(knots.front().displacement_mm) + " mm",
-        "Give the curve two different displacements");
+        "", Message("has zero travel: all knots lie at %1", millimetres(knots.front().displacement_mm)),
+        Message("Give the curve two different displacements"));
   for (std::size_t i = 0; i + 1 < knots.size(); ++i)
     if (auto problem = pieceProblem(knots, i)) return *problem;
   return StrokeCurve(std::move(knots));

@@ -56,9 +56,9 @@ Result<StrokeCurve> strokeFrom(const StrokeSketch& sketch) {
   std::vector<Knot> knots = smooth->knots();
   for (std::size_t piece : sketch.straight) {
     if (piece + 1 >= knots.size())
-      return Failure{FailureCode::wrongUsage, "stroke sketch", "piece " + std::to_string(piece + 1),
-                     "does not exist: the sketch has " + std::to_string(knots.size() - 1) + " pieces",
-                     "Name one of its pieces"};
+      return Failure{FailureCode::wrongUsage, "stroke sketch", Message("piece %1", piece + 1),
+                     Message("does not exist: the sketch has %1 pieces", knots.size() - 1),
+                     Message("Name one of its pieces")};
     Knot &a = knots[piece], &b = knots[piece + 1];
     if (a.displacement_mm == b.displacement_mm) continue;
     a.slopeAfter_N_per_mm = b.slopeBefore_N_per_mm =

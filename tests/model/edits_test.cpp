@@ -173,7 +173,7 @@ TEST_CASE("a tactile point goes exactly where it is moved and stays the only one
     CHECK(moved.force_N(3.0) == Approx(curve.force_N(3.0)).epsilon(1e-12));
   }
   requireRefusal(moveTactilePoint(curve, Stroke::press, 0, {1.7, 0.6}),
-                 "outside its flanks from 0 to 1.6 mm");
+                 "outside its flanks from 0 mm to 1.6 mm");
   requireRefusal(moveTactilePoint(curve, Stroke::press, 0, {1, 0.35}), "would be no extremum at 0.35 N");
   requireRefusal(moveTactilePoint(curve, Stroke::press, 1, {1, 0.6}), "has no tactile point 2, it has 1");
   requireRefusal(moveTactilePoint(curve, Stroke::press, 0, {notANumber, 0.6}), "cannot move to nan mm");
