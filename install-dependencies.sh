@@ -28,11 +28,13 @@ import_packages=(
 build_packages=(
   qt6-base-dev qt6-base-dev-tools qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools libqcustomplot-dev libgl-dev
   portaudio19-dev libjack-jackd2-dev libboost-dev libboost-system-dev liblo-dev libsndfile1-dev libreaderwriterqueue-dev
+  libusb-1.0-0-dev                 # the Novint Falcon
 )
 test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
   git python3 python3-numpy time
   jackd2 puredata-core
+  umockdev libumockdev-dev         # a Falcon that is none
   xvfb xauth xdotool openbox imagemagick fonts-dejavu-core
   gnuplot-nox                      # tests/accuracy draws with it
 )

@@ -10,6 +10,7 @@ namespace detent::playback {
 namespace {
 
 constexpr unsigned mostFalcons = 127;  // devices on a USB bus
+constexpr unsigned serialBaud = 230400, odriveBaud = 115200;
 
 /// A whole text as a number, whatever the locale.
 template <class Number>
@@ -65,6 +66,7 @@ Result<ForceDeviceChoice> forceDeviceFrom(const std::string& text) {
   ForceDeviceChoice choice;
   choice.kind = kind == "serial" ? ForceDeviceKind::serial : ForceDeviceKind::odrive;
   choice.port = detail;
+  choice.baud = kind == "serial" ? serialBaud : odriveBaud;
   choice.profile = voiceCoilRig();
   choice.profile.name = text;
   return choice;

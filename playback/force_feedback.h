@@ -29,11 +29,12 @@ enum class ForceDeviceKind : std::uint8_t { simulated, serial, odrive, falcon };
 struct ForceDeviceChoice {
   ForceDeviceKind kind = ForceDeviceKind::simulated;
   std::string port;          ///< of serial and odrive
-  unsigned baud = 230400;    ///< of serial; USB ignores it
+  unsigned baud = 230400;    ///< of serial and odrive; USB ignores it
   unsigned axis = 0;         ///< of an ODrive
   double mmPerTurn = 60;     ///< of an ODrive's capstan; negative where the motor is mounted the other way
   bool uploadTable = false;  ///< of serial: the microcontroller runs the law at its own rate
   unsigned number = 0;       ///< of several Falcons
+  std::string firmwareFile;  ///< of a Falcon; empty: it has been given one since it was switched on
   ForceDeviceProfile profile;
 };
 /// Failure: wrongUsage with the words that are known.
@@ -65,10 +66,12 @@ struct ForceStatus {
   double worstLate_s = 0, meanLate_s = 0;
   bool realtime = false;
   ForceGuardCounts guard;
-  std::uint64_t lateAnswers = 0, malformedAnswers = 0, repeatedAnswers = 0, reconnects = 0;
+  std::uint64_t lateAnswers = 0, malformedAnswers = 0, repeatedAnswers = 0, reconnects = 0, firmwareTries = 0;
   double lowestBalance_mJ = 0;  ///< of the passivity observer; below 0: the button gave more than it held
   std::uint64_t droppedRows = 0;
-  bool connected = true, finished = false;
+  bool connected = true;
+  bool homing = false;  ///< the person has to move the handle all the way out and in
+  bool finished = false;
 };
 
 /// A button under a finger. Destroying it lets the force fall to nothing within 10 ms and joins its thread.

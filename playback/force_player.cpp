@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "playback/device/falcon_force_device.h"
+#include "playback/device/falcon_protocol.h"
 #include "playback/device/force_loop.h"
 #include "playback/device/odrive_force_device.h"
 #include "playback/device/serial_force_device.h"
@@ -109,12 +111,32 @@ Result<std::unique_ptr<ForceDevice>> odriveOn(const PreparedForce& prepared,
                                               const ForceDeviceChoice& choice) {
   OdriveSettings settings;
   settings.port = choice.port;
+  settings.baud = choice.baud;
   settings.axis = choice.axis;
   settings.mmPerTurn = choice.mmPerTurn;
   settings.period_s = prepared.program.period_s;
   DeviceResult<std::unique_ptr<OdriveForceDevice>> device = OdriveForceDevice::open(settings);
   if (!device) return failureFrom(device.trouble());
   return std::unique_ptr<ForceDevice>(std::move(*device));
+}
+
+Result<std::unique_ptr<ForceDevice>> falconOn(const PreparedForce& prepared,
+                                              const ForceDeviceChoice& choice) {
+  FalconSettings settings;
+  settings.number = choice.number;
+  settings.period_s = prepared.program.period_s;
+  if (!choice.firmwareFile.empty()) {
+    DeviceResult<std::vector<std::uint8_t>> firmware = readFalconFirmware(choice.firmwareFile);
+    if (!firmware) {
+      Failure failure = failureFrom(firmware.trouble());
+      failure.code = FailureCode::unreadableInput;
+      return failure;
+    }
+    settings.firmware = *std::move(firmware);
+  }
+  DeviceResult<std::unique_ptr<ForceDevice>> device = openFalcon(settings);
+  if (!device) return failureFrom(device.trouble());
+  return std::move(*device);
 }
 
 Result<std::unique_ptr<ForceDevice>> openDevice(const Button& button, const PreparedForce& prepared,
@@ -129,9 +151,7 @@ Result<std::unique_ptr<ForceDevice>> openDevice(const Button& button, const Prep
     case ForceDeviceKind::falcon:
       break;
   }
-  return Failure{FailureCode::deviceTrouble, "Novint Falcon " + std::to_string(settings.device.number), "",
-                 "this version cannot reach a Falcon yet",
-                 "Try its preset without hardware: --device sim:falcon"};
+  return falconOn(prepared, settings.device);
 }
 
 class RunningForce : public ForcePlayer {
@@ -169,9 +189,11 @@ class RunningForce : public ForcePlayer {
     to.malformedAnswers = from.link.malformed;
     to.repeatedAnswers = from.link.repeated;
     to.reconnects = from.link.reconnects;
+    to.firmwareTries = from.link.firmwareTries;
     to.lowestBalance_mJ = from.lowestBalance_mJ;
     to.droppedRows = from.droppedRows;
-    to.connected = from.connected;
+    to.connected = from.device != ForceDeviceState::lost;
+    to.homing = from.device == ForceDeviceState::homing;
     to.finished = from.finished;
     return to;
   }

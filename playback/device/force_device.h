@@ -12,11 +12,19 @@ namespace detent::playback {
 
 /// How the link is doing; counted since it was opened.
 struct ForceLinkCounts {
-  std::uint64_t exchanges = 0;   ///< asked for
-  std::uint64_t late = 0;        ///< answers that did not come in their period
-  std::uint64_t malformed = 0;   ///< answers that were none
-  std::uint64_t repeated = 0;    ///< the same answer again
-  std::uint64_t reconnects = 0;  ///< times the device came back
+  std::uint64_t exchanges = 0;      ///< asked for
+  std::uint64_t late = 0;           ///< answers that did not come in their period
+  std::uint64_t malformed = 0;      ///< answers that were none
+  std::uint64_t repeated = 0;       ///< the same answer again
+  std::uint64_t reconnects = 0;     ///< times the device came back
+  std::uint64_t firmwareTries = 0;  ///< uploads of a firmware, the successful ones included
+};
+
+/// What keeps a device from rendering.
+enum class ForceDeviceState : std::uint8_t {
+  ready,
+  homing,  ///< it does not know where it is: the person has to move the handle all the way out and in
+  lost     ///< unplugged or reset; exchanges try to bring it back
 };
 
 /// One thread uses it, from opening to destruction. The destructor leaves the device without force.
@@ -28,8 +36,7 @@ class ForceDevice {
   /// Never throws; a lost device gives no fresh reading until it is back.
   virtual ForceReading exchange(const ForceCommand& command) = 0;
 
-  /// False while the device is gone (unplugged, reset); exchanges then try to bring it back.
-  virtual bool connected() const { return true; }
+  virtual ForceDeviceState state() const { return ForceDeviceState::ready; }
   virtual ForceLinkCounts counts() const { return {}; }
 };
 

@@ -74,7 +74,7 @@ void ForceLoop::publish(bool finished) {
   published_.link = device_->counts();
   published_.lowestBalance_mJ = engine_.lowestBalance_mJ();
   published_.droppedRows = dropped_;
-  published_.connected = device_->connected();
+  published_.device = device_->state();
   published_.finished = finished;
 }
 

@@ -37,7 +37,8 @@ struct ForceLoopStatus {
   ForceLinkCounts link;
   double lowestBalance_mJ = 0;
   std::uint64_t droppedRows = 0;  ///< steps that nobody fetched in time
-  bool connected = true, finished = false;
+  ForceDeviceState device = ForceDeviceState::ready;
+  bool finished = false;
 };
 
 /// Owns the device while it lives. Its functions belong to one other thread.

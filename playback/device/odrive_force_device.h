@@ -29,7 +29,9 @@ class OdriveForceDevice : public ForceDevice {
   ~OdriveForceDevice() override;
 
   ForceReading exchange(const ForceCommand& command) override;
-  bool connected() const override { return link_.isOpen(); }
+  ForceDeviceState state() const override {
+    return link_.isOpen() ? ForceDeviceState::ready : ForceDeviceState::lost;
+  }
   ForceLinkCounts counts() const override { return counts_; }
 
  private:

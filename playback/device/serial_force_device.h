@@ -33,7 +33,9 @@ class SerialForceDevice : public ForceDevice {
   DeviceResult<bool> upload(const ForceProgram& program);
 
   ForceReading exchange(const ForceCommand& command) override;
-  bool connected() const override { return link_.isOpen(); }
+  ForceDeviceState state() const override {
+    return link_.isOpen() ? ForceDeviceState::ready : ForceDeviceState::lost;
+  }
   ForceLinkCounts counts() const override { return counts_; }
 
  private:

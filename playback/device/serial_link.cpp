@@ -22,14 +22,14 @@ namespace {
 constexpr double reopenPause_s = 0.2, longestWrite_s = 0.001;
 constexpr std::size_t longestLine = 250, reserved = 4096;
 
-speed_t speedOf(unsigned baud) {
+std::optional<speed_t> speedOf(unsigned baud) {
   constexpr std::pair<unsigned, speed_t> known[] = {
       {9600, B9600},     {57600, B57600},   {115200, B115200},   {230400, B230400},
       {460800, B460800}, {921600, B921600}, {1000000, B1000000}, {2000000, B2000000}};
   for (const auto& [rate, speed] : known) {
     if (rate == baud) return speed;
   }
-  return B115200;
+  return {};
 }
 
 bool ready(int descriptor, short events, double wait_s) {
@@ -59,13 +59,17 @@ int SerialLink::openPort(const std::string& port, unsigned baud) {
   }
   ::cfmakeraw(&mode);
   mode.c_cflag |= CLOCAL | CREAD;
-  ::cfsetspeed(&mode, speedOf(baud));
+  ::cfsetspeed(&mode, *speedOf(baud));
   ::tcsetattr(descriptor, TCSANOW, &mode);
   ::tcflush(descriptor, TCIOFLUSH);
   return descriptor;
 }
 
 DeviceResult<SerialLink> SerialLink::open(const std::string& port, unsigned baud) {
+  if (!speedOf(baud)) {
+    return DeviceTrouble{port, "does not know " + std::to_string(baud) + " baud",
+                         "Give 9600, 57600, 115200, 230400, 460800, 921600, 1000000 or 2000000", true};
+  }
   const int descriptor = openPort(port, baud);
   if (descriptor >= 0) return SerialLink(port, baud, descriptor);
   return DeviceTrouble{port, std::string("cannot be opened (") + std::strerror(errno) + ")",

@@ -15,7 +15,7 @@ namespace detent::playback {
 /// One thread. Allocates nothing once it is open, unless a line is longer than 250 characters.
 class SerialLink {
  public:
-  /// Opens a port raw. Trouble where it cannot be opened now.
+  /// Opens a port raw. Trouble where it cannot be opened now, or a baud rate is none.
   static DeviceResult<SerialLink> open(const std::string& port, unsigned baud);
   SerialLink(SerialLink&& other) noexcept;
   SerialLink& operator=(SerialLink&& other) noexcept;

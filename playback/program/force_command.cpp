@@ -38,9 +38,10 @@ struct ForceArguments {
   std::string logFile, plotFile, figuresFile;
   // Of serial devices and ODrives.
   double step_mm = 0, largest_N = 0;  ///< 0: the preset's
-  unsigned baud = 230400, axis = 0;
+  unsigned baud = 0, axis = 0;        ///< baud 0: the device's own
   double mmPerTurn = 60;
   bool upload = false;
+  std::string firmwareFile;  ///< of a Falcon
   bool json = false;
 };
 
@@ -84,8 +85,13 @@ void addOptions(CLI::App& app, ForceArguments& a) {
   app.add_option("--max-N", a.largest_N, "Largest force in N; 0: the preset's")
       ->capture_default_str()
       ->group(real);
-  app.add_option("--baud", a.baud, "Of a serial port")->capture_default_str()->group(real);
+  app.add_option("--baud", a.baud, "Of a serial port; 0: 230400, an ODrive's 115200")
+      ->capture_default_str()
+      ->group(real);
   app.add_flag("--upload", a.upload, "The microcontroller runs the law from a table, at its own rate")
+      ->group(real);
+  app.add_option("--firmware", a.firmwareFile,
+                 "Of a Falcon that was just switched on: the file its maker ships; Detent may not")
       ->group(real);
   app.add_option("--axis", a.axis, "Of an ODrive, 0 or 1")->capture_default_str()->group(real);
   app.add_option("--mm-per-turn", a.mmPerTurn,
@@ -124,11 +130,13 @@ double percentPunctual(const ForceStatus& s) {
 }
 
 std::string liveText(const ForceStatus& s, const Button& button) {
-  char text[160];
+  char text[200];
   std::snprintf(text, sizeof text, "%8.3f mm %8.1f mm/s %7.3f N %8.3f mJ  %-10s %5.1f %% on time%s",
                 s.last.position_mm, s.last.velocity_mm_per_s, s.last.force_N, s.last.energy_mJ,
                 stateName(button, s.last.state).c_str(), percentPunctual(s),
-                s.connected ? "" : "  DEVICE LOST, no force");
+                !s.connected ? "  DEVICE LOST, no force"
+                : s.homing   ? "  NO FORCE YET: move the handle all the way out and all the way in"
+                             : "");
   return text;
 }
 
@@ -202,7 +210,9 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
            {{"late", s.lateAnswers},
             {"malformed", s.malformedAnswers},
             {"repeated", s.repeatedAnswers},
-            {"reconnects", s.reconnects}}},
+            {"reconnects", s.reconnects},
+            {"firmware_tries", s.firmwareTries},
+            {"homed", !s.homing}}},
           {"dropped_rows", s.droppedRows},
           {"remarks", remarks}};
 }
@@ -245,7 +255,8 @@ Result<ForcePlayerSettings> settingsFrom(const ForceArguments& a) {
   settings.force = a.force;
   if (a.rate_Hz != 0) settings.force.rate_Hz = a.rate_Hz;
   settings.seconds = a.seconds;
-  settings.device.baud = a.baud;
+  if (a.baud != 0) settings.device.baud = a.baud;
+  settings.device.firmwareFile = a.firmwareFile;
   settings.device.axis = a.axis;
   settings.device.mmPerTurn = a.mmPerTurn;
   settings.device.uploadTable = a.upload;

@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/device/falcon_force_device.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <future>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "playback/device/falcon_kinematics.h"
+#include "playback/device/falcon_protocol.h"
+#include "playback/device/falcon_usb.h"
+#include "playback/device/steady_clock.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double waitOfPeriod = 0.5, answer_s = 0.2, reopenPause_s = 0.2, farewell_s = 0.05;
+constexpr int helloTries = 20, firstAnswers = 20, farewells = 3;
+constexpr unsigned uploadTries = 10;
+constexpr std::size_t pieceBytes = 62;
+// An exchange takes about a period: two commands may be on their way. After so long without any answer one of them was lost.
+constexpr unsigned mostUnanswered = 2;
+constexpr double lost_s = 0.05;
+
+// Motor value of a torque, and the largest one: libnifalcon's figures, never held against a scale.
+constexpr double motorPerNm = 10000, largestMotor = 4096;
+
+constexpr std::uint8_t helloQuestion[] = {0x0a, 0x43, 0x0d}, helloAnswer[] = {0x0a, 0x44, 0x2c, 0x0d},
+                       synchronise[] = {0x41};
+
+using Bytes = std::span<const std::uint8_t>;
+
+/// Reads until `wanted` stands at the end of what came.
+bool heard(FalconUsb& usb, Bytes wanted, double wait_s) {
+  std::vector<std::uint8_t> got;
+  for (const double deadline_s = now_s() + wait_s; usb.alive() && now_s() < deadline_s;) {
+    const Bytes bytes = usb.receive(deadline_s);
+    got.insert(got.end(), bytes.begin(), bytes.end());
+    if (got.size() >= wanted.size() && std::equal(wanted.rbegin(), wanted.rend(), got.rbegin())) return true;
+  }
+  return false;
+}
+
+bool told(FalconUsb& usb, Bytes bytes) { return usb.send(bytes) && usb.sent(now_s() + answer_s); }
+
+bool greeted(FalconUsb& usb) {
+  if (!usb.set(FalconLine::hello)) return false;
+  bool answered = false;
+  for (int i = 0; i < helloTries && !answered && usb.alive(); ++i)
+    answered = told(usb, helloQuestion) && heard(usb, helloAnswer, answer_s / 4);
+  return answered && usb.set(FalconLine::upload) && told(usb, synchronise) &&
+         heard(usb, synchronise, answer_s);
+}
+
+/// Every piece comes back as it was sent.
+bool uploaded(FalconUsb& usb, Bytes image, const std::atomic<bool>& cancelled) {
+  if (!greeted(usb)) return false;
+  for (; !image.empty(); image = image.subspan(std::min(pieceBytes, image.size()))) {
+    const Bytes piece = image.first(std::min(pieceBytes, image.size()));
+    if (cancelled || !told(usb, piece) || !heard(usb, piece, answer_s)) return false;
+  }
+  return true;
+}
+
+/// Whether a firmware runs: then it answers a packet that asks for nothing.
+bool running(FalconUsb& usb) {
+  if (!usb.set(FalconLine::run)) return false;
+  FalconAnswers answers;
+  const FalconPacket quiet = falconPacket({});
+  for (int i = 0; i < firstAnswers && usb.alive(); ++i) {
+    if (!told(usb, quiet)) continue;
+    for (const std::uint8_t byte : usb.receive(now_s() + answer_s / 10)) {
+      if (answers.take(byte)) return true;
+    }
+  }
+  return false;
+}
+
+struct Started {
+  std::unique_ptr<FalconUsb> usb;
+  unsigned uploads = 0;  ///< tries of the firmware
+};
+
+DeviceResult<Started> startedFalcon(const FalconSettings& settings, const std::atomic<bool>& cancelled) {
+  DeviceResult<std::unique_ptr<FalconUsb>> usb = FalconUsb::open(settings.number);
+  if (!usb) return usb.trouble();
+  Started started{std::move(*usb), 0};
+  const std::string name = "Novint Falcon " + std::to_string(settings.number);
+  if (running(*started.usb)) return started;
+  if (settings.firmware.empty()) {
+    return DeviceTrouble{name, "has no firmware since it was switched on",
+                         "Name its firmware file with --firmware FILE (docs/force-feedback.md)"};
+  }
+  while (started.uploads < uploadTries && started.usb->alive() && !cancelled) {
+    ++started.uploads;
+    if (uploaded(*started.usb, settings.firmware, cancelled) && running(*started.usb)) return started;
+  }
+  return DeviceTrouble{name,
+                       "does not take the firmware; tried " + std::to_string(started.uploads) + " times",
+                       "Switch its power off and on, leave out hubs, and try again"};
+}
+
+class FalconForceDevice : public ForceDevice {
+ public:
+  FalconForceDevice(const FalconSettings& settings, Started started) : settings_(settings) {
+    take(std::move(started));
+  }
+
+  ~FalconForceDevice() override {
+    ending_ = true;
+    if (!usb_) return;
+    const FalconPacket quiet = falconPacket({});
+    for (int i = 0; i < farewells; ++i) {
+      usb_->sent(now_s() + farewell_s);
+      usb_->send(quiet);
+    }
+    usb_->sent(now_s() + farewell_s);
+  }
+
+  ForceReading exchange(const ForceCommand& command) override {
+    ForceReading reading;
+    reading.fresh = false;
+    ++counts_.exchanges;
+    if (!usb_ || !usb_->alive()) {
+      bringBack();
+      return reading;
+    }
+    send(command);
+    const std::optional<FalconAnswer> answer = newestAnswer(now_s() + waitOfPeriod * settings_.period_s);
+    if (!answer) {
+      ++counts_.late;
+      return reading;
+    }
+    homed_ = answer->homed;
+    if (!homed_) return reading;
+    return placed(*answer);
+  }
+
+  ForceDeviceState state() const override {
+    if (!usb_ || !usb_->alive()) return ForceDeviceState::lost;
+    return homed_ ? ForceDeviceState::ready : ForceDeviceState::homing;
+  }
+
+  ForceLinkCounts counts() const override { return counts_; }
+
+ private:
+  void take(Started started) {
+    usb_ = std::move(started.usb);
+    counts_.firmwareTries += started.uploads;
+    homed_ = false;
+    unanswered_ = 0;
+    answers_.forget();
+    place_mm_ = {0, 0, falconRest_mm};
+  }
+
+  void send(const ForceCommand& command) {
+    if (unanswered_ >= mostUnanswered) {
+      if (now_s() - sent_s_ < lost_s) return;
+      unanswered_ = 0;
+    }
+    FalconCommand out;
+    out.light = homed_ ? FalconLight::green : FalconLight::red;
+    out.homing = !homed_;
+    if (homed_) out.motors = motorsOf(command);
+    if (!usb_->send(falconPacket(out))) return;
+    ++unanswered_;
+    sent_s_ = now_s();
+  }
+
+  std::optional<FalconAnswer> newestAnswer(double deadline_s) {
+    std::optional<FalconAnswer> newest;
+    while (!newest && usb_->alive()) {
+      for (const std::uint8_t byte : usb_->receive(deadline_s)) {
+        if (const std::optional<FalconAnswer> answer = answers_.take(byte)) {
+          newest = answer;
+          counts_.repeated += unanswered_ == 0 ? 1 : 0;
+          unanswered_ -= unanswered_ > 0 ? 1 : 0;
+        }
+      }
+      if (now_s() >= deadline_s) break;
+    }
+    counts_.malformed = answers_.malformed();
+    return newest;
+  }
+
+  ForceReading placed(const FalconAnswer& answer) {
+    FalconAngles_rad angles_rad{};
+    for (std::size_t i = 0; i < angles_rad.size(); ++i) angles_rad[i] = falconAngle_rad(answer.counts[i]);
+    ForceReading reading;
+    const std::optional<FalconPlace_mm> place_mm = falconPlace_mm(angles_rad, place_mm_);
+    if (!place_mm) {  // legs that do not meet: the guard calls it no number
+      reading.position_mm = std::numeric_limits<double>::quiet_NaN();
+      return reading;
+    }
+    place_mm_ = *place_mm;
+    reading.position_mm = falconRest_mm - place_mm_[2];
+    reading.sideways_mm = {place_mm_[0], place_mm_[1]};
+    return reading;
+  }
+
+  /// All three smaller by the same share where one would be too large: the force keeps its direction.
+  std::array<int, 3> motorsOf(const ForceCommand& command) const {
+    std::array<int, 3> motors{};
+    const auto torques_Nm =
+        falconTorques_Nm(place_mm_, {command.sideways_N[0], command.sideways_N[1], command.force_N});
+    if (!torques_Nm) return motors;
+    double largest = largestMotor;
+    for (const double torque_Nm : *torques_Nm) largest = std::max(largest, std::abs(motorPerNm * torque_Nm));
+    for (std::size_t i = 0; i < motors.size(); ++i)
+      motors[i] = static_cast<int>(std::lround(-motorPerNm * (*torques_Nm)[i] * largestMotor / largest));
+    return motors;
+  }
+
+  // Opening and a firmware take seconds: another thread does it while the loop goes on without force.
+  void bringBack() {
+    if (!returning_.valid()) {
+      if (now_s() - triedBack_s_ < reopenPause_s) return;
+      usb_.reset();
+      returning_ = std::async(std::launch::async, [this] { return startedFalcon(settings_, ending_); });
+      return;
+    }
+    if (returning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+    triedBack_s_ = now_s();
+    DeviceResult<Started> started = returning_.get();
+    if (!started) return;
+    take(std::move(*started));
+    ++counts_.reconnects;
+  }
+
+  FalconSettings settings_;
+  std::unique_ptr<FalconUsb> usb_;
+  FalconAnswers answers_;
+  ForceLinkCounts counts_;
+  FalconPlace_mm place_mm_{};
+  bool homed_ = false;
+  unsigned unanswered_ = 0;  ///< commands on their way
+  double sent_s_ = 0, triedBack_s_ = 0;
+  std::atomic<bool> ending_{false};
+  std::future<DeviceResult<Started>> returning_;  ///< last: it uses the others until it is done
+};
+
+}  // namespace
+
+bool falconAvailable() { return true; }
+
+DeviceResult<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings& settings) {
+  const std::atomic<bool> never{false};
+  DeviceResult<Started> started = startedFalcon(settings, never);
+  if (!started) return started.trouble();
+  return std::unique_ptr<ForceDevice>(std::make_unique<FalconForceDevice>(settings, std::move(*started)));
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A build without libusb.
+
+#include "playback/device/falcon_force_device.h"
+
+namespace detent::playback {
+
+bool falconAvailable() { return false; }
+
+DeviceResult<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings&) {
+  return DeviceTrouble{"Novint Falcon", "is not part of this build",
+                       "Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON"};
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A Novint Falcon that is none: its USB chip and its processor's boot loader under umockdev, so that Debian's own libusb talks to
+// it. What it should do is read from libnifalcon, not measured.
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace detent::test {
+
+/// Made before libusb is first used; one at a time.
+class FalconRig {
+ public:
+  FalconRig();
+  ~FalconRig();
+  FalconRig(const FalconRig&) = delete;
+  FalconRig& operator=(const FalconRig&) = delete;
+
+  /// The handle: counts of the three encoders, and whether all index marks have been passed.
+  std::array<std::atomic<int>, 3> counts{};
+  std::atomic<bool> homed{true};
+  /// What the motors and the light were last told.
+  std::array<std::atomic<int>, 3> motors{};
+  std::atomic<int> light{0};
+  std::atomic<std::uint64_t> packets{0};  ///< good ones
+
+  // Faults.
+  std::atomic<int> badEchoes{0};  ///< so many uploads are spoilt in the middle
+  enum class Answer : std::uint8_t { good, none, half, twice, nonsense };
+  std::atomic<Answer> answer{Answer::good};
+
+  void unplug();
+  void plugIn();
+  /// As after the power switch: no firmware.
+  void powerCycle();
+  /// The firmware it was given last, whole.
+  std::vector<std::uint8_t> firmware() const;
+
+ private:
+  struct Bus;
+  std::unique_ptr<Bus> bus_;
+};
+
+/// A boot image with one block; its words count up.
+std::vector<std::uint8_t> anyFalconFirmware();
+
+}  // namespace detent::test
