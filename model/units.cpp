@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/units.h"
 
-#include <array>
+#include <algorithm>
+#include <ranges>
 #include <string>
 
 #include "model/check.h"
@@ -12,152 +13,47 @@ namespace {
 constexpr double standardGravity_m_per_s2 = 9.80665;  // exact by definition (3rd CGPM, 1901)
 constexpr double newtonsPerPoundForce = 4.4482216152605;
 
-struct ForceName {
-  std::string_view name;
-  ForceUnit unit;
+/// All there is to know of a unit. Spellings are separated by '|'.
+template <class Unit>
+struct UnitEntry {
+  Unit unit;
+  double inBaseUnits;  // newtons, millimetres
+  std::string_view symbol;
+  std::string_view exact;  // spellings whose case carries meaning: tried before anything is lowered
+  std::string_view words;  // in lower case
 };
-struct LengthName {
-  std::string_view name;
-  LengthUnit unit;
-};
 
-// Symbols where case carries meaning: tried before anything is lowered ("MN" is not a unit of a button).
-constexpr std::array exactForceSymbols{ForceName{"N", ForceUnit::newton},
-                                       ForceName{"mN", ForceUnit::millinewton},
-                                       ForceName{"cN", ForceUnit::centinewton},
-                                       ForceName{"CN", ForceUnit::centinewton},
-                                       ForceName{"n", ForceUnit::newton},
-                                       ForceName{"dN", ForceUnit::decinewton},
-                                       ForceName{"kN", ForceUnit::kilonewton},
-                                       ForceName{"KN", ForceUnit::kilonewton},
-                                       ForceName{"Н", ForceUnit::newton},
-                                       ForceName{"мН", ForceUnit::millinewton},
-                                       ForceName{"сН", ForceUnit::centinewton},
-                                       ForceName{"гс", ForceUnit::gramForce},
-                                       ForceName{"г", ForceUnit::gramForce},
-                                       ForceName{"Г", ForceUnit::gramForce},
-                                       ForceName{"кгс", ForceUnit::kilogramForce},
-                                       ForceName{"кг", ForceUnit::kilogramForce},
-                                       ForceName{"牛", ForceUnit::newton},
-                                       ForceName{"牛顿", ForceUnit::newton},
-                                       ForceName{"牛頓", ForceUnit::newton},
-                                       ForceName{"ニュートン", ForceUnit::newton},
-                                       ForceName{"克", ForceUnit::gramForce},
-                                       ForceName{"克力", ForceUnit::gramForce},
-                                       ForceName{"公克", ForceUnit::gramForce},
-                                       ForceName{"グラム", ForceUnit::gramForce},
-                                       ForceName{"그램", ForceUnit::gramForce},
-                                       ForceName{"뉴턴", ForceUnit::newton},
-                                       ForceName{"千克力", ForceUnit::kilogramForce},
-                                       ForceName{"公斤", ForceUnit::kilogramForce},
-                                       ForceName{"㎏", ForceUnit::kilogramForce},
-                                       ForceName{"㎏f", ForceUnit::kilogramForce}};
+// "p" is pond, on old German sheets.
+constexpr UnitEntry<ForceUnit> forceUnits[] = {
+    {ForceUnit::newton, 1, "N", "N|n|Н|牛|牛顿|牛頓|ニュートン|뉴턴", "newton|newtons"},
+    {ForceUnit::millinewton, 1e-3, "mN", "mN|мН", "mn|millinewton|millinewtons"},
+    {ForceUnit::centinewton, 1e-2, "cN", "cN|CN|сН", "cn|centinewton|centinewtons"},
+    {ForceUnit::decinewton, 1e-1, "dN", "dN", "decinewton|decinewtons"},
+    {ForceUnit::kilonewton, 1e3, "kN", "kN|KN", "kilonewton|kilonewtons"},
+    {ForceUnit::dyne, 1e-5, "dyn", "", "dyn|dyne|dynes"},
+    {ForceUnit::gramForce, standardGravity_m_per_s2 / 1000, "gf", "гс|г|Г|克|克力|公克|グラム|그램",
+     "gf|gf.|g|g.f|g.f.|gr|gr.|grf|gm|gms|gram|grams|gramme|grammes|gramm|gram-force|grams-force|gram "
+     "force|p|pond"},
+    {ForceUnit::kilogramForce, standardGravity_m_per_s2, "kgf", "кгс|кг|千克力|公斤|㎏|㎏f",
+     "kgf|kg|kg.f|kp|kilopond|kilogram|kilograms|kilogram-force"},
+    {ForceUnit::ounceForce, newtonsPerPoundForce / 16, "ozf", "", "ozf|oz|oz.|oz.f|ounce|ounces|ounce-force"},
+    {ForceUnit::poundForce, newtonsPerPoundForce, "lbf", "", "lbf|lb|lb.|lb.f|lbs|lbs.|pound|pounds"}};
 
-constexpr std::array forceWords{ForceName{"newton", ForceUnit::newton},
-                                ForceName{"newtons", ForceUnit::newton},
-                                ForceName{"millinewton", ForceUnit::millinewton},
-                                ForceName{"millinewtons", ForceUnit::millinewton},
-                                ForceName{"centinewton", ForceUnit::centinewton},
-                                ForceName{"centinewtons", ForceUnit::centinewton},
-                                ForceName{"cn", ForceUnit::centinewton},
-                                ForceName{"gf", ForceUnit::gramForce},
-                                ForceName{"g", ForceUnit::gramForce},
-                                ForceName{"gr", ForceUnit::gramForce},
-                                ForceName{"grf", ForceUnit::gramForce},
-                                ForceName{"gram", ForceUnit::gramForce},
-                                ForceName{"grams", ForceUnit::gramForce},
-                                ForceName{"gramme", ForceUnit::gramForce},
-                                ForceName{"grammes", ForceUnit::gramForce},
-                                ForceName{"gramm", ForceUnit::gramForce},
-                                ForceName{"gram-force", ForceUnit::gramForce},
-                                ForceName{"grams-force", ForceUnit::gramForce},
-                                ForceName{"p", ForceUnit::gramForce},  // pond, on old German sheets
-                                ForceName{"pond", ForceUnit::gramForce},
-                                ForceName{"kgf", ForceUnit::kilogramForce},
-                                ForceName{"kg", ForceUnit::kilogramForce},
-                                ForceName{"kilogram-force", ForceUnit::kilogramForce},
-                                ForceName{"kilogram", ForceUnit::kilogramForce},
-                                ForceName{"kilograms", ForceUnit::kilogramForce},
-                                ForceName{"ozf", ForceUnit::ounceForce},
-                                ForceName{"oz", ForceUnit::ounceForce},
-                                ForceName{"ounce", ForceUnit::ounceForce},
-                                ForceName{"ounces", ForceUnit::ounceForce},
-                                ForceName{"ounce-force", ForceUnit::ounceForce},
-                                ForceName{"lbf", ForceUnit::poundForce},
-                                ForceName{"lb", ForceUnit::poundForce},
-                                ForceName{"lbs", ForceUnit::poundForce},
-                                ForceName{"pound", ForceUnit::poundForce},
-                                ForceName{"pounds", ForceUnit::poundForce},
-                                ForceName{"gram force", ForceUnit::gramForce},
-                                ForceName{"gf.", ForceUnit::gramForce},
-                                ForceName{"g.f", ForceUnit::gramForce},
-                                ForceName{"g.f.", ForceUnit::gramForce},
-                                ForceName{"gr.", ForceUnit::gramForce},
-                                ForceName{"gm", ForceUnit::gramForce},
-                                ForceName{"gms", ForceUnit::gramForce},
-                                ForceName{"kg.f", ForceUnit::kilogramForce},
-                                ForceName{"kp", ForceUnit::kilogramForce},
-                                ForceName{"kilopond", ForceUnit::kilogramForce},
-                                ForceName{"oz.", ForceUnit::ounceForce},
-                                ForceName{"oz.f", ForceUnit::ounceForce},
-                                ForceName{"lb.", ForceUnit::poundForce},
-                                ForceName{"lb.f", ForceUnit::poundForce},
-                                ForceName{"lbs.", ForceUnit::poundForce},
-                                ForceName{"decinewton", ForceUnit::decinewton},
-                                ForceName{"decinewtons", ForceUnit::decinewton},
-                                ForceName{"kilonewton", ForceUnit::kilonewton},
-                                ForceName{"kilonewtons", ForceUnit::kilonewton},
-                                ForceName{"dyn", ForceUnit::dyne},
-                                ForceName{"dyne", ForceUnit::dyne},
-                                ForceName{"dynes", ForceUnit::dyne}};
+constexpr UnitEntry<LengthUnit> lengthUnits[] = {
+    {LengthUnit::millimetre, 1, "mm", "",
+     "mm|mm.|millimetre|millimetres|millimeter|millimeters|㎜|мм|毫米|公釐|公厘|ミリ|ミリメートル"},
+    {LengthUnit::centimetre, 10, "cm", "", "cm|centimetre|centimetres|centimeter|centimeters|㎝|см|厘米"},
+    {LengthUnit::micrometre, 1e-3, "\xC2\xB5m", "",  // micro sign; the second spelling is Greek mu
+     "um|\xC2\xB5m|\xCE\xBCm|micrometre|micrometres|micrometer|micrometers|micron|microns|㎛|мкм|微米"},
+    {LengthUnit::inch, 25.4, "in", "", "in|in.|ins|inch|inches|\"|zoll|英寸|英吋|インチ|дюйм"},
+    {LengthUnit::mil, 0.0254, "mil", "", "mil|mils|thou"}};
 
-constexpr std::array lengthWords{LengthName{"mm", LengthUnit::millimetre},
-                                 LengthName{"millimetre", LengthUnit::millimetre},
-                                 LengthName{"millimetres", LengthUnit::millimetre},
-                                 LengthName{"millimeter", LengthUnit::millimetre},
-                                 LengthName{"millimeters", LengthUnit::millimetre},
-                                 LengthName{"cm", LengthUnit::centimetre},
-                                 LengthName{"centimetre", LengthUnit::centimetre},
-                                 LengthName{"centimetres", LengthUnit::centimetre},
-                                 LengthName{"centimeter", LengthUnit::centimetre},
-                                 LengthName{"centimeters", LengthUnit::centimetre},
-                                 LengthName{"um", LengthUnit::micrometre},
-                                 LengthName{"\xC2\xB5m", LengthUnit::micrometre},
-                                 LengthName{"\xCE\xBCm", LengthUnit::micrometre},
-                                 LengthName{"micrometre", LengthUnit::micrometre},
-                                 LengthName{"micrometres", LengthUnit::micrometre},
-                                 LengthName{"micrometer", LengthUnit::micrometre},
-                                 LengthName{"micrometers", LengthUnit::micrometre},
-                                 LengthName{"micron", LengthUnit::micrometre},
-                                 LengthName{"microns", LengthUnit::micrometre},
-                                 LengthName{"in", LengthUnit::inch},
-                                 LengthName{"inch", LengthUnit::inch},
-                                 LengthName{"inches", LengthUnit::inch},
-                                 LengthName{"\"", LengthUnit::inch},
-                                 LengthName{"in.", LengthUnit::inch},
-                                 LengthName{"mil", LengthUnit::mil},
-                                 LengthName{"mils", LengthUnit::mil},
-                                 LengthName{"thou", LengthUnit::mil},
-                                 LengthName{"zoll", LengthUnit::inch},
-                                 LengthName{"mm.", LengthUnit::millimetre},
-                                 LengthName{"㎜", LengthUnit::millimetre},
-                                 LengthName{"мм", LengthUnit::millimetre},
-                                 LengthName{"毫米", LengthUnit::millimetre},
-                                 LengthName{"公釐", LengthUnit::millimetre},
-                                 LengthName{"公厘", LengthUnit::millimetre},
-                                 LengthName{"ミリ", LengthUnit::millimetre},
-                                 LengthName{"ミリメートル", LengthUnit::millimetre},
-                                 LengthName{"㎝", LengthUnit::centimetre},
-                                 LengthName{"см", LengthUnit::centimetre},
-                                 LengthName{"厘米", LengthUnit::centimetre},
-                                 LengthName{"㎛", LengthUnit::micrometre},
-                                 LengthName{"мкм", LengthUnit::micrometre},
-                                 LengthName{"微米", LengthUnit::micrometre},
-                                 LengthName{"英寸", LengthUnit::inch},
-                                 LengthName{"英吋", LengthUnit::inch},
-                                 LengthName{"インチ", LengthUnit::inch},
-                                 LengthName{"дюйм", LengthUnit::inch},
-                                 LengthName{"ins", LengthUnit::inch}};
+template <class Unit, std::size_t count>
+const UnitEntry<Unit>& entryOf(const UnitEntry<Unit> (&units)[count], Unit unit) {
+  const auto found = std::ranges::find(units, unit, &UnitEntry<Unit>::unit);
+  DETENT_CHECK(found != std::end(units), "unit is one of the enumeration");
+  return *found;
+}
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\n");
@@ -172,116 +68,39 @@ std::string lowered(std::string_view text) {
   return out;
 }
 
-// "MN" and "MM" would be mega: lowering them would silently be wrong by nine (or more) orders of magnitude.
+bool isAmong(std::string_view spellings, std::string_view text) {
+  return std::ranges::any_of(spellings | std::views::split('|'),
+                             [&](const auto& spelling) { return std::ranges::equal(spelling, text); });
+}
+
+template <class Unit, std::size_t count>
+std::optional<Unit> unitFrom(const UnitEntry<Unit> (&units)[count], std::string_view text) {
+  const std::string_view symbol = trimmed(text);
+  if (symbol.empty()) return {};
+  for (const auto& entry : units)
+    if (isAmong(entry.exact, symbol)) return entry.unit;
+  const std::string word = lowered(symbol);
+  for (const auto& entry : units)
+    if (isAmong(entry.words, word)) return entry.unit;
+  return {};
+}
+
+// Mega: lowering it would silently be wrong by nine orders of magnitude.
 bool isMegaNewton(std::string_view text) { return text == "MN" || text == "Mn"; }
 
 }  // namespace
 
-double newtonsPer(ForceUnit unit) {
-  switch (unit) {
-    case ForceUnit::newton:
-      return 1;
-    case ForceUnit::millinewton:
-      return 1e-3;
-    case ForceUnit::centinewton:
-      return 1e-2;
-    case ForceUnit::gramForce:
-      return standardGravity_m_per_s2 / 1000;
-    case ForceUnit::kilogramForce:
-      return standardGravity_m_per_s2;
-    case ForceUnit::ounceForce:
-      return newtonsPerPoundForce / 16;
-    case ForceUnit::poundForce:
-      return newtonsPerPoundForce;
-    case ForceUnit::decinewton:
-      return 1e-1;
-    case ForceUnit::kilonewton:
-      return 1e3;
-    case ForceUnit::dyne:
-      return 1e-5;
-  }
-  DETENT_CHECK(false, "force unit is one of the enumeration");
-  return 0;
-}
+double newtonsPer(ForceUnit unit) { return entryOf(forceUnits, unit).inBaseUnits; }
+double millimetresPer(LengthUnit unit) { return entryOf(lengthUnits, unit).inBaseUnits; }
 
-double millimetresPer(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::millimetre:
-      return 1;
-    case LengthUnit::centimetre:
-      return 10;
-    case LengthUnit::micrometre:
-      return 1e-3;
-    case LengthUnit::inch:
-      return 25.4;
-    case LengthUnit::mil:
-      return 0.0254;
-  }
-  DETENT_CHECK(false, "length unit is one of the enumeration");
-  return 0;
-}
-
-std::string_view symbolOf(ForceUnit unit) {
-  switch (unit) {
-    case ForceUnit::newton:
-      return "N";
-    case ForceUnit::millinewton:
-      return "mN";
-    case ForceUnit::centinewton:
-      return "cN";
-    case ForceUnit::gramForce:
-      return "gf";
-    case ForceUnit::kilogramForce:
-      return "kgf";
-    case ForceUnit::ounceForce:
-      return "ozf";
-    case ForceUnit::poundForce:
-      return "lbf";
-    case ForceUnit::decinewton:
-      return "dN";
-    case ForceUnit::kilonewton:
-      return "kN";
-    case ForceUnit::dyne:
-      return "dyn";
-  }
-  DETENT_CHECK(false, "force unit is one of the enumeration");
-  return {};
-}
-
-std::string_view symbolOf(LengthUnit unit) {
-  switch (unit) {
-    case LengthUnit::millimetre:
-      return "mm";
-    case LengthUnit::centimetre:
-      return "cm";
-    case LengthUnit::micrometre:
-      return "\xC2\xB5m";
-    case LengthUnit::inch:
-      return "in";
-    case LengthUnit::mil:
-      return "mil";
-  }
-  DETENT_CHECK(false, "length unit is one of the enumeration");
-  return {};
-}
+std::string_view symbolOf(ForceUnit unit) { return entryOf(forceUnits, unit).symbol; }
+std::string_view symbolOf(LengthUnit unit) { return entryOf(lengthUnits, unit).symbol; }
 
 std::optional<ForceUnit> forceUnitFrom(std::string_view text) {
-  const std::string_view symbol = trimmed(text);
-  for (const ForceName& entry : exactForceSymbols)
-    if (symbol == entry.name) return entry.unit;
-  if (isMegaNewton(symbol)) return {};
-  const std::string word = lowered(symbol);
-  if (word == "mn") return ForceUnit::millinewton;
-  for (const ForceName& entry : forceWords)
-    if (word == entry.name) return entry.unit;
-  return {};
+  if (isMegaNewton(trimmed(text))) return {};
+  return unitFrom(forceUnits, text);
 }
 
-std::optional<LengthUnit> lengthUnitFrom(std::string_view text) {
-  const std::string word = lowered(trimmed(text));
-  for (const LengthName& entry : lengthWords)
-    if (word == entry.name) return entry.unit;
-  return {};
-}
+std::optional<LengthUnit> lengthUnitFrom(std::string_view text) { return unitFrom(lengthUnits, text); }
 
 }  // namespace detent

@@ -2,10 +2,10 @@
 #include "importer/specs/printed_spec.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <ranges>
 #include <regex>
 #include <string_view>
 
@@ -15,47 +15,25 @@
 namespace detent::importer {
 namespace {
 
-struct Word {
-  std::string_view word;
+struct Phrases {
   SpecQuantity quantity;
+  std::string_view words;  // separated by '|'
 };
 
-// Words as datasheets print them, lower case, without spaces. Longer ones first: "pressurepointforce" is not
-// "force".
-constexpr std::array phrases{Word{"pressurepointforce", SpecQuantity::tactileForce},
-                             Word{"tactileforce", SpecQuantity::tactileForce},
-                             Word{"druckpunktkraft", SpecQuantity::tactileForce},
-                             Word{"触感力", SpecQuantity::tactileForce},
-                             Word{"totaltravelforce", SpecQuantity::endForce},
-                             Word{"endforce", SpecQuantity::endForce},
-                             Word{"endkraft", SpecQuantity::endForce},
-                             Word{"totaltravel", SpecQuantity::totalTravel},
-                             Word{"fulltravel", SpecQuantity::totalTravel},
-                             Word{"actuatortravel", SpecQuantity::totalTravel},
-                             Word{"totalstroke", SpecQuantity::totalTravel},
-                             Word{"fullstroke", SpecQuantity::totalTravel},
-                             Word{"gesamtweg", SpecQuantity::totalTravel},
-                             Word{"总行程", SpecQuantity::totalTravel},
-                             Word{"全行程", SpecQuantity::totalTravel},
-                             Word{"全ストローク", SpecQuantity::totalTravel},
-                             Word{"pretravel", SpecQuantity::preTravel},
-                             Word{"pre-travel", SpecQuantity::preTravel},
-                             Word{"operatingtravel", SpecQuantity::preTravel},
-                             Word{"vorlaufweg", SpecQuantity::preTravel},
-                             Word{"schaltweg", SpecQuantity::preTravel},
-                             Word{"导通行程", SpecQuantity::preTravel},
-                             Word{"动作行程", SpecQuantity::preTravel},
-                             Word{"operatingforce", SpecQuantity::operatingForce},
-                             Word{"operationforce", SpecQuantity::operatingForce},
-                             Word{"actuationforce", SpecQuantity::operatingForce},
-                             Word{"schaltkraft", SpecQuantity::operatingForce},
-                             Word{"操作力", SpecQuantity::operatingForce},
-                             Word{"动作力", SpecQuantity::operatingForce}};
+// As datasheets print them, lower case, without spaces. Longer ones first: "pressurepointforce" is not "force".
+constexpr Phrases phrases[] = {
+    {SpecQuantity::tactileForce, "pressurepointforce|tactileforce|druckpunktkraft|触感力"},
+    {SpecQuantity::endForce, "totaltravelforce|endforce|endkraft"},
+    {SpecQuantity::totalTravel,
+     "totaltravel|fulltravel|actuatortravel|totalstroke|fullstroke|gesamtweg|总行程|全行程|全ストローク"},
+    {SpecQuantity::preTravel, "pretravel|pre-travel|operatingtravel|vorlaufweg|schaltweg|导通行程|动作行程"},
+    {SpecQuantity::operatingForce, "operatingforce|operationforce|actuationforce|schaltkraft|操作力|动作力"}};
 
 // Abbreviations count only where the row starts with them: "OF" is also a word.
-constexpr std::array abbreviations{Word{"tt", SpecQuantity::totalTravel}, Word{"pt", SpecQuantity::preTravel},
-                                   Word{"of", SpecQuantity::operatingForce},
-                                   Word{"tf", SpecQuantity::tactileForce}};
+constexpr Phrases abbreviations[] = {{SpecQuantity::totalTravel, "tt"},
+                                     {SpecQuantity::preTravel, "pt"},
+                                     {SpecQuantity::operatingForce, "of"},
+                                     {SpecQuantity::tactileForce, "tf"}};
 
 bool measuredInNewton(SpecQuantity quantity) {
   return quantity == SpecQuantity::operatingForce || quantity == SpecQuantity::tactileForce ||
@@ -88,17 +66,19 @@ struct NamedQuantity {
 std::optional<NamedQuantity> quantityNamedIn(const std::string& row) {
   const Squeezed squeezedRow = squeezed(row);
   const std::string& text = squeezedRow.text;
-  const auto ending = [&](std::size_t at, const Word& word) {
-    return NamedQuantity{word.quantity, squeezedRow.from[at + word.word.size() - 1] + 1};
+  const auto ending = [&](std::size_t at, SpecQuantity quantity, std::string_view word) {
+    return NamedQuantity{quantity, squeezedRow.from[at + word.size() - 1] + 1};
   };
-  for (const Word& phrase : phrases) {
-    if (const auto at = text.find(phrase.word); at != std::string::npos) return ending(at, phrase);
-  }
-  for (const Word& abbreviation : abbreviations) {
-    if (text.rfind(abbreviation.word, 0) != 0) continue;
-    const std::string_view rest = std::string_view(text).substr(abbreviation.word.size());
-    if (rest.starts_with('(') || rest.starts_with("\xEF\xBC\x88"))
-      return ending(0, abbreviation);  // full-width (
+  for (const auto& [quantity, words] : phrases)
+    for (const auto part : words | std::views::split('|')) {
+      const std::string_view word(part.begin(), part.end());
+      if (const auto at = text.find(word); at != std::string::npos) return ending(at, quantity, word);
+    }
+  for (const auto& [quantity, word] : abbreviations) {
+    if (text.rfind(word, 0) != 0) continue;
+    const std::string_view rest = std::string_view(text).substr(word.size());
+    if (rest.starts_with('(') || rest.starts_with("\xEF\xBC\x88"))  // full-width (
+      return ending(0, quantity, word);
   }
   return {};
 }
