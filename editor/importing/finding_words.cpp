@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/importing/finding_words.h"
 
+#include <optional>
 #include <QCoreApplication>
 #include <QStringList>
 
@@ -9,37 +10,47 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("detent::editor::ImportDialog", text); }
 
-/// What to do on the page, as the end of a sentence; empty of what is not a correction.
-QString instruction(RemedyKind kind) {
+/// How the person corrects a finding: the end of a sentence that says what to do, and the text of the button that does it.
+struct CorrectionWords {
+  const char* instruction;
+  const char* button;
+};
+
+/// A text that is translated; lupdate looks for this name.
+constexpr const char* words(const char* text) { return text; }
+
+/// nullopt for what is not a correction.
+std::optional<CorrectionWords> wordsOf(RemedyKind kind) {
   switch (kind) {
     case RemedyKind::giveFrame:
-      return tr("draw the plot frame, or drag its corners onto the ends of the axes");
+      return {{words("draw the plot frame, or drag its corners onto the ends of the axes"),
+               words("Draw plot frame")}};
     case RemedyKind::giveXAxis:
-      return tr("give the displacement axis the values at its two ends");
+      return {{words("give the displacement axis the values at its two ends"), words("Set axis values")}};
     case RemedyKind::giveYAxis:
-      return tr("give the force axis the values at its two ends");
+      return {{words("give the force axis the values at its two ends"), words("Set axis values")}};
     case RemedyKind::giveXUnit:
-      return tr("choose the unit of the displacement axis");
+      return {{words("choose the unit of the displacement axis"), words("Displacement unit")}};
     case RemedyKind::giveYUnit:
-      return tr("choose the unit of the force axis");
+      return {{words("choose the unit of the force axis"), words("Force unit")}};
     case RemedyKind::pickPress:
-      return tr("click the press curve with the pipette");
+      return {{words("click the press curve with the pipette"), words("Pick press curve")}};
     case RemedyKind::pickRelease:
-      return tr("click the release curve with the pipette");
+      return {{words("click the release curve with the pipette"), words("Pick release curve")}};
     case RemedyKind::addMask:
-      return tr("paint a mask over what is not part of a curve");
+      return {{words("paint a mask over what is not part of a curve"), words("Paint mask")}};
     case RemedyKind::setResolution:
-      return tr("set a resolution, so that a picture of the page is traced");
+      return {{words("set a resolution, so that a picture of the page is traced"), words("Resolution")}};
     case RemedyKind::swapStrokes:
-      return tr("exchange press and release");
-    case RemedyKind::advice:
-    case RemedyKind::choosePage:
-    case RemedyKind::chooseGraph:
-    case RemedyKind::importAll:
-    case RemedyKind::raiseLimit:
+      return {{words("exchange press and release"), words("Exchange strokes")}};
+    default:
       return {};
   }
-  return {};
+}
+
+QString instruction(RemedyKind kind) {
+  const auto text = wordsOf(kind);
+  return text ? tr(text->instruction) : QString();
 }
 
 QString joined(const std::vector<RemedyKind>& corrections) {
@@ -62,7 +73,7 @@ QString placeOf(const Failure& failure, const QString& documentName, const Displ
 
 }  // namespace
 
-bool isCorrection(RemedyKind kind) { return !instruction(kind).isEmpty(); }
+bool isCorrection(RemedyKind kind) { return wordsOf(kind).has_value(); }
 
 std::vector<RemedyKind> correctionsAmong(const Remedies& remedies) {
   std::vector<RemedyKind> corrections;
@@ -103,34 +114,8 @@ QString inWords(const std::vector<importer::EvidenceItem>& evidence, const Displ
 }
 
 QString textOnButton(RemedyKind correction) {
-  switch (correction) {
-    case RemedyKind::giveFrame:
-      return tr("Draw plot frame");
-    case RemedyKind::giveXAxis:
-    case RemedyKind::giveYAxis:
-      return tr("Set axis values");
-    case RemedyKind::giveXUnit:
-      return tr("Displacement unit");
-    case RemedyKind::giveYUnit:
-      return tr("Force unit");
-    case RemedyKind::pickPress:
-      return tr("Pick press curve");
-    case RemedyKind::pickRelease:
-      return tr("Pick release curve");
-    case RemedyKind::addMask:
-      return tr("Paint mask");
-    case RemedyKind::setResolution:
-      return tr("Resolution");
-    case RemedyKind::swapStrokes:
-      return tr("Exchange strokes");
-    case RemedyKind::advice:
-    case RemedyKind::choosePage:
-    case RemedyKind::chooseGraph:
-    case RemedyKind::importAll:
-    case RemedyKind::raiseLimit:
-      return {};
-  }
-  return {};
+  const auto text = wordsOf(correction);
+  return text ? tr(text->button) : QString();
 }
 
 QString nameOfFinding(importer::ImportStep step) {
