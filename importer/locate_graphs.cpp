@@ -44,6 +44,33 @@ std::optional<LocatedGraph> readWider(const LocatedGraph& graph, const Page& pag
   return wider;
 }
 
+/// The same frame in another upright view of its page.
+PlotFrame inView(const PlotFrame& frame, const Affine& toView) {
+  PlotFrame moved = frame;
+  const Box box = frame.box();
+  for (Point& corner : moved.corners) corner = toView(corner);
+  for (GridLine& line : moved.xLines) line.position_px = toView({line.position_px, box.y1}).x;
+  for (GridLine& line : moved.yLines) line.position_px = toView({box.x0, line.position_px}).y;
+  return moved;
+}
+
+/// Titles that the plot's own view cuts: units that were not found are looked for farther out.
+void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Page& page,
+                         const LocateOptions& options) {
+  constexpr double farther = 0.4;  // of the region's size, on every side
+  const AxisCalibration& cal = graph.axes.calibration.value;
+  const FrameCandidate& candidate = graph.candidate.value;
+  if (cal.x.unitFound && cal.y.unitFound) return;
+  const Box region = candidate.regionBox.grown(farther * candidate.regionBox.width(),
+                                               farther * candidate.regionBox.height());
+  const Box whole{-0.5, -0.5, page.width, page.height};
+  if (candidate.regionBox.contains(region.common(whole))) return;
+  const auto wide = document.view(page, region.common(whole), candidate.quarterTurns, options.view);
+  if (!wide) return;
+  const Affine toWide = wide->viewToPage.inverse().after(graph.view.viewToPage);
+  readMissingUnits(graph.axes, *wide, inView(graph.frame.value, toWide), toWide);
+}
+
 Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
                                    Found<FrameCandidate> candidate, const LocateOptions& options,
                                    const Progress& progress) {
@@ -55,8 +82,9 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
   if (!axes) return axes.failure();
   LocatedGraph graph{std::move(candidate), std::move(view).value(), std::move(frame).value(),
                      std::move(axes).value()};
-  if (graph.candidate.by == DecidedBy::given) return graph;
-  if (auto wider = readWider(graph, page, options, progress)) return std::move(*wider);
+  if (graph.candidate.by != DecidedBy::given)
+    if (auto wider = readWider(graph, page, options, progress)) graph = std::move(*wider);
+  lookFartherForUnits(graph, document, page, options);
   return graph;
 }
 

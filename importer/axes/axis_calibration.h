@@ -76,6 +76,11 @@ struct AxesFound {
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints = {},
                            const Progress& progress = {});
 
+/// Looks for titles of units that were not found, in a view that shows more of the page around the same frame: titles stand
+/// farther out than labels, and a view made for a plot cuts them. `frame` in that view's pixels, `toWide` from the pixels
+/// that `axes` were read in. What is found takes the stated default's place, in the scale as well.
+void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame, const Affine& toWide);
+
 /// Adds to `axes.texts` what else is written in and beside the frame: callouts, legend, titles over the plot.
 /// Only lines of at least three letters that were read with some certainty, so their boxes may be masked.
 /// Apart from readAxes because who lists graphs needs none of it (5 to 10 ms per line).

@@ -31,7 +31,7 @@ std::vector<Box> ownLabelWords(const GraphReading& r, const Box& band) {
 /// Words of ink that may be numbers.
 std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band) {
   const double largest = 0.12 * std::min(r.box.width(), r.box.height()) + 10;
-  return wordBoxes(glyphsIn(r.glyphs, band, largest), labelGapInHeights);
+  return numberBoxes(glyphsIn(r.glyphs, band, largest));
 }
 
 SeenText readLabel(GraphReading& r, const Box& word, TextKind kind) {

@@ -50,44 +50,56 @@ std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Ali
   return unit && unit->sure >= surePlace ? std::string(symbolOf(unit->unit)) : std::string();
 }
 
+/// Titles in small print are read once more at other sizes, the nearest first, until one names a unit.
+template <class Unit, class Parse>
+void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<SeenText>& lines, Parse parse) {
+  constexpr std::size_t nearest = 2;
+  for (std::size_t i = 0; i < std::min(nearest, lines.size()) && !best.unit; ++i)
+    if (hasLetters(lines[i]))
+      consider(best, r.reader.readLineOtherwise(lines[i].box, lines[i].angle_deg), parse);
+}
+
 }  // namespace
 
 AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   const Box& b = r.box;
   const double below_px = std::max(0.2 * b.height(), 6 * labels.height());
   const Box below{b.x0 - 0.05 * b.width(), labels.y1 + 1, b.x1 + 0.15 * b.width(), labels.y1 + below_px};
-  const Box beside{std::min(labels.x1 + 2, b.x1), b.y1 - 0.15 * b.height(), b.x1 + 0.45 * b.width(),
+  const Box beside{std::min(labels.x1 + 2, b.x1), b.y1 - 0.15 * b.height(), b.x1 + 0.9 * b.width(),
                    b.y1 + 0.25 * b.height()};
   const Point towards{0.5 * (b.x0 + b.x1), labels.y1};
   AxisTitle<LengthUnit> best;
-  std::vector<SeenText> nearby = r.ownTexts(below);
+  std::vector<SeenText> nearby = r.ownTexts(below), read;
   consider(best, nearby, lengthUnitIn);
   consider(best, r.ownTexts(beside), lengthUnitIn);
   if (!best.unit) {
-    const auto read = r.readLines(below, 0, towards, 3);
+    read = r.readLines(below, 0, towards, 3);
     consider(best, read, lengthUnitIn);
     nearby.insert(nearby.end(), read.begin(), read.end());
   }
   if (!best.unit) consider(best, r.readLines(beside, 0, {b.x1, b.y1}, 4), lengthUnitIn);
+  if (!best.unit) considerAgain(best, r, read, lengthUnitIn);
   if (!best.unit || best.unit->sure < surePlace) best.other = otherQuantity(nearby, towards, forceUnitIn);
   return best;
 }
 
 AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
   const Box& b = r.box;
-  const Box left{b.x0 - 0.45 * b.width(), b.y0 - 0.05 * b.height(), labels.x0 - 1, b.y1 + 0.05 * b.height()};
+  // A title set tight reaches over the widest label's first digit.
+  const Box left{b.x0 - 0.45 * b.width(), b.y0 - 0.05 * b.height(), labels.x0 + 0.3 * (labels.x1 - labels.x0),
+                 b.y1 + 0.05 * b.height()};
   const Box leftOfAxis{left.x0, left.y0, b.x0, left.y1};
   const Box above{b.x0 - 0.4 * b.width(), b.y0 - 0.4 * b.height(), b.x0 + 0.5 * b.width(), b.y0 - 1};
   const Box corner{b.x0 - 0.35 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.12 * b.width(),
                    b.y0 + 0.02 * b.height()};
   const Point towards{labels.x0, 0.5 * (b.y0 + b.y1)};
   AxisTitle<ForceUnit> best;
-  std::vector<SeenText> upwards;
+  std::vector<SeenText> upwards, read;
   for (const auto& t : r.ownTexts(leftOfAxis))
     if (std::abs(t.angle_deg) > 45) upwards.push_back(t);
   for (const auto& region : {leftOfAxis, above, corner}) consider(best, r.ownTexts(region), forceUnitIn);
   if (!best.unit) {
-    const auto read = r.readLines(left, 90, towards, 2);
+    read = r.readLines(left, 90, towards, 2);
     consider(best, read, forceUnitIn);
     upwards.insert(upwards.end(), read.begin(), read.end());
   }
@@ -99,6 +111,7 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
     consider(downwards, r.readLines(left, -90, towards, 1), forceUnitIn);
     if (downwards.unit && downwards.unit->sure >= surePlace) best = std::move(downwards);
   }
+  if (!best.unit) considerAgain(best, r, read, forceUnitIn);
   if (!best.unit || best.unit->sure < surePlace) best.other = otherQuantity(upwards, towards, lengthUnitIn);
   return best;
 }

@@ -69,8 +69,7 @@ std::optional<Box> frameByNumbers(const PageView& view, const PlotFrame& frame, 
   const auto x = seriesOf(axes.x, true), y = seriesOf(axes.y, false);
   if (!x || !y) return {};
   const double largest = 2 * std::max(x->height, y->height) + 4;
-  const auto words =
-      wordBoxes(glyphBoxes(inkOf(darknessOf(view.raster, frame.paper)), 2, largest), labelGapInHeights);
+  const auto words = numberBoxes(glyphBoxes(inkOf(darknessOf(view.raster, frame.paper)), 2, largest));
   const Box box = frame.box();
   const Box wide{reach(words, *x, true, -1, box.x0), reach(words, *y, false, -1, box.y0),
                  reach(words, *x, true, 1, box.x1), reach(words, *y, false, 1, box.y1)};

@@ -56,6 +56,12 @@ std::vector<SeenText> GraphReading::readLines(const Box& region, double angle_de
   return read;
 }
 
+void GraphReading::setAside(const std::vector<Box>& words) {
+  std::erase_if(glyphs, [&](const Box& glyph) {
+    return std::any_of(words.begin(), words.end(), [&](const Box& word) { return word.contains(glyph); });
+  });
+}
+
 std::vector<SeenText> GraphReading::ownTexts(const Box& region) const {
   std::vector<SeenText> out;
   for (const auto& t : view.texts)

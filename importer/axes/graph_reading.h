@@ -27,6 +27,9 @@ class GraphReading {
   /// Lines of writing in a region, read from pixels, nearest to `towards` first. `angle_deg` 0 or 90.
   std::vector<SeenText> readLines(const Box& region, double angle_deg, Point towards, std::size_t atMost);
 
+  /// Labels that were read take part in no other line of writing.
+  void setAside(const std::vector<Box>& words);
+
   /// The document's own texts whose middle lies in the region.
   std::vector<SeenText> ownTexts(const Box& region) const;
 };

@@ -5,6 +5,8 @@
 #include <array>
 #include <vector>
 
+#include "importer/axes/word_match.h"
+
 namespace detent::importer {
 namespace {
 
@@ -251,8 +253,7 @@ std::vector<Piece> pieces(const std::string& t) {
 
 template <std::size_t N>
 bool hasWord(const std::string& low, const std::array<const char*, N>& words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](const char* word) { return low.find(word) != std::string::npos; });
+  return std::any_of(words.begin(), words.end(), [&](const char* word) { return mentions(low, word); });
 }
 
 /// A letter that may be a word's end is a unit only where a unit must stand.

@@ -4,7 +4,9 @@
 #include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <initializer_list>
 #include <iterator>
+#include <numeric>
 
 #include <opencv2/core.hpp>
 
@@ -12,6 +14,7 @@
 #include "importer/axes/axis_labels.h"
 #include "importer/axes/axis_titles.h"
 #include "importer/axes/graph_reading.h"
+#include "importer/axes/word_match.h"
 
 namespace detent::importer {
 namespace {
@@ -187,8 +190,7 @@ bool namesForceOrTravel(const std::vector<SeenText>& texts) {
     std::string low = text.utf8;
     std::transform(low.begin(), low.end(), low.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return std::any_of(words.begin(), words.end(),
-                       [&](const char* word) { return low.find(word) != std::string::npos; });
+    return std::any_of(words.begin(), words.end(), [&](const char* word) { return mentions(low, word); });
   });
 }
 
@@ -234,6 +236,19 @@ double endOf(double value, bool given, const std::optional<AxisLabels>& labels) 
   return given || !hasProgression(labels) ? value : settled(value, *labels->progression);
 }
 
+/// Boxes of the labels that make the scale.
+std::vector<Box> agreedBoxes(const AxisLabels& labels) {
+  std::vector<Box> boxes;
+  for (std::size_t i = 0; i < labels.words.size(); ++i)
+    if (labels.progression && labels.progression->reading[i] >= 0) boxes.push_back(labels.words[i].box);
+  return boxes;
+}
+
+Box joined(const std::vector<Box>& boxes) {
+  return std::accumulate(boxes.begin() + 1, boxes.end(), boxes.front(),
+                         [](const Box& a, const Box& b) { return a.joined(b); });
+}
+
 LengthUnit xUnitOf(AxisReading& x, const AxisHints& hints, GraphReading& r,
                    const std::optional<AxisLabels>& labels, std::vector<Remark>& remarks) {
   x.unitFound = true;
@@ -266,7 +281,9 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
   if (labels && !labels->suffix.empty())
     if (const auto unit = forceUnitIn(labels->suffix)) return unit->unit;
   const Box edge{r.box.x0 - 1, r.box.y0, r.box.x0, r.box.y1};
-  const auto title = readYTitle(r, labels && !labels->words.empty() ? labels->extent : edge);
+  const std::vector<Box> read = labels ? agreedBoxes(*labels) : std::vector<Box>{};
+  r.setAside(read);
+  const auto title = readYTitle(r, read.empty() ? edge : joined(read));
   y.title = title.text;
   y.otherQuantity = title.other;
   if (title.unit) return title.unit->unit;
@@ -312,7 +329,57 @@ std::vector<SeenText> allTexts(const GraphReading& r, const std::optional<AxisLa
   return texts;
 }
 
+/// The used labels of an axis in another view; the frame's edge if there are none.
+Box labelsIn(const AxisReading& axis, const Affine& toView, const Box& edge, GraphReading& r) {
+  std::vector<Box> boxes;
+  for (const TickLabel& tick : axis.ticks)
+    if (tick.used && !tick.box.empty()) boxes.push_back(toView.boxOf(tick.box));
+  r.setAside(boxes);
+  return boxes.empty() ? edge : joined(boxes);
+}
+
+template <class Unit>
+void takeUnit(AxisReading& axis, const AxisTitle<Unit>& title) {
+  axis.unit = symbolOf(title.unit->unit);
+  axis.unitFound = true;
+  axis.title = title.text;
+  axis.otherQuantity.clear();
+}
+
+void forget(std::vector<Remark>& remarks, std::initializer_list<RemarkCode> codes) {
+  std::erase_if(remarks, [&](const Remark& remark) {
+    return std::find(codes.begin(), codes.end(), remark.code) != codes.end();
+  });
+}
+
+/// One coordinate of the map, times a factor.
+void scaleRow(Homography& map, std::size_t row, double factor) {
+  for (std::size_t k = 3 * row; k < 3 * row + 3; ++k) map.m[k] *= factor;
+}
+
 }  // namespace
+
+void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame, const Affine& toWide) {
+  AxisCalibration& cal = axes.calibration.value;
+  const double before = sureOfUnits(cal, axes.texts);
+  GraphReading r(wide, frame);
+  const Box &b = r.box, below{b.x0, b.y1, b.x1, b.y1 + 1}, left{b.x0 - 1, b.y0, b.x0, b.y1};
+  const Box xLabels = labelsIn(cal.x, toWide, below, r), yLabels = labelsIn(cal.y, toWide, left, r);
+  if (!cal.x.unitFound)
+    if (const auto title = readXTitle(r, xLabels); title.unit) {
+      scaleRow(cal.viewToUnits, 0,
+               millimetresPer(title.unit->unit) / millimetresPer(*lengthUnitFrom(cal.x.unit)));
+      takeUnit(cal.x, title);
+      forget(axes.remarks, {RemarkCode::lengthUnitAssumed});
+    }
+  if (!cal.y.unitFound)
+    if (const auto title = readYTitle(r, yLabels); title.unit) {
+      scaleRow(cal.viewToUnits, 1, newtonsPer(title.unit->unit) / newtonsPer(*forceUnitFrom(cal.y.unit)));
+      takeUnit(cal.y, title);
+      forget(axes.remarks, {RemarkCode::smallForcesTakenAsNewton, RemarkCode::largeForcesTakenAsGram});
+    }
+  axes.calibration.confidence *= sureOfUnits(cal, axes.texts) / before;
+}
 
 Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const AxisHints& hints,
                            const Progress& progress) {

@@ -159,6 +159,15 @@ SeenText TextReader::readLineCarefully(const Box& box, TextKind kind, double ang
   return best;
 }
 
+std::vector<SeenText> TextReader::readLineOtherwise(const Box& box, double angle_deg) {
+  std::vector<SeenText> seen;
+  for (const double larger : {1.5, 1.25, 0.75})
+    seen.push_back(
+        readRendering(view_.raster, box, TextKind::words, angle_deg, {larger * readHeight_px, false}));
+  std::erase_if(seen, [](const SeenText& t) { return t.utf8.empty(); });
+  return seen;
+}
+
 std::vector<SeenText> TextReader::readWords(const Box& box, double angle_deg) {
   std::vector<SeenText> words;
   auto line = readLine(box, TextKind::words, angle_deg);

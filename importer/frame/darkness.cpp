@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -45,21 +46,56 @@ int windowOf(const cv::Mat& grey) {
   return std::clamp(std::min(grey.cols, grey.rows) / perSide, smallest_px, largest_px) | 1;
 }
 
-/// Beside a step between papers the median takes the wrong one under writing that stands close to it. There strokes are
-/// what a small window does not see: thin light things on dark, thin dark ones on light.
-void standOutBesideSteps(const cv::Mat& grey, const cv::Mat& paper, int window, cv::Mat& contrast) {
-  constexpr int step = 48;  // grey levels between papers
-  const auto square = [](int side) { return cv::getStructuringElement(cv::MORPH_RECT, {side, side}); };
-  cv::Mat beside, light, dark;
-  cv::morphologyEx(paper, beside, cv::MORPH_GRADIENT, square(3));
-  cv::threshold(beside, beside, step, 255, cv::THRESH_BINARY);
+cv::Mat squareOf(int side_px) { return cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}); }
+
+/// What of `mask` hangs together with a place that a square of `side_px` fits into: 255, else 0.
+cv::Mat joinedToWide(const cv::Mat& mask, int side_px) {
+  cv::Mat wide, parts;
+  cv::morphologyEx(mask, wide, cv::MORPH_OPEN, squareOf(side_px));
+  const int n = cv::connectedComponents(mask, parts, 8, CV_32S);
+  std::vector<std::uint8_t> isWide(static_cast<std::size_t>(n), 0);
+  for (int y = 0; y < parts.rows; ++y)
+    for (int x = 0; x < parts.cols; ++x)
+      if (wide.at<std::uint8_t>(y, x)) isWide[static_cast<std::size_t>(parts.at<int>(y, x))] = 255;
+  cv::Mat joined(mask.size(), CV_8U);
+  for (int y = 0; y < parts.rows; ++y)
+    for (int x = 0; x < parts.cols; ++x)
+      joined.at<std::uint8_t>(y, x) = isWide[static_cast<std::size_t>(parts.at<int>(y, x))];
+  return joined;
+}
+
+cv::Mat distanceTo(const cv::Mat& place) {
+  cv::Mat distance;
+  cv::distanceTransform(255 - place, distance, cv::DIST_L2, 3);
+  return distance;
+}
+
+/// Beside a step between papers the median takes the wrong one under writing that stands close to it. There a paper is
+/// what hangs together with a wide place of its grey, so that it reaches between the letters; the rest lies on the paper
+/// next to it.
+void settleBesideSteps(const cv::Mat& grey, const cv::Mat& paper, int window, cv::Mat& contrast) {
+  constexpr int step = 48;                                  // grey levels between papers
+  constexpr double likePaper = 0.35;                        // of that step
+  constexpr float edge_px = 1.5;                            // a smoothed step is no ink
+  const int stroke_px = std::clamp(window / 3, 7, 25) | 1;  // wider than writing's
+  cv::Mat light, dark, apart, beside;
+  cv::dilate(paper, light, squareOf(window));
+  cv::erode(paper, dark, squareOf(window));
+  cv::subtract(light, dark, apart);
+  cv::threshold(apart, beside, step, 255, cv::THRESH_BINARY);
   if (cv::countNonZero(beside) == 0) return;
-  cv::dilate(beside, beside, square(window / 2 * 2 + 1));
-  const int strokes = std::clamp(window / 3, 7, 25) | 1;
-  cv::morphologyEx(grey, light, cv::MORPH_TOPHAT, square(strokes));
-  cv::morphologyEx(grey, dark, cv::MORPH_BLACKHAT, square(strokes));
-  cv::max(light, dark, light);
-  light.copyTo(contrast, beside);
+  cv::Mat offLight, offDark, near;
+  cv::absdiff(grey, light, offLight);
+  cv::absdiff(grey, dark, offDark);
+  apart.convertTo(near, CV_8U, likePaper);
+  const cv::Mat isLight = joinedToWide(offLight <= near, stroke_px),
+                isDark = joinedToWide(offDark <= near, stroke_px);
+  const cv::Mat toLight = distanceTo(isLight), toDark = distanceTo(isDark);
+  cv::Mat own;
+  offDark.copyTo(own);
+  offLight.copyTo(own, toLight < toDark);
+  own.setTo(0, (toLight <= edge_px) & (toDark <= edge_px));
+  own.copyTo(contrast, beside);
 }
 
 cv::Mat contrastByRegion(const cv::Mat& grey) {
@@ -67,7 +103,7 @@ cv::Mat contrastByRegion(const cv::Mat& grey) {
   cv::Mat paper, contrast;
   cv::medianBlur(grey, paper, window);
   cv::absdiff(grey, paper, contrast);
-  standOutBesideSteps(grey, paper, window, contrast);
+  settleBesideSteps(grey, paper, window, contrast);
   return contrast;
 }
 

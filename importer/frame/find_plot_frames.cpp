@@ -107,7 +107,7 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
   for (int turns = 0; turns < 4; ++turns) {
     std::vector<Box> upright;
     for (const auto& g : near) upright.push_back(turned(g, turns));
-    const auto words = wordBoxes(upright, labelGapInHeights);
+    const auto words = numberBoxes(upright);
     const Box box = turned(r.box, turns);
     const auto below = labelsBelow(words, box, turnedPositions(r, turns, true));
     const auto left = labelsLeft(words, box, turnedPositions(r, turns, false));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <iterator>
+#include <numeric>
 
 #include <opencv2/imgproc.hpp>
 
@@ -190,6 +192,25 @@ std::vector<Box> wordBoxes(std::vector<Box> glyphs, double gapInHeights) {
       continue;
     }
     *word = word->joined(glyph);
+  }
+  return words;
+}
+
+std::vector<Box> numberBoxes(const std::vector<Box>& glyphs) {
+  std::vector<Box> words = wordBoxes(glyphs, labelGapInHeights);
+  for (Box& word : words) {
+    const auto isTick = [&](const Box& g) {
+      return g.x1 == word.x1 && g.width() >= 1.5 * g.height() && g.height() <= 0.45 * word.height() &&
+             word.contains(g);
+    };
+    const auto tick = std::find_if(glyphs.begin(), glyphs.end(), isTick);
+    if (tick == glyphs.end()) continue;
+    std::vector<Box> rest;
+    std::copy_if(glyphs.begin(), glyphs.end(), std::back_inserter(rest),
+                 [&](const Box& g) { return g != *tick && word.contains(g); });
+    if (rest.empty()) continue;
+    word = std::accumulate(rest.begin() + 1, rest.end(), rest.front(),
+                           [](const Box& a, const Box& b) { return a.joined(b); });
   }
   return words;
 }

@@ -32,6 +32,10 @@ inline constexpr double labelGapInHeights = 0.6;
 /// +x.
 std::vector<Box> wordBoxes(std::vector<Box> glyphs, double gapInHeights);
 
+/// Words as close as the characters of one number. A tick that reaches a label from the right is no minus sign: it is
+/// left out of the word's box.
+std::vector<Box> numberBoxes(const std::vector<Box>& glyphs);
+
 /// The box after the page was turned clockwise by 90° `quarterTurns` times about the origin.
 Box turned(const Box& box, int quarterTurns);
 

@@ -110,7 +110,7 @@ bool meets(const Box& a, const Box& b) { return a.x0 < b.x1 && b.x0 < a.x1 && a.
 
 std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_px, double minHeight_px) {
   const double largest = 0.12 * std::min(ink.cols, ink.rows);
-  auto words = wordBoxes(glyphBoxes(ink, 2, largest), labelGapInHeights);
+  auto words = numberBoxes(glyphBoxes(ink, 2, largest));
   std::erase_if(words, [](const Box& w) { return !couldBeNumber(w); });
   if (words.size() > mostWords) return {};
   const auto rows = allSeries(

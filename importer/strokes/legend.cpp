@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "importer/axes/word_match.h"
+
 namespace detent::importer {
 
 namespace {
@@ -53,22 +55,11 @@ std::vector<std::string> wordsOf(std::string_view utf8) {
   return words;
 }
 
-/// Equal but for at most one replaced, missing or extra byte.
-bool differByOne(std::string_view a, std::string_view b) {
-  if (a.size() > b.size()) std::swap(a, b);
-  if (b.size() - a.size() > 1) return false;
-  std::size_t i = 0;
-  while (i < a.size() && a[i] == b[i]) ++i;
-  const std::string_view restA = a.substr(i), restB = b.substr(i);
-  if (restB.empty()) return true;
-  return a.size() == b.size() ? restA.substr(1) == restB.substr(1) : restA == restB.substr(1);
-}
-
 template <class List>
 bool anyWord(const std::vector<std::string>& words, const List& list) {
   return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
     return std::any_of(list.begin(), list.end(), [&](std::string_view known) {
-      return word == known || (known.size() >= 6 && word.size() >= 6 && differByOne(word, known));
+      return word == known || (known.size() >= 6 && word.size() >= 6 && differByOneAtMost(word, known));
     });
   });
 }

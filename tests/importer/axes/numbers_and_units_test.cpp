@@ -8,6 +8,7 @@
 
 #include "importer/axes/printed_number.h"
 #include "importer/axes/printed_unit.h"
+#include "importer/axes/word_match.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -136,4 +137,14 @@ TEST_CASE("a tick behind a number is no part of it, and sure readings are repair
   CHECK(*printedNumber("-80") == -80);
   CHECK_FALSE(printedNumber("-").has_value());
   CHECK(numberReadings("80", 0.95).back().weight < numberReadings("80", 0.5).back().weight);
+}
+
+TEST_CASE("a word with one letter misread is still that word") {
+  CHECK(mentions("foroe (gf)", "force"));
+  CHECK(mentions("positon (nm)", "position"));
+  CHECK(mentions("kraftverlauf", "kraft"));
+  CHECK_FALSE(mentions("farce of it all", "forces"));
+  CHECK_FALSE(mentions("hut", "hub"));  // short words are too many
+  CHECK_FALSE(mentions("", "force"));
+  CHECK(lengthUnitIn("Positon (nm)")->unit == LengthUnit::millimetre);
 }

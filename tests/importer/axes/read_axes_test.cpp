@@ -191,6 +191,31 @@ TEST_CASE("a plot without units says which ones it took") {
   }
 }
 
+TEST_CASE("a title that the plot's own view cuts is found in a wider one") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.width = 1500, s.xTitle = "";
+  Canvas canvas(s.width, s.height, s.paperGrey);
+  drawInto(canvas, s);
+  canvas.text("Travel (um)", 1250, s.bottom + 4, 0, 0.6);
+  const auto document = documentOf(canvas.grey());
+  const auto page = document.page(1).value();
+  const auto candidates = findPlotFrames(page);
+  REQUIRE(candidates.size() == 1);
+  const auto narrow = document.view(page, {0, 0, 1150, 600}).value(),
+             wide = document.view(page, {0, 0, 1500, 600}).value();
+  const auto frame = locatePlotFrame(narrow, page, candidates[0].value)->value;
+  auto axes = readAxes(narrow, frame).value();
+  REQUIRE_FALSE(axes.calibration.value.x.unitFound);
+  const double sureBefore = axes.calibration.confidence, before = axes.calibration.value.mmPerPx();
+  readMissingUnits(axes, wide, frame, Affine{});
+  CHECK(axes.calibration.value.x.unitFound);
+  CHECK(axes.calibration.value.x.unit == symbolOf(LengthUnit::micrometre));
+  CHECK(axes.calibration.value.mmPerPx() == Approx(before / 1000));
+  CHECK(axes.calibration.confidence > sureBefore);
+  CHECK(axes.remarks.empty());
+}
+
 TEST_CASE("ranges given by hand are kept") {
   PlotStyle s;
   AxisHints hints;

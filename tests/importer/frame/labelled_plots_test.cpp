@@ -71,3 +71,34 @@ TEST_CASE("by region: white words on a black page and black ones on its white pa
   CHECK(region.at<std::uint8_t>(150, 50) == 0);
   CHECK(region.at<std::uint8_t>(150, 300) == 0);
 }
+
+TEST_CASE("numbers on a dark page close beside its white panel stand out with their gaps") {
+  cv::Mat grey(520, 800, CV_8U, cv::Scalar(36));
+  grey(cv::Rect(75, 60, 690, 385)).setTo(255);
+  const auto write = [&](const std::string& text, cv::Point at) {
+    cv::putText(grey, text, at, cv::FONT_HERSHEY_SIMPLEX, 0.45, cv::Scalar(245), 1, cv::LINE_AA);
+  };
+  for (int k = 0; k < 6; ++k) write(std::to_string(k), {96 + 120 * k, 460});
+  for (int k = 0; k < 5; ++k)
+    write(std::to_string(100 + 20 * k), {44, 435 - 70 * k});  // ends 3 px from the panel
+  const auto plots = plotsIn(grey);
+  REQUIRE(plots.size() == 1);
+  CHECK(plots.front().below == 6);
+  CHECK(plots.front().left == 5);
+  // Digits, not blocks: the paper shows in the hole of a zero.
+  const cv::Mat region = darknessOf(rasterOf(grey), PaperBy::region);
+  const cv::Mat zero = region(cv::Rect(54, 424, 9, 12));
+  CHECK(cv::countNonZero(zero > 100) < 0.75 * static_cast<double>(zero.total()));
+  CHECK(region.at<std::uint8_t>(250, 74) < 20);  // the panel's edge is no line
+  CHECK(region.at<std::uint8_t>(250, 75) < 20);
+}
+
+TEST_CASE("a tick that reaches a number is no minus behind it") {
+  const std::vector<Box> glyphs{{10, 10, 16, 20}, {18, 10, 24, 20}, {26, 14, 36, 17}};
+  const auto words = numberBoxes(glyphs);
+  REQUIRE(words.size() == 1);
+  CHECK(words.front() == Box{10, 10, 24, 20});
+  // A minus stands in front, and a decimal point is no dash.
+  CHECK(numberBoxes({{0, 14, 8, 16}, {10, 10, 16, 20}}).front() == Box{0, 10, 16, 20});
+  CHECK(numberBoxes({{10, 10, 16, 20}, {18, 18, 20, 20}}).front() == Box{10, 10, 20, 20});
+}
