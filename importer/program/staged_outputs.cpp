@@ -2,58 +2,24 @@
 #include "importer/program/staged_outputs.h"
 
 #include <fstream>
-#include <system_error>
 
 namespace detent::importer {
-namespace {
-
-namespace fs = std::filesystem;
-
-Failure cannotWrite(const std::string& path, const std::string& why) {
-  return {FailureCode::wrongUsage, path, "", "cannot be written (" + why + ")",
-          "Pass a path in a folder that exists and can be written to"};
-}
-
-}  // namespace
-
-StagedOutputs::~StagedOutputs() {
-  for (const File& file : files_) {
-    std::error_code ignored;
-    if (!file.staged.empty()) fs::remove(file.staged, ignored);
-  }
-}
 
 Result<Done> StagedOutputs::stage(const std::string& path, std::string_view bytes) {
-  std::error_code error;
-  const fs::path target(path);
-  if (fs::is_directory(target, error)) return cannotWrite(path, "it is a folder");
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder, error))
-    return cannotWrite(path, "folder " + folder.string() + " does not exist");
-  fs::path staged = target;
-  staged += ".part";
-  files_.push_back({staged, target});
-  std::ofstream out(staged, std::ios::binary | std::ios::trunc);
+  auto file = StagedFile::beside(path);
+  if (!file) return file.failure();
+  files_.push_back(*std::move(file));
+  paths_.push_back(path);
+  std::ofstream out(files_.back().path(), std::ios::binary | std::ios::trunc);
   out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   out.close();
-  if (!out) return cannotWrite(path, "no permission or no space");
-  return Done{};
+  return out ? Result<Done>(Done{}) : files_.back().notWritten("no permission or no space");
 }
 
 Result<Done> StagedOutputs::commit() {
-  for (File& file : files_) {
-    std::error_code error;
-    fs::rename(file.staged, file.final, error);
-    if (error) return cannotWrite(file.final.string(), error.message());
-    file.staged.clear();
-  }
+  for (StagedFile& file : files_)
+    if (auto done = file.commit(); !done) return done;
   return Done{};
-}
-
-std::vector<std::string> StagedOutputs::paths() const {
-  std::vector<std::string> all;
-  for (const File& file : files_) all.push_back(file.final.string());
-  return all;
 }
 
 }  // namespace detent::importer

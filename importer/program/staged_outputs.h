@@ -3,12 +3,12 @@
 // Output files that appear all together or not at all: nothing is left behind or half
 // overwritten.
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "model/result.h"
+#include "model/staged_file.h"
 
 namespace detent::importer {
 
@@ -16,23 +16,16 @@ namespace detent::importer {
 /// removed.
 class StagedOutputs {
  public:
-  StagedOutputs() = default;
-  StagedOutputs(const StagedOutputs&) = delete;
-  StagedOutputs& operator=(const StagedOutputs&) = delete;
-  ~StagedOutputs();
-
   /// Failure wrongUsage: the folder does not exist, cannot be written to, or the disk is full.
   Result<Done> stage(const std::string& path, std::string_view bytes);
   Result<Done> commit();
 
   /// Final paths of everything staged so far.
-  std::vector<std::string> paths() const;
+  const std::vector<std::string>& paths() const { return paths_; }
 
  private:
-  struct File {
-    std::filesystem::path staged, final;
-  };
-  std::vector<File> files_;
+  std::vector<StagedFile> files_;
+  std::vector<std::string> paths_;
 };
 
 }  // namespace detent::importer

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <random>
+
+#include "model/staged_file.h"
 
 namespace detent {
 namespace {
@@ -22,27 +22,7 @@ Failure unreadable(const std::string& path, Message problem, Remedies remedies) 
   return {FailureCode::unreadableInput, path, "", std::move(problem), std::move(remedies)};
 }
 
-Failure notWritten(const std::string& path, FailureCode code, Message problem, Remedies remedies) {
-  return {code, path, "", Message("cannot be written: %1", std::move(problem)), std::move(remedies)};
-}
-
 std::string systemReason() { return std::strerror(errno); }
-
-// A name no other writer uses; short, so that a long target name does not make it too long.
-fs::path temporaryBeside(const fs::path& target) {
-  std::random_device random;
-  char name[48];
-  std::snprintf(name, sizeof name, ".detent-%08x%08x.tmp", random(), random());
-  return target.parent_path() / name;
-}
-
-// The file a path finally stands for.
-fs::path resolved(const fs::path& path) {
-  std::error_code error;
-  if (!fs::is_symlink(path, error)) return path;
-  const fs::path target = fs::weakly_canonical(path, error);
-  return error ? path : target;
-}
 
 std::string writeAll(const fs::path& path, std::string_view text) {
   errno = 0;
@@ -82,31 +62,11 @@ Result<std::string> readTextFile(const std::string& path) {
 }
 
 Result<Done> writeTextFileAtomically(const std::string& path, std::string_view text) {
-  std::error_code error;
-  const fs::path target = resolved(path);
-  const fs::file_status status = fs::status(target, error);
-  if (fs::is_directory(status))
-    return notWritten(path, FailureCode::wrongUsage, "it is a folder", "Name a file inside it");
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    return notWritten(path, FailureCode::wrongUsage, "it is not a regular file", "Name a file");
-  const fs::path folder = target.parent_path().empty() ? fs::path(".") : target.parent_path();
-  if (!fs::is_directory(folder, error))
-    return notWritten(path, FailureCode::wrongUsage, "its folder does not exist", "Create the folder first");
-  const fs::path temporary = temporaryBeside(target);
-  if (const std::string reason = writeAll(temporary, text); !reason.empty()) {
-    fs::remove(temporary, error);
-    return notWritten(path, FailureCode::internalFault, reason,
-                      "Check the folder's permissions and free space");
-  }
-  if (fs::exists(status)) fs::permissions(temporary, status.permissions(), error);
-  fs::rename(temporary, target, error);
-  if (error) {
-    const std::string reason = error.message();
-    fs::remove(temporary, error);
-    return notWritten(path, FailureCode::internalFault, reason,
-                      "Check the folder's permissions and free space");
-  }
-  return Done{};
+  auto staged = StagedFile::beside(path);
+  if (!staged) return staged.failure();
+  if (const std::string reason = writeAll(staged->path(), text); !reason.empty())
+    return staged->notWritten(reason);
+  return staged->commit();
 }
 
 }  // namespace detent

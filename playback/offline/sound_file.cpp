@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cctype>
-#include <cstdio>
 #include <memory>
-#include <random>
-#include <system_error>
 
 #include <sndfile.h>
 
+#include "model/staged_file.h"
 #include "playback/offline/render_press.h"
 
 namespace detent::playback {
@@ -52,41 +50,6 @@ int formatOf(Container container, SampleFormat format, double bytes) {
   return container == Container::flac && format != SampleFormat::float32 ? SF_FORMAT_FLAC | samples : 0;
 }
 
-/// A file beside the target that disappears unless it is kept.
-class Draft {
- public:
-  explicit Draft(const std::filesystem::path& target) : target_(target) {
-    std::random_device random;
-    char suffix[40];
-    std::snprintf(suffix, sizeof suffix, ".%08x%08x.part", random(), random());
-    path_ = target;
-    path_ += suffix;
-  }
-  ~Draft() {
-    std::error_code ignored;
-    if (!kept_) std::filesystem::remove(path_, ignored);
-  }
-  Draft(const Draft&) = delete;
-  Draft& operator=(const Draft&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-  std::error_code keep() {
-    std::error_code error;
-    std::filesystem::rename(path_, target_, error);
-    kept_ = !error;
-    return error;
-  }
-
- private:
-  std::filesystem::path target_, path_;
-  bool kept_ = false;
-};
-
-Failure cannotWrite(const std::filesystem::path& file, const std::string& why) {
-  return {FailureCode::unreadableInput, file.string(), "", "cannot be written (" + why + ")",
-          "Check the folder, its rights and the free space"};
-}
-
 }  // namespace
 
 ExpectedSize expectedSize(const PressTrace& trace, const RenderSettings& settings,
@@ -119,12 +82,13 @@ Result<RenderSummary> renderPressToFile(const HapticProgram& program, const Pres
     return Failure{FailureCode::wrongUsage, file.string(), "", "is neither .wav nor .flac",
                    "Give one of these endings"};
   }
-  Draft draft(file);
+  auto draft = StagedFile::beside(file);
+  if (!draft) return draft.failure();
   std::string trouble;
   Result<RenderSummary> summary = Failure{};
   {
-    SoundFile out(sf_open(draft.path().c_str(), SFM_WRITE, &info));
-    if (!out) return cannotWrite(file, sf_strerror(nullptr));
+    SoundFile out(sf_open(draft->path().c_str(), SFM_WRITE, &info));
+    if (!out) return draft->notWritten(sf_strerror(nullptr));
     // No peak chunk: it holds the time of writing, and the same press must give the same file.
     sf_command(out.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
     sf_command(out.get(), SFC_SET_CLIPPING, nullptr, SF_TRUE);
@@ -142,8 +106,8 @@ Result<RenderSummary> renderPressToFile(const HapticProgram& program, const Pres
     const int closed = sf_close(out.release());
     if (closed != 0) trouble = sf_error_number(closed);
   }
-  if (!trouble.empty()) return cannotWrite(file, trouble);
-  if (const std::error_code error = draft.keep()) return cannotWrite(file, error.message());
+  if (!trouble.empty()) return draft->notWritten(trouble);
+  if (const auto kept = draft->commit(); !kept) return kept.failure();
   return summary;
 }
 

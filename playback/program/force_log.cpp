@@ -2,20 +2,14 @@
 #include "playback/program/force_log.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <utility>
 
 #include "playback/program/force_words.h"
-#include "playback/study/text_output.h"
+#include "playback/study/exact_number.h"
 
 namespace detent::playback {
 
 namespace {
-
-Failure cannotWrite(const std::string& path) {
-  return {FailureCode::unreadableInput, path, "", "the log cannot be written",
-          "Name a file in a folder you may write to"};
-}
 
 /// A state's name as one field.
 std::string fieldOf(std::string name) {
@@ -27,23 +21,15 @@ std::string fieldOf(std::string name) {
 
 }  // namespace
 
-ForceLog::ForceLog(std::string path)
-    : path_(std::move(path)), partPath_(path_ + ".part"), out_(partPath_, std::ios::binary) {}
+ForceLog::ForceLog(StagedFile file) : file_(std::move(file)), out_(file_.path(), std::ios::binary) {}
 
 Result<ForceLog> ForceLog::open(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return cannotWrite(path);
-  ForceLog log(path);
+  auto file = StagedFile::beside(path);
+  if (!file) return file.failure();
+  ForceLog log(*std::move(file));
   log.out_ << "time_s,position_mm,velocity_mm_per_s,force_N,energy_mJ,state\n";
-  if (!log.out_) return cannotWrite(path);
+  if (!log.out_) return log.file_.notWritten("");
   return log;
-}
-
-ForceLog::~ForceLog() {
-  if (!out_.is_open()) return;
-  out_.close();
-  std::error_code ignored;
-  std::filesystem::remove(partPath_, ignored);
 }
 
 void ForceLog::write(const ForceStep& step, double period_s, const Button& button) {
@@ -54,11 +40,7 @@ void ForceLog::write(const ForceStep& step, double period_s, const Button& butto
 
 Result<Done> ForceLog::finish() {
   out_.close();
-  std::error_code error;
-  if (out_) std::filesystem::rename(partPath_, path_, error);
-  if (out_ && !error) return Done{};
-  std::filesystem::remove(partPath_, error);
-  return cannotWrite(path_);
+  return out_ ? file_.commit() : file_.notWritten("");
 }
 
 }  // namespace detent::playback

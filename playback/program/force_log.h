@@ -6,26 +6,25 @@
 #include <string>
 
 #include "model/result.h"
+#include "model/staged_file.h"
 #include "playback/force_feedback.h"
 
 namespace detent::playback {
 
 class ForceLog {
  public:
-  /// Opens a file beside `path`; `finish` renames it. Failure: unreadableInput where it cannot be written.
+  /// Opens a file beside `path`, which `finish` puts there. Failure as StagedFile's.
   static Result<ForceLog> open(const std::string& path);
   ForceLog(ForceLog&& other) noexcept = default;
   ForceLog& operator=(ForceLog&&) = delete;
-  /// What was not finished goes.
-  ~ForceLog();
 
   /// `period_s` gives a step its time; the names of the states come from `button`, without commas.
   void write(const ForceStep& step, double period_s, const Button& button);
   Result<Done> finish();
 
  private:
-  explicit ForceLog(std::string path);
-  std::string path_, partPath_;
+  explicit ForceLog(StagedFile file);
+  StagedFile file_;  // what was not finished goes
   std::ofstream out_;
 };
 

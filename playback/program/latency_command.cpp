@@ -7,11 +7,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "model/file/text_file.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
 #include "playback/study/latency_statistics.h"
 #include "playback/study/profile_file.h"
-#include "playback/study/text_output.h"
 
 namespace detent::playback {
 
@@ -79,7 +79,7 @@ int run(const LatencyArguments& a, const Cancelled& cancelled) {
       result->device.c_str(), 1e3 * s.mean_s, s.n, 1e3 * s.sd_s, 1e3 * s.median_s, 1e3 * s.p5_s,
       1e3 * s.p95_s, 1e3 * s.p99_s, s.lost, histogram(s, histogramBins).c_str());
   if (!a.csvFile.empty()) {
-    if (Result<Done> w = writeWholeFile(a.csvFile, latencyCsv(s)); !w) return fail(w.failure());
+    if (Result<Done> w = writeTextFileAtomically(a.csvFile, latencyCsv(s)); !w) return fail(w.failure());
   }
   if (!a.outputFile.empty()) {
     Result<DeviceProfile> extended = profileToExtend(a.outputFile);

@@ -10,10 +10,11 @@
 #include <CLI/CLI.hpp>
 
 #include "model/file/button_file.h"
+#include "model/file/text_file.h"
 #include "playback/program/choice_option.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
-#include "playback/study/text_output.h"
+#include "playback/study/exact_number.h"
 
 namespace detent::playback {
 
@@ -105,7 +106,8 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
   Result<RenderSummary> summary = renderPressToFile(prepared->program, *trace, settings, a.outputFile);
   if (!summary) return fail(summary.failure());
   if (!a.eventsFile.empty()) {
-    if (Result<Done> w = writeWholeFile(a.eventsFile, eventsCsv(summary->events, a.sampleRate_Hz)); !w)
+    if (Result<Done> w = writeTextFileAtomically(a.eventsFile, eventsCsv(summary->events, a.sampleRate_Hz));
+        !w)
       return fail(w.failure());
   }
   const ConditionerCounts& c = summary->sensor;

@@ -17,7 +17,6 @@
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
 #include "playback/program/study_terminal.h"
-#include "playback/study/text_output.h"
 #include "playback/trials/participant_session.h"
 #include "playback/trials/printed_counts.h"
 #include "playback/trials/study_output.h"
@@ -276,7 +275,8 @@ int runReport(const ReadArguments& a) {
   Result<StudyResults> results = resultsIn(a.folder);
   if (!results) return fail(results.failure());
   if (!a.csvFile.empty()) {
-    if (Result<Done> ok = writeWholeFile(a.csvFile, resultsCsv(*results)); !ok) return fail(ok.failure());
+    if (Result<Done> ok = writeTextFileAtomically(a.csvFile, resultsCsv(*results)); !ok)
+      return fail(ok.failure());
   }
   if (!a.bidsFolder.empty()) {
     if (Result<Done> ok = writeBids(*results, a.bidsFolder); !ok) return fail(ok.failure());
@@ -284,7 +284,7 @@ int runReport(const ReadArguments& a) {
   if (!a.htmlFile.empty()) {
     Result<std::vector<ForetoldPair>> expected = foretold(a.folder);
     if (!expected) return fail(expected.failure());
-    if (Result<Done> ok = writeWholeFile(a.htmlFile, resultsPage(*results, *expected)); !ok)
+    if (Result<Done> ok = writeTextFileAtomically(a.htmlFile, resultsPage(*results, *expected)); !ok)
       return fail(ok.failure());
   }
   const std::string text = resultsText(*results);

@@ -8,11 +8,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "model/file/text_file.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
 #include "playback/study/profile_file.h"
 #include "playback/study/sweep.h"
-#include "playback/study/text_output.h"
 
 namespace detent::playback {
 
@@ -106,10 +106,11 @@ int run(const SweepArguments& a, const Cancelled& cancelled) {
   if (profile->name.empty()) profile->name = a.player.device;
   if (Result<Done> w = writeDeviceProfile(*profile, a.outputFile); !w) return fail(w.failure());
   if (!a.csvFile.empty()) {
-    if (Result<Done> w = writeWholeFile(a.csvFile, responseCsv(*response)); !w) return fail(w.failure());
+    if (Result<Done> w = writeTextFileAtomically(a.csvFile, responseCsv(*response)); !w)
+      return fail(w.failure());
   }
   if (!a.plotFile.empty()) {
-    if (Result<Done> w = writeWholeFile(a.plotFile, responseSvg(*response, profile->name)); !w)
+    if (Result<Done> w = writeTextFileAtomically(a.plotFile, responseSvg(*response, profile->name)); !w)
       return fail(w.failure());
   }
   Json peaks = Json::array();

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string_view>
 
+#include <Eigen/QR>
+
 namespace detent::playback {
 
 namespace {
@@ -22,8 +24,7 @@ struct Fit {
   double aicc = std::numeric_limits<double>::infinity();
 };
 
-/// Weighted polynomial least squares by QR (modified Gram-Schmidt on the weighted, scaled Vandermonde
-/// matrix).
+/// Weighted polynomial least squares by a rank-revealing QR of the scaled Vandermonde matrix.
 std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const CalibrationSettings& settings,
                              std::size_t degree) {
   const std::size_t n = weights.size(), m = degree + 1;
@@ -34,56 +35,32 @@ std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const Cali
   double scale = 0;
   for (const KnownWeight& w : weights) scale = std::max(scale, std::fabs(c.linearised(w.raw)));
   if (!(scale > 0)) return {};
-  std::vector<std::vector<double>> q(m, std::vector<double>(n)), r(m, std::vector<double>(m, 0));
-  std::vector<double> y(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const double sigma = std::hypot(settings.absoluteError_N, settings.relativeError * weights[i].force_N);
-    const double u = c.linearised(weights[i].raw) / scale;
-    double power = 1;
-    for (std::size_t k = 0; k < m; ++k, power *= u) q[k][i] = power / sigma;
-    y[i] = weights[i].force_N / sigma;
+  const auto rows = static_cast<Eigen::Index>(n), columns = static_cast<Eigen::Index>(m);
+  Eigen::MatrixXd powers(rows, columns);
+  Eigen::VectorXd forces(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const KnownWeight& weight = weights[static_cast<std::size_t>(i)];
+    const double sigma = std::hypot(settings.absoluteError_N, settings.relativeError * weight.force_N);
+    double power = 1 / sigma;
+    for (Eigen::Index k = 0; k < columns; ++k, power *= c.linearised(weight.raw) / scale)
+      powers(i, k) = power;
+    forces(i) = weight.force_N / sigma;
   }
-  const auto dot = [n](const std::vector<double>& a, const std::vector<double>& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
-  };
-  std::vector<double> projected(m), residual = y;
-  for (std::size_t k = 0; k < m; ++k) {
-    const double before = std::sqrt(dot(q[k], q[k]));
-    for (std::size_t j = 0; j < k; ++j) {
-      r[j][k] = dot(q[j], q[k]);
-      for (std::size_t i = 0; i < n; ++i) q[k][i] -= r[j][k] * q[j][i];
-    }
-    r[k][k] = std::sqrt(dot(q[k], q[k]));
-    if (!(r[k][k] > 1e-9 * before)) return {};  // the weights do not tell this degree from the lower one
-    for (std::size_t i = 0; i < n; ++i) q[k][i] /= r[k][k];
-    projected[k] = dot(q[k], residual);
-    for (std::size_t i = 0; i < n; ++i) residual[i] -= projected[k] * q[k][i];
-  }
-  // Back substitution for the coefficients and for the columns of R^-1, which give the covariance.
-  std::vector<double> beta(m);
-  std::vector<std::vector<double>> inverse(m, std::vector<double>(m, 0));
-  for (std::size_t k = m; k-- > 0;) {
-    double sum = projected[k];
-    for (std::size_t j = k + 1; j < m; ++j) sum -= r[k][j] * beta[j];
-    beta[k] = sum / r[k][k];
-    for (std::size_t column = 0; column < m; ++column) {
-      double value = column == k ? 1 : 0;
-      for (std::size_t j = k + 1; j < m; ++j) value -= r[k][j] * inverse[j][column];
-      inverse[k][column] = value / r[k][k];
-    }
-  }
-  const double chi2 = dot(residual, residual);
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(powers);
+  qr.setThreshold(1e-9);
+  if (qr.rank() < columns) return {};  // the weights do not tell this degree from the lower one
+  const Eigen::VectorXd beta = qr.solve(forces);
+  const double chi2 = (forces - powers * beta).squaredNorm();
   const double variance = chi2 / static_cast<double>(n - m);
+  const Eigen::MatrixXd inverse =
+      qr.solve(Eigen::MatrixXd::Identity(rows, rows));  // its rows give the covariance
   c.coefficientCount = m;
   c.coefficients = {};
   double power = 1;
   for (std::size_t k = 0; k < m; ++k, power *= scale) {
-    c.coefficients[k] = beta[k] / power;
-    double sum = 0;
-    for (std::size_t j = 0; j < m; ++j) sum += inverse[k][j] * inverse[k][j];
-    c.standardErrors[k] = std::sqrt(variance * sum) / power;
+    const auto row = static_cast<Eigen::Index>(k);
+    c.coefficients[k] = beta(row) / power;
+    c.standardErrors[k] = std::sqrt(variance) * inverse.row(row).norm() / power;
   }
   double squares = 0;
   c.lowest_N = std::numeric_limits<double>::infinity();

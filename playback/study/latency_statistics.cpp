@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "playback/study/text_output.h"
+#include "playback/study/exact_number.h"
 
 namespace detent::playback {
 

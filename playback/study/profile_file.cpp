@@ -9,8 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "model/file/text_file.h"
 #include "playback/prepare/prepare_program.h"
-#include "playback/study/text_output.h"
+#include "playback/study/exact_number.h"
 
 namespace detent::playback {
 
@@ -231,7 +232,7 @@ std::string toText(const DeviceProfile& p) {
 }
 
 Result<Done> writeDeviceProfile(const DeviceProfile& profile, const std::filesystem::path& file) {
-  return writeWholeFile(file, toText(profile));
+  return writeTextFileAtomically(file.string(), toText(profile));
 }
 
 }  // namespace detent::playback

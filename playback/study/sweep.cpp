@@ -6,8 +6,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "playback/study/exact_number.h"
 #include "playback/study/fourier.h"
-#include "playback/study/text_output.h"
 
 namespace detent::playback {
 

@@ -14,7 +14,6 @@
 #include "playback/offline/standard_press.h"
 #include "playback/statistics/shuffle.h"
 #include "playback/study/profile_file.h"
-#include "playback/study/text_output.h"
 
 namespace detent::playback {
 
@@ -197,8 +196,8 @@ Result<Done> writeParts(const fs::path& folder, const Study& study, const std::v
     return unreadable(folder, "cannot be made (" + error.message() + ")",
                       "Check the folder, its rights and the free space");
   const std::string consent = study.design.consent.empty() ? standardConsent : study.design.consent;
-  if (Result<Done> ok = writeWholeFile(folder / "consent.txt", consent); !ok) return ok;
-  return writeWholeFile(folder / "study.json", jsonOf(study).dump(2) + "\n");
+  if (Result<Done> ok = writeTextFileAtomically((folder / "consent.txt").string(), consent); !ok) return ok;
+  return writeTextFileAtomically((folder / "study.json").string(), jsonOf(study).dump(2) + "\n");
 }
 
 }  // namespace

@@ -6,8 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/file/text_file.h"
 #include "model/version.h"
-#include "playback/study/text_output.h"
+#include "playback/study/exact_number.h"
 
 namespace detent::playback {
 
@@ -221,9 +222,12 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
                      {"first_press", {{"Description", "from onset to the first press"}, {"Units", "s"}}},
                      {"correct", {{"Description", "1: the answer is X"}}},
                      {"condition", {{"Description", "simulated, rehearsal: no person felt anything"}}}};
-  if (Result<Done> ok = writeWholeFile(folder / "dataset_description.json", dataset.dump(2) + "\n"); !ok)
+  if (Result<Done> ok =
+          writeTextFileAtomically((folder / "dataset_description.json").string(), dataset.dump(2) + "\n");
+      !ok)
     return ok;
-  if (Result<Done> ok = writeWholeFile(folder / ("task-" + task + "_events.json"), columns.dump(2) + "\n");
+  if (Result<Done> ok = writeTextFileAtomically((folder / ("task-" + task + "_events.json")).string(),
+                                                columns.dump(2) + "\n");
       !ok)
     return ok;
   std::vector<std::string> participants;
@@ -235,9 +239,12 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
     list += sub + "\t" + id + "\n";
     if (Result<Done> ok = makeFolder(folder / sub / "beh"); !ok) return ok;
     const std::string name = sub + "_task-" + task + "_events.tsv";
-    if (Result<Done> ok = writeWholeFile(folder / sub / "beh" / name, eventsOf(results, id)); !ok) return ok;
+    if (Result<Done> ok =
+            writeTextFileAtomically((folder / sub / "beh" / name).string(), eventsOf(results, id));
+        !ok)
+      return ok;
   }
-  return writeWholeFile(folder / "participants.tsv", list);
+  return writeTextFileAtomically((folder / "participants.tsv").string(), list);
 }
 
 std::string resultsText(const StudyResults& results) {

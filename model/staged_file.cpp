@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/staged_file.h"
+
+#include <cstdio>
+#include <random>
+#include <utility>
+
+namespace detent {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The file a path finally stands for.
+fs::path resolved(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_symlink(path, error)) return path;
+  const fs::path target = fs::weakly_canonical(path, error);
+  return error ? path : target;
+}
+
+// Short, so that a long target name does not make it too long.
+fs::path temporaryBeside(const fs::path& target) {
+  std::random_device random;
+  char name[48];
+  std::snprintf(name, sizeof name, ".detent-%08x%08x.tmp", random(), random());
+  return target.parent_path() / name;
+}
+
+Failure refused(const fs::path& target, const Message& problem, const Message& remedy) {
+  return {FailureCode::wrongUsage, target.string(), "", Message("cannot be written: %1", problem), remedy};
+}
+
+}  // namespace
+
+StagedFile::StagedFile(fs::path target, fs::path path) : target_(std::move(target)), path_(std::move(path)) {}
+
+StagedFile::StagedFile(StagedFile&& other) noexcept
+    : target_(std::move(other.target_)), path_(std::exchange(other.path_, {})) {}
+
+StagedFile::~StagedFile() {
+  std::error_code ignored;
+  if (!path_.empty()) fs::remove(path_, ignored);
+}
+
+Result<StagedFile> StagedFile::beside(const fs::path& target) {
+  std::error_code error;
+  const fs::path file = resolved(target);
+  const fs::file_status status = fs::status(file, error);
+  if (fs::is_directory(status))
+    return refused(target, Message("it is a folder"), Message("Name a file inside it"));
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return refused(target, Message("it is not a regular file"), Message("Name a file"));
+  const fs::path folder = file.parent_path().empty() ? fs::path(".") : file.parent_path();
+  if (!fs::is_directory(folder, error))
+    return refused(target, Message("its folder does not exist"), Message("Create the folder first"));
+  return StagedFile(file, temporaryBeside(file));
+}
+
+Result<Done> StagedFile::commit() {
+  std::error_code error;
+  const fs::file_status status = fs::status(target_, error);
+  if (fs::exists(status)) fs::permissions(path_, status.permissions(), error);
+  fs::rename(path_, target_, error);
+  if (error) return notWritten(error.message());
+  path_.clear();
+  return Done{};
+}
+
+Failure StagedFile::notWritten(const std::string& reason) const {
+  return {FailureCode::internalFault, target_.string(), "",
+          reason.empty() ? Message("cannot be written") : Message("cannot be written: %1", reason),
+          Message("Check the folder's permissions and free space")};
+}
+
+}  // namespace detent
