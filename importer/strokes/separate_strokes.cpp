@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "importer/strokes/legend.h"
@@ -22,12 +21,6 @@ struct Verdict {
   }
   double confidence() const { return 1 / (1 + std::exp(-std::abs(logOdds))); }
 };
-
-std::string hex(Rgb c) {
-  char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", c.r, c.g, c.b);
-  return text;
-}
 
 /// In the order of increasing displacement; a plumb line in the order of increasing force.
 StrokePoints inUnits(const CurveTrace& trace, const AxisCalibration& calibration) {
@@ -167,7 +160,7 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const Compariso
 Failure tooMany(const std::vector<CurveTrace>& traces) {
   std::string colors;
   for (const CurveTrace& trace : traces) {
-    colors += (colors.empty() ? "" : ", ") + hex(trace.color);
+    colors += (colors.empty() ? "" : ", ") + nameOf(trace.color);
     if (!trace.label.empty()) colors += " (" + trace.label + ")";
   }
   return failureOf({DoubtCode::tooManyCurves,
@@ -247,7 +240,7 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
     found.evidence = {{EvidenceCode::exchangedByHand}};
   } else if (std::abs(verdict.logOdds) < 0.4) {
     return failureOf({DoubtCode::strokesAlike,
-                      {hex(drawn[0].color), hex(drawn[1].color)},
+                      {nameOf(drawn[0].color), nameOf(drawn[1].color)},
                       {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}}},
                      "plot frame");
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <opencv2/imgproc.hpp>
+
 namespace detent::importer::trace {
 
 namespace {
@@ -137,10 +139,26 @@ CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explain
   return curve;
 }
 
+/// Ink that lies in places no line is wide enough for: a tolerance band, the area under a curve.
+bool isFilledArea(const PlotInks& plot, int index) {
+  constexpr float kInked = 0.4F;
+  constexpr int kLeastWidth_px = 7;
+  const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
+  const double side_px = std::min(plot.area.frame.width(), plot.area.frame.height());
+  const int width_px = std::max(kLeastWidth_px, static_cast<int>(plot.options.fillWidth * side_px));
+  const cv::Mat inked =
+      cv::Mat(own.height, own.width, CV_32F, const_cast<float*>(own.values.data())) > kInked;
+  cv::Mat wide;
+  cv::morphologyEx(inked, wide, cv::MORPH_OPEN,
+                   cv::getStructuringElement(cv::MORPH_RECT, {width_px, width_px}));
+  return cv::countNonZero(wide) > plot.options.fillShare * cv::countNonZero(inked);
+}
+
 std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
   if (plot.palette[static_cast<std::size_t>(index)].mass_px <
       0.5 * plot.options.minSpan * plot.area.frame.width())
     return {};
+  if (isFilledArea(plot, index)) return {};
   double explained = 0;
   CurveInk curve = bestLine(plot, index, neutral, explained);
   const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);

@@ -40,6 +40,10 @@ struct CurveChoiceOptions {
   double secondStrand = tuned("choice.secondStrand", 0.18);
   double haloStrength =
       tuned("choice.haloStrength", 0.6);  ///< of the line's contrast: a paler one along it is its halo
+  double fillWidth =
+      tuned("choice.fillWidth", 0.02);  ///< of the frame's smaller side: what is wider all along is no line
+  double fillShare =
+      tuned("choice.fillShare", 0.5);  ///< of an ink's mass in places so wide: a band or a filled area
   double haloAlong = tuned("choice.haloAlong", 0.9);  ///< share of a halo's course that lies on its line
 };
 

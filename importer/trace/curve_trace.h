@@ -22,6 +22,9 @@ struct CurveTrace {
   std::string label;  ///< legend text that belongs to this colour/dash, if any
 };
 
+/// As people give colours: "#2a6099".
+std::string nameOf(Rgb color);
+
 struct TraceHints {
   std::optional<Rgb> pressColor, releaseColor;
   std::vector<Box> masks_px;  ///< regions to ignore, view pixels

@@ -114,7 +114,7 @@ double meanTrust(const RefinedStroke& stroke) {
 
 double LoopEvidence::confidence() const {
   return ramp(onInk, 0.75, 0.95) * ramp(explained, 0.25, 0.6) * (0.3 + 0.7 * ramp(fit, 0.15, 0.5)) *
-         steadiness * reach * together;
+         steadiness * reach * thinness * together;
 }
 
 LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Structure& structure,
@@ -135,6 +135,10 @@ LoopEvidence judge(const PlanePair& pair, const RefinedPair& refined, const Stru
   e.reach = worse([&](const std::vector<Point>& p) {
     return ramp((p.back().x - p.front().x) / plane.frame.width(), 0.15, 0.55);
   });
+  const double side_px = std::min(plane.frame.width(), plane.frame.height()) * plane.scale;
+  const double width_px =
+      both ? std::max(refined.press.width_px, refined.release.width_px) : refined.press.width_px;
+  e.thinness = 1 - ramp(width_px / side_px, 0.025, 0.035);
   e.together = both ? ramp(sharedTravel(pair.press, pair.release), 0.3, 0.7) : 1;
   return e;
 }

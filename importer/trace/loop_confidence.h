@@ -16,6 +16,7 @@ struct LoopEvidence {
   double fit = 0;         ///< mean trust of the refined points
   double steadiness = 0;  ///< falls with turning beyond what force curves do
   double reach = 0;       ///< share of the frame's width that is covered, full from 55 % on
+  double thinness = 0;    ///< falls with a width that no line has: bands and filled areas
   double together = 0;    ///< share of the travel that both strokes run over, full from 70 % on
   double confidence() const;
 };

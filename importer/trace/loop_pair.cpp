@@ -259,6 +259,17 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
   return contacts;
 }
 
+/// All of a path within `off_px` of the chord between its ends.
+bool isStraight(const std::vector<Point>& path, double off_px) {
+  const Point a = path.front(), b = path.back();
+  const double length = std::max(1.0, distance(a, b));
+  return std::all_of(path.begin(), path.end(),
+                     [&](Point p) { return std::abs(cross(p - a, b - a)) / length <= off_px; });
+}
+
+constexpr double kMuch = 0.3;       // of the frame's width: ink left over that may be a curve
+constexpr double kCrossing = 0.08;  // of it: where two curves run together at a crossing
+
 /// One joint search for both strokes at one price of gaps.
 class PairSearch {
  public:
@@ -302,6 +313,41 @@ class PairSearch {
     return strongPixels(rewardBeside(reward_, both(), stroke_ + 1)) / std::max(1.0, stroke_);
   }
 
+  /// Length of ink along the best unbroken line through what both leave over, if it bends as curves do and leaders do
+  /// not. It may cross both strokes, but not go along with them.
+  double furtherCurve_px() {
+    if (leftOver_px() < kMuch * plane_.frame.width()) return 0;
+    const int lastColumn = reward_.width - 1;
+    const std::vector<Point> way = follow(both(), {0, lastColumn, 0, lastColumn});
+    const Plane own = rewardBeside(reward_, both(), stroke_ + 1);
+    const double crossing_px = kCrossing * plane_.frame.width(), hole_px = 2 * stroke_ + 2;
+    double best = 0;
+    std::vector<Point> run;
+    double length = 0, since = 0;
+    bool onPaper = false;
+    const auto close = [&] {
+      if (run.size() > 1 && !isStraight(run, stroke_ + 2)) best = std::max(best, length);
+      run.clear();
+      length = since = 0;
+      onPaper = false;
+    };
+    for (const Point& p : way) {
+      const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+      if (own.at(x, y) > 0.3F) {
+        run.push_back(p);
+        length += 1;
+        since = 0;
+        onPaper = false;
+        continue;
+      }
+      onPaper = onPaper || reward_.at(x, y) < 0;
+      since += 1;
+      if (since > (onPaper ? hole_px : crossing_px)) close();
+    }
+    close();
+    return best;
+  }
+
   /// The second stroke's own stretch is broken often and evenly, as no way over leaders and words is.
   bool secondIsDashed() const {
     const Plane own = rewardBeside(reward_, a_, stroke_ + 1);
@@ -334,6 +380,7 @@ class PairSearch {
     shareEnds(a_, b_, stroke_, plane_.frame);
     std::tie(pair.press, pair.release) = partUpperLower(a_, b_, std::max(0.75, 0.35 * stroke_));
     startOnAxis(pair.press, pair.release, plane_.frame.x0, std::max(1.0, 0.6 * stroke_));
+    pair.further_px = furtherCurve_px();
     return pair;
   }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "importer/trace/centre_line.h"
@@ -281,6 +282,12 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
 }
 
 }  // namespace
+
+std::string nameOf(Rgb color) {
+  char text[8];
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", color.r, color.g, color.b);
+  return text;
+}
 
 Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFrame& frame,
                                             const AxesFound& axes, const TraceHints& hints,

@@ -37,6 +37,16 @@ Failure doubtfulFailure(double confidence) {
                    "curves");
 }
 
+/// A third curve this long, as a share of the frame's width, is another switch's.
+constexpr double kAnotherCurve = 0.3;
+
+Failure severalLoopsFailure(Rgb color) {
+  return failureOf({DoubtCode::tooManyCurves,
+                    {"more than two", nameOf(color)},
+                    {{RemedyKind::addMask, "over the curves of other switches"}}},
+                   "curves");
+}
+
 /// On the plane, from area pixels.
 std::vector<double> onPlane(std::vector<double> positions_px, double origin, double scale) {
   for (double& p : positions_px) p = (p - origin) / scale;
@@ -107,6 +117,7 @@ Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink
   const RefinedPair refined = refinePair(pair, plane, ink, lines, structure);
   const double confidence = judge(pair, refined, structure, plane).confidence();
   if (confidence < kNotACurve) return doubtfulFailure(confidence);
+  if (pair.further_px > kAnotherCurve * plane.frame.width()) return severalLoopsFailure(color);
 
   std::vector<CurveTrace> traces{traceOf(refined.press, Stroke::press, area, options.pointSpacing_px)};
   if (!refined.release.points.empty())

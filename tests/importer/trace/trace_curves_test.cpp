@@ -225,6 +225,26 @@ TEST_CASE("Two coloured curves over a grid are traced to a tenth of a pixel", "[
   CHECK(ofColor(*traces, kLime).points_px.back().y == Approx(up.back().y).margin(1.5));
 }
 
+TEST_CASE("A tolerance band around a curve is no second stroke", "[trace]") {
+  Plot plot(900, 550);
+  plot.grid(8, 10, kGrey);
+  const Curve down = plot.at(press());
+  SECTION("in another hue: the line in its middle") {
+    plot.line(down, 30, kRed, true, 0.3);
+    plot.line(down, 2.5, kBlue, true);
+  }
+  SECTION("in its own hue: not believed, if not told apart") {
+    plot.line(down, 44, kBlue, true, 0.25);
+    plot.line(down, 2.5, kBlue, true);
+    const auto traces = plot.trace();
+    if (!traces.ok() || traces->front().confidence < 0.25) return;
+  }
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 1);
+  CHECK(apart(traces->front().points_px, clippedAtTop(plot, down)) < 0.3);
+}
+
 TEST_CASE("Thin pale lines of a 300 px picture", "[trace]") {
   Plot plot(300, 220);
   plot.grid(4, 4, {235, 235, 235});

@@ -362,6 +362,21 @@ TEST_CASE("loop: a latch branch is not part of the strokes", "[trace_loop]") {
   checkLoop(plot, loop, 0.6);
 }
 
+TEST_CASE("loop: two switches in one ink are refused, whatever two of their strokes would look like",
+          "[trace_loop]") {
+  Plot plot(800, 600, 2);
+  plot.grid(8, 6, 1);
+  const Loop loop = tactileLoop();
+  draw(plot, loop);
+  draw(plot,
+       {through({{0.02, 0.0}, {0.06, 0.20}, {0.40, 0.62}, {0.55, 0.48}, {0.75, 0.60}, {0.80, 0.95}}),
+        through({{0.03, 0.0}, {0.07, 0.12}, {0.41, 0.50}, {0.56, 0.37}, {0.752, 0.55}, {0.803, 0.95}})});
+  const auto result = plot.trace();
+  REQUIRE_FALSE(result.ok());
+  CHECK(result.failure().code == FailureCode::notCertain);
+  CHECK(result.failure().reason == nameOf(DoubtCode::tooManyCurves));
+}
+
 TEST_CASE("loop: gaps in a stroke are bridged", "[trace_loop]") {
   Plot plot(640, 480, 2);
   const Loop loop = tactileLoop();
