@@ -2,7 +2,7 @@
 #include "model/units.h"
 
 #include <algorithm>
-#include <ranges>
+#include <array>
 #include <string>
 
 #include "model/check.h"
@@ -13,40 +13,78 @@ namespace {
 constexpr double standardGravity_m_per_s2 = 9.80665;  // exact by definition (3rd CGPM, 1901)
 constexpr double newtonsPerPoundForce = 4.4482216152605;
 
-/// All there is to know of a unit. Spellings are separated by '|'.
+using Spellings = std::array<std::string_view, 20>;  // empty ones at the end
+
+/// All there is to know of a unit.
 template <class Unit>
 struct UnitEntry {
   Unit unit;
   double inBaseUnits;  // newtons, millimetres
   std::string_view symbol;
-  std::string_view exact;  // spellings whose case carries meaning: tried before anything is lowered
-  std::string_view words;  // in lower case
+  Spellings exact;  // spellings whose case carries meaning: tried before anything is lowered
+  Spellings words;  // in lower case
 };
 
 // "p" is pond, on old German sheets.
 constexpr UnitEntry<ForceUnit> forceUnits[] = {
-    {ForceUnit::newton, 1, "N", "N|n|Н|牛|牛顿|牛頓|ニュートン|뉴턴", "newton|newtons"},
-    {ForceUnit::millinewton, 1e-3, "mN", "mN|мН", "mn|millinewton|millinewtons"},
-    {ForceUnit::centinewton, 1e-2, "cN", "cN|CN|сН", "cn|centinewton|centinewtons"},
-    {ForceUnit::decinewton, 1e-1, "dN", "dN", "decinewton|decinewtons"},
-    {ForceUnit::kilonewton, 1e3, "kN", "kN|KN", "kilonewton|kilonewtons"},
-    {ForceUnit::dyne, 1e-5, "dyn", "", "dyn|dyne|dynes"},
-    {ForceUnit::gramForce, standardGravity_m_per_s2 / 1000, "gf", "гс|г|Г|克|克力|公克|グラム|그램",
-     "gf|gf.|g|g.f|g.f.|gr|gr.|grf|gm|gms|gram|grams|gramme|grammes|gramm|gram-force|grams-force|gram "
-     "force|p|pond"},
-    {ForceUnit::kilogramForce, standardGravity_m_per_s2, "kgf", "кгс|кг|千克力|公斤|㎏|㎏f",
-     "kgf|kg|kg.f|kp|kilopond|kilogram|kilograms|kilogram-force"},
-    {ForceUnit::ounceForce, newtonsPerPoundForce / 16, "ozf", "", "ozf|oz|oz.|oz.f|ounce|ounces|ounce-force"},
-    {ForceUnit::poundForce, newtonsPerPoundForce, "lbf", "", "lbf|lb|lb.|lb.f|lbs|lbs.|pound|pounds"}};
+    {ForceUnit::newton,
+     1,
+     "N",
+     {"N", "n", "Н", "牛", "牛顿", "牛頓", "ニュートン", "뉴턴"},
+     {"newton", "newtons"}},
+    {ForceUnit::millinewton, 1e-3, "mN", {"mN", "мН"}, {"mn", "millinewton", "millinewtons"}},
+    {ForceUnit::centinewton, 1e-2, "cN", {"cN", "CN", "сН"}, {"cn", "centinewton", "centinewtons"}},
+    {ForceUnit::decinewton, 1e-1, "dN", {"dN"}, {"decinewton", "decinewtons"}},
+    {ForceUnit::kilonewton, 1e3, "kN", {"kN", "KN"}, {"kilonewton", "kilonewtons"}},
+    {ForceUnit::dyne, 1e-5, "dyn", {}, {"dyn", "dyne", "dynes"}},
+    {ForceUnit::gramForce,
+     standardGravity_m_per_s2 / 1000,
+     "gf",
+     {"гс", "г", "Г", "克", "克力", "公克", "グラム", "그램"},
+     {"gf",    "gf.",        "g",           "g.f",        "g.f.",  "gr",     "gr.",
+      "grf",   "gm",         "gms",         "gram",       "grams", "gramme", "grammes",
+      "gramm", "gram-force", "grams-force", "gram force", "p",     "pond"}},
+    {ForceUnit::kilogramForce,
+     standardGravity_m_per_s2,
+     "kgf",
+     {"кгс", "кг", "千克力", "公斤", "㎏", "㎏f"},
+     {"kgf", "kg", "kg.f", "kp", "kilopond", "kilogram", "kilograms", "kilogram-force"}},
+    {ForceUnit::ounceForce,
+     newtonsPerPoundForce / 16,
+     "ozf",
+     {},
+     {"ozf", "oz", "oz.", "oz.f", "ounce", "ounces", "ounce-force"}},
+    {ForceUnit::poundForce,
+     newtonsPerPoundForce,
+     "lbf",
+     {},
+     {"lbf", "lb", "lb.", "lb.f", "lbs", "lbs.", "pound", "pounds"}}};
 
+// Of micrometres, the second spelling has the micro sign, the third a Greek mu.
 constexpr UnitEntry<LengthUnit> lengthUnits[] = {
-    {LengthUnit::millimetre, 1, "mm", "",
-     "mm|mm.|millimetre|millimetres|millimeter|millimeters|㎜|мм|毫米|公釐|公厘|ミリ|ミリメートル"},
-    {LengthUnit::centimetre, 10, "cm", "", "cm|centimetre|centimetres|centimeter|centimeters|㎝|см|厘米"},
-    {LengthUnit::micrometre, 1e-3, "\xC2\xB5m", "",  // micro sign; the second spelling is Greek mu
-     "um|\xC2\xB5m|\xCE\xBCm|micrometre|micrometres|micrometer|micrometers|micron|microns|㎛|мкм|微米"},
-    {LengthUnit::inch, 25.4, "in", "", "in|in.|ins|inch|inches|\"|zoll|英寸|英吋|インチ|дюйм"},
-    {LengthUnit::mil, 0.0254, "mil", "", "mil|mils|thou"}};
+    {LengthUnit::millimetre,
+     1,
+     "mm",
+     {},
+     {"mm", "mm.", "millimetre", "millimetres", "millimeter", "millimeters", "㎜", "мм", "毫米", "公釐",
+      "公厘", "ミリ", "ミリメートル"}},
+    {LengthUnit::centimetre,
+     10,
+     "cm",
+     {},
+     {"cm", "centimetre", "centimetres", "centimeter", "centimeters", "㎝", "см", "厘米"}},
+    {LengthUnit::micrometre,
+     1e-3,
+     "\xC2\xB5m",
+     {},
+     {"um", "\xC2\xB5m", "\xCE\xBCm", "micrometre", "micrometres", "micrometer", "micrometers", "micron",
+      "microns", "㎛", "мкм", "微米"}},
+    {LengthUnit::inch,
+     25.4,
+     "in",
+     {},
+     {"in", "in.", "ins", "inch", "inches", "\"", "zoll", "英寸", "英吋", "インチ", "дюйм"}},
+    {LengthUnit::mil, 0.0254, "mil", {}, {"mil", "mils", "thou"}}};
 
 template <class Unit, std::size_t count>
 const UnitEntry<Unit>& entryOf(const UnitEntry<Unit> (&units)[count], Unit unit) {
@@ -68,20 +106,15 @@ std::string lowered(std::string_view text) {
   return out;
 }
 
-bool isAmong(std::string_view spellings, std::string_view text) {
-  return std::ranges::any_of(spellings | std::views::split('|'),
-                             [&](const auto& spelling) { return std::ranges::equal(spelling, text); });
-}
-
 template <class Unit, std::size_t count>
 std::optional<Unit> unitFrom(const UnitEntry<Unit> (&units)[count], std::string_view text) {
   const std::string_view symbol = trimmed(text);
   if (symbol.empty()) return {};
   for (const auto& entry : units)
-    if (isAmong(entry.exact, symbol)) return entry.unit;
+    if (std::ranges::find(entry.exact, symbol) != entry.exact.end()) return entry.unit;
   const std::string word = lowered(symbol);
   for (const auto& entry : units)
-    if (isAmong(entry.words, word)) return entry.unit;
+    if (std::ranges::find(entry.words, word) != entry.words.end()) return entry.unit;
   return {};
 }
 

@@ -2,10 +2,10 @@
 #include "importer/specs/printed_spec.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <ranges>
 #include <regex>
 #include <string_view>
 
@@ -17,23 +17,26 @@ namespace {
 
 struct Phrases {
   SpecQuantity quantity;
-  std::string_view words;  // separated by '|'
+  std::array<std::string_view, 9> words;  // empty ones at the end
 };
 
 // As datasheets print them, lower case, without spaces. Longer ones first: "pressurepointforce" is not "force".
 constexpr Phrases phrases[] = {
-    {SpecQuantity::tactileForce, "pressurepointforce|tactileforce|druckpunktkraft|触感力"},
-    {SpecQuantity::endForce, "totaltravelforce|endforce|endkraft"},
+    {SpecQuantity::tactileForce, {"pressurepointforce", "tactileforce", "druckpunktkraft", "触感力"}},
+    {SpecQuantity::endForce, {"totaltravelforce", "endforce", "endkraft"}},
     {SpecQuantity::totalTravel,
-     "totaltravel|fulltravel|actuatortravel|totalstroke|fullstroke|gesamtweg|总行程|全行程|全ストローク"},
-    {SpecQuantity::preTravel, "pretravel|pre-travel|operatingtravel|vorlaufweg|schaltweg|导通行程|动作行程"},
-    {SpecQuantity::operatingForce, "operatingforce|operationforce|actuationforce|schaltkraft|操作力|动作力"}};
+     {"totaltravel", "fulltravel", "actuatortravel", "totalstroke", "fullstroke", "gesamtweg", "总行程",
+      "全行程", "全ストローク"}},
+    {SpecQuantity::preTravel,
+     {"pretravel", "pre-travel", "operatingtravel", "vorlaufweg", "schaltweg", "导通行程", "动作行程"}},
+    {SpecQuantity::operatingForce,
+     {"operatingforce", "operationforce", "actuationforce", "schaltkraft", "操作力", "动作力"}}};
 
 // Abbreviations count only where the row starts with them: "OF" is also a word.
-constexpr Phrases abbreviations[] = {{SpecQuantity::totalTravel, "tt"},
-                                     {SpecQuantity::preTravel, "pt"},
-                                     {SpecQuantity::operatingForce, "of"},
-                                     {SpecQuantity::tactileForce, "tf"}};
+constexpr Phrases abbreviations[] = {{SpecQuantity::totalTravel, {"tt"}},
+                                     {SpecQuantity::preTravel, {"pt"}},
+                                     {SpecQuantity::operatingForce, {"of"}},
+                                     {SpecQuantity::tactileForce, {"tf"}}};
 
 bool measuredInNewton(SpecQuantity quantity) {
   return quantity == SpecQuantity::operatingForce || quantity == SpecQuantity::tactileForce ||
@@ -70,11 +73,12 @@ std::optional<NamedQuantity> quantityNamedIn(const std::string& row) {
     return NamedQuantity{quantity, squeezedRow.from[at + word.size() - 1] + 1};
   };
   for (const auto& [quantity, words] : phrases)
-    for (const auto part : words | std::views::split('|')) {
-      const std::string_view word(part.begin(), part.end());
-      if (const auto at = text.find(word); at != std::string::npos) return ending(at, quantity, word);
+    for (const std::string_view word : words) {
+      const auto at = word.empty() ? std::string::npos : text.find(word);
+      if (at != std::string::npos) return ending(at, quantity, word);
     }
-  for (const auto& [quantity, word] : abbreviations) {
+  for (const auto& [quantity, words] : abbreviations) {
+    const std::string_view word = words.front();
     if (text.rfind(word, 0) != 0) continue;
     const std::string_view rest = std::string_view(text).substr(word.size());
     if (rest.starts_with('(') || rest.starts_with("\xEF\xBC\x88"))  // full-width (
