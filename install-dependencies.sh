@@ -40,7 +40,7 @@ test_packages=(
 )
 ci_packages=(
   clang-14 clang-tidy-14 clang-format-14 libclang-rt-14-dev hyperfine
-  lintian debootstrap              # .ci/nightly package
+  lintian debootstrap valgrind     # .ci/nightly package, cost
   fonts-wqy-zenhei                 # samples/plots/draw.sh
 )
 
