@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// How the feel panel reaches sound devices: playback's front door, or what a test puts in its place.
+// How the feel panel reaches sound and force devices: playback's front door, or what a test puts in its place.
 
 #include <functional>
 #include <memory>
@@ -10,11 +10,14 @@
 
 namespace detent::editor {
 
-/// Both functions may take seconds and are called on threads of their own.
+/// All may take seconds and are called on threads of their own.
 struct FeelDevices {
   std::function<Result<std::unique_ptr<playback::LivePlayer>>(const playback::PlayerSettings&,
                                                               const playback::HapticProgram&)>
       open = playback::LivePlayer::start;
+  std::function<Result<std::unique_ptr<playback::ForcePlayer>>(const Button&,
+                                                               const playback::ForcePlayerSettings&)>
+      openForce = playback::ForcePlayer::start;
   std::function<Result<std::vector<playback::SoundDevice>>()> list = playback::listSoundDevices;
 };
 

@@ -5,12 +5,15 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QButtonGroup>
+#include <QHideEvent>
 #include <QScrollArea>
 #include <QToolButton>
 
 #include "editor/document/message_words.h"
 #include "editor/feel/feel_clock.h"
 #include "editor/feel/feel_setup.h"
+#include "editor/feel/force_box.h"
+#include "editor/feel/force_setup.h"
 #include "editor/feel/press_pad.h"
 #include "editor/feel/press_strip.h"
 #include "editor/feel/signal_view.h"
@@ -93,10 +96,20 @@ QWidget* FeelPanel::viewColumn() {
   return whole;
 }
 
-QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
+QWidget* FeelPanel::setupPage(ViewSettings& settings) {
   setup_ = new FeelSetup(settings, session_.soundDevices());
+  forceSetup_ = new ForceSetup(settings);
+  auto* page = new QWidget;
+  auto* column = bare(new QVBoxLayout(page), 4);
+  column->addWidget(setup_);
+  column->addWidget(forceSetup_);
+  column->addStretch();
+  return page;
+}
+
+QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   setupArea_ = new QScrollArea;
-  setupArea_->setWidget(setup_);
+  setupArea_->setWidget(setupPage(settings));
   setupArea_->setWidgetResizable(true);
   setupArea_->setFrameShape(QFrame::NoFrame);
   setupArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -117,6 +130,7 @@ QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   auto* whole = new QWidget;
   auto* column = bare(new QVBoxLayout(whole), 6);
   column->addWidget(new SoundBox(session_));
+  column->addWidget(new ForceBox(settings, session_.force()));
   column->addWidget(setupToggle_, 0, Qt::AlignLeft);
   column->addWidget(setupArea_, 1);
   column->addStretch(0);
@@ -222,6 +236,11 @@ void FeelPanel::connectPad() {
 
 void FeelPanel::connectSession() {
   connect(setup_, &FeelSetup::changed, &session_, &FeelSession::setSettings);
+  connect(forceSetup_, &ForceSetup::changed, &session_, [this](const ForceChoices& choices) {
+    FeelSettings next = session_.settings();
+    next.force = choices;
+    session_.setSettings(next);
+  });
   connect(&session_, &FeelSession::settingsChanged, this, &FeelPanel::showSettings);
   connect(&session_, &FeelSession::sensorOffered, setup_, &FeelSetup::offerPort);
   connect(&session_, &FeelSession::pairChanged, this, &FeelPanel::showPair);
@@ -293,6 +312,8 @@ void FeelPanel::showSettings() {
   pad_->setDrive(session_.settings().drive);
   setup_->setProfile(session_.profile(), session_.profileTrouble());
   if (!(setup_->settings() == session_.settings())) setup_->setSettings(session_.settings());
+  if (!(forceSetup_->choices() == session_.settings().force))
+    forceSetup_->setChoices(session_.settings().force);
   showPad();
   showPresses();
 }
@@ -344,8 +365,9 @@ void FeelPanel::showEvent(QShowEvent* event) {
   session_.setWatched(true);
 }
 
+// Minimized is not put away: whoever presses meanwhile feels on.
 void FeelPanel::hideEvent(QHideEvent* event) {
-  session_.setWatched(false);
+  if (!event->spontaneous()) session_.setWatched(false);
   QWidget::hideEvent(event);
 }
 

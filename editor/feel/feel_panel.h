@@ -17,12 +17,13 @@ class QToolButton;
 namespace detent::editor {
 
 class FeelSetup;
+class ForceSetup;
 class PressPad;
 class PressStrip;
 class SignalView;
 
 /// What a session does, to look at and to press: a pad for mouse, keys, pen and touch; the vibration and
-/// spectrogram of a press; the sound device; the setup. A and B are exchanged by one key. GUI thread.
+/// spectrogram of a press; sound and force device; the setup. A and B are exchanged by one key. GUI thread.
 class FeelPanel : public QWidget {
   Q_OBJECT
 
@@ -46,6 +47,7 @@ class FeelPanel : public QWidget {
   QWidget* padColumn(ViewSettings& settings);
   QWidget* viewColumn();
   QWidget* controlColumn(ViewSettings& settings);
+  QWidget* setupPage(ViewSettings& settings);
   QLayout* choiceRow();
   QLayout* pressRow();
   QAction* ownAction(const char* name, const QString& text, const QString& tip, Qt::Key key);
@@ -70,6 +72,7 @@ class FeelPanel : public QWidget {
   PressStrip* strip_ = nullptr;
   SignalView* view_ = nullptr;
   FeelSetup* setup_ = nullptr;
+  ForceSetup* forceSetup_ = nullptr;
   QScrollArea* setupArea_ = nullptr;
   std::array<QToolButton*, 2> choices_{};
   QToolButton *setupToggle_ = nullptr, *standardPress_ = nullptr, *myPress_ = nullptr;

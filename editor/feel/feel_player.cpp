@@ -2,6 +2,7 @@
 #include "editor/feel/feel_player.h"
 
 #include <algorithm>
+#include <atomic>
 #include <utility>
 
 #include "editor/document/message_words.h"
@@ -23,6 +24,24 @@ double fading(double share) {
 }
 
 }  // namespace
+
+/// Hands a position on, 1000 times a second while it lives.
+class FeelPlayer::DepthFeed {
+ public:
+  DepthFeed(playback::LivePlayer& player, std::function<double()> position_mm)
+      : thread_([this, &player, position_mm = std::move(position_mm)] {
+          for (; !ending_; std::this_thread::sleep_for(feedStep)) player.pushDisplacement(position_mm());
+        }) {}
+  ~DepthFeed() {
+    ending_ = true;
+    thread_.join();
+  }
+
+ private:
+  static constexpr std::chrono::milliseconds feedStep{1};
+  std::atomic<bool> ending_{false};
+  std::thread thread_;
+};
 
 FeelPlayer::FeelPlayer(QObject* parent, FeelDevices devices) : QObject(parent), devices_(std::move(devices)) {
   timer_.setTimerType(Qt::PreciseTimer);
@@ -58,6 +77,7 @@ void FeelPlayer::letGo() {
 }
 
 void FeelPlayer::startSilent() {
+  deviceFeed_.reset();
   player_.reset();
   if (!program_) return;
   Result<Player> silent = playback::LivePlayer::startSilent(*program_);
@@ -67,6 +87,7 @@ void FeelPlayer::startSilent() {
   }
   player_ = *std::move(silent);
   attachSensor();
+  attachDevice();
   pace();
 }
 
@@ -99,6 +120,7 @@ void FeelPlayer::exchangeDevice() {
   std::shared_ptr<playback::LivePlayer> old = std::move(waiting_);
   if (player_ && status_.sounding) {
     player_->detachSensor();
+    deviceFeed_.reset();
     old = std::move(player_);
     startSilent();
   }
@@ -132,11 +154,13 @@ void FeelPlayer::exchanged(Result<Player>* result) {
   adopt();
 }
 
-// A press that has begun is finished on the player that knows it.
+// A press that has begun is finished on the player that knows it; a force device may never rest.
 void FeelPlayer::adopt() {
-  if (!waiting_ || pressed_ || finger_ != Finger::none) return;
+  if (!waiting_ || (!devicePosition_mm_ && (pressed_ || finger_ != Finger::none))) return;
+  deviceFeed_.reset();
   player_ = std::move(waiting_);
   attachSensor();
+  attachDevice();
   status_ = player_->status();
   setSound(SoundState::on);
   if (toPlay_) play(std::exchange(toPlay_, nullptr));
@@ -182,10 +206,28 @@ void FeelPlayer::attachSensor() {
   emit sensorChanged();
 }
 
+// ---- force device
+
+void FeelPlayer::followDevice(std::function<double()> position_mm) {
+  const bool lets = devicePosition_mm_ && !position_mm;
+  deviceFeed_.reset();
+  letGo();
+  if (lets && player_) player_->pushDisplacement(0);
+  devicePosition_mm_ = std::move(position_mm);
+  attachDevice();
+  if (devicePosition_mm_ && sound_ == SoundState::off) startSound();
+  movedAt_ = Clock::now();
+  pace();
+}
+
+void FeelPlayer::attachDevice() {
+  if (player_ && devicePosition_mm_) deviceFeed_ = std::make_unique<DepthFeed>(*player_, devicePosition_mm_);
+}
+
 // ---- finger
 
 bool FeelPlayer::take(Finger finger) {
-  if (!player_ || !program_ || playing()) return false;
+  if (!player_ || !program_ || playing() || devicePosition_mm_) return false;
   if (finger_ == Finger::lifting) finger_ = Finger::none;
   if (finger_ != Finger::none && finger_ != finger) return false;
   if (finger_ == Finger::none) {
@@ -235,7 +277,8 @@ void FeelPlayer::lift() {
 }
 
 bool FeelPlayer::play(std::shared_ptr<const playback::PressTrace> press) {
-  if (!player_ || !program_ || !soundWanted_ || pressed_ || playing() || !press) return false;
+  if (!player_ || !program_ || !soundWanted_ || pressed_ || playing() || devicePosition_mm_ || !press)
+    return false;
   if (!status_.sounding) {
     startSound();
     toPlay_ = std::move(press);
@@ -260,7 +303,8 @@ void FeelPlayer::record() {
   if (!recording_) {
     recording_ = std::make_shared<playback::PressTrace>();
     recordedFrom_ = Clock::now();
-    const bool depth = finger_ == Finger::depth || (finger_ == Finger::lifting && !liftsForce_);
+    const bool depth =
+        devicePosition_mm_ || finger_ == Finger::depth || (finger_ == Finger::lifting && !liftsForce_);
     using Quantity = playback::PressTrace::Quantity;
     recording_->quantity = depth ? Quantity::displacement_mm : Quantity::force_N;
     recording_->readings.push_back({0, 0});
@@ -314,7 +358,7 @@ void FeelPlayer::tick() {
   pressed_ = !atRest();
   if (pressed_) movedAt_ = Clock::now();
   record();
-  if (!pressed_) adopt();
+  if (!pressed_ || devicePosition_mm_) adopt();
   const std::vector<playback::EngineEvent> events = player_->takeEvents();
   if (!events.empty()) emit felt(events);
   emit moved();
@@ -324,7 +368,8 @@ void FeelPlayer::tick() {
 void FeelPlayer::pace() {
   if (!player_) return;
   const bool idle = !pressed_ && std::chrono::duration<double>(Clock::now() - movedAt_).count() > goesOn_s;
-  if (idle && !status_.sounding && sensor_.port.empty() && !waiting_ && finger_ == Finger::none) {
+  if (idle && !status_.sounding && sensor_.port.empty() && !waiting_ && finger_ == Finger::none &&
+      !devicePosition_mm_) {
     timer_.stop();  // nothing can move by itself
     return;
   }

@@ -4,6 +4,7 @@
 // again where there is none, so that the pad works in every case.
 
 #include <chrono>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <QObject>
@@ -66,6 +67,10 @@ class FeelPlayer : public QObject {
   bool pushDepth(double displacement_mm);
   void lift();  ///< ends a followed press: back to nothing within 60 ms
 
+  /// A force device under the finger: its position (mm) is asked for 1000 times a second on a thread of its own, and
+  /// nothing else presses meanwhile. May open the sound device, as a press does. Null lets go.
+  void followDevice(std::function<double()> position_mm);
+
   /// Plays a press on the sound device, opening it if need be. Nothing can be pressed meanwhile. False: sound
   /// is off, or another press is under way.
   bool play(std::shared_ptr<const playback::PressTrace> press);
@@ -89,6 +94,7 @@ class FeelPlayer : public QObject {
 
  private:
   enum class Finger { none, timed, force, depth, lifting };
+  class DepthFeed;
   using Player = std::unique_ptr<playback::LivePlayer>;
   using Clock = std::chrono::steady_clock;
 
@@ -96,6 +102,7 @@ class FeelPlayer : public QObject {
   void letGo();
   void startSilent();
   void attachSensor();
+  void attachDevice();
   void exchangeDevice();
   void exchanged(Result<Player>* result);
   void adopt();
@@ -118,6 +125,8 @@ class FeelPlayer : public QObject {
   bool soundWanted_ = true;
   SensorPort sensor_;
   QString sensorTrouble_;
+  std::function<double()> devicePosition_mm_;  // null: none
+  std::unique_ptr<DepthFeed> deviceFeed_;      // of player_
   SoundState sound_ = SoundState::off;
   QString trouble_;
 

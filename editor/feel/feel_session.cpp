@@ -2,6 +2,7 @@
 #include "editor/feel/feel_session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "editor/document/message_words.h"
@@ -9,7 +10,8 @@
 namespace detent::editor {
 namespace {
 
-constexpr double overPress = 1.25;  // as playback's standard press
+constexpr double overPress = 1.25;                          // as playback's standard press
+constexpr double stillBelow_mm_per_s = 3, touch_mm = 0.05;  // of a force device's finger
 
 double fullForceOf(const playback::HapticProgram& program) {
   return std::max(overPress * playback::strongestForce_N(program), 4 * program.hysteresis_N);
@@ -18,7 +20,7 @@ double fullForceOf(const playback::HapticProgram& program) {
 }  // namespace
 
 FeelSession::FeelSession(QObject* parent, const FeelDevices& devices)
-    : QObject(parent), soundDevices_(nullptr, devices), player_(nullptr, devices) {
+    : QObject(parent), soundDevices_(nullptr, devices), player_(nullptr, devices), force_(nullptr, devices) {
   for (const FeelSide side : {FeelSide::a, FeelSide::b})
     connect(&slot(side).source, &PressSignalSource::ready, this,
             [this, side](const auto& signal) { takeSignal(side, signal); });
@@ -30,6 +32,9 @@ FeelSession::FeelSession(QObject* parent, const FeelDevices& devices)
     emit ownPressChanged();
   });
   connect(&player_, &FeelPlayer::sensorChanged, this, &FeelSession::followSensor);
+  connect(&force_, &ForceSession::stateChanged, this, &FeelSession::followForceState);
+  connect(&force_, &ForceSession::moved, this, &FeelSession::followForce);
+  connect(&force_, &ForceSession::said, this, &FeelSession::said);
 }
 
 // ---- the pair
@@ -76,8 +81,9 @@ double FeelSession::full_N() const {
 }
 
 void FeelSession::underFinger() {
+  force_.setDocument(feltDocument());
   player_.setProgram(program());
-  state_ = 0;  // a program begins in its first state
+  if (!force_.running()) state_ = 0;  // a program begins in its first state
   emit feltChanged();
 }
 
@@ -91,6 +97,7 @@ void FeelSession::takeSignal(FeelSide side, std::shared_ptr<const PressSignal> s
 
 void FeelSession::setWatched(bool watched) {
   watched_ = watched;
+  force_.setWatched(watched);
   for (Slot& each : slots_)
     if (watched && each.stale) request(each);
 }
@@ -127,6 +134,7 @@ void FeelSession::play() {
 
 void FeelSession::setSettings(const FeelSettings& settings) {
   const FeelSettings before = std::exchange(settings_, settings);
+  force_.setChoices(settings.force);
   player_.setGain(gainOf(settings.gain_dB));
   player_.setSoundWanted(settings.sound);
   if (settings.device != before.device || settings.rate_Hz != before.rate_Hz ||
@@ -187,20 +195,53 @@ void FeelSession::pushDepth(double share) {
 }
 
 void FeelSession::followPlayer() {
+  if (force_.running()) {
+    emit moved();
+    return;
+  }
   const playback::PlayerStatus& s = player_.status();
-  const bool pressed = player_.pressed(), wasPressed = motion_.pressed;
-  followState(static_cast<std::size_t>(s.state));
+  const bool pressed = player_.pressed();
   // A finger that trembles at one place turns the engine's stroke to and fro; it has turned for the eye once
   // it moves.
-  if (!pressed || s.displacement_mm != motion_.displacement_mm) motion_.releasing = s.releasing;
-  motion_ = {s.displacement_mm, s.force_N, pressed, motion_.releasing, s.contact};
-  if (pressed || wasPressed) {
+  const bool rests = pressed && s.displacement_mm == motion_.displacement_mm;
+  show({s.displacement_mm, s.force_N, pressed, rests ? motion_.releasing : s.releasing, s.contact},
+       static_cast<std::size_t>(s.state));
+}
+
+void FeelSession::followForce() {
+  const playback::ForceStep& last = force_.status().last;
+  const auto felt = program();
+  const double start_mm = felt ? felt->states[state_].start_mm : 0;
+  const bool rests = std::abs(last.velocity_mm_per_s) < stillBelow_mm_per_s;
+  const bool releasing = rests ? motion_.releasing : last.velocity_mm_per_s < 0;
+  show({last.position_mm, last.force_N, last.position_mm > start_mm + touch_mm, releasing,
+        player_.status().contact},
+       last.state);
+}
+
+// One press for both: where the device stands is where the vibration is.
+void FeelSession::followForceState() {
+  const bool runs = force_.running();
+  if (runs == forceFollowed_) return;
+  forceFollowed_ = runs;
+  if (!runs) {
+    player_.followDevice({});
+    return;
+  }
+  player_.followDevice([running = force_.player()] { return running->status().last.position_mm; });
+}
+
+void FeelSession::show(const FeelMotion& motion, std::size_t state) {
+  const bool wasPressed = motion_.pressed;
+  followState(state, motion.pressed);
+  motion_ = motion;
+  if (motion.pressed || wasPressed) {
     std::optional<FingerPosition> finger;
     const ButtonDocument* document = feltDocument();
     // A point of one state says nothing on the graph of the other.
-    if (pressed && document != nullptr && document->activeState() == state_)
-      finger = FingerPosition{motion_.displacement_mm, motion_.force_N,
-                              motion_.releasing ? Stroke::release : Stroke::press};
+    if (motion.pressed && document != nullptr && document->activeState() == state_)
+      finger = FingerPosition{motion.displacement_mm, motion.force_N,
+                              motion.releasing ? Stroke::release : Stroke::press};
     tellFinger(finger);
   }
   emit moved();
@@ -210,7 +251,7 @@ void FeelSession::tellFinger(const std::optional<FingerPosition>& position) {
   emit(felt_ == FeelSide::a ? fingerMoved(position) : otherFingerMoved(position));
 }
 
-void FeelSession::followState(std::size_t state) {
+void FeelSession::followState(std::size_t state, bool pressed) {
   ButtonDocument* document = feltDocument();
   if (document == nullptr || state >= document->button().states().size()) return;
   const bool turned = state != state_;
@@ -219,7 +260,7 @@ void FeelSession::followState(std::size_t state) {
     emit stateChanged();
   }
   if (!settings_.followState || document->history().dragging() || document->activeState() == state) return;
-  if (turned || player_.pressed()) document->setActiveState(state);
+  if (turned || pressed) document->setActiveState(state);
 }
 
 }  // namespace detent::editor

@@ -16,6 +16,7 @@
 #include "editor/feel/feel_devices.h"
 #include "editor/feel/feel_player.h"
 #include "editor/feel/feel_settings.h"
+#include "editor/feel/force_session.h"
 #include "editor/feel/press_signal_source.h"
 #include "editor/feel/sound_device_list.h"
 
@@ -85,6 +86,8 @@ class FeelSession : public QObject {
   void play();
 
   FeelPlayer& player() { return player_; }
+  /// The felt button as force. While it runs the device's finger presses, and vibration follows it.
+  ForceSession& force() { return force_; }
   SoundDeviceList& soundDevices() { return soundDevices_; }
 
  signals:
@@ -128,7 +131,10 @@ class FeelSession : public QObject {
   void connectSensor();
   void followSensor();
   void followPlayer();
-  void followState(std::size_t state);
+  void followForce();
+  void followForceState();
+  void show(const FeelMotion& motion, std::size_t state);
+  void followState(std::size_t state, bool pressed);
   void tellFinger(const std::optional<FingerPosition>& position);
 
   FeelSettings settings_;
@@ -136,6 +142,8 @@ class FeelSession : public QObject {
   QString profileTrouble_;
   SoundDeviceList soundDevices_;
   FeelPlayer player_;
+  ForceSession force_;
+  bool forceFollowed_ = false;
   std::array<Slot, 2> slots_;
   FeelSide felt_ = FeelSide::a;
   std::size_t state_ = 0;

@@ -66,7 +66,15 @@ QVariantMap toMap(const FeelSettings& s) {
           {"buffer", s.buffer},
           {"gain_dB", s.gain_dB},
           {"sensorPort", s.sensorPort},
-          {"sensorBaud", s.sensorBaud}};
+          {"sensorBaud", s.sensorBaud},
+          {"forceDevice", s.force.device},
+          {"forceLargest_N", s.force.largest_N},
+          {"forceStep_mm", s.force.step_mm},
+          {"forceMmPerTurn", s.force.mmPerTurn},
+          {"forceFirmware", s.force.firmwareFile},
+          {"forceUpload", s.force.upload},
+          {"forceHolds", s.force.holds},
+          {"forceController", s.force.controller}};
 }
 
 FeelSettings feelSettingsFrom(const QVariantMap& map) {
@@ -84,6 +92,14 @@ FeelSettings feelSettingsFrom(const QVariantMap& map) {
   read(map, "gain_dB", lowestGain_dB, highestGain_dB, s.gain_dB);
   s.sensorPort = map.value("sensorPort").toString();
   read(map, "sensorBaud", 300U, 4000000U, s.sensorBaud);
+  s.force.device = map.value("forceDevice").toString();
+  read(map, "forceLargest_N", 0, strongestDevice_N, s.force.largest_N);
+  read(map, "forceStep_mm", 0, coarsestStep_mm, s.force.step_mm);
+  read(map, "forceMmPerTurn", -longestTurn_mm, longestTurn_mm, s.force.mmPerTurn);
+  s.force.firmwareFile = map.value("forceFirmware").toString();
+  read(map, "forceUpload", s.force.upload);
+  read(map, "forceHolds", s.force.holds);
+  read(map, "forceController", s.force.controller);
   return s;
 }
 

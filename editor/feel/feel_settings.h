@@ -10,7 +10,23 @@
 
 namespace detent::editor {
 
-/// Plain value. The panel keeps it, the setup form edits it.
+/// Which force device, and what it is asked for. Plain value.
+struct ForceChoices {
+  QString
+      device;  ///< as playback::forceDeviceFrom names it: "sim:falcon", "serial:/dev/ttyACM0"; empty: none
+  double largest_N = 0;   ///< 0: the device's own limit
+  double step_mm = 0;     ///< encoder step at the finger; 0: the device's own
+  double mmPerTurn = 60;  ///< of an ODrive; negative where the motor is mounted the other way
+  QString firmwareFile;   ///< of a Falcon; empty: it has been given one since it was switched on
+  bool upload = false;    ///< of a serial device: it runs the law at its own rate
+  bool holds =
+      false;  ///< the simulated finger rests in the middle of the travel; else it presses again and again
+  bool controller = false;  ///< damps where the button gives more energy than it took
+
+  friend bool operator==(const ForceChoices&, const ForceChoices&) = default;
+};
+
+/// Plain value. The session keeps it, the setup forms edit it.
 struct FeelSettings {
   Drive drive = Drive::time;
   double full_N = 0;        ///< force of a full press; 0: a quarter more than the button's strongest force
@@ -28,10 +44,13 @@ struct FeelSettings {
   QString sensorPort;
   unsigned sensorBaud = 230400;
 
+  ForceChoices force;
+
   friend bool operator==(const FeelSettings&, const FeelSettings&) = default;
 };
 
 inline constexpr double lowestGain_dB = -40, highestGain_dB = 20;
+inline constexpr double strongestDevice_N = 100, coarsestStep_mm = 1, longestTurn_mm = 1000;
 double gainOf(double dB);  ///< factor
 
 QVariantMap toMap(const FeelSettings& settings);

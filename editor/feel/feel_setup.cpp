@@ -5,7 +5,6 @@
 #include <cmath>
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -16,75 +15,15 @@
 #include <QSignalBlocker>
 
 #include "editor/feel/placement_delays.h"
+#include "editor/feel/setup_widgets.h"
 #include "editor/quantity/quantity_field.h"
 
 namespace detent::editor {
-namespace {
-
-template <class Value>
-void addChoice(QComboBox* box, const QString& text, Value value, const QString& tip = {}) {
-  box->addItem(text, QVariant::fromValue(value));
-  if (!tip.isEmpty()) box->setItemData(box->count() - 1, tip, Qt::ToolTipRole);
-}
-
-void select(QComboBox* box, const QVariant& value) {
-  const int at = box->findData(value);
-  if (at >= 0) box->setCurrentIndex(at);
-}
-
-QLabel* noteLabel(const QString& name) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  QFont font = label->font();
-  font.setPointSizeF(0.88 * font.pointSizeF());
-  label->setFont(font);
-  label->setForegroundRole(QPalette::PlaceholderText);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  return label;
-}
-
-QWidget* rowOf(std::initializer_list<QWidget*> widgets) {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(0, 0, 0, 0);
-  bool first = true;
-  for (QWidget* widget : widgets) {
-    layout->addWidget(widget, first ? 1 : 0);
-    first = false;
-  }
-  return row;
-}
-
-/// Serial ports that a sensor can be behind.
-QStringList serialPorts() {
-  QStringList ports;
-  const QDir devices(QStringLiteral("/dev"));
-  for (const QString& name :
-       devices.entryList({"ttyACM*", "ttyUSB*", "ttyAMA*", "cu.usb*"}, QDir::System, QDir::Name))
-    ports << devices.filePath(name);
-  return ports;
-}
-
-QComboBox* comboBox(const QString& name, const QString& tip) {
-  auto* box = new QComboBox;
-  box->setObjectName(name);
-  box->setToolTip(tip);
-  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(12);
-  return box;
-}
-
-}  // namespace
 
 FeelSetup::FeelSetup(ViewSettings& view, SoundDeviceList& devices, QWidget* parent)
     : QWidget(parent), view_(view), devices_(devices) {
   filling_ = true;
-  auto* form = form_ = new QFormLayout(this);
-  form->setContentsMargins(0, 4, 0, 0);
-  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-  form->setRowWrapPolicy(QFormLayout::WrapLongRows);
-  form->setVerticalSpacing(5);
+  auto* form = form_ = setupForm(this);
   addPressing(*form);
   addFeeling(*form);
   addSound(*form);

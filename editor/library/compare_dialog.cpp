@@ -98,6 +98,9 @@ CompareDialog::CompareDialog(ViewSettings& settings, QWidget* parent) : QDialog(
   layout->addWidget(sideRow(b_, "B"));
   layout->addWidget(split, 1);
   layout->addWidget(distance_);
+  forecast_ = new ForecastBar;
+  forecast_->setObjectName("compareForecast");
+  layout->addWidget(forecast_);
   layout->addLayout(buttons);
 
   soon_.setSingleShot(true);
@@ -199,6 +202,7 @@ void CompareDialog::update() {
   for (Side* side : {&a_, &b_})  // an edit may have added or taken a state
     if (side->document && side->state->count() != static_cast<int>(side->document->button().states().size()))
       fillStates(*side);
+  forecast_->setPair(a_.document, b_.document);
   const ButtonState *a = stateOf(a_), *b = stateOf(b_);
   if (!a || !b) {
     table_->setRowCount(0);

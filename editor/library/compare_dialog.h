@@ -11,6 +11,7 @@
 
 #include "editor/document/button_document.h"
 #include "editor/document/view_settings.h"
+#include "editor/forecast/forecast_bar.h"
 #include "editor/library/difference_rows.h"
 
 class QCustomPlot;
@@ -58,6 +59,7 @@ class CompareDialog : public QDialog {
   QCustomPlot* plot_ = nullptr;
   QTableWidget* table_ = nullptr;
   QLabel* distance_ = nullptr;
+  ForecastBar* forecast_ = nullptr;
   QTimer soon_;
 };
 

@@ -6,6 +6,8 @@
 #include <QIcon>
 #include <QPixmap>
 
+#include "editor/forecast/forecast_words.h"
+
 namespace detent::editor {
 namespace {
 
@@ -96,17 +98,28 @@ int OpenButtonsModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
 
+void OpenButtonsModel::setForecasts(std::map<ButtonDocument*, playback::PredictedPair> forecasts) {
+  forecasts_ = std::move(forecasts);
+  if (!rows_.empty()) emit dataChanged(index(0), index(rowCount() - 1));
+}
+
 QVariant OpenButtonsModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Row& row = rows_[static_cast<std::size_t>(index.row())];
+  const auto forecast = forecasts_.find(row.document);
+  const bool foretold = forecast != forecasts_.end();
   switch (role) {
     case Qt::DisplayRole:
-      return row.document->title() + (row.document->history().modified() ? " *" : "");
+      return row.document->title() + (row.document->history().modified() ? " *" : "") +
+             (foretold ? "\n" + shortForecastWords(forecast->second) : QString());
     case Qt::DecorationRole:
       return shown(pictures_.drawn(row.key), pictures_.size_px());
-    case Qt::ToolTipRole:
-      return row.document->path().isEmpty() ? tr("Not saved yet")
-                                            : QDir::toNativeSeparators(row.document->path());
+    case Qt::ToolTipRole: {
+      const QString file = row.document->path().isEmpty() ? tr("Not saved yet")
+                                                          : QDir::toNativeSeparators(row.document->path());
+      return foretold ? tr("%1\nAgainst the button shown: %2").arg(file, forecastWords(forecast->second))
+                      : file;
+    }
     case Qt::AccessibleTextRole:
       return row.document->history().modified() ? tr("%1, with unsaved changes").arg(row.document->title())
                                                 : row.document->title();

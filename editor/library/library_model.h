@@ -2,6 +2,7 @@
 #pragma once
 // Lists of buttons with small pictures, for item views.
 
+#include <map>
 #include <QAbstractListModel>
 #include <QFileSystemWatcher>
 #include <QTimer>
@@ -9,6 +10,7 @@
 
 #include "editor/document/button_document.h"
 #include "editor/library/picture_cache.h"
+#include "playback/playback.h"
 
 namespace detent::editor {
 
@@ -22,6 +24,8 @@ class OpenButtonsModel : public QAbstractListModel {
 
   void setDocuments(const std::vector<ButtonDocument*>& documents);
   ButtonDocument* documentAt(const QModelIndex& index) const;
+  /// Whether people will tell each of them from the one shown, by document; those that are missing say nothing.
+  void setForecasts(std::map<ButtonDocument*, playback::PredictedPair> forecasts);
   /// Draws every picture anew, after the colours changed.
   void redraw();
 
@@ -39,6 +43,7 @@ class OpenButtonsModel : public QAbstractListModel {
 
   PictureCache& pictures_;
   std::vector<Row> rows_;
+  std::map<ButtonDocument*, playback::PredictedPair> forecasts_;
   std::vector<ButtonDocument*> waiting_;
   QTimer soon_;  // a drag changes a button sixty times a second; its picture follows at leisure
   int nextKey_ = 1;

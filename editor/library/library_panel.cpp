@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/library/library_panel.h"
 
+#include <algorithm>
 #include <QDir>
 #include <QEvent>
 #include <QFileDialog>
@@ -10,6 +11,8 @@
 
 namespace detent::editor {
 namespace {
+
+constexpr int forecastDelay_ms = 250;
 
 QListView* pictureList(QAbstractItemModel* model, const QString& objectName, const QString& accessibleName) {
   auto* list = new QListView;
@@ -42,6 +45,11 @@ LibraryPanel::LibraryPanel(QWidget* parent) : QWidget(parent) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(sections);
+  forecastSoon_.setSingleShot(true);
+  forecastSoon_.setInterval(forecastDelay_ms);
+  connect(&forecastSoon_, &QTimer::timeout, this, &LibraryPanel::askForecasts);
+  connect(&forecasts_, &ForecastSource::ready, this,
+          [this](const auto& forecast) { showForecasts(*forecast); });
   updateLook();
   showFolderName();
 }
@@ -53,6 +61,7 @@ QWidget* LibraryPanel::openSection() {
   auto* title = new QLabel(tr("Open"));
   layout->addWidget(title);
   openList_ = pictureList(&open_, "libraryOpenButtons", tr("Open buttons"));
+  openList_->setWordWrap(true);
   title->setBuddy(openList_);
   layout->addWidget(openList_);
   const auto choose = [this](const QModelIndex& index) {
@@ -100,6 +109,40 @@ void LibraryPanel::setDocuments(const std::vector<ButtonDocument*>& documents, B
   open_.setDocuments(documents);
   for (int row = 0; row < open_.rowCount(); ++row)
     if (open_.documentAt(open_.index(row)) == active) openList_->setCurrentIndex(open_.index(row));
+  for (ButtonDocument* document : documents) {
+    if (std::find(documents_.begin(), documents_.end(), document) != documents_.end()) continue;
+    connect(document, &ButtonDocument::changed, this, [this] {
+      if (!forecastSoon_.isActive()) forecastSoon_.start();
+    });
+  }
+  if (documents == documents_ && active == active_) return;
+  documents_ = documents;
+  active_ = active;
+  forecasts_.cancel();  // an answer about the others must not come into these rows
+  open_.setForecasts({});
+  forecastSoon_.start();
+}
+
+/// The one shown against every other; nothing is computed while nobody looks.
+void LibraryPanel::askForecasts() {
+  if (!isVisible() || !active_ || documents_.size() < 2) return;
+  std::vector<Button> buttons{active_->button()};
+  for (const ButtonDocument* document : documents_)
+    if (document != active_) buttons.push_back(document->button());
+  forecasts_.request(std::move(buttons), ForecastPairs::ofFirst);
+}
+
+void LibraryPanel::showForecasts(const Forecast& forecast) {
+  std::map<ButtonDocument*, playback::PredictedPair> found;
+  std::size_t at = 0;
+  for (ButtonDocument* document : documents_)
+    if (document != active_ && at < forecast.pairs.size()) found.emplace(document, forecast.pairs[at++]);
+  open_.setForecasts(std::move(found));
+}
+
+void LibraryPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  forecastSoon_.start();
 }
 
 void LibraryPanel::setFolder(const QString& folder) { files_.setFolder(folder); }

@@ -5,9 +5,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
+#include <QTimer>
 #include <QToolButton>
 #include <QWidget>
 
+#include "editor/forecast/forecast_source.h"
 #include "editor/library/library_model.h"
 
 namespace detent::editor {
@@ -36,8 +38,11 @@ class LibraryPanel : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
+  void askForecasts();
+  void showForecasts(const Forecast& forecast);
   QWidget* openSection();
   QWidget* folderSection();
   void askFolder();
@@ -49,6 +54,11 @@ class LibraryPanel : public QWidget {
   PictureCache pictures_{pictureSize_px};
   OpenButtonsModel open_{pictures_};
   FolderModel files_{pictures_};
+  // Who will be taken for the one shown; asked again after an edit of any.
+  std::vector<ButtonDocument*> documents_;
+  ButtonDocument* active_ = nullptr;
+  ForecastSource forecasts_;
+  QTimer forecastSoon_;
   QListView* openList_ = nullptr;
   QListView* fileList_ = nullptr;
   QToolButton* folderButton_ = nullptr;

@@ -17,10 +17,13 @@
 #include "editor/feel/feel_panel.h"
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
+#include "editor/forecast/forecast_matrix.h"
 #include "editor/library/compare_dialog.h"
 #include "editor/library/library_panel.h"
 #include "editor/quantity/quantity.h"
+#include "editor/study/study_desk.h"
 #include "editor/window/appearance.h"
+#include "editor/window/margin_overlay.h"
 #include "editor/window/stored_view.h"
 #include "model/edits.h"
 
@@ -32,6 +35,12 @@ constexpr int stateVersion = 1;  // of the docks' arrangement; changes when dock
 constexpr QSize firstSize_px{1280, 820};
 constexpr int firstLibrary_px = 230, firstValues_px = 380;
 constexpr QSize copiedPicture_px{1800, 1200};
+
+void bringUp(QWidget& window) {
+  window.show();
+  window.raise();
+  window.activateWindow();
+}
 
 }  // namespace
 
@@ -155,6 +164,7 @@ void MainWindow::makeFeelPanel() {
   connect(session_, &FeelSession::otherFingerMoved, this, [this](std::optional<FingerPosition> finger) {
     if (DocumentTab* tab = tabs_->tabOf(otherDocument_)) tab->workspace().showFinger(finger);
   });
+  connect(&session_->force(), &ForceSession::marginChanged, this, &MainWindow::showMargin);
   other_ = new QComboBox;
   other_->setObjectName("feelOther");
   other_->setAccessibleName(tr("Button B to exchange with"));
@@ -175,6 +185,16 @@ void MainWindow::makeFeelPanel() {
   layout->addWidget(feel_, 1);
   feelDock_->setWidget(panel);
   updateDocuments();
+}
+
+void MainWindow::showMargin() {
+  const ForceSession& force = session_->force();
+  DocumentTab* tab = force.margin() ? tabs_->tabOf(force.document()) : nullptr;
+  GraphCanvas* canvas = tab ? &tab->workspace().canvas() : nullptr;
+  if (margin_ && margin_->parentWidget() != canvas) delete margin_;
+  if (!canvas) return;
+  if (!margin_) margin_ = new MarginOverlay(*canvas, tab->document());
+  margin_->setMargin(force.margin());
 }
 
 void MainWindow::chooseOther() {
@@ -281,6 +301,7 @@ void MainWindow::updateDocuments() {
   DocumentTab* current = tabs_->current();
   library_->setDocuments(documents, current ? &current->document() : nullptr);
   if (comparison_) comparison_->setDocuments(documents);
+  if (forecasts_) forecasts_->setDocuments(documents);
   if (!feel_) return;
   updateFeel();
   other_->clear();
@@ -304,16 +325,43 @@ void MainWindow::updateTitle() {
 }
 
 void MainWindow::compareWith(ButtonDocument* other) {
-  if (!comparison_) comparison_ = new CompareDialog(at_.view, this);
-  const std::vector<ButtonDocument*> documents = tabs_->documents();
-  comparison_->setDocuments(documents);
   ButtonDocument* shown = tabs_->current() ? &tabs_->current()->document() : nullptr;
-  for (ButtonDocument* document : documents)
+  for (ButtonDocument* document : tabs_->documents())
     if (!other && document != shown) other = document;
-  comparison_->compare(shown, other ? other : shown);
-  comparison_->show();
-  comparison_->raise();
-  comparison_->activateWindow();
+  comparePair(shown, other ? other : shown);
+}
+
+void MainWindow::comparePair(ButtonDocument* a, ButtonDocument* b) {
+  if (!comparison_) comparison_ = new CompareDialog(at_.view, this);
+  comparison_->setDocuments(tabs_->documents());
+  comparison_->compare(a, b);
+  bringUp(*comparison_);
+}
+
+void MainWindow::showForecasts() {
+  if (!forecasts_) {
+    forecasts_ = new ForecastMatrix(this);
+    connect(forecasts_, &ForecastMatrix::compareRequested, this, &MainWindow::comparePair);
+  }
+  forecasts_->setDocuments(tabs_->documents());
+  bringUp(*forecasts_);
+}
+
+// Participants feel with the devices that were chosen for the feel panel.
+void MainWindow::showStudy() {
+  if (!study_) {
+    const auto feel = [this] {
+      return session_ ? session_->settings() : feelSettingsFrom(at_.settings.value("feel").toMap());
+    };
+    StudyPlaces places;
+    places.documents = [this] { return tabs_->documents(); };
+    places.profileFile = [feel] { return feel().profileFile; };
+    places.sound = [feel] {
+      return playback::PlayerSettings{feel().device.toStdString(), feel().rate_Hz, feel().buffer};
+    };
+    study_ = new StudyDesk(places, this);
+  }
+  bringUp(*study_);
 }
 
 // ---- units, appearance

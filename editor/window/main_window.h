@@ -18,9 +18,12 @@
 namespace detent::editor {
 
 class CompareDialog;
+class ForecastMatrix;
+class StudyDesk;
 class FeelPanel;
 class FeelSession;
 class LibraryPanel;
+class MarginOverlay;
 
 /// What a window works with; all of it outlives the window.
 struct WindowPlaces {
@@ -47,6 +50,8 @@ class MainWindow : public QMainWindow {
   std::vector<ShortcutRow> shortcuts() const;
   /// Beside the one that is shown.
   void compareWith(ButtonDocument* other);
+  void showForecasts();
+  void showStudy();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -92,10 +97,12 @@ class MainWindow : public QMainWindow {
   void letGo(DocumentTab& tab);
   void showTab(DocumentTab* tab);
   void updateDocuments();
+  void comparePair(ButtonDocument* a, ButtonDocument* b);
   void updateTitle();
   void updateUnits();
   void showCursor(std::optional<CurvePoint> at);
   void makeFeelPanel();
+  void showMargin();
   void chooseOther();
   void setOther(ButtonDocument* other);
   void updateFeel();
@@ -120,9 +127,12 @@ class MainWindow : public QMainWindow {
   FeelSession* session_ = nullptr;
   FeelPanel* feel_ = nullptr;
   CompareDialog* comparison_ = nullptr;
+  ForecastMatrix* forecasts_ = nullptr;
+  StudyDesk* study_ = nullptr;
   QStackedWidget *values_ = nullptr, *history_ = nullptr;
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *historyDock_ = nullptr, *feelDock_ = nullptr;
   QComboBox* other_ = nullptr;  // which button is B of the feel panel
+  QPointer<MarginOverlay> margin_;
   QPointer<ButtonDocument> otherDocument_;
   QPointer<ButtonDocument> shown_, shownBefore_;
   std::pair<ButtonDocument*, ButtonDocument*> felt_;  // A and B of the feel panel

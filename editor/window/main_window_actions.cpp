@@ -204,6 +204,12 @@ void MainWindow::makeWindowActions() {
   menu->addAction(tabAction("compare", tr("&Compare two…"),
                             tr("Lay this button over another and list the differences"),
                             QKeySequence("Ctrl+K"), [this](DocumentTab&) { compareWith(nullptr); }));
+  menu->addAction(action("forecasts", tr("&Who will be taken for whom?…"),
+                         tr("Predict for all open buttons which of them people will confuse"),
+                         QKeySequence("Ctrl+Shift+K"), [this] { showForecasts(); }));
+  menu->addAction(action("study", tr("&Study with people…"),
+                         tr("Ask people whether they can tell buttons apart"), QKeySequence("Ctrl+Alt+K"),
+                         [this] { showStudy(); }));
   menu->addSeparator();
   menu->addAction(tabAction("nextTab", tr("&Next button"), tr("Show the next open button"),
                             QKeySequence("Ctrl+PgDown"), [this](DocumentTab&) { tabs_->showNext(1); }));

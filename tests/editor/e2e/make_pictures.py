@@ -91,15 +91,69 @@ class Camera:
         self.desktop.xdotool("mouseup", 1)
         print(f"{file}: {file.stat().st_size // 1024} KiB")
 
+    def feel_force(self):
+        """A simulated finger on a simulated Falcon, caught on its way."""
+        self.start("light", "buttons/C.button.json")
+        self.desktop.key("alt+4")
+        self.editor.click("setupToggle")
+        x, y, _, height = self.editor.widget("driveChoice")["rect"]
+        self.desktop.xdotool("mousemove", x - 40, y + height // 2)  # beside the fields: a wheel on one would change it
+        self.desktop.xdotool("click", "--repeat", 60, "--delay", 10, 5)
+        time.sleep(1)
+        self.editor.click("forceDevice")
+        for _ in range(2):
+            self.desktop.key("Down")
+        self.desktop.key("Return")
+        self.editor.click("setupToggle")
+        self.editor.click("forceSwitch")
+        time.sleep(2.3)
+        self.take("feel-force")
+
     def compare(self):
         self.start("light", "buttons/C.button.json", "buttons/B.button.json")
         self.desktop.key("ctrl+k")
         self.editor.widget("compareDialog")
+        time.sleep(2)  # the forecast
         self.take("compare")
+
+    def forecast_matrix(self):
+        self.start("light", *(f"buttons/{letter}.button.json" for letter in "ABCD"))
+        self.desktop.key("ctrl+shift+k")
+        self.editor.widget("forecastMatrix")
+        time.sleep(4)
+        self.take("forecast-matrix")
+
+    def study_desk(self):
+        self.make_study()
+        for answers in (2, 3):  # two simulated participants
+            self.editor.click("studyAnswers", "studyDesk")
+            self.desktop.key("Home", *["Down"] * answers, "Return")
+            self.editor.click("studyStart", "studyDesk")
+            time.sleep(1)
+        self.take("study-desk")
+
+    def study_participant(self):
+        self.make_study()
+        self.editor.click("studyAnswers", "studyDesk")
+        self.desktop.key("Home", "Down", "Return")
+        self.editor.click("studyStart", "studyDesk")
+        self.editor.click("studyBegin", "studyWindow")
+        self.desktop.key("1", "2", "x")
+        self.take("study-participant")
+
+    def make_study(self):
+        self.start("light", *(f"buttons/{letter}.button.json" for letter in "ABC"))
+        self.desktop.key("ctrl+alt+k")
+        self.editor.click("studyNew", "studyDesk")
+        self.editor.click("makerFolder", "studyMaker")
+        self.desktop.type(str(self.desktop.folder / "clicks"))
+        self.editor.click("makerMake", "studyMaker", enabled=True)
+        self.editor.gone("studyMaker")
 
 
 PICTURES = {name.replace("_", "-"): name for name in
-            ("main_light", "main_dark", "import_dialogue", "main_underlay", "feel_panel", "compare")}
+            ("main_light", "main_dark", "import_dialogue", "main_underlay", "feel_panel", "feel_force", "compare", "forecast_matrix",
+             "study_desk", "study_participant")}
 
 
 def main():

@@ -16,6 +16,15 @@ using namespace detent::test;
 
 namespace {
 
+/// The panel's settings with that force device.
+FeelSettings withForce(const QString& device, bool holds = false) {
+  FeelSettings settings;
+  settings.sound = false;
+  settings.force.device = device;
+  settings.force.holds = holds;
+  return settings;
+}
+
 struct Rig {
   NoDevices none;
   ButtonDocument a{tactileButton()}, b{linearButton()};
@@ -28,6 +37,20 @@ struct Rig {
     session.setDocument(FeelSide::a, &a);
   }
   bool ready() const { return session.program() != nullptr; }
+  ForceSession& force() { return session.force(); }
+  /// A simulated finger presses the first button.
+  void startForce(const QString& device = "sim", bool holds = false) {
+    QTRY_VERIFY(ready());
+    session.setSettings(withForce(device, holds));
+    force().start();
+    QTRY_COMPARE(force().state(), ForceState::on);
+  }
+  double deepest_mm() const {
+    double mm = 0;
+    for (const auto& p : finger)
+      if (p) mm = std::max(mm, p->displacement_mm);
+    return mm;
+  }
 };
 
 }  // namespace
@@ -98,6 +121,128 @@ class FeelSessionTest : public QObject {
     QTRY_COMPARE(offered.count(), 1);
     QVERIFY(rig.session.settings().sensorPort.isEmpty());
     QVERIFY(rig.session.player().sensorTrouble().contains("detent-no-such-port"));
+  }
+
+  // ---- force
+
+  void noForceWithoutADevice() {
+    Rig rig;
+    rig.force().start();
+    QCOMPARE(rig.force().state(), ForceState::off);
+    QVERIFY(!rig.force().margin());
+    rig.session.setSettings(withForce("sim:kite"));
+    QCOMPARE(rig.force().state(), ForceState::failed);
+    QVERIFY(rig.force().trouble().contains("sim:kite"));
+    rig.session.setSettings(withForce("sim"));
+    QCOMPARE(rig.force().state(), ForceState::off);
+    QVERIFY(rig.force().trouble().isEmpty());
+  }
+
+  void aSimulatedPressIsWatched() {
+    Rig rig;
+    rig.startForce();
+    QTRY_VERIFY_WITH_TIMEOUT(rig.deepest_mm() > 3.5, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.force().energy().most_mJ > 0.5, 10000);
+    QVERIFY(rig.force().status().steps > 100);
+    QVERIFY(rig.force().energy().lowestBalance_mJ > -0.05);
+    double strongest_N = 0;
+    for (const auto& p : rig.finger)
+      if (p) strongest_N = std::max(strongest_N, p->force_N);
+    QVERIFY2(strongest_N > 0.5, qPrintable(QString::number(strongest_N)));
+    rig.force().stop();
+    QCOMPARE(rig.force().state(), ForceState::off);
+    QTRY_VERIFY(!rig.session.motion().pressed);
+    QVERIFY(!rig.finger.back());
+  }
+
+  void vibrationFollowsTheSamePress() {
+    Rig rig;
+    QSignalSpy felt(&rig.session, &FeelSession::eventsFelt);
+    rig.startForce();
+    const auto jumps = [&] {
+      std::size_t count = 0;
+      for (const auto& call : felt)
+        for (const playback::EngineEvent& e : call.front().value<std::vector<playback::EngineEvent>>())
+          count += e.kind == playback::EventKind::pressJump ? 1 : 0;
+      return count;
+    };
+    QTRY_VERIFY_WITH_TIMEOUT(jumps() >= 1, 10000);
+    QVERIFY(!rig.session.player().down(1));  // one finger at a time
+    rig.force().stop();
+    QTRY_VERIFY(!rig.session.player().pressed());
+    QVERIFY(rig.session.player().down(1));
+    rig.session.up();
+  }
+
+  void anotherDeviceStartsByHandOnly() {
+    Rig rig;
+    rig.startForce("sim");
+    rig.session.setSettings(withForce("sim:rig"));
+    QTRY_COMPARE(rig.force().state(), ForceState::off);
+    QTest::qWait(50);
+    QCOMPARE(rig.force().state(), ForceState::off);
+    QVERIFY(!rig.force().player());
+  }
+
+  void thereIsNoForceOutOfSight() {
+    Rig rig;
+    rig.startForce("sim", true);
+    rig.session.setWatched(false);
+    QTRY_VERIFY(!rig.force().running());
+    QVERIFY(!rig.force().margin());
+    rig.session.setWatched(true);
+    QVERIFY(rig.force().margin());
+    QVERIFY(!rig.force().running());
+  }
+
+  void anEditReachesTheFinger() {
+    Rig rig;
+    rig.startForce("sim", true);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.session.motion().displacement_mm > 1, 10000);
+    QTest::qWait(300);
+    const Result<Button> stronger = scaleForce(tactileButton(), 1.5);
+    QVERIFY(stronger);
+    const double held_N = rig.session.motion().force_N;
+    rig.a.history().apply(*stronger, "Scale");
+    QTRY_VERIFY_WITH_TIMEOUT(
+        rig.session.motion().force_N > held_N + 0.05 || rig.session.motion().displacement_mm < 1.9, 10000);
+    QVERIFY(rig.force().running());
+  }
+
+  void aDeviceThatCannotBeHadIsSaid() {
+    Rig rig;
+    QTRY_VERIFY(rig.ready());
+    rig.session.setSettings(withForce("serial:/dev/detent-no-such-port"));
+    rig.force().start();
+    QTRY_COMPARE(rig.force().state(), ForceState::failed);
+    QVERIFY(rig.force().trouble().contains("detent-no-such-port"));
+    QVERIFY(!rig.session.player().pressed());
+  }
+
+  void theNearestStableButtonIsOneStep() {
+    Rig rig;
+    rig.session.setSettings(withForce("sim"));
+    QVERIFY(rig.force().margin() && !rig.force().margin()->stable());
+    QSignalSpy said(&rig.session, &FeelSession::said);
+    rig.force().makeStable();
+    QVERIFY(rig.force().margin()->stable());
+    QVERIFY(!(rig.a.button() == tactileButton()));
+    QVERIFY(rig.force().changes().contains("N"));
+    QCOMPARE(said.back().front().toString(), rig.force().changes());
+    QCOMPARE(rig.a.history().stack().count(), 1);
+    rig.a.history().stack().undo();
+    QVERIFY(rig.a.button() == tactileButton());
+    QTRY_VERIFY(rig.force().changes().isEmpty() && !rig.force().margin()->stable());
+  }
+
+  void choicesOfForceAreKept() {
+    FeelSettings settings = withForce("odrive:/dev/ttyACM1", true);
+    settings.force.largest_N = 1.5;
+    settings.force.step_mm = 0.02;
+    settings.force.mmPerTurn = -42;
+    settings.force.firmwareFile = "/tmp/novint.bin";
+    settings.force.upload = settings.force.controller = true;
+    QVERIFY(feelSettingsFrom(toMap(settings)) == settings);
   }
 };
 

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The pressed button as force on a force device, without widgets: the running loop, what it does to the finger, and
+// whether the device can render the button at all. docs/force-feedback.md.
+
+#include <memory>
+#include <optional>
+#include <QObject>
+#include <QPointer>
+#include <QString>
+#include <QTimer>
+#include <thread>
+#include <vector>
+
+#include "editor/document/button_document.h"
+#include "editor/feel/feel_devices.h"
+#include "editor/feel/feel_settings.h"
+
+namespace detent::editor {
+
+enum class ForceState : std::uint8_t {
+  off,
+  starting,  ///< the device is being opened
+  on,
+  lost,   ///< it went away, without force; taken up again when it is back
+  failed  ///< it could not be opened; trouble() says why and what to do
+};
+
+/// What a finger and the button give each other.
+struct ForceEnergy {
+  double held_mJ = 0;           ///< in the button now, counted from its rest
+  double most_mJ = 0;           ///< of this press, or of the last one
+  double givenBack_mJ = 0;      ///< of that, on the way back
+  double lowestBalance_mJ = 0;  ///< since the start; below 0: it gave more than it held
+};
+
+/// Starts by hand only: no force without being asked for. GUI thread; devices are opened and closed on a thread of
+/// its own.
+class ForceSession : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ForceSession(QObject* parent = nullptr, FeelDevices devices = {});
+  ~ForceSession() override;  ///< takes the force away; waits for a device that is just being opened
+
+  /// There is no margin and no force while nobody looks: the switch has to be in sight.
+  void setWatched(bool watched);
+  /// What is pressed; exchanged under the finger. May be null.
+  void setDocument(ButtonDocument* document);
+  /// Another device does not start by itself, even while one runs.
+  void setChoices(const ForceChoices& choices);
+  const ForceChoices& choices() const { return choices_; }
+  ButtonDocument* document() const { return document_; }
+  /// Of the chosen device; none where none is chosen or its name is not understood.
+  const std::optional<playback::ForceDeviceChoice>& device() const { return device_; }
+  bool simulated() const { return device_ && device_->kind == playback::ForceDeviceKind::simulated; }
+
+  void start();
+  void stop();
+  ForceState state() const { return state_; }
+  bool running() const { return state_ == ForceState::on || state_ == ForceState::lost; }
+  /// Why there is no force, and what to do; empty where nothing is wrong.
+  const QString& trouble() const { return trouble_; }
+  /// The running loop, for who follows its position on another thread; null where none runs.
+  std::shared_ptr<const playback::ForcePlayer> player() const { return player_; }
+
+  const playback::ForceStatus& status() const { return status_; }
+  const ForceEnergy& energy() const { return energy_; }
+  /// What the device cannot render as the button has it; empty until it runs.
+  const std::vector<playback::ForceRemark>& remarks() const { return remarks_; }
+
+  /// What slopes the chosen device bears along the button's travel; null without a device or a button. Shared and
+  /// never changed.
+  const std::shared_ptr<const playback::StabilityMargin>& margin() const { return margin_; }
+  /// One undoable step to the nearest button that the device can render; tells what was changed.
+  void makeStable();
+  /// What makeStable changed in the button as it stands now; empty where it is another one.
+  const QString& changes() const { return changes_; }
+
+ signals:
+  void stateChanged();
+  /// About 100 times a second while it runs.
+  void moved();
+  /// Margin, device or what was changed.
+  void marginChanged();
+  void said(const QString& message);
+
+ private:
+  using Player = std::shared_ptr<playback::ForcePlayer>;
+
+  QString takeDevice();
+  void buttonChanged();
+  void follow();
+  void computeMargin();
+  void exchange();
+  void exchanged(Result<std::unique_ptr<playback::ForcePlayer>>* result);
+  void setState(ForceState state, const QString& trouble = {});
+  void tick();
+  void count(const playback::ForceStep& step);
+  double rate_Hz() const;
+
+  FeelDevices devices_;
+  QPointer<ButtonDocument> document_;
+  ForceChoices choices_;
+  std::optional<playback::ForceDeviceChoice> device_;
+  Player player_;
+  std::thread worker_;
+  bool watched_ = false, wanted_ = false, busy_ = false, exchangeAgain_ = false;
+  ForceState state_ = ForceState::off;
+  QString trouble_;
+  double travel_mm_ = 0, rest_mm_ = 0;  ///< as the running device was prepared
+  playback::ForceStatus status_;
+  std::vector<playback::ForceStep> steps_;
+  std::vector<playback::ForceRemark> remarks_;
+  ForceEnergy energy_;
+  double energyAtRest_mJ_ = 0;
+  std::shared_ptr<const playback::StabilityMargin> margin_;
+  std::optional<Button> stable_;  ///< as makeStable left it
+  QString changes_;
+  QTimer timer_, soon_;
+};
+
+}  // namespace detent::editor

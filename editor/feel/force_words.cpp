@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/feel/force_words.h"
+
+#include <algorithm>
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "editor/document/message_words.h"
+#include "editor/quantity/quantity.h"
+
+namespace detent::editor {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("ForceWords", text); }
+
+QString shown(double value, Quantity quantity, const DisplayUnits& units) {
+  return quantityWithUnit(value, quantity, units, 3);
+}
+
+/// "locked: " of a self-locking button, else nothing.
+QString stateBefore(const Button& button, std::size_t state) {
+  if (!button.selfLocking() || state >= button.states().size()) return {};
+  return tr("%1: ").arg(QString::fromStdString(button.states()[state].name));
+}
+
+QString boundWords(playback::StabilityBound bound) {
+  switch (bound) {
+    case playback::StabilityBound::damping:
+      return tr("with its damping");
+    case playback::StabilityBound::quantisation:
+      return tr("with its friction and encoder steps");
+    case playback::StabilityBound::device:
+      break;
+  }
+  return tr("at all");
+}
+
+}  // namespace
+
+QString stretchWords(const playback::UnstableStretch& stretch, const Button& button,
+                     const DisplayUnits& units) {
+  const QString where =
+      stretch.falling ? tr("the falling jump from %1 to %2 has %3") : tr("the wall from %1 to %2 has %3");
+  return asSentence(stateBefore(button, stretch.state) +
+                    where.arg(quantityText(stretch.from_mm, Quantity::length, units, 3),
+                              shown(stretch.to_mm, Quantity::length, units),
+                              shown(stretch.worst.slope_N_per_mm, Quantity::slope, units)) +
+                    tr("; the device bears %1 %2")
+                        .arg(shown(stretch.worst.allowed_N_per_mm, Quantity::slope, units),
+                             boundWords(stretch.worst.bound)));
+}
+
+QString marginWords(const playback::StabilityMargin& margin, const Button& button,
+                    const DisplayUnits& units) {
+  if (margin.stable())
+    return tr("Stable: the device bears every slope. The steepest leaves %1.")
+        .arg(shown(margin.least.margin_N_per_mm(), Quantity::slope, units));
+  const auto worst = std::min_element(
+      margin.unstable.begin(), margin.unstable.end(),
+      [](const auto& a, const auto& b) { return a.worst.margin_N_per_mm() < b.worst.margin_N_per_mm(); });
+  const QString places = margin.unstable.size() == 1
+                             ? tr("In one place the button is steeper than the device bears.")
+                             : tr("In %1 places the button is steeper than the device bears. The worst:")
+                                   .arg(margin.unstable.size());
+  return places + " " + stretchWords(*worst, button, units);
+}
+
+QString remarkWords(const playback::ForceRemark& remark, const Button& button, const DisplayUnits& units) {
+  const auto in = [&](double value, Quantity quantity) { return shown(value, quantity, units); };
+  const QString at = in(remark.at_mm, Quantity::length);
+  QString words;
+  switch (remark.kind) {
+    case playback::ForceRemarkKind::wallSoftened:
+      words = tr("the wall of %1 at %2 is felt as %3")
+                  .arg(in(remark.value, Quantity::slope), at, in(remark.limit, Quantity::slope));
+      break;
+    case playback::ForceRemarkKind::fallSoftened:
+      words = tr("the fall of %1 at %2 is felt as %3")
+                  .arg(in(remark.value, Quantity::slope), at, in(remark.limit, Quantity::slope));
+      break;
+    case playback::ForceRemarkKind::forceClipped:
+      words = tr("%1 is more than the device gives; %2 is felt")
+                  .arg(in(remark.value, Quantity::force), in(remark.limit, Quantity::force));
+      break;
+    case playback::ForceRemarkKind::strokesCross:
+      words =
+          tr("the release lies up to %1 above the press at %2, which would make energy; both are felt as the "
+             "release there")
+              .arg(in(remark.value, Quantity::force), at);
+      break;
+    case playback::ForceRemarkKind::dampingLimited:
+      words = tr("the damping of %1 at %2 is felt as %3")
+                  .arg(in(remark.value, Quantity::damping), at, in(remark.limit, Quantity::damping));
+      break;
+    case playback::ForceRemarkKind::wideReturn:
+      words = tr("from press to release would take %1 on this device; it is cut to %2 and may be unsteady")
+                  .arg(in(2 * remark.value, Quantity::length), in(2 * remark.limit, Quantity::length));
+      break;
+  }
+  return asSentence(stateBefore(button, remark.state) + words);
+}
+
+QString changeWords(const std::vector<playback::StabilityChange>& changes, const Button& button) {
+  QStringList lines;
+  for (const playback::StabilityChange& change : changes) {
+    QStringList parts;
+    if (change.largestForceChange_N > 0)
+      parts << tr("forces changed by up to %1 between %2 and %3")
+                   .arg(shown(change.largestForceChange_N, Quantity::force, modelUnits),
+                        quantityText(change.changedFrom_mm, Quantity::length, modelUnits, 3),
+                        shown(change.changedTo_mm, Quantity::length, modelUnits));
+    if (change.addedDamping_Ns_per_mm > 0)
+      parts << tr("damping raised by up to %1")
+                   .arg(shown(change.addedDamping_Ns_per_mm, Quantity::damping, modelUnits));
+    lines << asSentence(stateBefore(button, change.state) + parts.join(tr(", ")));
+  }
+  return lines.join(' ');
+}
+
+}  // namespace detent::editor

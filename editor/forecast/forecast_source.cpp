@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/forecast/forecast_source.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "editor/document/message_words.h"
+
+namespace detent::editor {
+
+namespace {
+
+constexpr std::size_t mostKept = 128;  // felt buttons, about 200 kB each
+
+/// Which two of so many buttons, in the order of a forecast.
+std::vector<std::pair<std::size_t, std::size_t>> pairsIn(std::size_t buttons, ForecastPairs pairs) {
+  if (pairs == ForecastPairs::all) return playback::pairsOf(buttons);
+  std::vector<std::pair<std::size_t, std::size_t>> found;
+  for (std::size_t other = 1; other < buttons; ++other) found.emplace_back(0, other);
+  return found;
+}
+
+}  // namespace
+
+ForecastSource::ForecastSource(QObject* parent) : QObject(parent) {}
+
+ForecastSource::~ForecastSource() {
+  {
+    const std::lock_guard lock(mutex_);
+    stopping_ = true;
+    ++latest_;
+  }
+  wake_.notify_one();
+  if (worker_.joinable()) worker_.join();
+}
+
+std::uint64_t ForecastSource::request(std::vector<Button> buttons, ForecastPairs pairs) {
+  const std::uint64_t revision = ++latest_;
+  {
+    const std::lock_guard lock(mutex_);
+    waiting_.emplace(Waiting{revision, std::move(buttons), pairs});
+  }
+  if (!worker_.joinable()) worker_ = std::thread([this] { run(); });
+  wake_.notify_one();
+  return revision;
+}
+
+void ForecastSource::cancel() { ++latest_; }
+
+void ForecastSource::run() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wake_.wait(lock, [this] { return stopping_ || waiting_.has_value(); });
+    if (stopping_) return;
+    const Waiting next = *std::exchange(waiting_, std::nullopt);
+    lock.unlock();
+    if (std::optional<Forecast> computed = compute(next)) {
+      auto forecast = std::make_shared<const Forecast>(*std::move(computed));
+      // Queued events for an object that is gone are dropped by Qt; the destructor waits for this thread.
+      QMetaObject::invokeMethod(
+          this,
+          [this, forecast] {
+            if (!overtaken(forecast->revision)) emit ready(forecast);
+          },
+          Qt::QueuedConnection);
+    }
+    lock.lock();
+  }
+}
+
+std::optional<Forecast> ForecastSource::compute(const Waiting& asked) {
+  const auto pairs = pairsIn(asked.buttons.size(), asked.pairs);
+  const std::size_t all = asked.buttons.size() + pairs.size();
+  FeltList felt;
+  for (const Button& button : asked.buttons) {
+    Result<std::shared_ptr<const Felt>> made = feltOf(button, asked.revision);
+    if (overtaken(asked.revision)) return {};
+    if (!made) return Forecast{asked.revision, {}, sentenceOf(made.failure())};
+    felt.push_back(*std::move(made));
+    tellProgress(asked.revision, felt.size(), all);
+  }
+  Forecast forecast{asked.revision, {}, {}};
+  for (const auto& [first, second] : pairs) {
+    if (overtaken(asked.revision)) return {};
+    forecast.pairs.push_back(pairOf(*felt[first], *felt[second]));
+    tellProgress(asked.revision, felt.size() + forecast.pairs.size(), all);
+  }
+  forgetOld(felt);
+  return forecast;
+}
+
+Result<std::shared_ptr<const ForecastSource::Felt>> ForecastSource::feltOf(const Button& button,
+                                                                           std::uint64_t revision) {
+  const auto known =
+      std::find_if(kept_.begin(), kept_.end(), [&](const auto& f) { return f->button == button; });
+  if (known != kept_.end()) return *known;
+  Result<playback::FeltButton> made =
+      playback::feel(button, {}, [this, revision] { return overtaken(revision); });
+  if (!made) return made.failure();
+  kept_.push_back(std::make_shared<const Felt>(Felt{nextId_++, button, *std::move(made)}));
+  return kept_.back();
+}
+
+playback::PredictedPair ForecastSource::pairOf(const Felt& a, const Felt& b) {
+  const std::pair key(a.id, b.id);
+  const auto known = keptPairs_.find(key);
+  if (known != keptPairs_.end()) return known->second;
+  return keptPairs_.emplace(key, playback::predictConfusion(a.felt, b.felt)).first->second;
+}
+
+/// Every edit leaves a button behind; those of the last request stay.
+void ForecastSource::forgetOld(const FeltList& used) {
+  if (kept_.size() <= mostKept) return;
+  kept_ = used;
+  const auto gone = [&](std::uint64_t id) {
+    return std::none_of(used.begin(), used.end(), [&](const auto& f) { return f->id == id; });
+  };
+  std::erase_if(keptPairs_,
+                [&](const auto& pair) { return gone(pair.first.first) || gone(pair.first.second); });
+}
+
+void ForecastSource::tellProgress(std::uint64_t revision, std::size_t done, std::size_t all) {
+  QMetaObject::invokeMethod(
+      this,
+      [this, revision, done = static_cast<int>(done), all = static_cast<int>(all)] {
+        if (!overtaken(revision)) emit progress(done, all);
+      },
+      Qt::QueuedConnection);
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/study/study_desk.h"
+
+#include <algorithm>
+#include <chrono>
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QProgressDialog>
+#include <QVBoxLayout>
+
+#include "editor/document/message_words.h"
+#include "editor/feel/setup_widgets.h"
+#include "editor/forecast/forecast_words.h"
+#include "editor/study/study_maker.h"
+#include "model/file/text_file.h"
+
+namespace detent::editor {
+
+namespace {
+
+enum Column { idColumn, answeredColumn, kindColumn, notesColumn, columnCount };
+
+double wallClock_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+QString progressWords(const playback::ParticipantRecord& record) {
+  const QString answered =
+      QCoreApplication::translate("StudyDesk", "%1 of %2").arg(record.answers.size()).arg(record.plan.size());
+  if (record.complete()) return QCoreApplication::translate("StudyDesk", "%1, complete").arg(answered);
+  return record.endedEarly ? QCoreApplication::translate("StudyDesk", "%1, ended early").arg(answered)
+                           : answered;
+}
+
+QString kindWords(const playback::ParticipantRecord& record) {
+  if (record.sessions.empty()) return {};
+  switch (record.sessions.back().kind) {
+    case playback::SessionKind::real:
+      return QCoreApplication::translate("StudyDesk", "person");
+    case playback::SessionKind::rehearsal:
+      return QCoreApplication::translate("StudyDesk", "REHEARSAL, nothing felt");
+    case playback::SessionKind::simulated:
+      break;
+  }
+  return QCoreApplication::translate("StudyDesk", "SIMULATED");
+}
+
+/// "P01", "P02", ...: the first that nobody has.
+QString freeId(const std::vector<playback::ParticipantRecord>& records) {
+  for (int i = 1;; ++i) {
+    const QString id = QStringLiteral("P%1").arg(i, 2, 10, QChar('0'));
+    if (std::none_of(records.begin(), records.end(),
+                     [&](const auto& r) { return r.participant == id.toStdString(); }))
+      return id;
+  }
+}
+
+/// What is to be expected of the study's buttons on its device, in its first mode.
+Result<std::vector<playback::ForetoldPair>> foretold(const playback::Study& study) {
+  playback::PerceptionSettings settings;
+  if (study.profile) settings.device = *study.profile;
+  settings.playback.mode = study.design.modes.front();
+  std::vector<playback::FeltButton> felt;
+  for (const playback::StudyButton& button : study.buttons) {
+    Result<playback::FeltButton> one = playback::feel(button.button, settings);
+    if (!one) return one.failure();
+    felt.push_back(*std::move(one));
+  }
+  std::vector<playback::ForetoldPair> pairs;
+  const std::vector<playback::PredictedPair> predicted = playback::predictAll(felt);
+  for (const auto& [first, second] : playback::pairsOf(felt.size())) {
+    const playback::PredictedPair& pair = predicted[pairs.size()];
+    pairs.push_back({first, second, pair.dPrime, pair.shareOfErrors, reasonWords(pair).toStdString()});
+  }
+  return pairs;
+}
+
+}  // namespace
+
+StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), places_(std::move(places)) {
+  setObjectName("studyDesk");
+  setWindowTitle(tr("Study: experimenter"));
+  resize(760, 560);
+  title_ = new QLabel;
+  title_->setObjectName("studyTitle");
+  title_->setWordWrap(true);
+  trouble_ = new QLabel;
+  trouble_->setObjectName("studyTrouble");
+  trouble_->setWordWrap(true);
+  trouble_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(folderRow());
+  layout->addWidget(title_);
+  layout->addWidget(peopleTable(), 1);
+  layout->addLayout(nextForm());
+  layout->addWidget(trouble_);
+  layout->addLayout(actionRow());
+  refresh();
+}
+
+// ---- widgets
+
+QLayout* StudyDesk::folderRow() {
+  const auto button = [this](const char* name, const QString& text, const QString& tip, auto act) {
+    auto* made = new QPushButton(text);
+    made->setObjectName(name);
+    made->setToolTip(tip);
+    made->setAutoDefault(false);
+    connect(made, &QPushButton::clicked, this, act);
+    return made;
+  };
+  auto* row = new QHBoxLayout;
+  row->addWidget(
+      button("studyNew", tr("&New study…"), tr("Make a study of the open buttons"), &StudyDesk::makeNew));
+  row->addWidget(
+      button("studyOpen", tr("&Open a study…"), tr("Choose the folder of a study"), &StudyDesk::choose));
+  row->addStretch();
+  return row;
+}
+
+QWidget* StudyDesk::peopleTable() {
+  people_ = new QTableWidget(0, columnCount);
+  people_->setObjectName("studyPeople");
+  people_->setAccessibleName(tr("Participants"));
+  people_->setHorizontalHeaderLabels(
+      {tr("Participant"), tr("Answered"), tr("Answers by"), tr("To be known")});
+  people_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  people_->horizontalHeader()->setSectionResizeMode(notesColumn, QHeaderView::Stretch);
+  people_->verticalHeader()->hide();
+  people_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  people_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  connect(people_, &QTableWidget::cellClicked, this,
+          [this](int row) { participant_->setText(people_->item(row, idColumn)->text()); });
+  return people_;
+}
+
+QLayout* StudyDesk::nextForm() {
+  participant_ = new QLineEdit;
+  participant_->setObjectName("studyParticipant");
+  participant_->setToolTip(
+      tr("Letters, digits, - and _; no name of a person. One that is in the list goes on at the "
+         "very question"));
+  answers_ =
+      comboBox("studyAnswers", tr("Where nothing is felt, every row and every page of the report says so"));
+  addChoice(answers_, tr("a person, with the sound device"), static_cast<int>(Answers::person));
+  addChoice(answers_, tr("nobody who counts: a rehearsal without a sound device"),
+            static_cast<int>(Answers::rehearsal));
+  addChoice(answers_, tr("the program, guessing"), static_cast<int>(Answers::guess));
+  addChoice(answers_, tr("the program, without an error"), static_cast<int>(Answers::perfect));
+  listening_ = comboBox("studyListening", tr("What reaches the ears; kept in every row"));
+  addChoice(listening_, tr("quiet"), static_cast<int>(playback::Listening::quiet));
+  addChoice(listening_, tr("masked by noise"), static_cast<int>(playback::Listening::masked));
+  sensor_ =
+      comboBox("studySensor", tr("Serial port of a force sensor under the finger, calibrated by the study's "
+                                 "device profile; empty: keys and large buttons press"));
+  sensor_->setEditable(true);
+  sensor_->addItem(QString());
+  sensor_->addItems(serialPorts());
+  auto* form = new QFormLayout;
+  form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+  form->addRow(tr("Next &participant:"), participant_);
+  form->addRow(tr("&Answers by:"), answers_);
+  form->addRow(tr("&Listening:"), listening_);
+  form->addRow(tr("Force &sensor:"), sensor_);
+  return form;
+}
+
+QLayout* StudyDesk::actionRow() {
+  start_ = new QPushButton(tr("&Begin or go on"));
+  start_->setObjectName("studyStart");
+  start_->setToolTip(tr("Open the participant's window, or let the program answer"));
+  report_ = new QPushButton(tr("Write the &report…"));
+  report_->setObjectName("studyReport");
+  report_->setAutoDefault(false);
+  report_->setToolTip(tr("Write tables and pictures of what was answered so far as one HTML page"));
+  connect(start_, &QPushButton::clicked, this, &StudyDesk::start);
+  connect(report_, &QPushButton::clicked, this, &StudyDesk::writeReport);
+  auto* row = new QHBoxLayout;
+  row->addWidget(start_);
+  row->addWidget(report_);
+  row->addStretch();
+  return row;
+}
+
+void StudyDesk::tell(const QString& text) { trouble_->setText(text); }
+
+// ---- the folder
+
+void StudyDesk::makeNew() {
+  auto* maker = new StudyMaker(places_.documents(), places_.profileFile(), this);
+  maker->setAttribute(Qt::WA_DeleteOnClose);
+  connect(maker, &StudyMaker::made, this, &StudyDesk::open);
+  maker->open();
+}
+
+void StudyDesk::choose() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a study"), folder_);
+  if (!folder.isEmpty()) open(folder);
+}
+
+void StudyDesk::open(const QString& folder) {
+  folder_ = folder;
+  tell({});
+  refresh();
+}
+
+void StudyDesk::refresh() {
+  start_->setEnabled(false);
+  report_->setEnabled(false);
+  people_->setRowCount(0);
+  title_->setText(tr("Make a new study of the open buttons, or open the folder of one."));
+  if (folder_.isEmpty()) return;
+  const Result<playback::Study> study = playback::openStudy(folder_.toStdString());
+  if (!study) return tell(sentenceOf(study.failure()));
+  QStringList labels;
+  for (const playback::StudyButton& button : study->buttons) labels << QString::fromStdString(button.label);
+  title_->setText(
+      tr("<b>%1</b>: %2. Questions for each participant: %3")
+          .arg(QString::fromStdString(study->name).toHtmlEscaped(), labels.join(", ").toHtmlEscaped())
+          .arg(playback::countedTrials(*study)));
+  const auto records = playback::readParticipants(*study);
+  if (!records) return tell(sentenceOf(records.failure()));
+  start_->setEnabled(true);
+  report_->setEnabled(!records->empty());
+  listPeople(*records);
+  participant_->setText(freeId(*records));
+}
+
+void StudyDesk::listPeople(const std::vector<playback::ParticipantRecord>& records) {
+  for (const playback::ParticipantRecord& record : records) {
+    QStringList notes;
+    for (const std::string& note : record.notes) notes << QString::fromStdString(note);
+    const QString texts[] = {QString::fromStdString(record.participant), progressWords(record),
+                             kindWords(record), notes.join("; ")};
+    const int row = people_->rowCount();
+    people_->insertRow(row);
+    for (int column = 0; column < columnCount; ++column)
+      people_->setItem(row, column, new QTableWidgetItem(texts[column]));
+  }
+}
+
+// ---- a participant
+
+void StudyDesk::start() {
+  tell({});
+  if (window_) {
+    window_->raise();
+    return tell(tr("A participant is at work: finish or pause there first."));
+  }
+  Result<playback::Study> study = playback::openStudy(folder_.toStdString());
+  if (!study) return tell(sentenceOf(study.failure()));
+  if (const Result<Done> same = playback::checkStimuli(*study); !same)
+    return tell(sentenceOf(same.failure()));
+  const bool person = answers() == Answers::person || answers() == Answers::rehearsal;
+  const Result<Done> started = person ? startPerson(*std::move(study)) : simulate(*study);
+  if (!person) refresh();
+  if (!started) tell(sentenceOf(started.failure()));
+}
+
+Result<Done> StudyDesk::startPerson(playback::Study opened) {
+  StudyWork work;
+  work.study = std::make_unique<playback::Study>(std::move(opened));
+  const std::string id = participant_->text().trimmed().toStdString();
+  if (Result<Done> ok = playback::checkParticipantId(id); !ok) return ok;
+  playback::StudyPlayerSettings settings;
+  settings.player = places_.sound();
+  settings.rehearse = answers() == Answers::rehearsal;
+  settings.sensorPort = sensor_->currentText().trimmed().toStdString();
+  if (work.study->profile) settings.calibration = work.study->profile->sensor;
+  work.sensor = !settings.sensorPort.empty();
+  Result<std::unique_ptr<playback::StudyPlayer>> player = places_.open(*work.study, settings);
+  if (!player) return player.failure();
+  work.player = *std::move(player);
+  playback::SessionStart begin;
+  begin.kind = work.player->sounding() ? playback::SessionKind::real : playback::SessionKind::rehearsal;
+  begin.listening = static_cast<playback::Listening>(listening_->currentData().toInt());
+  begin.device = work.player->device();
+  begin.utc_s = wallClock_s();
+  Result<playback::ParticipantSession> session = playback::ParticipantSession::open(*work.study, id, begin);
+  if (!session) return session.failure();
+  if (session->trial() == nullptr) return tellDone(id);
+  work.session = std::make_unique<playback::ParticipantSession>(*std::move(session));
+  if (const Result<std::string> consent = readTextFile((work.study->folder / "consent.txt").string());
+      consent)
+    work.consent = QString::fromStdString(*consent);
+  window_ = new StudyWindow(std::move(work));
+  connect(window_, &QObject::destroyed, this, &StudyDesk::refresh, Qt::QueuedConnection);
+  window_->show();
+  return Done{};
+}
+
+Result<Done> StudyDesk::tellDone(const std::string& participant) {
+  tell(tr("%1 has answered everything.").arg(QString::fromStdString(participant)));
+  return Done{};
+}
+
+Result<Done> StudyDesk::simulate(const playback::Study& study) {
+  const Result<playback::Simulation> simulation =
+      playback::simulationNamed(answers() == Answers::guess ? "guess" : "perfect");
+  if (!simulation) return simulation.failure();
+  const std::string id = participant_->text().trimmed().toStdString();
+  Result<playback::ParticipantSession> session = playback::ParticipantSession::open(
+      study, id,
+      {playback::SessionKind::simulated, static_cast<playback::Listening>(listening_->currentData().toInt()),
+       "", simulation->name, wallClock_s()});
+  if (!session) return session.failure();
+  if (session->trial() == nullptr) return tellDone(id);
+  QProgressDialog progress(tr("The program answers…"), tr("Stop"), 0,
+                           static_cast<int>(session->record().plan.size()), this);
+  progress.setWindowModality(Qt::WindowModal);
+  while (const playback::Trial* trial = session->trial()) {
+    if (progress.wasCanceled()) return Done{};
+    if (Result<Done> ok = session->record(playback::simulatedAnswer(study, id, *trial, *simulation)); !ok)
+      return ok;
+    progress.setValue(static_cast<int>(session->record().answers.size()));
+  }
+  return session->end("complete");
+}
+
+// ---- the report
+
+void StudyDesk::writeReport() {
+  const QString file = QFileDialog::getSaveFileName(this, tr("Write the report"), folder_ + "/report.html",
+                                                    tr("Web page (*.html)"));
+  if (file.isEmpty()) return;
+  const Result<Done> written = writeReportTo(file);
+  tell(written ? tr("Written: %1").arg(file) : sentenceOf(written.failure()));
+}
+
+Result<Done> StudyDesk::writeReportTo(const QString& file) {
+  const Result<playback::Study> study = playback::openStudy(folder_.toStdString());
+  if (!study) return study.failure();
+  const auto records = playback::readParticipants(*study);
+  if (!records) return records.failure();
+  const auto expected = foretold(*study);
+  if (!expected) return expected.failure();
+  return writeTextFileAtomically(file.toStdString(),
+                                 playback::resultsPage(playback::resultsOf(*study, *records), *expected));
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The experimenter's view of a study: its folder, how far everyone is, who is next. Participants see
+// study_window.h.
+
+#include <functional>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPointer>
+#include <QPushButton>
+#include <QTableWidget>
+#include <vector>
+
+#include "editor/document/button_document.h"
+#include "editor/study/study_window.h"
+#include "playback/playback.h"
+
+namespace detent::editor {
+
+/// How the desk reaches devices and asks for places; tests put their own in.
+struct StudyPlaces {
+  /// The open buttons, of which a new study can be made.
+  std::function<std::vector<ButtonDocument*>()> documents = [] { return std::vector<ButtonDocument*>{}; };
+  /// Device profile of the feel panel; empty: none.
+  std::function<QString()> profileFile = [] { return QString(); };
+  /// Sound device, rate and buffer, as chosen for the feel panel.
+  std::function<playback::PlayerSettings()> sound = [] { return playback::PlayerSettings{}; };
+  std::function<Result<std::unique_ptr<playback::StudyPlayer>>(const playback::Study&,
+                                                               const playback::StudyPlayerSettings&)>
+      open = playback::StudyPlayer::start;
+};
+
+/// Not modal. GUI thread.
+class StudyDesk : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit StudyDesk(StudyPlaces places = {}, QWidget* parent = nullptr);
+  /// Shows that study; a folder that holds none is told in the window.
+  void open(const QString& folder);
+
+ private:
+  /// Who gives the answers of the next session.
+  enum class Answers { person, rehearsal, guess, perfect };
+
+  QLayout* folderRow();
+  QWidget* peopleTable();
+  QLayout* nextForm();
+  QLayout* actionRow();
+  void makeNew();
+  void choose();
+  void refresh();
+  void listPeople(const std::vector<playback::ParticipantRecord>& records);
+  void start();
+  Result<Done> startPerson(playback::Study study);
+  Result<Done> tellDone(const std::string& participant);
+  Result<Done> simulate(const playback::Study& study);
+  void writeReport();
+  Result<Done> writeReportTo(const QString& file);
+  void tell(const QString& text);
+  Answers answers() const { return static_cast<Answers>(answers_->currentData().toInt()); }
+
+  StudyPlaces places_;
+  QString folder_;
+  QPointer<StudyWindow> window_;
+  QLabel *title_ = nullptr, *trouble_ = nullptr;
+  QTableWidget* people_ = nullptr;
+  QLineEdit* participant_ = nullptr;
+  QComboBox *answers_ = nullptr, *listening_ = nullptr, *sensor_ = nullptr;
+  QPushButton *start_ = nullptr, *report_ = nullptr;
+};
+
+}  // namespace detent::editor

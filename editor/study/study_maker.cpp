@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/study/study_maker.h"
+
+#include <cmath>
+#include <QDir>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QRandomGenerator>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QVBoxLayout>
+
+#include "editor/document/message_words.h"
+#include "editor/feel/setup_widgets.h"
+#include "model/file/button_file.h"
+
+namespace detent::editor {
+
+namespace {
+
+constexpr int mostTrials = 1000, mostPractice = 100, usualTrials = 10, usualPractice = 4;  // K&L: 10 a pair
+constexpr double question_s = 12;  // a rough guess, so that nobody plans three hours by mistake
+
+/// A name of a file that no other button has.
+QString labelOf(const QString& title, QSet<QString>& taken) {
+  QString label = title.trimmed();
+  label.replace('/', '-').replace('\\', '-');
+  if (label.isEmpty() || label.startsWith('.')) label.prepend('_');
+  QString unique = label;
+  for (int i = 2; taken.contains(unique); ++i) unique = QStringLiteral("%1 %2").arg(label).arg(i);
+  taken << unique;
+  return unique;
+}
+
+QSpinBox* countBox(const char* name, int least, int most, int value, const QString& tip) {
+  auto* box = new QSpinBox;
+  box->setObjectName(name);
+  box->setRange(least, most);
+  box->setValue(value);
+  box->setToolTip(tip);
+  return box;
+}
+
+QCheckBox* modeBox(const char* name, const QString& text, bool checked) {
+  auto* box = new QCheckBox(text);
+  box->setObjectName(name);
+  box->setChecked(checked);
+  box->setToolTip(StudyMaker::tr("Every pair is tried in each of these, mixed and unnamed"));
+  return box;
+}
+
+}  // namespace
+
+StudyMaker::StudyMaker(const std::vector<ButtonDocument*>& documents, const QString& profileFile,
+                       QWidget* parent)
+    : QDialog(parent), profileFile_(profileFile) {
+  setObjectName("studyMaker");
+  setWindowTitle(tr("New study"));
+  resize(520, 560);
+  list_ = new QListWidget;
+  list_->setObjectName("makerButtons");
+  list_->setAccessibleName(tr("Buttons of the study"));
+  QSet<QString> taken;
+  for (const ButtonDocument* document : documents) {
+    buttons_.push_back(document->button());
+    auto* item = new QListWidgetItem(labelOf(document->title(), taken), list_);
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setCheckState(Qt::Checked);
+  }
+  length_ = new QLabel;
+  length_->setObjectName("makerLength");
+  length_->setWordWrap(true);
+  trouble_ = new QLabel;
+  trouble_->setObjectName("makerTrouble");
+  trouble_->setWordWrap(true);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(new QLabel(tr("Buttons, as they are shown now:")));
+  layout->addWidget(list_, 1);
+  layout->addLayout(designForm());
+  layout->addLayout(folderRow());
+  layout->addWidget(length_);
+  layout->addWidget(trouble_);
+  layout->addLayout(actionRow());
+  connect(list_, &QListWidget::itemChanged, this, &StudyMaker::showLength);
+  connect(folder_, &QLineEdit::textChanged, this, &StudyMaker::showLength);
+  showLength();
+}
+
+QLayout* StudyMaker::designForm() {
+  kind_ = comboBox("makerKind", tr("What a participant is asked"));
+  addChoice(kind_, tr("Which of two is X?"), static_cast<int>(playback::StudyKind::abx));
+  addChoice(kind_, tr("Which of all is X?"), static_cast<int>(playback::StudyKind::matching));
+  trials_ = countBox("makerTrials", 1, mostTrials, usualTrials,
+                     tr("Questions for each pair (of two) or button (of all), and kind of feedback"));
+  practice_ =
+      countBox("makerPractice", 0, mostPractice, usualPractice, tr("Questions before the first that counts"));
+  full_ = modeBox("makerFull", tr("everything"), true);
+  clicks_ = modeBox("makerClicks", tr("clicks only"), false);
+  slopes_ = modeBox("makerSlopes", tr("slopes only"), false);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &StudyMaker::showLength);
+  for (QSpinBox* box : {trials_, practice_})
+    connect(box, &QSpinBox::valueChanged, this, &StudyMaker::showLength);
+  for (QCheckBox* box : {full_, clicks_, slopes_})
+    connect(box, &QCheckBox::toggled, this, &StudyMaker::showLength);
+  auto* form = new QFormLayout;
+  form->addRow(tr("&Task:"), kind_);
+  form->addRow(tr("&Questions each:"), trials_);
+  form->addRow(tr("&Practice:"), practice_);
+  form->addRow(tr("Feedback:"), rowOf({full_, clicks_, slopes_}));
+  form->addRow(tr("Device profile:"),
+               new QLabel(profileFile_.isEmpty() ? tr("none (chosen under Setup of Feel it)")
+                                                 : QFileInfo(profileFile_).fileName()));
+  return form;
+}
+
+QLayout* StudyMaker::folderRow() {
+  folder_ = new QLineEdit;
+  folder_->setObjectName("makerFolder");
+  folder_->setToolTip(tr("A folder that is not there yet; it holds the whole study and can be copied"));
+  auto* browse = new QPushButton(tr("&Choose…"));
+  browse->setObjectName("makerBrowse");
+  browse->setAutoDefault(false);
+  browse->setToolTip(tr("Choose where the folder is made"));
+  connect(browse, &QPushButton::clicked, this, [this] {
+    const QString folder = QFileDialog::getSaveFileName(this, tr("Folder of the study"), QDir::homePath());
+    if (!folder.isEmpty()) folder_->setText(folder);
+  });
+  auto* label = new QLabel(tr("&Folder:"));
+  label->setBuddy(folder_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(label);
+  row->addWidget(folder_, 1);
+  row->addWidget(browse);
+  return row;
+}
+
+QLayout* StudyMaker::actionRow() {
+  make_ = new QPushButton(tr("&Make the study"));
+  make_->setObjectName("makerMake");
+  make_->setDefault(true);
+  auto* cancel = new QPushButton(tr("Cancel"));
+  cancel->setObjectName("makerCancel");
+  connect(make_, &QPushButton::clicked, this, &StudyMaker::make);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  auto* row = new QHBoxLayout;
+  row->addStretch();
+  row->addWidget(cancel);
+  row->addWidget(make_);
+  return row;
+}
+
+playback::StudyDesign StudyMaker::design() const {
+  playback::StudyDesign design;
+  design.kind = static_cast<playback::StudyKind>(kind_->currentData().toInt());
+  design.trials = static_cast<std::size_t>(trials_->value());
+  design.practice = static_cast<std::size_t>(practice_->value());
+  design.modes.clear();
+  if (full_->isChecked()) design.modes.push_back(playback::FeedbackMode::full);
+  if (clicks_->isChecked()) design.modes.push_back(playback::FeedbackMode::clickOnly);
+  if (slopes_->isChecked()) design.modes.push_back(playback::FeedbackMode::slopeOnly);
+  design.seed = QRandomGenerator::system()->generate64();
+  return design;
+}
+
+std::vector<std::size_t> StudyMaker::chosen() const {
+  std::vector<std::size_t> rows;
+  for (int row = 0; row < list_->count(); ++row)
+    if (list_->item(row)->checkState() == Qt::Checked) rows.push_back(static_cast<std::size_t>(row));
+  return rows;
+}
+
+void StudyMaker::showLength() {
+  trouble_->clear();
+  const playback::StudyDesign asked = design();
+  const std::size_t buttons = chosen().size();
+  const Result<Done> possible = playback::checkDesign(asked, buttons);
+  make_->setEnabled(static_cast<bool>(possible) && !folder_->text().trimmed().isEmpty());
+  if (!possible) return length_->setText(sentenceOf(possible.failure()));
+  const std::size_t cells =
+      asked.kind == playback::StudyKind::abx ? playback::pairsOf(buttons).size() : buttons;
+  const std::size_t questions = cells * asked.trials * asked.modes.size() + asked.practice;
+  length_->setText(tr("Questions for each participant: %1, about %2 minutes.")
+                       .arg(questions)
+                       .arg(std::ceil(static_cast<double>(questions) * question_s / 60)));
+}
+
+Result<playback::Study> StudyMaker::makeFrom(const QString& filesFolder) const {
+  std::vector<std::string> files;
+  for (const std::size_t row : chosen()) {
+    const QString label = list_->item(static_cast<int>(row))->text();
+    files.push_back(QDir(filesFolder).filePath(label + ".button.json").toStdString());
+    if (Result<Done> written = writeButtonFile(files.back(), buttons_[row]); !written)
+      return written.failure();
+  }
+  return playback::createStudy(QDir::cleanPath(folder_->text().trimmed()).toStdString(), files,
+                               profileFile_.toStdString(), design());
+}
+
+void StudyMaker::make() {
+  const QTemporaryDir files;
+  if (!files.isValid()) return trouble_->setText(files.errorString());
+  const Result<playback::Study> study = makeFrom(files.path());
+  if (!study) return trouble_->setText(sentenceOf(study.failure()));
+  emit made(QString::fromStdString(study->folder.string()));
+  accept();
+}
+
+}  // namespace detent::editor

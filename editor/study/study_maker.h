@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A new study of the open buttons.
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPushButton>
+#include <QSpinBox>
+#include <vector>
+
+#include "editor/document/button_document.h"
+#include "playback/playback.h"
+
+namespace detent::editor {
+
+/// Asks for task, length and folder; takes the buttons as they are shown now, saved or not. GUI thread.
+class StudyMaker : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `profileFile`: of the device the participants press; may be empty.
+  StudyMaker(const std::vector<ButtonDocument*>& documents, const QString& profileFile,
+             QWidget* parent = nullptr);
+
+  void setFolder(const QString& folder) { folder_->setText(folder); }
+
+ signals:
+  void made(const QString& folder);
+
+ private:
+  QLayout* designForm();
+  QLayout* folderRow();
+  QLayout* actionRow();
+  playback::StudyDesign design() const;
+  std::vector<std::size_t> chosen() const;
+  void showLength();
+  void make();
+  /// Writes the chosen buttons and makes the study of them.
+  Result<playback::Study> makeFrom(const QString& filesFolder) const;
+
+  std::vector<Button> buttons_;
+  QString profileFile_;
+  QListWidget* list_ = nullptr;
+  QComboBox* kind_ = nullptr;
+  QSpinBox *trials_ = nullptr, *practice_ = nullptr;
+  QCheckBox *full_ = nullptr, *clicks_ = nullptr, *slopes_ = nullptr;
+  QLineEdit* folder_ = nullptr;
+  QLabel *length_ = nullptr, *trouble_ = nullptr;
+  QPushButton* make_ = nullptr;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Studies in the window: made, worked through by a participant with keys and large buttons, followed by the experimenter.
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPointer>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTextStream>
+
+#include "editor/study/study_desk.h"
+#include "editor/study/study_maker.h"
+#include "tests/playback/sample_buttons.h"
+
+using namespace detent;
+using namespace detent::editor;
+using namespace detent::test;
+
+namespace {
+
+/// What a participant has under the finger in a test.
+struct Finger {
+  bool sounding = true, lost = false;
+  std::vector<std::size_t> pressed;
+};
+
+class FakePlayer : public playback::StudyPlayer {
+ public:
+  explicit FakePlayer(std::shared_ptr<Finger> finger) : finger_(std::move(finger)) {}
+  bool sounding() const override { return finger_->sounding; }
+  std::string device() const override { return finger_->sounding ? "test device" : ""; }
+  void press(std::size_t button, playback::FeedbackMode) override { finger_->pressed.push_back(button); }
+  bool lostSinceAsked() override { return finger_->lost; }
+
+ private:
+  std::shared_ptr<Finger> finger_;
+};
+
+/// A study of two buttons, four questions, in a folder of its own, and a desk on it.
+struct Rig {
+  QTemporaryDir folder;
+  std::shared_ptr<Finger> finger = std::make_shared<Finger>();
+  playback::StudyPlayerSettings asked;
+  ButtonDocument a{tactileButton()}, b{linearButton()};
+  std::unique_ptr<StudyDesk> desk;
+  QString study;
+
+  Rig() {
+    study = folder.filePath("clicks");
+    StudyPlaces places;
+    places.documents = [this] { return std::vector<ButtonDocument*>{&a, &b}; };
+    places.open = [this](const playback::Study&, const playback::StudyPlayerSettings& settings) {
+      asked = settings;
+      finger->sounding = !settings.rehearse;
+      return Result<std::unique_ptr<playback::StudyPlayer>>(std::make_unique<FakePlayer>(finger));
+    };
+    desk = std::make_unique<StudyDesk>(places);
+    desk->show();
+  }
+  void makeStudy(int trials = 4) {
+    StudyMaker maker({&a, &b}, {});
+    maker.findChild<QSpinBox*>("makerTrials")->setValue(trials);
+    maker.findChild<QSpinBox*>("makerPractice")->setValue(0);
+    maker.setFolder(study);
+    QSignalSpy made(&maker, &StudyMaker::made);
+    maker.findChild<QPushButton*>("makerMake")->click();
+    QVERIFY2(made.count() == 1, qPrintable(maker.findChild<QLabel*>("makerTrouble")->text()));
+    desk->open(study);
+  }
+  void answersBy(int choice) { desk->findChild<QComboBox*>("studyAnswers")->setCurrentIndex(choice); }
+  QString trouble() { return desk->findChild<QLabel*>("studyTrouble")->text(); }
+  QString cell(int row, int column) {
+    const auto* item = desk->findChild<QTableWidget*>("studyPeople")->item(row, column);
+    return item != nullptr ? item->text() : QString();
+  }
+  StudyWindow* begin(const QString& participant = "P01") {
+    desk->findChild<QLineEdit*>("studyParticipant")->setText(participant);
+    desk->findChild<QPushButton*>("studyStart")->click();
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (auto* window = qobject_cast<StudyWindow*>(widget); window && window->isVisible()) return window;
+    return nullptr;
+  }
+  playback::ParticipantRecord record() {
+    const auto opened = playback::openStudy(study.toStdString());
+    const auto records = playback::readParticipants(*opened);
+    return records->front();
+  }
+  const playback::Trial* next(const playback::ParticipantRecord& r) { return r.next(); }
+};
+
+QPushButton* buttonIn(StudyWindow* window, const char* name) { return window->findChild<QPushButton*>(name); }
+
+void feelAll(StudyWindow* window) {
+  for (const Qt::Key key : {Qt::Key_1, Qt::Key_2, Qt::Key_X}) QTest::keyClick(window, key);
+}
+
+}  // namespace
+
+class StudyTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  /// A failed test leaves its window to none of the others.
+  void cleanup() {
+    for (QWidget* widget : QApplication::topLevelWidgets())
+      if (qobject_cast<StudyWindow*>(widget) != nullptr) delete widget;
+  }
+
+  void aStudyIsMadeOfWhatIsShown() {
+    Rig rig;
+    StudyMaker maker({&rig.a, &rig.b, &rig.a}, {});
+    auto* make = maker.findChild<QPushButton*>("makerMake");
+    QVERIFY(!make->isEnabled());  // no folder yet
+    maker.setFolder(rig.study);
+    QVERIFY(make->isEnabled());
+    const QString words = maker.findChild<QLabel*>("makerLength")->text();
+    QVERIFY2(words.contains("34"), qPrintable(words));  // 3 pairs x 10 + 4 for practice
+    auto* list = maker.findChild<QListWidget*>("makerButtons");
+    QVERIFY(list->item(0)->text() != list->item(2)->text());
+    list->item(1)->setCheckState(Qt::Unchecked);
+    list->item(2)->setCheckState(Qt::Unchecked);
+    QVERIFY(!make->isEnabled());
+    list->item(1)->setCheckState(Qt::Checked);
+    QSignalSpy made(&maker, &StudyMaker::made);
+    make->click();
+    QCOMPARE(made.count(), 1);
+    const auto study = playback::openStudy(rig.study.toStdString());
+    QVERIFY(study && study->buttons.size() == 2);
+    QVERIFY(study->buttons[0].button == tactileButton());
+
+    StudyMaker again({&rig.a, &rig.b}, {});
+    again.setFolder(rig.study);
+    again.findChild<QPushButton*>("makerMake")->click();
+    QVERIFY(again.findChild<QLabel*>("makerTrouble")->text().contains("clicks"));
+  }
+
+  void aFolderWithoutAStudyIsSaid() {
+    Rig rig;
+    rig.desk->open(rig.folder.path());
+    QVERIFY(!rig.trouble().isEmpty());
+    QVERIFY(!rig.desk->findChild<QPushButton*>("studyStart")->isEnabled());
+  }
+
+  void aParticipantAnswersByKeys() {
+    Rig rig;
+    rig.makeStudy();
+    QCOMPARE(rig.desk->findChild<QLineEdit*>("studyParticipant")->text(), QString("P01"));
+    QPointer<StudyWindow> window = rig.begin();
+    QVERIFY(window);
+    QVERIFY(window->findChild<QLabel*>("studyBanner") == nullptr);
+    QVERIFY(buttonIn(window, "studyBegin")->isVisible());
+    QTest::keyClick(window, Qt::Key_A);  // nothing is answered before it begins
+    QVERIFY(rig.record().answers.empty());
+    buttonIn(window, "studyBegin")->click();
+    for (std::size_t i = 0; i < 4; ++i) {
+      QVERIFY(!buttonIn(window, "studyAnswer1")->isEnabled());
+      QTest::keyClick(window, Qt::Key_A);
+      QCOMPARE(rig.record().answers.size(), i);
+      feelAll(window);
+      QVERIFY(buttonIn(window, "studyAnswer1")->isEnabled());
+      QTest::keyClick(window, Qt::Key_B);
+      QCOMPARE(rig.record().answers.size(), i + 1);  // on the disk before the next question is shown
+    }
+    const playback::ParticipantRecord record = rig.record();
+    QVERIFY(record.complete());
+    for (std::size_t i = 0; i < 4; ++i) {
+      const playback::Trial& trial = record.plan[i];
+      QCOMPARE(record.answers[i].answer.choice, std::size_t{1});
+      QCOMPARE(rig.finger->pressed[3 * i], trial.choices[0]);
+      QCOMPARE(rig.finger->pressed[3 * i + 1], trial.choices[1]);
+      QCOMPARE(rig.finger->pressed[3 * i + 2], trial.choices[trial.target]);
+    }
+    QVERIFY(window->findChild<QLabel*>("studyEnd")->isVisible());
+    buttonIn(window, "studyClose")->click();
+    QTRY_VERIFY(!window);
+    QTRY_VERIFY(rig.cell(0, 1).contains("complete"));
+    QCOMPARE(rig.desk->findChild<QLineEdit*>("studyParticipant")->text(), QString("P02"));
+  }
+
+  void noLabelIsShown() {
+    Rig rig;
+    rig.makeStudy();
+    StudyWindow* window = rig.begin();
+    buttonIn(window, "studyBegin")->click();
+    QStringList texts{window->windowTitle()};
+    for (const QLabel* label : window->findChildren<QLabel*>()) texts << label->text() << label->toolTip();
+    for (const QPushButton* button : window->findChildren<QPushButton*>())
+      texts << button->text() << button->toolTip() << button->accessibleName();
+    for (const QString& text : texts)
+      for (const char* label : {"tactile", "linear", "clicks"})
+        QVERIFY2(!text.contains(label), qPrintable(text));
+    window->close();
+  }
+
+  void theLargeButtonsWork() {
+    Rig rig;
+    rig.makeStudy();
+    StudyWindow* window = rig.begin();
+    buttonIn(window, "studyBegin")->click();
+    for (const char* name : {"studyPress1", "studyPress2", "studyX"}) {
+      auto* button = buttonIn(window, name);
+      QVERIFY(button->height() >= 80);
+      QTest::mousePress(button, Qt::LeftButton);
+      QVERIFY(button->isChecked());  // felt at once, not on release
+      QTest::mouseRelease(button, Qt::LeftButton);
+      QVERIFY(button->isChecked());
+    }
+    QVERIFY(!buttonIn(window, "studyPress1")->isChecked());
+    QCOMPARE(rig.finger->pressed.size(), std::size_t{3});
+    buttonIn(window, "studyAnswer2")->click();
+    QCOMPARE(rig.record().answers.size(), std::size_t{1});
+    window->close();
+  }
+
+  void aPauseGoesOnAtTheVeryQuestion() {
+    Rig rig;
+    rig.makeStudy();
+    QPointer<StudyWindow> window = rig.begin();
+    buttonIn(window, "studyBegin")->click();
+    feelAll(window);
+    QTest::keyClick(window, Qt::Key_A);
+    buttonIn(window, "studyPause")->click();
+    QTRY_VERIFY(!window);
+    window = rig.begin();
+    QVERIFY(window);
+    QVERIFY(window->findChild<QLabel*>("studyCount")->isVisible());  // agreed already
+    QVERIFY(window->findChild<QLabel*>("studyCount")->text().contains("2"));
+    window->close();
+  }
+
+  void stoppingForGoodIsAskedFor() {
+    Rig rig;
+    rig.makeStudy();
+    QPointer<StudyWindow> window = rig.begin();
+    buttonIn(window, "studyBegin")->click();
+    feelAll(window);
+    QTest::keyClick(window, Qt::Key_A);
+    buttonIn(window, "studyStop")->click();
+    QTest::keyClick(window, Qt::Key_1);  // no question is shown: nothing is felt
+    QCOMPARE(rig.finger->pressed.size(), std::size_t{3});
+    buttonIn(window, "studyGoOn")->click();
+    QVERIFY(window->findChild<QLabel*>("studyHint")->isVisible());
+    buttonIn(window, "studyStop")->click();
+    buttonIn(window, "studyStopNow")->click();
+    QTRY_VERIFY(!window);
+    QVERIFY(rig.record().endedEarly);
+    QTRY_VERIFY(rig.cell(0, 1).contains("ended early"));
+  }
+
+  void whoIsDoneIsNotAskedAgain() {
+    Rig rig;
+    rig.makeStudy();
+    rig.answersBy(3);
+    rig.begin("P01");
+    QVERIFY(rig.begin("P01") == nullptr);
+    QVERIFY(rig.trouble().contains("P01"));
+  }
+
+  void aLostDeviceIsMarked() {
+    Rig rig;
+    rig.makeStudy();
+    StudyWindow* window = rig.begin();
+    buttonIn(window, "studyBegin")->click();
+    feelAll(window);
+    rig.finger->lost = true;
+    QTRY_VERIFY(window->findChild<QLabel*>("studyTrouble")->text().contains("away"));
+    QTest::keyClick(window, Qt::Key_A);
+    QVERIFY(rig.record().answers.empty());
+    QTest::qWait(250);
+    QCOMPARE(rig.record().interruptions, std::size_t{1});  // once, however long it is away
+    rig.finger->lost = false;
+    QTRY_VERIFY(window->findChild<QLabel*>("studyTrouble")->text().contains("back"));
+    QVERIFY(!buttonIn(window, "studyAnswer1")->isEnabled());  // anew
+    feelAll(window);
+    QTest::keyClick(window, Qt::Key_A);
+    QCOMPARE(rig.record().answers.front().interruptions, std::size_t{1});
+    window->close();
+  }
+
+  void aRehearsalIsMarked() {
+    Rig rig;
+    rig.makeStudy();
+    rig.answersBy(1);
+    StudyWindow* window = rig.begin();
+    QVERIFY(rig.asked.rehearse);
+    QVERIFY(window->findChild<QLabel*>("studyBanner")->text().contains("REHEARSAL"));
+    buttonIn(window, "studyBegin")->click();
+    feelAll(window);
+    QTest::keyClick(window, Qt::Key_A);
+    QVERIFY(rig.record().answers.front().kind == playback::SessionKind::rehearsal);
+    window->close();
+    QTRY_VERIFY(rig.cell(0, 2).contains("REHEARSAL"));
+  }
+
+  void theProgramAnswersAndSaysSo() {
+    Rig rig;
+    rig.makeStudy();
+    rig.answersBy(3);
+    QVERIFY(rig.begin() == nullptr);
+    QVERIFY2(rig.trouble().isEmpty(), qPrintable(rig.trouble()));
+    QCOMPARE(rig.cell(0, 2), QString("SIMULATED"));
+    QVERIFY(rig.cell(0, 1).contains("complete"));
+    const playback::ParticipantRecord record = rig.record();
+    for (std::size_t i = 0; i < record.answers.size(); ++i)
+      QCOMPARE(record.answers[i].answer.choice, record.plan[i].target);
+  }
+
+  void idsThatCouldNameAPersonAreRefused() {
+    Rig rig;
+    rig.makeStudy();
+    QVERIFY(rig.begin("Anna Schmidt") == nullptr);
+    QVERIFY(rig.trouble().contains("Anna Schmidt"));
+  }
+
+  void twoParticipantsAtOnceAreRefused() {
+    Rig rig;
+    rig.makeStudy();
+    StudyWindow* window = rig.begin("P01");
+    rig.desk->findChild<QLineEdit*>("studyParticipant")->setText("P02");
+    rig.desk->findChild<QPushButton*>("studyStart")->click();
+    QVERIFY(rig.trouble().contains("at work"));
+    window->close();
+  }
+
+  void theSensorReachesTheFinger() {
+    Rig rig;
+    rig.makeStudy();
+    rig.desk->findChild<QComboBox*>("studySensor")->setCurrentText("/dev/ttyACM3");
+    StudyWindow* window = rig.begin();
+    QCOMPARE(rig.asked.sensorPort, std::string("/dev/ttyACM3"));
+    buttonIn(window, "studyBegin")->click();
+    QVERIFY(window->findChild<QLabel*>("studyHint")->text().contains("pad"));
+    window->close();
+  }
+};
+
+QTEST_MAIN(StudyTest)
+#include "study_test.moc"
