@@ -363,6 +363,8 @@ void FeelPanel::restoreState(const QVariantMap& state) {
 void FeelPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   session_.setWatched(true);
+  // The rows have their widths once all of it is laid out.
+  QMetaObject::invokeMethod(this, &FeelPanel::writeNames, Qt::QueuedConnection);
 }
 
 // Minimized is not put away: whoever presses meanwhile feels on.

@@ -107,7 +107,8 @@ void ForceBox::showMargin() {
   if (!margin) return;
   const Button& button = session_.document()->button();
   QStringList lines{marginWords(*margin, button, settings_.units())};
-  if (!session_.changes().isEmpty()) lines << tr("Changed: %1").arg(session_.changes());
+  if (!session_.changes().empty())
+    lines << tr("Changed: %1").arg(changeWords(session_.changes(), button, settings_.units()));
   stability_->setText(lines.join('\n'));
   QStringList remarks;
   for (const playback::ForceRemark& remark : session_.remarks())

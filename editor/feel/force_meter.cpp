@@ -13,9 +13,9 @@ namespace detent::editor {
 namespace {
 
 constexpr int rowHeight_px = 19;
-constexpr double name_px = 62, barShare = 0.36;  // of what is left of the width
-constexpr double punctualShare = 0.999;          // below it the deadline bar warns
-constexpr double noBalance_mJ = -1e-3;           // rounding of a step is no energy
+constexpr double name_px = 62, barShare = 0.3;  // of what is left of the width
+constexpr double punctualShare = 0.999;         // below it the deadline bar warns
+constexpr double noBalance_mJ = -1e-3;          // rounding of a step is no energy
 
 }  // namespace
 
@@ -60,11 +60,11 @@ void ForceMeter::show(const playback::ForceStatus& status, const ForceEnergy& en
               energy.most_mJ > 0 ? energy.held_mJ / energy.most_mJ : 0, gave};
   const double punctual =
       status.steps > 0 ? static_cast<double>(status.within100us) / static_cast<double>(status.steps) : 1;
-  bars_[2] = {tr("On time"),
-              tr("%1 %, latest %2 ms, missed: %3")
-                  .arg(fixedText(100 * punctual, 1), fixedText(1000 * status.worstLate_s, 1))
-                  .arg(status.missedDeadlines),
-              punctual, punctual < punctualShare};
+  bars_[2] = {
+      tr("On time"),
+      tr("%1 %, worst %2 ms").arg(fixedText(100 * punctual, 1), fixedText(1000 * status.worstLate_s, 1)) +
+          (status.missedDeadlines > 0 ? tr(", missed: %1").arg(status.missedDeadlines) : QString()),
+      punctual, punctual < punctualShare};
   QStringList words;
   for (const Bar& bar : bars_) words << tr("%1: %2").arg(bar.name, bar.text);
   setAccessibleDescription(words.join(QStringLiteral("; ")));

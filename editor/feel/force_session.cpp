@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "editor/document/message_words.h"
-#include "editor/feel/force_words.h"
 
 namespace detent::editor {
 namespace {
@@ -210,9 +209,9 @@ void ForceSession::makeStable() {
   }
   document_->history().apply(stable->button, tr("Nearest stable button"));
   stable_ = stable->button;
-  changes_ = changeWords(stable->changes, stable->button);
+  changes_ = stable->changes;
   computeMargin();
-  emit said(changes_);
+  emit said(tr("Changed to the nearest stable button; undo takes it back."));
 }
 
 // ---- the run

@@ -72,10 +72,10 @@ class ForceSession : public QObject {
   /// What slopes the chosen device bears along the button's travel; null without a device or a button. Shared and
   /// never changed.
   const std::shared_ptr<const playback::StabilityMargin>& margin() const { return margin_; }
-  /// One undoable step to the nearest button that the device can render; tells what was changed.
+  /// One undoable step to the nearest button that the device can render.
   void makeStable();
   /// What makeStable changed in the button as it stands now; empty where it is another one.
-  const QString& changes() const { return changes_; }
+  const std::vector<playback::StabilityChange>& changes() const { return changes_; }
 
  signals:
   void stateChanged();
@@ -116,7 +116,7 @@ class ForceSession : public QObject {
   double energyAtRest_mJ_ = 0;
   std::shared_ptr<const playback::StabilityMargin> margin_;
   std::optional<Button> stable_;  ///< as makeStable left it
-  QString changes_;
+  std::vector<playback::StabilityChange> changes_;
   QTimer timer_, soon_;
 };
 

@@ -23,6 +23,14 @@ QString stateBefore(const Button& button, std::size_t state) {
   return tr("%1: ").arg(QString::fromStdString(button.states()[state].name));
 }
 
+/// "from 1.2 to 1.5 mm", "at 4 mm" where the two read alike.
+QString placeWords(double from_mm, double to_mm, const DisplayUnits& units) {
+  const QString from = quantityText(from_mm, Quantity::length, units, 3);
+  const QString to = quantityText(to_mm, Quantity::length, units, 3);
+  return from == to ? tr("at %1").arg(shown(to_mm, Quantity::length, units))
+                    : tr("from %1 to %2").arg(from, shown(to_mm, Quantity::length, units));
+}
+
 QString boundWords(playback::StabilityBound bound) {
   switch (bound) {
     case playback::StabilityBound::damping:
@@ -39,12 +47,10 @@ QString boundWords(playback::StabilityBound bound) {
 
 QString stretchWords(const playback::UnstableStretch& stretch, const Button& button,
                      const DisplayUnits& units) {
-  const QString where =
-      stretch.falling ? tr("the falling jump from %1 to %2 has %3") : tr("the wall from %1 to %2 has %3");
+  const QString what = stretch.falling ? tr("the falling jump %1 has %2") : tr("the wall %1 has %2");
   return asSentence(stateBefore(button, stretch.state) +
-                    where.arg(quantityText(stretch.from_mm, Quantity::length, units, 3),
-                              shown(stretch.to_mm, Quantity::length, units),
-                              shown(stretch.worst.slope_N_per_mm, Quantity::slope, units)) +
+                    what.arg(placeWords(stretch.from_mm, stretch.to_mm, units),
+                             shown(stretch.worst.slope_N_per_mm, Quantity::slope, units)) +
                     tr("; the device bears %1 %2")
                         .arg(shown(stretch.worst.allowed_N_per_mm, Quantity::slope, units),
                              boundWords(stretch.worst.bound)));
@@ -100,19 +106,19 @@ QString remarkWords(const playback::ForceRemark& remark, const Button& button, c
   return asSentence(stateBefore(button, remark.state) + words);
 }
 
-QString changeWords(const std::vector<playback::StabilityChange>& changes, const Button& button) {
+QString changeWords(const std::vector<playback::StabilityChange>& changes, const Button& button,
+                    const DisplayUnits& units) {
   QStringList lines;
   for (const playback::StabilityChange& change : changes) {
     QStringList parts;
     if (change.largestForceChange_N > 0)
-      parts << tr("forces changed by up to %1 between %2 and %3")
-                   .arg(shown(change.largestForceChange_N, Quantity::force, modelUnits),
-                        quantityText(change.changedFrom_mm, Quantity::length, modelUnits, 3),
-                        shown(change.changedTo_mm, Quantity::length, modelUnits));
+      parts << tr("forces changed by up to %1, %2")
+                   .arg(shown(change.largestForceChange_N, Quantity::force, units),
+                        placeWords(change.changedFrom_mm, change.changedTo_mm, units));
     if (change.addedDamping_Ns_per_mm > 0)
       parts << tr("damping raised by up to %1")
-                   .arg(shown(change.addedDamping_Ns_per_mm, Quantity::damping, modelUnits));
-    lines << asSentence(stateBefore(button, change.state) + parts.join(tr(", ")));
+                   .arg(shown(change.addedDamping_Ns_per_mm, Quantity::damping, units));
+    lines << asSentence(stateBefore(button, change.state) + parts.join(tr("; ")));
   }
   return lines.join(' ');
 }

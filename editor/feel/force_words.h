@@ -17,7 +17,8 @@ QString stretchWords(const playback::UnstableStretch& stretch, const Button& but
 QString marginWords(const playback::StabilityMargin& margin, const Button& button, const DisplayUnits& units);
 /// "At 4 mm a wall of 142 N/mm is felt as 2 N/mm."
 QString remarkWords(const playback::ForceRemark& remark, const Button& button, const DisplayUnits& units);
-/// What the nearest stable button changed, state by state. Numbers in mm and N.
-QString changeWords(const std::vector<playback::StabilityChange>& changes, const Button& button);
+/// What the nearest stable button changed, state by state.
+QString changeWords(const std::vector<playback::StabilityChange>& changes, const Button& button,
+                    const DisplayUnits& units);
 
 }  // namespace detent::editor

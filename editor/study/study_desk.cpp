@@ -272,7 +272,10 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   if (work.study->profile) settings.calibration = work.study->profile->sensor;
   work.sensor = !settings.sensorPort.empty();
   Result<std::unique_ptr<playback::StudyPlayer>> player = places_.open(*work.study, settings);
-  if (!player) return player.failure();
+  if (!player) {
+    tell(tr("%1 Or choose a rehearsal.").arg(sentenceOf(player.failure())));
+    return Done{};
+  }
   work.player = *std::move(player);
   playback::SessionStart begin;
   begin.kind = work.player->sounding() ? playback::SessionKind::real : playback::SessionKind::rehearsal;

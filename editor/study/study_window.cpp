@@ -16,6 +16,7 @@ constexpr int watch_ms = 100;
 constexpr int largeText_pt = 22, plainText_pt = 15;
 constexpr int pressHeight_px = 110, answerHeight_px = 70, smallHeight_px = 40;
 constexpr int mostColumns = 5;
+constexpr std::size_t mostListedKeys = 4;
 constexpr int margin_px = 36, spacing_px = 18, mostWidth_px = 1100;
 
 template <class Widget>
@@ -29,7 +30,7 @@ Widget* large(Widget* widget, int points) {
 QPushButton* largeButton(const QString& text, const QString& name, int points, int height_px) {
   auto* button = large(new QPushButton(text), points);
   button->setObjectName(name);
-  button->setMinimumHeight(height_px);
+  button->setMinimumSize(button->sizeHint().width() + spacing_px, height_px);
   button->setFocusPolicy(Qt::NoFocus);  // the keys belong to the question
   return button;
 }
@@ -55,6 +56,21 @@ QPushButton* feelButton(const QString& text, const QString& name) {
   button->setCheckable(true);
   QObject::connect(button, &QPushButton::clicked, button, [button] { button->setChecked(true); });
   return button;
+}
+
+/// "1, 2, 3", or "1 to 9" where they are many.
+QString keysFrom(char first, std::size_t count) {
+  QStringList keys;
+  for (std::size_t i = 0; i < count; ++i) keys << QString(QChar(first + static_cast<char>(i)));
+  return count <= mostListedKeys ? keys.join(", ")
+                                 : StudyWindow::tr("%1 to %2").arg(keys.front(), keys.back());
+}
+
+/// The text of a file: its lines are broken anew, empty lines part paragraphs.
+QString flowing(const QString& text) {
+  QStringList paragraphs = text.trimmed().split("\n\n");
+  for (QString& paragraph : paragraphs) paragraph = paragraph.simplified();
+  return paragraphs.join("\n\n");
 }
 
 /// Its content in the middle, however wide the screen is.
@@ -100,7 +116,7 @@ double StudyWindow::now_s() const { return static_cast<double>(clock_.nsecsElaps
 QWidget* StudyWindow::consentPage() {
   auto* page = new QWidget;
   QLabel* text = plainLabel("studyConsent", plainText_pt, Qt::AlignLeft | Qt::AlignVCenter);
-  text->setText(work_.consent);
+  text->setText(flowing(work_.consent));
   auto* agree = largeButton(tr("I agree: begin"), "studyBegin", largeText_pt, answerHeight_px);
   auto* leave = largeButton(tr("No, thank you"), "studyLeave", plainText_pt, smallHeight_px);
   connect(agree, &QPushButton::clicked, this, &StudyWindow::begin);
@@ -222,9 +238,8 @@ void StudyWindow::showTrial() {
 void StudyWindow::refresh() {
   const bool may = desk_->mayAnswer();
   for (QPushButton* button : answers_) button->setEnabled(may);
-  const QString keys = tr("Keys: %1, and X; to answer %2.")
-                           .arg(tr("1 to %1").arg(choices_.size()),
-                                tr("A to %1").arg(QChar('A' + static_cast<int>(answers_.size()) - 1)));
+  const QString keys = tr("Keys: %1 and X to feel, %2 to answer.")
+                           .arg(keysFrom('1', choices_.size()), keysFrom('A', answers_.size()));
   const QString ask = may ? tr("Which one is X? Feel each as often as you like, then answer below it.")
                           : tr("X is one of those below. Feel X and the others, then say which one it is.");
   const QString how = work_.sensor ? tr("Choose one, then press the pad with your finger.")

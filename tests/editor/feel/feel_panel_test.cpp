@@ -434,6 +434,54 @@ class FeelPanelTest : public QObject {
     QCOMPARE(rig.part<QComboBox>("sensorPort")->currentText(), QString("/dev/detent-no-such-port"));
   }
 
+  void theForceSetupShowsWhatTheDeviceHas() {
+    Rig rig;
+    rig.open();
+    rig.panel.restoreState({{"setupShown", true}});
+    auto* device = rig.part<QComboBox>("forceDevice");
+    const auto shown = [&](const char* name) { return rig.part<QWidget>(name)->isVisible(); };
+    const auto choose = [&](const QString& kind) { device->setCurrentIndex(device->findData(kind)); };
+    QVERIFY(!shown("forcePort") && !shown("forceFinger") && !shown("forceLargest"));
+    QVERIFY(!rig.part<QToolButton>("forceSwitch")->isEnabled());
+    choose("sim:falcon");
+    QVERIFY(shown("forceFinger") && shown("forceLargest") && !shown("forcePort"));
+    QVERIFY(rig.part<QToolButton>("forceSwitch")->isEnabled());
+    QVERIFY(rig.part<QLabel>("forceStability")->text().contains("steeper"));
+    choose("serial:");
+    QVERIFY(shown("forcePort") && shown("forceStep") && shown("forceUpload") && !shown("forceTurn"));
+    rig.part<QComboBox>("forcePort")->setCurrentText("/dev/ttyACM5");
+    QCOMPARE(rig.session.settings().force.device, QString("serial:/dev/ttyACM5"));
+    choose("odrive:");
+    QVERIFY(shown("forcePort") && shown("forceTurn") && !shown("forceUpload"));
+    choose("falcon");
+    QVERIFY(shown("forceFirmware") && !shown("forcePort"));
+    QCOMPARE(rig.panel.saveState().value("forceDevice").toString(), QString("falcon"));
+  }
+
+  void forceIsWatchedAndMadeStable() {
+    Rig rig;
+    rig.open();
+    rig.panel.restoreState({{"forceDevice", "sim:falcon"}, {"sound", false}});
+    auto* meter = rig.part<QWidget>("forceMeter");
+    QVERIFY(meter->isVisible() && meter->accessibleDescription().contains("no force"));
+    QTest::mouseClick(rig.part<QToolButton>("forceSwitch"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.deepest() > 3.5, 10000);
+    QVERIFY(meter->accessibleDescription().contains("mJ"));
+    QVERIFY(rig.part<QLabel>("forceStatus")->text().contains("Falcon"));
+    QTest::mouseClick(rig.part<QToolButton>("forceSwitch"), Qt::LeftButton);
+    QTRY_VERIFY(rig.atRest());
+    QVERIFY(meter->accessibleDescription().contains("no force"));
+
+    auto* stable = rig.part<QPushButton>("nearestStable");
+    QVERIFY(stable->isVisible());
+    QTest::mouseClick(stable, Qt::LeftButton);
+    QVERIFY(!stable->isVisible());
+    QVERIFY(rig.part<QLabel>("forceStability")->text().contains("Changed"));
+    rig.a.history().stack().undo();
+    QTRY_VERIFY(stable->isVisible());
+    QVERIFY(!rig.part<QLabel>("forceStability")->text().contains("Changed"));
+  }
+
   void everythingIsReachedAndNamed() {
     Rig rig;
     rig.open();

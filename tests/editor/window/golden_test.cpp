@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFontDatabase>
+#include <QListView>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -23,6 +24,7 @@ namespace {
 // Font rendering differs by a shade between machines; a moved or missing thing differs by much more.
 constexpr int channelTolerance = 40;
 constexpr double shareTolerance = 0.01;
+constexpr int patience_ms = 20000;  // for a forecast, however busy the machine is
 
 const QString goldenFolder = QStringLiteral(DETENT_SOURCE_DIR "/tests/editor/golden/");
 
@@ -86,6 +88,8 @@ class GoldenTest : public QObject {
     auto* dialog = window->findChild<CompareDialog*>();
     dialog->resize(640, 480);
     QTest::qWait(100);
+    auto* forecast = dialog->findChild<QLabel*>("forecastWords");
+    QTRY_VERIFY_WITH_TIMEOUT(!forecast->text().isEmpty(), patience_ms);
     check("compare-light", dialog->grab().toImage());
   }
 
@@ -109,6 +113,10 @@ class GoldenTest : public QObject {
     auto window = makeWindow(appearance);
     for (const char* file : files) window->files().open({sample(file)});
     QTest::qWait(500);  // pictures of the library
+    if (files.size() > 1) {
+      const auto* open = window->findChild<QListView*>("libraryOpenButtons")->model();
+      QTRY_VERIFY_WITH_TIMEOUT(open->index(0, 0).data().toString().contains('\n'), patience_ms);
+    }
     check(name, window->grab().toImage());
   }
 
