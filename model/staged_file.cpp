@@ -2,13 +2,22 @@
 #include "model/staged_file.h"
 
 #include <cstdio>
+#include <mutex>
 #include <random>
+#include <set>
 #include <utility>
 
 namespace detent {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::mutex listMutex;
+
+std::set<fs::path>& openFiles() {
+  static std::set<fs::path> files;
+  return files;
+}
 
 // The file a path finally stands for.
 fs::path resolved(const fs::path& path) {
@@ -32,14 +41,31 @@ Failure refused(const fs::path& target, const Message& problem, const Message& r
 
 }  // namespace
 
-StagedFile::StagedFile(fs::path target, fs::path path) : target_(std::move(target)), path_(std::move(path)) {}
+StagedFile::StagedFile(fs::path target, fs::path path) : target_(std::move(target)), path_(std::move(path)) {
+  const std::lock_guard lock(listMutex);
+  openFiles().insert(path_);
+}
 
 StagedFile::StagedFile(StagedFile&& other) noexcept
     : target_(std::move(other.target_)), path_(std::exchange(other.path_, {})) {}
 
 StagedFile::~StagedFile() {
+  if (path_.empty()) return;
   std::error_code ignored;
-  if (!path_.empty()) fs::remove(path_, ignored);
+  fs::remove(path_, ignored);
+  forget(path_);
+}
+
+void StagedFile::forget(const fs::path& path) {
+  const std::lock_guard lock(listMutex);
+  openFiles().erase(path);
+}
+
+void StagedFile::removeAll() {
+  const std::unique_lock lock(listMutex, std::try_to_lock);
+  if (!lock) return;
+  std::error_code ignored;
+  for (const fs::path& file : openFiles()) fs::remove(file, ignored);
 }
 
 Result<StagedFile> StagedFile::beside(const fs::path& target) {
@@ -62,6 +88,7 @@ Result<Done> StagedFile::commit() {
   if (fs::exists(status)) fs::permissions(path_, status.permissions(), error);
   fs::rename(path_, target_, error);
   if (error) return notWritten(error.message());
+  forget(path_);
   path_.clear();
   return Done{};
 }

@@ -26,11 +26,15 @@ class StagedFile {
   /// An existing target keeps its permissions, a symbolic link what it points to. Failure internalFault: the disk
   /// refused, and the target is as it was.
   Result<Done> commit();
+  /// Removes all that are open in this process: for the moment before it is ended by force. Any thread; does nothing where another
+  /// one holds the list.
+  static void removeAll();
   /// What to say of a target whose writing failed for `reason` (may be empty).
   Failure notWritten(const std::string& reason) const;
 
  private:
   StagedFile(std::filesystem::path target, std::filesystem::path path);
+  static void forget(const std::filesystem::path& path);
   std::filesystem::path target_, path_;  // path_ empty: committed or moved from
 };
 

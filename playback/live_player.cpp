@@ -30,7 +30,11 @@ Failure failureOf(const DeviceTrouble& t) {
 }
 
 AudioSettings audioSettings(const PlayerSettings& s) {
-  return {s.device, s.sampleRate_Hz, s.bufferFrames, s.channels,
+  return {s.device,
+          s.sampleRate_Hz,
+          s.bufferFrames,
+          s.channels,
+          s.masking.device.empty() ? s.masking.level : 0,
           s.jackThroughPortAudio ? JackRoute::portAudio : JackRoute::ownClient};
 }
 
@@ -74,12 +78,12 @@ class Player : public LivePlayer {
 
   Result<Done> open(const PlayerSettings& settings, const HapticProgram& program, CallbackHooks hooks) {
     setProgram(program);
-    AudioSettings audio = audioSettings(settings);
-    audio.sampleRate_Hz = session_.sampleRate_Hz();
-    DeviceResult<std::unique_ptr<AudioOutput>> output = AudioOutput::open(audio, session_, hooks);
+    DeviceResult<std::unique_ptr<AudioOutput>> output =
+        AudioOutput::open(audioSettings(settings), session_, hooks);
     if (!output) return failureOf(output.trouble());
     output_ = std::move(*output);
-    return Done{};
+    return settings.masking.level > 0 && !settings.masking.device.empty() ? openRain(settings.masking)
+                                                                          : Result<Done>(Done{});
   }
 
   void setProgram(const HapticProgram& program) override {
@@ -200,6 +204,10 @@ class Player : public LivePlayer {
       s.deviceLost = output_->state() == StreamState::lost;
       s.deviceLosses = output_->losses();
     }
+    if (rain_) {
+      s.deviceLost = s.deviceLost || rain_->state() == StreamState::lost;
+      s.deviceLosses += rain_->losses();
+    }
     s.blockFrames = last.blockFrames;
     s.counts = last.counts;
     follow(s);
@@ -246,6 +254,22 @@ class Player : public LivePlayer {
   }
 
  private:
+  /// The rain's own device: a stream whose session has no program.
+  Result<Done> openRain(const MaskingNoise& masking) {
+    rainSession_.emplace(session_.sampleRate_Hz());
+    AudioSettings audio;
+    audio.device = masking.device;
+    audio.channels = 0;
+    audio.rainLevel = masking.level;
+    DeviceResult<std::unique_ptr<AudioOutput>> rain = AudioOutput::open(audio, *rainSession_);
+    if (!rain) return failureOf(rain.trouble());
+    rain_ = std::move(*rain);
+    if (rain_->deviceName() != output_->deviceName()) return Done{};
+    return Failure{FailureCode::wrongUsage, masking.device, "",
+                   "is the device of the vibration too: the masking noise would be felt",
+                   "Leave --noise-device out, or name the headphones' own"};
+  }
+
   std::int64_t streamFrame() {
     const std::lock_guard lock(controlMutex_);
     // The last status is up to 20 ms old; what it lags is added generously by the caller's lead.
@@ -416,7 +440,9 @@ class Player : public LivePlayer {
   void feedTrace(const std::vector<EngineInput>& inputs) {
     const double rate = session_.sampleRate_Hz();
     std::size_t next = 0;
-    while (!stopTrace_ && next < inputs.size()) {
+    // Where the device goes away a trace ends: what was missed of it cannot be made up for.
+    const auto away = [&] { return output_->state() == StreamState::lost; };
+    while (!stopTrace_ && !away() && next < inputs.size()) {
       receive();
       const double ahead = static_cast<double>(streamFrame()) + traceAhead_s * rate;
       while (next < inputs.size() && inputs[next].time_frames < ahead) {
@@ -463,6 +489,8 @@ class Player : public LivePlayer {
   std::atomic<bool> tracePlaying_{false}, stopTrace_{false};
   std::thread traceThread_;
   std::unique_ptr<AudioOutput> output_;
+  std::optional<LiveSession> rainSession_;
+  std::unique_ptr<AudioOutput> rain_;
   std::unique_ptr<SignalServer> fudi_, osc_;
   std::unique_ptr<SerialSensor> sensor_;
   std::unique_ptr<VirtualFinger> finger_;
@@ -503,12 +531,13 @@ Result<std::unique_ptr<LivePlayer>> LivePlayer::startSilent(const HapticProgram&
   return std::unique_ptr<LivePlayer>(std::move(player));
 }
 
-Result<std::vector<float>> playAndRecordSamples(const PlayerSettings& settings,
-                                                const std::string& inputDevice,
-                                                const std::vector<float>& samples) {
-  DeviceResult<std::vector<float>> recorded = playAndRecord(audioSettings(settings), inputDevice, samples);
+Result<SoundRecording> playAndRecordSamples(const PlayerSettings& settings, const std::string& inputDevice,
+                                            const std::vector<float>& samples,
+                                            const std::function<bool()>& cancelled) {
+  DeviceResult<Recording> recorded = playAndRecord(audioSettings(settings), inputDevice, samples, cancelled);
   if (!recorded) return failureOf(recorded.trouble());
-  return std::move(*recorded);
+  if (cancelled()) return Failure::cancelled("recording");
+  return SoundRecording{std::move(recorded->samples), recorded->dropouts};
 }
 
 }  // namespace detent::playback

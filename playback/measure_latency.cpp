@@ -49,17 +49,19 @@ Result<PreparedProgram> measuringProgram(const LatencySettings& settings) {
 
 class Measurement {
  public:
-  Measurement(const LatencySettings& settings, const HapticProgram& program, double rate)
-      : settings_(settings), program_(program), session_(rate) {}
+  Measurement(const LatencySettings& settings, const HapticProgram& program, double rate,
+              const std::function<bool()>& cancelled)
+      : settings_(settings), program_(program), session_(rate), cancelled_(cancelled) {}
 
-  Result<LatencyResult> run(const std::function<bool(std::size_t, std::size_t)>& progress) {
+  Result<LatencyResult> run(const std::function<void(std::size_t, std::size_t)>& progress) {
     if (Result<Done> opened = open(); !opened) return opened.failure();
     LatencyResult result;
     result.device = output_->deviceName();
     listenToSilence();
     for (std::size_t trial = 0; trial < settings_.trials; ++trial) {
-      if (!progress(trial, settings_.trials)) break;
+      progress(trial, settings_.trials);
       const std::optional<double> crossing_s = settings_.sensorPort.empty() ? pressSimulated() : waitForTap();
+      if (cancelled_()) return Failure::cancelled("latency");
       if (!crossing_s) {
         return Failure{FailureCode::deviceTrouble, settings_.sensorPort, "", "was not pressed for a minute",
                        "Tap the sensor firmly, above 0.6 N"};
@@ -166,7 +168,7 @@ class Measurement {
 
   std::optional<double> waitForTap() {
     const double until_s = now_s() + tapWithin_s;
-    for (bool ready = false; now_s() < until_s; sleepUntil(now_s() + 0.01)) {
+    for (bool ready = false; now_s() < until_s && !cancelled_(); sleepUntil(now_s() + 0.01)) {
       const std::lock_guard lock(tapMutex_);
       if (!ready && released_) {
         ready = armed_ = true;
@@ -183,7 +185,7 @@ class Measurement {
 
   std::optional<double> onsetAfter(double crossing_s) {
     const double rate = session_.sampleRate_Hz();
-    while (now_s() < crossing_s + answerWithin_s) {
+    while (now_s() < crossing_s + answerWithin_s && !cancelled_()) {
       for (const AudioCapture::Block& block : capture_->take()) {
         for (std::size_t i = 0; i < block.samples.size(); ++i) {
           const double time_s = block.time_s + static_cast<double>(i) / rate;
@@ -205,6 +207,7 @@ class Measurement {
   const LatencySettings& settings_;
   const HapticProgram& program_;
   LiveSession session_;
+  const std::function<bool()>& cancelled_;
   std::unique_ptr<AudioOutput> output_;
   std::unique_ptr<AudioCapture> capture_;
   std::mt19937 random_{20261121};
@@ -240,7 +243,8 @@ bool drifts(const std::vector<double>& readings) {
 
 }  // namespace
 
-Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double seconds) {
+Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double seconds,
+                                 const std::function<bool()>& cancelled) {
   SerialSettings settings;
   settings.port = port;
   settings.baud = baud;
@@ -256,16 +260,18 @@ Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double 
       });
   if (!sensor) return failureOf(sensor.trouble());
   const auto readFor = [&](double time_s) {
-    sleepUntil(now_s() + time_s);
+    for (const double end_s = now_s() + time_s; now_s() < end_s && !cancelled();)
+      sleepUntil(std::min(end_s, now_s() + 0.02));
     const std::lock_guard lock(mutex);
     return std::exchange(arriving, {});
   };
   readFor(waitedInThePort_s);
   std::vector<double> readings = readFor(seconds);
-  for (double waited_s = 0; waited_s < longestWait_s && !readings.empty() && drifts(readings);
+  for (double waited_s = 0; waited_s < longestWait_s && !readings.empty() && drifts(readings) && !cancelled();
        waited_s += seconds) {
     readings = readFor(seconds);
   }
+  if (cancelled()) return Failure::cancelled(port);
   if (readings.empty()) {
     return Failure{FailureCode::deviceTrouble, port, "", "sent no reading",
                    "Check baud rate and wiring; docs/serial-protocol.md"};
@@ -280,7 +286,8 @@ Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double 
 }
 
 Result<LatencyResult> measureLatency(const LatencySettings& settings,
-                                     const std::function<bool(std::size_t, std::size_t)>& progress) {
+                                     const std::function<void(std::size_t, std::size_t)>& progress,
+                                     const std::function<bool()>& cancelled) {
   if (settings.trials < 1 || !(settings.sensorRate_Hz >= 20 && settings.sensorRate_Hz <= 20000)) {
     return Failure{FailureCode::wrongUsage, "latency", "",
                    "needs at least 1 trial and a sensor rate of 20..20000 Hz", "Change them"};
@@ -289,7 +296,7 @@ Result<LatencyResult> measureLatency(const LatencySettings& settings,
   if (!program) return program.failure();
   DeviceResult<double> rate = sampleRateFor({settings.player.device, settings.player.sampleRate_Hz, 0, 1});
   if (!rate) return failureOf(rate.trouble());
-  return std::make_unique<Measurement>(settings, program->program, *rate)->run(progress);
+  return std::make_unique<Measurement>(settings, program->program, *rate, cancelled)->run(progress);
 }
 
 }  // namespace detent::playback

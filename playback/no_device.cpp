@@ -18,13 +18,16 @@ Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings&, con
   return withoutDevices();
 }
 Result<std::unique_ptr<LivePlayer>> LivePlayer::startSilent(const HapticProgram&) { return withoutDevices(); }
-Result<std::vector<float>> playAndRecordSamples(const PlayerSettings&, const std::string&,
-                                                const std::vector<float>&) {
+Result<SoundRecording> playAndRecordSamples(const PlayerSettings&, const std::string&,
+                                            const std::vector<float>&, const std::function<bool()>&) {
   return withoutDevices();
 }
-Result<RawReading> readRawSensor(const std::string&, unsigned, double) { return withoutDevices(); }
+Result<RawReading> readRawSensor(const std::string&, unsigned, double, const std::function<bool()>&) {
+  return withoutDevices();
+}
 Result<LatencyResult> measureLatency(const LatencySettings&,
-                                     const std::function<bool(std::size_t, std::size_t)>&) {
+                                     const std::function<void(std::size_t, std::size_t)>&,
+                                     const std::function<bool()>&) {
   return withoutDevices();
 }
 Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button&, const ForcePlayerSettings&) {

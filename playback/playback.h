@@ -58,11 +58,18 @@ struct SoundDevice {
 bool livePlaybackAvailable();
 Result<std::vector<SoundDevice>> listSoundDevices();
 
+/// Rain for the ears, so that the vibration is felt and not heard (K&L's noisy group wore headphones with it).
+struct MaskingNoise {
+  double level = 0;    ///< rms, share of full scale, 0..0.3; 0: none
+  std::string device;  ///< the headphones'; empty: the player's, on up to two outputs behind the signal's
+};
+
 struct PlayerSettings {
   std::string device;         ///< empty: the default output
-  double sampleRate_Hz = 0;   ///< 0: the device's own
+  double sampleRate_Hz = 0;   ///< 0: the device's own, also when it comes back at another one
   unsigned bufferFrames = 0;  ///< 0: the host's choice, the least delay on JACK
   int channels = 2;           ///< the same signal on each
+  MaskingNoise masking;
   /// JACK through PortAudio instead of a client of our own; cannot recover a lost server
   /// (docs/decisions/0904).
   bool jackThroughPortAudio = false;
@@ -176,20 +183,27 @@ class StudyPlayer {
 
 // ---- measuring a device
 
-/// Played on `device`, recorded from `inputDevice` (empty: the same device), both as long as `samples`.
-Result<std::vector<float>> playAndRecordSamples(const PlayerSettings& settings,
-                                                const std::string& inputDevice,
-                                                const std::vector<float>& samples);
+struct SoundRecording {
+  std::vector<float> samples;
+  std::uint64_t dropouts = 0;  ///< blocks the sound system says were lost or came too late
+};
+
+/// Played on `device`, recorded from `inputDevice` (empty: the same device), both as long as `samples`. `cancelled` is asked often;
+/// Failure cancelled once it says so.
+Result<SoundRecording> playAndRecordSamples(const PlayerSettings& settings, const std::string& inputDevice,
+                                            const std::vector<float>& samples,
+                                            const std::function<bool()>& cancelled);
 
 /// Mean and standard deviation of a sensor's raw readings over `seconds`, for calibration. What had waited in
 /// the port is thrown away, and it waits up to 10 s for readings that no longer drift. Failure: deviceTrouble if
-/// it cannot be opened or sends nothing.
+/// it cannot be opened or sends nothing; cancelled, as above.
 struct RawReading {
   double mean = 0, sd = 0;
   std::size_t n = 0;
   bool steady = true;  ///< false: it still drifted after the longest wait
 };
-Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double seconds);
+Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double seconds,
+                                 const std::function<bool()>& cancelled);
 
 struct LatencySettings {
   PlayerSettings player;
@@ -210,8 +224,9 @@ struct LatencyResult {
   std::string device;
 };
 
-/// `progress(done, all)` returns false to cancel.
+/// `progress(done, all)` before each trial. Failure cancelled once `cancelled`, asked often, says so.
 Result<LatencyResult> measureLatency(const LatencySettings& settings,
-                                     const std::function<bool(std::size_t, std::size_t)>& progress);
+                                     const std::function<void(std::size_t, std::size_t)>& progress,
+                                     const std::function<bool()>& cancelled);
 
 }  // namespace detent::playback

@@ -19,7 +19,7 @@ PressSignal computed(const PressSignalRequest& request) {
   PressSignal signal;
   signal.program = std::make_shared<const playback::HapticProgram>(prepared->program);
   signal.summary = prepared->summary.line();
-  signal.warnings = prepared->summary.warnings;
+  for (const playback::PrepareWarning& w : prepared->summary.warnings) signal.warnings.push_back(w.message);
   signal.standard = request.press == nullptr;
   signal.press = signal.standard ? playback::standardPress(*signal.program) : *request.press;
   playback::RenderSettings settings;

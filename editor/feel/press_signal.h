@@ -27,10 +27,10 @@ struct PressSignalRequest {
 struct PressSignal {
   std::uint64_t revision = 0;  ///< of the request, counted by PressSignalSource
   std::shared_ptr<const playback::HapticProgram> program;
-  std::string summary;                ///< what was prepared, in one line
-  std::vector<std::string> warnings;  ///< what did not fit a program
-  std::vector<float> samples;         ///< at drawnRate_Hz, full scale is 1
-  double peak = 0;                    ///< largest |sample|
+  std::string summary;            ///< what was prepared, in one line
+  std::vector<Message> warnings;  ///< what did not fit a program
+  std::vector<float> samples;     ///< at drawnRate_Hz, full scale is 1
+  double peak = 0;                ///< largest |sample|
   std::vector<playback::EngineEvent> events;
   playback::PressTrace press;  ///< what was pressed with
   bool standard = true;        ///< playback::StandardPress, or a recorded one

@@ -167,7 +167,7 @@ DeviceResult<double> sampleRateFor(const AudioSettings& settings) {
 class AudioOutput::Stream {
  public:
   Stream(const AudioSettings& settings, LiveSession& session, CallbackHooks hooks)
-      : settings_(settings), session_(session), renderer_(session, hooks) {}
+      : settings_(settings), session_(session), renderer_(session, hooks, settings.rainLevel) {}
 
   ~Stream() {
     {
@@ -202,7 +202,10 @@ class AudioOutput::Stream {
     DeviceResult<PaDeviceIndex> index = findDevice(settings_.device, Direction::output);
     if (!index) return index.trouble();
     const AudioDeviceInfo info = infoOf(*index);
-    channels_ = std::clamp(settings_.channels, 1, std::max(1, std::min(info.outputChannels, 32)));
+    channels_ = channelsOf(info);
+    if (channels_.signal < std::min(1, settings_.channels))
+      return DeviceTrouble{info.fullName(), "has one output: the masking noise would be felt",
+                           "Give the headphones' device as --noise-device"};
     const bool jack = info.hostApi.rfind(jackApi, 0) == 0;
     if (jack && settings_.jackRoute == JackRoute::ownClient && JackStream::available()) {
       library_.reset();
@@ -211,10 +214,17 @@ class AudioOutput::Stream {
     return openPortAudio(*index, info);
   }
 
-  std::optional<DeviceTrouble> openJack(const std::string& target, int channels) {
+  OutputChannels channelsOf(const AudioDeviceInfo& info) const {
+    const int there = std::clamp(info.outputChannels, 1, 32), wanted = std::min(settings_.channels, there);
+    if (!(settings_.rainLevel > 0)) return {std::max(1, wanted), 0};
+    const int signal = std::min(wanted, there - 1);
+    return {signal, std::min(2, there - signal)};
+  }
+
+  std::optional<DeviceTrouble> openJack(const std::string& target, OutputChannels channels) {
     renderer_.touch(now_s());
     DeviceResult<std::unique_ptr<JackStream>> stream =
-        JackStream::open(target, channels, session_.sampleRate_Hz(), renderer_);
+        JackStream::open(target, channels, settings_.sampleRate_Hz, renderer_);
     if (!stream) return stream.trouble();
     jack_ = std::move(*stream);
     jackTarget_ = target;
@@ -226,10 +236,11 @@ class AudioOutput::Stream {
   std::optional<DeviceTrouble> openPortAudio(PaDeviceIndex index, const AudioDeviceInfo& info) {
     PaStreamParameters output{};
     output.device = index;
-    output.channelCount = channels_;
+    output.channelCount = channels_.all();
     output.sampleFormat = paFloat32;
     output.suggestedLatency = Pa_GetDeviceInfo(index)->defaultLowOutputLatency;
     const QuietStderr quiet;
+    renderer_.setSampleRate(settings_.sampleRate_Hz > 0 ? settings_.sampleRate_Hz : info.sampleRate_Hz);
     const unsigned long frames =
         settings_.bufferFrames > 0 ? settings_.bufferFrames : paFramesPerBufferUnspecified;
     PaError error = Pa_OpenStream(&stream_, nullptr, &output, session_.sampleRate_Hz(), frames, paNoFlag,
@@ -270,12 +281,13 @@ class AudioOutput::Stream {
   void render(float* out, std::size_t frames, PaStreamCallbackFlags flags) {
     const double entry_s = now_s();
     if ((flags & paOutputUnderflow) != 0) renderer_.noteXrun();
-    const auto channels = static_cast<std::size_t>(channels_);
+    const OutputChannels channels = channels_;
     renderer_.render(frames, entry_s, &now_s,
-                     [&](std::size_t first, const float* samples, std::size_t count) {
-                       float* target = out + first * channels;
+                     [&](std::size_t first, const float* signal, const float* rain, std::size_t count) {
+                       float* target = out + first * static_cast<std::size_t>(channels.all());
                        for (std::size_t i = 0; i < count; ++i) {
-                         for (std::size_t c = 0; c < channels; ++c) *target++ = samples[i];
+                         for (int c = 0; c < channels.all(); ++c)
+                           *target++ = channels.isSignal(c) ? signal[i] : rain[i];
                        }
                      });
   }
@@ -300,6 +312,7 @@ class AudioOutput::Stream {
   }
 
   void lookAgain() {
+    renderer_.takeWhileAway();
     if (openStream()) {
       closeStream();
       return;
@@ -314,7 +327,7 @@ class AudioOutput::Stream {
   PaStream* stream_ = nullptr;
   std::unique_ptr<JackStream> jack_;
   std::string jackTarget_;
-  int channels_ = 2;
+  OutputChannels channels_;
   std::atomic<bool> lost_{false};
   std::atomic<std::uint64_t> losses_{0};
   mutable std::mutex watchMutex_;
@@ -342,20 +355,24 @@ namespace {
 /// What the callback of playAndRecord walks through.
 struct Duplex {
   const std::vector<float>* samples;
-  std::vector<float>* recorded;
+  Recording* recording;
   int channels;
   std::atomic<std::size_t> at{0};
+  std::atomic<std::uint64_t> dropouts{0};
 
   static int callback(const void* in, void* out, unsigned long frames, const PaStreamCallbackTimeInfo*,
-                      PaStreamCallbackFlags, void* self) {
+                      PaStreamCallbackFlags flags, void* self) {
+    constexpr PaStreamCallbackFlags lost =
+        paInputUnderflow | paInputOverflow | paOutputUnderflow | paOutputOverflow;
     Duplex& d = *static_cast<Duplex*>(self);
     const auto* input = static_cast<const float*>(in);
     auto* output = static_cast<float*>(out);
     std::size_t at = d.at;
+    if (at > 0 && (flags & lost) != 0) ++d.dropouts;
     for (unsigned long i = 0; i < frames; ++i, ++at) {
       const bool inside = at < d.samples->size();
       for (int c = 0; c < d.channels; ++c) *output++ = inside ? (*d.samples)[at] : 0;
-      if (inside && input != nullptr) (*d.recorded)[at] = input[i];
+      if (inside && input != nullptr) d.recording->samples[at] = input[i];
     }
     d.at = at;
     return at < d.samples->size() ? paContinue : paComplete;
@@ -364,8 +381,9 @@ struct Duplex {
 
 }  // namespace
 
-DeviceResult<std::vector<float>> playAndRecord(const AudioSettings& settings, const std::string& inputDevice,
-                                               const std::vector<float>& samples) {
+DeviceResult<Recording> playAndRecord(const AudioSettings& settings, const std::string& inputDevice,
+                                      const std::vector<float>& samples,
+                                      const std::function<bool()>& cancelled) {
   std::unique_lock lock(libraryMutex);
   const Library library;
   if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
@@ -383,8 +401,8 @@ DeviceResult<std::vector<float>> playAndRecord(const AudioSettings& settings, co
   output.sampleFormat = input.sampleFormat = paFloat32;
   output.suggestedLatency = Pa_GetDeviceInfo(*out)->defaultLowOutputLatency;
   input.suggestedLatency = Pa_GetDeviceInfo(*in)->defaultLowInputLatency;
-  std::vector<float> recorded(samples.size(), 0);
-  Duplex duplex{&samples, &recorded, output.channelCount};
+  Recording recording{std::vector<float>(samples.size(), 0)};
+  Duplex duplex{&samples, &recording, output.channelCount};
   PaStream* stream = nullptr;
   PaError error;
   {
@@ -398,13 +416,14 @@ DeviceResult<std::vector<float>> playAndRecord(const AudioSettings& settings, co
     return troubleOf(settings.device, "cannot play and record at once", error);
   }
   const double deadline_s = now_s() + static_cast<double>(samples.size()) / rate + 5;
-  while (Pa_IsStreamActive(stream) == 1 && now_s() < deadline_s) sleepUntil(now_s() + 0.02);
-  const bool complete = duplex.at >= samples.size();
+  while (Pa_IsStreamActive(stream) == 1 && now_s() < deadline_s && !cancelled()) sleepUntil(now_s() + 0.02);
+  const bool complete = duplex.at >= samples.size() || cancelled();
   Pa_AbortStream(stream);
   Pa_CloseStream(stream);
   if (!complete)
     return DeviceTrouble{settings.device, "stopped during the measurement", "Check the device and try again"};
-  return recorded;
+  recording.dropouts = duplex.dropouts;
+  return recording;
 }
 
 /// A ring the callback writes and one thread reads.

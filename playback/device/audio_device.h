@@ -37,7 +37,10 @@ struct AudioSettings {
   /// Samples per callback; 0 lets the host choose, which on JACK is its period without an extra buffer
   /// (a fixed number doubles the delay of full-duplex streams: PortAudio issue 1007).
   unsigned bufferFrames = 0;
-  int channels = 2;  ///< the same signal on each; fewer where the device has fewer
+  int channels =
+      2;  ///< the same signal on each; fewer where the device has fewer; 0: none, it is for the rain alone
+  double rainLevel =
+      0;  ///< masking noise on up to two channels behind the signal's, which leave it at least one; 0: none
   JackRoute jackRoute = JackRoute::ownClient;
 };
 
@@ -47,7 +50,7 @@ enum class StreamState : std::uint8_t { running, lost };
 /// looks for the device until it is back; the session, its program and its position live on.
 class AudioOutput {
  public:
-  /// The session must outlive the stream. `settings.sampleRate_Hz` must be the session's.
+  /// The session must outlive the stream; it is set to the stream's rate, again whenever the device comes back at another one.
   static DeviceResult<std::unique_ptr<AudioOutput>> open(const AudioSettings& settings, LiveSession& session,
                                                          CallbackHooks hooks = {});
   ~AudioOutput();
@@ -65,10 +68,17 @@ class AudioOutput {
 /// Sample rate a session for this device should have.
 DeviceResult<double> sampleRateFor(const AudioSettings& settings);
 
-/// Plays `output` on the device while recording `input` channel 0, for measurements. Both have the same
-/// length.
-DeviceResult<std::vector<float>> playAndRecord(const AudioSettings& output, const std::string& inputDevice,
-                                               const std::vector<float>& samples);
+/// What came back from a device.
+struct Recording {
+  std::vector<float> samples;
+  std::uint64_t dropouts = 0;  ///< blocks the host says were lost or came too late
+};
+
+/// Plays `samples` on the device while recording its input's channel 0, for measurements; the recording is as long. Once `cancelled`
+/// says so it ends at once and the rest is silence.
+DeviceResult<Recording> playAndRecord(const AudioSettings& output, const std::string& inputDevice,
+                                      const std::vector<float>& samples,
+                                      const std::function<bool()>& cancelled);
 
 /// A recording in progress; samples are stamped so that onsets have times on now_s().
 class AudioCapture {

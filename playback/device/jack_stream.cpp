@@ -28,7 +28,7 @@ struct JackStream::Client {
   StreamRenderer& renderer;
   jack_client_t* jack = nullptr;
   std::array<jack_port_t*, mostChannels> ports{};
-  std::size_t channels = 0;
+  std::size_t channels = 0, signalChannels = 0;
   std::atomic<bool> down{false};
 
   static int process(jack_nframes_t frames, void* self) {
@@ -46,9 +46,11 @@ struct JackStream::Client {
     std::array<float*, mostChannels> out;
     for (std::size_t c = 0; c < channels; ++c)
       out[c] = static_cast<float*>(jack_port_get_buffer(ports[c], frames));
-    renderer.render(frames, entry_s, &now_s, [&](std::size_t first, const float* samples, std::size_t count) {
-      for (std::size_t c = 0; c < channels; ++c) std::copy_n(samples, count, out[c] + first);
-    });
+    renderer.render(frames, entry_s, &now_s,
+                    [&](std::size_t first, const float* signal, const float* rain, std::size_t count) {
+                      for (std::size_t c = 0; c < channels; ++c)
+                        std::copy_n(c < signalChannels ? signal : rain, count, out[c] + first);
+                    });
   }
 };
 
@@ -57,8 +59,8 @@ JackStream::~JackStream() = default;
 bool JackStream::available() { return true; }
 bool JackStream::alive() const { return !client_->down; }
 
-DeviceResult<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, int channels,
-                                                           double sampleRate_Hz, StreamRenderer& renderer) {
+DeviceResult<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels channels,
+                                                           double wanted_Hz, StreamRenderer& renderer) {
   const auto trouble = [&](const char* problem, const char* remedy) {
     return DeviceTrouble{"JACK: " + target, problem, remedy, false};
   };
@@ -67,10 +69,14 @@ DeviceResult<std::unique_ptr<JackStream>> JackStream::open(const std::string& ta
   auto client = std::make_unique<Client>(renderer);
   client->jack = jack_client_open("detent", JackNoStartServer, nullptr);
   if (client->jack == nullptr) return trouble("the JACK server does not answer", "Start jackd");
-  if (std::fabs(jack_get_sample_rate(client->jack) - sampleRate_Hz) > 1) {
-    return trouble("runs at another sample rate", "Leave the rate to the device");
-  }
-  client->channels = static_cast<std::size_t>(std::clamp(channels, 1, mostChannels));
+  const double rate_Hz = jack_get_sample_rate(client->jack);
+  if (wanted_Hz > 0 && std::fabs(rate_Hz - wanted_Hz) > 1)
+    return trouble("runs at another sample rate", "Leave --device-rate out");
+  if (rate_Hz < HapticEngine::lowestSampleRate_Hz || rate_Hz > HapticEngine::highestSampleRate_Hz)
+    return trouble("runs at a rate outside 8000..192000 Hz", "Restart jackd at another rate");
+  renderer.setSampleRate(rate_Hz);
+  client->channels = static_cast<std::size_t>(std::clamp(channels.all(), 1, mostChannels));
+  client->signalChannels = static_cast<std::size_t>(std::max(0, channels.signal));
   for (std::size_t c = 0; c < client->channels; ++c) {
     const std::string name = "out_" + std::to_string(c + 1);
     client->ports[c] =

@@ -17,9 +17,10 @@ class JackStream {
  public:
   /// False in a build without JACK.
   static bool available();
-  /// Connects `channels` ports "detent:out_N" to the inputs of the JACK client `target` ("system").
-  static DeviceResult<std::unique_ptr<JackStream>> open(const std::string& target, int channels,
-                                                        double sampleRate_Hz, StreamRenderer& renderer);
+  /// Connects its ports "detent:out_N", the signal's first, to the inputs of the JACK client `target` ("system"). `wanted_Hz` 0: whatever rate
+  /// the server has; the renderer's session is set to it.
+  static DeviceResult<std::unique_ptr<JackStream>> open(const std::string& target, OutputChannels channels,
+                                                        double wanted_Hz, StreamRenderer& renderer);
   ~JackStream();
   /// The server is still there.
   bool alive() const;

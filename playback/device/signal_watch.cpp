@@ -29,7 +29,8 @@ sigset_t endingSignals() {
 
 class SignalWatch::Listener {
  public:
-  explicit Listener(double grace_s) : set_(endingSignals()), grace_s_(grace_s) {
+  Listener(double grace_s, void (*lastDeed)())
+      : set_(endingSignals()), grace_s_(grace_s), lastDeed_(lastDeed) {
     ::pthread_sigmask(SIG_BLOCK, &set_, &before_);
     thread_ = std::thread([this] { listen(); });
   }
@@ -58,18 +59,21 @@ class SignalWatch::Listener {
     }
   }
 
-  [[noreturn]] static void endByForce(int number) {
+  [[noreturn]] void endByForce(int number) const {
+    lastDeed_();
     restoreTerminal();
     ::_exit(exitCodeOfSignals + number);
   }
 
   sigset_t set_, before_{};
   const double grace_s_;
+  void (*const lastDeed_)();
   std::atomic<bool> seen_{false}, ended_{false};
   std::thread thread_;
 };
 
-SignalWatch::SignalWatch(double grace_s) : listener_(std::make_unique<Listener>(grace_s)) {}
+SignalWatch::SignalWatch(double grace_s, void (*lastDeed)())
+    : listener_(std::make_unique<Listener>(grace_s, lastDeed)) {}
 SignalWatch::~SignalWatch() = default;
 bool SignalWatch::seen() const { return listener_->seen(); }
 

@@ -12,8 +12,8 @@ namespace detent::playback {
 class SignalWatch {
  public:
   /// `grace_s`: from the first signal to the end by force, with the terminal as it was and exit code 128 + the
-  /// signal's number. Files are written beside their target and renamed, so none is half written.
-  explicit SignalWatch(double grace_s);
+  /// signal's number. `lastDeed` is done just before (files that are being written have to go); called on the listening thread.
+  SignalWatch(double grace_s, void (*lastDeed)());
   ~SignalWatch();
   SignalWatch(const SignalWatch&) = delete;
   SignalWatch& operator=(const SignalWatch&) = delete;

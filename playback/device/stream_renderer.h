@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What every sound callback does, whichever library calls it: let the session render, copy to all channels,
-// account.
+// What every sound callback does, whichever library calls it: let the session render, add the rain for the ears, copy to all
+// channels, account.
 
 #include <array>
 #include <atomic>
 #include <cstddef>
 
 #include "playback/realtime/live_session.h"
+#include "playback/realtime/rain_noise.h"
 
 namespace detent::playback {
 
@@ -17,12 +18,22 @@ struct CallbackHooks {
   void (*leave)() = nullptr;
 };
 
-/// Audio thread only, but for `lastEntry_s` and `noteXrun`.
+/// Which of a stream's channels carry what, in this order.
+struct OutputChannels {
+  int signal = 2;  ///< the same vibration on each
+  int rain = 0;    ///< the same masking noise on each (rain_noise.h)
+
+  int all() const { return signal + rain; }
+  bool isSignal(int channel) const { return channel < signal; }
+};
+
+/// Audio thread only, but for `lastEntry_s`, `noteXrun`, and what says otherwise.
 class StreamRenderer {
  public:
-  StreamRenderer(LiveSession& session, CallbackHooks hooks) : session_(session), hooks_(hooks) {}
+  StreamRenderer(LiveSession& session, CallbackHooks hooks, double rainLevel)
+      : session_(session), hooks_(hooks), rain_(rainLevel) {}
 
-  /// `put(first, samples, count)` stores a run of samples; called one or more times, in order.
+  /// `put(first, signal, rain, count)` stores a run of samples; called one or more times, in order.
   template <class Put>
   void render(std::size_t frames, double entry_s, double (*clock)(), Put put) {
     if (hooks_.enter != nullptr) hooks_.enter();
@@ -30,12 +41,21 @@ class StreamRenderer {
     for (std::size_t done = 0; done < frames;) {
       const std::size_t left = frames - done, count = left < largestRun ? left : largestRun;
       session_.process(mono_.data(), count, entry_s + static_cast<double>(done) / session_.sampleRate_Hz());
-      put(done, mono_.data(), count);
+      if (rain_.audible()) rain_.render(drops_.data(), count);
+      put(done, mono_.data(), drops_.data(), count);
       done += count;
     }
     session_.account(clock() - entry_s, frames, xrun_.exchange(false, std::memory_order_relaxed));
     if (hooks_.leave != nullptr) hooks_.leave();
   }
+
+  /// The next stream's rate; while no callback runs.
+  void setSampleRate(double sampleRate_Hz) {
+    if (sampleRate_Hz != session_.sampleRate_Hz()) session_.setSampleRate(sampleRate_Hz);
+    rain_.setSampleRate(sampleRate_Hz);
+  }
+  /// Keeps the session's queues empty while no stream is there.
+  void takeWhileAway() { session_.takeWhileAway(); }
 
   double lastEntry_s() const { return lastEntry_s_.load(std::memory_order_relaxed); }
   void touch(double now_s) { lastEntry_s_.store(now_s, std::memory_order_relaxed); }
@@ -45,7 +65,8 @@ class StreamRenderer {
   static constexpr std::size_t largestRun = 8192;
   LiveSession& session_;
   CallbackHooks hooks_;
-  std::array<float, largestRun> mono_{};
+  RainNoise rain_;
+  std::array<float, largestRun> mono_{}, drops_{};
   std::atomic<double> lastEntry_s_{0};
   std::atomic<bool> xrun_{false};
 };

@@ -43,12 +43,6 @@ Result<Done> checkBounds(const char* subject, std::initializer_list<Bound> bound
   return Done{};
 }
 
-std::string formatted(const char* format, double a, double b = 0) {
-  char text[200];
-  std::snprintf(text, sizeof text, format, a, b);
-  return text;
-}
-
 /// Everything of one stroke that a table is built from.
 struct StrokePlan {
   const StrokeCurve& curve;
@@ -81,7 +75,9 @@ class Preparation {
   bool slopes() const {
     return settings_.mode == FeedbackMode::full || settings_.mode == FeedbackMode::slopeOnly;
   }
-  void warn(std::string text) { prepared_.summary.warnings.push_back(std::move(text)); }
+  void warn(PrepareWarningCode code, Message message) {
+    prepared_.summary.warnings.push_back({code, std::move(message)});
+  }
 
   /// Where the tables of a state begin. A self-locking button's release may end elsewhere than its press
   /// began.
@@ -117,9 +113,9 @@ class Preparation {
     p.hysteresis_N = wanted_N;
     if (strongest_N > 0 && p.hysteresis_N > strongest_N / 10) {
       p.hysteresis_N = strongest_N / 10;
-      warn(
-          formatted("the button's %.3g N are little for a hysteresis of %.3g N; a tenth of its force is used",
-                    strongest_N, wanted_N));
+      warn(PrepareWarningCode::hysteresisReduced,
+           {"the button's %1 are little for a hysteresis of %2; a tenth of its force is used",
+            newtons(strongest_N), newtons(wanted_N)});
     }
     rearm_N_ = settings_.rearm_N > 0 ? settings_.rearm_N : rearmInHysteresis * p.hysteresis_N;
     p.restForce_N = p.hysteresis_N / 4;
@@ -151,15 +147,18 @@ class Preparation {
   void setEqualizer() {
     if (settings_.equalizer == EqualizerUse::off) return;
     HapticProgram& p = prepared_.program;
-    std::string left;
+    std::vector<Message> left;
     for (const EqualizerBand& band : profile_.equalizer) {
       if (settings_.equalizer == EqualizerUse::full || !touchesJumps(band)) {
         p.equalizer[p.equalizerBandCount++] = band;
       } else {
-        left += formatted(left.empty() ? "%.4g" : ", %.4g", band.frequency_Hz);
+        left.push_back({"%1 Hz", band.frequency_Hz});
       }
     }
-    if (!left.empty()) prepared_.summary.sparedBands_Hz = left;
+    if (left.empty()) return;
+    warn(PrepareWarningCode::equalizerSpared, {"the profile's equalizer is left out where it would take the "
+                                               "jumps' strength (%1); --equalizer full uses it",
+                                               left});
   }
 
   bool touchesJumps(const EqualizerBand& band) const {
@@ -176,7 +175,8 @@ class Preparation {
     release_Hz_ = settings_.releaseJumpFrequency_Hz;
     if (settings_.jumpFrequencySource == JumpFrequencySource::paper) return;
     if (profile_.resonances.empty()) {
-      warn(formatted("the profile has no resonance; jumps use %g and %g Hz", press_Hz_, release_Hz_));
+      warn(PrepareWarningCode::noResonance,
+           {"the profile has no resonance; jumps use %1 and %2 Hz", press_Hz_, release_Hz_});
       return;
     }
     const double wanted = press_Hz_;
@@ -304,8 +304,8 @@ class Preparation {
       }
     }
     if (ranges.size() > maxSlopes)
-      warn(formatted("more than the %g slopes a program holds; the last ones are silent",
-                     static_cast<double>(maxSlopes)));
+      warn(PrepareWarningCode::slopesLeftOut,
+           {"more than the %1 slopes a program holds; the last ones are silent", maxSlopes});
   }
 
   void addJumps(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
@@ -324,12 +324,12 @@ class Preparation {
       std::stable_sort(byArea.begin(), byArea.end(),
                        [&](std::size_t a, std::size_t b) { return found[a].area_mJ > found[b].area_mJ; });
       std::sort(byArea.begin() + maxJumps, byArea.end());
-      std::string left;
+      std::vector<Message> left;
       for (auto i = byArea.begin() + maxJumps; i != byArea.end(); ++i)
-        left += formatted(left.empty() ? "%.4g" : ", %.4g", found[*i].section.from_mm);
-      warn(formatted("%g jumps on one stroke; the %g strongest are kept, left out are those at ",
-                     static_cast<double>(found.size()), static_cast<double>(maxJumps)) +
-           left + " mm");
+        left.push_back({"%1", millimetres(found[*i].section.from_mm)});
+      warn(PrepareWarningCode::jumpsLeftOut,
+           {"%1 jumps on one stroke; the %2 strongest are kept, left out are those at %3", found.size(),
+            maxJumps, left});
       std::sort(byArea.begin(), byArea.begin() + maxJumps);
       std::vector<Candidate> kept;
       for (std::size_t i = 0; i < maxJumps; ++i) kept.push_back(found[byArea[i]]);
@@ -353,9 +353,9 @@ class Preparation {
                    s.shortestJump_s, s.longestJump_s);
     const double wanted = s.jumpAmplitudePerArea_per_mJ * area_mJ;
     if (wanted > 1) {
-      warn(formatted(
-          "the jump at %.4g mm asks for %.3g times full scale and gets 1; lower the jump amplitude per area",
-          section.from_mm, wanted));
+      warn(PrepareWarningCode::jumpClipped,
+           {"the jump at %1 asks for %2 times full scale and gets 1; lower the jump amplitude per area",
+            millimetres(section.from_mm), wanted});
     }
     entry.burst.amplitude = std::clamp(wanted, s.faintestJump, 1.0);
     entry.burst.envelope = Envelope::falling;
@@ -371,6 +371,24 @@ class Preparation {
 };
 
 }  // namespace
+
+const char* nameOf(PrepareWarningCode code) {
+  switch (code) {
+    case PrepareWarningCode::hysteresisReduced:
+      return "hysteresis-reduced";
+    case PrepareWarningCode::noResonance:
+      return "no-resonance";
+    case PrepareWarningCode::slopesLeftOut:
+      return "slopes-left-out";
+    case PrepareWarningCode::jumpsLeftOut:
+      return "jumps-left-out";
+    case PrepareWarningCode::jumpClipped:
+      return "jump-clipped";
+    case PrepareWarningCode::equalizerSpared:
+      break;
+  }
+  return "equalizer-spared";
+}
 
 std::string PrepareSummary::line() const {
   char text[240];

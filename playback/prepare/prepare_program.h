@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "model/button.h"
+#include "model/message.h"
 #include "model/result.h"
 #include "playback/prepare/device_profile.h"
 #include "playback/prepare/playback_settings.h"
@@ -14,14 +15,32 @@
 
 namespace detent::playback {
 
+/// What of a button or a device a program cannot give as asked.
+enum class PrepareWarningCode : std::uint8_t {
+  hysteresisReduced,  ///< strongest force, hysteresis asked for
+  noResonance,        ///< press and release frequency that are used instead, Hz
+  slopesLeftOut,      ///< how many a program holds
+  jumpsLeftOut,       ///< how many there are, how many are kept, messages of where those left out are
+  jumpClipped,        ///< where, times full scale it asks for
+  equalizerSpared     ///< messages of the bands' frequencies
+};
+
+/// The code decides, the message is for people (model/message.h).
+struct PrepareWarning {
+  PrepareWarningCode code;
+  Message message;
+};
+
+/// "jumps-left-out": as scripts see it.
+const char* nameOf(PrepareWarningCode code);
+
 /// What was prepared, for a one-line report and for doubts.
 struct PrepareSummary {
   std::size_t grains = 0;  ///< grain positions of the first state's press stroke
   std::size_t pressJumps = 0, releaseJumps = 0, bottomOuts = 0;  ///< over all states
   std::size_t tablePoints = 0;
-  double tableError_N = 0;     ///< largest distance of a table from its curve
-  std::string sparedBands_Hz;  ///< "390, 780": equalizer bands left out for the jumps' sake; empty: none
-  std::vector<std::string> warnings;
+  double tableError_N = 0;  ///< largest distance of a table from its curve
+  std::vector<PrepareWarning> warnings;
 
   /// "54 grains, 1 press jump, 1 release jump, bottom-out; table 212 points, error 0.0001 N".
   std::string line() const;

@@ -18,6 +18,7 @@
 
 #include "playback/program/choice_option.h"
 #include "playback/program/json_output.h"
+#include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
 #include "playback/study/calibrate.h"
 #include "playback/study/profile_file.h"
@@ -48,7 +49,7 @@ void addOptions(CLI::App& app, CalibrateArguments& a) {
   addChoice(app, "--circuit", a.calibration.circuit, circuits, "How the sensor is wired", "divider");
   app.add_option("--full-scale", a.calibration.fullScale_counts, "Largest reading of the converter")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(numberWithin(1, 1e9));
   app.add_option("--degree", a.calibration.highestDegree, "Highest degree of the curve")
       ->capture_default_str()
       ->check(CLI::Range(1, 3));
@@ -98,7 +99,7 @@ Result<Weighings> askForWeights(const CalibrateArguments& a, const Cancelled& ca
     }
     KnownWeight w;
     w.force_N = 1e-3 * *mass_g * standardGravity_m_per_s2;
-    Result<RawReading> raw = readRawSensor(a.sensor.port, a.sensor.baud, weighing_s);
+    Result<RawReading> raw = readRawSensor(a.sensor.port, a.sensor.baud, weighing_s, cancelled);
     if (!raw) return raw.failure();
     w.raw = raw->mean;
     report(w, *raw);
@@ -143,10 +144,7 @@ int run(const CalibrateArguments& a, const Cancelled& cancelled) {
     if (!weights) return fail(weights.failure());
     weighings.weights = *std::move(weights);
   }
-  if (cancelled()) {
-    return fail(
-        {FailureCode::wrongUsage, "calibrate", "", "was cancelled; nothing was written", "Start it again"});
-  }
+  if (cancelled()) return fail(Failure::cancelled("calibrate"));
   Result<SensorCalibration> calibration = calibrate(weighings.weights, a.calibration);
   if (!calibration) return fail(calibration.failure());
   calibration->noise_N = noiseOf(weighings, *calibration);

@@ -9,6 +9,7 @@
 
 #include "model/file/text_file.h"
 #include "playback/program/json_output.h"
+#include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
 #include "playback/study/latency_statistics.h"
 #include "playback/study/profile_file.h"
@@ -35,12 +36,15 @@ void addOptions(CLI::App& app, LatencyArguments& a) {
   addDeviceOptions(app, a.player);
   addSensorOptions(app, a.sensor);
   app.add_option("--input", a.inputDevice, "Where the vibration comes back; default: the device's own input");
-  app.add_option("--trials", a.trials, "Round trips")->capture_default_str()->check(CLI::Range(1, 100000));
+  app.add_option("--trials", a.trials, "Round trips")->capture_default_str()->check(numberWithin(1, 100000));
   addPlacementOption(app, a.placement);
-  app.add_option("--sensor-hz", a.sensorRate_Hz, "Rate of the simulated sensor in Hz")->capture_default_str();
+  app.add_option("--sensor-hz", a.sensorRate_Hz, "Rate of the simulated sensor in Hz")
+      ->capture_default_str()
+      ->check(numberWithin(20, 20000));
   app.add_option("--threshold", a.threshold,
                  "Onset on the input, share of full scale; 0: eight times the noise")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(numberWithin(0, 1));
   app.add_option("--profile", a.profileFile, "Sensor calibration; also gets the result with --output");
   app.add_option("-o,--output", a.outputFile, "Write the result into this device profile");
   app.add_option("--csv", a.csvFile, "Every delay as CSV");
@@ -62,10 +66,9 @@ int run(const LatencyArguments& a, const Cancelled& cancelled) {
   settings.threshold = a.threshold;
   if (!a.sensor.port.empty())
     std::fprintf(stderr, "Tap the sensor %zu times, firmly and briefly.\n", a.trials);
-  Result<LatencyResult> result = measureLatency(settings, [&](std::size_t done, std::size_t all) {
-    std::fprintf(stderr, "\r%zu of %zu", done, all);
-    return !cancelled();
-  });
+  Result<LatencyResult> result = measureLatency(
+      settings, [](std::size_t done, std::size_t all) { std::fprintf(stderr, "\r%zu of %zu", done, all); },
+      cancelled);
   std::fprintf(stderr, "\r");
   if (!result) return fail(result.failure());
   const LatencyStatistics s = statisticsOf(result->delays_s, result->lost);

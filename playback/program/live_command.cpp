@@ -6,33 +6,48 @@
 #include <CLI/CLI.hpp>
 
 #include "model/file/button_file.h"
+#include "playback/program/number_option.h"
 
 namespace detent::playback {
 
 namespace {
+
+constexpr const char* thisMachine = "127.0.0.1";
+
+/// An option that is a port, or an address and a port; anything else is wrong usage. `standardHost` as in parseEndpoint.
+void addEndpoint(CLI::App& app, const std::string& name, std::optional<Endpoint>& target,
+                 const std::string& standardHost, unsigned lowestPort, const std::string& help) {
+  const auto take = [&target, name, standardHost, lowestPort](const std::string& text) {
+    const Result<Endpoint> endpoint = parseEndpoint(text, name, standardHost, lowestPort);
+    if (!endpoint) throw CLI::ValidationError(endpoint.failure().sentence());
+    target = *endpoint;
+  };
+  app.add_option_function<std::string>(name, take, help)
+      ->type_name(standardHost.empty() ? "HOST:PORT" : "[ADDRESS:]PORT");
+}
 
 void addOptions(CLI::App& app, LiveArguments& a) {
   app.add_option("BUTTON", a.buttons, "*.button.json; several for A/B comparison");
   addFeelOptions(app, a.feel);
   addDeviceOptions(app, a.player);
   addSensorOptions(app, a.sensor);
-  app.add_option(
-      "--udp", a.udp,
-      "PORT or ADDRESS:PORT to listen on for FUDI signal messages (docs/osc.md); without an address only "
-      "this machine is heard");
-  app.add_option("--osc", a.osc, "PORT or ADDRESS:PORT to listen on for OSC messages, likewise");
-  app.add_option("--signals-to", a.signalTarget,
-                 "HOST:PORT of a synthesizer (samples/puredata) that gets a message per event");
+  addEndpoint(
+      app, "--udp", a.udp, thisMachine, 0,
+      "Where to listen for FUDI signal messages (docs/osc.md); without an address only this machine is "
+      "heard; port 0: a free one");
+  addEndpoint(app, "--osc", a.osc, thisMachine, 0, "Where to listen for OSC messages, likewise");
+  addEndpoint(app, "--signals-to", a.signalTarget, "", 1,
+              "A synthesizer (samples/puredata) that gets a message per event");
   app.add_option("--press", a.pressFile,
                  "Play this recorded press (time_s,force_N or time_s,displacement_mm)");
   app.add_option("--finger-N", a.fingerPeak_N,
                  "Force of the keyboard's finger in N; 0: a quarter more than needed")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1000.0));
-  app.add_option("--gain", a.gain, "Output gain")->capture_default_str()->check(CLI::Range(0.0, 10.0));
+      ->check(numberWithin(0, 1000));
+  app.add_option("--gain", a.gain, "Output gain")->capture_default_str()->check(numberWithin(0, 10));
   app.add_option("--seconds", a.seconds, "End after so many seconds; 0: on q or Ctrl-C")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(numberWithin(0, 1e9));
   app.add_flag("--json", a.json, "One JSON object on stdout at the end");
 }
 

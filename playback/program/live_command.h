@@ -2,9 +2,11 @@
 #pragma once
 // `detent-play BUTTON`: press and feel. The root command, without a word of its own.
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "playback/program/endpoint.h"
 #include "playback/program/shared_options.h"
 
 namespace detent::playback {
@@ -14,8 +16,8 @@ struct LiveArguments {
   FeelOptions feel;
   PlayerSettings player;
   SensorOptions sensor;
-  std::string udp, osc;      ///< PORT or ADDRESS:PORT; empty: closed
-  std::string signalTarget;  ///< HOST:PORT
+  std::optional<Endpoint> udp, osc;  ///< none: closed
+  std::optional<Endpoint> signalTarget;
   std::string pressFile;
   double fingerPeak_N = 0;  ///< 0: a quarter more than the button needs
   double gain = 1;

@@ -11,7 +11,6 @@
 
 #include "playback/device/steady_clock.h"
 #include "playback/device/terminal.h"
-#include "playback/program/endpoint.h"
 #include "playback/program/live_command.h"
 #include "playback/program/live_warnings.h"
 
@@ -84,7 +83,7 @@ class LiveView {
   Result<PreparedProgram> prepare() {
     Result<PreparedProgram> prepared = prepareProgram(buttons_[current_], profile_, settings_);
     if (prepared) {
-      for (const std::string& w : prepared->summary.warnings) warn(w);
+      for (const PrepareWarning& w : prepared->summary.warnings) warn(english(w.message));
       for (const std::string& w : doubtsAbout(a_, buttons_[current_], profile_, *prepared)) warn(w);
     }
     return prepared;
@@ -101,14 +100,15 @@ class LiveView {
       if (Result<Done> ok = player_->attachSensor(a_.sensor.port, a_.sensor.baud, profile_.sensor); !ok)
         return ok;
     }
-    if (!a_.udp.empty()) {
-      if (Result<Done> ok = listen("--udp", a_.udp, &LivePlayer::listenFudi, "FUDI"); !ok) return ok;
+    if (a_.udp) {
+      if (Result<Done> ok = listen(*a_.udp, &LivePlayer::listenFudi, "FUDI"); !ok) return ok;
     }
-    if (!a_.osc.empty()) {
-      if (Result<Done> ok = listen("--osc", a_.osc, &LivePlayer::listenOsc, "OSC"); !ok) return ok;
+    if (a_.osc) {
+      if (Result<Done> ok = listen(*a_.osc, &LivePlayer::listenOsc, "OSC"); !ok) return ok;
     }
-    if (!a_.signalTarget.empty()) {
-      if (Result<Done> ok = sendSignals(); !ok) return ok;
+    if (a_.signalTarget) {
+      if (Result<Done> ok = player_->sendSignals(a_.signalTarget->host, a_.signalTarget->port); !ok)
+        return ok;
     }
     if (a_.pressFile.empty()) return Done{};
     Result<PressTrace> trace = readPressTrace(a_.pressFile);
@@ -119,21 +119,13 @@ class LiveView {
     return Done{};
   }
 
-  Result<Done> listen(const char* option, const std::string& where,
+  Result<Done> listen(const Endpoint& endpoint,
                       Result<std::uint16_t> (LivePlayer::*open)(std::uint16_t, const std::string&),
                       const char* name) {
-    const Result<Endpoint> endpoint = parseEndpoint(where, option, "127.0.0.1", 0);
-    if (!endpoint) return endpoint.failure();
-    const Result<std::uint16_t> port = ((*player_).*open)(endpoint->port, endpoint->host);
+    const Result<std::uint16_t> port = ((*player_).*open)(endpoint.port, endpoint.host);
     if (!port) return port.failure();
-    std::fprintf(stderr, "%s on UDP port %u of %s\n", name, *port, endpoint->host.c_str());
+    std::fprintf(stderr, "%s on UDP port %u of %s\n", name, *port, endpoint.host.c_str());
     return Done{};
-  }
-
-  Result<Done> sendSignals() {
-    const Result<Endpoint> target = parseEndpoint(a_.signalTarget, "--signals-to", "", 1);
-    if (!target) return target.failure();
-    return player_->sendSignals(target->host, target->port);
   }
 
   void handle(char key) {

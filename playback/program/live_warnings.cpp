@@ -31,19 +31,16 @@ std::vector<std::string> doubtsAbout(const LiveArguments& arguments, const Butto
         "\"" + button.name() +
         "\" has damping, which vibration cannot give; `detent-play force` plays it on a force device");
   const PrepareSummary& s = program.summary;
-  if (!arguments.signalTarget.empty() && s.grains + s.pressJumps + s.releaseJumps + s.bottomOuts == 0)
+  if (arguments.signalTarget && s.grains + s.pressJumps + s.releaseJumps + s.bottomOuts == 0)
     doubts.push_back("--signals-to: \"" + button.name() +
                      "\" has nothing to signal in this mode; choose another --mode");
-  if (!arguments.signalTarget.empty() && !arguments.pressFile.empty())
+  if (arguments.signalTarget && !arguments.pressFile.empty())
     doubts.push_back("--signals-to gets what sensor, keyboard and messages do, not the press that is played");
   if (!arguments.sensor.port.empty() && profile.sensor.weights == 0)
     doubts.push_back(
         "the sensor has no calibration: what it sends as counts is taken for newtons. Run `detent-play "
         "calibrate --sensor " +
         arguments.sensor.port + " -o my.device` and pass --profile my.device");
-  if (!s.sparedBands_Hz.empty())
-    doubts.push_back("the profile's equalizer at " + s.sparedBands_Hz +
-                     " Hz is left out, it would take the jumps' strength; --equalizer full uses it");
   return doubts;
 }
 

@@ -49,7 +49,7 @@ void addOptions(CLI::App& app, RenderArguments& a) {
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
-const char* nameOf(EventKind kind) {
+const char* eventName(EventKind kind) {
   switch (kind) {
     case EventKind::grain:
       return "grain";
@@ -72,7 +72,7 @@ const char* nameOf(EventKind kind) {
 std::string eventsCsv(const std::vector<EngineEvent>& events, double sampleRate_Hz) {
   std::string text = "time_s,event,state,jump,grains,displacement_mm\n";
   for (const EngineEvent& e : events) {
-    text += exact(static_cast<double>(e.frame) / sampleRate_Hz) + "," + nameOf(e.kind) + "," +
+    text += exact(static_cast<double>(e.frame) / sampleRate_Hz) + "," + eventName(e.kind) + "," +
             std::to_string(e.state) + "," + std::to_string(e.jump) + "," +
             std::to_string(e.kind == EventKind::grain ? e.count : 0) + "," + exact(e.displacement_mm) + "\n";
   }
@@ -94,7 +94,13 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
   if (!button) return fail(button.failure());
   Result<PreparedProgram> prepared = prepareProgram(*button, *profile, a.feel.settings);
   if (!prepared) return fail(prepared.failure());
-  for (const std::string& w : prepared->summary.warnings) std::fprintf(stderr, "warning: %s\n", w.c_str());
+  Json warnings = Json::array(), warningCodes = Json::array();
+  for (const PrepareWarning& w : prepared->summary.warnings) {
+    const std::string words = english(w.message);
+    std::fprintf(stderr, "warning: %s\n", words.c_str());
+    warnings.push_back(words);
+    warningCodes.push_back(nameOf(w.code));
+  }
   Result<PressTrace> trace =
       a.standardPress ? Result<PressTrace>(standardPress(prepared->program)) : readPressTrace(a.pressFile);
   if (!trace) return fail(trace.failure());
@@ -139,7 +145,8 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
            {"suppressed", n.suppressed},
            {"rejected_readings", rejected},
            {"table_error_N", prepared->summary.tableError_N},
-           {"warnings", prepared->summary.warnings},
+           {"warnings", warnings},
+           {"warning_codes", warningCodes},
            {"times_real_time", summary->timesRealTime()}});
   }
   return 0;

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "playback/program/choice_option.h"
+#include "playback/program/number_option.h"
 #include "playback/study/profile_file.h"
 
 namespace detent::playback {
@@ -23,6 +24,10 @@ const std::map<std::string, GrainCarrier> carriers{{"running", GrainCarrier::run
                                                    {"retriggered", GrainCarrier::retriggered}};
 const std::map<std::string, EqualizerUse> equalizers{
     {"off", EqualizerUse::off}, {"spare-jumps", EqualizerUse::sparingJumps}, {"full", EqualizerUse::full}};
+/// What a serial port can be set to; another number would silently leave it as it was.
+const std::vector<unsigned> baudRates{1200,    2400,    4800,    9600,    19200,   38400,   57600,
+                                      115200,  230400,  460800,  500000,  576000,  921600,  1000000,
+                                      1152000, 1500000, 2000000, 2500000, 3000000, 3500000, 4000000};
 const std::map<std::string, JumpFrequencySource> jumpSources{{"paper", JumpFrequencySource::paper},
                                                              {"profile", JumpFrequencySource::profile}};
 
@@ -102,18 +107,24 @@ void addDeviceOptions(CLI::App& app, PlayerSettings& options) {
   app.add_option("--device", options.device,
                  "Sound output: a name from `detent-play devices` or a part of one");
   app.add_option("--device-rate", options.sampleRate_Hz, "Samples per second of the device; 0: its own")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(numberWithin(0, 192000));
   app.add_option("--buffer", options.bufferFrames, "Samples per callback; 0: the host's choice (least delay)")
-      ->capture_default_str();
+      ->capture_default_str()
+      ->check(numberWithin(0, 8192));
   app.add_option("--channels", options.channels, "Output channels that carry the signal")
       ->capture_default_str()
-      ->check(CLI::Range(1, 64));
+      ->check(numberWithin(1, 64));
 }
 
 void addSensorOptions(CLI::App& app, SensorOptions& options) {
   app.add_option("--sensor", options.port,
                  "Serial force sensor, for example /dev/ttyACM0 (docs/serial-protocol.md)");
-  app.add_option("--baud", options.baud, "Its baud rate")->capture_default_str();
+  CLI::Validator isRate = CLI::IsMember(baudRates);
+  isRate.description("");
+  app.add_option("--baud", options.baud, "Its baud rate, 1200 to 4000000")
+      ->capture_default_str()
+      ->check(isRate);
 }
 
 Result<DeviceProfile> profileOf(const std::string& file) {

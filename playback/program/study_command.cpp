@@ -15,6 +15,7 @@
 #include "playback/program/choice_option.h"
 #include "playback/program/confusion_command.h"
 #include "playback/program/json_output.h"
+#include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
 #include "playback/program/study_terminal.h"
 #include "playback/trials/participant_session.h"
@@ -31,6 +32,8 @@ const std::map<std::string, FeedbackMode> modes{{"full", FeedbackMode::full},
                                                 {"click-only", FeedbackMode::clickOnly},
                                                 {"slope-only", FeedbackMode::slopeOnly}};
 const std::map<std::string, Listening> listenings{{"quiet", Listening::quiet}, {"masked", Listening::masked}};
+
+constexpr double usualNoiseLevel = 0.1;
 
 // ---- new
 
@@ -179,13 +182,23 @@ void addRun(CLI::App& parent, Action& chosen) {
   app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
   app->add_option("--simulate", a->simulation, "The program answers: guess, perfect or errors=P (0..1)");
   addChoice(*app, "--condition", a->listening, listenings,
-            "What reaches the ears, kept in every row: silence, or noise you play", "quiet");
+            "What reaches the ears, kept in every row: silence, or rain from headphones", "quiet");
+  app->add_option("--noise-level", a->devices.player.masking.level,
+                  "masked: rms of the rain, share of full scale, 0..0.3; 0: you play a noise yourself")
+      ->default_str(CLI::detail::to_string(usualNoiseLevel))
+      ->check(numberWithin(0, 0.3));
+  app->add_option("--noise-device", a->devices.player.masking.device,
+                  "masked: the headphones' sound device; default: the outputs behind the vibration's");
   app->add_flag("--rehearse", a->devices.rehearse, "Without a sound device; every row says so");
   app->add_option("--profile", a->devices.sensorProfileFile, "Calibration of the sensor");
   addDeviceOptions(*app, a->devices.player);
   addSensorOptions(*app, a->devices.sensor);
   app->add_flag("--json", a->json, "One JSON object on stdout");
-  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); }; });
+  a->devices.player.masking.level = usualNoiseLevel;
+  app->callback([&chosen, a] {
+    if (a->listening == Listening::quiet) a->devices.player.masking = {};
+    chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); };
+  });
 }
 
 // ---- status, report

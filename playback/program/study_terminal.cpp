@@ -173,12 +173,22 @@ Result<ParticipantRecord> askParticipant(const Study& study, const std::string& 
   Result<std::unique_ptr<StudyPlayer>> player =
       playerFor(study, devices, answeredForReal(*before, participant));
   if (!player) return player.failure();
-  const SessionStart start{(*player)->sounding() ? SessionKind::real : SessionKind::rehearsal, listening,
-                           (*player)->device(), "", wallClock_s()};
+  const bool sounding = (*player)->sounding();
+  const double noiseLevel = sounding ? devices.player.masking.level : 0;
+  const SessionStart start{sounding ? SessionKind::real : SessionKind::rehearsal,
+                           listening,
+                           (*player)->device(),
+                           "",
+                           wallClock_s(),
+                           noiseLevel};
   Result<ParticipantSession> session = ParticipantSession::open(study, participant, start);
   if (!session) return session.failure();
   for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
   if (session->trial() == nullptr) return session->record();
+  if (noiseLevel > 0)
+    std::fprintf(stderr, "Rain plays %s; turn it up until the vibration cannot be heard.\n",
+                 devices.player.masking.device.empty() ? "on the outputs behind the vibration's"
+                                                       : ("on " + devices.player.masking.device).c_str());
   if (session->record().answers.empty()) {
     if (Result<std::string> consent = readTextFile((study.folder / "consent.txt").string()); consent)
       std::fprintf(stderr, "%s", consent->c_str());

@@ -10,6 +10,7 @@
 
 #include "model/file/text_file.h"
 #include "playback/program/json_output.h"
+#include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
 #include "playback/study/profile_file.h"
 #include "playback/study/sweep.h"
@@ -26,7 +27,7 @@ struct SweepArguments {
   bool json = false;
 };
 
-constexpr std::size_t mostRuns = 5;
+constexpr std::size_t mostRuns = 8;
 
 void addOptions(CLI::App& app, SweepArguments& a) {
   addDeviceOptions(app, a.player);
@@ -37,16 +38,16 @@ void addOptions(CLI::App& app, SweepArguments& a) {
   app.add_option("--csv", a.csvFile, "Response as CSV");
   app.add_option("--from-hz", a.sweep.from_Hz, "Lowest frequency in Hz")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(numberWithin(1, 96000));
   app.add_option("--to-hz", a.sweep.to_Hz, "Highest frequency in Hz")
       ->capture_default_str()
-      ->check(CLI::PositiveNumber);
+      ->check(numberWithin(1, 96000));
   app.add_option("--seconds", a.sweep.duration_s, "Length of the sweep in s")
       ->capture_default_str()
-      ->check(CLI::Range(0.5, 120.0));
+      ->check(numberWithin(0.5, 120));
   app.add_option("--level", a.sweep.level, "Share of full scale")
       ->capture_default_str()
-      ->check(CLI::Range(0.001, 1.0));
+      ->check(numberWithin(0.001, 1));
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
@@ -62,7 +63,20 @@ double ownRateOf(const std::string& device) {
   return usual_Hz;
 }
 
-/// One sweep proves nothing on a busy machine: a dropout looks like a resonance. Two that agree do.
+/// What was lost of a run, for the person; empty: nothing.
+std::string lostIn(const SoundRecording& recorded, const FrequencyResponse& response) {
+  if (recorded.dropouts > 0)
+    return "the sound system lost " + std::to_string(recorded.dropouts) +
+           (recorded.dropouts == 1 ? " block" : " blocks");
+  if (response.dropouts_s.empty()) return {};
+  char text[80];
+  std::snprintf(text, sizeof text, "sound is missing at %.2f s", response.dropouts_s.front());
+  return text + (response.dropouts_s.size() > 1
+                     ? " and " + std::to_string(response.dropouts_s.size() - 1) + " more places"
+                     : std::string());
+}
+
+/// One sweep proves nothing on a busy machine: a dropout looks like a resonance. Two without any, that agree, do.
 Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const PlayerSettings& player,
                                                const SweepSettings& settings, const Cancelled& cancelled) {
   const std::vector<float> played = sweepSignal(settings);
@@ -70,14 +84,14 @@ Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const Pl
   for (std::size_t run = 1; run <= mostRuns; ++run) {
     std::fprintf(stderr, "Run %zu: playing %.0f s from %.0f to %.0f Hz at %.0f samples per second ...\n", run,
                  settings.duration_s, settings.from_Hz, settings.to_Hz, settings.sampleRate_Hz);
-    Result<std::vector<float>> recorded = playAndRecordSamples(player, a.inputDevice, played);
+    Result<SoundRecording> recorded = playAndRecordSamples(player, a.inputDevice, played, cancelled);
     if (!recorded) return recorded.failure();
-    if (cancelled()) {
-      return Failure{FailureCode::wrongUsage, "sweep", "", "was cancelled; nothing was written",
-                     "Start it again"};
-    }
-    Result<FrequencyResponse> response = analyseSweep(played, *recorded, settings);
+    Result<FrequencyResponse> response = analyseSweep(played, recorded->samples, settings);
     if (!response) return response.failure();
+    if (const std::string lost = lostIn(*recorded, *response); !lost.empty()) {
+      std::fprintf(stderr, "Run %zu does not count: %s\n", run, lost.c_str());
+      continue;
+    }
     for (const FrequencyResponse& before : runs) {
       if (agree(before, *response)) return response;
     }
@@ -85,7 +99,7 @@ Result<FrequencyResponse> measureUntilTwoAgree(const SweepArguments& a, const Pl
   }
   return Failure{
       FailureCode::notCertain, "sweep", "",
-      "no two of " + std::to_string(mostRuns) + " runs agree; nothing was written",
+      "no two of " + std::to_string(mostRuns) + " runs are whole and agree; nothing was written",
       "Close other programs, enlarge the sound server's buffer, fix the device so that nothing rattles"};
 }
 

@@ -8,6 +8,7 @@ namespace detent::playback {
 namespace {
 
 constexpr double gainRamp_s = 0.01;
+constexpr double lookAhead_s = 0.004;  // more than the half wave of a grain, 3.3 ms
 
 // Bursts that keep their distance queue up at most this long; only a trembling no finger can make gets there.
 constexpr double longestQueue_s = 0.1;
@@ -17,6 +18,12 @@ constexpr double frameRounding = 1e-6;
 
 std::int64_t wholeFrame(double time_frames) {
   return static_cast<std::int64_t>(std::ceil(time_frames - frameRounding));
+}
+
+double withinLimits(double sampleRate_Hz) {
+  if (!(sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz)) return HapticEngine::lowestSampleRate_Hz;
+  return sampleRate_Hz > HapticEngine::highestSampleRate_Hz ? HapticEngine::highestSampleRate_Hz
+                                                            : sampleRate_Hz;
 }
 
 }  // namespace
@@ -39,9 +46,26 @@ EventKind kindOf(CrossingKind kind) {
   return EventKind::contactOpened;
 }
 
-HapticEngine::HapticEngine(double sampleRate_Hz) : sampleRate_Hz_(sampleRate_Hz) {
-  if (!(sampleRate_Hz_ >= lowestSampleRate_Hz)) sampleRate_Hz_ = lowestSampleRate_Hz;
-  if (sampleRate_Hz_ > highestSampleRate_Hz) sampleRate_Hz_ = highestSampleRate_Hz;
+HapticEngine::HapticEngine(double sampleRate_Hz) : sampleRate_Hz_(withinLimits(sampleRate_Hz)) {}
+
+void HapticEngine::setSampleRate(double sampleRate_Hz) {
+  sampleRate_Hz_ = withinLimits(sampleRate_Hz);
+  inputHead_ = inputCount_ = 0;
+  hasLastInput_ = false;
+  forgetWaiting();
+  for (SoundChain& c : chains_) c.stop();
+  gain_ = gainTarget_;
+  limiter_.reset();
+  lookFrame_ = never;
+  if (program_ == nullptr) return;
+  chain().use(*program_, sampleRate_Hz_);
+  limiter_.configure(program_->limiterCeiling, program_->limiterRelease_s * sampleRate_Hz_);
+}
+
+void HapticEngine::forgetWaiting() {
+  pendingCount_ = 0;
+  lastScheduled_ = now_;
+  nextBurstFrame_ = now_;
 }
 
 void HapticEngine::use(const HapticProgram* program) {
@@ -49,20 +73,19 @@ void HapticEngine::use(const HapticProgram* program) {
   program_ = program;
   counts_.suppressed = tracker_.suppressed();
   tracker_.use(program);
-  // What was still to come belongs to the old program.
-  pendingCount_ = 0;
-  lastScheduled_ = now_;
-  nextBurstFrame_ = now_;
+  forgetWaiting();  // what was still to come belongs to the old program
   if (program == nullptr) return;
   tracker_.placeAtForce(force_N);
   if (!chain().silent()) current_ = (current_ + 1) % chainCount;
   chain().use(*program, sampleRate_Hz_);
   limiter_.configure(program->limiterCeiling, program->limiterRelease_s * sampleRate_Hz_);
+  lookFrame_ = now_;
 }
 
 void HapticEngine::setGain(double gain) {
   gainTarget_ = gain > 0 ? gain : 0;
   gainStep_ = (gainTarget_ - gain_) / (gainRamp_s * sampleRate_Hz_);
+  lookFrame_ = now_;
 }
 
 std::int64_t HapticEngine::inputFrame(const EngineInput& input) const {
@@ -249,6 +272,7 @@ void HapticEngine::play(const Pending& pending) {
 }
 
 void HapticEngine::startBurst(const Burst& burst) {
+  lookFrame_ = now_;
   if (chain().startBurst(burst)) ++counts_.stolenVoices;
 }
 
@@ -290,7 +314,8 @@ void HapticEngine::render(float* out, std::size_t count) {
   while (now_ < end) {
     applyDueInputs();
     playDue();
-    std::int64_t until = end;
+    if (now_ >= lookFrame_ || loudest() > lookedAt_) lookAhead();
+    std::int64_t until = lookFrame_ < end ? lookFrame_ : end;
     if (inputCount_ > 0 && inputFrame(inputs_[inputHead_]) < until) until = inputFrame(inputs_[inputHead_]);
     if (pendingCount_ > 0 && pending_[pendingHead_].frame < until) until = pending_[pendingHead_].frame;
     const auto n = static_cast<std::size_t>(until - now_);
@@ -305,6 +330,43 @@ void HapticEngine::render(float* out, std::size_t count) {
     now_ += static_cast<std::int64_t>(step);
     out += step;
   }
+}
+
+double HapticEngine::loudest() const {
+  double sum = 0;
+  for (const SoundChain& c : chains_) sum += c.loudest();
+  return sum * (gain_ > gainTarget_ ? gain_ : gainTarget_);
+}
+
+// What sounds is settled until the next event: a copy of the chains tells it, without a delay of the sound.
+void HapticEngine::lookAhead() {
+  lookedAt_ = loudest();
+  lookFrame_ = never;
+  if (!(lookedAt_ > limiter_.ceiling())) {
+    limiter_.expect(1, 0);
+    return;
+  }
+  const double gain = gain_ > gainTarget_ ? gain_ : gainTarget_;
+  const double bearable = limiter_.ceiling() / limiter_.gain();
+  const auto horizon = static_cast<std::size_t>(lookAhead_s * sampleRate_Hz_);
+  ahead_ = chains_;
+  double highest = 0;
+  std::size_t within = horizon;
+  for (std::size_t done = 0; done < horizon;) {
+    const std::size_t count = horizon - done < span ? horizon - done : span;
+    for (std::size_t i = 0; i < count; ++i) mix_[i] = 0;
+    for (SoundChain& c : ahead_) {
+      if (!c.silent()) c.addTo(mix_.data(), bus_.data(), count);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const double level = std::fabs(mix_[i]) * gain;
+      if (level > bearable && done + i < within) within = done + i;
+      if (level > highest) highest = level;
+    }
+    done += count;
+  }
+  limiter_.expect(highest > limiter_.ceiling() ? limiter_.ceiling() / highest : 1, within);
+  lookFrame_ = now_ + static_cast<std::int64_t>(horizon / 2);
 }
 
 void HapticEngine::renderSpan(float* out, std::size_t count) {

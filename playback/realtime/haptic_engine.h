@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "playback/realtime/haptic_program.h"
 #include "playback/realtime/limiter.h"
@@ -82,6 +83,9 @@ class HapticEngine {
   HapticEngine& operator=(const HapticEngine&) = delete;
 
   double sampleRate_Hz() const { return sampleRate_Hz_; }
+  /// Goes on at another rate, within the same limits: program, position, gain and counts stay, what sounded or waited is gone.
+  /// While no callback runs.
+  void setSampleRate(double sampleRate_Hz);
   std::int64_t frame() const { return now_; }
 
   /// Plays another program from the next sample on; `program` must outlive its use (nullptr: silence).
@@ -133,6 +137,7 @@ class HapticEngine {
   static constexpr std::size_t reportCapacity = 4096;
   static constexpr std::size_t chainCount = 3;
   static constexpr std::size_t span = 256;
+  static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
 
   void applyDueInputs();
   void apply(const EngineInput& input);
@@ -142,9 +147,12 @@ class HapticEngine {
   void playDue();
   void play(const Pending& pending);
   void startBurst(const Burst& burst);
+  double loudest() const;
+  void lookAhead();
   void report(const EngineEvent& event);
   void renderSpan(float* out, std::size_t count);
   bool silent() const;
+  void forgetWaiting();
   std::int64_t inputFrame(const EngineInput& input) const;
 
   double sampleRate_Hz_;
@@ -171,6 +179,9 @@ class HapticEngine {
   std::size_t current_ = 0;
   double gain_ = 1, gainTarget_ = 1, gainStep_ = 0;
   Limiter limiter_;
+  std::int64_t lookFrame_ = never;  // when the limiter is told again what comes
+  double lookedAt_ = 0;             // loudest() when it was told last
+  std::array<SoundChain, chainCount> ahead_;
   float peak_ = 0;
   EngineCounts counts_;
   std::array<double, span> mix_, bus_;

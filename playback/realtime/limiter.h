@@ -6,9 +6,9 @@
 
 namespace detent::playback {
 
-/// Zero-latency limiter: the gain falls at once to what the sample needs and recovers in a straight line, so
-/// it is exactly 1 again after `release`. Below the ceiling the signal passes bit for bit. Not finite samples
-/// become silence.
+/// Limiter without latency. What is told beforehand (`expect`) is turned down before it comes, in a straight line, so that an attack
+/// keeps its form; what was not told, at once. The gain recovers in a straight line and is exactly 1 again after `release`. Below
+/// the ceiling the signal passes bit for bit. Not finite samples become silence.
 class Limiter {
  public:
   /// ceiling in (0, 1]; release in samples, >= 1.
@@ -16,17 +16,32 @@ class Limiter {
     ceiling_ = ceiling;
     recovery_ = 1 / (release_samples > 1 ? release_samples : 1);
   }
-  void reset() { gain_ = 1; }
-  bool idle() const { return gain_ == 1; }
+  void reset() {
+    gain_ = highest_ = 1;
+    fall_ = 0;
+  }
+  bool idle() const { return gain_ == 1 && highest_ == 1; }
   double gain() const { return gain_; }
+  double ceiling() const { return ceiling_; }
+
+  /// Samples to come need a gain of at most `highest` (0..1], reached `within` samples from now.
+  void expect(double highest, std::size_t within) {
+    highest_ = highest;
+    fall_ = gain_ > highest ? (gain_ - highest) / static_cast<double>(within + 1) : 0;
+  }
 
   void process(const double* in, float* out, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
       double x = in[i];
       if (!(x - x == 0)) x = 0;  // infinite or not a number
       const double level = x < 0 ? -x : x;
-      gain_ += recovery_;
-      if (gain_ > 1) gain_ = 1;
+      if (gain_ > highest_) {
+        gain_ -= fall_;
+        if (gain_ < highest_) gain_ = highest_;
+      } else {
+        gain_ += recovery_;
+        if (gain_ > highest_) gain_ = highest_;
+      }
       if (level * gain_ > ceiling_) gain_ = ceiling_ / level;
       double y = x * gain_;
       if (y > ceiling_) y = ceiling_;
@@ -39,6 +54,7 @@ class Limiter {
   double ceiling_ = 1;
   double recovery_ = 1;
   double gain_ = 1;
+  double highest_ = 1, fall_ = 0;
 };
 
 }  // namespace detent::playback

@@ -2,6 +2,7 @@
 #include "playback/realtime/live_session.h"
 
 #include <array>
+#include <atomic>
 
 #include <readerwriterqueue/readerwriterqueue.h>
 
@@ -19,9 +20,11 @@ constexpr double stale_s = 0.2;
 
 /// What the callback and the other threads share, and the callback's own book-keeping.
 struct LiveSession::State {
-  explicit State(double sampleRate_Hz) : engine(sampleRate_Hz), clock(engine.sampleRate_Hz()) {}
+  explicit State(double wanted_Hz)
+      : engine(wanted_Hz), sampleRate_Hz(engine.sampleRate_Hz()), clock(engine.sampleRate_Hz()) {}
 
   HapticEngine engine;
+  std::atomic<double> sampleRate_Hz;  // the engine's, for other threads
   StreamClock clock;
   double lastInput_frames = 0;
   double entry_s = 0;  // of the running callback
@@ -40,7 +43,30 @@ struct LiveSession::State {
 LiveSession::LiveSession(double sampleRate_Hz) : state_(std::make_unique<State>(sampleRate_Hz)) {}
 LiveSession::~LiveSession() = default;
 
-double LiveSession::sampleRate_Hz() const { return state_->engine.sampleRate_Hz(); }
+double LiveSession::sampleRate_Hz() const { return state_->sampleRate_Hz.load(std::memory_order_relaxed); }
+
+void LiveSession::setSampleRate(double sampleRate_Hz) {
+  State& s = *state_;
+  takeWhileAway();
+  s.engine.setSampleRate(sampleRate_Hz);
+  s.sampleRate_Hz.store(s.engine.sampleRate_Hz(), std::memory_order_relaxed);
+  s.clock = StreamClock(s.engine.sampleRate_Hz());
+}
+
+void LiveSession::takeWhileAway() {
+  State& s = *state_;
+  SessionCommand command;
+  for (auto& lane : s.lanes) {
+    while (lane.try_dequeue(command)) {
+      if (command.kind == CommandKind::program || command.kind == CommandKind::gain) {
+        handle(command, 0);
+      } else {
+        ++s.status.staleCommands;
+      }
+    }
+  }
+  publishRetired();
+}
 
 bool LiveSession::send(Lane lane, const SessionCommand& command) {
   return state_->lanes[static_cast<std::size_t>(lane)].try_enqueue(command);
@@ -123,6 +149,7 @@ void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
       const HapticProgram* old = engine.program();
       engine.use(command.program);
       if (old == nullptr) break;
+      if (s.retiredCount == s.retired.size()) publishRetired();
       if (s.retiredCount < s.retired.size()) s.retired[s.retiredCount++] = old;
       break;
     }
@@ -141,15 +168,21 @@ void LiveSession::account(double spent_s, std::size_t count, bool xrun) {
   if (xrun) ++status.xruns;
 }
 
-void LiveSession::publish() {
+void LiveSession::publishRetired() {
   State& s = *state_;
   SessionReport report;
   report.kind = ReportKind::retired;
   while (s.retiredCount > 0) {
     report.retired = s.retired[s.retiredCount - 1];
-    if (!s.reports.try_enqueue(report)) break;  // a program must come home: try again next block
+    if (!s.reports.try_enqueue(report)) return;  // a program must come home: try again next block
     --s.retiredCount;
   }
+}
+
+void LiveSession::publish() {
+  State& s = *state_;
+  publishRetired();
+  SessionReport report;
   report.kind = ReportKind::event;
   while (s.engine.nextEvent(report.event)) {
     if (!s.reports.try_enqueue(report)) ++s.status.droppedReports;

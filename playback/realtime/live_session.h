@@ -68,7 +68,14 @@ class LiveSession {
   LiveSession(const LiveSession&) = delete;
   LiveSession& operator=(const LiveSession&) = delete;
 
+  /// Any thread.
   double sampleRate_Hz() const;
+
+  /// These two belong to whoever opens and closes the stream, while no callback runs.
+  /// The next stream runs at this rate: program, position, gain and counts stay; a trace that was playing is gone.
+  void setSampleRate(double sampleRate_Hz);
+  /// Takes the programs and gains that were sent meanwhile, so that nothing piles up; what was to be felt is dropped.
+  void takeWhileAway();
 
   /// The lane's producer thread. False: queue full, message not taken (never allocates, never blocks).
   bool send(Lane lane, const SessionCommand& command);
@@ -88,6 +95,7 @@ class LiveSession {
   void handle(const SessionCommand& command, std::size_t count);
   double frameOf(const SessionCommand& command) const;
   void publish();
+  void publishRetired();
 
   std::unique_ptr<State> state_;
 };

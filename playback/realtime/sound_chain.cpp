@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/realtime/sound_chain.h"
 
+#include <cmath>
+
 namespace detent::playback {
+
+namespace {
+constexpr double lowPassOvershoot = 1.3;  // of a restarted grain behind the Butterworth section of order 2
+}
 
 void SoundChain::use(const HapticProgram& program, double sampleRate_Hz) {
   stop();
@@ -13,10 +19,12 @@ void SoundChain::use(const HapticProgram& program, double sampleRate_Hz) {
   highPassOn_ = program.highPass_Hz > 0;
   highPass_.setCoefficients(highPass(sampleRate_Hz, program.highPass_Hz));
   equalizerCount_ = 0;
+  raise_ = program.gain * lowPassOvershoot;
   for (std::size_t i = 0; i < program.equalizerBandCount && i < maxEqualizerBands; ++i) {
     const EqualizerBand& band = program.equalizer[i];
     equalizer_[equalizerCount_++].setCoefficients(
         peaking(sampleRate_Hz, band.frequency_Hz, band.q, band.gain_dB));
+    if (band.gain_dB > 0) raise_ *= std::pow(10, band.gain_dB / 20);
   }
   stealFade_frames_ = static_cast<std::int64_t>(program.stealFade_s * sampleRate_Hz);
   gain_ = program.gain;
@@ -66,6 +74,14 @@ bool SoundChain::silent() const {
     if (v.active()) return false;
   }
   return true;
+}
+
+double SoundChain::loudest() const {
+  double sum = grain_.active() ? grain_.amplitude() : 0;
+  for (const Voice& v : voices_) {
+    if (v.active()) sum += v.amplitude();
+  }
+  return raise_ * sum;
 }
 
 void SoundChain::addTo(double* mix, double* bus, std::size_t count) {

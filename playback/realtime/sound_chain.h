@@ -32,6 +32,8 @@ class SoundChain {
 
   /// Nothing sounds and no filter rings.
   bool silent() const;
+  /// What the sum of its voices cannot pass, by far: their amplitudes, as much as gain and equalizer raise them.
+  double loudest() const;
 
   /// Adds `count` samples to `mix`; `bus` is working space of that length.
   void addTo(double* mix, double* bus, std::size_t count);
@@ -47,6 +49,7 @@ class SoundChain {
   std::size_t equalizerCount_ = 0;
   std::int64_t stealFade_frames_ = 1;
   double gain_ = 1;
+  double raise_ = 1;  // by gain, equalizer and the overshoot of the low-pass
 };
 
 }  // namespace detent::playback

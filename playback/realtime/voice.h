@@ -16,6 +16,7 @@ class Voice {
   bool active() const { return position_ < length_; }
   bool fading() const { return fadeLength_ > 0; }
   std::int64_t age() const { return position_; }
+  double amplitude() const { return amplitude_; }
   /// Share of its level a fading voice still has; 1 when not fading.
   double fadeLevel() const {
     return fading() ? 1.0 - static_cast<double>(fadePosition_) / static_cast<double>(fadeLength_) : 1.0;

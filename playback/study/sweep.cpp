@@ -20,6 +20,10 @@ constexpr double stepsPerOctave = 24;
 constexpr double regularisation = 1e-6;  // of the sweep's strongest bin
 constexpr double faintest_dB = 20;       // the response's peak over the rest of the deconvolution
 
+// Lost sound (dropoutsIn). A block of 256 samples is 5 ms; half the expected level is more than distortion makes.
+constexpr double look_s = 0.005, around_s = 0.05;
+constexpr double lostShare = 0.5, overOrdinary = 6;
+
 using Spectrum = std::vector<std::complex<double>>;
 
 Spectrum spectrumOf(const std::vector<float>& samples, std::size_t size) {
@@ -82,6 +86,45 @@ void findResonances(FrequencyResponse& r, const SweepSettings& settings) {
             [](const Resonance& x, const Resonance& y) { return x.gain_dB > y.gain_dB; });
 }
 
+double rootMeanSquare(const std::vector<double>& squaresUpTo, std::size_t from, std::size_t to) {
+  return std::sqrt(std::max(0.0, squaresUpTo[to] - squaresUpTo[from]) / static_cast<double>(to - from));
+}
+
+/// Running sums of squares: `value(i)` for i < n.
+template <class Value>
+std::vector<double> sumsOfSquares(std::size_t n, Value value) {
+  std::vector<double> sums(n + 1, 0);
+  for (std::size_t i = 0; i < n; ++i) sums[i + 1] = sums[i] + value(i) * value(i);
+  return sums;
+}
+
+/// Times at which the recording departs from `expected` by half its level and far more than it ordinarily does.
+std::vector<double> dropoutsIn(const std::vector<float>& recorded, const Spectrum& expected,
+                               double sampleRate_Hz) {
+  const std::size_t n = recorded.size();
+  const auto width = std::max<std::size_t>(1, static_cast<std::size_t>(look_s * sampleRate_Hz));
+  const auto around = static_cast<std::size_t>(around_s * sampleRate_Hz);
+  const std::vector<double> level = sumsOfSquares(n, [&](std::size_t i) { return expected[i].real(); });
+  const std::vector<double> rest =
+      sumsOfSquares(n, [&](std::size_t i) { return static_cast<double>(recorded[i]) - expected[i].real(); });
+  std::vector<double> rests;
+  for (std::size_t i = 0; i + width <= n; i += width) rests.push_back(rootMeanSquare(rest, i, i + width));
+  if (rests.empty()) return {};
+  std::vector<double> sorted = rests;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
+  const double ordinary = sorted[sorted.size() / 2];
+  std::vector<double> times_s;
+  for (std::size_t k = 0; k < rests.size(); ++k) {
+    const std::size_t at = k * width;
+    const double here =
+        rootMeanSquare(level, at > around ? at - around : 0, std::min(n, at + width + around));
+    if (!(rests[k] > lostShare * here && rests[k] > overOrdinary * ordinary)) continue;
+    const double time_s = static_cast<double>(at) / sampleRate_Hz;
+    if (times_s.empty() || time_s - times_s.back() > around_s) times_s.push_back(time_s);
+  }
+  return times_s;
+}
+
 }  // namespace
 
 std::vector<float> sweepSignal(const SweepSettings& s) {
@@ -131,16 +174,21 @@ Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const s
   const auto before = static_cast<std::size_t>(beforePeak_s * settings.sampleRate_Hz);
   const auto length = static_cast<std::size_t>(responseLength_s * settings.sampleRate_Hz);
   const std::size_t analysed = powerOfTwo(length);
-  Spectrum response(analysed);
+  Spectrum response(analysed), expected(size);
   for (std::size_t i = 0; i < length; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(length);
     const double window = i < before ? static_cast<double>(i) / static_cast<double>(before)
                                      : 0.5 * (1 + std::cos(std::numbers::pi * share));
-    response[i] = h[(peak + size - before + i) % size].real() * window;
+    const std::size_t at = (peak + size - before + i) % size;
+    response[i] = expected[at] = h[at].real() * window;
   }
   transform(response, Transform::forward);
+  transform(expected, Transform::forward);
+  for (std::size_t i = 0; i < size; ++i) expected[i] *= x[i];
+  transform(expected, Transform::inverse);
 
   FrequencyResponse result;
+  result.dropouts_s = dropoutsIn(recorded, expected, settings.sampleRate_Hz);
   result.delay_s = static_cast<double>(peak) / settings.sampleRate_Hz;
   const double binWidth = settings.sampleRate_Hz / static_cast<double>(analysed);
   const auto steps =

@@ -30,6 +30,8 @@ struct FrequencyResponse {
   std::vector<double> gain_dB;        ///< recorded over played
   std::vector<Resonance> resonances;  ///< strongest first
   double delay_s = 0;                 ///< of the sound path
+  std::vector<double>
+      dropouts_s;  ///< where the recording is not what this device makes of the sweep: sound was lost
 };
 
 /// `recorded` as long as `played`. Failure: notCertain when nothing of the sweep is in the recording.

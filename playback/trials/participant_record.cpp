@@ -107,6 +107,7 @@ class Replay {
     s.device = json.at("device");
     s.simulation = json.at("simulation");
     s.utc_s = json.at("utc_s");
+    s.noiseLevel = json.value("noise_level", 0.0);  // journals before it was made here have none
     if (const std::size_t cut = json.at("cut_bytes"); cut > 0)
       note("half a line (" + std::to_string(cut) + " bytes) was cut off: what it held was never confirmed");
     if (!record_.sessions.empty()) placeAfterPause(s);
@@ -241,6 +242,7 @@ std::string sessionLine(const SessionStart& s, std::size_t cutBytes, std::string
                   {"kind", nameOf(s.kind)},
                   {"listening", nameOf(s.listening)},
                   {"device", s.device},
+                  {"noise_level", s.noiseLevel},
                   {"simulation", s.simulation},
                   {"program", version()},
                   {"utc_s", s.utc_s},

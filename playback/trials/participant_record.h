@@ -31,6 +31,7 @@ struct SessionStart {
   std::string device;      ///< sound device; empty in rehearsal and simulation
   std::string simulation;  ///< "guess", "perfect", "errors=0.1"; else empty
   double utc_s = 0;        ///< wall clock, since 1970
+  double noiseLevel = 0;   ///< of the masking noise made here, rms share of full scale; 0: none was made
 };
 
 /// One answer. Times are of a steady clock, which never steps.

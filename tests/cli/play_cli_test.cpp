@@ -138,6 +138,35 @@ TEST_CASE("usage: help states defaults and exit codes, nonsense is wrong usage")
   CHECK(play({"none.button.json"}).exitCode == 3);
 }
 
+TEST_CASE("usage: ports, channels, rates and numbers are looked at before any device or file") {
+  const Play play;
+  const std::vector<std::pair<std::string, std::string>> wrong{
+      {"--osc", "99999"},      {"--osc", "1.2.3.4:"},   {"--osc", "-1"},
+      {"--udp", "9000x"},      {"--udp", ""},           {"--signals-to", "localhost"},
+      {"--signals-to", "h:0"}, {"--channels", "-3"},    {"--channels", "0"},
+      {"--channels", "many"},  {"--gain", "nan"},       {"--gain", "11"},
+      {"--seconds", "inf"},    {"--buffer", "-3"},      {"--baud", "0"},
+      {"--baud", "115201"},    {"--device-rate", "-1"}, {"--finger-N", "0,5"}};
+  for (const auto& [option, value] : wrong) {
+    const ProgramResult r = play({"no-such.button.json", option, value});
+    INFO(option << " " << value << ": " << r.err);
+    CHECK(r.exitCode == 2);
+    CHECK(contains(r.err, option));
+    CHECK(r.out.empty());
+  }
+  CHECK(play({"sweep", "-o", "x.device", "--level", "nan"}).exitCode == 2);
+  CHECK(play({"latency", "--sensor-hz", "5"}).exitCode == 2);
+  CHECK(play({"study", "run", "s", "--participant", "P", "--noise-level", "0.5"}).exitCode == 2);
+  play.write("falling.device",
+             "detent-device 1\nsensor.circuit = linear\nsensor.full_scale_counts = 1023\nsensor.coefficients "
+             "= 0 -2\n");
+  const ProgramResult falling =
+      play({"render", "A.button.json", "--standard-press", "-o", "a.wav", "--profile", "falling.device"});
+  INFO(falling.err);
+  CHECK(falling.exitCode != 0);
+  CHECK_FALSE(play.has("a.wav"));
+}
+
 TEST_CASE("calibrate: known weights become a profile that keeps what it had") {
   const Play play;
   play.write("weights.csv", "mass_g,raw\n20,38\n50,91\n100,168\n200,290\n500,513\n1000,680\n");

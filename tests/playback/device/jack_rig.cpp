@@ -98,12 +98,13 @@ void JackServer::stop() {
   ready_ = false;
 }
 
-void JackServer::start() {
+void JackServer::start(int rate_Hz) {
   for (const bool realtime : {true, false}) {
     std::vector<std::string> command{"jackd", "-n", name_};
     if (realtime) command.insert(command.end(), {"-R", "-P70"});
     if (!realtime) command.push_back("-r");
-    command.insert(command.end(), {"-d", "dummy", "-r", "48000", "-p", std::to_string(period_)});
+    command.insert(command.end(),
+                   {"-d", "dummy", "-r", std::to_string(rate_Hz), "-p", std::to_string(period_)});
     server_ = std::make_unique<ChildProcess>(command);
     for (int i = 0; i < 60 && server_->running(); ++i) {
       sleepFor(0.05);

@@ -37,7 +37,7 @@ class JackServer {
   bool ready() const { return ready_; }
   std::string whyNot() const { return why_; }
   void stop();
-  void start();
+  void start(int rate_Hz = 48000);
 
  private:
   int period_;

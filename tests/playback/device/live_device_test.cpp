@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <memory>
 
 #include <catch2/catch.hpp>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include "playback/device/signal_server.h"
 #include "playback/device/steady_clock.h"
@@ -49,6 +52,22 @@ PressTrace raisedCosine(double duration_s, double peak_N) {
 std::size_t firstSound(const std::vector<float>& samples) {
   return static_cast<std::size_t>(
       std::find_if(samples.begin(), samples.end(), [](float v) { return v != 0; }) - samples.begin());
+}
+
+struct ProcessUse {
+  double cpu_s = 0;
+  long resident_bytes = 0;
+};
+
+ProcessUse useOfThisProcess() {
+  rusage use{};
+  ::getrusage(RUSAGE_SELF, &use);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  long all = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> all >> resident;
+  return {seconds(use.ru_utime) + seconds(use.ru_stime), resident * ::sysconf(_SC_PAGESIZE)};
 }
 
 template <class Condition>
@@ -131,6 +150,85 @@ TEST_CASE("live: the sound device goes away and comes back") {
   }));
 }
 
+TEST_CASE("live: while the device is away nothing piles up, and it may come back at another rate") {
+  JackServer server(256);
+  if (skipped(server, "return of the sound device at another rate")) return;
+  const auto tactile = std::make_unique<HapticProgram>(programOf(tactileButton()));
+  const auto twoLevel = std::make_unique<HapticProgram>(programOf(twoLevelButton()));
+  Result<std::unique_ptr<LivePlayer>> started = LivePlayer::start(jackSettings(), *tactile);
+  REQUIRE(started);
+  LivePlayer& player = **started;
+  CHECK(within(2, [&] { return player.status().blockFrames > 0; }));
+  CHECK(player.status().sampleRate_Hz == 48000);
+  server.stop();
+  REQUIRE(within(5, [&] { return player.status().deviceLost; }));
+
+  const ProcessUse before = useOfThisProcess();
+  constexpr double away_s = 3;
+  for (const double end_s = now_s() + away_s; now_s() < end_s; sleepUntil(now_s() + 0.005)) {
+    player.setProgram(*twoLevel);  // 130 kB each
+    player.setGain(1);
+    player.pushForce(0.1);
+    player.status();
+  }
+  const ProcessUse after = useOfThisProcess();
+  std::cout << "away: " << 100 * (after.cpu_s - before.cpu_s) / away_s << " % of a processor, "
+            << static_cast<double>(after.resident_bytes - before.resident_bytes) / 1e6 << " MB more\n";
+  CHECK(after.cpu_s - before.cpu_s < 0.25 * away_s);  // 600 programs were prepared to be played, too
+  CHECK(after.resident_bytes - before.resident_bytes < 30000000);
+
+  server.start(44100);
+  REQUIRE(server.ready());
+  CHECK(within(8, [&] { return !player.status().deviceLost; }));
+  CHECK(player.status().sampleRate_Hz == 44100);
+  const PressTrace trace = raisedCosine(0.6, 4);
+  RenderSettings render;
+  render.sampleRate_Hz = 44100;
+  const Result<RenderedPress> offline = renderPress(*twoLevel, trace, render);
+  REQUIRE(offline);
+  std::vector<float> expected = offline->samples;
+  expected.erase(expected.begin(), expected.begin() + static_cast<long>(firstSound(expected)));
+  bool identical = false;
+  for (int attempt = 0; attempt < attempts && !identical; ++attempt) {
+    JackListener listener;
+    REQUIRE(listener.listenTo("detent:out_1"));
+    sleepUntil(now_s() + 0.1);
+    REQUIRE(player.playTrace(trace, 0.3));
+    REQUIRE(within(3, [&] { return !player.tracePlaying(); }));
+    sleepUntil(now_s() + 0.3);
+    const std::vector<float> heard = listener.recorded();
+    const std::size_t at = firstSound(heard);
+    REQUIRE(heard.size() >= at + expected.size());
+    identical = std::memcmp(heard.data() + at, expected.data(), expected.size() * sizeof(float)) == 0;
+  }
+  CHECK(identical);
+}
+
+TEST_CASE("live: rain comes from the second output alone, at the level asked for") {
+  JackServer server(256);
+  if (skipped(server, "masking noise")) return;
+  const auto program = std::make_unique<HapticProgram>(programOf(tactileButton()));
+  PlayerSettings settings = jackSettings();
+  settings.masking.level = 0.1;
+  Result<std::unique_ptr<LivePlayer>> player = LivePlayer::start(settings, *program);
+  REQUIRE(player);
+  JackListener ears, finger;
+  REQUIRE(ears.listenTo("detent:out_2"));
+  REQUIRE(finger.listenTo("detent:out_1"));
+  sleepUntil(now_s() + 2.2);
+  const std::vector<float> heard = ears.recorded(), felt = finger.recorded();
+  REQUIRE(heard.size() > 48000);
+  double squares = 0;
+  for (std::size_t i = heard.size() - 48000; i < heard.size(); ++i)
+    squares += static_cast<double>(heard[i]) * static_cast<double>(heard[i]);
+  CHECK(std::sqrt(squares / 48000) == Approx(0.1).epsilon(0.1));
+  CHECK(firstSound(felt) == felt.size());
+  (*player)->fingerTap(1.5, 0.1);
+  CHECK(within(3, [&] { return (*player)->status().counts.releaseJumps == 1; }));
+  settings.masking.device = settings.device;
+  CHECK(LivePlayer::start(settings, *program).failure().exitCode() == 2);
+}
+
 TEST_CASE("live: fingers, sensors and messages are felt; programs exchange under the finger") {
   JackServer server(128);
   if (skipped(server, "live sources")) return;
@@ -209,8 +307,8 @@ TEST_CASE("measure: latency through a loop of the sound server") {
   LatencySettings settings;
   settings.player = jackSettings();
   settings.trials = 8;
-  const Result<LatencyResult> result =
-      measureLatency(settings, [](std::size_t, std::size_t) { return true; });
+  const Result<LatencyResult> result = measureLatency(
+      settings, [](std::size_t, std::size_t) {}, [] { return false; });
   INFO((result ? std::string() : result.failure().sentence()));
   REQUIRE(result);
   CHECK(result->delays_s.size() >= 7);
@@ -239,10 +337,10 @@ TEST_CASE("measure: a sweep through a known resonance finds it") {
   player.sampleRate_Hz = 48000;
   bool found = false;
   for (int attempt = 0; attempt < attempts && !found; ++attempt) {
-    const Result<std::vector<float>> recorded = playAndRecordSamples(player, "", played);
+    const Result<SoundRecording> recorded = playAndRecordSamples(player, "", played, [] { return false; });
     INFO((recorded ? std::string() : recorded.failure().sentence()));
     REQUIRE(recorded);
-    const Result<FrequencyResponse> response = analyseSweep(played, *recorded, settings);
+    const Result<FrequencyResponse> response = analyseSweep(played, recorded->samples, settings);
     if (!response || response->resonances.empty()) continue;
     found = std::fabs(response->resonances[0].frequency_Hz - 390) < 6;
   }

@@ -76,7 +76,8 @@ TEST_CASE("prepare: the device's resonance and equalizer are used when asked for
   CHECK(programOf(tactileButton(), settings, profile).equalizerBandCount == 0);
   const Result<PreparedProgram> without = prepareProgram(tactileButton(), {}, settings);
   REQUIRE(without);
-  CHECK_FALSE(without->summary.warnings.empty());
+  REQUIRE(without->summary.warnings.size() == 1);
+  CHECK(without->summary.warnings[0].code == PrepareWarningCode::noResonance);
 }
 
 TEST_CASE("prepare: settings outside their range are refused by name") {
@@ -157,7 +158,7 @@ TEST_CASE("prepare: of more equal jumps than a program holds the first are kept,
         prepared->program.states[0].press.jumps[1].from_mm);
   const auto& warnings = prepared->summary.warnings;
   CHECK(std::any_of(warnings.begin(), warnings.end(),
-                    [](const std::string& w) { return w.find("left out") != std::string::npos; }));
+                    [](const PrepareWarning& w) { return w.code == PrepareWarningCode::jumpsLeftOut; }));
 }
 
 TEST_CASE("prepare: a transducer's power bounds the ceiling, its sensor's noise the hysteresis") {

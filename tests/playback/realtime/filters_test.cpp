@@ -6,6 +6,7 @@
 
 #include "playback/realtime/biquad.h"
 #include "playback/realtime/limiter.h"
+#include "playback/realtime/rain_noise.h"
 #include "playback/realtime/sine.h"
 
 using namespace detent::playback;
@@ -77,4 +78,37 @@ TEST_CASE("limiter: never beyond the ceiling, transparent below it, silence for 
   limiter.process(quiet.data(), after.data(), quiet.size());
   CHECK(after.back() == 0.5f);
   CHECK(limiter.idle());
+}
+
+TEST_CASE("rain: the level asked for at every rate, comes up slowly, covers what a transducer sounds like") {
+  for (const double rate : {8000.0, 44100.0, 48000.0, 192000.0}) {
+    RainNoise rain(0.1);
+    rain.setSampleRate(rate);
+    std::vector<float> out(static_cast<std::size_t>(6 * rate));
+    rain.render(out.data(), out.size());
+    double early = 0, squares = 0, mean = 0, middle = 0, count = 0;
+    Biquad above, below;
+    above.setCoefficients(highPass(rate, 100));
+    below.setCoefficients(lowPass(rate, 1000, 2));
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const double v = static_cast<double>(out[i]);
+      REQUIRE(std::fabs(v) <= 1);
+      if (static_cast<double>(i) < 0.05 * rate) early = std::fmax(early, std::fabs(v));
+      double band = v;
+      above.process(&band, 1);
+      below.process(&band, 1);
+      if (static_cast<double>(i) < 1.5 * rate) continue;
+      squares += v * v;
+      middle += band * band;
+      mean += v;
+      ++count;
+    }
+    INFO(rate << " Hz");
+    CHECK(std::sqrt(squares / count) == Approx(0.1).epsilon(0.06));
+    CHECK(std::fabs(mean / count) < 1e-3);
+    CHECK(early < 0.03);
+    CHECK(middle > 0.2 * squares);
+  }
+  RainNoise none(0);
+  CHECK_FALSE(none.audible());
 }

@@ -390,3 +390,46 @@ TEST_CASE("engine: another program leaves no step in what sounds") {
   engine->render(out.data() + 1000, out.size() - 1000);
   for (std::size_t i = 1; i < out.size(); ++i) CHECK(std::fabs(out[i] - out[i - 1]) < 0.03f);
 }
+
+TEST_CASE("engine: the limiter keeps the form of an attack") {
+  // How far the output lies from the same sound at another level, share of its own; clipped it is 0.1 and more.
+  const auto misshapen = [](double gain, double before) {
+    auto program = std::make_unique<HapticProgram>(programOf(linearButton()));
+    program->gain = gain;
+    const auto render = [&](double ceiling) {
+      program->limiterCeiling = ceiling;
+      const auto engine = std::make_unique<HapticEngine>(48000);
+      engine->use(program.get());
+      if (before > 0) engine->trigger(0, {150, 0.06, before, Envelope::falling});
+      engine->trigger(960, {390, 0.034, 0.9, Envelope::falling});
+      std::vector<float> out(2400);
+      engine->render(out.data(), out.size());
+      return out;
+    };
+    const std::vector<float> limited = render(0.6);
+    std::vector<double> free(limited.size(), 0);
+    for (std::size_t i = 0; i < free.size(); ++i) {
+      const auto burst = [&](double at, double frequency, double length, double amplitude) {
+        const double t = (static_cast<double>(i) - at) / 48000;
+        return t >= 0 && t < length ? amplitude * (1 - t / length) * std::sin(2 * M_PI * frequency * t) : 0;
+      };
+      free[i] = gain * (burst(960, 390, 0.034, 0.9) + (before > 0 ? burst(0, 150, 0.06, before) : 0));
+    }
+    double product = 0, own = 0, rest = 0;
+    for (std::size_t i = 960; i < 1200; ++i) {  // 5 ms from the attack
+      product += free[i] * static_cast<double>(limited[i]);
+      own += free[i] * free[i];
+    }
+    double energy = 0;
+    for (std::size_t i = 960; i < 1200; ++i) {
+      const double v = static_cast<double>(limited[i]);
+      rest += (v - product / own * free[i]) * (v - product / own * free[i]);
+      energy += v * v;
+    }
+    return std::sqrt(rest / energy);
+  };
+  CHECK(misshapen(1, 0) < 0.02);
+  CHECK(misshapen(4, 0) < 0.02);
+  CHECK(misshapen(1, 0.4) < 0.05);
+  CHECK(misshapen(4, 0.1) < 0.05);
+}

@@ -59,6 +59,38 @@ TEST_CASE("session: a time-stamped message sounds one block after its time, what
   CHECK(delays[delays.size() / 2] == Approx(64 / 48000.0).margin(1e-4));
 }
 
+TEST_CASE("session: without a stream programs come home and take over, at whatever rate the next one has") {
+  const auto a = std::make_unique<HapticProgram>(programOf(linearButton()));
+  const auto b = std::make_unique<HapticProgram>(programOf(tactileButton()));
+  LiveSession session(48000);
+  session.send(Lane::control, {CommandKind::program, TimeBase::now, 0, 0, {}, a.get()});
+  std::vector<float> out(256);
+  session.process(out.data(), out.size(), 0);
+  std::size_t home = 0;
+  const auto takeReports = [&] {
+    SessionReport report;
+    while (session.receive(report)) home += report.kind == ReportKind::retired ? 1 : 0;
+  };
+  for (int i = 0; i < 100; ++i) {
+    session.send(Lane::control, {CommandKind::program, TimeBase::now, 0, 0, {}, b.get()});
+    session.send(Lane::network, {CommandKind::burst, TimeBase::now, 0, 0, {390, 0.5, 0.8}});
+  }
+  session.takeWhileAway();
+  takeReports();
+  CHECK(home == 100);
+  session.send(Lane::trace, {CommandKind::force, TimeBase::streamFrames, 300, 0.9, {}, nullptr});
+  session.setSampleRate(96000);
+  CHECK(session.sampleRate_Hz() == 96000);
+  session.process(out.data(), out.size(), 1);
+  CHECK(std::all_of(out.begin(), out.end(), [](float v) { return v == 0; }));  // nothing of what was missed
+  session.send(Lane::network, {CommandKind::burst, TimeBase::now, 0, 0, {1000, 0.1, 0.8}});
+  session.process(out.data(), out.size(), 1 + 256 / 96000.0);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double t = static_cast<double>(i) / 96000;
+    CHECK(out[i] == Approx(0.8 * (1 - t / 0.1) * std::sin(2 * M_PI * 1000 * t)).margin(1e-6));
+  }
+}
+
 TEST_CASE("session: programs come home, status and events arrive, a full lane refuses") {
   const auto a = std::make_unique<HapticProgram>(programOf(linearButton()));
   const auto b = std::make_unique<HapticProgram>(programOf(tactileButton()));

@@ -68,6 +68,43 @@ TEST_CASE("sweep: resonances, gain and delay of a known device are found, with n
   CHECK(responseCsv(*response).find("frequency_Hz,gain_dB\n") == 0);
 }
 
+TEST_CASE("sweep: lost sound is seen, noise, distortion and rattling resonances are not taken for it") {
+  SweepSettings settings;
+  settings.duration_s = 4;
+  const std::vector<float> played = sweepSignal(settings);
+  const auto recordedWith = [&](double lostAt_s, std::size_t lost, bool shifts) {
+    Biquad resonance;
+    resonance.setCoefficients(peaking(settings.sampleRate_Hz, 390, 10, 14));
+    std::mt19937 random(4);
+    std::normal_distribution<double> noise(0, 0.001);
+    std::vector<float> recorded(played.size(), 0);
+    const std::size_t delay = 800;
+    const auto gap = static_cast<std::size_t>(lostAt_s * settings.sampleRate_Hz);
+    for (std::size_t i = delay; i < recorded.size(); ++i) {
+      const std::size_t from = i - delay + (shifts && i > gap ? lost : 0);
+      double v = 0.1 * static_cast<double>(from < played.size() ? played[from] : 0);
+      resonance.process(&v, 1);
+      const bool silent = !shifts && i >= gap && i < gap + lost;
+      recorded[i] = static_cast<float>((silent ? 0 : v + 0.5 * v * v) + noise(random));
+    }
+    return recorded;
+  };
+  const auto clean = analyseSweep(played, recordedWith(0, 0, false), settings);
+  REQUIRE(clean);
+  CHECK(clean->dropouts_s.empty());
+  for (const double at_s : {1.5, 2.5, 3.5}) {
+    for (const std::size_t lost : {std::size_t{256}, std::size_t{1024}}) {
+      for (const bool shifts : {false, true}) {
+        const auto response = analyseSweep(played, recordedWith(at_s, lost, shifts), settings);
+        INFO(at_s << " s, " << lost << " samples, " << (shifts ? "cut out" : "silent"));
+        REQUIRE(response);
+        CHECK_FALSE(response->dropouts_s.empty());
+        if (!shifts) CHECK(response->dropouts_s.front() == Approx(at_s).margin(0.02));
+      }
+    }
+  }
+}
+
 TEST_CASE("sweep: an input without the sweep is said to be one") {
   SweepSettings settings;
   settings.duration_s = 1;
