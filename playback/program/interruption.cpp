@@ -8,7 +8,7 @@ namespace detent::playback {
 
 namespace {
 // What nobody minds after Ctrl-C (0.5 s), less what the system needs to end a process.
-constexpr double grace_s = 0.35;
+constexpr double grace_s = 0.3;
 }  // namespace
 
 struct Interruption::Hearing {

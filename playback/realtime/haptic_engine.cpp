@@ -9,6 +9,8 @@ namespace {
 
 constexpr double gainRamp_s = 0.01;
 constexpr double lookAhead_s = 0.004;  // more than the half wave of a grain, 3.3 ms
+// Turning down moves the output by at most so much of full scale, as a sine of 240 Hz does: no click.
+constexpr double steepestTurn_per_s = 1500;
 
 // Bursts that keep their distance queue up at most this long; only a trembling no finger can make gets there.
 constexpr double longestQueue_s = 0.1;
@@ -347,11 +349,9 @@ void HapticEngine::lookAhead() {
     return;
   }
   const double gain = gain_ > gainTarget_ ? gain_ : gainTarget_;
-  const double bearable = limiter_.ceiling() / limiter_.gain();
   const auto horizon = static_cast<std::size_t>(lookAhead_s * sampleRate_Hz_);
   ahead_ = chains_;
-  double highest = 0;
-  std::size_t within = horizon;
+  double highest = 0, first = 0;
   for (std::size_t done = 0; done < horizon;) {
     const std::size_t count = horizon - done < span ? horizon - done : span;
     for (std::size_t i = 0; i < count; ++i) mix_[i] = 0;
@@ -360,12 +360,15 @@ void HapticEngine::lookAhead() {
     }
     for (std::size_t i = 0; i < count; ++i) {
       const double level = std::fabs(mix_[i]) * gain;
-      if (level > bearable && done + i < within) within = done + i;
+      if (done + i == 0) first = level;
       if (level > highest) highest = level;
     }
     done += count;
   }
-  limiter_.expect(highest > limiter_.ceiling() ? limiter_.ceiling() / highest : 1, within);
+  const double wanted = highest > limiter_.ceiling() ? limiter_.ceiling() / highest : 1;
+  // As soon as what sounds now lets it: out of silence at once.
+  const double step = first * std::fmax(0.0, limiter_.gain() - wanted);
+  limiter_.expect(wanted, static_cast<std::size_t>(step / steepestTurn_per_s * sampleRate_Hz_));
   lookFrame_ = now_ + static_cast<std::int64_t>(horizon / 2);
 }
 

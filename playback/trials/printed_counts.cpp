@@ -46,7 +46,7 @@ GroupResult groupFrom(const Json& json, const std::vector<std::string>& labels) 
         first, second,
         {json.at("errors").at(labels[first] + "-" + labels[second]), group.participantCount * perTest});
     if (json.contains("pair_fails"))
-      pair.failCount = json["pair_fails"].value(labels[first] + "-" + labels[second], 0);
+      pair.failCount = json["pair_fails"].value(labels[first] + "-" + labels[second], std::size_t{0});
     group.pairs.push_back(std::move(pair));
   }
   return group;

@@ -59,11 +59,6 @@ std::string table1(const StudyResults& results) {
   return text;
 }
 
-/// K&L's shading as marks: one participant failed *, two or more **.
-std::string mark(const PairResult& pair) {
-  return pair.failCount == 0 ? "" : pair.failCount == 1 ? "*" : "**";
-}
-
 const PairResult* pairOf(const GroupResult& group, std::size_t first, std::size_t second) {
   for (const PairResult& pair : group.pairs)
     if (pair.first == first && pair.second == second) return &pair;
@@ -81,7 +76,7 @@ std::string table2(const StudyResults& results, const GroupResult& group) {
     for (std::size_t first = 0; first < second; ++first) {
       const PairResult* pair = pairOf(group, first, second);
       text += formatted("%8s",
-                        pair == nullptr ? "" : (std::to_string(pair->errors.errors) + mark(*pair)).c_str());
+                        pair == nullptr ? "" : (std::to_string(pair->errors.errors) + markOf(*pair)).c_str());
     }
     text += "\n";
   }
@@ -94,10 +89,11 @@ std::string pairLines(const StudyResults& results, const GroupResult& group) {
   for (const PairResult& pair : group.pairs) {
     const std::string name = results.labels[pair.first] + "-" + results.labels[pair.second];
     const char* bound = pair.sensitivity.atLeast ? ">=" : "  ";
-    text += formatted("  %-16.16s %5zu/%-4zu  %5.1f   %11s   %13s%.2f   %12s%.2f   %5zu\n", name.c_str(),
+    text += formatted("  %-16.16s %5zu/%-4zu  %5.1f   %11s   %13s%.2f   %12s%.2f   %5s\n", name.c_str(),
                       pair.errors.errors, pair.errors.trials, 100 * rateOf(pair.errors),
                       intervalText(pair.wilson).c_str(), bound, pair.sensitivity.differencing, bound,
-                      pair.sensitivity.independent, pair.failCount);
+                      pair.sensitivity.independent,
+                      pair.failCount ? std::to_string(*pair.failCount).c_str() : "-");
   }
   return text;
 }
@@ -136,7 +132,7 @@ Json jsonOf(const StudyResults& results, const GroupResult& g) {
                      {"d_prime_differencing", p.sensitivity.differencing},
                      {"d_prime_independent", p.sensitivity.independent},
                      {"d_prime_at_least", p.sensitivity.atLeast},
-                     {"fails", p.failCount},
+                     {"fails", p.failCount ? Json(*p.failCount) : Json(nullptr)},
                      {"tests", tests}});
   }
   return {{"condition", g.condition},

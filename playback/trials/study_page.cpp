@@ -101,9 +101,9 @@ const PairResult* pairOf(const GroupResult& group, std::size_t first, std::size_
 
 std::string table2Cell(const PairResult* pair) {
   if (pair == nullptr) return "<td></td>";
-  const char* shade = pair->failCount == 0 ? "" : pair->failCount == 1 ? " class=\"one\"" : " class=\"more\"";
-  const char* mark = pair->failCount == 0 ? "" : pair->failCount == 1 ? "*" : "**";
-  return formatted("<td%s>%zu%s</td>", shade, pair->errors.errors, mark);
+  const std::size_t fails = pair->failCount.value_or(0);
+  const char* shade = fails == 0 ? "" : fails == 1 ? " class=\"one\"" : " class=\"more\"";
+  return formatted("<td%s>%zu%s</td>", shade, pair->errors.errors, markOf(*pair));
 }
 
 std::string table2(const StudyResults& results, const GroupResult& group) {
@@ -117,8 +117,12 @@ std::string table2(const StudyResults& results, const GroupResult& group) {
     for (std::size_t first = 0; first < second; ++first) text += table2Cell(pairOf(group, first, second));
     text += "</tr>\n";
   }
+  const bool told = std::any_of(group.pairs.begin(), group.pairs.end(),
+                                [](const PairResult& pair) { return pair.failCount.has_value(); });
   return text +
-         "<caption>* light: one participant failed the ABX test of the pair; ** dark: two or more.</caption>"
+         (told ? "<caption>* light: one participant failed the ABX test of the pair; ** dark: two or "
+                 "more.</caption>"
+               : "<caption>Which pairs' tests were failed is not told.</caption>") +
          "</table></section>\n";
 }
 
@@ -177,7 +181,7 @@ std::string pairTable(const StudyResults& results, const GroupResult& group) {
             cell(interval(pair.wilson)) + cell(interval(pair.clopperPearson)) +
             cell(sensitivity(pair.sensitivity, pair.sensitivity.differencing)) +
             cell(sensitivity(pair.sensitivity, pair.sensitivity.independent)) +
-            cell(std::to_string(pair.failCount)) + "</tr>\n";
+            cell(pair.failCount ? std::to_string(*pair.failCount) : "–") + "</tr>\n";
   }
   return text +
          "<caption>d′ of all participants together. Pairs are mixed, so differencing is the model that fits; "

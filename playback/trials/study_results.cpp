@@ -115,7 +115,7 @@ void addPairs(GroupResult& group, const Study& study, const Rows& rows, const Di
         std::count_if(tests.begin(), tests.end(), [](const AbxTest& t) { return !t.discriminates; }));
     pair.tests = std::move(tests);
     group.fails.trials += pair.tests.size();
-    group.fails.errors += pair.failCount;
+    group.fails.errors += *pair.failCount;
     group.pairs.push_back(std::move(pair));
   }
 }
@@ -197,6 +197,11 @@ Sensitivity sensitivityOf(const Count& errors) {
   s.differencing = dPrimeOf(correct, AbxStrategy::differencing);
   s.independent = dPrimeOf(correct, AbxStrategy::independentObservations);
   return s;
+}
+
+const char* markOf(const PairResult& pair) {
+  const std::size_t fails = pair.failCount.value_or(0);
+  return fails == 0 ? "" : fails == 1 ? "*" : "**";
 }
 
 PairResult pairResult(std::size_t first, std::size_t second, const Count& errors) {

@@ -62,9 +62,11 @@ struct PairResult {
   Count errors;                       ///< of all participants
   Interval wilson, clopperPearson;
   Sensitivity sensitivity;
-  std::vector<AbxTest> tests;  ///< complete ones: all trials of the pair answered
-  std::size_t failCount = 0;   ///< of the tests, those not passed
+  std::vector<AbxTest> tests;            ///< complete ones: all trials of the pair answered
+  std::optional<std::size_t> failCount;  ///< of the tests, those not passed; none: printed counts do not tell
 };
+/// K&L's shading of Table 2 as marks: one participant failed *, two or more **.
+const char* markOf(const PairResult& pair);
 /// A pair's figures from its count; tests and fails are still to be added.
 PairResult pairResult(std::size_t first, std::size_t second, const Count& errors);
 

@@ -138,6 +138,28 @@ TEST_CASE("usage: help states defaults and exit codes, nonsense is wrong usage")
   CHECK(play({"none.button.json"}).exitCode == 3);
 }
 
+TEST_CASE("render: long presses are warned of, samples stand as asked") {
+  const Play play;
+  play.write("long.csv", "time_s,force_N\n0,0\n0.2,1.5\n0.4,0\n601,0\n");
+  const ProgramResult warned = play(
+      {"render", "B.button.json", "--press", "long.csv", "-o", "a.wav", "--rate", "8000", "--bits", "16"});
+  CHECK(warned.exitCode == 0);
+  CHECK(contains(warned.err, "lasts 10 minutes"));
+  const std::vector<std::pair<std::string, std::string>> formats{
+      {"16", {1, 0, 1, 0}}, {"24", {1, 0, 1, 0}}, {"float", {3, 0, 1, 0}}};
+  for (const auto& [bits, head] : formats) {
+    const ProgramResult r =
+        play({"render", "B.button.json", "--standard-press", "-o", "b.wav", "--bits", bits});
+    CHECK(r.exitCode == 0);
+    CHECK_FALSE(contains(r.err, "warning"));
+    const std::string wav = play.read("b.wav");
+    CHECK(wav.substr(20, 4) == head);
+    CHECK(static_cast<int>(wav[34]) == (bits == "float" ? 32 : std::stoi(bits)));
+  }
+  CHECK(play({"render", "B.button.json", "--standard-press", "-o", "c.flac", "--bits", "float"}).exitCode ==
+        2);
+}
+
 TEST_CASE("usage: ports, channels, rates and numbers are looked at before any device or file") {
   const Play play;
   const std::vector<std::pair<std::string, std::string>> wrong{

@@ -2,11 +2,13 @@
 // The live path on a real sound server: JACK with its dummy driver.
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <thread>
 
 #include <catch2/catch.hpp>
 #include <sys/resource.h>
@@ -202,6 +204,28 @@ TEST_CASE("live: while the device is away nothing piles up, and it may come back
     identical = std::memcmp(heard.data() + at, expected.data(), expected.size() * sizeof(float)) == 0;
   }
   CHECK(identical);
+}
+
+TEST_CASE("live: traces from several threads replace each other, the last one plays to its end") {
+  JackServer server(256);
+  if (skipped(server, "traces from several threads")) return;
+  const auto program = std::make_unique<HapticProgram>(programOf(tactileButton()));
+  Result<std::unique_ptr<LivePlayer>> started = LivePlayer::start(jackSettings(), *program);
+  REQUIRE(started);
+  LivePlayer& player = **started;
+  const PressTrace trace = raisedCosine(0.2, 1.5);
+  std::vector<std::thread> threads;
+  std::atomic<int> taken{0};
+  for (int t = 0; t < 4; ++t) {
+    threads.emplace_back([&] {
+      for (int i = 0; i < 5; ++i) taken += player.playTrace(trace, 0.05) ? 1 : 0;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  CHECK(taken == 20);
+  CHECK(player.tracePlaying());
+  CHECK(within(3, [&] { return !player.tracePlaying(); }));
+  CHECK(player.status().counts.bottomOuts >= 1);
 }
 
 TEST_CASE("live: rain comes from the second output alone, at the level asked for") {

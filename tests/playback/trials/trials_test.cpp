@@ -349,7 +349,7 @@ TEST_CASE("results: a perfect and a guessing participant, the rule and its p") {
   CHECK(*results.rule.mostErrors == 1);
   CHECK(results.rule.p == Approx(11.0 / 1024));
   for (const PairResult& pair : group.pairs) {
-    CHECK(pair.failCount == 1);
+    CHECK(pair.failCount == std::size_t{1});
     CHECK(pair.tests[0].discriminates);
     CHECK(pair.tests[0].adjusted == Approx(3.0 / 1024));
   }
@@ -392,4 +392,5 @@ TEST_CASE("Kim & Lee's printed counts: their percentages, and what does not add 
         "\"76/96\" is printed (79.2 %)", "72 trials", "57/72", "24 participants", "52/72"})
     CHECK(text.find(figure) != std::string::npos);
   CHECK(results->warnings.size() == 2);
+  for (const PairResult& pair : results->groups.front().pairs) CHECK_FALSE(pair.failCount.has_value());
 }

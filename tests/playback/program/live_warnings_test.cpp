@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/live_warnings.h"
+
+#include <catch2/catch.hpp>
+
+#include "tests/playback/sample_buttons.h"
+
+using namespace detent;
+using namespace detent::playback;
+using namespace detent::test;
+
+namespace {
+
+/// A player at whose sensor nothing is wrong.
+PlayerStatus healthy() {
+  PlayerStatus status;
+  status.sensor = SensorCondition::running;
+  return status;
+}
+
+}  // namespace
+
+TEST_CASE("live warnings: nothing is said where nothing is wrong") {
+  LiveWarnings warnings(true);
+  for (int i = 0; i < 100; ++i) CHECK(warnings.look(healthy(), 0.05 * i).empty());
+  CHECK(warnings.mostUrgent().empty());
+}
+
+TEST_CASE("live warnings: what is wrong stands on the line as long as it lasts, and is told once") {
+  const auto troubles = {SensorCondition::unplugged, SensorCondition::silent, SensorCondition::stuck};
+  for (const SensorCondition condition : troubles) {
+    LiveWarnings warnings(true);
+    PlayerStatus status = healthy();
+    status.sensor = condition;
+    CHECK(warnings.look(status, 0).size() == 1);
+    CHECK_FALSE(warnings.mostUrgent().empty());
+    for (int i = 1; i < 200; ++i) CHECK(warnings.look(status, 0.05 * i).empty());
+    CHECK_FALSE(warnings.mostUrgent().empty());
+    CHECK(warnings.look(healthy(), 11).empty());
+    CHECK(warnings.mostUrgent().empty());
+    CHECK(warnings.look(status, 12).size() == 1);
+  }
+}
+
+TEST_CASE("live warnings: a lost device comes before everything else") {
+  LiveWarnings warnings(true);
+  PlayerStatus status = healthy();
+  status.sensor = SensorCondition::unplugged;
+  warnings.look(status, 0);
+  const std::string sensor = warnings.mostUrgent();
+  status.deviceLost = true;
+  CHECK(warnings.look(status, 0.1).size() == 1);
+  CHECK(warnings.mostUrgent() != sensor);
+}
+
+TEST_CASE("live warnings: what is counted is told with its number, every ten seconds at most") {
+  for (std::uint64_t PlayerStatus::*count :
+       {&PlayerStatus::xruns, &PlayerStatus::droppedReadings, &PlayerStatus::droppedEvents,
+        &PlayerStatus::rejectedReadings, &PlayerStatus::malformedLines, &PlayerStatus::malformedMessages,
+        &PlayerStatus::limitedBlocks}) {
+    LiveWarnings warnings(true);
+    PlayerStatus status = healthy();
+    status.*count = 3;
+    const std::vector<std::string> first = warnings.look(status, 0);
+    REQUIRE(first.size() == 1);
+    CHECK(first[0][0] == '3');
+    std::size_t told = 0;
+    for (int i = 1; i <= 200; ++i) {
+      ++(status.*count);
+      told += warnings.look(status, 0.05 * i).size();
+    }
+    CHECK(told == 1);
+    CHECK_FALSE(warnings.mostUrgent().empty());
+    warnings.look(status, 14);
+    CHECK(warnings.mostUrgent().empty());
+  }
+}
+
+TEST_CASE("live warnings: counts without a calibration, and forces by message that come too seldom") {
+  PlayerStatus status = healthy();
+  status.sensorSendsCounts = true;
+  CHECK(LiveWarnings(true).look(status, 0).empty());
+  CHECK(LiveWarnings(false).look(status, 0).size() == 1);
+
+  const auto toldAt = [](double rate_Hz) {
+    LiveWarnings warnings(true);
+    PlayerStatus messages;
+    std::size_t told = 0;
+    for (double t = 0; t < 5; t += 0.05) {
+      messages.messageForces = static_cast<std::uint64_t>(t * rate_Hz);
+      told += warnings.look(messages, t).size();
+    }
+    return told;
+  };
+  CHECK(toldAt(50) == 1);
+  CHECK(toldAt(425) == 0);
+}
+
+TEST_CASE("live doubts: what this button or device cannot give is said before anybody presses") {
+  ButtonState state = stateOf("", {{0, 0}, {2, 1}}, {});
+  const auto doubts = [&](const LiveArguments& arguments, PlaybackSettings settings, const Button& button) {
+    const Result<PreparedProgram> program = prepareProgram(button, {}, settings);
+    REQUIRE(program);
+    return doubtsAbout(arguments, button, {}, *program).size();
+  };
+  const Button plain = buttonOf("plain", {state});
+  CHECK(doubts({}, {}, plain) == 0);
+  LiveArguments arguments;
+  arguments.sensor.port = "/dev/ttyACM0";
+  CHECK(doubts(arguments, {}, plain) == 1);
+  arguments = {};
+  arguments.signalTarget = Endpoint{"localhost", 9001};
+  CHECK(doubts(arguments, {}, plain) == 0);
+  PlaybackSettings off;
+  off.mode = FeedbackMode::off;
+  CHECK(doubts(arguments, off, plain) == 1);
+  arguments.pressFile = "press.csv";
+  CHECK(doubts(arguments, {}, plain) == 1);
+}
