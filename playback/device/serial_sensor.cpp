@@ -11,6 +11,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/serial_port.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <termios.h>
 
 #include "playback/device/steady_clock.h"
 
@@ -76,6 +77,7 @@ class SerialSensor::Reader {
     port_.set_option(asio::serial_port_base::stop_bits(asio::serial_port_base::stop_bits::one), ignored);
     port_.set_option(asio::serial_port_base::flow_control(asio::serial_port_base::flow_control::none),
                      ignored);
+    ::tcflush(port_.native_handle(), TCIFLUSH);  // what waited in the port was read at another time
     assembler_.restart();
     aligner_.restart();
     return {};

@@ -110,9 +110,10 @@ std::vector<double> dropoutsIn(const std::vector<float>& recorded, const Spectru
   std::vector<double> rests;
   for (std::size_t i = 0; i + width <= n; i += width) rests.push_back(rootMeanSquare(rest, i, i + width));
   if (rests.empty()) return {};
+  // What noise and distortion leave: a quarter of the recording at least is whole.
   std::vector<double> sorted = rests;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
-  const double ordinary = sorted[sorted.size() / 2];
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 4), sorted.end());
+  const double ordinary = sorted[sorted.size() / 4];
   std::vector<double> times_s;
   for (std::size_t k = 0; k < rests.size(); ++k) {
     const std::size_t at = k * width;

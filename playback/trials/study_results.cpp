@@ -205,7 +205,7 @@ const char* markOf(const PairResult& pair) {
 }
 
 PairResult pairResult(std::size_t first, std::size_t second, const Count& errors) {
-  return {first, second, errors, wilson(errors), clopperPearson(errors), sensitivityOf(errors), {}, 0};
+  return {first, second, errors, wilson(errors), clopperPearson(errors), sensitivityOf(errors), {}, {}};
 }
 
 StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
