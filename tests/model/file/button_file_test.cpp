@@ -22,11 +22,11 @@ using detent::tests::holdsAlways;
 
 namespace {
 
-const std::string fixture =
-    std::string(DETENT_SOURCE_DIR) + "/tests/model/file/fixtures/version-1.button.json";
+const std::string fixtures = std::string(DETENT_SOURCE_DIR) + "/tests/model/file/fixtures/";
+const std::string fixture = fixtures + "version-1.button.json";
 
-Button fixtureButton() {
-  auto button = readButtonFile(fixture);
+Button fixtureButton(const std::string& file = fixture) {
+  auto button = readButtonFile(file);
   INFO((button.ok() ? "" : button.failure().sentence()));
   REQUIRE(button.ok());
   return *button;
@@ -113,6 +113,19 @@ TEST_CASE("the fixture of version 1 reads as it was written, for ever") {
   REQUIRE(p.warnings.size() == 1);
   CHECK(p.warnings[0].code.empty());  // there were none
   CHECK_FALSE(p.warnings[0].text.empty());
+}
+
+TEST_CASE("the fixture of version 2 differs from version 1 by what the version brought") {
+  const Button old = fixtureButton(), button = fixtureButton(fixtures + "version-2.button.json");
+  CHECK(button.name() == "fixture of version 2, kept for ever");
+  CHECK(button.states() == old.states());
+  Provenance p = *button.provenance();
+  REQUIRE(p.warnings.size() == 2);
+  CHECK(p.warnings[0].code == "large-forces-taken-as-gram");
+  CHECK(p.warnings[1].code.empty());
+  CHECK(p.warnings[1].text == old.provenance()->warnings[0].text);
+  p.warnings = old.provenance()->warnings;
+  CHECK(p == *old.provenance());
 }
 
 TEST_CASE("buttons survive the file whole") {
