@@ -7,6 +7,7 @@
 #include <QButtonGroup>
 #include <QHideEvent>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 
 #include "editor/document/message_words.h"
@@ -24,7 +25,7 @@ namespace {
 
 constexpr double stripTail_s = 0.3;  // the strip runs on a little after a press
 constexpr double wideRatio = 1.35;   // wider than this, the parts stand side by side
-constexpr int leastSetup_px = 170;
+constexpr int leastControls_px = 120;
 constexpr FeelSide sides[] = {FeelSide::a, FeelSide::b};
 
 PadButton padButtonOf(const ButtonDocument& document, std::size_t state, double full_N) {
@@ -108,13 +109,8 @@ QWidget* FeelPanel::setupPage(ViewSettings& settings) {
 }
 
 QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
-  setupArea_ = new QScrollArea;
-  setupArea_->setWidget(setupPage(settings));
-  setupArea_->setWidgetResizable(true);
-  setupArea_->setFrameShape(QFrame::NoFrame);
-  setupArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setupArea_->setMinimumHeight(leastSetup_px);
-  setupArea_->hide();
+  setupPage_ = setupPage(settings);
+  setupPage_->hide();
   setupToggle_ = new QToolButton;
   setupToggle_->setObjectName("setupToggle");
   setupToggle_->setText(tr("Setup"));
@@ -124,7 +120,7 @@ QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   setupToggle_->setToolTip(tr("How the pad is pressed, what is felt, devices and force sensor"));
   connect(setupToggle_, &QToolButton::toggled, this, [this](bool open) {
     setupToggle_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
-    setupArea_->setVisible(open);
+    setupPage_->setVisible(open);
     layOut();
   });
   auto* whole = new QWidget;
@@ -132,9 +128,18 @@ QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   column->addWidget(new SoundBox(session_));
   column->addWidget(new ForceBox(settings, session_.force()));
   column->addWidget(setupToggle_, 0, Qt::AlignLeft);
-  column->addWidget(setupArea_, 1);
-  column->addStretch(0);
-  return whole;
+  column->addWidget(setupPage_);
+  column->addStretch(1);
+  // In a low dock not all of it has room; whatever is wrapped, everything can be reached.
+  auto* area = new QScrollArea;
+  area->setObjectName("feelControls");
+  area->setWidget(whole);
+  area->setWidgetResizable(true);
+  area->setFrameShape(QFrame::NoFrame);
+  area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  area->setMinimumSize(whole->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width(),
+                       leastControls_px);
+  return area;
 }
 
 QAction* FeelPanel::ownAction(const char* name, const QString& text, const QString& tip, Qt::Key key) {
@@ -221,7 +226,7 @@ void FeelPanel::layOut() {
   sections_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   sections_->activate();
   writeNames();
-  sections_->setStretch(2, wide ? 3 : (setupArea_->isVisibleTo(this) ? 4 : 0));
+  sections_->setStretch(2, wide ? 3 : (setupPage_->isVisibleTo(this) ? 4 : 0));
 }
 
 // ---- between widgets and session

@@ -11,7 +11,6 @@
 
 class QAction;
 class QBoxLayout;
-class QScrollArea;
 class QToolButton;
 
 namespace detent::editor {
@@ -73,7 +72,7 @@ class FeelPanel : public QWidget {
   SignalView* view_ = nullptr;
   FeelSetup* setup_ = nullptr;
   ForceSetup* forceSetup_ = nullptr;
-  QScrollArea* setupArea_ = nullptr;
+  QWidget* setupPage_ = nullptr;
   std::array<QToolButton*, 2> choices_{};
   QToolButton *setupToggle_ = nullptr, *standardPress_ = nullptr, *myPress_ = nullptr;
   QAction *exchange_ = nullptr, *play_ = nullptr;
