@@ -139,7 +139,7 @@ void FeelSession::setSettings(const FeelSettings& settings) {
   player_.setSoundWanted(settings.sound);
   if (settings.device != before.device || settings.rate_Hz != before.rate_Hz ||
       settings.buffer != before.buffer)
-    player_.setOutput({settings.device.toStdString(), settings.rate_Hz, settings.buffer});
+    player_.setOutput(outputOf(settings));
   const bool profileChanged = settings.profileFile != before.profileFile;
   if (profileChanged) loadProfile();
   if (settings_.sensorPort != before.sensorPort || settings_.sensorBaud != before.sensorBaud ||

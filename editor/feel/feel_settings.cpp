@@ -53,6 +53,14 @@ void read(const QVariantMap& map, const QString& key, bool& value) {
 
 double gainOf(double dB) { return std::pow(10, dB / 20); }
 
+playback::PlayerSettings outputOf(const FeelSettings& settings) {
+  playback::PlayerSettings output;
+  output.device = settings.device.toStdString();
+  output.sampleRate_Hz = settings.rate_Hz;
+  output.bufferFrames = settings.buffer;
+  return output;
+}
+
 QVariantMap toMap(const FeelSettings& s) {
   return {{"drive", wordOf(drives, s.drive)},
           {"full_N", s.full_N},

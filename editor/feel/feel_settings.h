@@ -52,6 +52,8 @@ struct FeelSettings {
 inline constexpr double lowestGain_dB = -40, highestGain_dB = 20;
 inline constexpr double strongestDevice_N = 100, coarsestStep_mm = 1, longestTurn_mm = 1000;
 double gainOf(double dB);  ///< factor
+/// The sound device they choose.
+playback::PlayerSettings outputOf(const FeelSettings& settings);
 
 QVariantMap toMap(const FeelSettings& settings);
 /// Unknown keys are left out, missing and impossible values become defaults.

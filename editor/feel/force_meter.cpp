@@ -62,8 +62,7 @@ void ForceMeter::show(const playback::ForceStatus& status, const ForceEnergy& en
       status.steps > 0 ? static_cast<double>(status.within100us) / static_cast<double>(status.steps) : 1;
   bars_[2] = {
       tr("On time"),
-      tr("%1 %, worst %2 ms").arg(fixedText(100 * punctual, 1), fixedText(1000 * status.worstLate_s, 1)) +
-          (status.missedDeadlines > 0 ? tr(", missed: %1").arg(status.missedDeadlines) : QString()),
+      tr("%1 %, worst %2 ms").arg(fixedText(100 * punctual, 1), fixedText(1000 * status.worstLate_s, 1)),
       punctual, punctual < punctualShare};
   QStringList words;
   for (const Bar& bar : bars_) words << tr("%1: %2").arg(bar.name, bar.text);

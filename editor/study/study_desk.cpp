@@ -21,6 +21,8 @@ namespace detent::editor {
 
 namespace {
 
+constexpr double usualNoiseLevel = 0.1;  // rms, share of full scale; as `detent-play study run`
+
 enum Column { idColumn, answeredColumn, kindColumn, notesColumn, columnCount };
 
 double wallClock_s() {
@@ -152,7 +154,13 @@ QLayout* StudyDesk::nextForm() {
   addChoice(answers_, tr("the program, without an error"), static_cast<int>(Answers::perfect));
   listening_ = comboBox("studyListening", tr("What reaches the ears; kept in every row"));
   addChoice(listening_, tr("quiet"), static_cast<int>(playback::Listening::quiet));
-  addChoice(listening_, tr("masked by noise"), static_cast<int>(playback::Listening::masked));
+  addChoice(listening_, tr("masked by rain"), static_cast<int>(playback::Listening::masked));
+  headphones_ = new QLineEdit;
+  headphones_->setObjectName("studyHeadphones");
+  headphones_->setPlaceholderText(tr("on the outputs behind the vibration's"));
+  headphones_->setToolTip(
+      tr("Sound device on which rain is played for the ears; turn it up until the vibration cannot "
+         "be heard"));
   sensor_ =
       comboBox("studySensor", tr("Serial port of a force sensor under the finger, calibrated by the study's "
                                  "device profile; empty: keys and large buttons press"));
@@ -164,7 +172,11 @@ QLayout* StudyDesk::nextForm() {
   form->addRow(tr("Next &participant:"), participant_);
   form->addRow(tr("&Answers by:"), answers_);
   form->addRow(tr("&Listening:"), listening_);
+  form->addRow(tr("&Headphones:"), headphones_);
   form->addRow(tr("Force &sensor:"), sensor_);
+  const auto showHeadphones = [this, form] { form->setRowVisible(headphones_, masked()); };
+  connect(listening_, &QComboBox::currentIndexChanged, this, showHeadphones);
+  showHeadphones();
   return form;
 }
 
@@ -267,6 +279,7 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   if (Result<Done> ok = playback::checkParticipantId(id); !ok) return ok;
   playback::StudyPlayerSettings settings;
   settings.player = places_.sound();
+  if (masked()) settings.player.masking = {usualNoiseLevel, headphones_->text().trimmed().toStdString()};
   settings.rehearse = answers() == Answers::rehearsal;
   settings.sensorPort = sensor_->currentText().trimmed().toStdString();
   if (work.study->profile) settings.calibration = work.study->profile->sensor;
@@ -279,7 +292,8 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   work.player = *std::move(player);
   playback::SessionStart begin;
   begin.kind = work.player->sounding() ? playback::SessionKind::real : playback::SessionKind::rehearsal;
-  begin.listening = static_cast<playback::Listening>(listening_->currentData().toInt());
+  begin.listening = listening();
+  begin.noiseLevel = work.player->sounding() ? settings.player.masking.level : 0;
   begin.device = work.player->device();
   begin.utc_s = wallClock_s();
   Result<playback::ParticipantSession> session = playback::ParticipantSession::open(*work.study, id, begin);
@@ -306,9 +320,7 @@ Result<Done> StudyDesk::simulate(const playback::Study& study) {
   if (!simulation) return simulation.failure();
   const std::string id = participant_->text().trimmed().toStdString();
   Result<playback::ParticipantSession> session = playback::ParticipantSession::open(
-      study, id,
-      {playback::SessionKind::simulated, static_cast<playback::Listening>(listening_->currentData().toInt()),
-       "", simulation->name, wallClock_s()});
+      study, id, {playback::SessionKind::simulated, listening(), "", simulation->name, wallClock_s()});
   if (!session) return session.failure();
   if (session->trial() == nullptr) return tellDone(id);
   QProgressDialog progress(tr("The program answers…"), tr("Stop"), 0,

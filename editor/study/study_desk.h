@@ -60,6 +60,10 @@ class StudyDesk : public QDialog {
   void writeReport();
   Result<Done> writeReportTo(const QString& file);
   void tell(const QString& text);
+  playback::Listening listening() const {
+    return static_cast<playback::Listening>(listening_->currentData().toInt());
+  }
+  bool masked() const { return listening() == playback::Listening::masked; }
   Answers answers() const { return static_cast<Answers>(answers_->currentData().toInt()); }
 
   StudyPlaces places_;
@@ -67,7 +71,7 @@ class StudyDesk : public QDialog {
   QPointer<StudyWindow> window_;
   QLabel *title_ = nullptr, *trouble_ = nullptr;
   QTableWidget* people_ = nullptr;
-  QLineEdit* participant_ = nullptr;
+  QLineEdit *participant_ = nullptr, *headphones_ = nullptr;
   QComboBox *answers_ = nullptr, *listening_ = nullptr, *sensor_ = nullptr;
   QPushButton *start_ = nullptr, *report_ = nullptr;
 };

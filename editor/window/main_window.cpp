@@ -356,9 +356,7 @@ void MainWindow::showStudy() {
     StudyPlaces places;
     places.documents = [this] { return tabs_->documents(); };
     places.profileFile = [feel] { return feel().profileFile; };
-    places.sound = [feel] {
-      return playback::PlayerSettings{feel().device.toStdString(), feel().rate_Hz, feel().buffer};
-    };
+    places.sound = [feel] { return outputOf(feel()); };
     study_ = new StudyDesk(places, this);
   }
   bringUp(*study_);

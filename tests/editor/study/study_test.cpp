@@ -328,6 +328,22 @@ class StudyTest : public QObject {
     window->close();
   }
 
+  void rainIsPlayedWhereItMasks() {
+    Rig rig;
+    rig.makeStudy();
+    auto* headphones = rig.desk->findChild<QLineEdit*>("studyHeadphones");
+    QVERIFY(!headphones->isVisible());
+    rig.desk->findChild<QComboBox*>("studyListening")->setCurrentIndex(1);
+    QVERIFY(headphones->isVisible());
+    headphones->setText("USB headphones");
+    StudyWindow* window = rig.begin();
+    QVERIFY(rig.asked.player.masking.level > 0);
+    QCOMPARE(rig.asked.player.masking.device, std::string("USB headphones"));
+    QVERIFY(rig.record().sessions.front().listening == playback::Listening::masked);
+    QCOMPARE(rig.record().sessions.front().noiseLevel, rig.asked.player.masking.level);
+    window->close();
+  }
+
   void theSensorReachesTheFinger() {
     Rig rig;
     rig.makeStudy();
