@@ -281,7 +281,8 @@ struct ImportSession::Impl {
     auto itsPage = page(number, progress);
     if (!itsPage) return itsPage.failure();
     const FrameCandidate& candidate = graph.candidate.value;
-    auto view = document->view(**itsPage, candidate.regionBox, candidate.quarterTurns, onPage.key.view);
+    auto view = document->view(**itsPage, candidate.regionBox, candidate.quarterTurns, onPage.key.view,
+                               candidate.lean_deg);
     if (!view) return view.failure();
     graph.view = std::move(view).value();
     return Done{};

@@ -19,10 +19,9 @@ std::optional<LocatedGraph> readWider(const LocatedGraph& graph, const Page& pag
   const auto wide = frameByNumbers(graph.view, graph.frame.value, graph.axes.calibration.value);
   if (!wide) return {};
   LocatedGraph wider = graph;
-  const Point p = graph.view.viewToPage({wide->x0, wide->y0}),
-              q = graph.view.viewToPage({wide->x1, wide->y1});
-  wider.candidate.value.pageBox = {std::min(p.x, q.x), std::min(p.y, q.y), std::max(p.x, q.x),
-                                   std::max(p.y, q.y)};
+  const Affine turn = turnedToPage(page, graph.candidate.value.lean_deg);
+  wider.candidate.value.uprightBox = turn.inverse().after(graph.view.viewToPage).boxOf(*wide);
+  wider.candidate.value.pageBox = turn.boxOf(wider.candidate.value.uprightBox);
   wider.candidate.value.byNumbers = true;
   wider.candidate.evidence.push_back({EvidenceCode::widenedToNumbers});
   auto frame = locatePlotFrame(wider.view, page, wider.candidate.value, progress);
@@ -63,9 +62,11 @@ void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Pa
   if (cal.x.unitFound && cal.y.unitFound) return;
   const Box region = candidate.regionBox.grown(farther * candidate.regionBox.width(),
                                                farther * candidate.regionBox.height());
-  const Box whole{-0.5, -0.5, page.width, page.height};
+  const Box whole =
+      turnedToPage(page, candidate.lean_deg).inverse().boxOf({-0.5, -0.5, page.width, page.height});
   if (candidate.regionBox.contains(region.common(whole))) return;
-  const auto wide = document.view(page, region.common(whole), candidate.quarterTurns, options.view);
+  const auto wide =
+      document.view(page, region.common(whole), candidate.quarterTurns, options.view, candidate.lean_deg);
   if (!wide) return;
   const Affine toWide = wide->viewToPage.inverse().after(graph.view.viewToPage);
   readMissingUnits(graph.axes, *wide, inView(graph.frame.value, toWide), toWide);
@@ -74,7 +75,8 @@ void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Pa
 Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
                                    Found<FrameCandidate> candidate, const LocateOptions& options,
                                    const Progress& progress) {
-  auto view = document.view(page, candidate.value.regionBox, candidate.value.quarterTurns, options.view);
+  auto view = document.view(page, candidate.value.regionBox, candidate.value.quarterTurns, options.view,
+                            candidate.value.lean_deg);
   if (!view) return view.failure();
   auto frame = locatePlotFrame(*view, page, candidate.value, progress);
   if (!frame) return frame.failure();
@@ -96,6 +98,23 @@ RejectedFrame rejection(const FrameCandidate& candidate, const Result<LocatedGra
                      {messagesOf(graph->axes.calibration.evidence)},
                      {{RemedyKind::giveFrame, "if it is a force graph"}}},
                     source, "plot frame")};
+}
+
+/// Candidates that stand where no graph was located.
+std::vector<Found<FrameCandidate>> besideLocated(std::vector<Found<FrameCandidate>> candidates,
+                                                 const std::vector<LocatedGraph>& graphs) {
+  std::erase_if(candidates, [&](const Found<FrameCandidate>& candidate) {
+    return std::any_of(graphs.begin(), graphs.end(), [&](const LocatedGraph& graph) {
+      return !candidate.value.pageBox.common(graph.candidate.value.pageBox).empty();
+    });
+  });
+  return candidates;
+}
+
+/// From the top of the page to its foot, side by side from the left.
+bool readsBefore(const LocatedGraph& a, const LocatedGraph& b) {
+  const Box &p = a.candidate.value.pageBox, &q = b.candidate.value.pageBox;
+  return p.y1 <= q.y0 || (q.y1 > p.y0 && p.x0 < q.x0);
 }
 
 /// Of two rejections the more telling one: doubt about numbers that were read beats "no numbers".
@@ -146,8 +165,10 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
   if (located.graphs.empty() && picture) {
     for (auto& candidate : candidates) candidate.value.paper = PaperBy::region;
     readAll(frameGiven ? candidates : findPlotFrames(page, PaperBy::region, progress));
+    // Where lines are as faint as to get here, those of a second graph may be lost.
+    if (!frameGiven) readAll(besideLocated(findPlotsByNumbers(page, progress), located.graphs));
+    std::stable_sort(located.graphs.begin(), located.graphs.end(), readsBefore);
   }
-  if (located.graphs.empty() && picture && !frameGiven) readAll(findPlotsByNumbers(page, progress));
   if (progress.isCancelled()) return Failure::cancelled(page.source);
   return located;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 #include "importer/axes/text_lines.h"
@@ -63,16 +64,57 @@ double reach(const std::vector<Box>& words, const LabelSeries& s, bool alongX, i
   return direction * (at - edge) > clearlyBeyond * s.step_px ? at : edge;
 }
 
+/// How much darker a line's place is than both its sides, on average over a stretch along it.
+double lineContrast(const cv::Mat& darkness, double at, double from, double to, bool upright) {
+  constexpr int beside_px = 4;
+  const int a = static_cast<int>(std::lround(std::min(from, to))),
+            b = static_cast<int>(std::lround(std::max(from, to)));
+  const int place = static_cast<int>(std::lround(at)), most = upright ? darkness.cols : darkness.rows;
+  if (a < 0 || b >= (upright ? darkness.rows : darkness.cols) || b <= a) return 0;
+  if (place < beside_px + 1 || place + beside_px + 1 >= most) return 0;
+  double line = 0, sides = 0;
+  for (int along = a; along <= b; ++along) {
+    const auto level = [&](int across) -> int {
+      return upright ? darkness.at<std::uint8_t>(along, across) : darkness.at<std::uint8_t>(across, along);
+    };
+    line += std::max({level(place - 1), level(place), level(place + 1)});
+    sides += std::max(level(place - beside_px), level(place + beside_px));
+  }
+  return (line - sides) / (b - a + 1);
+}
+
+/// Whether an edge is drawn where the numbers want one, if with gaps: a last number may stand off the last line, and the
+/// frame ends at that line.
+bool isDrawn(const cv::Mat& darkness, double edge, double from, double to, bool upright) {
+  constexpr double seen = 6, enough = 0.3;
+  constexpr int reach_px = 4, pieces = 20;
+  int drawn = 0;
+  for (int k = 0; k < pieces; ++k) {
+    const double a = from + (to - from) * (k + 0.1) / pieces, b = from + (to - from) * (k + 0.9) / pieces;
+    double best = 0;
+    for (int off = -reach_px; off <= reach_px; ++off)
+      best = std::max(best, lineContrast(darkness, edge + off, a, b, upright));
+    drawn += best >= seen;
+  }
+  return drawn >= enough * pieces;
+}
+
 }  // namespace
 
 std::optional<Box> frameByNumbers(const PageView& view, const PlotFrame& frame, const AxisCalibration& axes) {
   const auto x = seriesOf(axes.x, true), y = seriesOf(axes.y, false);
   if (!x || !y) return {};
   const double largest = 2 * std::max(x->height, y->height) + 4;
-  const auto words = numberBoxes(glyphBoxes(inkOf(darknessOf(view.raster, frame.paper)), 2, largest));
+  const cv::Mat darkness = darknessOf(view.raster, frame.paper);
+  const auto words = numberBoxes(glyphBoxes(inkOf(darkness), 2, largest));
   const Box box = frame.box();
-  const Box wide{reach(words, *x, true, -1, box.x0), reach(words, *y, false, -1, box.y0),
-                 reach(words, *x, true, 1, box.x1), reach(words, *y, false, 1, box.y1)};
+  const auto edge = [&](const LabelSeries& s, bool alongX, int direction, double at) {
+    const double wider = reach(words, s, alongX, direction, at);
+    const double from = alongX ? box.y0 : box.x0, to = alongX ? box.y1 : box.x1;
+    return wider != at && isDrawn(darkness, wider, from, to, alongX) ? wider : at;
+  };
+  const Box wide{edge(*x, true, -1, box.x0), edge(*y, false, -1, box.y0), edge(*x, true, 1, box.x1),
+                 edge(*y, false, 1, box.y1)};
   if (wide == box) return {};
   return wide;
 }

@@ -9,6 +9,7 @@
 #include "importer/frame/glyph_marks.h"
 #include "importer/frame/label_rows.h"
 #include "importer/frame/labelled_plots.h"
+#include "importer/frame/lean.h"
 #include "importer/frame/plot_frame.h"
 #include "importer/frame/plot_rectangles.h"
 #include "importer/frame/straight_lines.h"
@@ -19,8 +20,38 @@ namespace {
 /// Everything seen on the overview that a decision needs.
 struct Overview {
   cv::Mat darkness;
-  double shrink = 1;  ///< overview pixels per pixel of this plane
+  double shrink = 1;    ///< overview pixels per pixel of this plane
+  double lean_deg = 0;  ///< the plane shows the page turned by so much
+  Point origin;         ///< of the turned page, in this plane's pixels
+
+  /// On the page turned.
+  Box onTurned(const Box& b, const Affine& overviewToPage) const {
+    const double shift = 0.5 * (shrink - 1);
+    const auto along = [&](double plane, double from) { return (plane + from) * shrink + shift; };
+    return overviewToPage.boxOf(
+        {along(b.x0, origin.x), along(b.y0, origin.y), along(b.x1, origin.x), along(b.y1, origin.y)});
+  }
 };
+
+/// Turns the plane so that its lines run level and plumb; nothing shows where no page was.
+void standUpright(Overview& o, const Page& page) {
+  o.lean_deg = leanOf(o.darkness);
+  if (o.lean_deg == 0) return;
+  const Affine turn = turnedToPage(page, o.lean_deg);
+  const double s = o.shrink, shift = 0.5 * (s - 1);
+  const Affine toPage{s, 0, 0, s, shift, shift}, toPlane = toPage.inverse();
+  Affine planeTurn = toPlane.after(turn.after(toPage));
+  const Box all = planeTurn.inverse().boxOf({0, 0, o.darkness.cols - 1.0, o.darkness.rows - 1.0});
+  o.origin = {std::floor(all.x0), std::floor(all.y0)};
+  planeTurn = planeTurn.after({1, 0, 0, 1, o.origin.x, o.origin.y});
+  const cv::Matx23d map(planeTurn.a, planeTurn.c, planeTurn.e, planeTurn.b, planeTurn.d, planeTurn.f);
+  cv::Mat turned;
+  cv::warpAffine(o.darkness, turned, map,
+                 {static_cast<int>(std::ceil(all.x1) - o.origin.x) + 1,
+                  static_cast<int>(std::ceil(all.y1) - o.origin.y) + 1},
+                 cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, cv::Scalar(0));
+  o.darkness = turned;
+}
 
 constexpr int maxSide_px =
     2600;  // larger pictures are searched at half or quarter size; locating is done in full
@@ -34,6 +65,7 @@ Overview seen(const Page& page, PaperBy paper) {
     o.darkness = half;
     o.shrink *= 2;
   }
+  if (page.unit == PageUnit::pixel) standUpright(o, page);
   return o;
 }
 
@@ -133,15 +165,22 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
   return ways;
 }
 
-Box scaledToPage(const Box& b, double shrink, const Affine& toPage) {
-  const double shift = 0.5 * (shrink - 1);
-  return toPage.boxOf(
-      {b.x0 * shrink + shift, b.y0 * shrink + shift, b.x1 * shrink + shift, b.y1 * shrink + shift});
+/// Around the whole page, turned.
+Box pageBounds(const Page& page, double lean_deg) {
+  const Box bounds = page.unit == PageUnit::pixel ? Box{-0.5, -0.5, page.width - 0.5, page.height - 0.5}
+                                                  : Box{0, 0, page.width, page.height};
+  return turnedToPage(page, lean_deg).inverse().boxOf(bounds);
 }
 
-Box pageBounds(const Page& page) {
-  return page.unit == PageUnit::pixel ? Box{-0.5, -0.5, page.width - 0.5, page.height - 0.5}
-                                      : Box{0, 0, page.width, page.height};
+/// A candidate at a place of the plane.
+FrameCandidate candidateAt(const Box& place, const Overview& o, const Page& page, int turns, PaperBy paper) {
+  FrameCandidate c;
+  c.lean_deg = o.lean_deg;
+  c.uprightBox = o.onTurned(place, page.overviewToPage);
+  c.pageBox = turnedToPage(page, o.lean_deg).boxOf(c.uprightBox);
+  c.quarterTurns = turns;
+  c.paper = paper;
+  return c;
 }
 
 /// Room for tick labels, titles and a legend, in the graph's own upright sense.
@@ -228,10 +267,8 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, PaperBy pape
     for (const auto& way : orientationsOf(r, ink)) {
       Scored s;
       auto& c = s.candidate.value;
-      c.pageBox = scaledToPage(r.box, o.shrink, page.overviewToPage);
-      c.quarterTurns = way.quarterTurns;
-      c.paper = paper;
-      c.regionBox = regionAround(c.pageBox, way.quarterTurns, pageBounds(page));
+      c = candidateAt(r.box, o, page, way.quarterTurns, paper);
+      c.regionBox = regionAround(c.uprightBox, way.quarterTurns, pageBounds(page, o.lean_deg));
       s.rectangleScore = r.score;
       s.score = r.score + 0.5 * std::min(12, way.below + way.left);
       s.candidate.confidence =
@@ -240,7 +277,7 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, PaperBy pape
       all.push_back(std::move(s));
     }
   all = withoutOverlaps(std::move(all));
-  if (picture && all.size() == 1) all.front().candidate.value.regionBox = pageBounds(page);
+  if (picture && all.size() == 1) all.front().candidate.value.regionBox = pageBounds(page, o.lean_deg);
   std::sort(all.begin(), all.end(), readsBefore);
   std::vector<Found<FrameCandidate>> found;
   for (auto& s : all) found.push_back(std::move(s.candidate));
@@ -257,11 +294,10 @@ std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const Pr
   for (const LabelledPlot& plot : plots) {
     Found<FrameCandidate> candidate;
     auto& c = candidate.value;
-    c.pageBox = scaledToPage(plot.box, o.shrink, page.overviewToPage);
-    c.regionBox = plots.size() == 1 && page.unit == PageUnit::pixel
-                      ? pageBounds(page)
-                      : regionAround(c.pageBox, 0, pageBounds(page));
-    c.paper = PaperBy::region;
+    c = candidateAt(plot.box, o, page, 0, PaperBy::region);
+    const Box bounds = pageBounds(page, o.lean_deg);
+    c.regionBox =
+        plots.size() == 1 && page.unit == PageUnit::pixel ? bounds : regionAround(c.uprightBox, 0, bounds);
     c.byNumbers = true;
     candidate.confidence = std::clamp(0.45 + 0.1 * (std::min(plot.below, plot.left) - 2), 0.2, 0.95);
     candidate.evidence = {{EvidenceCode::numbersAlone, {plot.below, plot.left}}};

@@ -54,6 +54,7 @@ Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, 
   for (const auto& p : corners)
     c.pageBox = {std::min(c.pageBox.x0, p.x), std::min(c.pageBox.y0, p.y), std::max(c.pageBox.x1, p.x),
                  std::max(c.pageBox.y1, p.y)};
+  c.uprightBox = c.pageBox;
   const double w = c.pageBox.width(), h = c.pageBox.height();
   const Box bounds{-margin, -margin, page.width - margin, page.height - margin};
   c.regionBox = {std::max(bounds.x0, c.pageBox.x0 - 0.45 * w), std::max(bounds.y0, c.pageBox.y0 - 0.4 * h),

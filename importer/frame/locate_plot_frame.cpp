@@ -195,7 +195,8 @@ PlotFrame foundFrame(const Edges& e) {
 
 Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
                                          const FrameCandidate& candidate, const Progress& progress) {
-  const Box box = view.viewToPage.inverse().boxOf(candidate.pageBox);
+  const Affine toView = view.viewToPage.inverse().after(turnedToPage(page, candidate.lean_deg));
+  const Box box = toView.boxOf(candidate.uprightBox);
   if (view.raster.empty() || box.width() < 16 || box.height() < 16)
     return Failure{FailureCode::noForceGraph,
                    page.source,

@@ -38,9 +38,11 @@ struct PlotFrame {
 
 /// A graph found on a page: where, which way up. The view that later steps use is made from it.
 struct FrameCandidate {
-  Box pageBox;                      ///< the frame itself in page units
-  Box regionBox;                    ///< frame with tick labels, titles and legend, in page units
-  int quarterTurns = 0;             ///< clockwise turns that make it upright
+  Box pageBox;           ///< around the frame, in page units
+  double lean_deg = 0;   ///< of a picture askew: turned by so much the frame stands upright (turnedToPage)
+  Box uprightBox;        ///< the frame itself on the page so turned; pageBox where nothing leans
+  Box regionBox;         ///< frame with tick labels, titles and legend, on the page so turned
+  int quarterTurns = 0;  ///< clockwise turns that make it upright
   std::vector<Point> givenCorners;  ///< tl, tr, br, bl in page units if the user gave the frame, else empty
   PaperBy paper = PaperBy::page;    ///< what its lines and numbers stand out of
   bool byNumbers = false;           ///< found without lines: edges that are not drawn speak against nothing

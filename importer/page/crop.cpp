@@ -2,9 +2,11 @@
 #include "importer/page/crop.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 
+#include "importer/page/quantile.h"
 #include "model/check.h"
 
 namespace detent::importer {
@@ -21,7 +23,59 @@ Span touched(double low, double high, int size) {
   return {static_cast<int>(first), static_cast<int>(last)};
 }
 
+/// Catmull-Rom weights of the four pixels around a place `t` behind the second.
+std::array<double, 4> cubicWeights(double t) {
+  return {t * (-0.5 + t * (1 - 0.5 * t)), 1 + t * t * (-2.5 + 1.5 * t), t * (0.5 + t * (2 - 1.5 * t)),
+          t * t * (-0.5 + 0.5 * t)};
+}
+
+/// Per channel the median of the raster's rim.
+Rgb rimColor(const Raster& r) {
+  std::array<std::vector<std::uint8_t>, 3> rim;
+  const auto add = [&](int x, int y) {
+    for (std::size_t c = 0; c < 3; ++c) rim[c].push_back(r.at(x, y)[c]);
+  };
+  for (int x = 0; x < r.width_px; ++x) add(x, 0), add(x, r.height_px - 1);
+  for (int y = 0; y < r.height_px; ++y) add(0, y), add(r.width_px - 1, y);
+  return {medianOf(rim[0]), medianOf(rim[1]), medianOf(rim[2])};
+}
+
+void sampleCubic(const Raster& source, Point at, std::uint8_t* out) {
+  const double fx = std::floor(at.x), fy = std::floor(at.y);
+  const auto wx = cubicWeights(at.x - fx), wy = cubicWeights(at.y - fy);
+  std::array<double, 3> sum{};
+  for (int j = 0; j < 4; ++j)
+    for (int i = 0; i < 4; ++i) {
+      const int x = std::clamp(static_cast<int>(fx) + i - 1, 0, source.width_px - 1),
+                y = std::clamp(static_cast<int>(fy) + j - 1, 0, source.height_px - 1);
+      const double w = wx[static_cast<std::size_t>(i)] * wy[static_cast<std::size_t>(j)];
+      for (std::size_t c = 0; c < 3; ++c) sum[c] += w * source.at(x, y)[c];
+    }
+  for (std::size_t c = 0; c < 3; ++c)
+    out[c] = static_cast<std::uint8_t>(std::lround(std::clamp(sum[c], 0.0, 255.0)));
+}
+
 }  // namespace
+
+Raster resampled(const Raster& source, const Affine& toSource, int width_px, int height_px) {
+  DETENT_CHECK(!source.empty() && width_px > 0 && height_px > 0, "there are pixels to take and to fill");
+  const Rgb around = rimColor(source);
+  Raster out;
+  out.width_px = width_px, out.height_px = height_px;
+  out.rgb.resize(3 * static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px));
+  std::uint8_t* pixel = out.rgb.data();
+  for (int y = 0; y < height_px; ++y)
+    for (int x = 0; x < width_px; ++x, pixel += 3) {
+      const Point at = toSource({static_cast<double>(x), static_cast<double>(y)});
+      const bool inside =
+          at.x > -0.5 && at.y > -0.5 && at.x < source.width_px - 0.5 && at.y < source.height_px - 0.5;
+      if (inside)
+        sampleCubic(source, at, pixel);
+      else
+        pixel[0] = around.r, pixel[1] = around.g, pixel[2] = around.b;
+    }
+  return out;
+}
 
 std::optional<PixelRect> touchedPixels(const Box& region, int width_px, int height_px) {
   const Span columns = touched(region.x0, region.x1, width_px);

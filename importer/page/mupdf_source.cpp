@@ -61,8 +61,8 @@ class MupdfSource : public PageSource {
 
   int pageCount() const override { return pageCount_; }
   Result<Page> page(int number, const Progress& progress) override;
-  Result<PageView> view(const Page& page, const Box& region, int quarterTurns,
-                        const ViewOptions& options) override;
+  Result<PageView> view(const Page& page, const Box& region, int quarterTurns, const ViewOptions& options,
+                        double) override;
 
  private:
   std::string kind() const { return magic_ == std::string_view("application/pdf") ? "PDF" : "SVG"; }
@@ -361,7 +361,7 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
 }
 
 Result<PageView> MupdfSource::view(const Page& page, const Box& region, int quarterTurns,
-                                   const ViewOptions& options) {
+                                   const ViewOptions& options, double) {
   auto found = recorded(page.number, {});
   if (!found) return found.failure();
   const RecordedPage& source = **found;

@@ -65,6 +65,9 @@ struct Page {
   Affine overviewToPage;
 };
 
+/// From the page turned about its middle, so that lines which ran down to the right by `lean_deg` run level, to the page.
+Affine turnedToPage(const Page& page, double lean_deg);
+
 /// A region of the page, turned upright, at the best resolution available: the native pixels of the picture
 /// or of the one embedded image that fills the region, else a render. Coordinates of texts and paths in view
 /// pixels.
@@ -106,9 +109,10 @@ class Document {
   /// Page numbers count from 1.
   Result<Page> page(int number, const Progress& progress = {}) const;
   /// Region in page units. `quarterTurns`: how many times the region is turned clockwise by 90° to stand
-  /// upright (0..3).
+  /// upright (0..3). `lean_deg` (pictures only): the region is a box on the page turned by so much, see turnedToPage;
+  /// the view's pixels are then interpolated.
   Result<PageView> view(const Page& page, const Box& region, int quarterTurns = 0,
-                        const ViewOptions& options = {}) const;
+                        const ViewOptions& options = {}, double lean_deg = 0) const;
 
   const std::string& name() const;
   std::string sha256() const;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures: the page is the picture, a view is a crop of its own pixels.
 
+#include <algorithm>
+#include <cmath>
+
 #include "importer/page/crop.h"
 #include "importer/page/decode_picture.h"
 #include "importer/page/page_source.h"
@@ -34,7 +37,9 @@ class PictureSource : public PageSource {
     return page;
   }
 
-  Result<PageView> view(const Page& page, const Box& region, int quarterTurns, const ViewOptions&) override {
+  Result<PageView> view(const Page& page, const Box& region, int quarterTurns, const ViewOptions&,
+                        double lean_deg) override {
+    if (lean_deg != 0) return levelView(page, region, quarterTurns, lean_deg);
     const auto rect = touchedPixels(region, page.overview.width_px, page.overview.height_px);
     if (!rect)
       return Failure{FailureCode::wrongUsage, file_.name, placeOf(page.number),
@@ -49,6 +54,21 @@ class PictureSource : public PageSource {
   }
 
  private:
+  /// A region of the page turned level, interpolated.
+  static PageView levelView(const Page& page, const Box& region, int quarterTurns, double lean_deg) {
+    const Affine turn = turnedToPage(page, lean_deg);
+    const Box whole = turn.inverse().boxOf({0, 0, page.width - 1, page.height - 1}),
+              seen = region.common(whole);
+    const double left = std::floor(seen.x0), top = std::floor(seen.y0);
+    const PixelRect all{0, 0, static_cast<int>(std::ceil(seen.x1) - left) + 1,
+                        static_cast<int>(std::ceil(seen.y1) - top) + 1};
+    const Affine toPage = turn.after({1, 0, 0, 1, left, top});
+    PageView view;
+    view.raster = turnedCrop(resampled(page.overview, toPage, all.width, all.height), all, quarterTurns);
+    view.viewToPage = toPage.after(turnedCropToRaster(all, quarterTurns));
+    return view;
+  }
+
   std::string placeOf(int number) const {
     return pageCount() > 1 ? "page " + std::to_string(number) : std::string();
   }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "importer/axes/axis_calibration.h"
+#include "importer/axes/frame_by_numbers.h"
 #include "importer/axes/read_text.h"
 #include "importer/frame/plot_frame.h"
 #include "tests/importer/frame/drawn_plot.h"
@@ -24,8 +25,8 @@ Looked look(const cv::Mat& grey) {
   const auto page = document.page(1).value();
   const auto candidates = findPlotFrames(page);
   REQUIRE_FALSE(candidates.empty());
-  Looked looked{document.view(page, candidates[0].value.regionBox, candidates[0].value.quarterTurns).value(),
-                {}};
+  const FrameCandidate& found = candidates[0].value;
+  Looked looked{document.view(page, found.regionBox, found.quarterTurns, {}, found.lean_deg).value(), {}};
   looked.frame = locatePlotFrame(looked.view, page, candidates[0].value)->value;
   return looked;
 }
@@ -88,6 +89,32 @@ TEST_CASE("drawn plots are calibrated to a tenth of a pixel") {
   CHECK(worstCornerError_px(axes, s, newton) < 0.1);
   CHECK(axes.calibration.confidence > 0.8);
   CHECK(axes.remarks.empty());
+}
+
+TEST_CASE("a picture askew is calibrated where its corners were drawn") {
+  if (skipWithoutEngine()) return;
+  const double degrees = GENERATE(-4.5, 1.2, 2.5, 9.0);
+  PlotStyle s;
+  s.gridGrey = 225;
+  s.width = 1060, s.height = 760, s.left = 180, s.right = 900, s.top = 120,
+  s.bottom = 580;  // room to turn in
+  const cv::Mat turn = cv::getRotationMatrix2D(
+      {0.5F * static_cast<float>(s.width), 0.5F * static_cast<float>(s.height)}, degrees, 1);
+  cv::Mat askew;
+  cv::warpAffine(drawn(s), askew, turn, {s.width, s.height}, cv::INTER_CUBIC, cv::BORDER_CONSTANT,
+                 cv::Scalar(255));
+  const auto looked = look(askew);
+  const auto axes = readAxes(looked.view, looked.frame);
+  INFO(degrees << " degrees");
+  REQUIRE(axes.ok());
+  for (const double u : {0.0, 1.0})
+    for (const double v : {0.0, 1.0}) {
+      const double x = s.left + u * (s.right - s.left), y = s.bottom - v * (s.bottom - s.top);
+      const Point onPage{turn.at<double>(0, 0) * x + turn.at<double>(0, 1) * y + turn.at<double>(0, 2),
+                         turn.at<double>(1, 0) * x + turn.at<double>(1, 1) * y + turn.at<double>(1, 2)};
+      const Point value{u * s.xSteps * s.xStep, 0.01 * v * s.ySteps * s.yStep};
+      CHECK(distance(looked.view.viewToPage(axes->calibration.value.toView(value)), onPage) < 0.5);
+    }
 }
 
 TEST_CASE("the calibration is invertible and knows its scale") {
@@ -214,6 +241,25 @@ TEST_CASE("a title that the plot's own view cuts is found in a wider one") {
   CHECK(axes.calibration.value.mmPerPx() == Approx(before / 1000));
   CHECK(axes.calibration.confidence > sureBefore);
   CHECK(axes.remarks.empty());
+}
+
+TEST_CASE("a frame follows its numbers only to an edge that is drawn") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.ySteps = 5, s.top = 120;
+  Canvas canvas(s.width, s.height, s.paperGrey);
+  drawInto(canvas, s);
+  const double above = s.top - (s.bottom - s.top) / s.ySteps;
+  canvas.text("120", s.left - 28, above, 0);
+  const auto widened = [](const cv::Mat& grey) {
+    const auto looked = look(grey);
+    return frameByNumbers(looked.view, looked.frame, readAxes(looked.view, looked.frame)->calibration.value);
+  };
+  CHECK_FALSE(widened(canvas.grey()));  // the number stands above the last line
+  canvas.row(above, s.left + 0.3 * (s.right - s.left), s.left + 0.75 * (s.right - s.left), 1, s.lineGrey);
+  const auto wide = widened(canvas.grey());  // a piece of the top edge is there
+  REQUIRE(wide);
+  CHECK(wide->y0 == Approx(above).margin(3));
 }
 
 TEST_CASE("ranges given by hand are kept") {

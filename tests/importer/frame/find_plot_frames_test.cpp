@@ -25,7 +25,8 @@ Seen lookAt(const cv::Mat& grey) {
   Seen seen;
   seen.candidates = findPlotFrames(page);
   for (const auto& c : seen.candidates) {
-    const auto view = document.view(page, c.value.regionBox, c.value.quarterTurns).value();
+    const auto view =
+        document.view(page, c.value.regionBox, c.value.quarterTurns, {}, c.value.lean_deg).value();
     auto frame = locatePlotFrame(view, page, c.value);
     REQUIRE(frame.ok());
     // Back to page pixels, so that they can be compared with what was drawn.
