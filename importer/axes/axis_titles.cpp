@@ -89,7 +89,7 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
   const Box left{b.x0 - 0.45 * b.width(), b.y0 - 0.05 * b.height(), labels.x0 + 0.3 * (labels.x1 - labels.x0),
                  b.y1 + 0.05 * b.height()};
   const Box leftOfAxis{left.x0, left.y0, b.x0, left.y1};
-  const Box above{b.x0 - 0.4 * b.width(), b.y0 - 0.4 * b.height(), b.x0 + 0.5 * b.width(), b.y0 - 1};
+  const Box above{b.x0 - 0.4 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.5 * b.width(), b.y0 - 1};
   const Box corner{b.x0 - 0.35 * b.width(), b.y0 - 0.6 * b.height(), b.x0 + 0.12 * b.width(),
                    b.y0 + 0.02 * b.height()};
   const Point towards{labels.x0, 0.5 * (b.y0 + b.y1)};
@@ -103,8 +103,8 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
     consider(best, read, forceUnitIn);
     upwards.insert(upwards.end(), read.begin(), read.end());
   }
-  if (!best.unit) consider(best, r.readLines(above, 0, {b.x0, b.y0}, 4), forceUnitIn);
-  if (!best.unit) consider(best, r.readLines(corner, 90, {b.x0, b.y0}, 3), forceUnitIn);
+  if (!best.unit) consider(best, r.readLines(above, 0, {b.x0, b.y0}, 6), forceUnitIn);
+  if (!best.unit) consider(best, r.readLines(corner, 90, {b.x0, b.y0}, 5), forceUnitIn);
   if (!best.unit) consider(best, r.readLines(left, 0, {labels.x0, b.y0}, 2), forceUnitIn);
   if (!best.unit) {  // downwards, as in Chinese sheets; other writing read so makes units of single letters
     AxisTitle<ForceUnit> downwards;
