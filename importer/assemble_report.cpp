@@ -109,6 +109,8 @@ std::vector<std::string> givenByHand(const ImportHints& hints) {
   if (hints.trace.releaseColor) given.emplace_back("--release-color");
   if (!hints.trace.masks_px.empty()) given.emplace_back("--mask");
   if (hints.strokes.swap) given.emplace_back("--swap-strokes");
+  if (!hints.drawn.press.empty()) given.emplace_back("--press-line");
+  if (!hints.drawn.release.empty()) given.emplace_back("--release-line");
   if (hints.dpi) given.emplace_back("--dpi");
   return given;
 }

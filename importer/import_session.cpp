@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "importer/assemble_report.h"
+#include "importer/drawn_strokes.h"
 #include "importer/graph_copies.h"
 #include "importer/importer.h"
 #include "importer/locate_graphs.h"
@@ -123,6 +124,22 @@ Result<FittedStrokes> fitBoth(const StrokePair& strokes, const FitOptions& press
     fitted.release = std::move(fittedRelease).value();
   }
   return fitted;
+}
+
+/// Drawn strokes are the person's: they stand where none was traced, and take the place of what was.
+Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const DrawnStrokes& drawn,
+                                    const LocatedGraph& graph) {
+  const auto strokeOf = [&](const std::vector<Point>& line, Stroke stroke) {
+    return strokeFromDrawn(line, stroke, graph.view, graph.frame.value, graph.axes.calibration.value);
+  };
+  const StrokePoints press = strokeOf(drawn.press, Stroke::press);
+  const StrokePoints release = strokeOf(drawn.release, Stroke::release);
+  if (press.points.empty() && (release.points.empty() || !traced)) return traced;
+  StrokePair pair;
+  if (traced) pair = std::move(traced->value);
+  pair.press = withDrawnPart(pair.press, press);
+  if (!release.points.empty()) pair.release = withDrawnPart(pair.release.value_or(StrokePoints{}), release);
+  return Found<StrokePair>{std::move(pair), 1, DecidedBy::given, {}};
 }
 
 /// Axes of one graph: as its page was searched, and what they are read with now.
@@ -564,16 +581,19 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   letViewsGo(&graph);
 
   step(0.5, ImportStep::trace);
+  const std::vector<CurveTrace> none;
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
-  if (!curves) {
+  if (!curves && request.hints.drawn.press.empty()) {
     keepEvidence(graph, {});
     return placed(curves.failure(), *choice);
   }
+  if (!curves) curves = &none;  // the person drew what could not be traced
 
   step(0.7, ImportStep::strokes);
   auto strokes = [&] {
     StepClock time(seconds, ImportStep::strokes);
-    return separateStrokes(**curves, graph.axes, request.hints.strokes);
+    return withDrawn(separateStrokes(**curves, graph.axes, request.hints.strokes), request.hints.drawn,
+                     graph);
   }();
   if (!strokes) {
     keepEvidence(graph, **curves);

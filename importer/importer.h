@@ -28,6 +28,14 @@
 
 namespace detent::importer {
 
+/// Strokes that a hand drew along the curve on the page: points in page units, from the start of the press (the
+/// end of the release) to the other end; empty where none was drawn. What lies between is followed with a pull
+/// to the ink (trace/follow_drawn.h). A line over part of a traced stroke replaces that part.
+struct DrawnStrokes {
+  std::vector<Point> press, release;
+  bool operator==(const DrawnStrokes&) const = default;
+};
+
 /// What the user settled by hand; everything else is found. Given values are kept while the rest is
 /// recomputed.
 struct ImportHints {
@@ -35,6 +43,7 @@ struct ImportHints {
   AxisHints axes;
   TraceHints trace;  ///< masks here in page units
   StrokeHints strokes;
+  DrawnStrokes drawn;
   std::optional<double> dpi;  ///< render documents at this resolution; (0, 1200]
 
   bool operator==(const ImportHints&) const = default;

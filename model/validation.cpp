@@ -44,11 +44,15 @@ struct Findings {
   std::vector<Warning> warnings;
   std::string state;
 
-  void add(Rule rule, const std::string& place, double value, std::string_view unit, std::string problem) {
+  std::optional<std::size_t> index;  // of the state
+
+  void add(Rule rule, const std::string& place, WarningPlace spot, double value, std::string_view unit,
+           std::string problem, double against = 0) {
+    spot.state = spot.state ? spot.state : index;
     std::string where = state;
     if (!place.empty()) where += (where.empty() ? "" : ", ") + place;
     if (where.empty()) where = "button";
-    warnings.push_back({rule, where, value, unit, std::move(problem)});
+    warnings.push_back({rule, where, value, unit, std::move(problem), spot, against});
   }
 };
 
@@ -63,7 +67,7 @@ double firstWall(const StrokeCurve& press, const StrokeCurve& release, const Sec
 
 void checkStrokes(Findings& out, const ForceGraph& graph, const SectionSettings& settings) {
   if (!graph.release()) {
-    out.add(Rule::noRelease, "release curve", 0, "", "is not known; the press curve stands in for it");
+    out.add(Rule::noRelease, "release curve", {}, 0, "", "is not known; the press curve stands in for it");
     return;
   }
   const StrokeCurve &press = graph.press(), &release = *graph.release();
@@ -80,27 +84,29 @@ void checkStrokes(Findings& out, const ForceGraph& graph, const SectionSettings&
     }
   }
   if (worst > crossingShare * (high - low))
-    out.add(Rule::releaseAbovePress, "release curve, " + mm(worst_mm), worst, "N",
-            "lies " + newton(worst) + " above the press curve");
+    out.add(Rule::releaseAbovePress, "release curve, " + mm(worst_mm), {{}, Stroke::release, worst_mm}, worst,
+            "N", "lies " + newton(worst) + " above the press curve");
   const double gap = std::abs(press.end_mm() - release.end_mm());
   if (gap > meetingShare * press.travel_mm())
-    out.add(Rule::strokesDoNotMeet, "release curve, " + mm(release.end_mm()), gap, "mm",
-            "begins " + mm(gap) + " away from the end of the press curve at " + mm(press.end_mm()));
+    out.add(Rule::strokesDoNotMeet, "release curve, " + mm(release.end_mm()),
+            {{}, Stroke::release, release.end_mm()}, gap, "mm",
+            "begins " + mm(gap) + " away from the end of the press curve at " + mm(press.end_mm()),
+            press.end_mm());
 }
 
 void checkCurve(Findings& out, const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings) {
   const std::string name = stroke == Stroke::press ? "press curve" : "release curve";
   const double low = curve.forceRange_N().first;
-  if (low < 0)
-    out.add(
-        Rule::negativeForce,
-        name + ", " +
-            mm(curve.displacementsAt(low).empty() ? curve.start_mm() : curve.displacementsAt(low).front()),
-        low, "N", "falls to " + newton(low) + ": the button pulls");
+  if (low < 0) {
+    const auto lowest = curve.displacementsAt(low);
+    const double at_mm = lowest.empty() ? curve.start_mm() : lowest.front();
+    out.add(Rule::negativeForce, name + ", " + mm(at_mm), {{}, stroke, at_mm}, low, "N",
+            "falls to " + newton(low) + ": the button pulls");
+  }
   const auto stretches = curve.monotoneStretches();
   if (stroke == Stroke::press && !stretches.empty() && stretches.front().direction < 0)
-    out.add(Rule::fallsAtStart, name + ", " + mm(curve.start_mm()), curve.knots().front().force_N, "N",
-            "begins with a falling force");
+    out.add(Rule::fallsAtStart, name + ", " + mm(curve.start_mm()), {{}, stroke, curve.start_mm()},
+            curve.knots().front().force_N, "N", "begins with a falling force");
   const auto sections = sectionsOf(curve, stroke, settings);
   for (const TactilePoint& point : tactilePoints(curve, stroke, settings)) {
     const bool inside = std::any_of(sections.begin(), sections.end(), [&](const Section& s) {
@@ -108,11 +114,12 @@ void checkCurve(Findings& out, const StrokeCurve& curve, Stroke stroke, const Se
       return s.kind == SectionKind::jump && point.displacement_mm > from && point.displacement_mm < to;
     });
     if (inside)
-      out.add(Rule::hiddenTactilePoint, name + ", " + mm(point.displacement_mm), point.force_N, "N",
+      out.add(Rule::hiddenTactilePoint, name + ", " + mm(point.displacement_mm),
+              {{}, stroke, point.displacement_mm}, point.force_N, "N",
               "has a tactile point of " + newton(point.force_N) + " inside an earlier jump");
   }
   if (curve.knots().size() > handyKnots)
-    out.add(Rule::manyKnots, name, static_cast<double>(curve.knots().size()), "",
+    out.add(Rule::manyKnots, name, {{}, stroke, {}}, static_cast<double>(curve.knots().size()), "",
             "has " + std::to_string(curve.knots().size()) + " knots, more than a hand can edit");
 }
 
@@ -122,15 +129,19 @@ void checkState(Findings& out, const ButtonState& state, const SectionSettings& 
   checkCurve(out, state.graph.press(), Stroke::press, settings);
   if (state.graph.release()) checkCurve(out, *state.graph.release(), Stroke::release, settings);
   if (state.operatingPoint_mm && state.resetPoint_mm && *state.resetPoint_mm > *state.operatingPoint_mm)
-    out.add(Rule::resetBeyondOperating, "reset point", *state.resetPoint_mm, "mm",
+    out.add(Rule::resetBeyondOperating, "reset point", {{}, Stroke::release, *state.resetPoint_mm},
+            *state.resetPoint_mm, "mm",
             "at " + mm(*state.resetPoint_mm) + " lies deeper than the operating point at " +
-                mm(*state.operatingPoint_mm));
+                mm(*state.operatingPoint_mm),
+            *state.operatingPoint_mm);
   const double start =
       std::min(state.graph.press().start_mm(), state.graph.curve(Stroke::release).start_mm());
   for (const DampingPoint& p : state.damping)
     if (p.displacement_mm < start || p.displacement_mm > state.graph.travel_mm()) {
-      out.add(Rule::dampingOutsideTravel, "damping, " + mm(p.displacement_mm), p.displacement_mm, "mm",
-              "lies outside the travel of " + mm(start) + " to " + mm(state.graph.travel_mm()));
+      out.add(Rule::dampingOutsideTravel, "damping, " + mm(p.displacement_mm), {{}, {}, p.displacement_mm},
+              p.displacement_mm, "mm",
+              "lies outside the travel of " + mm(start) + " to " + mm(state.graph.travel_mm()),
+              state.graph.travel_mm());
       break;
     }
 }
@@ -143,8 +154,10 @@ void checkStatesMeet(Findings& out, const Button& button) {
                  pressed = to.graph.press().start_mm();
     const double gap = std::abs(released - pressed);
     if (gap > meetingShare * from.graph.press().travel_mm())
-      out.add(Rule::statesDoNotMeet, "state \"" + from.name + "\", release curve, " + mm(released), gap, "mm",
-              "ends " + mm(gap) + " away from where state \"" + to.name + "\" starts, " + mm(pressed));
+      out.add(Rule::statesDoNotMeet, "state \"" + from.name + "\", release curve, " + mm(released),
+              {i, Stroke::release, released}, gap, "mm",
+              "ends " + mm(gap) + " away from where state \"" + to.name + "\" starts, " + mm(pressed),
+              pressed);
   }
 }
 
@@ -180,11 +193,15 @@ std::string_view nameOf(Rule rule) {
 
 std::vector<Warning> validate(const Button& button, const SectionSettings& settings) {
   Findings out;
-  for (const ButtonState& state : button.states()) checkState(out, state, settings);
+  for (std::size_t i = 0; i < button.states().size(); ++i) {
+    out.index = i;
+    checkState(out, button.states()[i], settings);
+  }
   out.state.clear();
+  out.index.reset();
   checkStatesMeet(out, button);
   if (button.provenance() && button.provenance()->confidence < lowConfidenceBar)
-    out.add(Rule::lowConfidence, "import of " + button.provenance()->sourceFile,
+    out.add(Rule::lowConfidence, "import of " + button.provenance()->sourceFile, {},
             button.provenance()->confidence, "",
             "has a confidence of " + numberText(button.provenance()->confidence) + " only");
   return std::move(out.warnings);

@@ -30,6 +30,14 @@ enum class Rule {
 /// Name of a rule as printed and in JSON: "release-above-press".
 std::string_view nameOf(Rule rule);
 
+/// Where a finding is, as far as it has a place.
+struct WarningPlace {
+  std::optional<std::size_t> state;  ///< index; none: the button as a whole
+  std::optional<Stroke> stroke;
+  std::optional<double> at_mm;
+  friend bool operator==(const WarningPlace&, const WarningPlace&) = default;
+};
+
 /// One finding: which rule, where, with which value.
 struct Warning {
   Rule rule;
@@ -37,6 +45,8 @@ struct Warning {
   double value = 0;       ///< the offending value, in `unit`
   std::string_view unit;  ///< "N", "mm", "" for counts and shares
   std::string problem;    ///< the sentence, without the place
+  WarningPlace spot;      ///< the place again, for those who lead a person there
+  double against = 0;     ///< what `value` was held against (the other end, the operating point); in mm
   std::string sentence() const { return place + ": " + problem + "."; }
 };
 

@@ -54,6 +54,15 @@ std::vector<Point> parseCorners(const std::string& text) {
   return corners;
 }
 
+std::vector<Point> parseLine(const char* option, const std::string& text) {
+  const auto n = numbersIn(text, ',');
+  if (!n || n->size() < 4 || n->size() % 2 != 0)
+    throw wrong(option, text, "X0,Y0,X1,Y1,... two points or more along the curve, in page units");
+  std::vector<Point> line;
+  for (std::size_t i = 0; i < n->size(); i += 2) line.push_back({(*n)[i], (*n)[i + 1]});
+  return line;
+}
+
 Box parseBox(const std::string& text) {
   const auto n = numbersIn(text, ',');
   if (!n || n->size() != 4) throw wrong("--mask", text, "X0,Y0,X1,Y1 in page units");
@@ -77,7 +86,7 @@ const std::map<std::string, Quality> qualities = {
 
 /// Texts as typed, before they become values.
 struct RawOptions {
-  std::string frame, xAxis, yAxis, xUnit, yUnit, pressColor, releaseColor;
+  std::string frame, xAxis, yAxis, xUnit, yUnit, pressColor, releaseColor, pressLine, releaseLine;
   std::vector<std::string> masks;
   int page = 0, graph = 0;
   double dpi = 0;
@@ -124,6 +133,10 @@ void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
   group->add_option("--y-unit", raw.yUnit, "N, mN, cN, dN, kN, gf, kgf (kp), ozf, lbf or dyn");
   group->add_option("--press-color", raw.pressColor, "colour of the press curve, #rrggbb");
   group->add_option("--release-color", raw.releaseColor, "colour of the release curve, #rrggbb");
+  group->add_option(
+      "--press-line", raw.pressLine,
+      "X0,Y0,X1,Y1,... points along the press curve, page units; the line between is pulled to the ink");
+  group->add_option("--release-line", raw.releaseLine, "the same along the release curve");
   group->add_option("--mask", raw.masks, "X0,Y0,X1,Y1 to ignore, page units; may be given several times")
       ->take_all()
       ->allow_extra_args(false);
@@ -189,6 +202,8 @@ void settle(const RawOptions& raw, Arguments& a) {
   }
   if (!raw.pressColor.empty()) hints.trace.pressColor = parseColor("--press-color", raw.pressColor);
   if (!raw.releaseColor.empty()) hints.trace.releaseColor = parseColor("--release-color", raw.releaseColor);
+  if (!raw.pressLine.empty()) hints.drawn.press = parseLine("--press-line", raw.pressLine);
+  if (!raw.releaseLine.empty()) hints.drawn.release = parseLine("--release-line", raw.releaseLine);
   for (const std::string& mask : raw.masks) hints.trace.masks_px.push_back(parseBox(mask));
 
   if (a.batch && a.outDir.empty())

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a hand drew along the curves, in the place of what was traced, or of a part of it.
+
+#include <vector>
+
+#include "importer/importer.h"
+
+namespace detent::importer {
+
+/// A drawn line that covers less than this share of a traced stroke's displacement replaces that part alone.
+inline constexpr double wholeStrokeShare = 0.8;
+
+/// A drawn line (page units) as a stroke: followed along the ink, in mm and N, in the order travelled. Empty if
+/// it is no line.
+StrokePoints strokeFromDrawn(const std::vector<Point>& drawn, Stroke stroke, const PageView& view,
+                             const PlotFrame& frame, const AxisCalibration& calibration);
+
+/// `drawn` in the place of `traced`, or of the part of it that it covers. Both in the order travelled.
+StrokePoints withDrawnPart(const StrokePoints& traced, const StrokePoints& drawn);
+
+}  // namespace detent::importer
