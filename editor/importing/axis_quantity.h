@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// How a number at a page's axis is typed: in the unit printed there, or with one of its own.
+
+#include <string>
+
+#include "editor/importing/corrections.h"
+#include "editor/quantity/quantity.h"
+
+namespace detent::editor {
+
+/// What readQuantity() asks for; QuantityReading::shown is then in the printed unit.
+struct AxisQuantity {
+  Quantity quantity = Quantity::number;
+  DisplayUnits units;  ///< the one of the axis is the printed one
+};
+
+/// `printedUnit` as AxisReading::unit; where it is none we know, numbers have no unit.
+AxisQuantity axisQuantity(GraphAxis axis, const std::string& printedUnit);
+
+}  // namespace detent::editor
