@@ -63,6 +63,7 @@ int run(QApplication& app) {
   if (const QString file = qEnvironmentVariable("DETENT_EDIT_GEOMETRY"); !file.isEmpty())
     new GeometryReport(file, &window);
   QTimer::singleShot(0, &window, [&] {
+    if (arguments.files.isEmpty()) window.restoreSession();
     window.files().offerRecovery();
     window.files().open(arguments.files);
   });

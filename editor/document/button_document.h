@@ -3,6 +3,7 @@
 // One open button: its history, its file, the page it came from, and which of its states is worked on.
 
 #include <memory>
+#include <QByteArray>
 #include <QObject>
 #include <QString>
 
@@ -32,6 +33,10 @@ class ButtonDocument : public QObject {
   /// Absolute; empty for a button that was never saved.
   const QString& path() const { return path_; }
   void setPath(const QString& path);
+  /// Hash of what the file held when it was last read or written here; empty where there was none. Whoever
+  /// writes compares it with the disk first (files/document_files.h).
+  const QByteArray& knownContent() const { return knownContent_; }
+  void setKnownContent(const QByteArray& hash) { knownContent_ = hash; }
   /// File name without suffixes, else the button's name, else "Untitled".
   QString title() const;
 
@@ -52,6 +57,7 @@ class ButtonDocument : public QObject {
   EditHistory history_;
   std::size_t activeState_ = 0;
   QString path_;
+  QByteArray knownContent_;
   std::shared_ptr<const importer::ImportReport> origin_;
 };
 

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QRegularExpression>
 
+#include "editor/files/file_watch.h"
 #include "editor/files/input_kind.h"
 #include "model/file/button_file.h"
 #include "model/file/curve_csv.h"
@@ -38,10 +39,12 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
     if (!button) return button.failure();
     return std::make_unique<ButtonDocument>(*std::move(button));
   }
+  const QByteArray hash = contentHash(path);
   auto button = readButtonFile(bytesOf(path));
   if (!button) return button.failure();
   auto document = std::make_unique<ButtonDocument>(*std::move(button));
   document->setPath(QFileInfo(path).absoluteFilePath());
+  document->setKnownContent(hash);
   return document;
 }
 
@@ -56,14 +59,25 @@ Result<Done> saveDocument(ButtonDocument& document, const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
   if (auto written = writeButtonFile(bytesOf(absolute), document.history().committed()); !written)
     return written.failure();
+  // Of what was written, not of what is read back: between the two somebody else may write.
+  document.setKnownContent(contentHash(QByteArray::fromStdString(jsonFrom(document.history().committed()))));
   document.setPath(absolute);
   document.history().markSaved();
   return Done{};
 }
 
+DiskState diskStateOf(const ButtonDocument& document) {
+  const QByteArray now = contentHash(document.path());
+  if (now == document.knownContent()) return DiskState::asKnown;
+  return now.isEmpty() ? DiskState::gone : DiskState::changed;
+}
+
 Result<Done> reloadDocument(ButtonDocument& document) {
+  // Before the file is read: what another program writes in between is then a change again.
+  const QByteArray hash = contentHash(document.path());
   auto button = readButtonFile(bytesOf(document.path()));
   if (!button) return button.failure();
+  document.setKnownContent(hash);
   if (document.history().dragging()) document.history().cancelDrag();
   document.history().apply(*button, ButtonDocument::tr("Reload from disk"));
   document.history().markSaved();
@@ -92,7 +106,11 @@ QString suggestedPath(const ButtonDocument& document, const QString& folder, con
   name.replace(unsafe, QStringLiteral("-"));
   while (name.startsWith('.')) name.remove(0, 1);
   if (name.isEmpty()) name = QStringLiteral("button");
-  return QDir(folder).filePath(name.left(120) + ending);
+  name.truncate(120);
+  QString path = QDir(folder).filePath(name + ending);
+  for (int n = 2; QFileInfo::exists(path); ++n)
+    path = QDir(folder).filePath(name + QLatin1Char(' ') + QString::number(n) + ending);
+  return path;
 }
 
 }  // namespace detent::editor

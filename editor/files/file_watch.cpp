@@ -10,15 +10,18 @@ namespace {
 
 constexpr int settle_ms = 150;
 
-// Empty where the file cannot be read.
-QByteArray hashOf(const QString& path) {
+}  // namespace
+
+QByteArray contentHash(const QString& path) {
   QFile file(path);
   QCryptographicHash hash(QCryptographicHash::Sha1);
   if (!file.open(QIODevice::ReadOnly) || !hash.addData(&file)) return {};
   return hash.result();
 }
 
-}  // namespace
+QByteArray contentHash(const QByteArray& contents) {
+  return QCryptographicHash::hash(contents, QCryptographicHash::Sha1);
+}
 
 FileWatch::FileWatch(QObject* parent) : QObject(parent) {
   settle_.setSingleShot(true);
@@ -30,7 +33,7 @@ FileWatch::FileWatch(QObject* parent) : QObject(parent) {
 }
 
 void FileWatch::watch(const QString& path) {
-  known_[path] = hashOf(path);
+  known_[path] = contentHash(path);
   watchOnDisk(path);
 }
 
@@ -54,7 +57,7 @@ void FileWatch::check() {
   const QStringList paths = known_.keys();
   for (const QString& path : paths) {
     watchOnDisk(path);
-    const QByteArray now = hashOf(path), before = known_.value(path);
+    const QByteArray now = contentHash(path), before = known_.value(path);
     if (now == before) continue;
     known_[path] = now;
     if (now.isEmpty())

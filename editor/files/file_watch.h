@@ -9,6 +9,11 @@
 
 namespace detent::editor {
 
+/// SHA-1 of a file's contents; empty where it cannot be read. Any thread.
+QByteArray contentHash(const QString& path);
+/// The same of contents in memory.
+QByteArray contentHash(const QByteArray& contents);
+
 /// Compares contents, so touching a file or writing the same again is no change. Writers that rename a new
 /// file over the old one are followed: folders are watched as well. GUI thread.
 class FileWatch : public QObject {

@@ -13,6 +13,8 @@ namespace detent::editor {
 namespace {
 
 const QString ending = QStringLiteral(".recovery.json");
+const QString importFile = QStringLiteral("import.draft.json");
+const QString importPicture = QStringLiteral("import.draft.png");
 
 std::unique_ptr<QLockFile> lockOf(const QString& sessionFolder) {
   auto lock = std::make_unique<QLockFile>(sessionFolder + ".lock");
@@ -123,6 +125,7 @@ void RecoveryStore::flush() {
 
 QList<LeftBehind> RecoveryStore::leftBehind(QStringList* unreadable) {
   QList<LeftBehind> all;
+  leftImports_.clear();
   const QStringList sessions = QDir(folder_).entryList(QDir::Dirs | QDir::NoDotAndDotDot);
   for (const QString& name : sessions) {
     const QString session = QDir(folder_).filePath(name);
@@ -139,8 +142,11 @@ QList<LeftBehind> RecoveryStore::leftBehind(QStringList* unreadable) {
       else if (unreadable)
         unreadable->append(sentenceOf(record.failure()));
     }
-    if (files.isEmpty()) QDir(session).removeRecursively();
-    if (files.isEmpty())
+    QFile import(QDir(session).filePath(importFile));
+    const bool hasImport = import.open(QIODevice::ReadOnly);
+    if (hasImport) leftImports_.append({import.fileName(), import.readAll()});
+    if (files.isEmpty() && !hasImport) QDir(session).removeRecursively();
+    if (files.isEmpty() && !hasImport)
       lock->unlock();
     else
       reserved_.push_back(std::move(lock));
@@ -148,6 +154,35 @@ QList<LeftBehind> RecoveryStore::leftBehind(QStringList* unreadable) {
   std::sort(all.begin(), all.end(),
             [](const LeftBehind& a, const LeftBehind& b) { return a.record.written > b.record.written; });
   return all;
+}
+
+QString RecoveryStore::keepPicture(const QImage& picture) {
+  if (picture.isNull() || !openSession()) return {};
+  const QString file = QDir(session_).filePath(importPicture);
+  writer_.start([file, picture] { picture.save(file); });
+  return file;
+}
+
+void RecoveryStore::keepImport(const QByteArray& text) {
+  if (!openSession()) return;
+  writer_.start([file = bytesOf(QDir(session_).filePath(importFile)), text] {
+    (void)writeTextFileAtomically(file, text.toStdString());  // said once by write()
+  });
+}
+
+void RecoveryStore::dropImport() {
+  if (!lock_) return;
+  writer_.start([session = session_] {
+    QFile::remove(QDir(session).filePath(importFile));
+    QFile::remove(QDir(session).filePath(importPicture));
+  });
+}
+
+void RecoveryStore::discard(const LeftImport& left) {
+  const QDir session = QFileInfo(left.file).dir();
+  QFile::remove(left.file);
+  QFile::remove(session.filePath(importPicture));
+  QDir().rmdir(session.path());
 }
 
 void RecoveryStore::discard(const LeftBehind& left) {

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <QHash>
+#include <QImage>
 #include <QList>
 #include <QLockFile>
 #include <QObject>
@@ -23,6 +24,12 @@ struct LeftBehind {
   RecoveryRecord record;
 };
 
+/// An import that a dead editor left unfinished: the text it was kept as (importing/import_draft.h).
+struct LeftImport {
+  QString file;
+  QByteArray text;
+};
+
 /// Keeps a recovery file beside every modified document it watches, and finds those of dead editors. An
 /// editor's files are guarded by a lock with its process id, so two running ones never take each other's. GUI
 /// thread; files are written by one thread of its own.
@@ -38,6 +45,8 @@ class RecoveryStore : public QObject {
   /// Waits for the writer. Files of documents that are still watched stay, as after a kill.
   ~RecoveryStore() override;
 
+  const QString& folder() const { return folder_; }
+
   /// Watches until forget(); a document that is modified now is written soon.
   void watch(ButtonDocument& document);
   /// Closed by the person: whatever it held is saved or given up, its file goes.
@@ -50,6 +59,16 @@ class RecoveryStore : public QObject {
   QList<LeftBehind> leftBehind(QStringList* unreadable = nullptr);
   /// Recovered or not wanted: deletes the file.
   void discard(const LeftBehind& left);
+
+  /// The unfinished import of this editor: its text, and its picture where it was pasted (given once). Gives
+  /// where the picture lies; empty without one.
+  QString keepPicture(const QImage& picture);
+  void keepImport(const QByteArray& text);
+  /// It is finished, or given up.
+  void dropImport();
+  /// Those of dead editors, as the last leftBehind() met them.
+  const QList<LeftImport>& leftImports() const { return leftImports_; }
+  void discard(const LeftImport& left);
 
  signals:
   /// A recovery file could not be written; a sentence for the status bar. Said once until one succeeds.
@@ -73,6 +92,7 @@ class RecoveryStore : public QObject {
   std::vector<std::unique_ptr<QLockFile>> reserved_;
   QHash<ButtonDocument*, std::shared_ptr<Watched>> watched_;
   QThreadPool writer_;  // one thread: what is asked later is done later
+  QList<LeftImport> leftImports_;
   int nextFile_ = 1;
   bool failing_ = false;
 };

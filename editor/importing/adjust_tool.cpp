@@ -35,9 +35,9 @@ bool isUpright(const FrameCorners& c) {
 
 void shift(importer::Point& p, importer::Point by) { p = {p.x + by.x, p.y + by.y}; }
 
-/// Moves corner i; the two edges that meet in it go along and stay parallel.
-void moveCorner(FrameCorners& c, std::size_t i, importer::Point by, bool alone) {
-  const bool rectangle = !alone && isUpright(c);
+/// Moves corner i: alone, or with the two edges that meet in it, so that an upright rectangle stays one.
+void moveCorner(FrameCorners& c, std::size_t i, importer::Point by, bool keepsRectangle) {
+  const bool rectangle = keepsRectangle && isUpright(c);
   const std::size_t next = (i + 1) % 4, before = (i + 3) % 4;
   const bool nextIsLevel = std::abs(c[next].y - c[i].y) < std::abs(c[next].x - c[i].x);
   shift(c[i], by);
@@ -358,8 +358,8 @@ QCursor AdjustTool::cursor(QPointF widget) const {
 
 QString AdjustTool::hint() const {
   if (active_ && active_->kind == Kind::corner) {
-    return tr("The %1 of the plot frame: drag it or use the arrow keys (Shift ×10, Alt ÷10); with Ctrl it "
-              "leaves the rectangle.")
+    return tr("The %1 of the plot frame: drag it or use the arrow keys (Shift ×10, Alt ÷10); with Ctrl the "
+              "rectangle stays one.")
         .arg(tr(cornerName(active_->index)));
   }
   return tr(

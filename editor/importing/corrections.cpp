@@ -105,6 +105,7 @@ importer::ImportHints hintsFrom(const Corrections& corrections, const std::optio
   setEnds(corrections.y, ends(GraphAxis::y, found ? found->yTicks : none), hints.axes.yMin, hints.axes.yMax);
   hints.axes.xUnit = corrections.xUnit, hints.axes.yUnit = corrections.yUnit;
   hints.trace = {corrections.pressColor, corrections.releaseColor, corrections.masks};
+  hints.drawn = corrections.drawn;
   hints.strokes.swap = corrections.swapStrokes;
   hints.dpi = corrections.dpi;
   return hints;

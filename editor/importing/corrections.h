@@ -40,6 +40,7 @@ struct Corrections {
   std::optional<LengthUnit> xUnit;
   std::optional<ForceUnit> yUnit;
   std::optional<importer::Rgb> pressColor, releaseColor;
+  importer::DrawnStrokes drawn;      ///< page units
   std::vector<importer::Box> masks;  ///< page units
   bool swapStrokes = false;
   std::optional<double> dpi;  ///< (0, 1200]

@@ -5,8 +5,9 @@
 #include <cmath>
 #include <QCoreApplication>
 #include <QFontMetricsF>
-#include <QLocale>
 #include <vector>
+
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -19,7 +20,7 @@ const GraphColors& ink() {
 
 QString tr(const char* text) { return QCoreApplication::translate("detent::editor::PageView", text); }
 
-QString shortNumber(double value) { return QLocale().toString(value, 'g', 4); }
+QString shortNumber(double value) { return numberText(value, 4); }
 
 QPointF toWidget(const FindingsPicture& picture, importer::Point p) {
   return picture.pageToWidget.map(QPointF(p.x, p.y));
@@ -49,6 +50,30 @@ void paintFrame(QPainter& painter, const FindingsPicture& picture) {
   outline << outline.front();
   painter.setBrush(Qt::NoBrush);
   haloed(painter, outline, QPen(ink().operatingPoint, picture.given.frame ? 2 : 1.2));
+}
+
+/// The lines on which the values of the ticks lie, as the corners have them: where they part from the printed
+/// grid, a corner or a tick is wrong.
+void paintImpliedGrid(QPainter& painter, const FindingsPicture& picture) {
+  const FrameCorners& c = *picture.corners;
+  QTransform ofFrame;
+  const QPolygonF quad(
+      {toWidget(picture, c[0]), toWidget(picture, c[1]), toWidget(picture, c[2]), toWidget(picture, c[3])});
+  if (!QTransform::squareToQuad(quad, ofFrame)) return;
+  painter.setPen(QPen(QColor(138, 58, 134, 120), 1));
+  const auto line = [&](GraphAxis axis, importer::Point at) {
+    const auto share = shareAlong(axis, c, at);
+    if (!share || *share < 0 || *share > 1) return;
+    if (axis == GraphAxis::x)
+      painter.drawLine(ofFrame.map(QPointF(*share, 0)), ofFrame.map(QPointF(*share, 1)));
+    else
+      painter.drawLine(ofFrame.map(QPointF(0, 1 - *share)), ofFrame.map(QPointF(1, 1 - *share)));
+  };
+  for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y}) {
+    for (const DrawnTick& tick : axis == GraphAxis::x ? picture.drawn.xTicks : picture.drawn.yTicks)
+      if (tick.used) line(axis, tick.at);
+    for (const AxisTick& tick : picture.given.axis(axis).ticks) line(axis, tick.at);
+  }
 }
 
 /// Unit vector in the widget from the axis outwards.
@@ -152,9 +177,8 @@ void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMar
   const DisplayUnits& u = picture.units;
   const QString text =
       nameOf(mark) + tr("%1 %2, %3 %4")
-                         .arg(QLocale().toString(u.lengthFrom(mark.value.displacement_mm), 'g', 3),
-                              u.lengthSymbol(), QLocale().toString(u.forceFrom(mark.value.force_N), 'g', 3),
-                              u.forceSymbol());
+                         .arg(numberText(u.lengthFrom(mark.value.displacement_mm), 3), u.lengthSymbol(),
+                              numberText(u.forceFrom(mark.value.force_N), 3), u.forceSymbol());
   const QSizeF size = QFontMetricsF(painter.font()).size(0, text);
   paintPlate(painter, freePlace(at, size, mark.stroke == Stroke::press, taken), text, color);
 }
@@ -189,6 +213,7 @@ void paintFindings(QPainter& painter, const FindingsPicture& picture) {
   if (picture.drawn.release) paintStroke(painter, picture, *picture.drawn.release, ink().release, true);
   if (picture.drawn.press) paintStroke(painter, picture, *picture.drawn.press, ink().press, false);
   if (picture.corners) {
+    if (picture.given.frame) paintImpliedGrid(painter, picture);
     paintFrame(painter, picture);
     paintTicks(painter, GraphAxis::x, picture);
     paintTicks(painter, GraphAxis::y, picture);

@@ -13,14 +13,16 @@
 #include <QGroupBox>
 #include <QLabel>
 #include <QLineEdit>
-#include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QToolButton>
+#include <QToolTip>
 #include <QVBoxLayout>
 
+#include "editor/document/graph_colors.h"
+#include "editor/importing/axis_quantity.h"
 #include "editor/importing/finding_words.h"
+#include "editor/quantity/quantity_field.h"
 
 namespace detent::editor {
 namespace {
@@ -35,15 +37,7 @@ QString symbol(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
 }
 
-QString number(double value, int digits = 5) { return QLocale().toString(value, 'g', digits); }
-
-std::optional<double> typed(const QString& text) {
-  bool ok = false;
-  double value = QLocale().toDouble(text.trimmed(), &ok);
-  if (!ok) value = QLocale::c().toDouble(QString(text.trimmed()).replace(',', '.'), &ok);
-  if (!ok || !std::isfinite(value)) return {};
-  return value;
-}
+QString number(double value, int digits = 5) { return numberText(value, digits); }
 
 QIcon swatch(std::optional<importer::Rgb> color, const QColor& otherwise, const QPalette& palette) {
   QPixmap pixmap(22, 14);
@@ -78,8 +72,20 @@ struct AxisFields {
   QComboBox* unit = nullptr;
   Origin range, unitOrigin;
   QLabel* details = nullptr;
-  std::vector<QWidget*> ofPage;  ///< what a force meter's log has no use for
+  std::vector<QWidget*> ofPage;              ///< what a force meter's log has no use for
+  std::optional<double> minShown, maxShown;  ///< as they stand, in the printed unit
 };
+
+// What cannot be read stays as typed, marked, with the reason beside it.
+void showRefusal(QLineEdit& edit, const QString& why) {
+  QPalette colors = edit.palette();
+  colors.setColor(QPalette::Text, why.isEmpty() ? edit.parentWidget()->palette().color(QPalette::Text)
+                                                : graphColors(isDark(edit.palette())).refused);
+  edit.setPalette(colors);
+  edit.setAccessibleDescription(why);
+  if (why.isEmpty()) return QToolTip::hideText();
+  QToolTip::showText(edit.mapToGlobal(edit.rect().bottomLeft()), why, &edit);
+}
 
 QLabel* wrapped(QLabel* label) {
   label->setWordWrap(true);
@@ -146,7 +152,7 @@ struct FindingsPanel::Fields {
   std::vector<QWidget*> curvesOfPage;
   QLabel *strokes = nullptr, *masks = nullptr;
   QToolButton* noMasks = nullptr;
-  QSpinBox* dpi = nullptr;
+  QuantityField* dpi = nullptr;
   Origin dpiOrigin;
   QLabel *result = nullptr, *checks = nullptr, *warnings = nullptr, *seconds = nullptr;
 
@@ -327,8 +333,10 @@ void FindingsPanel::build() {
     connect(button, &QPushButton::clicked, this, [this, tool] { emit toolAsked(tool); });
     row->addStretch();
     made = origin(row, name + QStringLiteral("Reset"),
-                  isPress ? tr("Reset press curve") : tr("Reset release curve"),
-                  [isPress](Corrections& c) { (isPress ? c.pressColor : c.releaseColor).reset(); });
+                  isPress ? tr("Reset press curve") : tr("Reset release curve"), [isPress](Corrections& c) {
+                    (isPress ? c.pressColor : c.releaseColor).reset();
+                    (isPress ? c.drawn.press : c.drawn.release).clear();
+                  });
     curves->addLayout(row);
   };
   colorRow(f.pressColor, f.press, tr("Press curve…"), QStringLiteral("pickPress"), ToolKind::pressColor,
@@ -357,18 +365,16 @@ void FindingsPanel::build() {
   auto* dpiRow = new QHBoxLayout;
   auto* dpiLabel = new QLabel(tr("Resolution"));
   dpiRow->addWidget(dpiLabel);
-  dpiRow->addWidget(f.dpi = new QSpinBox);
+  dpiRow->addWidget(f.dpi = new QuantityField(Quantity::resolution, {}));
   dpiLabel->setBuddy(f.dpi);
   f.dpi->setObjectName(QStringLiteral("dpi"));
-  f.dpi->setRange(0, 1200);
-  f.dpi->setSingleStep(50);
-  f.dpi->setSuffix(tr(" dpi"));
-  f.dpi->setSpecialValueText(tr("by quality"));
+  f.dpi->setRange({0, 1200});
+  f.dpi->setLowestText(tr("by quality"));
   f.dpi->setKeyboardTracking(false);
   f.dpi->setToolTip(
       tr("Resolution at which a page of a document is drawn before it is traced, in dots per inch"));
   f.dpi->setAccessibleName(f.dpi->toolTip());
-  connect(f.dpi, &QSpinBox::valueChanged, this, [this](int value) {
+  connect(f.dpi, &QuantityField::valueChanged, this, [this](double value) {
     change(tr("Resolution"), [value](Corrections& c) {
       if (value > 0)
         c.dpi = value;
@@ -405,19 +411,23 @@ void FindingsPanel::takeEnd(GraphAxis axis, bool isMax) {
   AxisFields& a = fields_->axis(axis);
   QLineEdit* edit = isMax ? a.max : a.min;
   if (!edit->isModified()) return;
+  const AxisQuantity asked = axisQuantity(axis, a.unit->currentText().toStdString());
+  const auto typed = [&](const QLineEdit* field) {
+    std::optional<double> now = field == a.max ? a.maxShown : a.minShown;
+    if (now) *now *= shownUnitOf(asked.quantity, asked.units);
+    return readQuantity(field->text(), asked.quantity, asked.units, now);
+  };
+  const QuantityReading value = typed(edit), other = typed(isMax ? a.min : a.max);
+  showRefusal(*edit, value.value ? QString() : refusalOf(value, asked.quantity, asked.units));
+  if (!value.value) return;  // as typed, so that it can be mended
   edit->setModified(false);
-  const auto value = typed(edit->text());
-  const auto other = typed((isMax ? a.min : a.max)->text());
-  if (!value) {
-    showAxis(axis);
-    return;
-  }
   change(axis == GraphAxis::x ? tr("Displacement range") : tr("Force range"), [&](Corrections& c) {
     AxisCorrection& correction = c.axis(axis);
     // Ticks given before say where the other end is; from now on the ends are given.
-    if (!correction.ticks.empty()) (isMax ? correction.min : correction.max) = other;
+    if (!correction.ticks.empty())
+      (isMax ? correction.min : correction.max) = other.value ? std::optional(other.shown) : std::nullopt;
     correction.ticks.clear();
-    (isMax ? correction.max : correction.min) = value;
+    (isMax ? correction.max : correction.min) = value.shown;
   });
 }
 
@@ -435,7 +445,10 @@ void FindingsPanel::showAxis(GraphAxis axis) {
   }
   const AxisCorrection& correction = given.axis(axis);
   const auto end = [&](QLineEdit* edit, std::optional<double> givenEnd, double found) {
-    if (edit->hasFocus() && edit->isModified()) return;
+    (edit == a.max ? a.maxShown : a.minShown) = givenEnd  ? givenEnd
+                                                : reading ? std::optional(found)
+                                                          : std::nullopt;
+    if (edit->isModified()) return;
     edit->setText(givenEnd ? number(*givenEnd) : reading ? number(found, 4) : QString());
     edit->setModified(false);
   };
@@ -462,7 +475,7 @@ void FindingsPanel::showAxis(GraphAxis axis) {
     details << tr("%1 of %2 numbers used, off by %3 px")
                    .arg(used)
                    .arg(reading->ticks.size())
-                   .arg(QLocale().toString(reading->residual_px, 'f', 2));
+                   .arg(fixedText(reading->residual_px, 2));
   }
   if (reading && !reading->title.empty())
     details << tr("titled “%1”").arg(QString::fromStdString(reading->title));
@@ -490,7 +503,7 @@ void FindingsPanel::showCurves() {
                                              : tr("%1 places masked").arg(given.masks.size()));
   f.noMasks->setVisible(!given.masks.empty());
   const QSignalBlocker quiet(f.dpi);
-  f.dpi->setValue(given.dpi ? qRound(*given.dpi) : 0);
+  f.dpi->setValue(given.dpi.value_or(0));
   f.dpiOrigin.set(given.dpi.has_value(), {});
 }
 

@@ -178,10 +178,24 @@ void ImportDialog::Impl::buildTools(QToolBar& bar) {
   addTool(bar, ToolKind::pressColor, tr("Press curve"), tr("Click the press curve"), Qt::ALT | Qt::Key_4);
   addTool(bar, ToolKind::releaseColor, tr("Release curve"), tr("Click the release curve"),
           Qt::ALT | Qt::Key_5);
+  addTool(bar, ToolKind::drawPress, tr("Draw press"),
+          tr("Click points along the press curve, or draw along it"), Qt::ALT | Qt::Key_9);
+  addTool(bar, ToolKind::drawRelease, tr("Draw release"),
+          tr("Click points along the release curve, or draw along it"), Qt::ALT | Qt::Key_0);
   addTool(bar, ToolKind::maskBox, tr("Mask"), tr("Mask a rectangle"), Qt::ALT | Qt::Key_6);
   addTool(bar, ToolKind::maskBrush, tr("Brush"), tr("Paint a mask"), Qt::ALT | Qt::Key_7);
   addTool(bar, ToolKind::pan, tr("Pan"), tr("Drag the page"), Qt::ALT | Qt::Key_8);
   bar.addSeparator();
+  const auto addKey = [this](const char* name, const QString& text, const QKeySequence& keys, auto run) {
+    auto* action = new QAction(text, &dialog);
+    action->setObjectName(QString::fromLatin1(name));
+    action->setShortcut(keys);
+    dialog.addAction(action);
+    QObject::connect(action, &QAction::triggered, &dialog, run);
+  };
+  addKey("nextGraph", tr("Next graph"), QKeySequence("Ctrl+PgDown"), [this] { state.selectNext(1); });
+  addKey("previousGraph", tr("Previous graph"), QKeySequence("Ctrl+PgUp"), [this] { state.selectNext(-1); });
+  addKey("allGraphs", tr("Tick all graphs"), QKeySequence("Ctrl+Shift+A"), [this] { state.tickAll(); });
   undo = addAction(bar, ViewIcon::undo, QStringLiteral("undo"), tr("Undo"), tr("Undo the last correction"),
                    QKeySequence::Undo, [this] { state.undo(); });
   redo = addAction(bar, ViewIcon::redo, QStringLiteral("redo"), tr("Redo"), tr("Redo the correction"),
@@ -391,10 +405,11 @@ void ImportDialog::Impl::showAdvice() {
     if (const auto& failure = state.page(state.currentPage()).failure)
       return advice->say(AdviceBar::Tone::fault, adviceFor(*failure, state.documentName(), settings.units()));
     if (state.page(state.currentPage()).searched) {
-      const bool elsewhere = !state.graphs().empty();
+      // Of pages that are still searched nothing can be said yet.
+      const bool pageAlone = !state.graphs().empty() || state.searchedPages() < state.pageCount();
       return advice->say(
           AdviceBar::Tone::note,
-          {elsewhere ? tr("No force graph was found on this page.") : tr("No force graph was found."),
+          {pageAlone ? tr("No force graph was found on this page.") : tr("No force graph was found."),
            tr("If there is one, draw its plot frame on the page or click a dashed rectangle."),
            {RemedyKind::giveFrame}});
     }
@@ -408,7 +423,8 @@ void ImportDialog::Impl::showAdvice() {
     if (graph->confirmed) return advice->clear();
     return advice->say(AdviceBar::Tone::doubt, adviceForDoubt(*graph, settings.units()));
   }
-  if (graph->pending == 0) advice->clear();
+  // While a graph is read again, what was said of it stands; what was said before it was there does not.
+  if (graph->pending == 0 || !graph->last) advice->clear();
 }
 
 void ImportDialog::Impl::showAccept() {
@@ -486,6 +502,7 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
   impl_->build();
   impl_->drawIcons();
   impl_->connectState();
+  connect(&impl_->state, &ImportState::correctionsChanged, this, &ImportDialog::draftChanged);
   impl_->showDocument();
   impl_->view->setTool(ToolKind::adjust);
 }
@@ -495,6 +512,16 @@ ImportDialog::~ImportDialog() { qDeleteAll(findChildren<QWidget*>(QString(), Qt:
 
 void ImportDialog::openFile(const QString& path) { impl_->state.openFile(path); }
 void ImportDialog::openPicture(const QImage& picture) { impl_->state.openPicture(picture); }
+
+void ImportDialog::continueDraft(const ImportDraft& draft) { impl_->state.continueDraft(draft); }
+ImportDraft ImportDialog::draft() const { return impl_->state.draft(); }
+const QImage& ImportDialog::pastedPicture() const { return impl_->state.pastedPicture(); }
+
+// Corrections are work: Escape does not throw them away unasked.
+void ImportDialog::reject() {
+  if (mayLeave_ && !draft().empty() && !mayLeave_()) return;
+  QDialog::reject();
+}
 
 void ImportDialog::done(int result) {
   impl_->state.stopAll();

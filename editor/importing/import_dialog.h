@@ -3,10 +3,12 @@
 // The way from a datasheet to a button: pages and graphs, what was found drawn over the page, and every
 // finding open to correction.
 
+#include <functional>
 #include <memory>
 #include <QDialog>
 
 #include "editor/document/view_settings.h"
+#include "editor/importing/import_draft.h"
 #include "importer/importer.h"
 
 namespace detent::editor {
@@ -26,12 +28,22 @@ class ImportDialog : public QDialog {
   void openFile(const QString& path);
   /// A pasted image.
   void openPicture(const QImage& picture);
+  /// As it was when it was interrupted.
+  void continueDraft(const ImportDraft& draft);
+  ImportDraft draft() const;
+  /// Null unless a picture was pasted.
+  const QImage& pastedPicture() const;
+  /// Asked before corrections are given up by closing; without one they go without a word.
+  void setLeaveQuestion(std::function<bool()> mayLeave) { mayLeave_ = std::move(mayLeave); }
+  void reject() override;
   /// Closing ends all work.
   void done(int result) override;
 
  signals:
   /// Once per accepted graph. Shared and never changed.
   void imported(std::shared_ptr<const importer::ImportReport> report);
+  /// draft() is another one now, or may be.
+  void draftChanged();
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -42,6 +54,7 @@ class ImportDialog : public QDialog {
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
+  std::function<bool()> mayLeave_;
 };
 
 }  // namespace detent::editor

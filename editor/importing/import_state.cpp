@@ -103,17 +103,58 @@ ImportState::ImportState(QObject* parent) : QObject(parent), desk_(this) {
           });
 }
 
-void ImportState::openFile(const QString& path) { open(OpenFile{path}, QFileInfo(path).fileName()); }
+void ImportState::openFile(const QString& path) {
+  open(OpenFile{path}, QFileInfo(path).fileName());
+  path_ = path;
+}
+
+void ImportState::continueDraft(const ImportDraft& draft) {
+  quality_ = draft.quality;
+  if (draft.picture.isEmpty())
+    openFile(draft.path);
+  else
+    openPicture(QImage(draft.picture));
+  toRestore_ = draft.graphs;
+  toSelect_ = draft.current;
+}
+
+ImportDraft ImportState::draft() const {
+  ImportDraft draft{path_, {}, quality_, current_, toRestore_};
+  for (const auto& [id, graph] : graphs_)
+    if (!(graph.history.now() == Corrections{}))
+      draft.graphs.push_back({id, graph.history.now(), !graph.listed.has_value() && !isForceLog()});
+  return draft;
+}
+
+// Those of one page once it is searched: found graphs have their numbers then, the others were drawn.
+void ImportState::restoreGraphs(int page) {
+  std::optional<GraphId> restored;
+  for (const DraftGraph& each : toRestore_) {
+    if (each.id.page != page) continue;
+    if (!each.framedByHand && !graphs_.contains(each.id)) continue;  // found no more: nothing to correct
+    ImportGraph& graph = graphs_[each.id];
+    graph.id = each.id;
+    graph.history.apply(each.corrections, tr("Continue"));
+    restored = each.id;
+  }
+  std::erase_if(toRestore_, [page](const DraftGraph& each) { return each.id.page == page; });
+  if (!restored) return;
+  emit graphsChanged();
+  selectGraph(toSelect_ && toSelect_->page == page && graphs_.contains(*toSelect_) ? *toSelect_ : *restored);
+}
 
 void ImportState::openPicture(const QImage& picture) {
   const QString name = tr("Pasted picture");
   open(OpenPicture{picture, name}, name);
+  pasted_ = picture;
 }
 
 void ImportState::open(Query query, const QString& name) {
   desk_.forgetAll();
   toAccept_.clear();
   name_ = name;
+  path_.clear(), pasted_ = {};
+  toRestore_.clear(), toSelect_.reset();
   facts_.reset(), openFailure_.reset();
   pages_.clear(), graphs_.clear();
   currentPage_ = 0, current_.reset(), sheet_.reset();
@@ -165,6 +206,7 @@ void ImportState::takeFacts(const DocumentFacts& facts) {
   emit documentChanged();
   if (isForceLog()) {
     graphs_[logGraph].id = logGraph;
+    restoreGraphs(logGraph.page);
     emit graphsChanged();
     selectGraph(logGraph);
     return;
@@ -215,6 +257,7 @@ void ImportState::takeGraphs(const FoundGraphs& found) {
   }
   emit pageChanged(number);
   emit graphsChanged();
+  restoreGraphs(number);
   if (!current_ && !found.graphs.empty()) {
     const auto surest = std::max_element(
         found.graphs.begin(), found.graphs.end(),
@@ -359,6 +402,22 @@ void ImportState::addGraph(const FrameCorners& frame) {
   graph.history.apply(corrections, tr("Draw plot frame"));
   emit graphsChanged();
   selectGraph(id);
+}
+
+void ImportState::tickAll() {
+  const bool all = tickedCount() == static_cast<int>(graphs_.size());
+  for (auto& [id, graph] : graphs_) graph.ticked = !all;
+  emit graphsChanged();
+  emit resultChanged();
+}
+
+void ImportState::selectNext(int by) {
+  const std::vector<GraphId> all = graphs();
+  if (all.empty()) return;
+  auto at = std::lower_bound(all.begin(), all.end(), current_.value_or(GraphId{currentPage_, 0}));
+  std::ptrdiff_t next = at - all.begin() + by;
+  if (!current_ && by > 0) --next;  // from a page without one: the first one after it
+  selectGraph(all[static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(next, 0, std::ssize(all) - 1))]);
 }
 
 void ImportState::setConfirmed(bool confirmed) {

@@ -11,6 +11,7 @@
 
 #include "editor/importing/corrections.h"
 #include "editor/importing/import_desk.h"
+#include "editor/importing/import_draft.h"
 
 namespace detent::editor {
 
@@ -72,6 +73,12 @@ class ImportState : public QObject {
   /// Both drop what was open.
   void openFile(const QString& path);
   void openPicture(const QImage& picture);
+  /// Opens the sheet of a draft again and gives its graphs the corrections they had, as they are found.
+  void continueDraft(const ImportDraft& draft);
+  /// What would be lost if all went away now; `picture` of a pasted one is left to whoever writes it.
+  ImportDraft draft() const;
+  /// Null unless a picture was pasted.
+  const QImage& pastedPicture() const { return pasted_; }
 
   bool opening() const { return openTicket_ != 0; }
   bool isOpen() const { return facts_.has_value(); }
@@ -94,6 +101,10 @@ class ImportState : public QObject {
   void showPage(int number);
   void selectGraph(GraphId id);
   void setTicked(GraphId id, bool ticked);
+  /// All graphs found so far, to be imported together; none of them where all are ticked already.
+  void tickAll();
+  /// The graph that many further in reading order, over page ends; stops at the first and the last.
+  void selectNext(int by);
   /// These thumbnails are read next.
   void setVisiblePages(int first, int last);
 
@@ -150,10 +161,14 @@ class ImportState : public QObject {
   void acceptNext();
   ImportPage& pageRef(int number) { return pages_[static_cast<std::size_t>(number - 1)]; }
   ImportGraph* currentRef();
+  void restoreGraphs(int page);
 
   ImportDesk desk_;
   ImportDesk::Ticket openTicket_ = 0, sheetTicket_ = 0;
-  QString name_;
+  QString name_, path_;
+  QImage pasted_;
+  std::vector<DraftGraph> toRestore_;  ///< corrections whose graphs are not known yet
+  std::optional<GraphId> toSelect_;
   std::optional<DocumentFacts> facts_;
   std::optional<Failure> openFailure_;
   std::vector<ImportPage> pages_;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QLocale>
 #include <QPainter>
 
 #include "editor/document/graph_colors.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -83,7 +83,7 @@ void LogPlot::paintEvent(QPaintEvent*) {
     painter.drawLine(scale.at(x, scale.yMin), scale.at(x, scale.yMax));
     painter.setPen(colors.text);
     painter.drawText(QRectF(scale.at(x, scale.yMin) + QPointF(-40, 4), QSizeF(80, 18)), Qt::AlignCenter,
-                     QLocale().toString(x, 'g', 3));
+                     numberText(x, 3));
   }
   for (double step = niceStep(scale.yMax - scale.yMin), y = std::ceil(scale.yMin / step) * step;
        y <= scale.yMax; y += step) {
@@ -91,7 +91,7 @@ void LogPlot::paintEvent(QPaintEvent*) {
     painter.drawLine(scale.at(0, y), scale.at(scale.xMax, y));
     painter.setPen(colors.text);
     painter.drawText(QRectF(scale.at(0, y) + QPointF(-60, -9), QSizeF(54, 18)),
-                     Qt::AlignRight | Qt::AlignVCenter, QLocale().toString(y, 'g', 3));
+                     Qt::AlignRight | Qt::AlignVCenter, numberText(y, 3));
   }
   painter.setPen(QPen(colors.axis, 1.5));
   painter.drawRect(scale.area);

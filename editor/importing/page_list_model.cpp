@@ -2,17 +2,17 @@
 #include "editor/importing/page_list_model.h"
 
 #include <algorithm>
-#include <QLocale>
 #include <QPainter>
 
 #include "editor/importing/finding_words.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
 
 constexpr QSize pageIcon(150, 190), graphIcon(150, 104);
 
-QString number(double value) { return QLocale().toString(value, 'g', 4); }
+QString number(double value) { return numberText(value, 4); }
 
 QImage blank(QSize size) {
   QImage image(size, QImage::Format_ARGB32_Premultiplied);

@@ -161,18 +161,34 @@ class MaskBoxTool : public RectangleTool {
   }
 };
 
+/// Two frames of one graph: each covers much of the other.
+bool isSameGraph(const FrameCorners& a, const FrameCorners& b) {
+  constexpr double leastShare = 0.3;
+  const auto boxOfFrame = [](const FrameCorners& c) {
+    QPolygonF outline;
+    for (const importer::Point& p : c) outline << QPointF(p.x, p.y);
+    return outline.boundingRect();
+  };
+  const QRectF x = boxOfFrame(a), y = boxOfFrame(b), both = x & y;
+  return both.width() * both.height() >=
+         leastShare * std::min(x.width() * x.height(), y.width() * y.height());
+}
+
 class DrawFrameTool : public RectangleTool {
  public:
   using RectangleTool::RectangleTool;
   QString hint() const override {
     return tr(
-        "Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn.");
+        "Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn. "
+        "Over "
+        "the frame of the graph shown it corrects that; beside it it adds a graph.");
   }
 
  private:
   void take(const importer::Box& box) override {
     const FrameCorners frame{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}};
-    if (view_.state().current()) {
+    const auto shown = view_.shownCorners();
+    if (view_.state().current() && (!shown || isSameGraph(frame, *shown))) {
       Corrections next = view_.shown();
       next.frame = frame;
       view_.state().apply(next, tr("Draw plot frame"));
@@ -255,6 +271,86 @@ class MaskBrushTool : public PageTool {
   std::optional<Corrections> before_;
   std::vector<importer::Box> painted_;
   QPointF last_, at_;
+};
+
+/// Click points along a curve, or draw along it; the line between is pulled to the ink when it is read.
+class DrawCurveTool : public PageTool {
+ public:
+  DrawCurveTool(PageView& view, Stroke stroke) : PageTool(view), stroke_(stroke) {}
+  bool press(const QMouseEvent& event) override {
+    if (event.button() != Qt::LeftButton || !view_.state().current()) return false;
+    add(event.position());
+    held_ = true;
+    return true;
+  }
+  bool move(const QMouseEvent& event) override {
+    at_ = event.position();
+    view_.setMagnifier(at_);
+    if (held_ && distance(view_.toWidget(points_.back()), at_) >= drawnEvery_px) add(at_);
+    view_.update();
+    return true;
+  }
+  bool release(const QMouseEvent&) override {
+    held_ = false;
+    return true;
+  }
+  bool doubleClick(const QMouseEvent&) override {
+    finish();
+    return true;
+  }
+  bool key(const QKeyEvent& event) override {
+    if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) return finish();
+    if (event.key() != Qt::Key_Backspace || points_.empty()) return false;
+    points_.pop_back();
+    held_ = false;
+    view_.update();
+    return true;
+  }
+  bool busy() const override { return !points_.empty(); }
+  void cancel() override {
+    points_.clear();
+    held_ = false;
+    view_.setMagnifier({});
+    view_.update();
+  }
+  void paint(QPainter& painter) const override {
+    QPolygonF line;
+    for (const importer::Point& p : points_) line << view_.toWidget(p);
+    if (!line.isEmpty() && !held_) line << at_;
+    const QColor ink = stroke_ == Stroke::press ? view_.colors().press : view_.colors().release;
+    painter.setPen(QPen(ink, 1.5, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolyline(line);
+    painter.setBrush(ink);
+    for (const importer::Point& p : points_) painter.drawEllipse(view_.toWidget(p), 2.5, 2.5);
+  }
+  QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
+  QString hint() const override {
+    return stroke_ == Stroke::press ? tr("Click points along the press curve, or draw along it; Enter or a "
+                                         "double click ends it. Over "
+                                         "a part of a traced curve it replaces that part.")
+                                    : tr("Click points along the release curve, or draw along it; Enter or a "
+                                         "double click ends it. "
+                                         "Over a part of a traced curve it replaces that part.");
+  }
+
+ private:
+  static constexpr double drawnEvery_px = 12;
+  void add(QPointF widget) { points_.push_back(view_.onPage(view_.toPage(widget))); }
+  bool finish() {
+    if (points_.size() < 2 || !view_.state().current()) return false;
+    Corrections next = view_.shown();
+    (stroke_ == Stroke::press ? next.drawn.press : next.drawn.release) = points_;
+    cancel();
+    view_.setTool(ToolKind::adjust);
+    view_.state().apply(next, stroke_ == Stroke::press ? tr("Draw press curve") : tr("Draw release curve"));
+    return true;
+  }
+
+  Stroke stroke_;
+  std::vector<importer::Point> points_;
+  bool held_ = false;
+  QPointF at_;
 };
 
 class PipetteTool : public PageTool {
@@ -351,6 +447,10 @@ std::unique_ptr<PageTool> makeTool(ToolKind kind, PageView& view) {
       return std::make_unique<PipetteTool>(view, Stroke::press);
     case ToolKind::releaseColor:
       return std::make_unique<PipetteTool>(view, Stroke::release);
+    case ToolKind::drawPress:
+      return std::make_unique<DrawCurveTool>(view, Stroke::press);
+    case ToolKind::drawRelease:
+      return std::make_unique<DrawCurveTool>(view, Stroke::release);
     case ToolKind::maskBox:
       return std::make_unique<MaskBoxTool>(view);
     case ToolKind::maskBrush:

@@ -5,28 +5,21 @@
 #include <cmath>
 #include <QHelpEvent>
 #include <QLineEdit>
-#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <QToolTip>
 #include <utility>
 
+#include "editor/importing/axis_quantity.h"
 #include "editor/importing/finding_words.h"
 #include "editor/importing/findings_painting.h"
 #include "editor/importing/page_tool.h"
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
 
 constexpr double leastZoom = 0.02, mostZoom = 200;  // widget pixels per page unit
-
-std::optional<double> typedNumber(const QString& text) {
-  bool ok = false;
-  double value = QLocale().toDouble(text.trimmed(), &ok);
-  if (!ok) value = QLocale::c().toDouble(QString(text.trimmed()).replace(',', '.'), &ok);
-  if (!ok || !std::isfinite(value)) return {};
-  return value;
-}
 
 QRectF rectOf(const importer::Box& box) { return {QPointF(box.x0, box.y0), QPointF(box.x1, box.y1)}; }
 
@@ -240,10 +233,10 @@ void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::s
     unit = QString::fromStdString(reading.unit);
     if (const auto corners = shownCorners()) {
       const double share = shareAlong(axis, *corners, at).value_or(0);
-      editor->setText(QLocale().toString(reading.min + share * (reading.max - reading.min), 'g', 4));
+      editor->setText(numberText(reading.min + share * (reading.max - reading.min), 4));
     }
   }
-  if (replaces) editor->setText(QLocale().toString(shown().axis(axis).ticks[*replaces].value, 'g', 6));
+  if (replaces) editor->setText(numberText(shown().axis(axis).ticks[*replaces].value, 6));
   editor->setPlaceholderText(unit.isEmpty() ? tr("value") : tr("value in %1").arg(unit));
   editor->setToolTip(editor->placeholderText());
   editor->setFixedWidth(96);
@@ -254,23 +247,29 @@ void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::s
   editor->selectAll();
   editor->show();
   editor->setFocus();
-  connect(editor, &QLineEdit::returnPressed, this, [this, editor, axis, at, replaces] {
-    const auto value = typedNumber(editor->text());
-    if (!value) {
-      emit hint(tr("That is not a number. Type a value like 0.5 or 120."));
-      return;
-    }
-    Corrections next = shown();
-    AxisCorrection& correction = next.axis(axis);
-    correction.min.reset(), correction.max.reset();
-    if (replaces && *replaces < correction.ticks.size()) {
-      correction.ticks[*replaces].value = *value;
-    } else {
-      correction.ticks.push_back({at, *value});
-    }
-    closeEditor();
-    state_.apply(next, axis == GraphAxis::x ? tr("Set displacement tick") : tr("Set force tick"));
-  });
+  const AxisQuantity asked = axisQuantity(axis, unit.toStdString());
+  const auto shownNow = readQuantity(editor->text(), asked.quantity, asked.units);
+  connect(editor, &QLineEdit::returnPressed, this,
+          [this, editor, axis, at, replaces, asked, now = shownNow.value] {
+            const QuantityReading typed = readQuantity(editor->text(), asked.quantity, asked.units, now);
+            if (!typed.value) {
+              const QString why = refusalOf(typed, asked.quantity, asked.units);
+              editor->setAccessibleDescription(why);
+              QToolTip::showText(editor->mapToGlobal(editor->rect().bottomLeft()), why, editor);
+              emit hint(why);
+              return;
+            }
+            Corrections next = shown();
+            AxisCorrection& correction = next.axis(axis);
+            correction.min.reset(), correction.max.reset();
+            if (replaces && *replaces < correction.ticks.size()) {
+              correction.ticks[*replaces].value = typed.shown;
+            } else {
+              correction.ticks.push_back({at, typed.shown});
+            }
+            closeEditor();
+            state_.apply(next, axis == GraphAxis::x ? tr("Set displacement tick") : tr("Set force tick"));
+          });
   connect(editor, &QLineEdit::editingFinished, editor, [editor] {
     if (!editor->hasFocus()) editor->deleteLater();  // Enter with what is not a number leaves it open
   });

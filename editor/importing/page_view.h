@@ -15,7 +15,18 @@
 namespace detent::editor {
 
 class PageTool;
-enum class ToolKind { adjust, scale, drawFrame, pressColor, releaseColor, maskBox, maskBrush, pan };
+enum class ToolKind {
+  adjust,
+  scale,
+  drawFrame,
+  pressColor,
+  releaseColor,
+  drawPress,
+  drawRelease,
+  maskBox,
+  maskBrush,
+  pan
+};
 
 /// Draws page, findings and corrections; wheel zooms at the pointer, middle button or space drags the page.
 /// GUI thread.

@@ -2,7 +2,8 @@
 #include "editor/importing/quality_figures.h"
 
 #include <QCoreApplication>
-#include <QLocale>
+
+#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
@@ -38,8 +39,7 @@ QualityFigures figuresOf(importer::Quality quality) {
 QString describedQuality(importer::Quality quality) {
   const QualityFigures figures = figuresOf(quality);
   return tr("%1 – about %2 s, error %3 % of the axis")
-      .arg(levelName(quality), QLocale().toString(figures.median_s, 'g', 2),
-           QLocale().toString(figures.error_percentOfSpan, 'g', 2));
+      .arg(levelName(quality), numberText(figures.median_s, 2), numberText(figures.error_percentOfSpan, 2));
 }
 
 }  // namespace detent::editor

@@ -71,6 +71,17 @@ void drawPipette(QPainter& p, const QColor& ink, const QColor& drop) {
   p.drawEllipse(QPointF(4.6, 16.2), 2.6, 2.6);
 }
 
+// A line through three points.
+void drawPen(QPainter& p, const QColor& ink, const QColor& line) {
+  QPainterPath course(QPointF(3, 16));
+  course.cubicTo(7, 2, 11, 18, 17, 5);
+  p.setPen(QPen(line, 2));
+  p.drawPath(course);
+  p.setPen(Qt::NoPen);
+  p.setBrush(ink);
+  for (const QPointF at : {QPointF(3, 16), QPointF(9.3, 10.2), QPointF(17, 5)}) p.drawEllipse(at, 2.1, 2.1);
+}
+
 void drawMask(QPainter& p, const QColor& ink) {
   p.drawRect(QRectF(3, 5, 14, 10));
   p.setPen(QPen(ink, 1));
@@ -146,6 +157,12 @@ QIcon toolIcon(ToolKind kind, const QPalette& palette) {
                     palette);
     case ToolKind::releaseColor:
       return iconOf([drop = colors.release](QPainter& p, const QColor& ink) { drawPipette(p, ink, drop); },
+                    palette);
+    case ToolKind::drawPress:
+      return iconOf([line = colors.press](QPainter& p, const QColor& ink) { drawPen(p, ink, line); },
+                    palette);
+    case ToolKind::drawRelease:
+      return iconOf([line = colors.release](QPainter& p, const QColor& ink) { drawPen(p, ink, line); },
                     palette);
     case ToolKind::maskBox:
       return iconOf(drawMask, palette);

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <QCoreApplication>
-#include <QLocale>
 
+#include "editor/quantity/quantity.h"
 #include "model/metrics.h"
 
 namespace detent::editor {
@@ -116,9 +116,9 @@ double inUnits(double value, Measure measure, const DisplayUnits& units) {
 
 // Four significant digits, but no more decimals than a micrometre or a hundredth of a gram needs.
 QString number(double value) {
-  if (value == 0) return QLocale().toString(0);
+  if (value == 0) return numberText(0);
   const int digits = std::clamp(3 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 4);
-  return QLocale().toString(value, 'f', digits);
+  return fixedText(value, digits);
 }
 
 const QString nothing = QStringLiteral("\u2013");
@@ -143,7 +143,7 @@ std::vector<DifferenceRow> differencesOf(const ButtonState& a, const ButtonState
 
 QString shownValue(std::optional<double> value, Measure measure, const DisplayUnits& units) {
   if (!value) return nothing;
-  if (measure == Measure::count) return QLocale().toString(static_cast<int>(*value));
+  if (measure == Measure::count) return numberText(static_cast<int>(*value));
   return number(inUnits(*value, measure, units));
 }
 

@@ -89,7 +89,10 @@ GraphWorkspace::GraphWorkspace(ButtonDocument& document, ViewSettings& settings,
   connect(operations_.get(), &OperationMenu::said, this, &GraphWorkspace::statusMessage);
   connect(&document_, &ButtonDocument::changed, this, &GraphWorkspace::followDocument);
   connect(&document_, &ButtonDocument::activeStateChanged, this, &GraphWorkspace::followDocument);
-  connect(&document_, &ButtonDocument::originChanged, this, &GraphWorkspace::followSettings);
+  connect(&document_, &ButtonDocument::originChanged, this, [this] {
+    followDocument();
+    followSettings();
+  });
   connect(&settings_, &ViewSettings::changed, this, &GraphWorkspace::followSettings);
   followDocument();
   followSettings();

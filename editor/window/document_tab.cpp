@@ -4,8 +4,11 @@
 #include <QVBoxLayout>
 
 #include "editor/canvas/graph_canvas.h"
+#include "editor/panels/checks_panel.h"
 #include "editor/panels/history_panel.h"
+#include "editor/panels/values_model.h"
 #include "editor/panels/values_panel.h"
+#include "editor/tools/hit_test.h"
 
 namespace detent::editor {
 
@@ -26,6 +29,7 @@ DocumentTab::DocumentTab(std::unique_ptr<ButtonDocument> document, ViewSettings&
 DocumentTab::~DocumentTab() {
   delete values_;
   delete history_;
+  delete checks_;
   delete workspace_;
 }
 
@@ -38,8 +42,36 @@ QWidget* DocumentTab::valuesPanel() {
     connect(values, &ValuesPanel::markChosen, &canvas, &GraphCanvas::setSelected);
     connect(&canvas, &GraphCanvas::selectionChanged, values,
             [values, &canvas] { values->showMark(canvas.selected()); });
+    connect(&values->model(), &QAbstractItemModel::modelReset, values,
+            [values, &canvas] { values->showMark(canvas.selected()); });
   }
   return values_;
+}
+
+QWidget* DocumentTab::checksPanel() {
+  if (!checks_) {
+    auto* checks = new ChecksPanel(*document_, settings_, nullptr);
+    checks_ = checks;
+    connect(checks, &ChecksPanel::placeChosen, this, &DocumentTab::showPlace);
+  }
+  return checks_;
+}
+
+// The mark that stands there, else the section around it; in view.
+void DocumentTab::showPlace(const WarningPlace& place) {
+  if (place.state && *place.state < document_->button().states().size())
+    document_->setActiveState(*place.state);
+  if (!place.at_mm) return;
+  GraphCanvas& canvas = workspace_->canvas();
+  const Stroke stroke = place.stroke.value_or(Stroke::press);
+  std::optional<MarkId> there;
+  for (const Mark& mark : pointMarks(canvas.state(), canvas.values()))
+    if (!there && mark.id.stroke == stroke && mark.at.displacement_mm == *place.at_mm) there = mark.id;
+  if (const auto section = sectionAt(canvas.values().of(stroke), *place.at_mm); !there && section)
+    there = MarkId{MarkKind::section, stroke, *section};
+  canvas.setSelected(there);
+  const double force_N = canvas.state().graph.curve(stroke).force_N(*place.at_mm);
+  if (!canvas.shownRange().contains(*place.at_mm, force_N)) canvas.fit();
 }
 
 QWidget* DocumentTab::historyPanel() {

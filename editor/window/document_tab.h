@@ -10,6 +10,7 @@
 #include "editor/document/view_settings.h"
 #include "editor/panels/graph_workspace.h"
 #include "editor/window/notice_bar.h"
+#include "model/validation.h"
 
 namespace detent::editor {
 
@@ -26,13 +27,16 @@ class DocumentTab : public QWidget {
   NoticeBar& notices() { return *notices_; }
   QWidget* valuesPanel();
   QWidget* historyPanel();
+  QWidget* checksPanel();
 
  private:
   std::unique_ptr<ButtonDocument> document_;  // outlives everything that shows it
   ViewSettings& settings_;
   NoticeBar* notices_;
   GraphWorkspace* workspace_;
-  QPointer<QWidget> values_, history_;
+  void showPlace(const WarningPlace& place);
+
+  QPointer<QWidget> values_, history_, checks_;
 };
 
 }  // namespace detent::editor

@@ -22,23 +22,67 @@ constexpr double exportedPixelRatio = 2;
 
 QString shown(const QString& path) { return QDir::toNativeSeparators(path); }
 
+QString marksBeside(const QString& recoveryFolder) {
+  return QFileInfo(recoveryFolder).dir().filePath(QStringLiteral("open-files"));
+}
+
 }  // namespace
 
 FileDesk::FileDesk(const FileDeskPlaces& places, QObject* parent)
-    : QObject(parent), at_(places), recent_(places.settings) {
+    : QObject(parent),
+      at_(places),
+      recent_(places.settings),
+      marks_(marksBeside(places.recovery.folder())),
+      pages_(places.settings) {
+  connectPages();
+  draftSoon_.setSingleShot(true);
+  draftSoon_.setInterval(RecoveryStore::writeAfter_ms);
+  connect(&draftSoon_, &QTimer::timeout, this, &FileDesk::keepDraft);
+  connect(&marks_, &OpenMarks::otherEditorChanged, this,
+          [this](ButtonDocument* document) { sayOtherEditor(*document); });
   connect(&watch_, &FileWatch::changedOutside, this, &FileDesk::changedOutside);
   connect(&watch_, &FileWatch::vanished, this, &FileDesk::vanished);
   connect(&at_.recovery, &RecoveryStore::failed, this,
           [this](const QString& sentence) { trouble("autosave", sentence); });
-  connect(&at_.tabs, &TabArea::tabAdded, this,
-          [this](DocumentTab* tab) { at_.recovery.watch(tab->document()); });
+  connect(&at_.tabs, &TabArea::tabAdded, this, [this](DocumentTab* tab) {
+    at_.recovery.watch(tab->document());
+    marks_.watch(tab->document());
+  });
   connect(&at_.tabs, &TabArea::tabClosing, this, [this](DocumentTab* tab) {
     at_.recovery.forget(tab->document());
+    marks_.forget(tab->document());
     if (!tab->document().path().isEmpty()) watch_.forget(tab->document().path());
   });
 }
 
 FileDesk::~FileDesk() { delete importing_; }
+
+NoticeBar::Choice FileDesk::findSheetChoice(ButtonDocument& document) {
+  return {"findSheet", tr("Find the sheet…"), [this, known = QPointer<ButtonDocument>(&document)] {
+            const QStringList chosen =
+                at_.prompts.filesToOpen(&at_.window, tr("Find the sheet"), folder(), openFilters());
+            if (known && !chosen.isEmpty()) pages_.bringBackFrom(*known, chosen.front());
+          }};
+}
+
+void FileDesk::connectPages() {
+  const auto say = [this](ButtonDocument* document, NoticeBar::Kind kind, const QString& sentence) {
+    if (DocumentTab* tab = at_.tabs.tabOf(document))
+      tab->notices().say("page", kind, sentence, {findSheetChoice(*document)});
+  };
+  connect(&pages_, &PageReturn::returned, this, [this](ButtonDocument* document) {
+    if (DocumentTab* tab = at_.tabs.tabOf(document)) tab->notices().dismiss("page");
+    emit done(tr("The page of %1 is behind the curves again.").arg(document->title()));
+  });
+  connect(&pages_, &PageReturn::missing, this, [say](ButtonDocument* document, const QString& name) {
+    say(document, NoticeBar::Kind::information,
+        tr("The sheet this button was read from, %1, is neither beside its file nor where it was last.")
+            .arg(name));
+  });
+  connect(&pages_, &PageReturn::refused, this, [say](ButtonDocument* document, const QString& sentence) {
+    say(document, NoticeBar::Kind::trouble, sentence);
+  });
+}
 
 void FileDesk::trouble(const QString& id, const QString& sentence) {
   at_.notices.say(id, NoticeBar::Kind::trouble, sentence);
@@ -102,6 +146,7 @@ DocumentTab* FileDesk::openButton(const QString& path) {
   DocumentTab& tab = at_.tabs.add(*std::move(document));
   if (!tab.document().path().isEmpty()) watch_.watch(absolute);
   recent_.add(absolute);
+  pages_.bringBack(tab.document());
   return &tab;
 }
 
@@ -110,6 +155,7 @@ void FileDesk::startImport() {
   if (toImport_.empty() || (importing_ && importing_->isVisible())) return;
   const QString path = toImport_.front();
   toImport_.pop_front();
+  importingFrom_ = path;
   ImportDialog& dialog = importDialog();
   dialog.show();
   dialog.raise();
@@ -119,6 +165,7 @@ void FileDesk::startImport() {
 }
 
 void FileDesk::importPicture(const QImage& picture) {
+  importingFrom_.clear();
   ImportDialog& dialog = importDialog();
   dialog.show();
   dialog.raise();
@@ -132,12 +179,25 @@ ImportDialog& FileDesk::importDialog() {
   delete importing_;
   importing_ = new ImportDialog(at_.view, &at_.window);
   connect(importing_, &ImportDialog::imported, this, &FileDesk::addImported);
+  connect(importing_, &ImportDialog::draftChanged, this, [this] {
+    if (!draftSoon_.isActive()) draftSoon_.start();
+  });
+  connect(importing_, &QDialog::finished, this, [this] {
+    draftSoon_.stop();
+    pastedFile_.clear();
+    at_.recovery.dropImport();
+  });
+  importing_->setLeaveQuestion([this] {
+    return at_.prompts.confirm(importing_, tr("Give up the corrections made to this sheet?"), tr("Give up"));
+  });
   connect(importing_, &QDialog::finished, this, &FileDesk::startImport, Qt::QueuedConnection);
   return *importing_;
 }
 
 void FileDesk::addImported(std::shared_ptr<const importer::ImportReport> report) {
+  if (const auto& provenance = report->button.provenance()) pages_.remember(*provenance, importingFrom_);
   at_.tabs.add(importedDocument(std::move(report)));
+  at_.recovery.flush();  // it may have cost an hour: not even two seconds of it are risked
 }
 
 bool FileDesk::canTake(const QMimeData& data) { return data.hasUrls() || data.hasImage(); }
@@ -158,11 +218,58 @@ bool FileDesk::take(const QMimeData& data) {
 
 // ---- saving and closing
 
+NoticeBar::Choice FileDesk::saveAsChoice(DocumentTab& tab) {
+  return {"saveAs", tr("Save as…"), [this, &tab] { saveAs(tab); }};
+}
+
+void FileDesk::sayNotSaved(DocumentTab& tab, const QString& why) {
+  tab.notices().say("save", NoticeBar::Kind::trouble, tr("Not saved: %1").arg(why), {saveAsChoice(tab)});
+}
+
+void FileDesk::sayOtherEditor(ButtonDocument& document) {
+  DocumentTab* tab = at_.tabs.tabOf(&document);
+  if (!tab) return;
+  const auto other = marks_.otherEditor(document);
+  if (!other) return tab->notices().dismiss("otherEditor");
+  tab->notices().say(
+      "otherEditor", NoticeBar::Kind::information,
+      tr("Another Detent window (process %1) has this file open. Whoever saves second is asked "
+         "before the first one's changes are overwritten.")
+          .arg(*other));
+}
+
+// Nothing is written over what somebody else has saved since: the person decides.
+void FileDesk::sayChangedOnDisk(DocumentTab& tab, const QString& sentence) {
+  tab.notices().say("disk", NoticeBar::Kind::trouble, sentence,
+                    {{"overwrite", tr("Overwrite"),
+                      [this, &tab] {
+                        tab.document().setKnownContent(contentHash(tab.document().path()));
+                        save(tab);
+                      }},
+                     saveAsChoice(tab),
+                     {"reload", tr("Reload"), [this, &tab] { reload(tab); }}});
+}
+
+void FileDesk::reload(DocumentTab& tab) {
+  const auto reloaded = reloadDocument(tab.document());
+  if (reloaded)
+    emit done(tr("Reloaded %1").arg(shown(tab.document().path())));
+  else
+    tab.notices().say("disk", NoticeBar::Kind::trouble,
+                      tr("Not reloaded: %1").arg(sentenceOf(reloaded.failure())), {saveAsChoice(tab)});
+}
+
 bool FileDesk::write(DocumentTab& tab, const QString& path) {
   const QString before = tab.document().path();
+  if (path == before && diskStateOf(tab.document()) == DiskState::changed) {
+    at_.tabs.show(tab.document());
+    sayChangedOnDisk(
+        tab, tr("Not saved: another program has changed %1 since it was read here.").arg(shown(path)));
+    return false;
+  }
   const auto saved = saveDocument(tab.document(), path);
   if (!saved) {
-    tab.notices().say("save", NoticeBar::Kind::trouble, tr("Not saved: %1").arg(sentenceOf(saved.failure())));
+    sayNotSaved(tab, sentenceOf(saved.failure()));
     return false;
   }
   if (!before.isEmpty() && before != tab.document().path()) watch_.forget(before);
@@ -191,10 +298,8 @@ bool FileDesk::saveAs(DocumentTab& tab) {
       !at_.prompts.confirm(&at_.window, tr("%1 exists already.").arg(shown(path)), tr("Replace it")))
     return false;
   if (DocumentTab* other = at_.tabs.withPath(path); other && other != &tab) {
-    tab.notices().say(
-        "save", NoticeBar::Kind::trouble,
-        tr("Not saved: %1 is open in another tab. Close it there first, or choose another name.")
-            .arg(shown(path)));
+    sayNotSaved(
+        tab, tr("%1 is open in another tab. Close it there first, or choose another name").arg(shown(path)));
     return false;
   }
   return write(tab, path);
@@ -283,6 +388,44 @@ void FileDesk::offerRecovery() {
   const QList<LeftBehind> left = at_.recovery.leftBehind(&unreadable);
   for (const QString& sentence : unreadable) trouble("recovery:" + sentence, sentence);
   if (!left.isEmpty()) sayLeftBehind(left);
+  offerImports();
+}
+
+// What a hand corrected is on the disk within two seconds, as a document's changes are.
+void FileDesk::keepDraft() {
+  if (!importing_ || !importing_->isVisible()) return;
+  ImportDraft draft = importing_->draft();
+  if (draft.empty()) return at_.recovery.dropImport();
+  if (!importing_->pastedPicture().isNull() && pastedFile_.isEmpty())
+    pastedFile_ = at_.recovery.keepPicture(importing_->pastedPicture());
+  draft.picture = pastedFile_;
+  at_.recovery.keepImport(textOf(draft));
+}
+
+void FileDesk::offerImports() {
+  for (const LeftImport& left : at_.recovery.leftImports()) {
+    const auto draft = draftFrom(left.text);
+    if (!draft) {
+      at_.recovery.discard(left);
+      continue;
+    }
+    const QString name = draft->path.isEmpty() ? tr("a pasted picture") : shown(draft->path);
+    at_.notices.say("import:" + left.file, NoticeBar::Kind::information,
+                    tr("An import was interrupted; the corrections made to %1 are kept.").arg(name),
+                    {{"continueImport", tr("Continue"),
+                      [this, left, draft] {
+                        importingFrom_ = draft->path;
+                        ImportDialog& dialog = importDialog();
+                        dialog.show();
+                        dialog.raise();
+                        dialog.activateWindow();
+                        dialog.continueDraft(*draft);
+                        keepDraft();  // on the disk under this editor's name before the old one goes
+                        at_.recovery.flush();
+                        at_.recovery.discard(left);
+                      }},
+                     {"discardImport", tr("Discard"), [this, left] { at_.recovery.discard(left); }}});
+  }
 }
 
 void FileDesk::sayLeftBehind(const QList<LeftBehind>& left) {
@@ -312,18 +455,24 @@ void FileDesk::recover(const QList<LeftBehind>& left) {
 // On top of the file as it was saved, so that undo leads back to it.
 void FileDesk::recoverOne(const LeftBehind& left) {
   const RecoveryRecord& record = left.record;
+  // The last session's tabs are open again before recovery is chosen.
+  if (DocumentTab* open = at_.tabs.withPath(record.path); open && !open->document().history().modified()) {
+    open->document().history().apply(record.button, tr("Recover unsaved changes"));
+    return at_.tabs.show(open->document());
+  }
   auto saved = QFileInfo::exists(record.path) ? openDocument(record.path)
                                               : Result<std::unique_ptr<ButtonDocument>>(Failure{});
   if (saved && !at_.tabs.withPath(record.path)) {
     DocumentTab& tab = at_.tabs.add(*std::move(saved));
     watch_.watch(record.path);
     tab.document().history().apply(record.button, tr("Recover unsaved changes"));
+    pages_.bringBack(tab.document());
     return;
   }
   auto document = std::make_unique<ButtonDocument>(record.button);
   if (!at_.tabs.withPath(record.path)) document->setPath(record.path);
   document->history().stack().resetClean();
-  at_.tabs.add(std::move(document));
+  pages_.bringBack(at_.tabs.add(std::move(document)).document());
 }
 
 void FileDesk::changedOutside(const QString& path) {
@@ -335,16 +484,12 @@ void FileDesk::changedOutside(const QString& path) {
       modified ? tr("Another program changed this file, and there are unsaved changes here. Reloading can be "
                     "undone.")
                : tr("Another program changed this file."),
-      {{"reload", tr("Reload"),
-        [this, tab] {
-          const auto reloaded = reloadDocument(tab->document());
-          if (reloaded)
-            emit done(tr("Reloaded %1").arg(shown(tab->document().path())));
-          else
-            tab->notices().say("disk", NoticeBar::Kind::trouble,
-                               tr("Not reloaded: %1").arg(sentenceOf(reloaded.failure())));
-        }},
-       {"keepMine", tr("Keep mine"), [tab] { tab->document().history().stack().resetClean(); }}});
+      {{"reload", tr("Reload"), [this, tab] { reload(*tab); }},
+       {"keepMine", tr("Keep mine"), [tab] {
+          tab->document().history().stack().resetClean();
+          // Said and answered: the next save is not asked about the same content again.
+          tab->document().setKnownContent(contentHash(tab->document().path()));
+        }}});
 }
 
 void FileDesk::vanished(const QString& path) {

@@ -6,10 +6,13 @@
 #include <QImage>
 #include <QPointer>
 #include <QSettings>
+#include <QTimer>
 
 #include "editor/files/file_watch.h"
+#include "editor/files/open_marks.h"
 #include "editor/files/recent_files.h"
 #include "editor/files/recovery_store.h"
+#include "editor/importing/page_return.h"
 #include "editor/window/prompts.h"
 #include "editor/window/tab_area.h"
 
@@ -78,6 +81,15 @@ class FileDesk : public QObject {
   ImportDialog& importDialog();
   void addImported(std::shared_ptr<const importer::ImportReport> report);
   bool write(DocumentTab& tab, const QString& path);
+  void sayChangedOnDisk(DocumentTab& tab, const QString& sentence);
+  void sayNotSaved(DocumentTab& tab, const QString& why);
+  void sayOtherEditor(ButtonDocument& document);
+  NoticeBar::Choice saveAsChoice(DocumentTab& tab);
+  void reload(DocumentTab& tab);
+  void connectPages();
+  void keepDraft();
+  void offerImports();
+  NoticeBar::Choice findSheetChoice(ButtonDocument& document);
   void exportTo(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
                 const std::function<Result<Done>(const QString&)>& write);
   void sayLeftBehind(const QList<LeftBehind>& left);
@@ -93,6 +105,11 @@ class FileDesk : public QObject {
   FileDeskPlaces at_;
   RecentFiles recent_;
   FileWatch watch_;
+  OpenMarks marks_;
+  PageReturn pages_;
+  QTimer draftSoon_;
+  QString pastedFile_;     ///< where the pasted picture of the import dialogue is kept
+  QString importingFrom_;  ///< path of the sheet in the import dialogue; empty for a pasted picture
   QPointer<ImportDialog> importing_;
   std::deque<QString> toImport_;
 };

@@ -10,16 +10,19 @@
 #include <QHBoxLayout>
 #include <QMenu>
 #include <QMimeData>
+#include <QPrinter>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
 
+#include "editor/canvas/graph_canvas.h"
 #include "editor/feel/feel_panel.h"
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
 #include "editor/forecast/forecast_matrix.h"
 #include "editor/library/compare_dialog.h"
 #include "editor/library/library_panel.h"
+#include "editor/panels/graph_print.h"
 #include "editor/quantity/quantity.h"
 #include "editor/study/study_desk.h"
 #include "editor/window/appearance.h"
@@ -31,7 +34,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int messageTime_ms = 8000;
-constexpr int stateVersion = 1;  // of the docks' arrangement; changes when docks do
+constexpr int stateVersion = 2;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
 constexpr int firstLibrary_px = 230, firstValues_px = 380;
 constexpr QSize copiedPicture_px{1800, 1200};
@@ -108,18 +111,27 @@ QDockWidget* MainWindow::dock(const char* name, const QString& title, Qt::DockWi
   auto* dock = new QDockWidget(title);
   dock->setObjectName(name);
   addDockWidget(area, dock);
-  QAction* toggle = dock->toggleViewAction();
-  toggle->setObjectName(QString::fromLatin1(name) + "Toggle");
-  toggle->setShortcut(keys);
-  toggle->setToolTip(tr("Show or hide: %1").arg(title));
-  ownActions_ << toggle;
+  QAction* toggle = action((QByteArray(name) + "Toggle").constData(), title,
+                           tr("Show or hide: %1").arg(title), keys, [this, dock] { turn(*dock); });
+  toggle->setCheckable(true);
+  connect(dock, &QDockWidget::visibilityChanged, toggle, &QAction::setChecked);
   return dock;
+}
+
+// A panel that lies behind another one's tab is not seen: it is shown, not hidden.
+void MainWindow::turn(QDockWidget& dock) {
+  const bool seen = dock.isVisible() && !dock.visibleRegion().isEmpty();
+  if (seen) return dock.hide();
+  dock.show();
+  dock.raise();
+  if (dock.widget()) dock.widget()->setFocus();
 }
 
 void MainWindow::makeDocks() {
   libraryDock_ = dock("libraryDock", tr("Library"), Qt::LeftDockWidgetArea, QKeySequence("Alt+1"));
   valuesDock_ = dock("valuesDock", tr("Values"), Qt::RightDockWidgetArea, QKeySequence("Alt+2"));
   historyDock_ = dock("historyDock", tr("History"), Qt::RightDockWidgetArea, QKeySequence("Alt+3"));
+  checksDock_ = dock("checksDock", tr("Checks"), Qt::RightDockWidgetArea, QKeySequence("Alt+5"));
   feelDock_ = dock("feelDock", tr("Feel it"), Qt::BottomDockWidgetArea, QKeySequence("Alt+4"));
   library_ = new LibraryPanel;
   libraryDock_->setWidget(library_);
@@ -127,7 +139,10 @@ void MainWindow::makeDocks() {
   valuesDock_->setWidget(values_);
   history_ = new QStackedWidget;
   historyDock_->setWidget(history_);
+  checks_ = new QStackedWidget;
+  checksDock_->setWidget(checks_);
   tabifyDockWidget(valuesDock_, historyDock_);
+  tabifyDockWidget(historyDock_, checksDock_);
   valuesDock_->raise();
   resizeDocks({libraryDock_, valuesDock_}, {firstLibrary_px, firstValues_px}, Qt::Horizontal);
   feelDock_->hide();
@@ -285,6 +300,8 @@ void MainWindow::showTab(DocumentTab* tab) {
     values_->setCurrentWidget(tab->valuesPanel());
     history_->addWidget(tab->historyPanel());
     history_->setCurrentWidget(tab->historyPanel());
+    checks_->addWidget(tab->checksPanel());
+    checks_->setCurrentWidget(tab->checksPanel());
     tab->workspace().setFocus();
   }
   if (tab && shown_ != &tab->document()) shownBefore_ = std::exchange(shown_, &tab->document());
@@ -403,8 +420,34 @@ void MainWindow::storeWindow() {
   storeView(at_.view, at_.settings);
 }
 
+void MainWindow::storeSession() {
+  QStringList paths;
+  for (DocumentTab* tab : tabs_->all())
+    if (!tab->document().path().isEmpty()) paths << tab->document().path();
+  at_.settings.setValue("session/files", paths);
+  at_.settings.setValue("session/shown", tabs_->current() ? tabs_->current()->document().path() : QString());
+}
+
+// What is no longer there is no trouble: it was not asked for.
+void MainWindow::restoreSession() {
+  for (const QString& path : at_.settings.value("session/files").toStringList())
+    if (QFileInfo(path).isFile()) files_->openButton(path);
+  if (DocumentTab* shown = tabs_->withPath(at_.settings.value("session/shown").toString()))
+    tabs_->show(shown->document());
+}
+
+// The desktop has gone light or dark. Its own palette shows where ours does not stand before it.
+void MainWindow::changeEvent(QEvent* event) {
+  QMainWindow::changeEvent(event);
+  if (event->type() != QEvent::ThemeChange) return;
+  QApplication::setPalette(QPalette());
+  systemPalette_ = QApplication::palette();
+  applyAppearance();
+}
+
 void MainWindow::closeEvent(QCloseEvent* event) {
   storeWindow();
+  storeSession();
   if (!files_->closeAll()) return event->ignore();
   event->accept();
 }
@@ -462,6 +505,40 @@ void MainWindow::copyPicture(DocumentTab& tab) {
 void MainWindow::copyCsv(DocumentTab& tab) {
   QApplication::clipboard()->setText(csvText(tab.document().button(), tab.document().activeState()));
   statusBar()->showMessage(tr("Copied the samples as CSV, in mm and N."), messageTime_ms);
+}
+
+void MainWindow::print(DocumentTab& tab) {
+  QPrinter printer(QPrinter::HighResolution);
+  printer.setDocName(tab.document().title());
+  if (!at_.prompts.printer(this, printer)) return;
+  const bool printed = printGraph(printer, tab.document(), tab.workspace(), at_.view);
+  statusBar()->showMessage(printed ? tr("Printed %1.").arg(tab.document().title())
+                                   : tr("The printer took nothing. Choose another one, or print to a file."),
+                           messageTime_ms);
+}
+
+// Out of every table and list, and back: graph, values and what stands with them, feel, library.
+void MainWindow::focusNextPanel(int by) {
+  QList<QWidget*> panels;
+  if (DocumentTab* tab = tabs_->current()) panels << &tab->workspace().canvas();
+  for (QDockWidget* dock : {valuesDock_, historyDock_, checksDock_, feelDock_, libraryDock_})
+    if (dock->isVisible() && !dock->visibleRegion().isEmpty() && dock->widget()) panels << dock->widget();
+  if (panels.isEmpty()) return;
+  const QWidget* focus = QApplication::focusWidget();
+  int now = -1;
+  for (int i = 0; i < panels.size(); ++i)
+    if (focus && (panels[i] == focus || panels[i]->isAncestorOf(focus))) now = i;
+  const auto count = static_cast<int>(panels.size());
+  QWidget* next = panels[now < 0 ? 0 : (now + by + count) % count];
+  if (auto* stack = qobject_cast<QStackedWidget*>(next); stack && stack->currentWidget())
+    next = stack->currentWidget();
+  if (next->focusPolicy() == Qt::NoFocus && !next->focusProxy())
+    for (QWidget* inside : next->findChildren<QWidget*>())
+      if (inside->isVisible() && inside->focusPolicy() & Qt::TabFocus) {
+        next = inside;
+        break;
+      }
+  next->setFocus(Qt::TabFocusReason);
 }
 
 void MainWindow::renameButton(DocumentTab& tab) {

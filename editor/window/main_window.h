@@ -48,6 +48,8 @@ class MainWindow : public QMainWindow {
   /// Every action a person can reach now, those of the current tab included.
   QList<QAction*> allActions() const;
   std::vector<ShortcutRow> shortcuts() const;
+  /// Opens what was open when the window was closed last, and shows what was shown.
+  void restoreSession();
   /// Beside the one that is shown.
   void compareWith(ButtonDocument* other);
   void showForecasts();
@@ -55,6 +57,7 @@ class MainWindow : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -101,6 +104,7 @@ class MainWindow : public QMainWindow {
   void updateTitle();
   void updateUnits();
   void showCursor(std::optional<CurvePoint> at);
+  void turn(QDockWidget& dock);
   void makeFeelPanel();
   void showMargin();
   void chooseOther();
@@ -109,12 +113,15 @@ class MainWindow : public QMainWindow {
   void applyAppearance();
   void restoreWindow();
   void storeWindow();
+  void storeSession();
   void copyPicture(DocumentTab& tab);
   void copyCsv(DocumentTab& tab);
   void copyButton(DocumentTab& tab);
   void duplicateButton(DocumentTab& tab);
   bool pasteText(const QString& text);
   void paste();
+  void print(DocumentTab& tab);
+  void focusNextPanel(int by);
   void renameButton(DocumentTab& tab);
 
   WindowPlaces at_;
@@ -129,8 +136,9 @@ class MainWindow : public QMainWindow {
   CompareDialog* comparison_ = nullptr;
   ForecastMatrix* forecasts_ = nullptr;
   StudyDesk* study_ = nullptr;
-  QStackedWidget *values_ = nullptr, *history_ = nullptr;
-  QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *historyDock_ = nullptr, *feelDock_ = nullptr;
+  QStackedWidget *values_ = nullptr, *history_ = nullptr, *checks_ = nullptr;
+  QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *historyDock_ = nullptr,
+              *checksDock_ = nullptr, *feelDock_ = nullptr;
   QComboBox* other_ = nullptr;  // which button is B of the feel panel
   QPointer<MarginOverlay> margin_;
   QPointer<ButtonDocument> otherDocument_;

@@ -90,6 +90,9 @@ void MainWindow::makeFileActions() {
                                QKeySequence("Ctrl+Alt+W"),
                                [this](DocumentTab& tab) { files_->exportWav(tab); }));
   menu->addSeparator();
+  menu->addAction(tabAction("print", tr("&Print…"), tr("Print the graph with its values"),
+                            QKeySequence("Ctrl+P"), [this](DocumentTab& tab) { print(tab); }));
+  menu->addSeparator();
   menu->addAction(tabAction("close", tr("&Close"), tr("Close this button"), QKeySequence("Ctrl+W"),
                             [this](DocumentTab& tab) { files_->close(tab); }));
   menu->addAction(
@@ -113,8 +116,7 @@ void MainWindow::makeEditActions() {
   menu->addAction(redo_);
   menu->addSeparator();
   menu->addAction(action("paste", tr("&Paste"),
-                         tr("Import the picture or file in the clipboard, or "
-                            "put copied points or a copied "
+                         tr("Import the picture or file in the clipboard, or put copied points or a copied "
                             "button in"),
                          QKeySequence("Ctrl+V"), [this] { paste(); }));
   menu->addAction(tabAction("duplicate", tr("&Duplicate"), tr("Open a copy of this button in a new tab"),
@@ -141,8 +143,13 @@ void MainWindow::makeViewActions() {
   appearance->setObjectName("appearanceMenu");
   makeAppearanceActions(appearance);
   menu->addSeparator();
-  for (QDockWidget* dock : {libraryDock_, valuesDock_, historyDock_, feelDock_})
-    menu->addAction(dock->toggleViewAction());
+  menu->addAction(action("nextPanel", tr("&Next panel"), tr("Leave a table or list for the next panel"),
+                         QKeySequence("F6"), [this] { focusNextPanel(1); }));
+  menu->addAction(action("previousPanel", tr("Pre&vious panel"), tr("Back to the panel before"),
+                         QKeySequence("Shift+F6"), [this] { focusNextPanel(-1); }));
+  for (QDockWidget* dock : {libraryDock_, valuesDock_, historyDock_, checksDock_, feelDock_})
+    for (QAction* own : ownActions_)
+      if (own->objectName() == dock->objectName() + "Toggle") menu->addAction(own);
   QAction* fullScreen =
       action("fullScreen", tr("&Full screen"), tr("Use the whole screen"), QKeySequence("F11"),
              [this] { setWindowState(windowState() ^ Qt::WindowFullScreen); });

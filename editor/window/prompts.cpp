@@ -5,6 +5,8 @@
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMessageBox>
+#include <QPrintDialog>
+#include <QPrinter>
 #include <QPushButton>
 
 #include "editor/library/template_dialog.h"
@@ -62,6 +64,10 @@ std::optional<Button> Prompts::newButton(QWidget* parent) {
   TemplateDialog dialog(parent);
   if (dialog.exec() != QDialog::Accepted) return {};
   return dialog.chosen().button;
+}
+
+bool Prompts::printer(QWidget* parent, QPrinter& printer) {
+  return QPrintDialog(&printer, parent).exec() == QDialog::Accepted;
 }
 
 std::optional<QString> Prompts::text(QWidget* parent, const QString& title, const QString& label,

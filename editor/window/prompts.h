@@ -8,6 +8,8 @@
 
 #include "model/button.h"
 
+class QPrinter;
+
 namespace detent::editor {
 
 enum class SaveChoice { save, discard, cancel };
@@ -31,6 +33,8 @@ class Prompts {
   virtual bool confirm(QWidget* parent, const QString& question, const QString& act);
   /// The button to start from.
   virtual std::optional<Button> newButton(QWidget* parent);
+  /// Where to print; false: cancelled.
+  virtual bool printer(QWidget* parent, QPrinter& printer);
   /// A text, changed or not; nullopt: cancelled.
   virtual std::optional<QString> text(QWidget* parent, const QString& title, const QString& label,
                                       const QString& now);

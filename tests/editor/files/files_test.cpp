@@ -10,6 +10,7 @@
 #include "editor/files/exports.h"
 #include "editor/files/file_watch.h"
 #include "editor/files/input_kind.h"
+#include "editor/files/open_marks.h"
 #include "editor/files/recent_files.h"
 #include "model/edits.h"
 #include "model/templates.h"
@@ -131,6 +132,8 @@ class FilesTest : public QObject {
   void suggestsSafeNames() {
     ButtonDocument document(*rename(*tactileButton(), "../a:b/c"));
     QCOMPARE(suggestedPath(document, "/tmp", ".button.json"), QString("/tmp/-a-b-c.button.json"));
+    writeFile(at("-a-b-c.button.json"), "taken");  // by a graph of the same sheet, a moment ago
+    QCOMPARE(suggestedPath(document, folder_->path(), ".button.json"), at("-a-b-c 2.button.json"));
     QCOMPARE(withButtonEnding("x"), QString("x.button.json"));
     QCOMPARE(withButtonEnding("x.button"), QString("x.button.json"));
     QCOMPARE(withButtonEnding("x.JSON"), QString("x.JSON"));
@@ -197,6 +200,42 @@ class FilesTest : public QObject {
     watch.watch(document.path());
     QTest::qWait(500);
     QCOMPARE(changed.count(), 0);
+  }
+
+  void aFileWrittenBySomebodyElseIsNoticedBeforeEveryWrite() {
+    auto opened = openDocument(sample("buttons/B.button.json"));
+    ButtonDocument& document = **opened;
+    QVERIFY(saveDocument(document, at("b.button.json")).ok());
+    QCOMPARE(diskStateOf(document), DiskState::asKnown);
+    QVERIFY(saveDocument(document, at("b.button.json")).ok());
+    QCOMPARE(diskStateOf(document), DiskState::asKnown);
+    auto other = openDocument(at("b.button.json"));
+    (*other)->history().apply(stronger((*other)->button(), 2), "Scale");
+    QVERIFY(saveDocument(**other, at("b.button.json")).ok());
+    QCOMPARE(diskStateOf(document), DiskState::changed);
+    QVERIFY(reloadDocument(document).ok());
+    QCOMPARE(diskStateOf(document), DiskState::asKnown);
+    QVERIFY(QFile::remove(at("b.button.json")));
+    QCOMPARE(diskStateOf(document), DiskState::gone);
+  }
+
+  void aFileHasOneMarkWhoeverOpensIt() {
+    QVERIFY(QFile::copy(sample("buttons/B.button.json"), at("b.button.json")));
+    QVERIFY(QFile::link(at("b.button.json"), at("link.button.json")));
+    auto mine = openDocument(at("b.button.json")), theirs = openDocument(at("link.button.json"));
+    OpenMarks here(at("marks")), elsewhere(at("marks"));  // two programs, as far as lock files can tell
+    here.watch(**mine);
+    QVERIFY(!here.otherEditor(**mine));
+    QSignalSpy changed(&elsewhere, &OpenMarks::otherEditorChanged);
+    elsewhere.watch(**theirs);
+    QCOMPARE(elsewhere.otherEditor(**theirs), std::optional(QCoreApplication::applicationPid()));
+    QCOMPARE(changed.size(), 1);
+    here.forget(**mine);
+    QTRY_VERIFY_WITH_TIMEOUT(!elsewhere.otherEditor(**theirs), 3 * OpenMarks::tryAgain_ms);
+    QCOMPARE(changed.size(), 2);
+    here.watch(**mine);
+    QVERIFY(here.otherEditor(**mine).has_value());
+    elsewhere.forget(**theirs);
   }
 
   void exportsAreWhole() {

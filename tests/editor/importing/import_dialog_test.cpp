@@ -88,6 +88,8 @@ class ImportDialogTest : public QObject {
   void aForceLog();
   void aPastedPicture();
   void theFrameIsDraggedWithTheMouse();
+  void aCurveIsDrawnByHand();
+  void aFrameBesideTheShownOneAddsAGraph();
   void aGraphOnItsSideIsCorrectedToo();
   void theKeyboardReachesEverything();
   void theWindowNeverStalls();
@@ -486,21 +488,127 @@ void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
   QVERIFY(!state.current()->history.canUndo());
   QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
 
-  QTest::mousePress(&view, Qt::LeftButton, {}, from);
-  QTest::mouseMove(&view, (from + to) / 2);
-  QTest::mouseMove(&view, to);
-  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
-  QVERIFY(again(state));
-  const auto frame = state.current()->history.now().frame;
+  const auto drag = [&](Qt::KeyboardModifiers modifiers) {
+    QTest::mousePress(&view, Qt::LeftButton, modifiers, from);
+    for (const QPoint at : {(from + to) / 2, to}) {
+      QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, modifiers);
+      QCoreApplication::sendEvent(&view, &move);
+    }
+    QTest::mouseRelease(&view, Qt::LeftButton, modifiers, to);
+    return again(state);
+  };
+  QVERIFY(drag({}));
+  auto frame = state.current()->history.now().frame;
   QVERIFY(frame);
   const double scale = std::abs(view.pageToWidget().m11());
   QVERIFY(std::abs((*frame)[1].x - (corners[1].x - 30 / scale)) < 2 / scale);
+  for (const std::size_t other : {0, 2, 3}) QCOMPARE((*frame)[other], corners[other]);  // it goes freely
+  keepPicture(view, "implied-grid");
+  state.undo();
+  QVERIFY(again(state));
+  QVERIFY(drag(Qt::ControlModifier));
+  frame = state.current()->history.now().frame;
   QCOMPARE((*frame)[2].x, (*frame)[1].x);  // it stays a rectangle
   QCOMPARE((*frame)[0].y, (*frame)[1].y);
   QCOMPARE((*frame)[3], corners[3]);
   state.undo();
   QVERIFY(again(state));
   QVERIFY(state.current()->last->report);
+}
+
+void ImportDialogTest::aFrameBesideTheShownOneAddsAGraph() {
+  // One graph twice on a page, and only the left one is framed at first.
+  const QImage one(sample("two-level-legend.png"));
+  QImage page(2 * one.width(), one.height(), QImage::Format_RGB32);
+  page.fill(Qt::white);
+  {
+    QPainter painter(&page);
+    painter.drawImage(0, 0, one);
+    painter.drawImage(one.width(), 0, one);
+  }
+  ViewSettings settings;
+  ImportState state;
+  PageView view(state, settings);
+  view.resize(1200, 500);
+  view.show();
+  state.openPicture(page);
+  QVERIFY(again(state));
+  const std::size_t found = state.graphs().size();
+  const GraphId first = state.current()->id;
+  const FrameCorners before = *view.shownCorners();
+  const bool isLeft = before[0].x < one.width();
+  const double by = isLeft ? one.width() : -one.width();
+  view.fitPage();
+  view.setTool(ToolKind::drawFrame);
+  const QPoint from = view.toWidget({before[0].x + by, before[0].y}).toPoint();
+  const QPoint to = view.toWidget({before[2].x + by, before[2].y}).toPoint();
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view, (from + to) / 2);
+  QTest::mouseMove(&view, to);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  QVERIFY(again(state));
+  QCOMPARE(state.graphs().size(), found + 1);
+  QVERIFY(!(state.current()->id == first));
+  QVERIFY(!state.graph(first)->history.canUndo());  // the one that was there is as it was
+  QVERIFY(state.current()->last->report);
+  const GraphId added = state.current()->id;
+  state.tickAll();
+  QCOMPARE(state.tickedCount(), static_cast<int>(state.graphs().size()));
+  state.selectNext(-1);
+  QVERIFY(!(state.current()->id == added));
+  state.selectNext(1);
+  QVERIFY(state.current()->id == added);
+  state.tickAll();
+  QCOMPARE(state.tickedCount(), 0);
+}
+
+// Clicks along the curve, a few pixels beside it: the ink pulls, and what comes out is what is printed. Over a
+// part of a stroke it replaces that part.
+void ImportDialogTest::aCurveIsDrawnByHand() {
+  ViewSettings settings;
+  ImportState state;
+  PageView view(state, settings);
+  view.resize(900, 700);
+  view.show();
+  QVERIFY(open(state, sample("two-level-legend.png")));
+  const Report found = state.current()->good->report;
+  const auto& evidence = *state.current()->good->evidence;
+  const StrokeCurve& press = found->button.states()[0].graph.press();
+  const auto onPage = [&](double x) {
+    const importer::Point at = evidence.axes.calibration.value.toView({x, press.force_N(x)});
+    return view.toWidget(evidence.view.viewToPage(at));
+  };
+  const auto draw = [&](double from, double to, int points) {
+    view.setTool(ToolKind::drawPress);
+    for (int i = 0; i <= points; ++i) {
+      const QPoint at = (onPage(from + (to - from) * i / points) + QPointF(0, i % 2 ? 2 : -2)).toPoint();
+      QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+    }
+    QTest::keyClick(&view, Qt::Key_Return);
+    return again(state);
+  };
+  const double length = press.travel_mm();
+  QVERIFY(draw(press.start_mm() + 0.01 * length, press.start_mm() + 0.95 * length, 24));
+  QCOMPARE(view.tool(), ToolKind::adjust);
+  QVERIFY(!state.current()->history.now().drawn.press.empty());
+  Report drawn = state.current()->good->report;
+  QVERIFY(drawn != found);
+  const auto apart = [&](const Report& report) {
+    const StrokeCurve& other = report->button.states()[0].graph.press();
+    double worst = 0;
+    for (double x = press.start_mm() + 0.05 * length; x < press.start_mm() + 0.9 * length; x += 0.01 * length)
+      worst = std::max(worst, std::abs(other.force_N(x) - press.force_N(x)));
+    return worst / (press.forceRange_N().second - press.forceRange_N().first);
+  };
+  qInfo("drawn by hand: off by %.2f %% of the span at most", 100 * apart(drawn));
+  QVERIFY(apart(drawn) < 0.03);
+  state.undo();
+  QVERIFY(again(state));
+  QVERIFY(apart(state.current()->good->report) < 1e-9);
+  QVERIFY(draw(press.start_mm() + 0.4 * length, press.start_mm() + 0.6 * length, 8));
+  QVERIFY(apart(state.current()->good->report) < 0.03);
+  QVERIFY(std::abs(state.current()->good->report->button.states()[0].graph.press().end_mm() -
+                   press.end_mm()) < 0.02 * length);
 }
 
 void ImportDialogTest::aGraphOnItsSideIsCorrectedToo() {

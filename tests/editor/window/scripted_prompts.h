@@ -3,6 +3,7 @@
 // Answers to the window's questions, given beforehand.
 
 #include <deque>
+#include <QPrinter>
 
 #include "editor/window/prompts.h"
 #include "model/templates.h"
@@ -17,6 +18,7 @@ class ScriptedPrompts : public Prompts {
   std::deque<QString> saveAnswers;
   std::deque<bool> confirmAnswers;
   std::deque<QString> textAnswers;
+  QString printedTo;  ///< a PDF; empty: printing is cancelled
   int unexpected = 0;
   QStringList lastUnsaved;
   QString lastSuggested;
@@ -36,6 +38,12 @@ class ScriptedPrompts : public Prompts {
   std::optional<Button> newButton(QWidget*) override { return *tactileButton(); }
   std::optional<QString> text(QWidget*, const QString&, const QString&, const QString&) override {
     return textAnswers.empty() ? std::nullopt : std::optional(next(textAnswers, {}));
+  }
+
+  bool printer(QWidget*, QPrinter& printer) override {
+    printer.setOutputFormat(QPrinter::PdfFormat);
+    printer.setOutputFileName(printedTo);
+    return !printedTo.isEmpty();
   }
 
  private:

@@ -12,6 +12,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -25,7 +26,10 @@
 #include "editor/document/graph_colors.h"
 #include "editor/files/document_files.h"
 #include "editor/importing/import_dialog.h"
+#include "editor/importing/import_state.h"
+#include "editor/importing/page_view.h"
 #include "editor/library/compare_dialog.h"
+#include "editor/panels/checks_panel.h"
 #include "editor/panels/values_model.h"
 #include "editor/panels/values_panel.h"
 #include "editor/window/appearance.h"
@@ -397,6 +401,278 @@ class WindowTest : public QObject {
     QMimeData nothing;
     nothing.setText("words");
     QVERIFY(!FileDesk::canTake(nothing));
+  }
+
+  void nothingIsWrittenOverSomebodyElsesChange() {
+    const QString path = at("b.button.json");
+    QVERIFY(QFile::copy(sample("buttons/B.button.json"), path));
+    const auto contents = [](const QString& of) {
+      QFile file(of);
+      return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    };
+    const auto writeOther = [&](double factor) {
+      auto other = openDocument(path);
+      (*other)->history().apply(*scaleForce((*other)->button(), factor), "Scale");
+      QVERIFY(saveDocument(**other, path).ok());
+    };
+    Rig rig(folder_->path());
+    rig.window->files().open({path});
+    rig.scale(1.1);
+    writeOther(2);
+    const QByteArray theirs = contents(path);
+    rig.action("save")->trigger();  // before the watch could have said anything
+    QCOMPARE(contents(path), theirs);
+    QVERIFY(rig.notices().join(' ').contains("changed"));
+    QVERIFY(rig.document().history().modified());
+    // Save as leaves theirs alone.
+    rig.prompts.saveAnswers.push_back(at("mine.button.json"));
+    rig.press("saveAs");
+    QCOMPARE(contents(path), theirs);
+    QVERIFY(QFile::exists(at("mine.button.json")));
+    QVERIFY(!rig.document().history().modified());
+    // Overwrite is a decision, and one for this content only.
+    rig.window->files().open({path});
+    rig.scale(1.2);
+    writeOther(3);
+    rig.action("save")->trigger();
+    rig.press("overwrite");
+    QVERIFY(!rig.document().history().modified());
+    QVERIFY(*openDocument(path).value()->button().states()[0].graph.press().knots().begin() ==
+            *rig.document().graph().press().knots().begin());
+    rig.scale(1.2);
+    writeOther(4);
+    const QByteArray again = contents(path);
+    rig.action("save")->trigger();
+    QCOMPARE(contents(path), again);
+    rig.press("reload");
+    QVERIFY(!rig.document().history().modified());
+    rig.document().history().stack().undo();
+    QVERIFY(rig.document().history().modified());
+  }
+
+  void everyNoticeOfAFailedSaveOffersAnotherPlace() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.prompts.saveAnswers.push_back(at("no/such/folder/b.button.json"));
+    rig.action("saveAs")->trigger();
+    rig.prompts.saveAnswers.push_back(at("b.button.json"));
+    rig.press("saveAs");
+    QVERIFY(QFile::exists(at("b.button.json")));
+    QVERIFY(!rig.notices().join(' ').contains("Not saved"));
+  }
+
+  // Whatever has the focus: a key that the list of shortcuts names does what the list says.
+  void listedKeysWorkWhereverTheFocusIs() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.window->activateWindow();
+    QCoreApplication::processEvents();
+    QVERIFY(QTest::qWaitForWindowActive(rig.window.get()));
+    for (const char* place : {"graphCanvas", "valuesTable", "libraryOpenButtons", "tabBar"}) {
+      auto* focus = rig.window->findChild<QWidget*>(place);
+      QVERIFY2(focus, place);
+      for (const char* name : {"rename", "valuesDockToggle", "historyDockToggle", "libraryDockToggle",
+                               "operationScaleTravel", "operationAddJump", "compare", "undo"}) {
+        QAction* action = rig.action(name);
+        QVERIFY2(action, name);
+        action->setEnabled(true);
+        int triggered = 0;
+        const auto counted = connect(action, &QAction::triggered, this, [&] { ++triggered; });
+        rig.window->findChild<QDockWidget*>("valuesDock")->show();
+        rig.window->findChild<QDockWidget*>("libraryDock")->show();
+        rig.window->findChild<QDockWidget*>("valuesDock")->raise();
+        focus->setFocus();
+        const QKeyCombination keys = action->shortcut()[0];
+        QTest::keyClick(rig.window->focusWidget() ? rig.window->focusWidget() : focus, keys.key(),
+                        keys.keyboardModifiers());
+        disconnect(counted);
+        for (QDialog* dialog : rig.window->findChildren<QDialog*>())
+          if (dialog->isVisible()) dialog->reject();
+        QVERIFY2(triggered == 1, qPrintable(QString("%1 at %2").arg(name, place)));
+      }
+    }
+  }
+
+  void aPanelBehindAnotherIsShownByItsKey() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    auto* history = rig.window->findChild<QDockWidget*>("historyDock");
+    QVERIFY(history->visibleRegion().isEmpty());  // behind the values
+    rig.action("historyDockToggle")->trigger();
+    QTRY_VERIFY(!history->visibleRegion().isEmpty());
+    rig.action("historyDockToggle")->trigger();
+    QTRY_VERIFY(!history->isVisible());
+  }
+
+  void aButtonIsCopiedAsTextAndDuplicated() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    const Button button = rig.document().button();
+    QVERIFY(QMetaObject::invokeMethod(rig.action("editCopy"), "trigger"));
+    QVERIFY(QApplication::clipboard()->text().contains("detent-button"));
+    rig.action("paste")->trigger();
+    QCOMPARE(rig.window->tabs().all().size(), 2);
+    QVERIFY(rig.document().button() == button);
+    QVERIFY(rig.document().history().modified());
+    rig.action("duplicate")->trigger();
+    QCOMPARE(rig.window->tabs().all().size(), 3);
+    QVERIFY(rig.document().button() == button);
+  }
+
+  // Import, save, close, open: the page, the traced points and Refit are there again; without the sheet there
+  // is a way to show it.
+  void thePageComesBack() {
+    const QString sheet = at("sheet.pdf"), button = at("b.button.json");
+    QVERIFY(QFile::copy(sample("plots/white-vector.pdf"), sheet));
+    importer::ImportRequest request;
+    request.path = sheet.toStdString();
+    auto report = importer::ImportSession::open(request.path)->importGraph(request);
+    QVERIFY(report.ok());
+    {
+      auto imported = importedDocument(std::make_shared<importer::ImportReport>(*report));
+      QVERIFY(saveDocument(*imported, button).ok());
+    }
+    Rig rig(folder_->path());
+    rig.window->files().open({button});
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
+    QVERIFY(rig.window->tabs().current()->workspace().canvas().hasUnderlay());
+    QVERIFY(!rig.window->tabs().current()->workspace().canvas().tracedPoints(Stroke::press).empty());
+    QVERIFY(rig.action("operationRefit")->isEnabled());
+    QVERIFY(!rig.document().history().modified());
+    rig.window->tabs().remove(*rig.window->tabs().current());
+    // Moved away: another file of its name is not it; the person shows where it is.
+    QVERIFY(QDir(folder_->path()).mkdir("elsewhere"));
+    QVERIFY(QFile::rename(sheet, at("elsewhere/renamed.pdf")));
+    QVERIFY(QFile::copy(sample("plots/two-level-legend.png"), sheet));
+    rig.window->files().open({button});
+    QTRY_VERIFY_WITH_TIMEOUT(rig.notices().join(' ').contains("sheet.pdf"), 60000);
+    QVERIFY(!rig.document().origin());
+    rig.prompts.openAnswers.push_back({sheet});
+    rig.press("findSheet");
+    QTRY_VERIFY_WITH_TIMEOUT(rig.notices().join(' ').contains("not the sheet"), 60000);
+    rig.prompts.openAnswers.push_back({at("elsewhere/renamed.pdf")});
+    rig.press("findSheet");
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
+    QVERIFY(!rig.notices().join(' ').contains("sheet"));
+    // From now on it is found where it was shown to be.
+    rig.window->tabs().remove(*rig.window->tabs().current());
+    rig.window->files().open({button});
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
+  }
+
+  void checksAreLiveAndLeadToTheirPlace() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.action("checksDockToggle")->trigger();
+    auto* checks = rig.window->findChild<ChecksPanel*>();
+    QVERIFY(checks);
+    const ForceGraph& graph = rig.document().graph();
+    const auto swapped = ForceGraph::fromCurves(*graph.release(), graph.press());
+    QVERIFY(swapped.ok());
+    const int before = static_cast<int>(checks->texts().size());
+    rig.document().history().apply(
+        *editGraph(rig.document().button(), 0, [&](const ForceGraph&) { return swapped; }), "Exchange");
+    QVERIFY(checks->texts().size() > before);
+    QVERIFY(checks->texts().join(' ').contains("above the press"));
+    QVERIFY(checks->texts().join(' ').contains(" cN"));
+    rig.action("unit_force_gf")->trigger();
+    QVERIFY(checks->texts().join(' ').contains(" gf") && !checks->texts().join(' ').contains(" cN"));
+    auto* list = checks->findChild<QListWidget*>("checksList");
+    emit list->itemClicked(list->item(0));
+    QVERIFY(rig.window->tabs().current()->workspace().canvas().selected().has_value());
+    rig.document().history().stack().undo();
+    QCOMPARE(static_cast<int>(checks->texts().size()), before);
+  }
+
+  void f6LeavesEveryPanel() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.window->activateWindow();
+    QVERIFY(QTest::qWaitForWindowActive(rig.window.get()));
+    rig.window->tabs().current()->workspace().canvas().setFocus();
+    QSet<QWidget*> seen;
+    for (int i = 0; i < 3; ++i) {
+      seen << QApplication::focusWidget();
+      rig.action("nextPanel")->trigger();
+    }
+    QCOMPARE(seen.size(), 3);  // graph, values, library
+    QCOMPARE(QApplication::focusWidget(), &rig.window->tabs().current()->workspace().canvas());
+    rig.action("previousPanel")->trigger();
+    QVERIFY(QApplication::focusWidget() != &rig.window->tabs().current()->workspace().canvas());
+  }
+
+  void theTabsOfTheLastSessionComeBack() {
+    const QString b = at("b.button.json"), c = at("c.button.json");
+    QVERIFY(QFile::copy(sample("buttons/B.button.json"), b));
+    QVERIFY(QFile::copy(sample("buttons/C.button.json"), c));
+    {
+      Rig rig(folder_->path());
+      rig.window->files().open({b, c});
+      rig.window->tabs().show(rig.window->tabs().withPath(b)->document());
+      QVERIFY(rig.window->close());
+    }
+    {
+      Rig rig(folder_->path());
+      QVERIFY(rig.window->tabs().all().empty());  // only where the program asks for it
+      rig.window->restoreSession();
+      QCOMPARE(rig.window->tabs().all().size(), std::size_t(2));
+      QCOMPARE(rig.document().path(), b);
+      QVERIFY(rig.window->close());
+    }
+    QVERIFY(QFile::remove(c));
+    Rig rig(folder_->path());
+    rig.window->restoreSession();
+    QCOMPARE(rig.window->tabs().all().size(), std::size_t(1));
+    QVERIFY(rig.notices().isEmpty());
+  }
+
+  void printsGraphAndValues() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.action("print")->trigger();  // cancelled
+    rig.prompts.printedTo = at("paper.pdf");
+    rig.action("print")->trigger();
+    QVERIFY(QFileInfo(at("paper.pdf")).size() > 5000);
+  }
+
+  // Corrections in the import dialogue survive a kill; Escape asks before it throws them away.
+  void correctionsOfAnImportAreWork() {
+    const QString sheet = sample("plots/white-vector.pdf");
+    Corrections given;
+    given.yUnit = ForceUnit::gramForce;
+    given.masks = {{1, 2, 3, 4}};
+    given.drawn.press = {{1.5, 2.5}, {3, 4}};
+    {
+      const ImportDraft draft{sheet, {}, importer::Quality::draft, GraphId{1, 1}, {{{1, 1}, given, false}}};
+      QVERIFY(draftFrom(textOf(draft)) == draft);
+      RecoveryStore dead(at("recovery"));
+      dead.keepImport(textOf(draft));
+      dead.flush();
+      // Its lock goes with it, its file stays, as after a kill.
+    }
+    Rig rig(folder_->path());
+    rig.window->files().offerRecovery();
+    QVERIFY(rig.notices().join(' ').contains("white-vector.pdf"));
+    rig.press("continueImport");
+    auto* dialog = rig.window->findChild<ImportDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    QVERIFY(dialog->draft().graphs.size() == 1);
+    auto* view = dialog->findChild<PageView*>();
+    QTRY_VERIFY_WITH_TIMEOUT(view->state().current() && view->state().current()->history.now() == given,
+                             60000);
+    QVERIFY(view->state().current()->history.canUndo());
+    // Now it is this editor's, already on the disk.
+    QVERIFY(!QDir(at("recovery")).entryList({"*"}, QDir::Dirs | QDir::NoDotAndDotDot).isEmpty());
+    rig.prompts.confirmAnswers.push_back(false);
+    dialog->reject();
+    QVERIFY(dialog->isVisible());
+    rig.prompts.confirmAnswers.push_back(true);
+    dialog->reject();
+    QVERIFY(!dialog->isVisible());
+    rig.recovery.flush();
+    RecoveryStore next(at("recovery"));
+    next.leftBehind();
+    QVERIFY(next.leftImports().isEmpty());
   }
 
   void unitsAndAppearanceAreKept() {

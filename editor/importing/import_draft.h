@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// An import that is not finished, as a value that can be written to the disk: corrections are work.
+
+#include <optional>
+#include <QByteArray>
+#include <QString>
+#include <vector>
+
+#include "editor/importing/corrections.h"
+#include "editor/importing/import_queries.h"
+
+namespace detent::editor {
+
+/// What a hand did to one graph.
+struct DraftGraph {
+  GraphId id;
+  Corrections corrections;
+  bool framedByHand = false;  ///< it was not found: it is there because a frame was drawn
+  friend bool operator==(const DraftGraph&, const DraftGraph&) = default;
+};
+
+struct ImportDraft {
+  QString path;     ///< of the sheet; empty for a pasted picture
+  QString picture;  ///< file of a pasted picture; empty for a sheet
+  importer::Quality quality = importer::Quality::standard;
+  std::optional<GraphId> current;
+  std::vector<DraftGraph> graphs;  ///< those with corrections
+  /// Nothing would be lost with it.
+  bool empty() const { return graphs.empty(); }
+  friend bool operator==(const ImportDraft&, const ImportDraft&) = default;
+};
+
+QByteArray textOf(const ImportDraft& draft);
+/// nullopt for anything that is not exactly such a text: a draft of another version is not guessed at.
+std::optional<ImportDraft> draftFrom(const QByteArray& text);
+
+}  // namespace detent::editor

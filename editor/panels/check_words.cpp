@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/check_words.h"
+
+#include <cmath>
+#include <QCoreApplication>
+
+#include "editor/quantity/quantity.h"
+
+namespace detent::editor {
+namespace {
+
+struct Checks {
+  Q_DECLARE_TR_FUNCTIONS(Checks)
+};
+
+constexpr int digits = 4;
+
+/// Values of one warning, worded.
+class Words {
+ public:
+  Words(const Warning& warning, const DisplayUnits& units) : warning_(warning), units_(units) {}
+  QString place() const { return length(warning_.spot.at_mm.value_or(0)); }
+  QString against() const { return length(warning_.against); }
+  QString value() const {
+    if (warning_.unit == "N") return quantityWithUnit(warning_.value, Quantity::force, units_, digits);
+    return warning_.unit == "mm" ? length(warning_.value) : numberText(warning_.value, digits);
+  }
+  QString stroke() const {
+    return warning_.spot.stroke == Stroke::release ? Checks::tr("release") : Checks::tr("press");
+  }
+
+ private:
+  QString length(double mm) const { return quantityWithUnit(mm, Quantity::length, units_, digits); }
+  const Warning& warning_;
+  const DisplayUnits& units_;
+};
+
+QString sentenceOf(const Warning& warning, const Words& words) {
+  switch (warning.rule) {
+    case Rule::releaseAbovePress:
+      return Checks::tr("The release lies %1 above the press at %2. Are the strokes exchanged?")
+          .arg(words.value(), words.place());
+    case Rule::strokesDoNotMeet:
+      return Checks::tr("The release begins at %1, %2 away from the end of the press at %3.")
+          .arg(words.place(), words.value(), words.against());
+    case Rule::noRelease:
+      return Checks::tr("There is no release curve; the press stands in for it.");
+    case Rule::negativeForce:
+      return Checks::tr("The %1 falls to %2 at %3: the button pulls.")
+          .arg(words.stroke(), words.value(), words.place());
+    case Rule::fallsAtStart:
+      return Checks::tr("The press begins with a falling force: it cannot be held at its start.");
+    case Rule::hiddenTactilePoint:
+      return Checks::tr("The tactile point of the %1 at %2 lies inside an earlier jump: it is never felt.")
+          .arg(words.stroke(), words.place());
+    case Rule::resetBeyondOperating:
+      return Checks::tr("The reset point at %1 lies deeper than the operating point at %2.")
+          .arg(words.place(), words.against());
+    case Rule::statesDoNotMeet:
+      return Checks::tr("The release ends at %1, %2 away from where the next state starts, %3.")
+          .arg(words.place(), words.value(), words.against());
+    case Rule::dampingOutsideTravel:
+      return Checks::tr("Damping is given at %1, outside the travel up to %2.")
+          .arg(words.place(), words.against());
+    case Rule::manyKnots:
+      return Checks::tr("The %1 has %2 knots, more than a hand can edit. Refit it with fewer pieces.")
+          .arg(words.stroke(), words.value());
+    case Rule::lowConfidence:
+      return Checks::tr("The import was only %1 % sure. Hold the curves against the page.")
+          .arg(std::lround(100 * warning.value));
+  }
+  return {};
+}
+
+QString nameOf(importer::SpecQuantity quantity) {
+  switch (quantity) {
+    case importer::SpecQuantity::totalTravel:
+      return Checks::tr("Total travel");
+    case importer::SpecQuantity::preTravel:
+      return Checks::tr("Pretravel");
+    case importer::SpecQuantity::operatingForce:
+      return Checks::tr("Operating force");
+    case importer::SpecQuantity::tactileForce:
+      return Checks::tr("Tactile force");
+    case importer::SpecQuantity::endForce:
+      return Checks::tr("End force");
+  }
+  return {};
+}
+
+}  // namespace
+
+QString wordsOf(const Warning& warning, const Button& button, const DisplayUnits& units) {
+  const QString sentence = sentenceOf(warning, Words(warning, units));
+  const auto state = warning.spot.state;
+  if (!state || button.states().size() < 2) return sentence;
+  return Checks::tr("State %1: %2").arg(QString::fromStdString(button.states()[*state].name), sentence);
+}
+
+QString wordsOf(const importer::SpecCheck& check, const DisplayUnits& units) {
+  const Quantity quantity = check.spec.isForce() ? Quantity::force : Quantity::length;
+  const auto text = [&](double value) { return quantityWithUnit(value, quantity, units, digits); };
+  QString printed = text(check.spec.nominal);
+  if (check.spec.smallest && check.spec.largest)
+    printed += Checks::tr(" (%1 to %2)").arg(text(*check.spec.smallest), text(*check.spec.largest));
+  return Checks::tr("%1: the sheet says %2, the graph has %3.")
+      .arg(nameOf(check.spec.quantity), printed, text(check.read));
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What is odd about the button, live, and the way to where it is.
+
+#include <QLabel>
+#include <QListWidget>
+#include <QTimer>
+#include <QWidget>
+#include <vector>
+
+#include "editor/document/button_document.h"
+#include "editor/document/view_settings.h"
+#include "model/validation.h"
+
+namespace detent::editor {
+
+/// The model's warnings and the page's printed values beside those of the graph. GUI thread.
+class ChecksPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  ChecksPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
+  QStringList texts() const;
+
+ signals:
+  /// A check was chosen: where it is, as far as it has a place.
+  void placeChosen(detent::WarningPlace place);
+  /// How many checks ask for a look.
+  void countChanged(int odd);
+
+ private:
+  void follow();
+  void show(const std::vector<Warning>& warnings);
+  void add(const QString& text, bool odd, const WarningPlace& place);
+
+  ButtonDocument& document_;
+  ViewSettings& settings_;
+  QListWidget* list_;
+  QLabel* nothing_;
+  QTimer pause_;
+  std::vector<WarningPlace> places_;
+};
+
+}  // namespace detent::editor
