@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/document/graph_colors.h"
 
+#include <array>
+
 namespace detent::editor {
 namespace {
 
@@ -48,6 +50,13 @@ GraphColors graphColors(bool dark) {
           "#d55e00",
           "#000000",
           "#c8102e"};
+}
+
+QColor seriesColor(std::size_t index, bool dark) {
+  const GraphColors colors = graphColors(dark);
+  const std::array series{colors.press,      colors.release,      colors.operatingPoint,
+                          colors.resetPoint, colors.tactilePoint, colors.wall};
+  return series[index % series.size()];
 }
 
 bool isDark(const QPalette& palette) {

@@ -2,6 +2,7 @@
 #pragma once
 // Colours of everything drawn over a graph, for light and dark windows.
 
+#include <cstddef>
 #include <QColor>
 #include <QPalette>
 
@@ -20,6 +21,8 @@ struct GraphColors {
 };
 
 GraphColors graphColors(bool dark);
+/// Of buttons that are compared, the first to the sixth; then they begin anew.
+QColor seriesColor(std::size_t index, bool dark);
 /// Dark where the window's background is darker than its text.
 bool isDark(const QPalette& palette);
 

@@ -5,16 +5,13 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QPushButton>
+#include <QScreen>
 #include <QSplitter>
-#include <QVBoxLayout>
 
-#include <qcustomplot.h>
-
-#include "editor/document/graph_colors.h"
 #include "editor/document/message_words.h"
+#include "editor/library/compare_plot.h"
+#include "editor/library/difference_rows.h"
 #include "model/sampling.h"
 
 namespace detent::editor {
@@ -23,55 +20,50 @@ namespace {
 constexpr int updateDelay_ms = 50;
 constexpr int rowMargin_px = 8;
 constexpr int firstPlot_px = 300, firstTable_px = 220;
-constexpr double roomForLegend = 0.2;  // of the force range
+constexpr QSize firstSize_px{860, 640};
 
-enum Column { nameColumn, aColumn, bColumn, differenceColumn, unitColumn, columnCount };
+QTableWidget* differencesTable() {
+  auto* table = new QTableWidget;
+  table->setObjectName("compareTable");
+  table->setAccessibleName(CompareDialog::tr("Differences"));
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowMargin_px);
+  table->setWordWrap(false);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setAlternatingRowColors(true);
+  return table;
+}
 
-void dress(QCustomPlot& plot, const GraphColors& colors) {
-  plot.setBackground(colors.background);
-  for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
-    axis->setBasePen(QPen(colors.axis));
-    axis->setTickPen(QPen(colors.axis));
-    axis->setSubTickPen(QPen(colors.axis));
-    axis->setTickLabelColor(colors.text);
-    axis->setLabelColor(colors.text);
-    axis->grid()->setPen(QPen(colors.grid));
-    axis->grid()->setZeroLinePen(QPen(colors.axis));
-  }
-  plot.legend->setTextColor(colors.text);
-  plot.legend->setBrush(QBrush(colors.background));
-  plot.legend->setBorderPen(QPen(colors.grid));
+QPushButton* pushButton(const char* name, const QString& text, const QString& tip) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  button->setToolTip(tip);
+  button->setAutoDefault(false);
+  return button;
 }
 
 }  // namespace
 
 CompareDialog::CompareDialog(ViewSettings& settings, QWidget* parent) : QDialog(parent), settings_(settings) {
   setObjectName("compareDialog");
-  setWindowTitle(tr("Compare two buttons"));
+  setWindowTitle(tr("Compare buttons"));
   setWindowFlag(Qt::WindowMaximizeButtonHint);
-  resize(860, 640);
+  build();
+  resize(firstSize_px.boundedTo(screen()->availableSize()));
+  soon_.setSingleShot(true);
+  soon_.setInterval(updateDelay_ms);
+  connect(&soon_, &QTimer::timeout, this, &CompareDialog::update);
+  connect(&settings_, &ViewSettings::changed, &soon_, qOverload<>(&QTimer::start));
+}
 
-  plot_ = new QCustomPlot;
+CompareDialog::~CompareDialog() = default;
+
+void CompareDialog::build() {
+  plot_ = new ComparePlot;
   plot_->setObjectName("comparePlot");
-  plot_->setAccessibleName(tr("Both force graphs over each other"));
-  plot_->setMinimumHeight(180);
-  plot_->legend->setVisible(true);
-  plot_->legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // one line, in the room above the curves
-  plot_->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignHCenter);
-  plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
-
-  table_ = new QTableWidget(0, columnCount);
-  table_->setObjectName("compareTable");
-  table_->setAccessibleName(tr("Differences"));
-  table_->setHorizontalHeaderLabels({tr("Figure"), tr("A"), tr("B"), tr("B \u2212 A"), tr("Unit")});
-  table_->horizontalHeader()->setSectionResizeMode(nameColumn, QHeaderView::Stretch);
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + rowMargin_px);
-  table_->setWordWrap(false);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setAlternatingRowColors(true);
-
+  plot_->setAccessibleName(tr("The force graphs over each other"));
+  table_ = differencesTable();
   auto* split = new QSplitter(Qt::Vertical);
   split->addWidget(plot_);
   split->addWidget(table_);
@@ -80,49 +72,59 @@ CompareDialog::CompareDialog(ViewSettings& settings, QWidget* parent) : QDialog(
   distance_->setObjectName("compareDistance");
   distance_->setWordWrap(true);
   distance_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  reading_ = new QLabel;
+  reading_->setObjectName("compareReading");
+  reading_->setWordWrap(true);
+  reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing jumps when it comes
+  connect(plot_, &ComparePlot::readingChanged, reading_, [this](const QString& reading) {
+    reading_->setText(reading.isEmpty()
+                          ? tr("Point at the graph to read values; click to pin a cursor and read "
+                               "differences from there.")
+                          : reading);
+  });
 
-  auto* swap = new QPushButton(tr("E&xchange A and B"));
-  swap->setObjectName("compareExchange");
+  more_ = pushButton("compareAdd", tr("Compare &one more"), tr("Lay another open button over these"));
+  connect(more_, &QPushButton::clicked, this, &CompareDialog::addNext);
+  fewer_ = pushButton("compareRemove", tr("One &less"), tr("Take the last one away"));
+  connect(fewer_, &QPushButton::clicked, this, &CompareDialog::removeLast);
+  auto* swap = pushButton("compareExchange", tr("E&xchange A and B"), tr("Count differences the other way"));
   connect(swap, &QPushButton::clicked, this, &CompareDialog::exchange);
-  auto* copy = new QPushButton(tr("&Copy the table"));
-  copy->setObjectName("compareCopy");
-  copy->setToolTip(tr("Copy the differences as CSV, in the units shown"));
+  auto* copy =
+      pushButton("compareCopy", tr("&Copy the table"), tr("Copy the differences as CSV, in the units shown"));
   connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(tableText()); });
   auto* buttons = new QHBoxLayout;
-  buttons->addWidget(swap);
-  buttons->addWidget(copy);
+  for (QPushButton* button : {more_, fewer_, swap, copy}) buttons->addWidget(button);
   buttons->addStretch();
 
   auto* layout = new QVBoxLayout(this);
-  layout->addWidget(sideRow(a_, "A"));
-  layout->addWidget(sideRow(b_, "B"));
+  layout->addLayout(rows_ = new QVBoxLayout);
   layout->addWidget(split, 1);
+  layout->addWidget(reading_);
   layout->addWidget(distance_);
   forecast_ = new ForecastBar;
   forecast_->setObjectName("compareForecast");
   layout->addWidget(forecast_);
   layout->addLayout(buttons);
-
-  soon_.setSingleShot(true);
-  soon_.setInterval(updateDelay_ms);
-  connect(&soon_, &QTimer::timeout, this, &CompareDialog::update);
-  connect(&settings_, &ViewSettings::changed, &soon_, qOverload<>(&QTimer::start));
+  addSide();
+  addSide();
 }
 
-QWidget* CompareDialog::sideRow(Side& side, const QString& letter) {
-  auto* row = new QWidget;
-  auto* layout = new QHBoxLayout(row);
+void CompareDialog::addSide() {
+  auto made = std::make_unique<Side>();
+  Side& side = *made;
+  side.letter = QChar('A' + static_cast<char>(sides_.size()));
+  side.row = new QWidget;
+  auto* layout = new QHBoxLayout(side.row);
   layout->setContentsMargins(0, 0, 0, 0);
-  auto* label = new QLabel("<b>" + letter + "</b>");
   side.button = new QComboBox;
-  side.button->setObjectName("compareButton" + letter);
-  side.button->setAccessibleName(tr("Button %1").arg(letter));
-  side.button->setToolTip(tr("Button %1 of the comparison").arg(letter));
+  side.button->setObjectName("compareButton" + side.letter);
+  side.button->setAccessibleName(tr("Button %1").arg(side.letter));
+  side.button->setToolTip(tr("Button %1 of the comparison").arg(side.letter));
   side.state = new QComboBox;
-  side.state->setObjectName("compareState" + letter);
-  side.state->setAccessibleName(tr("State of button %1").arg(letter));
+  side.state->setObjectName("compareState" + side.letter);
+  side.state->setAccessibleName(tr("State of button %1").arg(side.letter));
   side.state->setToolTip(tr("Which state of a self-locking button is compared"));
-  layout->addWidget(label);
+  layout->addWidget(new QLabel("<b>" + side.letter + "</b>"));
   layout->addWidget(side.button, 1);
   layout->addWidget(side.state);
   connect(side.button, &QComboBox::activated, this, [this, &side](int index) {
@@ -130,7 +132,33 @@ QWidget* CompareDialog::sideRow(Side& side, const QString& letter) {
       choose(side, documents_[static_cast<std::size_t>(index)]);
   });
   connect(side.state, &QComboBox::activated, this, &CompareDialog::update);
-  return row;
+  rows_->addWidget(side.row);
+  sides_.push_back(std::move(made));
+}
+
+void CompareDialog::removeLast() {
+  if (sides_.size() <= 2) return;
+  delete sides_.back()->row;
+  sides_.pop_back();
+  update();
+}
+
+// The first that is not among them yet.
+void CompareDialog::addNext() {
+  const auto isCompared = [this](const ButtonDocument* document) {
+    return std::any_of(sides_.begin(), sides_.end(),
+                       [document](const auto& side) { return side->document == document; });
+  };
+  const auto next = std::find_if_not(documents_.begin(), documents_.end(), isCompared);
+  if (!documents_.empty()) add(next != documents_.end() ? *next : documents_.front());
+}
+
+void CompareDialog::add(ButtonDocument* document) {
+  if (sides_.size() >= mostSides) return;
+  addSide();
+  fillButtons(*sides_.back());
+  choose(*sides_.back(), document);
+  fillButtons(*sides_.back());
 }
 
 void CompareDialog::setDocuments(const std::vector<ButtonDocument*>& documents) {
@@ -138,21 +166,23 @@ void CompareDialog::setDocuments(const std::vector<ButtonDocument*>& documents) 
     if (std::find(documents_.begin(), documents_.end(), document) == documents_.end()) {
       connect(document, &ButtonDocument::changed, &soon_, qOverload<>(&QTimer::start));
       connect(document, &ButtonDocument::titleChanged, this, [this] {
-        fillButtons(a_);
-        fillButtons(b_);
+        for (const auto& side : sides_) fillButtons(*side);
       });
     }
   documents_ = documents;
-  for (Side* side : {&a_, &b_})
+  for (const auto& side : sides_) {
     if (std::find(documents_.begin(), documents_.end(), side->document) == documents_.end())
       side->document = documents_.empty() ? nullptr : documents_.front();
-  compare(a_.document, b_.document);
+    fillButtons(*side);
+    fillStates(*side);
+  }
+  update();
 }
 
 void CompareDialog::compare(ButtonDocument* a, ButtonDocument* b) {
-  a_.document = a;
-  b_.document = b;
-  for (Side* side : {&a_, &b_}) {
+  sides_[0]->document = a;
+  sides_[1]->document = b;
+  for (const auto& side : sides_) {
     fillButtons(*side);
     fillStates(*side);
   }
@@ -166,10 +196,11 @@ void CompareDialog::choose(Side& side, ButtonDocument* document) {
 }
 
 void CompareDialog::exchange() {
-  const int stateA = a_.state->currentIndex(), stateB = b_.state->currentIndex();
-  compare(b_.document, a_.document);
-  a_.state->setCurrentIndex(stateB);
-  b_.state->setCurrentIndex(stateA);
+  Side &a = *sides_[0], &b = *sides_[1];
+  const int stateA = a.state->currentIndex(), stateB = b.state->currentIndex();
+  compare(b.document, a.document);
+  a.state->setCurrentIndex(stateB);
+  b.state->setCurrentIndex(stateA);
   update();
 }
 
@@ -199,63 +230,60 @@ const ButtonState* CompareDialog::stateOf(const Side& side) const {
 }
 
 void CompareDialog::update() {
-  for (Side* side : {&a_, &b_})  // an edit may have added or taken a state
+  std::vector<const ButtonState*> states;
+  std::vector<ComparedGraph> graphs;
+  for (const auto& side : sides_) {
+    // An edit may have added or taken a state.
     if (side->document && side->state->count() != static_cast<int>(side->document->button().states().size()))
       fillStates(*side);
-  forecast_->setPair(a_.document, b_.document);
-  const ButtonState *a = stateOf(a_), *b = stateOf(b_);
-  if (!a || !b) {
-    table_->setRowCount(0);
-    plot_->clearGraphs();
-    plot_->clearPlottables();
-    plot_->replot();
-    distance_->setText(tr("Open two buttons to compare them."));
-    return;
+    const ButtonState* state = stateOf(*side);
+    if (!state) continue;
+    states.push_back(state);
+    graphs.push_back({side->letter, state->graph});
   }
-  drawCurves(*a, *b);
-  fillTable(*a, *b);
-  const auto distance = detent::compare(polylinesOf(a->graph), polylinesOf(b->graph));
-  distance_->setText(distance ? shownDistance(*distance, settings_.units()) : sentenceOf(distance.failure()));
+  forecast_->setPair(sides_[0]->document, sides_[1]->document);
+  more_->setEnabled(sides_.size() < mostSides && !documents_.empty());
+  fewer_->setEnabled(sides_.size() > 2);
+  plot_->setGraphs(std::move(graphs), settings_.units());
+  fillTable(states);
+  distance_->setText(states.size() < 2 ? tr("Open two buttons to compare them.") : distances(states));
 }
 
-void CompareDialog::drawCurves(const ButtonState& a, const ButtonState& b) {
-  const DisplayUnits& units = settings_.units();
-  const GraphColors colors = graphColors(isDark(palette()));
-  dress(*plot_, colors);
-  plot_->clearPlottables();
-  const auto draw = [&](const ButtonState& state, const QString& letter, const QColor& color) {
-    for (const Stroke stroke : {Stroke::press, Stroke::release}) {
-      if (stroke == Stroke::release && !state.graph.release()) continue;
-      auto* curve = new QCPCurve(plot_->xAxis, plot_->yAxis);
-      for (const CurvePoint& p : travelledSamples(state.graph, stroke))
-        curve->addData(units.lengthFrom(p.displacement_mm), units.forceFrom(p.force_N));
-      curve->setPen(QPen(color, 2, stroke == Stroke::press ? Qt::SolidLine : Qt::DashLine));
-      curve->setAntialiased(true);
-      curve->setName(letter + " " + (stroke == Stroke::press ? tr("press") : tr("release")));
-    }
-  };
-  draw(a, "A", colors.press);
-  draw(b, "B", colors.release);
-  plot_->xAxis->setLabel(tr("Displacement (%1)").arg(units.lengthSymbol()));
-  plot_->yAxis->setLabel(tr("Force (%1)").arg(units.forceSymbol()));
-  plot_->rescaleAxes();
-  plot_->yAxis->scaleRange(1.1);
-  plot_->yAxis->setRangeUpper(plot_->yAxis->range().upper + roomForLegend * plot_->yAxis->range().size());
-  plot_->replot();
+QString CompareDialog::distances(const std::vector<const ButtonState*>& states) const {
+  QStringList lines;
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    const auto distance = detent::compare(polylinesOf(states.front()->graph), polylinesOf(states[i]->graph));
+    const QString text =
+        distance ? shownDistance(*distance, settings_.units()) : sentenceOf(distance.failure());
+    lines << (states.size() > 2 ? tr("%1: %2").arg(sides_[i]->letter, text) : text);
+  }
+  return lines.join('\n');
 }
 
-void CompareDialog::fillTable(const ButtonState& a, const ButtonState& b) {
+void CompareDialog::fillTable(const std::vector<const ButtonState*>& states) {
+  table_->clear();
+  QStringList heads{tr("Figure")};
+  for (std::size_t i = 0; i < states.size(); ++i) heads << sides_[i]->letter;
+  for (std::size_t i = 1; i < states.size(); ++i) heads << tr("%1 \u2212 A").arg(sides_[i]->letter);
+  heads << tr("Unit");
+  table_->setColumnCount(static_cast<int>(heads.size()));
+  table_->setHorizontalHeaderLabels(heads);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
+  table_->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  if (states.size() < 2) return table_->setRowCount(0);
+
   const DisplayUnits& units = settings_.units();
-  const std::vector<DifferenceRow> rows = differencesOf(a, b);
+  const auto rows = differencesOf(states);
   table_->setRowCount(static_cast<int>(rows.size()));
   for (int i = 0; i < table_->rowCount(); ++i) {
     const DifferenceRow& row = rows[static_cast<std::size_t>(i)];
-    const QString texts[] = {row.name, shownValue(row.a, row.measure, units),
-                             shownValue(row.b, row.measure, units), shownDifference(row, units),
-                             shownUnit(row.measure, units)};
-    for (int column = 0; column < columnCount; ++column) {
+    QStringList texts{row.name};
+    for (const auto& value : row.values) texts << shownValue(value, row.measure, units);
+    for (std::size_t other = 1; other < states.size(); ++other) texts << shownDifference(row, other, units);
+    texts << shownUnit(row.measure, units);
+    for (int column = 0; column < texts.size(); ++column) {
       auto* item = new QTableWidgetItem(texts[column]);
-      if (column != nameColumn && column != unitColumn)
+      if (column != 0 && column != texts.size() - 1)
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       table_->setItem(i, column, item);
     }
@@ -263,11 +291,17 @@ void CompareDialog::fillTable(const ButtonState& a, const ButtonState& b) {
 }
 
 QString CompareDialog::tableText() const {
-  QStringList lines{QStringLiteral("figure,a,b,difference,unit")};
+  const auto quoted = [](QString text) { return '"' + text.replace('"', QStringLiteral("\"\"")) + '"'; };
+  QStringList heads{QStringLiteral("figure")};
+  const std::size_t count = table_->columnCount() < 3 ? 0 : sides_.size();
+  for (std::size_t i = 0; i < count; ++i) heads << sides_[i]->letter.toLower();
+  for (std::size_t i = 1; i < count; ++i) heads << sides_[i]->letter.toLower() + QStringLiteral("_minus_a");
+  heads << QStringLiteral("unit");
+  QStringList lines{heads.join(',')};
   for (int row = 0; row < table_->rowCount(); ++row) {
     QStringList fields;
-    for (int column = 0; column < columnCount; ++column)
-      fields << '"' + table_->item(row, column)->text().replace('"', QStringLiteral("\"\"")) + '"';
+    for (int column = 0; column < table_->columnCount(); ++column)
+      fields << quoted(table_->item(row, column)->text());
     lines << fields.join(',');
   }
   return lines.join('\n') + '\n';

@@ -17,11 +17,16 @@ struct Differences {
 
 using Value = std::optional<double>;
 
-/// Collects rows; those that neither button has are dropped.
+/// Collects rows; those that no button has are dropped.
 class Rows {
  public:
-  void add(const QString& name, Measure measure, Value a, Value b) {
-    if (a || b) rows_.push_back({name, measure, a, b});
+  /// `valueOf` gives the figure of one of `things`, or nothing.
+  template <class Thing, class ValueOf>
+  void add(const QString& name, Measure measure, const std::vector<Thing>& things, ValueOf valueOf) {
+    std::vector<Value> values;
+    for (const Thing& thing : things) values.push_back(valueOf(thing));
+    const bool any = std::any_of(values.begin(), values.end(), [](const Value& v) { return v.has_value(); });
+    if (any) rows_.push_back({name, measure, std::move(values)});
   }
   std::vector<DifferenceRow> take() { return std::move(rows_); }
 
@@ -29,68 +34,71 @@ class Rows {
   std::vector<DifferenceRow> rows_;
 };
 
-const TactileEvent* eventOf(const StrokeMetrics* stroke, std::size_t index) {
-  return stroke && index < stroke->tactile.size() ? &stroke->tactile[index] : nullptr;
+/// Null where a button has no such stroke.
+using Strokes = std::vector<const StrokeMetrics*>;
+/// Null where a stroke has no such tactile point.
+using Events = std::vector<const TactileEvent*>;
+
+/// A figure of what may not be there.
+template <class Thing, class Get>
+auto ifThere(Get get) {
+  return [get](const Thing* thing) { return thing ? Value(get(*thing)) : Value(); };
 }
 
-template <class Get>
-Value of(const TactileEvent* event, Get get) {
-  return event ? Value(get(*event)) : Value();
-}
-
-void addTactilePoint(Rows& rows, const QString& prefix, bool press, const TactileEvent* a,
-                     const TactileEvent* b) {
-  const auto both = [&](const QString& name, Measure measure, auto get) {
-    rows.add(prefix + name, measure, of(a, get), of(b, get));
+void addTactilePoint(Rows& rows, const QString& prefix, bool press, const Events& events) {
+  const auto add = [&](const QString& name, Measure measure, auto get) {
+    rows.add(prefix + name, measure, events, ifThere<TactileEvent>(get));
   };
-  both(Differences::tr("displacement"), Measure::length,
-       [](const TactileEvent& e) { return e.point.displacement_mm; });
-  both(Differences::tr("force"), Measure::force, [](const TactileEvent& e) { return e.point.force_N; });
-  const auto followingForce = [](const TactileEvent* e) {
-    return e && e->following ? Value(e->following->force_N) : Value();
-  };
-  rows.add(prefix + (press ? Differences::tr("force of the valley after it")
-                           : Differences::tr("force of the hump after it")),
-           Measure::force, followingForce(a), followingForce(b));
-  const auto snap = [](const TactileEvent* e) { return e ? e->snapRatio : Value(); };
-  rows.add(prefix + Differences::tr("snap ratio"), Measure::share, snap(a), snap(b));
-  const auto length = [](const TactileEvent* e) {
-    return e && e->jump ? Value(std::abs(e->jump->to_mm - e->jump->from_mm)) : Value();
-  };
-  rows.add(prefix + Differences::tr("length of the jump"), Measure::length, length(a), length(b));
-  const auto area = [](const TactileEvent* e) { return e && e->jump ? Value(e->jumpArea_mJ) : Value(); };
-  rows.add(prefix + Differences::tr("area of the jump"), Measure::work, area(a), area(b));
+  add(Differences::tr("displacement"), Measure::length,
+      [](const TactileEvent& e) { return e.point.displacement_mm; });
+  add(Differences::tr("force"), Measure::force, [](const TactileEvent& e) { return e.point.force_N; });
+  add(press ? Differences::tr("force of the valley after it") : Differences::tr("force of the hump after it"),
+      Measure::force,
+      [](const TactileEvent& e) { return e.following ? Value(e.following->force_N) : Value(); });
+  add(Differences::tr("snap ratio"), Measure::share, [](const TactileEvent& e) { return e.snapRatio; });
+  add(Differences::tr("length of the jump"), Measure::length, [](const TactileEvent& e) {
+    return e.jump ? Value(std::abs(e.jump->to_mm - e.jump->from_mm)) : Value();
+  });
+  add(Differences::tr("area of the jump"), Measure::work,
+      [](const TactileEvent& e) { return e.jump ? Value(e.jumpArea_mJ) : Value(); });
 }
 
 // Mean slope up to the first tactile point, or to the bottom-out where there is none.
-Value firstSlope(const StrokeMetrics* stroke) {
-  if (!stroke || stroke->sections.empty()) return {};
-  const Section& first = stroke->sections.front();
+Value firstSlope(const StrokeMetrics& stroke) {
+  if (stroke.sections.empty()) return {};
+  const Section& first = stroke.sections.front();
   const double length_mm = first.to_mm - first.from_mm;
   if (first.kind != SectionKind::slope || length_mm == 0) return {};
   return (first.toForce_N - first.fromForce_N) / length_mm;
 }
 
-void addStroke(Rows& rows, const QString& name, bool press, const StrokeMetrics* a, const StrokeMetrics* b) {
-  const auto both = [&](const QString& figure, Measure measure, auto get) {
-    rows.add(name + ": " + figure, measure, a ? Value(get(*a)) : Value(), b ? Value(get(*b)) : Value());
-  };
-  both(Differences::tr("force at the start of the travel"), Measure::force,
-       [](const StrokeMetrics& s) { return s.startForce_N; });
-  both(Differences::tr("largest force"), Measure::force, [](const StrokeMetrics& s) { return s.maxForce_N; });
-  rows.add(name + ": " + Differences::tr("first slope"), Measure::slope, firstSlope(a), firstSlope(b));
-  both(Differences::tr("tactile points"), Measure::count,
-       [](const StrokeMetrics& s) { return static_cast<double>(s.tactile.size()); });
-  const std::size_t count = std::max(a ? a->tactile.size() : 0, b ? b->tactile.size() : 0);
-  for (std::size_t i = 0; i < count; ++i) {
-    const QString number = count > 1 ? " " + QString::number(i + 1) : QString();
-    addTactilePoint(rows, name + ": " + Differences::tr("tactile point%1, ").arg(number), press,
-                    eventOf(a, i), eventOf(b, i));
+void addTactilePoints(Rows& rows, const QString& name, bool press, const Strokes& strokes) {
+  std::size_t most = 0;
+  for (const StrokeMetrics* stroke : strokes) most = std::max(most, stroke ? stroke->tactile.size() : 0);
+  for (std::size_t i = 0; i < most; ++i) {
+    Events events;
+    for (const StrokeMetrics* stroke : strokes)
+      events.push_back(stroke && i < stroke->tactile.size() ? &stroke->tactile[i] : nullptr);
+    const QString number = most > 1 ? " " + QString::number(i + 1) : QString();
+    addTactilePoint(rows, name + ": " + Differences::tr("tactile point%1, ").arg(number), press, events);
   }
+}
+
+void addStroke(Rows& rows, const QString& name, bool press, const Strokes& strokes) {
+  const auto add = [&](const QString& figure, Measure measure, auto get) {
+    rows.add(name + ": " + figure, measure, strokes, ifThere<StrokeMetrics>(get));
+  };
+  add(Differences::tr("force at the start of the travel"), Measure::force,
+      [](const StrokeMetrics& s) { return s.startForce_N; });
+  add(Differences::tr("largest force"), Measure::force, [](const StrokeMetrics& s) { return s.maxForce_N; });
+  add(Differences::tr("first slope"), Measure::slope, firstSlope);
+  add(Differences::tr("tactile points"), Measure::count,
+      [](const StrokeMetrics& s) { return static_cast<double>(s.tactile.size()); });
+  addTactilePoints(rows, name, press, strokes);
   if (press)
-    both(Differences::tr("bottom-out begins at"), Measure::length,
-         [](const StrokeMetrics& s) { return s.bottomOut.displacement_mm; });
-  both(Differences::tr("work"), Measure::work, [](const StrokeMetrics& s) { return s.work_mJ; });
+    add(Differences::tr("bottom-out begins at"), Measure::length,
+        [](const StrokeMetrics& s) { return s.bottomOut.displacement_mm; });
+  add(Differences::tr("work"), Measure::work, [](const StrokeMetrics& s) { return s.work_mJ; });
 }
 
 Value place(const std::optional<CurvePoint>& point) {
@@ -125,19 +133,25 @@ const QString nothing = QStringLiteral("\u2013");
 
 }  // namespace
 
-std::vector<DifferenceRow> differencesOf(const ButtonState& a, const ButtonState& b) {
-  const StateMetrics first = metricsOf(a), second = metricsOf(b);
+std::vector<DifferenceRow> differencesOf(const std::vector<const ButtonState*>& states) {
+  std::vector<StateMetrics> figures;
+  for (const ButtonState* state : states) figures.push_back(metricsOf(*state));
+  Strokes presses, releases;
+  for (const StateMetrics& each : figures) {
+    presses.push_back(&each.press);
+    releases.push_back(each.release ? &*each.release : nullptr);
+  }
   Rows rows;
-  rows.add(Differences::tr("Travel"), Measure::length, first.travel_mm, second.travel_mm);
-  rows.add(Differences::tr("Operating point"), Measure::length, place(first.operatingPoint),
-           place(second.operatingPoint));
-  rows.add(Differences::tr("Reset point"), Measure::length, place(first.resetPoint),
-           place(second.resetPoint));
-  addStroke(rows, Differences::tr("Press"), true, &first.press, &second.press);
-  addStroke(rows, Differences::tr("Release"), false, first.release ? &*first.release : nullptr,
-            second.release ? &*second.release : nullptr);
-  rows.add(Differences::tr("Work lost between the strokes"), Measure::work, first.hysteresisArea_mJ,
-           second.hysteresisArea_mJ);
+  rows.add(Differences::tr("Travel"), Measure::length, figures,
+           [](const StateMetrics& s) { return Value(s.travel_mm); });
+  rows.add(Differences::tr("Operating point"), Measure::length, figures,
+           [](const StateMetrics& s) { return place(s.operatingPoint); });
+  rows.add(Differences::tr("Reset point"), Measure::length, figures,
+           [](const StateMetrics& s) { return place(s.resetPoint); });
+  addStroke(rows, Differences::tr("Press"), true, presses);
+  addStroke(rows, Differences::tr("Release"), false, releases);
+  rows.add(Differences::tr("Work lost between the strokes"), Measure::work, figures,
+           [](const StateMetrics& s) { return s.hysteresisArea_mJ; });
   return rows.take();
 }
 
@@ -147,9 +161,10 @@ QString shownValue(std::optional<double> value, Measure measure, const DisplayUn
   return number(inUnits(*value, measure, units));
 }
 
-QString shownDifference(const DifferenceRow& row, const DisplayUnits& units) {
-  if (!row.a || !row.b) return nothing;
-  const double difference = *row.b - *row.a;
+QString shownDifference(const DifferenceRow& row, std::size_t other, const DisplayUnits& units) {
+  const Value &first = row.values.front(), &second = row.values[other];
+  if (!first || !second) return nothing;
+  const double difference = *second - *first;
   const QString shown = shownValue(std::abs(difference), row.measure, units);
   if (difference == 0) return shown;
   return (difference > 0 ? QStringLiteral("+") : QStringLiteral("\u2212")) + shown;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Two button states side by side, as rows of one figure each.
+// Button states side by side, as rows of one figure each.
 
 #include <optional>
 #include <QString>
@@ -14,21 +14,21 @@ namespace detent::editor {
 
 enum class Measure { length, force, slope, work, share, count };
 
-/// One figure of both; empty where a button has no such thing. mm, N, N/mm, mJ, a share, or a count.
+/// One figure of all; empty where a button has no such thing. mm, N, N/mm, mJ, a share, or a count.
 struct DifferenceRow {
   QString name;
   Measure measure = Measure::length;
-  std::optional<double> a, b;
+  std::vector<std::optional<double>> values;  ///< in the order of the states
 };
 
-/// Travel, forces, tactile points (in the order travelled, as many as the richer one has), slopes,
-/// bottom-out, work, operating and reset point. Rows that neither has are left out.
-std::vector<DifferenceRow> differencesOf(const ButtonState& a, const ButtonState& b);
+/// Travel, forces, tactile points (in the order travelled, as many as the richest one has), slopes,
+/// bottom-out, work, operating and reset point. Rows that none has are left out.
+std::vector<DifferenceRow> differencesOf(const std::vector<const ButtonState*>& states);
 
 /// As shown in tables, without the unit; "–" for what is not there.
 QString shownValue(std::optional<double> value, Measure measure, const DisplayUnits& units);
-/// B minus A with its sign; "–" unless both are there.
-QString shownDifference(const DifferenceRow& row, const DisplayUnits& units);
+/// Value `other` of the row minus the first, with its sign; "–" unless both are there.
+QString shownDifference(const DifferenceRow& row, std::size_t other, const DisplayUnits& units);
 /// Unit of a measure: "cN", "cN/mm", "mJ", "%"; empty for counts.
 QString shownUnit(Measure measure, const DisplayUnits& units);
 

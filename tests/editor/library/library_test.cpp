@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QLabel>
 #include <QListView>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -13,9 +14,11 @@
 
 #include "editor/files/document_files.h"
 #include "editor/library/compare_dialog.h"
+#include "editor/library/compare_plot.h"
 #include "editor/library/graph_picture.h"
 #include "editor/library/library_panel.h"
 #include "editor/library/template_dialog.h"
+#include "editor/quantity/quantity.h"
 #include "model/edits.h"
 #include "model/templates.h"
 
@@ -146,26 +149,66 @@ class LibraryTest : public QObject {
 
   void differencesAreThoseOfTheButtons() {
     const Button a = *tactileButton(), b = *scaleForce(a, 2);
-    const auto rows = differencesOf(a.states()[0], b.states()[0]);
+    const auto rows = differencesOf({&a.states()[0], &b.states()[0]});
     const DifferenceRow* travel = rowNamed(rows, "Travel");
-    QVERIFY(travel && *travel->a == *travel->b);
+    QVERIFY(travel && *travel->values[0] == *travel->values[1]);
     const DifferenceRow* force = rowNamed(rows, "Press: tactile point, force");
     QVERIFY(force);
-    QCOMPARE(*force->b, 2 * *force->a);
+    QCOMPARE(*force->values[1], 2 * *force->values[0]);
     const DisplayUnits units;
-    QCOMPARE(shownValue(force->a, detent::editor::Measure::force, units), QString("55.00"));
-    QCOMPARE(shownDifference(*force, units), QString("+55.00"));
+    QCOMPARE(shownValue(force->values[0], detent::editor::Measure::force, units), QString("55.00"));
+    QCOMPARE(shownDifference(*force, 1, units), QString("+55.00"));
     QCOMPARE(shownUnit(detent::editor::Measure::force, units), QString("cN"));
     DisplayUnits inches;
     inches.length = LengthUnit::inch;
-    QCOMPARE(shownValue(travel->a, detent::editor::Measure::length, inches), QString("0.1575"));
+    QCOMPARE(shownValue(travel->values[0], detent::editor::Measure::length, inches), QString("0.1575"));
   }
 
   void whatOneHasAndTheOtherNotIsADash() {
-    const auto rows = differencesOf(linearButton()->states()[0], twoLevelButton()->states()[0]);
+    const Button linear = *linearButton(), twoLevel = *twoLevelButton();
+    const auto rows = differencesOf({&linear.states()[0], &twoLevel.states()[0]});
     const DifferenceRow* second = rowNamed(rows, "Press: tactile point 2, force");
-    QVERIFY(second && !second->a && second->b);
-    QCOMPARE(shownDifference(*second, {}), QString("\u2013"));
+    QVERIFY(second && !second->values[0] && second->values[1]);
+    QCOMPARE(shownDifference(*second, 1, {}), QString("\u2013"));
+  }
+
+  void severalAreComparedAndReadOff() {
+    ViewSettings settings;
+    ButtonDocument a(*tactileButton()), b(*linearButton()), c(*scaleForce(*tactileButton(), 2));
+    CompareDialog dialog(settings);
+    dialog.setDocuments({&a, &b, &c});
+    dialog.compare(&a, &b);
+    dialog.show();
+    auto* table = dialog.findChild<QTableWidget*>("compareTable");
+    QCOMPARE(table->columnCount(), 5);
+    dialog.findChild<QPushButton*>("compareAdd")->click();
+    QCOMPARE(dialog.findChild<QComboBox*>("compareButtonC")->currentIndex(), 2);  // the one not there yet
+    QCOMPARE(table->columnCount(), 7);
+    QVERIFY(dialog.tableText().startsWith("figure,a,b,c,b_minus_a,c_minus_a,unit\n"));
+    // The largest force of C is twice that of A, so what it has more is A's own.
+    for (int row = 0; row < table->rowCount(); ++row)
+      if (table->item(row, 0)->text() == "Press: largest force")
+        QCOMPARE(table->item(row, 5)->text(), '+' + table->item(row, 1)->text());
+
+    auto* plot = dialog.findChild<ComparePlot*>();
+    auto* reading = dialog.findChild<QLabel*>("compareReading");
+    const auto at = [&](double mm) {
+      return QPoint(qRound(plot->xAxis->coordToPixel(mm)), plot->axisRect()->center().y());
+    };
+    QTest::mouseMove(plot, at(1));
+    const double shown_mm = plot->xAxis->pixelToCoord(at(1).x());
+    const double force_cN = 100 * a.graph().press().force_N(shown_mm);
+    QTRY_VERIFY(reading->text().contains("A press " + numberText(force_cN, 4)));
+    QTest::mouseClick(plot, Qt::LeftButton, {}, at(1));
+    QTest::mouseMove(plot, at(2));
+    QTRY_VERIFY(reading->text().contains("From the pinned cursor"));
+    QTest::keyClick(plot, Qt::Key_Escape);
+    QVERIFY(!reading->text().contains("From the pinned cursor"));
+    dialog.findChild<QPushButton*>("compareRemove")->click();
+    QCOMPARE(table->columnCount(), 5);
+    QVERIFY(!dialog.findChild<QPushButton*>("compareRemove")->isEnabled());
+    c.history().apply(*linearButton(), "Linear");  // no longer compared: nothing dangles
+    QTest::qWait(80);
   }
 
   void theDialogueComparesAndFollows() {

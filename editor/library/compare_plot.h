@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Force graphs over each other, with a cursor that reads their values off.
+
+#include <optional>
+#include <vector>
+
+#include <qcustomplot.h>
+
+#include "editor/document/display_units.h"
+#include "model/button.h"
+
+namespace detent::editor {
+
+/// One graph of the comparison and what it is called in it.
+struct ComparedGraph {
+  QString letter;
+  ForceGraph graph;
+};
+
+/// Press solid, release dashed, a colour per button. The pointer moves a cursor, a click pins a second one from
+/// which differences are counted; Escape or a click on it takes it away. GUI thread.
+class ComparePlot : public QCustomPlot {
+  Q_OBJECT
+
+ public:
+  explicit ComparePlot(QWidget* parent = nullptr);
+
+  void setGraphs(std::vector<ComparedGraph> graphs, const DisplayUnits& units);
+  /// Values of all graphs at the cursor, differences to the pinned one; empty while the pointer is elsewhere.
+  QString reading() const;
+
+ signals:
+  void readingChanged(const QString& reading);
+
+ protected:
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void dress();
+  void drawCurves();
+  void moveCursor(std::optional<double> at_mm);
+  void pin(std::optional<double> at_mm);
+  void place(QCPItemStraightLine& line, std::optional<double> at_mm);
+  double millimetresAt(double x_px) const;
+  QString valuesAt(double at_mm) const;
+  QString differences() const;
+
+  std::vector<ComparedGraph> graphs_;
+  DisplayUnits units_;
+  QCPItemStraightLine *cursor_, *pinned_;
+  std::optional<double> cursor_mm_, pinned_mm_;
+  QPoint pressedAt_;
+};
+
+}  // namespace detent::editor
