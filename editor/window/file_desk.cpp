@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/file_desk.h"
 
-#include <QDir>
-#include <QFileInfo>
-#include <QLocale>
 #include <QMimeData>
-#include <QStandardPaths>
 #include <QUrl>
 
 #include "editor/document/message_words.h"
 #include "editor/files/document_files.h"
-#include "editor/files/exports.h"
 #include "editor/files/input_kind.h"
-#include "editor/importing/import_dialog.h"
 
 namespace detent::editor {
 namespace {
-
-constexpr QSize exportedPicture_px{2400, 1600};
-constexpr double exportedPixelRatio = 2;
-
-QString shown(const QString& path) { return QDir::toNativeSeparators(path); }
 
 QString marksBeside(const QString& recoveryFolder) {
   return QFileInfo(recoveryFolder).dir().filePath(QStringLiteral("open-files"));
@@ -28,22 +17,31 @@ QString marksBeside(const QString& recoveryFolder) {
 
 }  // namespace
 
-FileDesk::FileDesk(const FileDeskPlaces& places, QObject* parent)
+FileDesk::FileDesk(const DeskPlaces& places, QObject* parent)
     : QObject(parent),
       at_(places),
       recent_(places.settings),
       marks_(marksBeside(places.recovery.folder())),
-      pages_(places.settings) {
-  connectPages();
-  draftSoon_.setSingleShot(true);
-  draftSoon_.setInterval(RecoveryStore::writeAfter_ms);
-  connect(&draftSoon_, &QTimer::timeout, this, &FileDesk::keepDraft);
+      sheets_(places),
+      leftBehind_(places),
+      exports_(places) {
+  connect(&sheets_, &SheetDesk::done, this, &FileDesk::done);
+  connect(&exports_, &ExportDesk::done, this, &FileDesk::done);
+  connect(&sheets_, &SheetDesk::opened, &recent_, &RecentFiles::add);
+  connect(&leftBehind_, &RecoveryDesk::recovered, this, [this](DocumentTab* tab) {
+    if (const QString path = tab->document().path(); !path.isEmpty()) watch_.watch(path);
+    sheets_.bringPageBack(tab->document());
+  });
   connect(&marks_, &OpenMarks::otherEditorChanged, this,
           [this](ButtonDocument* document) { sayOtherEditor(*document); });
   connect(&watch_, &FileWatch::changedOutside, this, &FileDesk::changedOutside);
   connect(&watch_, &FileWatch::vanished, this, &FileDesk::vanished);
   connect(&at_.recovery, &RecoveryStore::failed, this,
           [this](const QString& sentence) { trouble("autosave", sentence); });
+  connectTabs();
+}
+
+void FileDesk::connectTabs() {
   connect(&at_.tabs, &TabArea::tabAdded, this, [this](DocumentTab* tab) {
     at_.recovery.watch(tab->document());
     marks_.watch(tab->document());
@@ -55,46 +53,8 @@ FileDesk::FileDesk(const FileDeskPlaces& places, QObject* parent)
   });
 }
 
-FileDesk::~FileDesk() { delete importing_; }
-
-NoticeBar::Choice FileDesk::findSheetChoice(ButtonDocument& document) {
-  return {"findSheet", tr("Find the sheet…"), [this, known = QPointer<ButtonDocument>(&document)] {
-            const QStringList chosen =
-                at_.prompts.filesToOpen(&at_.window, tr("Find the sheet"), folder(), openFilters());
-            if (known && !chosen.isEmpty()) pages_.bringBackFrom(*known, chosen.front());
-          }};
-}
-
-void FileDesk::connectPages() {
-  const auto say = [this](ButtonDocument* document, NoticeBar::Kind kind, const QString& sentence) {
-    if (DocumentTab* tab = at_.tabs.tabOf(document))
-      tab->notices().say("page", kind, sentence, {findSheetChoice(*document)});
-  };
-  connect(&pages_, &PageReturn::returned, this, [this](ButtonDocument* document) {
-    if (DocumentTab* tab = at_.tabs.tabOf(document)) tab->notices().dismiss("page");
-    emit done(tr("The page of %1 is behind the curves again.").arg(document->title()));
-  });
-  connect(&pages_, &PageReturn::missing, this, [say](ButtonDocument* document, const QString& name) {
-    say(document, NoticeBar::Kind::information,
-        tr("The sheet this button was read from, %1, is neither beside its file nor where it was last.")
-            .arg(name));
-  });
-  connect(&pages_, &PageReturn::refused, this, [say](ButtonDocument* document, const QString& sentence) {
-    say(document, NoticeBar::Kind::trouble, sentence);
-  });
-}
-
 void FileDesk::trouble(const QString& id, const QString& sentence) {
   at_.notices.say(id, NoticeBar::Kind::trouble, sentence);
-}
-
-QString FileDesk::folder() const {
-  const QString last = at_.settings.value("files/folder").toString();
-  return QFileInfo(last).isDir() ? last : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
-}
-
-void FileDesk::rememberFolder(const QString& path) {
-  at_.settings.setValue("files/folder", QFileInfo(path).absolutePath());
 }
 
 // ---- opening
@@ -105,29 +65,28 @@ void FileDesk::newButton() {
 }
 
 void FileDesk::openByDialog() {
-  open(at_.prompts.filesToOpen(&at_.window, tr("Open"), folder(), openFilters()));
+  open(at_.prompts.filesToOpen(&at_.window, tr("Open"), at_.folder(), openFilters()));
 }
 
 void FileDesk::importByDialog() {
   QStringList filters = openFilters();
   filters.move(2, 0);  // datasheets first
-  for (const QString& path : at_.prompts.filesToOpen(&at_.window, tr("Import"), folder(), filters)) {
-    rememberFolder(path);
-    toImport_.push_back(path);
-  }
-  startImport();
+  const QStringList chosen = at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folder(), filters);
+  for (const QString& path : chosen) at_.rememberFolder(path);
+  sheets_.importFiles(chosen);
 }
 
 void FileDesk::open(const QStringList& paths) {
+  QStringList pages;
   for (const QString& path : paths) {
     const auto kind = inputKindOf(path);
     if (kind && *kind == InputKind::page)
-      toImport_.push_back(QFileInfo(path).absoluteFilePath());
+      pages << QFileInfo(path).absoluteFilePath();
     else
       openButton(path);
-    if (kind) rememberFolder(path);
+    if (kind) at_.rememberFolder(path);
   }
-  startImport();
+  sheets_.importFiles(pages);
 }
 
 DocumentTab* FileDesk::openButton(const QString& path) {
@@ -146,58 +105,8 @@ DocumentTab* FileDesk::openButton(const QString& path) {
   DocumentTab& tab = at_.tabs.add(*std::move(document));
   if (!tab.document().path().isEmpty()) watch_.watch(absolute);
   recent_.add(absolute);
-  pages_.bringBack(tab.document());
+  sheets_.bringPageBack(tab.document());
   return &tab;
-}
-
-// One dialogue at a time; further pages wait for their turn.
-void FileDesk::startImport() {
-  if (toImport_.empty() || (importing_ && importing_->isVisible())) return;
-  const QString path = toImport_.front();
-  toImport_.pop_front();
-  importingFrom_ = path;
-  ImportDialog& dialog = importDialog();
-  dialog.show();
-  dialog.raise();
-  dialog.activateWindow();
-  dialog.openFile(path);
-  recent_.add(path);
-}
-
-void FileDesk::importPicture(const QImage& picture) {
-  importingFrom_.clear();
-  ImportDialog& dialog = importDialog();
-  dialog.show();
-  dialog.raise();
-  dialog.activateWindow();
-  dialog.openPicture(picture);
-}
-
-// Made when it is first needed, and anew each time: what an import loaded is let go of with it.
-ImportDialog& FileDesk::importDialog() {
-  if (importing_ && importing_->isVisible()) return *importing_;
-  delete importing_;
-  importing_ = new ImportDialog(at_.view, &at_.window);
-  connect(importing_, &ImportDialog::imported, this, &FileDesk::addImported);
-  connect(importing_, &ImportDialog::draftChanged, this, [this] {
-    if (!draftSoon_.isActive()) draftSoon_.start();
-  });
-  connect(importing_, &QDialog::finished, this, [this] {
-    draftSoon_.stop();
-    pastedFile_.clear();
-    at_.recovery.dropImport();
-  });
-  importing_->setLeaveQuestion([this] {
-    return at_.prompts.confirm(importing_, tr("Give up the corrections made to this sheet?"), tr("Give up"));
-  });
-  connect(importing_, &QDialog::finished, this, &FileDesk::startImport, Qt::QueuedConnection);
-  return *importing_;
-}
-
-void FileDesk::addImported(std::shared_ptr<const importer::ImportReport> report) {
-  if (const auto& provenance = report->button.provenance()) pages_.remember(*provenance, importingFrom_);
-  at_.tabs.add(importedDocument(std::move(report)));
-  at_.recovery.flush();  // it may have cost an hour: not even two seconds of it are risked
 }
 
 bool FileDesk::canTake(const QMimeData& data) { return data.hasUrls() || data.hasImage(); }
@@ -212,7 +121,7 @@ bool FileDesk::take(const QMimeData& data) {
   }
   const QImage picture = qvariant_cast<QImage>(data.imageData());
   if (picture.isNull()) return false;
-  importPicture(picture);
+  sheets_.importPicture(picture);
   return true;
 }
 
@@ -242,8 +151,8 @@ void FileDesk::sayOtherEditor(ButtonDocument& document) {
 void FileDesk::sayChangedOnDisk(DocumentTab& tab, const QString& sentence) {
   tab.notices().say("disk", NoticeBar::Kind::trouble, sentence,
                     {{"overwrite", tr("Overwrite"),
-                      [this, &tab] {
-                        tab.document().setKnownContent(contentHash(tab.document().path()));
+                      [this, &tab, seen = contentHash(tab.document().path())] {
+                        tab.document().setKnownContent(seen);
                         save(tab);
                       }},
                      saveAsChoice(tab),
@@ -253,7 +162,7 @@ void FileDesk::sayChangedOnDisk(DocumentTab& tab, const QString& sentence) {
 void FileDesk::reload(DocumentTab& tab) {
   const auto reloaded = reloadDocument(tab.document());
   if (reloaded)
-    emit done(tr("Reloaded %1").arg(shown(tab.document().path())));
+    emit done(tr("Reloaded %1").arg(shownPath(tab.document().path())));
   else
     tab.notices().say("disk", NoticeBar::Kind::trouble,
                       tr("Not reloaded: %1").arg(sentenceOf(reloaded.failure())), {saveAsChoice(tab)});
@@ -264,7 +173,7 @@ bool FileDesk::write(DocumentTab& tab, const QString& path) {
   if (path == before && diskStateOf(tab.document()) == DiskState::changed) {
     at_.tabs.show(tab.document());
     sayChangedOnDisk(
-        tab, tr("Not saved: another program has changed %1 since it was read here.").arg(shown(path)));
+        tab, tr("Not saved: another program has changed %1 since it was read here.").arg(shownPath(path)));
     return false;
   }
   const auto saved = saveDocument(tab.document(), path);
@@ -276,8 +185,8 @@ bool FileDesk::write(DocumentTab& tab, const QString& path) {
   watch_.watch(tab.document().path());
   for (const char* notice : {"save", "disk"}) tab.notices().dismiss(notice);
   recent_.add(tab.document().path());
-  rememberFolder(tab.document().path());
-  emit done(tr("Saved %1").arg(shown(tab.document().path())));
+  at_.rememberFolder(tab.document().path());
+  emit done(tr("Saved %1").arg(shownPath(tab.document().path())));
   return true;
 }
 
@@ -288,18 +197,19 @@ bool FileDesk::save(DocumentTab& tab) {
 bool FileDesk::saveAs(DocumentTab& tab) {
   at_.tabs.show(tab.document());  // the person sees what is being named
   const QString now = tab.document().path();
-  const QString suggested = now.isEmpty() ? suggestedPath(tab.document(), folder(), ".button.json") : now;
+  const QString suggested = now.isEmpty() ? suggestedPath(tab.document(), at_.folder(), ".button.json") : now;
   const QString chosen =
       at_.prompts.fileToSave(&at_.window, tr("Save as"), suggested, tr("Buttons") + " (*.button.json)");
   if (chosen.isEmpty()) return false;
   const QString path = withButtonEnding(QFileInfo(chosen).absoluteFilePath());
   // The dialogue asked about the name it saw, not about the one with the ending.
   if (path != QFileInfo(chosen).absoluteFilePath() && QFileInfo::exists(path) &&
-      !at_.prompts.confirm(&at_.window, tr("%1 exists already.").arg(shown(path)), tr("Replace it")))
+      !at_.prompts.confirm(&at_.window, tr("%1 exists already.").arg(shownPath(path)), tr("Replace it")))
     return false;
   if (DocumentTab* other = at_.tabs.withPath(path); other && other != &tab) {
     sayNotSaved(
-        tab, tr("%1 is open in another tab. Close it there first, or choose another name").arg(shown(path)));
+        tab,
+        tr("%1 is open in another tab. Close it there first, or choose another name").arg(shownPath(path)));
     return false;
   }
   return write(tab, path);
@@ -338,141 +248,11 @@ bool FileDesk::closeAll() {
   return true;
 }
 
-// ---- exporting
-
-void FileDesk::exportTo(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
-                        const std::function<Result<Done>(const QString&)>& write) {
-  QString path =
-      at_.prompts.fileToSave(&at_.window, title, suggestedPath(tab.document(), folder(), ending), filter);
-  if (path.isEmpty()) return;
-  if (QFileInfo(path).suffix().isEmpty()) path += ending;
-  const auto written = write(path);
-  if (!written) {
-    tab.notices().say("export", NoticeBar::Kind::trouble,
-                      tr("Not exported: %1").arg(sentenceOf(written.failure())));
-    return;
-  }
-  tab.notices().dismiss("export");
-  rememberFolder(path);
-  emit done(tr("Exported %1").arg(shown(path)));
-}
-
-void FileDesk::exportCsv(DocumentTab& tab) {
-  const ButtonDocument& document = tab.document();
-  exportTo(tab, tr("Export samples"), tr("CSV, mm and N") + " (*.csv)", ".csv", [&](const QString& path) {
-    return editor::exportCsv(document.button(), document.activeState(), path);
-  });
-}
-
-void FileDesk::exportSvg(DocumentTab& tab) {
-  exportTo(tab, tr("Export drawing"), tr("SVG drawing") + " (*.svg)", ".svg", [&](const QString& path) {
-    return editor::exportSvg(tab.document().button(), at_.view.units(), path);
-  });
-}
-
-void FileDesk::exportPng(DocumentTab& tab) {
-  exportTo(tab, tr("Export picture"), tr("PNG picture") + " (*.png)", ".png", [&](const QString& path) {
-    return editor::exportPng(tab.workspace().renderImage(exportedPicture_px, exportedPixelRatio), path);
-  });
-}
-
-void FileDesk::exportWav(DocumentTab& tab) {
-  exportTo(tab, tr("Export the vibration of a press"), tr("WAV sound") + " (*.wav)", ".wav",
-           [&](const QString& path) { return editor::exportWav(tab.document().button(), path); });
-}
-
 // ---- recovery, other programs
 
 void FileDesk::offerRecovery() {
-  QStringList unreadable;
-  const QList<LeftBehind> left = at_.recovery.leftBehind(&unreadable);
-  for (const QString& sentence : unreadable) trouble("recovery:" + sentence, sentence);
-  if (!left.isEmpty()) sayLeftBehind(left);
-  offerImports();
-}
-
-// What a hand corrected is on the disk within two seconds, as a document's changes are.
-void FileDesk::keepDraft() {
-  if (!importing_ || !importing_->isVisible()) return;
-  ImportDraft draft = importing_->draft();
-  if (draft.empty()) return at_.recovery.dropImport();
-  if (!importing_->pastedPicture().isNull() && pastedFile_.isEmpty())
-    pastedFile_ = at_.recovery.keepPicture(importing_->pastedPicture());
-  draft.picture = pastedFile_;
-  at_.recovery.keepImport(textOf(draft));
-}
-
-void FileDesk::offerImports() {
-  for (const LeftImport& left : at_.recovery.leftImports()) {
-    const auto draft = draftFrom(left.text);
-    if (!draft) {
-      at_.recovery.discard(left);
-      continue;
-    }
-    const QString name = draft->path.isEmpty() ? tr("a pasted picture") : shown(draft->path);
-    at_.notices.say("import:" + left.file, NoticeBar::Kind::information,
-                    tr("An import was interrupted; the corrections made to %1 are kept.").arg(name),
-                    {{"continueImport", tr("Continue"),
-                      [this, left, draft] {
-                        importingFrom_ = draft->path;
-                        ImportDialog& dialog = importDialog();
-                        dialog.show();
-                        dialog.raise();
-                        dialog.activateWindow();
-                        dialog.continueDraft(*draft);
-                        keepDraft();  // on the disk under this editor's name before the old one goes
-                        at_.recovery.flush();
-                        at_.recovery.discard(left);
-                      }},
-                     {"discardImport", tr("Discard"), [this, left] { at_.recovery.discard(left); }}});
-  }
-}
-
-void FileDesk::sayLeftBehind(const QList<LeftBehind>& left) {
-  QStringList names;
-  for (const LeftBehind& one : left)
-    names << tr("%1 (%2)").arg(one.record.title,
-                               QLocale().toString(one.record.written.toLocalTime(), QLocale::ShortFormat));
-  at_.notices.say("recovery", NoticeBar::Kind::information,
-                  tr("Detent ended without closing and kept what was not saved: %1").arg(names.join(", ")),
-                  {{"recover", tr("Recover"), [this, left] { recover(left); }},
-                   {"discardRecovery", tr("Discard…"), [this, left] { discardLeftBehind(left); }}});
-}
-
-void FileDesk::discardLeftBehind(const QList<LeftBehind>& left) {
-  if (!at_.prompts.confirm(&at_.window, tr("Throw the unsaved changes away for good?"), tr("Throw away")))
-    return sayLeftBehind(left);
-  for (const LeftBehind& one : left) at_.recovery.discard(one);
-}
-
-// What was recovered is on the disk under this editor's name before the old file goes.
-void FileDesk::recover(const QList<LeftBehind>& left) {
-  for (const LeftBehind& one : left) recoverOne(one);
-  at_.recovery.flush();
-  for (const LeftBehind& one : left) at_.recovery.discard(one);
-}
-
-// On top of the file as it was saved, so that undo leads back to it.
-void FileDesk::recoverOne(const LeftBehind& left) {
-  const RecoveryRecord& record = left.record;
-  // The last session's tabs are open again before recovery is chosen.
-  if (DocumentTab* open = at_.tabs.withPath(record.path); open && !open->document().history().modified()) {
-    open->document().history().apply(record.button, tr("Recover unsaved changes"));
-    return at_.tabs.show(open->document());
-  }
-  auto saved = QFileInfo::exists(record.path) ? openDocument(record.path)
-                                              : Result<std::unique_ptr<ButtonDocument>>(Failure{});
-  if (saved && !at_.tabs.withPath(record.path)) {
-    DocumentTab& tab = at_.tabs.add(*std::move(saved));
-    watch_.watch(record.path);
-    tab.document().history().apply(record.button, tr("Recover unsaved changes"));
-    pages_.bringBack(tab.document());
-    return;
-  }
-  auto document = std::make_unique<ButtonDocument>(record.button);
-  if (!at_.tabs.withPath(record.path)) document->setPath(record.path);
-  document->history().stack().resetClean();
-  pages_.bringBack(at_.tabs.add(std::move(document)).document());
+  leftBehind_.offer();
+  sheets_.offerInterrupted();
 }
 
 void FileDesk::changedOutside(const QString& path) {
@@ -485,10 +265,9 @@ void FileDesk::changedOutside(const QString& path) {
                     "undone.")
                : tr("Another program changed this file."),
       {{"reload", tr("Reload"), [this, tab] { reload(*tab); }},
-       {"keepMine", tr("Keep mine"), [tab] {
+       {"keepMine", tr("Keep mine"), [tab, seen = contentHash(path)] {
           tab->document().history().stack().resetClean();
-          // Said and answered: the next save is not asked about the same content again.
-          tab->document().setKnownContent(contentHash(tab->document().path()));
+          tab->document().setKnownContent(seen);  // the next save is not asked about the same content again
         }}});
 }
 

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/window/export_desk.h"
+
+#include "editor/document/message_words.h"
+#include "editor/files/document_files.h"
+#include "editor/files/exports.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr QSize exportedPicture_px{2400, 1600};
+constexpr double exportedPixelRatio = 2;
+
+}  // namespace
+
+ExportDesk::ExportDesk(const DeskPlaces& places, QObject* parent) : QObject(parent), at_(places) {}
+
+void ExportDesk::write(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
+                       const std::function<Result<Done>(const QString&)>& writeTo) {
+  QString path =
+      at_.prompts.fileToSave(&at_.window, title, suggestedPath(tab.document(), at_.folder(), ending), filter);
+  if (path.isEmpty()) return;
+  if (QFileInfo(path).suffix().isEmpty()) path += ending;
+  const auto written = writeTo(path);
+  if (!written) {
+    tab.notices().say("export", NoticeBar::Kind::trouble,
+                      tr("Not exported: %1").arg(sentenceOf(written.failure())));
+    return;
+  }
+  tab.notices().dismiss("export");
+  at_.rememberFolder(path);
+  emit done(tr("Exported %1").arg(shownPath(path)));
+}
+
+void ExportDesk::csv(DocumentTab& tab) {
+  const ButtonDocument& document = tab.document();
+  write(tab, tr("Export samples"), tr("CSV, mm and N") + " (*.csv)", ".csv",
+        [&](const QString& path) { return exportCsv(document.button(), document.activeState(), path); });
+}
+
+void ExportDesk::svg(DocumentTab& tab) {
+  write(tab, tr("Export drawing"), tr("SVG drawing") + " (*.svg)", ".svg",
+        [&](const QString& path) { return exportSvg(tab.document().button(), at_.view.units(), path); });
+}
+
+void ExportDesk::png(DocumentTab& tab) {
+  write(tab, tr("Export picture"), tr("PNG picture") + " (*.png)", ".png", [&](const QString& path) {
+    return exportPng(tab.workspace().renderImage(exportedPicture_px, exportedPixelRatio), path);
+  });
+}
+
+void ExportDesk::wav(DocumentTab& tab) {
+  write(tab, tr("Export the vibration of a press"), tr("WAV sound") + " (*.wav)", ".wav",
+        [&](const QString& path) { return exportWav(tab.document().button(), path); });
+}
+
+}  // namespace detent::editor

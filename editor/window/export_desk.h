@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What goes out of a tab in formats of others.
+
+#include <functional>
+#include <QObject>
+
+#include "editor/window/desk_places.h"
+
+namespace detent::editor {
+
+/// Asks where, writes whole files, says troubles in the tab. GUI thread.
+class ExportDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit ExportDesk(const DeskPlaces& places, QObject* parent = nullptr);
+
+  void csv(DocumentTab& tab);
+  void svg(DocumentTab& tab);
+  void png(DocumentTab& tab);
+  void wav(DocumentTab& tab);
+
+ signals:
+  /// Something was written: a sentence for the status bar.
+  void done(const QString& sentence);
+
+ private:
+  void write(DocumentTab& tab, const QString& title, const QString& filter, const QString& ending,
+             const std::function<Result<Done>(const QString&)>& writeTo);
+
+  DeskPlaces at_;
+};
+
+}  // namespace detent::editor

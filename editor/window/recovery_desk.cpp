@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/window/recovery_desk.h"
+
+#include <QLocale>
+
+#include "editor/files/document_files.h"
+
+namespace detent::editor {
+
+RecoveryDesk::RecoveryDesk(const DeskPlaces& places, QObject* parent) : QObject(parent), at_(places) {}
+
+void RecoveryDesk::offer() {
+  QStringList unreadable;
+  const QList<LeftBehind> left = at_.recovery.leftBehind(&unreadable);
+  for (const QString& sentence : unreadable)
+    at_.notices.say("recovery:" + sentence, NoticeBar::Kind::trouble, sentence);
+  if (!left.isEmpty()) say(left);
+}
+
+void RecoveryDesk::say(const QList<LeftBehind>& left) {
+  QStringList names;
+  for (const LeftBehind& one : left)
+    names << tr("%1 (%2)").arg(one.record.title,
+                               QLocale().toString(one.record.written.toLocalTime(), QLocale::ShortFormat));
+  at_.notices.say("recovery", NoticeBar::Kind::information,
+                  tr("Detent ended without closing and kept what was not saved: %1").arg(names.join(", ")),
+                  {{"recover", tr("Recover"), [this, left] { recover(left); }},
+                   {"discardRecovery", tr("Discard…"), [this, left] { discard(left); }}});
+}
+
+void RecoveryDesk::discard(const QList<LeftBehind>& left) {
+  if (!at_.prompts.confirm(&at_.window, tr("Throw the unsaved changes away for good?"), tr("Throw away")))
+    return say(left);
+  for (const LeftBehind& one : left) at_.recovery.discard(one);
+}
+
+// What was recovered is on the disk under this editor's name before the old file goes.
+void RecoveryDesk::recover(const QList<LeftBehind>& left) {
+  for (const LeftBehind& one : left) emit recovered(&recoverOne(one.record));
+  at_.recovery.flush();
+  for (const LeftBehind& one : left) at_.recovery.discard(one);
+}
+
+// On top of the file as it was saved, so that undo leads back to it.
+DocumentTab& RecoveryDesk::recoverOne(const RecoveryRecord& record) {
+  const QString label = tr("Recover unsaved changes");
+  DocumentTab* open = at_.tabs.withPath(record.path);
+  if (open && !open->document().history().modified()) {  // the last session's tabs are open again by now
+    open->document().history().apply(record.button, label);
+    at_.tabs.show(open->document());
+    return *open;
+  }
+  if (!open && QFileInfo::exists(record.path)) {
+    if (auto saved = openDocument(record.path)) {
+      DocumentTab& tab = at_.tabs.add(*std::move(saved));
+      tab.document().history().apply(record.button, label);
+      return tab;
+    }
+  }
+  auto document = std::make_unique<ButtonDocument>(record.button);
+  if (!open) document->setPath(record.path);
+  document->history().stack().resetClean();
+  return at_.tabs.add(std::move(document));
+}
+
+}  // namespace detent::editor

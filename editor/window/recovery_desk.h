@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What editors that died left behind, offered once at the start.
+
+#include "editor/window/desk_places.h"
+
+namespace detent::editor {
+
+/// Nothing is thrown away unasked, and nothing left behind goes before it lies in this editor's own store. GUI
+/// thread.
+class RecoveryDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RecoveryDesk(const DeskPlaces& places, QObject* parent = nullptr);
+
+  /// Says what was left, with a choice; nothing if nothing was.
+  void offer();
+
+ signals:
+  /// A button stands in this tab again, with its unsaved changes.
+  void recovered(detent::editor::DocumentTab* tab);
+
+ private:
+  void say(const QList<LeftBehind>& left);
+  void discard(const QList<LeftBehind>& left);
+  void recover(const QList<LeftBehind>& left);
+  DocumentTab& recoverOne(const RecoveryRecord& record);
+
+  DeskPlaces at_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/window/sheet_desk.h"
+
+#include "editor/files/document_files.h"
+#include "editor/files/input_kind.h"
+#include "editor/importing/import_dialog.h"
+
+namespace detent::editor {
+
+SheetDesk::SheetDesk(const DeskPlaces& places, QObject* parent)
+    : QObject(parent), at_(places), pages_(places.settings) {
+  connectPages();
+  draftSoon_.setSingleShot(true);
+  draftSoon_.setInterval(RecoveryStore::writeAfter_ms);
+  connect(&draftSoon_, &QTimer::timeout, this, &SheetDesk::keepDraft);
+}
+
+SheetDesk::~SheetDesk() { delete importing_; }
+
+// ---- importing
+
+void SheetDesk::importFiles(const QStringList& paths) {
+  for (const QString& path : paths) waiting_.push_back(path);
+  startNext();
+}
+
+void SheetDesk::startNext() {
+  if (waiting_.empty() || (importing_ && importing_->isVisible())) return;
+  const QString path = waiting_.front();
+  waiting_.pop_front();
+  shownDialog().openFile(path);
+  emit opened(path);
+}
+
+void SheetDesk::importPicture(const QImage& picture) { shownDialog().openPicture(picture); }
+
+ImportDialog& SheetDesk::shownDialog() {
+  ImportDialog& shown = dialog();
+  shown.show();
+  shown.raise();
+  shown.activateWindow();
+  return shown;
+}
+
+// Made when it is first needed, and anew each time: what an import loaded is let go of with it.
+ImportDialog& SheetDesk::dialog() {
+  if (importing_ && importing_->isVisible()) return *importing_;
+  delete importing_;
+  importing_ = new ImportDialog(at_.view, &at_.window);
+  connect(importing_, &ImportDialog::imported, this, &SheetDesk::addImported);
+  connect(importing_, &ImportDialog::draftChanged, this, [this] {
+    if (!draftSoon_.isActive()) draftSoon_.start();
+  });
+  connect(importing_, &QDialog::finished, this, [this] {
+    draftSoon_.stop();
+    pastedFile_.clear();
+    at_.recovery.dropImport();
+  });
+  importing_->setLeaveQuestion([this] {
+    return at_.prompts.confirm(importing_, tr("Give up the corrections made to this sheet?"), tr("Give up"));
+  });
+  connect(importing_, &QDialog::finished, this, &SheetDesk::startNext, Qt::QueuedConnection);
+  return *importing_;
+}
+
+void SheetDesk::addImported(std::shared_ptr<const importer::ImportReport> report) {
+  const auto& provenance = report->button.provenance();
+  if (provenance && importing_) pages_.remember(*provenance, importing_->draft().path);
+  at_.tabs.add(importedDocument(std::move(report)));
+  at_.recovery.flush();  // it may have cost an hour: not even two seconds of it are risked
+}
+
+// ---- what a hand corrected
+
+// On the disk within two seconds, as a document's changes are.
+void SheetDesk::keepDraft() {
+  if (!importing_ || !importing_->isVisible()) return;
+  ImportDraft draft = importing_->draft();
+  if (draft.empty()) return at_.recovery.dropImport();
+  if (!importing_->pastedPicture().isNull() && pastedFile_.isEmpty())
+    pastedFile_ = at_.recovery.keepPicture(importing_->pastedPicture());
+  draft.picture = pastedFile_;
+  at_.recovery.keepImport(textOf(draft));
+}
+
+void SheetDesk::offerInterrupted() {
+  for (const LeftImport& left : at_.recovery.leftImports()) {
+    const auto draft = draftFrom(left.text);
+    if (!draft) {
+      at_.recovery.discard(left);
+      continue;
+    }
+    const QString name = draft->path.isEmpty() ? tr("a pasted picture") : shownPath(draft->path);
+    at_.notices.say("import:" + left.file, NoticeBar::Kind::information,
+                    tr("An import was interrupted; the corrections made to %1 are kept.").arg(name),
+                    {{"continueImport", tr("Continue"),
+                      [this, left, draft] {
+                        shownDialog().continueDraft(*draft);
+                        keepDraft();  // on the disk under this editor's name before the old one goes
+                        at_.recovery.flush();
+                        at_.recovery.discard(left);
+                      }},
+                     {"discardImport", tr("Discard"), [this, left] { at_.recovery.discard(left); }}});
+  }
+}
+
+// ---- pages that come back
+
+void SheetDesk::bringPageBack(ButtonDocument& document) { pages_.bringBack(document); }
+
+NoticeBar::Choice SheetDesk::findSheetChoice(ButtonDocument& document) {
+  return {"findSheet", tr("Find the sheet…"), [this, known = QPointer<ButtonDocument>(&document)] {
+            const QStringList chosen =
+                at_.prompts.filesToOpen(&at_.window, tr("Find the sheet"), at_.folder(), openFilters());
+            if (known && !chosen.isEmpty()) pages_.bringBackFrom(*known, chosen.front());
+          }};
+}
+
+void SheetDesk::connectPages() {
+  const auto say = [this](ButtonDocument* document, NoticeBar::Kind kind, const QString& sentence) {
+    if (DocumentTab* tab = at_.tabs.tabOf(document))
+      tab->notices().say("page", kind, sentence, {findSheetChoice(*document)});
+  };
+  connect(&pages_, &PageReturn::returned, this, [this](ButtonDocument* document) {
+    if (DocumentTab* tab = at_.tabs.tabOf(document)) tab->notices().dismiss("page");
+    emit done(tr("The page of %1 is behind the curves again.").arg(document->title()));
+  });
+  connect(&pages_, &PageReturn::missing, this, [say](ButtonDocument* document, const QString& name) {
+    say(document, NoticeBar::Kind::information,
+        tr("The sheet this button was read from, %1, is neither beside its file nor where it was last.")
+            .arg(name));
+  });
+  connect(&pages_, &PageReturn::refused, this, [say](ButtonDocument* document, const QString& sentence) {
+    say(document, NoticeBar::Kind::trouble, sentence);
+  });
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What goes between sheets and tabs: imports one after the other, what was corrected in them kept, and the
+// sheets of saved buttons found again.
+
+#include <deque>
+#include <QImage>
+#include <QPointer>
+#include <QTimer>
+
+#include "editor/importing/page_return.h"
+#include "editor/window/desk_places.h"
+
+namespace detent::editor {
+
+class ImportDialog;
+
+/// One import dialogue at a time; further sheets wait for their turn. GUI thread.
+class SheetDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SheetDesk(const DeskPlaces& places, QObject* parent = nullptr);
+  ~SheetDesk() override;
+
+  void importFiles(const QStringList& paths);
+  void importPicture(const QImage& picture);
+  /// The page that the button was read from, behind its curves; where it cannot be found the tab says so.
+  void bringPageBack(ButtonDocument& document);
+  /// Says which imports a dead editor left unfinished, with a choice. After the recovery store was searched.
+  void offerInterrupted();
+
+ signals:
+  /// Something was done: a sentence for the status bar.
+  void done(const QString& sentence);
+  /// This sheet is in the import dialogue.
+  void opened(const QString& path);
+
+ private:
+  void startNext();
+  ImportDialog& dialog();
+  ImportDialog& shownDialog();
+  void addImported(std::shared_ptr<const importer::ImportReport> report);
+  void keepDraft();
+  void connectPages();
+  NoticeBar::Choice findSheetChoice(ButtonDocument& document);
+
+  DeskPlaces at_;
+  PageReturn pages_;
+  QTimer draftSoon_;
+  QString pastedFile_;  ///< where the pasted picture of the import dialogue is kept
+  QPointer<ImportDialog> importing_;
+  std::deque<QString> waiting_;
+};
+
+}  // namespace detent::editor
