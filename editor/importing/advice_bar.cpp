@@ -50,17 +50,45 @@ void AdviceBar::say(Tone tone, const Advice& advice) {
     if (item->widget()) item->widget()->deleteLater();
     delete item;
   }
+  addButtons(advice.remedies);
+  show();
+}
+
+void AdviceBar::addButtons(const std::vector<RemedyKind>& remedies) {
   QStringList made;
-  for (const RemedyKind remedy : advice.remedies) {
+  for (const RemedyKind remedy : remedies) {
     const QString name = textOnButton(remedy);
     if (made.contains(name)) continue;
     made << name;
-    auto* button = new QPushButton(name);
-    connect(button, &QPushButton::clicked, this, [this, remedy] { emit remedyChosen(remedy); });
-    buttons_->addWidget(button);
+    if (remedy == RemedyKind::giveXUnit) addLengthUnits();
+    if (remedy == RemedyKind::giveYUnit) addForceUnits();
+    connect(addButton(name), &QPushButton::clicked, this, [this, remedy] { emit remedyChosen(remedy); });
   }
   buttons_->addStretch();
-  show();
+}
+
+QPushButton* AdviceBar::addButton(const QString& text) {
+  auto* button = new QPushButton(text);
+  button->setAutoDefault(false);
+  buttons_->addWidget(button);
+  return button;
+}
+
+// The usual ones are a click away; the others stand in the list beside the axis.
+void AdviceBar::addLengthUnits() {
+  for (const LengthUnit unit : {LengthUnit::millimetre, LengthUnit::micrometre, LengthUnit::inch}) {
+    QPushButton* button = addButton(tr("in %1").arg(DisplayUnits{unit, {}}.lengthSymbol()));
+    button->setObjectName(QStringLiteral("lengthUnit_") + DisplayUnits{unit, {}}.lengthSymbol());
+    connect(button, &QPushButton::clicked, this, [this, unit] { emit lengthUnitChosen(unit); });
+  }
+}
+
+void AdviceBar::addForceUnits() {
+  for (const ForceUnit unit : {ForceUnit::newton, ForceUnit::centinewton, ForceUnit::gramForce}) {
+    QPushButton* button = addButton(tr("in %1").arg(DisplayUnits{{}, unit}.forceSymbol()));
+    button->setObjectName(QStringLiteral("forceUnit_") + DisplayUnits{{}, unit}.forceSymbol());
+    connect(button, &QPushButton::clicked, this, [this, unit] { emit forceUnitChosen(unit); });
+  }
 }
 
 void AdviceBar::clear() {

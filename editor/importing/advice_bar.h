@@ -27,8 +27,16 @@ class AdviceBar : public QFrame {
 
  signals:
   void remedyChosen(RemedyKind correction);
+  /// The unit that an axis without a printed one was given.
+  void lengthUnitChosen(LengthUnit unit);
+  void forceUnitChosen(ForceUnit unit);
 
  private:
+  void addButtons(const std::vector<RemedyKind>& remedies);
+  QPushButton* addButton(const QString& text);
+  void addLengthUnits();
+  void addForceUnits();
+
   QLabel *mark_, *words_;
   QHBoxLayout* buttons_;
   Tone tone_ = Tone::note;

@@ -2,26 +2,28 @@
 #pragma once
 // What was found and what was given, step by step, with fields to correct it.
 
-#include <functional>
-#include <memory>
+#include <QCheckBox>
+#include <QLabel>
+#include <QProgressBar>
 #include <QScrollArea>
 #include <QTimer>
+#include <QVBoxLayout>
 
 #include "editor/document/view_settings.h"
-#include "editor/importing/import_state.h"
-#include "editor/importing/page_view.h"
+#include "editor/importing/axis_box.h"
+#include "editor/importing/curves_box.h"
+#include "editor/importing/result_box.h"
 
 namespace detent::editor {
 
-/// Fields change the current graph's corrections as labelled steps; each given value has a button that goes
-/// back to what was found.
+/// How sure the import is, and a box for each thing that can be corrected: every change is a labelled step of the
+/// current graph, each given value has a button that goes back to what was found. GUI thread.
 class FindingsPanel : public QScrollArea {
   Q_OBJECT
 
  public:
   /// Both must outlive it.
   FindingsPanel(ImportState& state, ViewSettings& settings, QWidget* parent = nullptr);
-  ~FindingsPanel() override;
 
   /// Puts the keyboard on the field that does it.
   void focusField(GraphAxis axis);
@@ -32,20 +34,28 @@ class FindingsPanel : public QScrollArea {
   void toolAsked(ToolKind kind);
 
  private:
-  struct Fields;
   void build();
+  void addConfidence(QVBoxLayout& column);
+  QGroupBox* frameBox();
+  void connectState();
   void refresh();
+  void showConfidence(const ImportGraph& graph);
+  void showSteps(const std::shared_ptr<const importer::GraphEvidence>& evidence);
+  void showFrame(const ImportGraph& graph, const std::shared_ptr<const importer::GraphEvidence>& evidence);
   void settleLayout();
-  void showAxis(GraphAxis axis);
-  void showCurves();
-  void showResult();
-  void showChecks(const importer::ImportReport* report);
-  void takeEnd(GraphAxis axis, bool isMax);
-  void change(const QString& label, const std::function<void(Corrections&)>& edit);
+  AxisBox& axis(GraphAxis which) { return which == GraphAxis::x ? *x_ : *y_; }
 
   ImportState& state_;
   ViewSettings& settings_;
-  std::unique_ptr<Fields> fields_;
+  QLabel *confidence_, *steps_;
+  QProgressBar* sure_;
+  QCheckBox* confirmed_;
+  QGroupBox* frameBox_ = nullptr;
+  OriginMark* frameOrigin_ = nullptr;
+  QLabel* frameDetails_ = nullptr;
+  AxisBox *x_, *y_;
+  CurvesBox* curves_;
+  ResultBox* result_;
   QTimer soon_;
 };
 

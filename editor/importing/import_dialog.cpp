@@ -16,6 +16,7 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QTimer>
@@ -38,6 +39,9 @@ namespace {
 
 constexpr std::array qualities{importer::Quality::draft, importer::Quality::standard,
                                importer::Quality::precise};
+
+constexpr QSize firstSize_px{1280, 820};
+constexpr QSize roomForFrame_px{8, 40};  // of the window, around what is ours
 
 QString keyOf(const QAction& action) { return action.shortcut().toString(QKeySequence::NativeText); }
 
@@ -99,6 +103,7 @@ struct ImportDialog::Impl {
 
   void build();
   void buildTools(QToolBar& bar);
+  void fitTools();
   QAction* addTool(QToolBar& bar, ToolKind kind, const QString& text, const QString& tip,
                    const QKeySequence& key);
   QAction* addAction(QToolBar& bar, ViewIcon icon, const QString& name, const QString& text,
@@ -131,6 +136,7 @@ struct ImportDialog::Impl {
   QPushButton *stop = nullptr, *accept = nullptr;
   QAction *undo = nullptr, *redo = nullptr;
   QActionGroup* tools = nullptr;
+  QToolBar* toolBar = nullptr;
   std::vector<std::pair<QAction*, ViewIcon>> viewActions;
   QTimer* workSoon = nullptr;
 };
@@ -249,11 +255,10 @@ void ImportDialog::Impl::build() {
   top->addWidget(quality);
   column->addLayout(top);
 
-  auto* bar = new QToolBar;
-  bar->setIconSize({20, 20});
-  bar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
-  buildTools(*bar);
-  column->addWidget(bar);
+  toolBar = new QToolBar;
+  toolBar->setIconSize({20, 20});
+  buildTools(*toolBar);
+  column->addWidget(toolBar);
   column->addWidget(advice);
 
   middle = new QStackedWidget;
@@ -264,7 +269,7 @@ void ImportDialog::Impl::build() {
   splitter->addWidget(middle);
   splitter->addWidget(findings);
   splitter->setStretchFactor(1, 1);
-  splitter->setChildrenCollapsible(false);
+  splitter->setCollapsible(1, false);  // on a small screen the lists at the sides can be put away
   splitter->setSizes({220, 720, 330});
   column->addWidget(splitter, 1);
 
@@ -313,10 +318,22 @@ void ImportDialog::Impl::build() {
   });
   QObject::connect(advice, &AdviceBar::remedyChosen, &dialog,
                    [this](RemedyKind correction) { follow(correction); });
+  QObject::connect(advice, &AdviceBar::lengthUnitChosen, &dialog, [this](LengthUnit unit) {
+    state.correct(tr("Displacement unit"), [unit](Corrections& c) { c.xUnit = unit; });
+  });
+  QObject::connect(advice, &AdviceBar::forceUnitChosen, &dialog, [this](ForceUnit unit) {
+    state.correct(tr("Force unit"), [unit](Corrections& c) { c.yUnit = unit; });
+  });
   QObject::connect(workSoon, &QTimer::timeout, &dialog, [this] {
     progress->setVisible(true);
     stop->setVisible(true);
   });
+}
+
+/// Texts under the icons where the window is wide enough for all of them.
+void ImportDialog::Impl::fitTools() {
+  toolBar->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+  if (toolBar->sizeHint().width() > toolBar->width()) toolBar->setToolButtonStyle(Qt::ToolButtonIconOnly);
 }
 
 void ImportDialog::Impl::connectState() {
@@ -458,12 +475,8 @@ void ImportDialog::Impl::follow(RemedyKind correction) {
       return view->setTool(ToolKind::maskBrush);
     case RemedyKind::setResolution:
       return findings->focusDpi();
-    case RemedyKind::swapStrokes: {
-      if (!state.current()) return;
-      Corrections next = state.current()->history.now();
-      next.swapStrokes = !next.swapStrokes;
-      return state.apply(next, tr("Exchange strokes"));
-    }
+    case RemedyKind::swapStrokes:
+      return state.correct(tr("Exchange strokes"), [](Corrections& c) { c.swapStrokes = !c.swapStrokes; });
     default:
       return;  // the bar offers corrections alone
   }
@@ -498,8 +511,8 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
   setObjectName(QStringLiteral("importDialog"));
   setWindowFlag(Qt::WindowMaximizeButtonHint);
   setAcceptDrops(true);
-  resize(1280, 820);
   impl_->build();
+  resize(firstSize_px.boundedTo(screen()->availableSize() - roomForFrame_px));
   impl_->drawIcons();
   impl_->connectState();
   connect(&impl_->state, &ImportState::correctionsChanged, this, &ImportDialog::draftChanged);
@@ -510,17 +523,32 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
 /// Widgets go before the state they look at.
 ImportDialog::~ImportDialog() { qDeleteAll(findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly)); }
 
-void ImportDialog::openFile(const QString& path) { impl_->state.openFile(path); }
-void ImportDialog::openPicture(const QImage& picture) { impl_->state.openPicture(picture); }
+void ImportDialog::openFile(const QString& path) {
+  if (mayGiveUp()) impl_->state.openFile(path);
+}
 
-void ImportDialog::continueDraft(const ImportDraft& draft) { impl_->state.continueDraft(draft); }
+void ImportDialog::openPicture(const QImage& picture) {
+  if (mayGiveUp()) impl_->state.openPicture(picture);
+}
+
+void ImportDialog::continueDraft(const ImportDraft& draft) {
+  if (mayGiveUp()) impl_->state.continueDraft(draft);
+}
+
 ImportDraft ImportDialog::draft() const { return impl_->state.draft(); }
 const QImage& ImportDialog::pastedPicture() const { return impl_->state.pastedPicture(); }
 
-// Corrections are work: Escape does not throw them away unasked.
+// Corrections are work: neither Escape nor another sheet throws them away unasked.
+bool ImportDialog::mayGiveUp() const { return !mayLeave_ || draft().empty() || mayLeave_(); }
+
 void ImportDialog::reject() {
-  if (mayLeave_ && !draft().empty() && !mayLeave_()) return;
-  QDialog::reject();
+  if (mayGiveUp()) QDialog::reject();
+}
+
+void ImportDialog::resizeEvent(QResizeEvent* event) {
+  QDialog::resizeEvent(event);
+  layout()->activate();
+  impl_->fitTools();
 }
 
 void ImportDialog::done(int result) {

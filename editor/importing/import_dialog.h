@@ -24,7 +24,7 @@ class ImportDialog : public QDialog {
   ~ImportDialog() override;
 
   /// A picture, PDF, SVG or force meter's CSV. Returns at once; what is wrong with it is said in the
-  /// dialogue.
+  /// dialogue. Where corrections would be given up, the leave question is asked first.
   void openFile(const QString& path);
   /// A pasted image.
   void openPicture(const QImage& picture);
@@ -50,8 +50,11 @@ class ImportDialog : public QDialog {
   void dropEvent(QDropEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
+  bool mayGiveUp() const;
+
   struct Impl;
   std::unique_ptr<Impl> impl_;
   std::function<bool()> mayLeave_;

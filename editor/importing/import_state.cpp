@@ -373,6 +373,13 @@ void ImportState::apply(const Corrections& next, const QString& label, const QSt
   emit resultChanged();
 }
 
+void ImportState::correct(const QString& label, const std::function<void(Corrections&)>& edit) {
+  if (!current()) return;
+  Corrections next = current()->history.now();
+  edit(next);
+  apply(next, label);
+}
+
 void ImportState::undo() {
   ImportGraph* graph = currentRef();
   if (!graph || !graph->history.canUndo()) return;

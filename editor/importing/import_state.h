@@ -3,6 +3,7 @@
 // What the import dialogue knows: the open document, its pages and graphs, what was given by hand for each,
 // and the last results. Widgets draw it and call it; it asks the import thread and never waits.
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -113,6 +114,8 @@ class ImportState : public QObject {
 
   /// A step of the current graph's corrections, undoable.
   void apply(const Corrections& next, const QString& label, const QString& mergeKey = {});
+  /// The same, as an edit of what is in force; nothing where no graph is current.
+  void correct(const QString& label, const std::function<void(Corrections&)>& edit);
   void undo();
   void redo();
   /// A graph that was not found: the frame is given on the current page.

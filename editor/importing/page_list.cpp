@@ -105,7 +105,7 @@ PageList::PageList(ImportState& state, QWidget* parent)
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setSelectionMode(QAbstractItemView::SingleSelection);
   setLayoutMode(QListView::SinglePass);
-  setMinimumWidth(210);
+  setMinimumWidth(150);
   setMaximumWidth(260);
   connect(&state_, &ImportState::currentChanged, this, &PageList::followState);
   connect(&state_, &ImportState::documentChanged, this,

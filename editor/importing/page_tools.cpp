@@ -32,7 +32,10 @@ class ScaleTool : public PageTool {
     if (event.button() != Qt::LeftButton) return false;
     const auto target = targetAt(event.position());
     if (!target) return false;
-    view_.askValue(target->axis, target->at, {});
+    if (target->isOrigin)
+      view_.askOrigin(target->at);
+    else
+      view_.askValue(target->axis, target->at, {});
     return true;
   }
   bool move(const QMouseEvent& event) override {
@@ -51,32 +54,43 @@ class ScaleTool : public PageTool {
     const QPointF at = view_.toWidget(target_->at);
     painter.setPen(QPen(view_.colors().refused, 2));
     const auto corners = view_.shownCorners();
-    if (corners) painter.drawLine(at, view_.toWidget(acrossFrom(*corners)));
+    if (corners) {
+      for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y})
+        if (target_->isOrigin || axis == target_->axis)
+          painter.drawLine(at, view_.toWidget(acrossFrom(axis, *corners)));
+    }
     painter.drawEllipse(at, 6, 6);
   }
   QCursor cursor(QPointF) const override { return Qt::CrossCursor; }
   QString hint() const override {
-    return tr("Click a tick of an axis and type the value that stands there; two per axis settle it.");
+    return tr(
+        "Click a tick of an axis and type the value that stands there; two per axis settle it. The corner "
+        "where "
+        "the axes meet sets both at once.");
   }
 
  private:
+  static constexpr double clings_px = 8;
   struct Target {
     GraphAxis axis = GraphAxis::x;
     importer::Point at;
+    bool isOrigin = false;  ///< where both axes begin
   };
 
   /// The other end of the gridline through the target.
-  importer::Point acrossFrom(const FrameCorners& c) const {
-    const double share = shareAlong(target_->axis, c, target_->at).value_or(0);
+  importer::Point acrossFrom(GraphAxis axis, const FrameCorners& c) const {
+    const double share = shareAlong(axis, c, target_->at).value_or(0);
     const auto between = [share](importer::Point a, importer::Point b) {
       return importer::Point{a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)};
     };
-    return target_->axis == GraphAxis::x ? between(c[0], c[1]) : between(c[2], c[1]);
+    return axis == GraphAxis::x ? between(c[0], c[1]) : between(c[2], c[1]);
   }
 
   std::optional<Target> targetAt(QPointF widget) const {
     const auto corners = view_.shownCorners();
     if (!corners) return {};
+    if (distance(widget, view_.toWidget((*corners)[3])) <= clings_px)
+      return Target{GraphAxis::x, (*corners)[3], true};
     const auto foot = [&](GraphAxis axis) -> std::optional<importer::Point> {
       const auto share = shareAlong(axis, *corners, view_.toPage(widget));
       if (!share) return {};
@@ -86,7 +100,6 @@ class ScaleTool : public PageTool {
     if (!x || !y) return {};
     const bool nearX = distance(widget, view_.toWidget(*x)) <= distance(widget, view_.toWidget(*y));
     Target target{nearX ? GraphAxis::x : GraphAxis::y, nearX ? *x : *y};
-    constexpr double clings_px = 8;
     double best = clings_px;
     for (const QPointF& line : nearX ? view_.drawn().xLines : view_.drawn().yLines) {
       const double d = distance(view_.toWidget(target.at), view_.pageToWidget().map(line));

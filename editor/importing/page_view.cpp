@@ -10,7 +10,6 @@
 #include <QToolTip>
 #include <utility>
 
-#include "editor/importing/axis_quantity.h"
 #include "editor/importing/finding_words.h"
 #include "editor/importing/findings_painting.h"
 #include "editor/importing/page_tool.h"
@@ -20,6 +19,21 @@ namespace detent::editor {
 namespace {
 
 constexpr double leastZoom = 0.02, mostZoom = 200;  // widget pixels per page unit
+
+constexpr int valueField_px = 96;
+
+// A tick says it all: ends that were typed go. Where one was set at this place already it is that one's value.
+void setTick(AxisCorrection& axis, const AxisTick& tick, std::optional<std::size_t> replaces = {}) {
+  axis.min.reset(), axis.max.reset();
+  auto same = std::find_if(axis.ticks.begin(), axis.ticks.end(),
+                           [&](const AxisTick& other) { return other.at == tick.at; });
+  if (replaces && *replaces < axis.ticks.size())
+    same = axis.ticks.begin() + static_cast<std::ptrdiff_t>(*replaces);
+  if (same == axis.ticks.end())
+    axis.ticks.push_back(tick);
+  else
+    same->value = tick.value;
+}
 
 QRectF rectOf(const importer::Box& box) { return {QPointF(box.x0, box.y0), QPointF(box.x1, box.y1)}; }
 
@@ -218,61 +232,78 @@ std::optional<QColor> PageView::inkAt(QPointF widget) const {
   return best;
 }
 
-void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces) {
+void PageView::ask(const AskedValue& asked) {
   closeEditor();
-  auto* editor = new QLineEdit(this);
+  auto* editor = new QLineEdit(asked.text, this);
   editor->setObjectName(QStringLiteral("tickValue"));
-  editor->setAccessibleName(axis == GraphAxis::x ? tr("Value of the displacement tick")
-                                                 : tr("Value of the force tick"));
-  const ImportGraph* graph = state_.current();
-  const auto evidence = drawnFrom_ ? drawnFrom_->evidence : nullptr;
-  QString unit;
-  if (graph && evidence) {
-    const auto& reading =
-        axis == GraphAxis::x ? evidence->axes.calibration.value.x : evidence->axes.calibration.value.y;
-    unit = QString::fromStdString(reading.unit);
-    if (const auto corners = shownCorners()) {
-      const double share = shareAlong(axis, *corners, at).value_or(0);
-      editor->setText(numberText(reading.min + share * (reading.max - reading.min), 4));
-    }
-  }
-  if (replaces) editor->setText(numberText(shown().axis(axis).ticks[*replaces].value, 6));
-  editor->setPlaceholderText(unit.isEmpty() ? tr("value") : tr("value in %1").arg(unit));
-  editor->setToolTip(editor->placeholderText());
-  editor->setFixedWidth(96);
-  QPoint place = toWidget(at).toPoint() + (axis == GraphAxis::x ? QPoint(-48, 8) : QPoint(-104, -12));
-  place.setX(std::clamp(place.x(), 2, std::max(2, width() - 100)));
+  editor->setAccessibleName(asked.name);
+  editor->setPlaceholderText(asked.placeholder);
+  editor->setToolTip(asked.name);
+  editor->setFixedWidth(valueField_px);
+  QPoint place = toWidget(asked.at).toPoint() + asked.beside;
+  place.setX(std::clamp(place.x(), 2, std::max(2, width() - valueField_px - 4)));
   place.setY(std::clamp(place.y(), 2, std::max(2, height() - 30)));
   editor->move(place);
   editor->selectAll();
   editor->show();
   editor->setFocus();
-  const AxisQuantity asked = axisQuantity(axis, unit.toStdString());
-  const auto shownNow = readQuantity(editor->text(), asked.quantity, asked.units);
-  connect(editor, &QLineEdit::returnPressed, this,
-          [this, editor, axis, at, replaces, asked, now = shownNow.value] {
-            const QuantityReading typed = readQuantity(editor->text(), asked.quantity, asked.units, now);
-            if (!typed.value) {
-              const QString why = refusalOf(typed, asked.quantity, asked.units);
-              editor->setAccessibleDescription(why);
-              QToolTip::showText(editor->mapToGlobal(editor->rect().bottomLeft()), why, editor);
-              emit hint(why);
-              return;
-            }
-            Corrections next = shown();
-            AxisCorrection& correction = next.axis(axis);
-            correction.min.reset(), correction.max.reset();
-            if (replaces && *replaces < correction.ticks.size()) {
-              correction.ticks[*replaces].value = typed.shown;
-            } else {
-              correction.ticks.push_back({at, typed.shown});
-            }
-            closeEditor();
-            state_.apply(next, axis == GraphAxis::x ? tr("Set displacement tick") : tr("Set force tick"));
-          });
+  const auto now = readQuantity(asked.text, asked.axis.quantity, asked.axis.units).value;
+  connect(editor, &QLineEdit::returnPressed, this, [this, editor, asked, now] {
+    const QuantityReading typed = readQuantity(editor->text(), asked.axis.quantity, asked.axis.units, now);
+    if (typed.value) {
+      closeEditor();
+      return asked.take(typed.shown);
+    }
+    const QString why = refusalOf(typed, asked.axis.quantity, asked.axis.units);
+    editor->setAccessibleDescription(why);
+    QToolTip::showText(editor->mapToGlobal(editor->rect().bottomLeft()), why, editor);
+    emit hint(why);
+  });
   connect(editor, &QLineEdit::editingFinished, editor, [editor] {
     if (!editor->hasFocus()) editor->deleteLater();  // Enter with what is not a number leaves it open
   });
+}
+
+void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces) {
+  const bool isX = axis == GraphAxis::x;
+  AskedValue asked;
+  asked.at = at;
+  asked.beside = isX ? QPoint(-valueField_px / 2, 8) : QPoint(-valueField_px - 8, -12);
+  asked.name = isX ? tr("Value of the displacement tick") : tr("Value of the force tick");
+  QString unit;
+  if (state_.current() && drawnFrom_ && drawnFrom_->evidence) {
+    const auto& calibration = drawnFrom_->evidence->axes.calibration.value;
+    const importer::AxisReading& reading = isX ? calibration.x : calibration.y;
+    unit = QString::fromStdString(reading.unit);
+    if (const auto corners = shownCorners()) {
+      const double share = shareAlong(axis, *corners, at).value_or(0);
+      asked.text = numberText(reading.min + share * (reading.max - reading.min), 4);
+    }
+  }
+  if (replaces) asked.text = numberText(shown().axis(axis).ticks[*replaces].value, 6);
+  asked.placeholder = unit.isEmpty() ? tr("value") : tr("value in %1").arg(unit);
+  asked.axis = axisQuantity(axis, unit.toStdString());
+  asked.take = [this, axis, at, replaces, isX](double value) {
+    Corrections next = shown();
+    setTick(next.axis(axis), {at, value}, replaces);
+    state_.apply(next, isX ? tr("Set displacement tick") : tr("Set force tick"));
+  };
+  ask(asked);
+}
+
+void PageView::askOrigin(importer::Point at) {
+  AskedValue asked;
+  asked.at = at;
+  asked.beside = QPoint(-valueField_px - 8, 8);
+  asked.name = tr("Value of both axes at their common corner");
+  asked.text = numberText(0);
+  asked.placeholder = tr("value of both axes");
+  asked.take = [this, at](double value) {
+    Corrections next = shown();
+    for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y}) setTick(next.axis(axis), {at, value});
+    state_.apply(next, tr("Set the origin"));
+  };
+  ask(asked);
 }
 
 bool PageView::closeEditor() {

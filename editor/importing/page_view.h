@@ -2,6 +2,7 @@
 #pragma once
 // The page with everything that was found on it, and the tool that corrects it.
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <QTransform>
@@ -9,6 +10,7 @@
 
 #include "editor/document/graph_colors.h"
 #include "editor/document/view_settings.h"
+#include "editor/importing/axis_quantity.h"
 #include "editor/importing/drawn_result.h"
 #include "editor/importing/import_state.h"
 
@@ -65,6 +67,8 @@ class PageView : public QWidget {
   void panBy(QPointF widgetDelta);
   /// Asks for the value at a place of an axis, beside it; given as a step when it is typed.
   void askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces);
+  /// Asks for the value that both axes have in the corner where they meet: one step sets a tick on each.
+  void askOrigin(importer::Point at);
   /// Where a glass shows the page enlarged; nothing hides it.
   void setMagnifier(std::optional<QPointF> widget);
 
@@ -86,10 +90,19 @@ class PageView : public QWidget {
   bool event(QEvent* event) override;
   bool focusNextPrevChild(bool next) override;
   QSize sizeHint() const override { return {720, 600}; }
-  QSize minimumSizeHint() const override { return {320, 260}; }
+  QSize minimumSizeHint() const override { return {200, 140}; }
 
  private:
   enum class Fit { page, graph, none };
+  /// A value that is typed at a place of the page.
+  struct AskedValue {
+    QString name, text, placeholder;
+    importer::Point at;
+    QPoint beside;  ///< of the field, from the place
+    AxisQuantity axis;
+    std::function<void(double)> take;  ///< in the printed unit
+  };
+  void ask(const AskedValue& asked);
   bool closeEditor();  ///< of a tick's value; false if none is open
   void takeResult();
   void takeCurrent();

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/importing/axis_box.h"
+
+#include <algorithm>
+#include <array>
+#include <QPushButton>
+#include <QToolTip>
+#include <QVBoxLayout>
+
+#include "editor/document/graph_colors.h"
+#include "editor/importing/axis_quantity.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr std::array lengthUnits{LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::micrometre,
+                                 LengthUnit::inch, LengthUnit::mil};
+constexpr std::array forceUnits{ForceUnit::newton,    ForceUnit::centinewton,   ForceUnit::millinewton,
+                                ForceUnit::gramForce, ForceUnit::kilogramForce, ForceUnit::ounceForce,
+                                ForceUnit::poundForce};
+
+QString symbol(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+// What cannot be read stays as typed, marked, with the reason beside it.
+void showRefusal(QLineEdit& edit, const QString& why) {
+  QPalette colors = edit.palette();
+  colors.setColor(QPalette::Text, why.isEmpty() ? edit.parentWidget()->palette().color(QPalette::Text)
+                                                : graphColors(isDark(edit.palette())).refused);
+  edit.setPalette(colors);
+  edit.setAccessibleDescription(why);
+  if (why.isEmpty()) return QToolTip::hideText();
+  QToolTip::showText(edit.mapToGlobal(edit.rect().bottomLeft()), why, &edit);
+}
+
+}  // namespace
+
+AxisBox::AxisBox(ImportState& state, GraphAxis axis, QWidget* parent)
+    : QGroupBox(parent),
+      state_(state),
+      axis_(axis),
+      min_(new QLineEdit),
+      max_(new QLineEdit),
+      unit_(new QComboBox),
+      details_(wrappedLabel()) {
+  const bool isX = axis == GraphAxis::x;
+  range_ = new OriginMark(state, isX ? QStringLiteral("resetX") : QStringLiteral("resetY"),
+                          isX ? tr("Reset displacement axis") : tr("Reset force axis"),
+                          [axis](Corrections& c) { c.axis(axis) = {}; });
+  unitOrigin_ = new OriginMark(state, isX ? QStringLiteral("resetXUnit") : QStringLiteral("resetYUnit"),
+                               isX ? tr("Reset displacement unit") : tr("Reset force unit"),
+                               [isX](Corrections& c) { isX ? c.xUnit.reset() : c.yUnit.reset(); });
+  nameFields();
+  build();
+}
+
+void AxisBox::nameFields() {
+  const bool isX = axis_ == GraphAxis::x;
+  min_->setObjectName(isX ? QStringLiteral("xMin") : QStringLiteral("yMin"));
+  max_->setObjectName(isX ? QStringLiteral("xMax") : QStringLiteral("yMax"));
+  unit_->setObjectName(isX ? QStringLiteral("xUnit") : QStringLiteral("yUnit"));
+  min_->setAccessibleName(isX ? tr("Displacement at the left edge of the plot frame")
+                              : tr("Force at the lower edge of the plot frame"));
+  max_->setAccessibleName(isX ? tr("Displacement at the right edge of the plot frame")
+                              : tr("Force at the upper edge of the plot frame"));
+  unit_->setAccessibleName(isX ? tr("Unit of the displacement axis as printed")
+                               : tr("Unit of the force axis as printed"));
+  for (QLineEdit* edit : {min_, max_}) {
+    edit->setMinimumWidth(56);
+    edit->setToolTip(edit->accessibleName() + tr(", in the printed unit"));
+  }
+  unit_->setPlaceholderText(tr("as found"));
+  unit_->setToolTip(unit_->accessibleName());
+}
+
+void AxisBox::build() {
+  if (axis_ == GraphAxis::x)
+    for (const LengthUnit unit : lengthUnits) unit_->addItem(symbol(symbolOf(unit)));
+  else
+    for (const ForceUnit unit : forceUnits) unit_->addItem(symbol(symbolOf(unit)));
+  connect(min_, &QLineEdit::editingFinished, this, [this] { takeEnd(false); });
+  connect(max_, &QLineEdit::editingFinished, this, [this] { takeEnd(true); });
+  connect(unit_, &QComboBox::activated, this,
+          [this](int index) { takeUnit(static_cast<std::size_t>(index)); });
+  auto* column = new QVBoxLayout(this);
+  column->addLayout(rangeRow());
+  column->addLayout(originRow());
+  column->addLayout(unitRow());
+  column->addWidget(details_);
+  details_->setForegroundRole(QPalette::PlaceholderText);
+}
+
+QHBoxLayout* AxisBox::rangeRow() {
+  auto* row = new QHBoxLayout;
+  auto* to = new QLabel(tr("to"));
+  for (QWidget* each : std::initializer_list<QWidget*>{min_, to, max_, unit_}) row->addWidget(each);
+  ofPage_.insert(ofPage_.end(), {min_, to, max_});
+  return row;
+}
+
+QHBoxLayout* AxisBox::originRow() {
+  auto* row = new QHBoxLayout;
+  auto* ticks = new QPushButton(tr("Set on page…"));
+  ticks->setToolTip(tr("Click ticks of the axis on the page and type their values"));
+  connect(ticks, &QPushButton::clicked, this, &AxisBox::ticksAsked);
+  auto* name = new QLabel(tr("Range:"));
+  row->addWidget(ticks);
+  row->addStretch();
+  row->addWidget(name);
+  row->addWidget(range_);
+  ofPage_.insert(ofPage_.end(), {ticks, name});
+  return row;
+}
+
+QHBoxLayout* AxisBox::unitRow() {
+  auto* row = new QHBoxLayout;
+  auto* name = new QLabel(tr("Unit:"));
+  row->addStretch();
+  row->addWidget(name);
+  row->addWidget(unitOrigin_);
+  ofPage_.push_back(name);
+  return row;
+}
+
+// ---- what is typed
+
+void AxisBox::takeUnit(std::size_t index) {
+  if (axis_ == GraphAxis::x)
+    state_.correct(tr("Displacement unit"), [index](Corrections& c) { c.xUnit = lengthUnits[index]; });
+  else
+    state_.correct(tr("Force unit"), [index](Corrections& c) { c.yUnit = forceUnits[index]; });
+}
+
+QuantityReading AxisBox::typedIn(const QLineEdit& field) const {
+  const AxisQuantity asked = axisQuantity(axis_, unit_->currentText().toStdString());
+  std::optional<double> now = &field == max_ ? maxShown_ : minShown_;
+  if (now) *now *= shownUnitOf(asked.quantity, asked.units);
+  return readQuantity(field.text(), asked.quantity, asked.units, now);
+}
+
+void AxisBox::takeEnd(bool isMax) {
+  QLineEdit* edit = isMax ? max_ : min_;
+  if (!edit->isModified()) return;
+  const QuantityReading value = typedIn(*edit), other = typedIn(isMax ? *min_ : *max_);
+  const AxisQuantity asked = axisQuantity(axis_, unit_->currentText().toStdString());
+  showRefusal(*edit, value.value ? QString() : refusalOf(value, asked.quantity, asked.units));
+  if (!value.value) return;  // as typed, so that it can be mended
+  edit->setModified(false);
+  state_.correct(axis_ == GraphAxis::x ? tr("Displacement range") : tr("Force range"), [&](Corrections& c) {
+    AxisCorrection& correction = c.axis(axis_);
+    // Ticks given before say where the other end is; from now on the ends are given.
+    if (!correction.ticks.empty())
+      (isMax ? correction.min : correction.max) = other.value ? std::optional(other.shown) : std::nullopt;
+    correction.ticks.clear();
+    (isMax ? correction.max : correction.min) = value.shown;
+  });
+}
+
+// ---- what is shown
+
+void AxisBox::follow(bool ofLog) {
+  const bool isX = axis_ == GraphAxis::x;
+  setTitle(isX ? (ofLog ? tr("Displacement in the file") : tr("Displacement axis (horizontal)"))
+               : (ofLog ? tr("Force in the file") : tr("Force axis (vertical)")));
+  for (QWidget* each : ofPage_) each->setVisible(!ofLog);
+  const ImportGraph* graph = state_.current();
+  const auto shown = graph ? (graph->good ? graph->good : graph->last) : nullptr;
+  const Corrections none;
+  const Corrections& given = graph ? graph->history.now() : none;
+  const importer::AxisReading* reading = nullptr;
+  if (shown && shown->evidence) {
+    const auto& calibration = shown->evidence->axes.calibration.value;
+    reading = isX ? &calibration.x : &calibration.y;
+  }
+  const AxisCorrection& correction = given.axis(axis_);
+  showEnds(correction, reading);
+  showUnit(given, reading);
+  range_->setOrigin(!correction.empty(),
+                    shown ? confidenceOf(shown->evidence, importer::ImportStep::axes) : std::nullopt);
+  const QString details = detailsOf(correction, reading);
+  details_->setText(details);
+  details_->setVisible(!details.isEmpty());
+}
+
+void AxisBox::showEnds(const AxisCorrection& given, const importer::AxisReading* found) {
+  const auto show = [&](QLineEdit& edit, std::optional<double>& now, std::optional<double> givenEnd,
+                        double foundEnd) {
+    now = givenEnd ? givenEnd : found ? std::optional(foundEnd) : std::nullopt;
+    if (edit.isModified()) return;
+    edit.setText(givenEnd ? numberText(*givenEnd, 5) : found ? numberText(foundEnd, 4) : QString());
+    edit.setModified(false);
+  };
+  show(*min_, minShown_, given.min, found ? found->min : 0);
+  show(*max_, maxShown_, given.max, found ? found->max : 0);
+}
+
+void AxisBox::showUnit(const Corrections& given, const importer::AxisReading* found) {
+  const bool isX = axis_ == GraphAxis::x, isGiven = isX ? given.xUnit.has_value() : given.yUnit.has_value();
+  QString unit = found ? QString::fromStdString(found->unit) : QString();
+  if (isGiven) unit = isX ? symbol(symbolOf(*given.xUnit)) : symbol(symbolOf(*given.yUnit));
+  unit_->setCurrentIndex(unit_->findText(unit));
+  unitOrigin_->setOrigin(isGiven);
+  if (!isGiven && found) unitOrigin_->say(found->unitFound ? tr("as printed") : tr("not printed, a guess"));
+}
+
+QString AxisBox::detailsOf(const AxisCorrection& given, const importer::AxisReading* found) const {
+  QStringList details;
+  if (!given.ticks.empty()) {
+    details << (given.ticks.size() == 1 ? tr("1 tick given; one more settles the axis")
+                                        : tr("%1 ticks given").arg(given.ticks.size()));
+  } else if (found && !found->ticks.empty()) {
+    const auto used =
+        std::count_if(found->ticks.begin(), found->ticks.end(), [](const auto& t) { return t.used; });
+    details << tr("%1 of %2 numbers used, off by %3 px")
+                   .arg(used)
+                   .arg(found->ticks.size())
+                   .arg(fixedText(found->residual_px, 2));
+  }
+  if (found && !found->title.empty()) details << tr("titled “%1”").arg(QString::fromStdString(found->title));
+  return details.join(QStringLiteral("; "));
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// One axis of the graph: the values at its ends, its unit, and where they come from.
+
+#include <QComboBox>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <vector>
+
+#include "editor/importing/origin_mark.h"
+#include "editor/quantity/quantity.h"
+
+namespace detent::editor {
+
+/// Fields correct the current graph; what cannot be read stays as typed, with the reason. GUI thread.
+class AxisBox : public QGroupBox {
+  Q_OBJECT
+
+ public:
+  /// `state` must outlive it.
+  AxisBox(ImportState& state, GraphAxis axis, QWidget* parent = nullptr);
+
+  /// Shows the current graph's axis; `ofLog`: of a force meter's log, which has a unit alone.
+  void follow(bool ofLog);
+  /// The fields a person would be led to.
+  QLineEdit* firstField() { return min_; }
+  QComboBox* unitField() { return unit_; }
+
+ signals:
+  /// The values are to be set on the page.
+  void ticksAsked();
+
+ private:
+  void build();
+  QHBoxLayout* rangeRow();
+  QHBoxLayout* originRow();
+  QHBoxLayout* unitRow();
+  void nameFields();
+  void takeEnd(bool isMax);
+  void takeUnit(std::size_t index);
+  void showEnds(const AxisCorrection& given, const importer::AxisReading* found);
+  void showUnit(const Corrections& given, const importer::AxisReading* found);
+  QString detailsOf(const AxisCorrection& given, const importer::AxisReading* found) const;
+  QuantityReading typedIn(const QLineEdit& field) const;
+
+  ImportState& state_;
+  GraphAxis axis_;
+  QLineEdit *min_, *max_;
+  QComboBox* unit_;
+  OriginMark *range_, *unitOrigin_;
+  QLabel* details_;
+  std::vector<QWidget*> ofPage_;               ///< what a force meter's log has no use for
+  std::optional<double> minShown_, maxShown_;  ///< as they stand, in the printed unit
+};
+
+}  // namespace detent::editor

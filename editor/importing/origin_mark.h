@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Who decided a value of an import, and the way back to what was found.
+
+#include <functional>
+#include <optional>
+#include <QLabel>
+#include <QToolButton>
+
+#include "editor/importing/import_state.h"
+
+namespace detent::editor {
+
+/// "found, 98 % sure" or "given" with a button that resets. GUI thread.
+class OriginMark : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `reset` is applied to the current graph as the step `label`; `state` must outlive this. `name` is the button's.
+  OriginMark(ImportState& state, const QString& name, const QString& label,
+             std::function<void(Corrections&)> reset, QWidget* parent = nullptr);
+
+  /// Without a confidence nothing is said of what was found.
+  void setOrigin(bool given, std::optional<double> confidence = {});
+  /// Where what was found needs other words.
+  void say(const QString& words) { words_->setText(words); }
+  void setResettable(bool resettable) { reset_->setVisible(resettable); }
+
+ private:
+  QLabel* words_;
+  QToolButton* reset_;
+};
+
+/// The finding of one step among the evidence; null without evidence or where the step did not run.
+const importer::StepFinding* stepOf(const std::shared_ptr<const importer::GraphEvidence>& evidence,
+                                    importer::ImportStep step);
+std::optional<double> confidenceOf(const std::shared_ptr<const importer::GraphEvidence>& evidence,
+                                   importer::ImportStep step);
+
+/// A label that wraps and whose text can be copied.
+QLabel* wrappedLabel();
+
+}  // namespace detent::editor
