@@ -1,0 +1,4445 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE">
+<context>
+    <name>Checks</name>
+    <message>
+        <source>release</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>The release lies %1 above the press at %2. Are the strokes exchanged?</source>
+        <translation>Der Rückweg liegt bei %2 um %1 über dem Drücken. Sind die beiden Wege vertauscht?</translation>
+    </message>
+    <message>
+        <source>The release begins at %1, %2 away from the end of the press at %3.</source>
+        <translation>Der Rückweg beginnt bei %1, %2 entfernt vom Ende des Drückens bei %3.</translation>
+    </message>
+    <message>
+        <source>There is no release curve; the press stands in for it.</source>
+        <translation>Es gibt keine Kurve für den Rückweg; das Drücken steht für sie.</translation>
+    </message>
+    <message>
+        <source>The %1 falls to %2 at %3: the button pulls.</source>
+        <translation>Kurve „%1“ fällt bei %3 auf %2: Der Taster zieht.</translation>
+    </message>
+    <message>
+        <source>The press begins with a falling force: it cannot be held at its start.</source>
+        <translation>Das Drücken beginnt mit fallender Kraft: Am Anfang lässt es sich nicht halten.</translation>
+    </message>
+    <message>
+        <source>The tactile point of the %1 at %2 lies inside an earlier jump: it is never felt.</source>
+        <translation>Der Druckpunkt der Kurve „%1“ bei %2 liegt in einem früheren Sprung: Er ist nie zu fühlen.</translation>
+    </message>
+    <message>
+        <source>The reset point at %1 lies deeper than the operating point at %2.</source>
+        <translation>Der Rückschaltpunkt bei %1 liegt tiefer als der Schaltpunkt bei %2.</translation>
+    </message>
+    <message>
+        <source>The release ends at %1, %2 away from where the next state starts, %3.</source>
+        <translation>Der Rückweg endet bei %1, %2 entfernt vom Anfang des nächsten Zustands bei %3.</translation>
+    </message>
+    <message>
+        <source>Damping is given at %1, outside the travel up to %2.</source>
+        <translation>Bei %1 ist Dämpfung angegeben, außerhalb des Wegs bis %2.</translation>
+    </message>
+    <message>
+        <source>The %1 has %2 knots, more than a hand can edit. Refit it with fewer pieces.</source>
+        <translation>Kurve „%1“ hat %2 Knoten, mehr als sich von Hand bearbeiten lassen. Passen Sie sie mit weniger Stücken neu an.</translation>
+    </message>
+    <message>
+        <source>The import was only %1 % sure. Hold the curves against the page.</source>
+        <translation>Der Import war nur zu %1 % sicher. Halten Sie die Kurven gegen die Seite.</translation>
+    </message>
+    <message>
+        <source>Total travel</source>
+        <translation>Gesamtweg</translation>
+    </message>
+    <message>
+        <source>Pretravel</source>
+        <translation>Vorlaufweg</translation>
+    </message>
+    <message>
+        <source>Operating force</source>
+        <translation>Betätigungskraft</translation>
+    </message>
+    <message>
+        <source>Tactile force</source>
+        <translation>Druckpunktkraft</translation>
+    </message>
+    <message>
+        <source>End force</source>
+        <translation>Endkraft</translation>
+    </message>
+    <message>
+        <source>State %1: %2</source>
+        <translation>Zustand %1: %2</translation>
+    </message>
+    <message>
+        <source> (%1 to %2)</source>
+        <translation> (%1 bis %2)</translation>
+    </message>
+    <message>
+        <source>%1: the sheet says %2, the graph has %3.</source>
+        <translation>%1: Im Datenblatt steht %2, im Graphen %3.</translation>
+    </message>
+</context>
+<context>
+    <name>Differences</name>
+    <message>
+        <source>displacement</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>force of the valley after it</source>
+        <translation>Kraft des Tals danach</translation>
+    </message>
+    <message>
+        <source>force of the hump after it</source>
+        <translation>Kraft des Buckels danach</translation>
+    </message>
+    <message>
+        <source>snap ratio</source>
+        <translation>Schnappverhältnis</translation>
+    </message>
+    <message>
+        <source>length of the jump</source>
+        <translation>Länge des Sprungs</translation>
+    </message>
+    <message>
+        <source>area of the jump</source>
+        <translation>Fläche des Sprungs</translation>
+    </message>
+    <message>
+        <source>tactile point%1, </source>
+        <translation>Druckpunkt%1, </translation>
+    </message>
+    <message>
+        <source>force at the start of the travel</source>
+        <translation>Kraft am Anfang des Wegs</translation>
+    </message>
+    <message>
+        <source>largest force</source>
+        <translation>größte Kraft</translation>
+    </message>
+    <message>
+        <source>first slope</source>
+        <translation>erste Steigung</translation>
+    </message>
+    <message>
+        <source>tactile points</source>
+        <translation>Druckpunkte</translation>
+    </message>
+    <message>
+        <source>bottom-out begins at</source>
+        <translation>Anschlag beginnt bei</translation>
+    </message>
+    <message>
+        <source>work</source>
+        <translation>Arbeit</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Operating point</source>
+        <translation>Schaltpunkt</translation>
+    </message>
+    <message>
+        <source>Reset point</source>
+        <translation>Rückschaltpunkt</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>Work lost between the strokes</source>
+        <translation>Zwischen den Wegen verlorene Arbeit</translation>
+    </message>
+    <message>
+        <source>%1: mean %2 % of A's range, largest %3 % (up to %4 %5, %6 %7)</source>
+        <translation>%1: im Mittel %2 % der Spanne von A, höchstens %3 % (bis %4 %5, %6 %7)</translation>
+    </message>
+</context>
+<context>
+    <name>GraphDrag</name>
+    <message>
+        <source>Stops at %1. %2</source>
+        <translation>Hält bei %1. %2</translation>
+    </message>
+</context>
+<context>
+    <name>InputKinds</name>
+    <message>
+        <source>is not there</source>
+        <translation>ist nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>Check the name; it may have been moved or renamed</source>
+        <translation>Prüfen Sie den Namen; die Datei wurde vielleicht verschoben oder umbenannt</translation>
+    </message>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Choose a file in it</source>
+        <translation>Wählen Sie eine Datei darin</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>Check its permissions</source>
+        <translation>Prüfen Sie die Zugriffsrechte</translation>
+    </message>
+    <message>
+        <source>Everything Detent reads</source>
+        <translation>Alles, was Detent liest</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Taster</translation>
+    </message>
+    <message>
+        <source>Datasheets and pictures</source>
+        <translation>Datenblätter und Bilder</translation>
+    </message>
+    <message>
+        <source>Force-displacement CSV</source>
+        <translation>Kraft-Weg-CSV</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>Alle Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>PlacementDelay</name>
+    <message>
+        <source>%1 ms, scattered over %2 ms (%3 frames at 48 kHz)</source>
+        <translation>%1 ms, gestreut über %2 ms (%3 Frames bei 48 kHz)</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>The page names no units: %1 and %2 are a guess.</source>
+        <translation>Die Seite nennt keine Einheiten: %1 und %2 sind geraten.</translation>
+    </message>
+    <message>
+        <source>If everything lies right on the page, tick “I have checked it against the page”.</source>
+        <translation>Wenn alles auf der Seite richtig liegt, setzen Sie das Häkchen bei „Ich habe es mit der Seite verglichen“.</translation>
+    </message>
+    <message>
+        <source>not readable yet</source>
+        <translation>noch nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 % sure</source>
+        <translation>zu %1 % sicher</translation>
+    </message>
+    <message>
+        <source>, check it</source>
+        <translation>, bitte prüfen</translation>
+    </message>
+    <message>
+        <source>framed by hand</source>
+        <translation>von Hand gerahmt</translation>
+    </message>
+    <message>
+        <source>%1–%2 %3, %4–%5 %6</source>
+        <translation>%1–%2 %3, %4–%5 %6</translation>
+    </message>
+</context>
+<context>
+    <name>Questions</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Änderungen an „%1“ speichern?</translation>
+    </message>
+    <message numerus="yes">
+        <source>Save the changes to %n button(s)?</source>
+        <translation><numerusform>Änderungen an %n Taster speichern?</numerusform><numerusform>Änderungen an %n Tastern speichern?</numerusform></translation>
+    </message>
+    <message>
+        <source>They are lost otherwise.</source>
+        <translation>Sonst gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>Detent</source>
+        <translation>Detent</translation>
+    </message>
+</context>
+<context>
+    <name>Templates</name>
+    <message>
+        <source>Linear</source>
+        <translation>Linear</translation>
+    </message>
+    <message>
+        <source>Force rises evenly; no tactile point</source>
+        <translation>Die Kraft steigt gleichmäßig; kein Druckpunkt</translation>
+    </message>
+    <message>
+        <source>Tactile</source>
+        <translation>Taktil</translation>
+    </message>
+    <message>
+        <source>One soft bump on the way down and up</source>
+        <translation>Ein weicher Buckel auf dem Hin- und Rückweg</translation>
+    </message>
+    <message>
+        <source>Clicky</source>
+        <translation>Klickend</translation>
+    </message>
+    <message>
+        <source>The force collapses at the tactile point</source>
+        <translation>Die Kraft bricht am Druckpunkt ein</translation>
+    </message>
+    <message>
+        <source>Two-level</source>
+        <translation>Zweistufig</translation>
+    </message>
+    <message>
+        <source>Two tactile points, the second stronger, as of a camera shutter</source>
+        <translation>Zwei Druckpunkte, der zweite stärker, wie beim Auslöser einer Kamera</translation>
+    </message>
+    <message>
+        <source>Self-locking</source>
+        <translation>Rastend</translation>
+    </message>
+    <message>
+        <source>Stays down at one press and comes back at the next; two states</source>
+        <translation>Bleibt nach einem Druck unten und kommt beim nächsten zurück; zwei Zustände</translation>
+    </message>
+</context>
+<context>
+    <name>detent</name>
+    <message>
+        <source>has %1 entries for %2 warnings</source>
+        <translation>hat %1 Einträge zu %2 Warnungen</translation>
+    </message>
+    <message>
+        <source>release rows, point %1</source>
+        <translation>Zeilen des Rückwegs, Punkt %1</translation>
+    </message>
+    <message>
+        <source>press rows, point %1</source>
+        <translation>Zeilen des Drückens, Punkt %1</translation>
+    </message>
+    <message>
+        <source>release rows</source>
+        <translation>Zeilen des Rückwegs</translation>
+    </message>
+    <message>
+        <source>press rows</source>
+        <translation>Zeilen des Drückens</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>at %1 goes back behind %2</source>
+        <translation>geht bei %1 hinter %2 zurück</translation>
+    </message>
+    <message>
+        <source>turns back inside a wall at %1</source>
+        <translation>kehrt bei %1 in einer Wand um</translation>
+    </message>
+    <message>
+        <source>point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::Reader::T</name>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor</name>
+    <message>
+        <source>Tactile point %1 of the press</source>
+        <translation>Druckpunkt %1 des Drückens</translation>
+    </message>
+    <message>
+        <source>Tactile point %1 of the release</source>
+        <translation>Druckpunkt %1 des Rückwegs</translation>
+    </message>
+    <message>
+        <source>Turn %1 of the press</source>
+        <translation>Umkehrpunkt %1 des Drückens</translation>
+    </message>
+    <message>
+        <source>Turn %1 of the release</source>
+        <translation>Umkehrpunkt %1 des Rückwegs</translation>
+    </message>
+    <message>
+        <source>Knot %1 of the press</source>
+        <translation>Knoten %1 des Drückens</translation>
+    </message>
+    <message>
+        <source>Knot %1 of the release</source>
+        <translation>Knoten %1 des Rückwegs</translation>
+    </message>
+    <message>
+        <source>Slope before knot %1 of the press</source>
+        <translation>Steigung vor Knoten %1 des Drückens</translation>
+    </message>
+    <message>
+        <source>Slope before knot %1 of the release</source>
+        <translation>Steigung vor Knoten %1 des Rückwegs</translation>
+    </message>
+    <message>
+        <source>Slope after knot %1 of the press</source>
+        <translation>Steigung nach Knoten %1 des Drückens</translation>
+    </message>
+    <message>
+        <source>Slope after knot %1 of the release</source>
+        <translation>Steigung nach Knoten %1 des Rückwegs</translation>
+    </message>
+    <message>
+        <source>Section %1 of the press</source>
+        <translation>Abschnitt %1 des Drückens</translation>
+    </message>
+    <message>
+        <source>Section %1 of the release</source>
+        <translation>Abschnitt %1 des Rückwegs</translation>
+    </message>
+    <message>
+        <source>Operating point</source>
+        <translation>Schaltpunkt</translation>
+    </message>
+    <message>
+        <source>Reset point</source>
+        <translation>Rückschaltpunkt</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 %4</source>
+        <translation>%1 %2, %3 %4</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>operating</source>
+        <translation>schaltet</translation>
+    </message>
+    <message>
+        <source>reset</source>
+        <translation>schaltet zurück</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>traced point</source>
+        <translation>abgelesener Punkt</translation>
+    </message>
+    <message>
+        <source>other stroke</source>
+        <translation>andere Kurve</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>draw the plot frame, or drag its corners onto the ends of the axes</source>
+        <translation>den Rahmen des Graphen zeichnen oder seine Ecken auf die Enden der Achsen ziehen</translation>
+    </message>
+    <message>
+        <source>give the displacement axis the values at its two ends</source>
+        <translation>der Wegachse die Werte an ihren beiden Enden geben</translation>
+    </message>
+    <message>
+        <source>give the force axis the values at its two ends</source>
+        <translation>der Kraftachse die Werte an ihren beiden Enden geben</translation>
+    </message>
+    <message>
+        <source>choose the unit of the displacement axis</source>
+        <translation>die Einheit der Wegachse wählen</translation>
+    </message>
+    <message>
+        <source>choose the unit of the force axis</source>
+        <translation>die Einheit der Kraftachse wählen</translation>
+    </message>
+    <message>
+        <source>click the press curve with the pipette</source>
+        <translation>mit der Pipette die Kurve des Drückens anklicken</translation>
+    </message>
+    <message>
+        <source>click the release curve with the pipette</source>
+        <translation>mit der Pipette die Kurve des Rückwegs anklicken</translation>
+    </message>
+    <message>
+        <source>paint a mask over what is not part of a curve</source>
+        <translation>mit einer Maske übermalen, was nicht zu einer Kurve gehört</translation>
+    </message>
+    <message>
+        <source>set a resolution, so that a picture of the page is traced</source>
+        <translation>eine Auflösung setzen, damit ein Bild der Seite abgelesen wird</translation>
+    </message>
+    <message>
+        <source>exchange press and release</source>
+        <translation>Drücken und Rückweg vertauschen</translation>
+    </message>
+    <message>
+        <source>, or </source>
+        <translation>, oder </translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>If that is wrong, </source>
+        <translation>Wenn das falsch ist: </translation>
+    </message>
+    <message>
+        <source>Draw plot frame</source>
+        <translation>Rahmen zeichnen</translation>
+    </message>
+    <message>
+        <source>Set axis values</source>
+        <translation>Achsenwerte setzen</translation>
+    </message>
+    <message>
+        <source>Displacement unit</source>
+        <translation>Wegeinheit</translation>
+    </message>
+    <message>
+        <source>Force unit</source>
+        <translation>Krafteinheit</translation>
+    </message>
+    <message>
+        <source>Pick press curve</source>
+        <translation>Kurve des Drückens wählen</translation>
+    </message>
+    <message>
+        <source>Pick release curve</source>
+        <translation>Kurve des Rückwegs wählen</translation>
+    </message>
+    <message>
+        <source>Paint mask</source>
+        <translation>Maske malen</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Exchange strokes</source>
+        <translation>Kurven vertauschen</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Press and release</source>
+        <translation>Drücken und Rückweg</translation>
+    </message>
+    <message>
+        <source>Plot frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Einlesen</translation>
+    </message>
+    <message>
+        <source>finding the frame</source>
+        <translation>Rahmen suchen</translation>
+    </message>
+    <message>
+        <source>drawing the page</source>
+        <translation>Seite zeichnen</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>comparing copies</source>
+        <translation>Kopien vergleichen</translation>
+    </message>
+    <message>
+        <source>tracing</source>
+        <translation>Ablesen</translation>
+    </message>
+    <message>
+        <source>strokes</source>
+        <translation>Kurven zuordnen</translation>
+    </message>
+    <message>
+        <source>fit</source>
+        <translation>Anpassen</translation>
+    </message>
+    <message>
+        <source>callouts</source>
+        <translation>Bezugslinien</translation>
+    </message>
+    <message>
+        <source>Reading the log …</source>
+        <translation>Das Protokoll wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Finding the graph and reading its axes …</source>
+        <translation>Graph und Achsen werden gelesen …</translation>
+    </message>
+    <message>
+        <source>Tracing the curves …</source>
+        <translation>Die Kurven werden abgelesen …</translation>
+    </message>
+    <message>
+        <source>Telling press from release …</source>
+        <translation>Drücken und Rückweg werden unterschieden …</translation>
+    </message>
+    <message>
+        <source>Fitting …</source>
+        <translation>Die Kurven werden angepasst …</translation>
+    </message>
+    <message>
+        <source>operating point</source>
+        <translation>Schaltpunkt</translation>
+    </message>
+    <message>
+        <source>reset point</source>
+        <translation>Rückschaltpunkt</translation>
+    </message>
+    <message>
+        <source>Draft</source>
+        <translation>Entwurf</translation>
+    </message>
+    <message>
+        <source>Standard</source>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Precise</source>
+        <translation>Genau</translation>
+    </message>
+    <message>
+        <source>%1 – about %2 s, error %3 % of the axis</source>
+        <translation>%1 – etwa %2 s, Fehler %3 % der Achse</translation>
+    </message>
+    <message>
+        <source>Stroke</source>
+        <translation>Kurve</translation>
+    </message>
+    <message>
+        <source>Which curve is changed</source>
+        <translation>Welche Kurve geändert wird</translation>
+    </message>
+    <message>
+        <source>Add jump</source>
+        <translation>Sprung hinzufügen</translation>
+    </message>
+    <message>
+        <source>From a new tactile point the force falls into a valley and comes back to the curve; on the release stroke it rises to a hump.</source>
+        <translation>Von einem neuen Druckpunkt fällt die Kraft in ein Tal und kommt zur Kurve zurück; auf dem Rückweg steigt sie zu einem Buckel.</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>Displacement of the tactile point</source>
+        <translation>Weg des Druckpunkts</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>From the tactile point to where the curve goes on</source>
+        <translation>Vom Druckpunkt bis dorthin, wo die Kurve weitergeht</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Abfall</translation>
+    </message>
+    <message>
+        <source>From the tactile force to the valley</source>
+        <translation>Von der Druckpunktkraft bis zum Tal</translation>
+    </message>
+    <message>
+        <source>Remove jump</source>
+        <translation>Sprung entfernen</translation>
+    </message>
+    <message>
+        <source>The tactile point and its jump become a straight line.</source>
+        <translation>Druckpunkt und Sprung werden zu einer Geraden.</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>Make linear</source>
+        <translation>Linear machen</translation>
+    </message>
+    <message>
+        <source>A straight line from the start to the bottom-out; the wall stays.</source>
+        <translation>Eine Gerade vom Anfang bis zum Anschlag; die Wand bleibt.</translation>
+    </message>
+    <message>
+        <source>Mirror press to release</source>
+        <translation>Drücken zum Rückweg spiegeln</translation>
+    </message>
+    <message>
+        <source>The release becomes the press curve, lowered by the hysteresis. Where the press is weaker than twice that, the distance shrinks with it.</source>
+        <translation>Der Rückweg wird zur Kurve des Drückens, um die Hysterese gesenkt. Wo das Drücken schwächer ist als das Doppelte davon, schrumpft der Abstand mit.</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Hysterese</translation>
+    </message>
+    <message>
+        <source>How far the release lies below the press</source>
+        <translation>Wie weit der Rückweg unter dem Drücken liegt</translation>
+    </message>
+    <message>
+        <source>Remove release curve</source>
+        <translation>Rückweg entfernen</translation>
+    </message>
+    <message>
+        <source>The release is then felt on the press curve.</source>
+        <translation>Der Rückweg wird dann auf der Kurve des Drückens gefühlt.</translation>
+    </message>
+    <message>
+        <source>Scale force</source>
+        <translation>Kraft skalieren</translation>
+    </message>
+    <message>
+        <source>All forces of all states; damping follows.</source>
+        <translation>Alle Kräfte aller Zustände; die Dämpfung folgt.</translation>
+    </message>
+    <message>
+        <source>Highest force</source>
+        <translation>Höchste Kraft</translation>
+    </message>
+    <message>
+        <source>Of this state, after scaling</source>
+        <translation>Dieses Zustands, nach dem Skalieren</translation>
+    </message>
+    <message>
+        <source>Scale travel</source>
+        <translation>Weg skalieren</translation>
+    </message>
+    <message>
+        <source>All displacements of all states, with operating and reset points.</source>
+        <translation>Alle Wege aller Zustände, mit Schalt- und Rückschaltpunkt.</translation>
+    </message>
+    <message>
+        <source>Travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Snap ratio</source>
+        <translation>Schnappverhältnis</translation>
+    </message>
+    <message>
+        <source>(Tactile force − valley force) / tactile force. The tactile point stays, the valley moves.</source>
+        <translation>(Druckpunktkraft − Talkraft) / Druckpunktkraft. Der Druckpunkt bleibt, das Tal wandert.</translation>
+    </message>
+    <message>
+        <source>Ratio</source>
+        <translation>Verhältnis</translation>
+    </message>
+    <message>
+        <source>Usual: 0.2 for a soft key, 0.6 for a snappy dome</source>
+        <translation>Üblich: 0,2 für eine weiche Taste, 0,6 für eine knackige Schnappscheibe</translation>
+    </message>
+    <message>
+        <source>Refit to the traced points</source>
+        <translation>Neu an die abgelesenen Punkte anpassen</translation>
+    </message>
+    <message>
+        <source>Fits the curves anew to what was traced on the page, with the number of pieces you choose. Edits by hand are replaced.</source>
+        <translation>Passt die Kurven mit der gewählten Zahl von Stücken neu an das an, was auf der Seite abgelesen wurde. Änderungen von Hand werden ersetzt.</translation>
+    </message>
+    <message>
+        <source>Pieces of the press</source>
+        <translation>Stücke des Drückens</translation>
+    </message>
+    <message>
+        <source>More follow the points closer, fewer are easier to shape</source>
+        <translation>Mehr folgen den Punkten genauer, weniger lassen sich leichter formen</translation>
+    </message>
+    <message>
+        <source>Pieces of the release</source>
+        <translation>Stücke des Rückwegs</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>bekannt</translation>
+    </message>
+    <message>
+        <source>Operating and reset point</source>
+        <translation>Schalt- und Rückschaltpunkt</translation>
+    </message>
+    <message>
+        <source>Where the contact closes on the press stroke, and where it opens on the release stroke.</source>
+        <translation>Wo der Kontakt beim Drücken schließt und wo er auf dem Rückweg öffnet.</translation>
+    </message>
+    <message>
+        <source>Closes at</source>
+        <translation>Schließt bei</translation>
+    </message>
+    <message>
+        <source>Displacement on the press stroke</source>
+        <translation>Weg beim Drücken</translation>
+    </message>
+    <message>
+        <source>Opens at</source>
+        <translation>Öffnet bei</translation>
+    </message>
+    <message>
+        <source>Displacement on the release stroke</source>
+        <translation>Weg auf dem Rückweg</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Force that follows velocity, for force feedback devices. Its course is shaped in the damping view.</source>
+        <translation>Kraft, die der Geschwindigkeit folgt, für Geräte mit Kraftrückmeldung. Ihr Verlauf wird in der Dämpfungsansicht geformt.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Am Anfang</translation>
+    </message>
+    <message>
+        <source>N·s/mm at 0 mm</source>
+        <translation>N·s/mm bei 0 mm</translation>
+    </message>
+    <message>
+        <source>At the end</source>
+        <translation>Am Ende</translation>
+    </message>
+    <message>
+        <source>N·s/mm at the end of the travel</source>
+        <translation>N·s/mm am Ende des Wegs</translation>
+    </message>
+    <message>
+        <source>Two-level button</source>
+        <translation>Zweistufiger Taster</translation>
+    </message>
+    <message>
+        <source>Replaces the curves of this state by a button with two tactile points, the second one stronger, like a camera shutter.</source>
+        <translation>Ersetzt die Kurven dieses Zustands durch einen Taster mit zwei Druckpunkten, der zweite stärker, wie der Auslöser einer Kamera.</translation>
+    </message>
+    <message>
+        <source>Self-locking button</source>
+        <translation>Rastender Taster</translation>
+    </message>
+    <message>
+        <source>Replaces the button by one with two states: pressed once it stays down at the lock, pressed again it comes back.</source>
+        <translation>Ersetzt den Taster durch einen mit zwei Zuständen: Einmal gedrückt, rastet er unten ein; noch einmal gedrückt, kommt er zurück.</translation>
+    </message>
+    <message>
+        <source>Lock at</source>
+        <translation>Rastet bei</translation>
+    </message>
+    <message>
+        <source>Where the locked button rests; between its valley and the end of the travel</source>
+        <translation>Wo der eingerastete Taster ruht; zwischen seinem Tal und dem Ende des Wegs</translation>
+    </message>
+    <message>
+        <source>Add state</source>
+        <translation>Zustand hinzufügen</translation>
+    </message>
+    <message>
+        <source>The button becomes self-locking: its two states alternate at each actuation. The new state starts as a copy of this one.</source>
+        <translation>Der Taster wird rastend: Seine beiden Zustände wechseln bei jeder Betätigung. Der neue Zustand beginnt als Kopie von diesem.</translation>
+    </message>
+    <message>
+        <source>Remove state</source>
+        <translation>Zustand entfernen</translation>
+    </message>
+    <message>
+        <source>This state goes; the button becomes momentary with the other one.</source>
+        <translation>Dieser Zustand fällt weg; der Taster wird mit dem anderen tastend.</translation>
+    </message>
+    <message>
+        <source>Nothing is typed. Type for example %1.</source>
+        <translation>Es ist nichts eingegeben. Geben Sie zum Beispiel %1 ein.</translation>
+    </message>
+    <message>
+        <source>“%1” is no number. Type for example %2, or +5, or -10 %.</source>
+        <translation>„%1“ ist keine Zahl. Geben Sie zum Beispiel %2 ein, oder +5, oder -10 %.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read in two ways. Type the number without spaces or separators between thousands.</source>
+        <translation>„%1“ lässt sich auf zwei Weisen lesen. Geben Sie die Zahl ohne Leerzeichen und ohne Tausendertrennzeichen ein.</translation>
+    </message>
+    <message>
+        <source>“%1” is no unit for this. Type the number alone.</source>
+        <translation>„%1“ ist hierfür keine Einheit. Geben Sie die Zahl allein ein.</translation>
+    </message>
+    <message>
+        <source>“%1” is no known unit. Type for example %2.</source>
+        <translation>„%1“ ist keine bekannte Einheit. Geben Sie zum Beispiel %2 ein.</translation>
+    </message>
+    <message>
+        <source>“%1” has a unit, and a number without one is asked for.</source>
+        <translation>„%1“ hat eine Einheit; gefragt ist eine Zahl ohne Einheit.</translation>
+    </message>
+    <message>
+        <source>“%1” measures something else. Type a number in %2.</source>
+        <translation>„%1“ misst etwas anderes. Geben Sie eine Zahl in %2 ein.</translation>
+    </message>
+    <message>
+        <source>In “%1” some numbers have a unit and some have none. Give each its unit.</source>
+        <translation>In „%1“ haben manche Zahlen eine Einheit und manche keine. Geben Sie jeder ihre Einheit.</translation>
+    </message>
+    <message>
+        <source>“%1” changes a value, and there is none yet. Type for example %2.</source>
+        <translation>„%1“ ändert einen Wert, und es gibt noch keinen. Geben Sie zum Beispiel %2 ein.</translation>
+    </message>
+    <message>
+        <source>“%1” is no whole number.</source>
+        <translation>„%1“ ist keine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>“%1” is too large, or divides by zero.</source>
+        <translation>„%1“ ist zu groß oder teilt durch null.</translation>
+    </message>
+    <message>
+        <source>Change: %1</source>
+        <translation>Ändern: %1</translation>
+    </message>
+    <message>
+        <source>Move: %1</source>
+        <translation>Verschieben: %1</translation>
+    </message>
+    <message>
+        <source>Remove: %1</source>
+        <translation>Entfernen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::AddJumpTool</name>
+    <message>
+        <source>Press on a rising curve where the jump begins, and pull its valley into place.</source>
+        <translation>Drücken Sie auf eine steigende Kurve, wo der Sprung beginnt, und ziehen Sie sein Tal an seinen Platz.</translation>
+    </message>
+    <message>
+        <source>There is no curve here. Press nearer to one.</source>
+        <translation>Hier ist keine Kurve. Drücken Sie näher an einer.</translation>
+    </message>
+    <message>
+        <source>Add jump</source>
+        <translation>Sprung hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::AddKnotTool</name>
+    <message>
+        <source>Click on a curve to add a knot; keep the button down to move it.</source>
+        <translation>Ein Klick auf eine Kurve setzt einen Knoten; mit gehaltener Taste verschieben Sie ihn.</translation>
+    </message>
+    <message>
+        <source>There is no curve here. Click nearer to one.</source>
+        <translation>Hier ist keine Kurve. Klicken Sie näher an eine.</translation>
+    </message>
+    <message>
+        <source>Add knot</source>
+        <translation>Knoten hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::AdjustTool</name>
+    <message>
+        <source>Move plot frame</source>
+        <translation>Rahmen verschieben</translation>
+    </message>
+    <message>
+        <source>Move displacement tick</source>
+        <translation>Teilstrich der Wegachse verschieben</translation>
+    </message>
+    <message>
+        <source>Move force tick</source>
+        <translation>Teilstrich der Kraftachse verschieben</translation>
+    </message>
+    <message>
+        <source>Move mask</source>
+        <translation>Maske verschieben</translation>
+    </message>
+    <message>
+        <source>Remove mask</source>
+        <translation>Maske entfernen</translation>
+    </message>
+    <message>
+        <source>Remove tick</source>
+        <translation>Teilstrich entfernen</translation>
+    </message>
+    <message>
+        <source>The %1 of the plot frame: drag it or use the arrow keys (Shift ×10, Alt ÷10); with Ctrl the rectangle stays one.</source>
+        <translation>%1 des Rahmens: Ziehen Sie sie, oder nehmen Sie die Pfeiltasten (Umschalt ×10, Alt ÷10); mit Strg bleibt ein Rechteck eines.</translation>
+    </message>
+    <message>
+        <source>Drag corners and edges of the plot frame, or ticks. Double-click a tick to type its value. Tab walks through them, arrow keys nudge.</source>
+        <translation>Ziehen Sie Ecken und Kanten des Rahmens oder Teilstriche. Ein Doppelklick auf einen Teilstrich öffnet seinen Wert. Tab geht durch alle, Pfeiltasten schieben.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::AdviceBar</name>
+    <message>
+        <source>Message about the import</source>
+        <translation>Meldung zum Import</translation>
+    </message>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::AxisBox</name>
+    <message>
+        <source>Reset displacement axis</source>
+        <translation>Wegachse zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset force axis</source>
+        <translation>Kraftachse zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset displacement unit</source>
+        <translation>Wegeinheit zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset force unit</source>
+        <translation>Krafteinheit zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Displacement at the left edge of the plot frame</source>
+        <translation>Weg an der linken Kante des Rahmens</translation>
+    </message>
+    <message>
+        <source>Force at the lower edge of the plot frame</source>
+        <translation>Kraft an der unteren Kante des Rahmens</translation>
+    </message>
+    <message>
+        <source>Displacement at the right edge of the plot frame</source>
+        <translation>Weg an der rechten Kante des Rahmens</translation>
+    </message>
+    <message>
+        <source>Force at the upper edge of the plot frame</source>
+        <translation>Kraft an der oberen Kante des Rahmens</translation>
+    </message>
+    <message>
+        <source>Unit of the displacement axis as printed</source>
+        <translation>Einheit der Wegachse, wie gedruckt</translation>
+    </message>
+    <message>
+        <source>Unit of the force axis as printed</source>
+        <translation>Einheit der Kraftachse, wie gedruckt</translation>
+    </message>
+    <message>
+        <source>, in the printed unit</source>
+        <translation>, in der gedruckten Einheit</translation>
+    </message>
+    <message>
+        <source>as found</source>
+        <translation>wie gefunden</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Set on page…</source>
+        <translation>Auf der Seite setzen …</translation>
+    </message>
+    <message>
+        <source>Click ticks of the axis on the page and type their values</source>
+        <translation>Teilstriche der Achse auf der Seite anklicken und ihre Werte eingeben</translation>
+    </message>
+    <message>
+        <source>Range:</source>
+        <translation>Bereich:</translation>
+    </message>
+    <message>
+        <source>Unit:</source>
+        <translation>Einheit:</translation>
+    </message>
+    <message>
+        <source>Displacement unit</source>
+        <translation>Wegeinheit</translation>
+    </message>
+    <message>
+        <source>Force unit</source>
+        <translation>Krafteinheit</translation>
+    </message>
+    <message>
+        <source>Displacement range</source>
+        <translation>Wegbereich</translation>
+    </message>
+    <message>
+        <source>Force range</source>
+        <translation>Kraftbereich</translation>
+    </message>
+    <message>
+        <source>Displacement in the file</source>
+        <translation>Weg in der Datei</translation>
+    </message>
+    <message>
+        <source>Displacement axis (horizontal)</source>
+        <translation>Wegachse (waagerecht)</translation>
+    </message>
+    <message>
+        <source>Force in the file</source>
+        <translation>Kraft in der Datei</translation>
+    </message>
+    <message>
+        <source>Force axis (vertical)</source>
+        <translation>Kraftachse (senkrecht)</translation>
+    </message>
+    <message>
+        <source>as printed</source>
+        <translation>wie gedruckt</translation>
+    </message>
+    <message>
+        <source>not printed, a guess</source>
+        <translation>nicht gedruckt, geraten</translation>
+    </message>
+    <message>
+        <source>1 tick given; one more settles the axis</source>
+        <translation>1 Teilstrich vorgegeben; einer mehr legt die Achse fest</translation>
+    </message>
+    <message>
+        <source>%1 ticks given</source>
+        <translation>%1 Teilstriche vorgegeben</translation>
+    </message>
+    <message>
+        <source>%1 of %2 numbers used, off by %3 px</source>
+        <translation>%1 von %2 Zahlen benutzt, Abweichung %3 px</translation>
+    </message>
+    <message>
+        <source>titled “%1”</source>
+        <translation>beschriftet „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ButtonDocument</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>Reload from disk</source>
+        <translation>Neu von der Platte laden</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ChecksPanel</name>
+    <message>
+        <source>What is odd about the button</source>
+        <translation>Was an dem Taster auffällt</translation>
+    </message>
+    <message>
+        <source>Nothing is odd about this button.</source>
+        <translation>An diesem Taster fällt nichts auf.</translation>
+    </message>
+    <message>
+        <source>Press Enter or click to go there</source>
+        <translation>Eingabetaste oder Klick führt dorthin</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::CompareDialog</name>
+    <message>
+        <source>Differences</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>Compare buttons</source>
+        <translation>Taster vergleichen</translation>
+    </message>
+    <message>
+        <source>The force graphs over each other</source>
+        <translation>Die Kraftgraphen übereinander</translation>
+    </message>
+    <message>
+        <source>Point at the graph to read values; click to pin a cursor and read differences from there.</source>
+        <translation>Zeigen Sie auf den Graphen, um Werte abzulesen; ein Klick heftet einen Zeiger an, von dem aus Unterschiede zählen.</translation>
+    </message>
+    <message>
+        <source>Compare &amp;one more</source>
+        <translation>N&amp;och einen vergleichen</translation>
+    </message>
+    <message>
+        <source>Lay another open button over these</source>
+        <translation>Einen weiteren offenen Taster über diese legen</translation>
+    </message>
+    <message>
+        <source>One &amp;less</source>
+        <translation>Einen &amp;weniger</translation>
+    </message>
+    <message>
+        <source>Take the last one away</source>
+        <translation>Den letzten wegnehmen</translation>
+    </message>
+    <message>
+        <source>E&amp;xchange A and B</source>
+        <translation>A und B &amp;tauschen</translation>
+    </message>
+    <message>
+        <source>Count differences the other way</source>
+        <translation>Unterschiede andersherum zählen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the table</source>
+        <translation>Tabelle &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the differences as CSV, in the units shown</source>
+        <translation>Die Unterschiede als CSV kopieren, in den gezeigten Einheiten</translation>
+    </message>
+    <message>
+        <source>Button %1</source>
+        <translation>Taster %1</translation>
+    </message>
+    <message>
+        <source>Button %1 of the comparison</source>
+        <translation>Taster %1 des Vergleichs</translation>
+    </message>
+    <message>
+        <source>State of button %1</source>
+        <translation>Zustand von Taster %1</translation>
+    </message>
+    <message>
+        <source>Which state of a self-locking button is compared</source>
+        <translation>Welcher Zustand eines rastenden Tasters verglichen wird</translation>
+    </message>
+    <message>
+        <source>Open two buttons to compare them.</source>
+        <translation>Öffnen Sie zwei Taster, um sie zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 − A</source>
+        <translation>%1 − A</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ComparePlot</name>
+    <message>
+        <source>Displacement (%1)</source>
+        <translation>Weg (%1)</translation>
+    </message>
+    <message>
+        <source>Force (%1)</source>
+        <translation>Kraft (%1)</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>%1 press %2, release %3</source>
+        <translation>%1 Drücken %2, Rückweg %3</translation>
+    </message>
+    <message>
+        <source>At %1: %2 (%3)</source>
+        <translation>Bei %1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1 press %2</source>
+        <translation>%1 Drücken %2</translation>
+    </message>
+    <message>
+        <source>From the pinned cursor: %1; %2</source>
+        <translation>Vom angehefteten Zeiger: %1; %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::CurvesBox</name>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Exchange press and release</source>
+        <translation>Drücken und Rückweg vertauschen</translation>
+    </message>
+    <message>
+        <source>Exchange strokes</source>
+        <translation>Kurven vertauschen</translation>
+    </message>
+    <message>
+        <source>Press curve…</source>
+        <translation>Drücken …</translation>
+    </message>
+    <message>
+        <source>Release curve…</source>
+        <translation>Rückweg …</translation>
+    </message>
+    <message>
+        <source>Click the press curve on the page</source>
+        <translation>Klicken Sie auf der Seite die Kurve des Drückens an</translation>
+    </message>
+    <message>
+        <source>Click the release curve on the page</source>
+        <translation>Klicken Sie auf der Seite die Kurve des Rückwegs an</translation>
+    </message>
+    <message>
+        <source>Reset press curve</source>
+        <translation>Kurve des Drückens zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset release curve</source>
+        <translation>Kurve des Rückwegs zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Mask…</source>
+        <translation>Maske …</translation>
+    </message>
+    <message>
+        <source>Drag rectangles over what is not a curve</source>
+        <translation>Rechtecke über das ziehen, was keine Kurve ist</translation>
+    </message>
+    <message>
+        <source>Remove all</source>
+        <translation>Alle entfernen</translation>
+    </message>
+    <message>
+        <source>Remove masks</source>
+        <translation>Masken entfernen</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>by quality</source>
+        <translation>nach Qualität</translation>
+    </message>
+    <message>
+        <source>Resolution at which a page of a document is drawn before it is traced, in dots per inch</source>
+        <translation>Auflösung, mit der eine Seite eines Dokuments gezeichnet wird, bevor sie abgelesen wird, in Punkten je Zoll</translation>
+    </message>
+    <message>
+        <source>Reset resolution</source>
+        <translation>Auflösung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>1 place masked</source>
+        <translation>1 Stelle maskiert</translation>
+    </message>
+    <message>
+        <source>%1 places masked</source>
+        <translation>%1 Stellen maskiert</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::DampingView</name>
+    <message>
+        <source>Damping over displacement</source>
+        <translation>Dämpfung über dem Weg</translation>
+    </message>
+    <message>
+        <source>Drag points; double-click the line to add one, Delete removes the selected one.</source>
+        <translation>Ziehen Sie Punkte; ein Doppelklick auf die Linie setzt einen, Entf entfernt den gewählten.</translation>
+    </message>
+    <message>
+        <source>Damping point %1: %2 mm, %3 N·s/mm</source>
+        <translation>Dämpfungspunkt %1: %2 mm, %3 N·s/mm</translation>
+    </message>
+    <message>
+        <source>Move damping point %1</source>
+        <translation>Dämpfungspunkt %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Add damping point</source>
+        <translation>Dämpfungspunkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Remove damping point %1</source>
+        <translation>Dämpfungspunkt %1 entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::DisplacementForceView</name>
+    <message>
+        <source>Displacement over force</source>
+        <translation>Weg über der Kraft</translation>
+    </message>
+    <message>
+        <source>What a finger feels that controls force: jumps are vertical lines.</source>
+        <translation>Was ein Finger fühlt, der die Kraft steuert: Sprünge sind senkrechte Linien.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::DrawCurveTool</name>
+    <message>
+        <source>Click points along the press curve, or draw along it; Enter or a double click ends it. Over a part of a traced curve it replaces that part.</source>
+        <translation>Klicken Sie Punkte entlang der Kurve des Drückens oder zeichnen Sie an ihr entlang; Eingabetaste oder Doppelklick beendet. Über einem Teil einer abgelesenen Kurve ersetzt es diesen Teil.</translation>
+    </message>
+    <message>
+        <source>Click points along the release curve, or draw along it; Enter or a double click ends it. Over a part of a traced curve it replaces that part.</source>
+        <translation>Klicken Sie Punkte entlang der Kurve des Rückwegs oder zeichnen Sie an ihr entlang; Eingabetaste oder Doppelklick beendet. Über einem Teil einer abgelesenen Kurve ersetzt es diesen Teil.</translation>
+    </message>
+    <message>
+        <source>Draw press curve</source>
+        <translation>Kurve des Drückens zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw release curve</source>
+        <translation>Kurve des Rückwegs zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::DrawFrameTool</name>
+    <message>
+        <source>Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn. Over the frame of the graph shown it corrects that; beside it it adds a graph.</source>
+        <translation>Ziehen Sie von einer Ecke des Graphen zur gegenüberliegenden: das Rechteck, in dem die Kurven gezeichnet sind. Über dem Rahmen des gezeigten Graphen berichtigt es diesen; daneben kommt ein Graph hinzu.</translation>
+    </message>
+    <message>
+        <source>Draw plot frame</source>
+        <translation>Rahmen zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ExportDesk</name>
+    <message>
+        <source>Not exported: %1</source>
+        <translation>Nicht exportiert: %1</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 exportiert</translation>
+    </message>
+    <message>
+        <source>Export samples</source>
+        <translation>Messwerte exportieren</translation>
+    </message>
+    <message>
+        <source>CSV, mm and N</source>
+        <translation>CSV, mm und N</translation>
+    </message>
+    <message>
+        <source>Export drawing</source>
+        <translation>Zeichnung exportieren</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-Bild</translation>
+    </message>
+    <message>
+        <source>Export the vibration of a press</source>
+        <translation>Die Schwingung eines Drucks exportieren</translation>
+    </message>
+    <message>
+        <source>WAV sound</source>
+        <translation>WAV-Klang</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::FeelPanel</name>
+    <message>
+        <source>Feel</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>How the pad is pressed, what is felt, devices and force sensor</source>
+        <translation>Wie das Feld gedrückt wird, was zu fühlen ist, Geräte und Kraftsensor</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Press the other button</source>
+        <translation>Den anderen Taster drücken</translation>
+    </message>
+    <message>
+        <source>Exchange A and B under the finger. Both are played at their true levels: nothing is made equally loud.</source>
+        <translation>A und B unter dem Finger tauschen. Beide werden mit ihren wahren Pegeln gespielt: Nichts wird gleich laut gemacht.</translation>
+    </message>
+    <message>
+        <source>Standard press</source>
+        <translation>Normdruck</translation>
+    </message>
+    <message>
+        <source>Draw and play a standard press: rise 120 ms, hold 80 ms, fall 100 ms</source>
+        <translation>Einen Normdruck zeichnen und spielen: 120 ms hinab, 80 ms halten, 100 ms zurück</translation>
+    </message>
+    <message>
+        <source>My last press</source>
+        <translation>Mein letzter Druck</translation>
+    </message>
+    <message>
+        <source>Draw and play your own last press, on A as on B and after every edit: the same finger for each</source>
+        <translation>Ihren eigenen letzten Druck zeichnen und spielen, auf A wie auf B und nach jeder Änderung: derselbe Finger für alle</translation>
+    </message>
+    <message>
+        <source>Play the drawn press</source>
+        <translation>Gezeichneten Druck spielen</translation>
+    </message>
+    <message>
+        <source>Play the press that is drawn on the sound device: the transducer moves by itself</source>
+        <translation>Den gezeichneten Druck auf dem Audiogerät spielen: Der Wandler bewegt sich von selbst</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Spielen</translation>
+    </message>
+    <message>
+        <source>Press %1</source>
+        <translation>%1 drücken</translation>
+    </message>
+    <message>
+        <source>No button is open</source>
+        <translation>Kein Taster ist offen</translation>
+    </message>
+    <message>
+        <source>Choose a second button to compare with</source>
+        <translation>Wählen Sie einen zweiten Taster zum Vergleich</translation>
+    </message>
+    <message>
+        <source>This button cannot be pressed: %1</source>
+        <translation>Dieser Taster lässt sich nicht drücken: %1</translation>
+    </message>
+    <message>
+        <source>This build of Detent has no live playback, so the pad cannot be pressed. The vibration is drawn below.</source>
+        <translation>Dieses Detent ist ohne Live-Wiedergabe gebaut, daher lässt sich das Feld nicht drücken. Die Schwingung ist unten gezeichnet.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::FeelSession</name>
+    <message>
+        <source>Pressing %1, at its true level</source>
+        <translation>%1 wird mit seinem wahren Pegel gedrückt</translation>
+    </message>
+    <message>
+        <source>One press at a time</source>
+        <translation>Ein Druck zur Zeit</translation>
+    </message>
+    <message>
+        <source>Switch the sound on to play a press</source>
+        <translation>Schalten Sie den Ton ein, um einen Druck zu spielen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::FeelSetup</name>
+    <message>
+        <source>What mouse and touch do on the pad. Keys press by time, a pen by its pressure.</source>
+        <translation>Was Maus und Berührung auf dem Feld bewirken. Tasten drücken nach Zeit, ein Stift nach seinem Druck.</translation>
+    </message>
+    <message>
+        <source>Hold: a human-like press</source>
+        <translation>Halten: ein Druck wie von Menschenhand</translation>
+    </message>
+    <message>
+        <source>Drag down: depth</source>
+        <translation>Hinabziehen: Tiefe</translation>
+    </message>
+    <message>
+        <source>Drag down: force</source>
+        <translation>Hinabziehen: Kraft</translation>
+    </message>
+    <message>
+        <source>&amp;Press with mouse:</source>
+        <translation>&amp;Drücken mit der Maus:</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Force of a full press: at the end of a timed press, at full pen pressure, at the end of a drag. Automatic: a quarter more than the button's strongest force.</source>
+        <translation>Kraft eines vollen Drucks: am Ende eines Drucks nach Zeit, bei vollem Stiftdruck, am Ende eines Zugs. Automatisch: ein Viertel mehr als die stärkste Kraft des Tasters.</translation>
+    </message>
+    <message>
+        <source>&amp;Full press:</source>
+        <translation>&amp;Voller Druck:</translation>
+    </message>
+    <message>
+        <source>Graph follows the state</source>
+        <translation>Graph folgt dem Zustand</translation>
+    </message>
+    <message>
+        <source>Of a self-locking button the graph shows the state that is felt: unlocked, locked.</source>
+        <translation>Von einem rastenden Taster zeigt der Graph den Zustand, der gefühlt wird: gelöst, eingerastet.</translation>
+    </message>
+    <message>
+        <source>Which parts of the button are felt; for comparing with the base case.</source>
+        <translation>Welche Teile des Tasters zu fühlen sind; zum Vergleich mit dem Grundfall.</translation>
+    </message>
+    <message>
+        <source>Everything</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Clicks only (jumps, bottom-out)</source>
+        <translation>Nur Klicks (Sprünge, Anschlag)</translation>
+    </message>
+    <message>
+        <source>Slopes only (grains)</source>
+        <translation>Nur Steigungen (Körner)</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>F&amp;eedback:</source>
+        <translation>&amp;Rückmeldung:</translation>
+    </message>
+    <message>
+        <source>Even: every event equally late</source>
+        <translation>Gleichmäßig: alles gleich spät</translation>
+    </message>
+    <message>
+        <source>Events sound at the time at which the finger passed them, plus a constant delay.</source>
+        <translation>Ereignisse klingen zu der Zeit, zu der der Finger sie überschritt, mit fester Verzögerung.</translation>
+    </message>
+    <message>
+        <source>Fast: every event at once</source>
+        <translation>Schnell: alles sofort</translation>
+    </message>
+    <message>
+        <source>Events sound as soon as a reading shows them: earlier on average, less evenly.</source>
+        <translation>Ereignisse klingen, sobald ein Messwert sie zeigt: im Mittel früher, weniger gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>Timing:</source>
+        <translation>Zeitlage:</translation>
+    </message>
+    <message>
+        <source>A .device file: response of the transducer, calibration of the sensor, as measured by detent-play sweep and calibrate.</source>
+        <translation>Eine .device-Datei: Antwort des Wandlers und Kalibrierung des Sensors, wie detent-play sweep und calibrate sie messen.</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
+        <source>Play as for a perfect device</source>
+        <translation>Spielen wie für ein vollkommenes Gerät</translation>
+    </message>
+    <message>
+        <source>&amp;Device profile:</source>
+        <translation>&amp;Geräteprofil:</translation>
+    </message>
+    <message>
+        <source>Sound device that drives the transducer</source>
+        <translation>Audiogerät, das den Wandler treibt</translation>
+    </message>
+    <message>
+        <source>Look again</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source>Look for sound devices again</source>
+        <translation>Noch einmal nach Audiogeräten suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Sound device:</source>
+        <translation>&amp;Audiogerät:</translation>
+    </message>
+    <message>
+        <source>Sample rate in Hz</source>
+        <translation>Abtastrate in Hz</translation>
+    </message>
+    <message>
+        <source>the device's own</source>
+        <translation>die des Geräts</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Samples per buffer: smaller is faster, larger is safer against drop-outs</source>
+        <translation>Abtastwerte je Puffer: Kleiner ist schneller, größer ist sicherer gegen Aussetzer</translation>
+    </message>
+    <message>
+        <source>the host's choice</source>
+        <translation>vom System gewählt</translation>
+    </message>
+    <message>
+        <source>%1 frames</source>
+        <translation>%1 Frames</translation>
+    </message>
+    <message>
+        <source>Sample &amp;rate:</source>
+        <translation>A&amp;btastrate:</translation>
+    </message>
+    <message>
+        <source>&amp;Buffer:</source>
+        <translation>P&amp;uffer:</translation>
+    </message>
+    <message>
+        <source>Serial port of the force sensor, for example /dev/ttyACM0</source>
+        <translation>Serieller Anschluss des Kraftsensors, zum Beispiel /dev/ttyACM0</translation>
+    </message>
+    <message>
+        <source>Bits per second; USB sensors ignore it</source>
+        <translation>Bits je Sekunde; USB-Sensoren beachten sie nicht</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Press with the force sensor; calibrated by the device profile</source>
+        <translation>Mit dem Kraftsensor drücken; kalibriert durch das Geräteprofil</translation>
+    </message>
+    <message>
+        <source>Force se&amp;nsor:</source>
+        <translation>Kraft&amp;sensor:</translation>
+    </message>
+    <message>
+        <source>Ba&amp;ud rate:</source>
+        <translation>Ba&amp;udrate:</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Default output</source>
+        <translation>Standardausgabe</translation>
+    </message>
+    <message>
+        <source>Default output (%1)</source>
+        <translation>Standardausgabe (%1)</translation>
+    </message>
+    <message>
+        <source>output channels: %1, %2 Hz</source>
+        <translation>Ausgabekanäle: %1, %2 Hz</translation>
+    </message>
+    <message>
+        <source>%1 (not there now)</source>
+        <translation>%1 (gerade nicht da)</translation>
+    </message>
+    <message>
+        <source>Looking for sound devices…</source>
+        <translation>Audiogeräte werden gesucht …</translation>
+    </message>
+    <message>
+        <source>No sound device was found. Connect one or start the sound server, then look again.</source>
+        <translation>Kein Audiogerät gefunden. Schließen Sie eines an oder starten Sie den Audioserver, dann suchen Sie neu.</translation>
+    </message>
+    <message>
+        <source>measured %1</source>
+        <translation>gemessen %1</translation>
+    </message>
+    <message>
+        <source>From the force crossing on a 425 Hz sensor to the first sample, on a JACK server, without converter, amplifier and transducer (docs/bench-playback.md)</source>
+        <translation>Vom Überschreiten der Kraft an einem Sensor mit 425 Hz bis zum ersten Abtastwert, an einem JACK-Server, ohne Wandler, Verstärker und Umsetzer (docs/bench-playback.md)</translation>
+    </message>
+    <message>
+        <source>%1: </source>
+        <translation>%1: </translation>
+    </message>
+    <message>
+        <source>resonances: %1, equalizer bands: %2</source>
+        <translation>Resonanzen: %1, Bänder des Equalizers: %2</translation>
+    </message>
+    <message>
+        <source>; sensor calibrated from %1 to %2 N, ±%3 N</source>
+        <translation>; Sensor kalibriert von %1 bis %2 N, ±%3 N</translation>
+    </message>
+    <message>
+        <source>; measured delay %1 ms (SD %2, N = %3)</source>
+        <translation>; gemessene Verzögerung %1 ms (SD %2, N = %3)</translation>
+    </message>
+    <message>
+        <source>Waiting for the first reading. If none comes: is the baud rate right?</source>
+        <translation>Es wird auf den ersten Messwert gewartet. Wenn keiner kommt: Stimmt die Baudrate?</translation>
+    </message>
+    <message>
+        <source>Running, %1 readings a second</source>
+        <translation>Läuft, %1 Messwerte je Sekunde</translation>
+    </message>
+    <message>
+        <source>Silent: it has stopped sending. Check its power and its program.</source>
+        <translation>Stumm: Er sendet nicht mehr. Prüfen Sie seine Versorgung und sein Programm.</translation>
+    </message>
+    <message>
+        <source>Stuck: the same force for 10 s. Something presses on it, or it is defective.</source>
+        <translation>Hängt: seit 10 s dieselbe Kraft. Etwas drückt darauf, oder er ist defekt.</translation>
+    </message>
+    <message>
+        <source>Unplugged. It goes on by itself when it is plugged in again.</source>
+        <translation>Abgezogen. Sobald er wieder angesteckt ist, geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>; %1 readings rejected, %2 lines not understood</source>
+        <translation>; %1 Messwerte verworfen, %2 Zeilen nicht verstanden</translation>
+    </message>
+    <message>
+        <source>Device profile</source>
+        <translation>Geräteprofil</translation>
+    </message>
+    <message>
+        <source>Device profiles (*.device);;All files (*)</source>
+        <translation>Geräteprofile (*.device);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::FileDesk</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Not opened: %1</source>
+        <translation>Nicht geöffnet: %1</translation>
+    </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter …</translation>
+    </message>
+    <message>
+        <source>Not saved: %1</source>
+        <translation>Nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Another Detent window (process %1) has this file open. Whoever saves second is asked before the first one's changes are overwritten.</source>
+        <translation>Ein anderes Detent-Fenster (Prozess %1) hat diese Datei offen. Wer als Zweiter speichert, wird gefragt, bevor die Änderungen des Ersten überschrieben werden.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Reloaded %1</source>
+        <translation>%1 neu geladen</translation>
+    </message>
+    <message>
+        <source>Not reloaded: %1</source>
+        <translation>Nicht neu geladen: %1</translation>
+    </message>
+    <message>
+        <source>Not saved: another program has changed %1 since it was read here.</source>
+        <translation>Nicht gespeichert: Ein anderes Programm hat %1 geändert, seit die Datei hier gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Buttons</source>
+        <translation>Taster</translation>
+    </message>
+    <message>
+        <source>%1 exists already.</source>
+        <translation>%1 gibt es schon.</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>%1 is open in another tab. Close it there first, or choose another name</source>
+        <translation>%1 ist in einem anderen Reiter offen. Schließen Sie den Taster zuerst dort, oder wählen Sie einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>Another program changed this file, and there are unsaved changes here. Reloading can be undone.</source>
+        <translation>Ein anderes Programm hat diese Datei geändert, und hier gibt es nicht gespeicherte Änderungen. Das Neuladen lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Another program changed this file.</source>
+        <translation>Ein anderes Programm hat diese Datei geändert.</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Meine behalten</translation>
+    </message>
+    <message>
+        <source>The file of this button was deleted or moved away. Saving writes it again.</source>
+        <translation>Die Datei dieses Tasters wurde gelöscht oder verschoben. Speichern schreibt sie neu.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::FindingsPanel</name>
+    <message>
+        <source>I have checked it against the page</source>
+        <translation>Ich habe es mit der Seite verglichen</translation>
+    </message>
+    <message>
+        <source>Findings and corrections</source>
+        <translation>Befunde und Berichtigungen</translation>
+    </message>
+    <message>
+        <source>How sure the import is, in percent</source>
+        <translation>Wie sicher der Import ist, in Prozent</translation>
+    </message>
+    <message>
+        <source>Lets a result that is in doubt be imported</source>
+        <translation>Lässt ein zweifelhaftes Ergebnis importieren</translation>
+    </message>
+    <message>
+        <source>Plot frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Draw…</source>
+        <translation>Zeichnen …</translation>
+    </message>
+    <message>
+        <source>Drag a new plot frame on the page</source>
+        <translation>Einen neuen Rahmen auf die Seite ziehen</translation>
+    </message>
+    <message>
+        <source>Reset plot frame</source>
+        <translation>Rahmen zurücksetzen</translation>
+    </message>
+    <message>
+        <source>The last result that worked, %1 % sure</source>
+        <translation>Das letzte gelungene Ergebnis, zu %1 % sicher</translation>
+    </message>
+    <message>
+        <source>%1 % sure: please check</source>
+        <translation>Zu %1 % sicher: bitte prüfen</translation>
+    </message>
+    <message>
+        <source>%1 % sure</source>
+        <translation>zu %1 % sicher</translation>
+    </message>
+    <message>
+        <source>Reading the graph …</source>
+        <translation>Der Graph wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Nothing to import yet</source>
+        <translation>Noch nichts zu importieren</translation>
+    </message>
+    <message>
+        <source>%1 %2 %</source>
+        <translation>%1 %2 %</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::GraphCanvas</name>
+    <message>
+        <source>Force graph</source>
+        <translation>Kraftgraph</translation>
+    </message>
+    <message>
+        <source>Tab goes through the points of the graph, arrow keys move the selected one, Delete removes it.</source>
+        <translation>Tab geht durch die Punkte des Graphen, Pfeiltasten verschieben den gewählten, Entf entfernt ihn.</translation>
+    </message>
+    <message numerus="yes">
+        <source>Force graph: %n points selected</source>
+        <translation><numerusform>Kraftgraph: %n Punkt ausgewählt</numerusform><numerusform>Kraftgraph: %n Punkte ausgewählt</numerusform></translation>
+    </message>
+    <message>
+        <source>Force graph: %1</source>
+        <translation>Kraftgraph: %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::GraphWorkspace</name>
+    <message>
+        <source>&amp;State</source>
+        <translation>&amp;Zustand</translation>
+    </message>
+    <message>
+        <source>State of the button</source>
+        <translation>Zustand des Tasters</translation>
+    </message>
+    <message>
+        <source>The state that is edited; the other one is drawn pale behind it.</source>
+        <translation>Der Zustand, der bearbeitet wird; der andere ist blass dahinter gezeichnet.</translation>
+    </message>
+    <message>
+        <source>&amp;Page</source>
+        <translation>&amp;Seite</translation>
+    </message>
+    <message>
+        <source>Opacity of the datasheet page</source>
+        <translation>Deckkraft der Datenblattseite</translation>
+    </message>
+    <message>
+        <source>How strongly the datasheet page shows under the curves, in %</source>
+        <translation>Wie stark die Seite des Datenblatts unter den Kurven zu sehen ist, in %</translation>
+    </message>
+    <message>
+        <source>&amp;Select and move</source>
+        <translation>&amp;Auswählen und verschieben</translation>
+    </message>
+    <message>
+        <source>Drag tactile points, knots, slope handles and sections</source>
+        <translation>Druckpunkte, Knoten, Steigungsgriffe und Abschnitte ziehen</translation>
+    </message>
+    <message>
+        <source>Add &amp;knot</source>
+        <translation>&amp;Knoten hinzufügen</translation>
+    </message>
+    <message>
+        <source>Click on a curve to add a knot</source>
+        <translation>Auf eine Kurve klicken, um einen Knoten zu setzen</translation>
+    </message>
+    <message>
+        <source>Add &amp;jump</source>
+        <translation>&amp;Sprung hinzufügen</translation>
+    </message>
+    <message>
+        <source>Press where the jump begins, pull its valley into place</source>
+        <translation>Drücken, wo der Sprung beginnt, und sein Tal an seinen Platz ziehen</translation>
+    </message>
+    <message>
+        <source>&amp;Pan</source>
+        <translation>&amp;Ansicht schieben</translation>
+    </message>
+    <message>
+        <source>Drag the view; the middle button does it in every tool</source>
+        <translation>Die Ansicht ziehen; die mittlere Maustaste tut es mit jedem Werkzeug</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Removes the selected knot, jump, operating or reset point</source>
+        <translation>Entfernt den gewählten Knoten, Sprung, Schalt- oder Rückschaltpunkt</translation>
+    </message>
+    <message>
+        <source>&amp;Corner or smooth</source>
+        <translation>&amp;Ecke oder glatt</translation>
+    </message>
+    <message>
+        <source>Turns the selected knot into a corner, or smooths it</source>
+        <translation>Macht den gewählten Knoten zur Ecke oder glättet ihn</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Copies the selected points as text and removes them</source>
+        <translation>Kopiert die gewählten Punkte als Text und entfernt sie</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copies the selected stretch as text, or the whole button</source>
+        <translation>Kopiert das gewählte Stück als Text, oder den ganzen Taster</translation>
+    </message>
+    <message>
+        <source>Select &amp;all</source>
+        <translation>A&amp;lles auswählen</translation>
+    </message>
+    <message>
+        <source>Selects all knots, operating and reset point</source>
+        <translation>Wählt alle Knoten, Schalt- und Rückschaltpunkt</translation>
+    </message>
+    <message>
+        <source>Align at one &amp;force</source>
+        <translation>Auf eine &amp;Kraft ausrichten</translation>
+    </message>
+    <message>
+        <source>Brings the selected knots to the force of the last one</source>
+        <translation>Bringt die gewählten Knoten auf die Kraft des letzten</translation>
+    </message>
+    <message>
+        <source>Align at one &amp;displacement</source>
+        <translation>Auf einen &amp;Weg ausrichten</translation>
+    </message>
+    <message>
+        <source>Brings the selected knots to the displacement of the last one</source>
+        <translation>Bringt die gewählten Knoten auf den Weg des letzten</translation>
+    </message>
+    <message>
+        <source>Distribute over d&amp;isplacement</source>
+        <translation>Über den W&amp;eg verteilen</translation>
+    </message>
+    <message>
+        <source>Puts the selected knots of a stroke at equal distances</source>
+        <translation>Setzt die gewählten Knoten einer Kurve in gleiche Abstände</translation>
+    </message>
+    <message>
+        <source>Distribute over f&amp;orce</source>
+        <translation>Über die K&amp;raft verteilen</translation>
+    </message>
+    <message>
+        <source>Puts the selected knots of a stroke at equal steps of force</source>
+        <translation>Setzt die gewählten Knoten einer Kurve in gleiche Kraftstufen</translation>
+    </message>
+    <message>
+        <source>Copied the selected stretch</source>
+        <translation>Das gewählte Stück wurde kopiert</translation>
+    </message>
+    <message>
+        <source>Paste a stretch</source>
+        <translation>Ein Stück einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>Ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>Shows the whole graph</source>
+        <translation>Zeigt den ganzen Graphen</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>The wheel zooms at the pointer; with Alt displacement alone, with Ctrl force alone</source>
+        <translation>Das Mausrad vergrößert am Zeiger; mit Alt nur den Weg, mit Strg nur die Kraft</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ver&amp;kleinern</translation>
+    </message>
+    <message>
+        <source>Shows more of the plane</source>
+        <translation>Zeigt mehr von der Ebene</translation>
+    </message>
+    <message>
+        <source>Displacement over &amp;force</source>
+        <translation>Weg über &amp;Kraft</translation>
+    </message>
+    <message>
+        <source>The graph the other way round, jumps as vertical lines</source>
+        <translation>Der Graph andersherum, Sprünge als senkrechte Linien</translation>
+    </message>
+    <message>
+        <source>&amp;Damping</source>
+        <translation>&amp;Dämpfung</translation>
+    </message>
+    <message>
+        <source>b(x), where the button has it</source>
+        <translation>b(x), wo der Taster sie hat</translation>
+    </message>
+    <message>
+        <source>&amp;Traced points and residuals</source>
+        <translation>Abgelesene &amp;Punkte und Abweichungen</translation>
+    </message>
+    <message>
+        <source>The traced points, and how far the curve misses them, ten times enlarged</source>
+        <translation>Die abgelesenen Punkte, und wie weit die Kurve sie verfehlt, zehnfach vergrößert</translation>
+    </message>
+    <message>
+        <source>&amp;Magnifier</source>
+        <translation>&amp;Lupe</translation>
+    </message>
+    <message>
+        <source>Five times as large, while something is dragged</source>
+        <translation>Fünffach, während etwas gezogen wird</translation>
+    </message>
+    <message>
+        <source>&amp;Knots</source>
+        <translation>K&amp;noten</translation>
+    </message>
+    <message>
+        <source>Knots and turns; without them the picture is plain</source>
+        <translation>Knoten und Umkehrpunkte; ohne sie ist das Bild schlicht</translation>
+    </message>
+    <message>
+        <source>Snap to &amp;grid</source>
+        <translation>Am &amp;Raster fangen</translation>
+    </message>
+    <message>
+        <source>Dragged points cling to the snap grid</source>
+        <translation>Gezogene Punkte haften am Fangraster</translation>
+    </message>
+    <message>
+        <source>Snap to tr&amp;aced points</source>
+        <translation>An &amp;abgelesenen Punkten fangen</translation>
+    </message>
+    <message>
+        <source>Dragged points cling to what was traced on the page</source>
+        <translation>Gezogene Punkte haften an dem, was auf der Seite abgelesen wurde</translation>
+    </message>
+    <message>
+        <source>Snap to the other &amp;stroke</source>
+        <translation>An der anderen K&amp;urve fangen</translation>
+    </message>
+    <message>
+        <source>Points of the press cling to the release curve, and the other way round</source>
+        <translation>Punkte des Drückens haften an der Kurve des Rückwegs und umgekehrt</translation>
+    </message>
+    <message>
+        <source>State %1</source>
+        <translation>Zustand %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::HistoryPanel</name>
+    <message>
+        <source>Steps of this button</source>
+        <translation>Schritte dieses Tasters</translation>
+    </message>
+    <message>
+        <source>Every step since the button was opened; click one to go there.</source>
+        <translation>Jeder Schritt, seit der Taster geöffnet wurde; ein Klick führt dorthin.</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Neu</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation>Geöffnet</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ImportDialog</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Adjust</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>Drag corners, edges and ticks</source>
+        <translation>Ecken, Kanten und Teilstriche ziehen</translation>
+    </message>
+    <message>
+        <source>Axis values</source>
+        <translation>Achsenwerte</translation>
+    </message>
+    <message>
+        <source>Click ticks and type their values</source>
+        <translation>Teilstriche anklicken und ihre Werte eingeben</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>Rahmen</translation>
+    </message>
+    <message>
+        <source>Draw a plot frame</source>
+        <translation>Einen Rahmen zeichnen</translation>
+    </message>
+    <message>
+        <source>Press curve</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Click the press curve</source>
+        <translation>Kurve des Drückens anklicken</translation>
+    </message>
+    <message>
+        <source>Release curve</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>Click the release curve</source>
+        <translation>Kurve des Rückwegs anklicken</translation>
+    </message>
+    <message>
+        <source>Draw press</source>
+        <translation>Hinweg ziehen</translation>
+    </message>
+    <message>
+        <source>Click points along the press curve, or draw along it</source>
+        <translation>Punkte entlang der Kurve des Drückens klicken, oder an ihr entlang zeichnen</translation>
+    </message>
+    <message>
+        <source>Draw release</source>
+        <translation>Rückweg ziehen</translation>
+    </message>
+    <message>
+        <source>Click points along the release curve, or draw along it</source>
+        <translation>Punkte entlang der Kurve des Rückwegs klicken, oder an ihr entlang zeichnen</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Mask a rectangle</source>
+        <translation>Ein Rechteck maskieren</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Paint a mask</source>
+        <translation>Eine Maske malen</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Schieben</translation>
+    </message>
+    <message>
+        <source>Drag the page</source>
+        <translation>Die Seite ziehen</translation>
+    </message>
+    <message>
+        <source>Next graph</source>
+        <translation>Nächster Graph</translation>
+    </message>
+    <message>
+        <source>Previous graph</source>
+        <translation>Voriger Graph</translation>
+    </message>
+    <message>
+        <source>Tick all graphs</source>
+        <translation>Alle Graphen ankreuzen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Undo the last correction</source>
+        <translation>Die letzte Berichtigung rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wieder</translation>
+    </message>
+    <message>
+        <source>Redo the correction</source>
+        <translation>Die Berichtigung wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Graph</source>
+        <translation>Graph</translation>
+    </message>
+    <message>
+        <source>Show the graph</source>
+        <translation>Den Graphen zeigen</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Show the whole page</source>
+        <translation>Die ganze Seite zeigen</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Zoom in</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Out</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Zoom out</source>
+        <translation>Verkleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open a picture, PDF, SVG or a force meter's CSV (%1)</source>
+        <translation>Ein Bild, PDF, SVG oder die CSV eines Kraftmessgeräts öffnen (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste picture</source>
+        <translation>Bild &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Import the picture on the clipboard (%1)</source>
+        <translation>Das Bild in der Zwischenablage importieren (%1)</translation>
+    </message>
+    <message>
+        <source>&amp;Quality</source>
+        <translation>&amp;Qualität</translation>
+    </message>
+    <message>
+        <source>Quality of the import</source>
+        <translation>Qualität des Imports</translation>
+    </message>
+    <message>
+        <source>How carefully the graph is read: usual time of an import and the usual distance of the curve from the printed one, as measured on datasheet graphs. Corrections stay when it changes.</source>
+        <translation>Wie sorgfältig der Graph gelesen wird: übliche Zeit eines Imports und üblicher Abstand der Kurve von der gedruckten, gemessen an Graphen aus Datenblättern. Berichtigungen bleiben, wenn sie sich ändert.</translation>
+    </message>
+    <message>
+        <source>Progress of the import</source>
+        <translation>Fortschritt des Imports</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop reading; the last result stays</source>
+        <translation>Das Lesen anhalten; das letzte Ergebnis bleibt</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importieren</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Displacement unit</source>
+        <translation>Wegeinheit</translation>
+    </message>
+    <message>
+        <source>Force unit</source>
+        <translation>Krafteinheit</translation>
+    </message>
+    <message>
+        <source> – %1 pages</source>
+        <translation> – %1 Seiten</translation>
+    </message>
+    <message>
+        <source>Import a force graph</source>
+        <translation>Einen Kraftgraphen importieren</translation>
+    </message>
+    <message>
+        <source>Import – %1</source>
+        <translation>Importieren – %1</translation>
+    </message>
+    <message>
+        <source>Undo: %1 (%2)</source>
+        <translation>Rückgängig: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>Nichts rückgängig zu machen</translation>
+    </message>
+    <message>
+        <source>Redo: %1 (%2)</source>
+        <translation>Wiederherstellen: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>Nichts wiederherzustellen</translation>
+    </message>
+    <message>
+        <source>Searching for graphs: page %1 of %2</source>
+        <translation>Graphen werden gesucht: Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>No force graph was found on this page.</source>
+        <translation>Auf dieser Seite wurde kein Kraftgraph gefunden.</translation>
+    </message>
+    <message>
+        <source>No force graph was found.</source>
+        <translation>Es wurde kein Kraftgraph gefunden.</translation>
+    </message>
+    <message>
+        <source>If there is one, draw its plot frame on the page or click a dashed rectangle.</source>
+        <translation>Wenn hier einer ist, zeichnen Sie seinen Rahmen auf die Seite oder klicken Sie auf ein gestricheltes Rechteck.</translation>
+    </message>
+    <message>
+        <source>&amp;Import %1 graphs</source>
+        <translation>%1 Graphen &amp;importieren</translation>
+    </message>
+    <message>
+        <source>Import the ticked graphs, each as a button of its own</source>
+        <translation>Die angekreuzten Graphen importieren, jeden als eigenen Taster</translation>
+    </message>
+    <message>
+        <source>Import this graph as a button (Ctrl+Enter)</source>
+        <translation>Diesen Graphen als Taster importieren (Strg+Eingabe)</translation>
+    </message>
+    <message>
+        <source>Exchange strokes</source>
+        <translation>Kurven vertauschen</translation>
+    </message>
+    <message>
+        <source>Open a datasheet or a force meter's log</source>
+        <translation>Ein Datenblatt oder das Protokoll eines Kraftmessgeräts öffnen</translation>
+    </message>
+    <message>
+        <source>Datasheets and logs (*.pdf *.svg *.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp *.csv)</source>
+        <translation>Datenblätter und Protokolle (*.pdf *.svg *.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp *.csv)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>There is no picture on the clipboard. Copy one, for instance with the snipping tool of your system.</source>
+        <translation>In der Zwischenablage ist kein Bild. Kopieren Sie eines, zum Beispiel mit dem Bildschirmfoto-Werkzeug Ihres Systems.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ImportState</name>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Pasted picture</source>
+        <translation>Eingefügtes Bild</translation>
+    </message>
+    <message>
+        <source>Draw plot frame</source>
+        <translation>Rahmen zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::Keyboard</name>
+    <message numerus="yes">
+        <source>Move %n points</source>
+        <translation><numerusform>%n Punkt verschieben</numerusform><numerusform>%n Punkte verschieben</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points selected</source>
+        <translation><numerusform>%n Punkt ausgewählt</numerusform><numerusform>%n Punkte ausgewählt</numerusform></translation>
+    </message>
+    <message>
+        <source>Align at one force</source>
+        <translation>Auf eine Kraft ausrichten</translation>
+    </message>
+    <message>
+        <source>Align at one displacement</source>
+        <translation>Auf einen Weg ausrichten</translation>
+    </message>
+    <message>
+        <source>Distribute over force</source>
+        <translation>Über die Kraft verteilen</translation>
+    </message>
+    <message>
+        <source>Distribute over displacement</source>
+        <translation>Über den Weg verteilen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Remove %n points</source>
+        <translation><numerusform>%n Punkt entfernen</numerusform><numerusform>%n Punkte entfernen</numerusform></translation>
+    </message>
+    <message>
+        <source>No knot stands at this turn. Select a knot or a tactile point.</source>
+        <translation>An diesem Umkehrpunkt steht kein Knoten. Wählen Sie einen Knoten oder einen Druckpunkt.</translation>
+    </message>
+    <message>
+        <source>Select a knot to make it a corner or smooth.</source>
+        <translation>Wählen Sie einen Knoten, um ihn zur Ecke zu machen oder zu glätten.</translation>
+    </message>
+    <message>
+        <source>Corner or smooth: %1</source>
+        <translation>Ecke oder glatt: %1</translation>
+    </message>
+    <message>
+        <source>Add knot</source>
+        <translation>Knoten hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::LevelMeter</name>
+    <message>
+        <source>Output level</source>
+        <translation>Ausgangspegel</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Output level, in dB of full scale: the bar is the peak of the last 20 ms, the line the highest peak (held for 1.5 s), the number the same.&lt;/p&gt;&lt;p&gt;LIM lights up while the limiter holds the level at its ceiling: lower the gain to feel the button's true strength.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Ausgangspegel in dB der Vollaussteuerung: Der Balken ist die Spitze der letzten 20 ms, die Linie die höchste Spitze (1,5 s gehalten), die Zahl ebenso.&lt;/p&gt;&lt;p&gt;LIM leuchtet, solange der Begrenzer den Pegel an der Decke hält: Senken Sie die Verstärkung, um die wahre Stärke des Tasters zu fühlen.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>silent</source>
+        <translation>still</translation>
+    </message>
+    <message>
+        <source>peak %1 dB</source>
+        <translation>Spitze %1 dB</translation>
+    </message>
+    <message>
+        <source>, limited</source>
+        <translation>, begrenzt</translation>
+    </message>
+    <message>
+        <source>LIM</source>
+        <translation>LIM</translation>
+    </message>
+    <message>
+        <source>%1 dB</source>
+        <translation>%1 dB</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::LibraryPanel</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open buttons</source>
+        <translation>Offene Taster</translation>
+    </message>
+    <message>
+        <source>Folder of the library</source>
+        <translation>Ordner der Sammlung</translation>
+    </message>
+    <message>
+        <source>Choose the folder whose buttons are listed here</source>
+        <translation>Den Ordner wählen, dessen Taster hier aufgeführt werden</translation>
+    </message>
+    <message>
+        <source>Filter by name</source>
+        <translation>Nach Namen filtern</translation>
+    </message>
+    <message>
+        <source>Buttons of the folder</source>
+        <translation>Taster des Ordners</translation>
+    </message>
+    <message>
+        <source>Choose a folder…</source>
+        <translation>Ordner wählen …</translation>
+    </message>
+    <message>
+        <source>The buttons of a folder can be listed here.</source>
+        <translation>Hier lassen sich die Taster eines Ordners aufführen.</translation>
+    </message>
+    <message>
+        <source>No button files (*.button.json) with this name here.</source>
+        <translation>Hier gibt es keine Tasterdateien (*.button.json) mit diesem Namen.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Compare with the one shown</source>
+        <translation>Mit dem gezeigten vergleichen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::LogPlot</name>
+    <message>
+        <source>Measured points and fit</source>
+        <translation>Gemessene Punkte und Anpassung</translation>
+    </message>
+    <message>
+        <source>Reading the log …</source>
+        <translation>Das Protokoll wird gelesen …</translation>
+    </message>
+    <message>
+        <source>No curve could be read from this log</source>
+        <translation>Aus diesem Protokoll ließ sich keine Kurve lesen</translation>
+    </message>
+    <message>
+        <source>Displacement [%1]</source>
+        <translation>Weg [%1]</translation>
+    </message>
+    <message>
+        <source>Force [%1]</source>
+        <translation>Kraft [%1]</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::MainWindow</name>
+    <message>
+        <source>Show or hide: %1</source>
+        <translation>Zeigen oder verbergen: %1</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Sammlung</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Checks</source>
+        <translation>Prüfungen</translation>
+    </message>
+    <message>
+        <source>Feel it</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>Button B to exchange with</source>
+        <translation>Taster B zum Tauschen</translation>
+    </message>
+    <message>
+        <source>The second button (B): press it in exchange with the one shown</source>
+        <translation>Der zweite Taster (B): im Wechsel mit dem gezeigten zu drücken</translation>
+    </message>
+    <message>
+        <source>Exchange &amp;with:</source>
+        <translation>&amp;Tauschen mit:</translation>
+    </message>
+    <message>
+        <source>Displacement and force under the mouse</source>
+        <translation>Weg und Kraft unter der Maus</translation>
+    </message>
+    <message>
+        <source>Units</source>
+        <translation>Einheiten</translation>
+    </message>
+    <message>
+        <source>Units that everything is shown and typed in</source>
+        <translation>Einheiten, in denen alles gezeigt und eingegeben wird</translation>
+    </message>
+    <message>
+        <source>no other button</source>
+        <translation>kein anderer Taster</translation>
+    </message>
+    <message>
+        <source>Detent</source>
+        <translation>Detent</translation>
+    </message>
+    <message>
+        <source>%1[*] – Detent</source>
+        <translation>%1[*] – Detent</translation>
+    </message>
+    <message>
+        <source>The clipboard holds no picture, no file and nothing copied from a button. Copy a picture of a graph, or points of a curve, first.</source>
+        <translation>In der Zwischenablage sind kein Bild, keine Datei und nichts aus einem Taster Kopiertes. Kopieren Sie zuerst ein Bild eines Graphen oder Punkte einer Kurve.</translation>
+    </message>
+    <message>
+        <source>Copied the whole button as text.</source>
+        <translation>Der ganze Taster wurde als Text kopiert.</translation>
+    </message>
+    <message>
+        <source>Copied a picture of the graph.</source>
+        <translation>Ein Bild des Graphen wurde kopiert.</translation>
+    </message>
+    <message>
+        <source>Copied the samples as CSV, in mm and N.</source>
+        <translation>Die Messwerte wurden als CSV kopiert, in mm und N.</translation>
+    </message>
+    <message>
+        <source>Printed %1.</source>
+        <translation>%1 gedruckt.</translation>
+    </message>
+    <message>
+        <source>The printer took nothing. Choose another one, or print to a file.</source>
+        <translation>Der Drucker hat nichts angenommen. Wählen Sie einen anderen, oder drucken Sie in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Rename the button</source>
+        <translation>Den Taster umbenennen</translation>
+    </message>
+    <message>
+        <source>Name:</source>
+        <translation>Name:</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;New from template…</source>
+        <translation>&amp;Neu aus Vorlage …</translation>
+    </message>
+    <message>
+        <source>Start a new button from a template</source>
+        <translation>Einen neuen Taster aus einer Vorlage beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open buttons, datasheets, pictures or CSV files</source>
+        <translation>Taster, Datenblätter, Bilder oder CSV-Dateien öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Import a datasheet…</source>
+        <translation>Ein Datenblatt &amp;importieren …</translation>
+    </message>
+    <message>
+        <source>Read the force graph from a picture, PDF, SVG or CSV</source>
+        <translation>Den Kraftgraphen aus einem Bild, PDF, SVG oder CSV lesen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save this button</source>
+        <translation>Diesen Taster speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save this button under another name</source>
+        <translation>Diesen Taster unter einem anderen Namen speichern</translation>
+    </message>
+    <message>
+        <source>Save a&amp;ll</source>
+        <translation>A&amp;lle speichern</translation>
+    </message>
+    <message>
+        <source>Save every button with unsaved changes</source>
+        <translation>Alle Taster mit nicht gespeicherten Änderungen speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>&amp;Bild (PNG) …</translation>
+    </message>
+    <message>
+        <source>Write a picture of the graph, 2400 by 1600 pixels</source>
+        <translation>Ein Bild des Graphen schreiben, 2400 mal 1600 Pixel</translation>
+    </message>
+    <message>
+        <source>&amp;Drawing (SVG)…</source>
+        <translation>&amp;Zeichnung (SVG) …</translation>
+    </message>
+    <message>
+        <source>Write a plot as datasheets print it, axes in the units shown</source>
+        <translation>Einen Graphen schreiben, wie Datenblätter ihn drucken, Achsen in den gezeigten Einheiten</translation>
+    </message>
+    <message>
+        <source>&amp;Samples (CSV)…</source>
+        <translation>&amp;Messwerte (CSV) …</translation>
+    </message>
+    <message>
+        <source>Write samples of the state shown, in mm and N</source>
+        <translation>Messwerte des gezeigten Zustands schreiben, in mm und N</translation>
+    </message>
+    <message>
+        <source>&amp;Vibration of a press (WAV)…</source>
+        <translation>&amp;Schwingung eines Drucks (WAV) …</translation>
+    </message>
+    <message>
+        <source>Write what a standard press feels like: mono, 48 kHz</source>
+        <translation>Schreiben, wie sich ein Normdruck anfühlt: mono, 48 kHz</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken …</translation>
+    </message>
+    <message>
+        <source>Print the graph with its values</source>
+        <translation>Den Graphen mit seinen Werten drucken</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+    <message>
+        <source>Close this button</source>
+        <translation>Diesen Taster schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close everything</source>
+        <translation>Alles schließen</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last step back</source>
+        <translation>Den letzten Schritt zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Do the step again</source>
+        <translation>Den Schritt noch einmal tun</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Import the picture or file in the clipboard, or put copied points or a copied button in</source>
+        <translation>Das Bild oder die Datei in der Zwischenablage importieren, oder kopierte Punkte oder einen kopierten Taster einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Duplizieren</translation>
+    </message>
+    <message>
+        <source>Open a copy of this button in a new tab</source>
+        <translation>Eine Kopie dieses Tasters in einem neuen Reiter öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as picture</source>
+        <translation>Als &amp;Bild kopieren</translation>
+    </message>
+    <message>
+        <source>Copy a picture of the graph</source>
+        <translation>Ein Bild des Graphen kopieren</translation>
+    </message>
+    <message>
+        <source>Copy as C&amp;SV</source>
+        <translation>Als C&amp;SV kopieren</translation>
+    </message>
+    <message>
+        <source>Copy samples of the state shown, in mm and N</source>
+        <translation>Messwerte des gezeigten Zustands kopieren, in mm und N</translation>
+    </message>
+    <message>
+        <source>Re&amp;name the button…</source>
+        <translation>Den Taster &amp;umbenennen …</translation>
+    </message>
+    <message>
+        <source>Give the button another name</source>
+        <translation>Dem Taster einen anderen Namen geben</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Units</source>
+        <translation>&amp;Einheiten</translation>
+    </message>
+    <message>
+        <source>&amp;Appearance</source>
+        <translation>Er&amp;scheinungsbild</translation>
+    </message>
+    <message>
+        <source>&amp;Next panel</source>
+        <translation>&amp;Nächster Bereich</translation>
+    </message>
+    <message>
+        <source>Leave a table or list for the next panel</source>
+        <translation>Eine Tabelle oder Liste zum nächsten Bereich verlassen</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious panel</source>
+        <translation>&amp;Voriger Bereich</translation>
+    </message>
+    <message>
+        <source>Back to the panel before</source>
+        <translation>Zurück zum vorigen Bereich</translation>
+    </message>
+    <message>
+        <source>&amp;Full screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Use the whole screen</source>
+        <translation>Den ganzen Bildschirm benutzen</translation>
+    </message>
+    <message>
+        <source>Show displacements in %1</source>
+        <translation>Wege in %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Show forces in %1</source>
+        <translation>Kräfte in %1 zeigen</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>Light or dark as the desktop is</source>
+        <translation>Hell oder dunkel wie der Desktop</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>Dark text on light ground</source>
+        <translation>Dunkler Text auf hellem Grund</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Light text on dark ground</source>
+        <translation>Heller Text auf dunklem Grund</translation>
+    </message>
+    <message>
+        <source>&amp;Button</source>
+        <translation>&amp;Taster</translation>
+    </message>
+    <message>
+        <source>&amp;Compare…</source>
+        <translation>&amp;Vergleichen …</translation>
+    </message>
+    <message>
+        <source>Lay this button over others and list the differences</source>
+        <translation>Diesen Taster über andere legen und die Unterschiede aufführen</translation>
+    </message>
+    <message>
+        <source>&amp;Next button</source>
+        <translation>&amp;Nächster Taster</translation>
+    </message>
+    <message>
+        <source>Show the next open button</source>
+        <translation>Den nächsten offenen Taster zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous button</source>
+        <translation>V&amp;origer Taster</translation>
+    </message>
+    <message>
+        <source>Show the previous open button</source>
+        <translation>Den vorigen offenen Taster zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard shortcuts</source>
+        <translation>&amp;Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>List every action with its keys</source>
+        <translation>Jede Aktion mit ihren Tasten aufführen</translation>
+    </message>
+    <message>
+        <source>&amp;About Detent</source>
+        <translation>Ü&amp;ber Detent</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version und Lizenz</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederherstellen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Forget these</source>
+        <translation>Diese &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Editing</source>
+        <translation>Bearbeiten</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>About Detent</source>
+        <translation>Über Detent</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Detent %1&lt;/b&gt;&lt;p&gt;From a printed force graph to a button you can feel.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. After S. Kim and G. Lee, UIST 2013, and P. Shrestha.&lt;/p&gt;</source>
+        <translation>&lt;b&gt;Detent %1&lt;/b&gt;&lt;p&gt;Vom gedruckten Kraftgraphen zum Taster, den man fühlen kann.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. Nach S. Kim und G. Lee, UIST 2013, und P. Shrestha.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::MaskBoxTool</name>
+    <message>
+        <source>Drag a rectangle over what is not a curve: texts, arrows, stamps.</source>
+        <translation>Ziehen Sie ein Rechteck über das, was keine Kurve ist: Texte, Pfeile, Stempel.</translation>
+    </message>
+    <message>
+        <source>Mask rectangle</source>
+        <translation>Rechteck maskieren</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::MaskBrushTool</name>
+    <message>
+        <source>Paint mask</source>
+        <translation>Maske malen</translation>
+    </message>
+    <message>
+        <source>Paint over what is not a curve. [ and ] change the size of the brush.</source>
+        <translation>Übermalen Sie, was keine Kurve ist. [ und ] ändern die Größe des Pinsels.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::NoticeBar</name>
+    <message>
+        <source>Close this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::OpenButtonsModel</name>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1, with unsaved changes</source>
+        <translation>%1, mit nicht gespeicherten Änderungen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::OperationDialog</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::OperationMenu</name>
+    <message>
+        <source>Add &amp;jump…</source>
+        <translation>&amp;Sprung hinzufügen …</translation>
+    </message>
+    <message>
+        <source>A tactile point with its valley, by numbers</source>
+        <translation>Ein Druckpunkt mit seinem Tal, nach Zahlen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove jump…</source>
+        <translation>Sprung &amp;entfernen …</translation>
+    </message>
+    <message>
+        <source>A straight line instead of tactile point and valley</source>
+        <translation>Eine Gerade statt Druckpunkt und Tal</translation>
+    </message>
+    <message>
+        <source>Snap r&amp;atio…</source>
+        <translation>Schn&amp;appverhältnis …</translation>
+    </message>
+    <message>
+        <source>How deep the valley lies below the tactile force</source>
+        <translation>Wie tief das Tal unter der Druckpunktkraft liegt</translation>
+    </message>
+    <message>
+        <source>Make &amp;linear…</source>
+        <translation>&amp;Linear machen …</translation>
+    </message>
+    <message>
+        <source>A straight line up to the bottom-out</source>
+        <translation>Eine Gerade bis zum Anschlag</translation>
+    </message>
+    <message>
+        <source>&amp;Mirror press to release…</source>
+        <translation>&amp;Drücken zum Rückweg spiegeln …</translation>
+    </message>
+    <message>
+        <source>A release curve from the press, with hysteresis</source>
+        <translation>Eine Kurve des Rückwegs aus dem Drücken, mit Hysterese</translation>
+    </message>
+    <message>
+        <source>Remove release &amp;curve…</source>
+        <translation>&amp;Rückweg entfernen …</translation>
+    </message>
+    <message>
+        <source>The release is then felt on the press curve</source>
+        <translation>Der Rückweg wird dann auf der Kurve des Drückens gefühlt</translation>
+    </message>
+    <message>
+        <source>Scale &amp;force…</source>
+        <translation>&amp;Kraft skalieren …</translation>
+    </message>
+    <message>
+        <source>All forces by one factor</source>
+        <translation>Alle Kräfte mit einem Faktor</translation>
+    </message>
+    <message>
+        <source>Scale &amp;travel…</source>
+        <translation>&amp;Weg skalieren …</translation>
+    </message>
+    <message>
+        <source>All displacements by one factor</source>
+        <translation>Alle Wege mit einem Faktor</translation>
+    </message>
+    <message>
+        <source>Ref&amp;it to the traced points…</source>
+        <translation>&amp;Neu an die abgelesenen Punkte anpassen …</translation>
+    </message>
+    <message>
+        <source>With more or fewer pieces</source>
+        <translation>Mit mehr oder weniger Stücken</translation>
+    </message>
+    <message>
+        <source>&amp;Operating and reset point…</source>
+        <translation>S&amp;chalt- und Rückschaltpunkt …</translation>
+    </message>
+    <message>
+        <source>Where the contact closes and opens</source>
+        <translation>Wo der Kontakt schließt und öffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Damping…</source>
+        <translation>Däm&amp;pfung …</translation>
+    </message>
+    <message>
+        <source>b(x) for force feedback, on or off</source>
+        <translation>b(x) für Kraftrückmeldung, ein oder aus</translation>
+    </message>
+    <message>
+        <source>T&amp;wo-level button…</source>
+        <translation>&amp;Zweistufiger Taster …</translation>
+    </message>
+    <message>
+        <source>Two tactile points, like a camera shutter</source>
+        <translation>Zwei Druckpunkte, wie der Auslöser einer Kamera</translation>
+    </message>
+    <message>
+        <source>&amp;Self-locking button…</source>
+        <translation>Ras&amp;tender Taster …</translation>
+    </message>
+    <message>
+        <source>Two states that alternate at each actuation</source>
+        <translation>Zwei Zustände, die bei jeder Betätigung wechseln</translation>
+    </message>
+    <message>
+        <source>Add s&amp;tate…</source>
+        <translation>Z&amp;ustand hinzufügen …</translation>
+    </message>
+    <message>
+        <source>A second state, as a copy of this one</source>
+        <translation>Ein zweiter Zustand, als Kopie von diesem</translation>
+    </message>
+    <message>
+        <source>Remove st&amp;ate…</source>
+        <translation>Zustand ent&amp;fernen …</translation>
+    </message>
+    <message>
+        <source>The other state alone remains</source>
+        <translation>Der andere Zustand bleibt allein</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::OriginMark</name>
+    <message>
+        <source>Reset</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Back to what was found</source>
+        <translation>Zurück zum Gefundenen</translation>
+    </message>
+    <message>
+        <source>given</source>
+        <translation>vorgegeben</translation>
+    </message>
+    <message>
+        <source>found, %1 % sure</source>
+        <translation>gefunden, zu %1 % sicher</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PageList</name>
+    <message>
+        <source>Pages and graphs</source>
+        <translation>Seiten und Graphen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PageListModel</name>
+    <message>
+        <source>Page %1: cannot be read</source>
+        <translation>Seite %1: nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>Page %1 …</source>
+        <translation>Seite %1 …</translation>
+    </message>
+    <message>
+        <source>Page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>Page %1 is still searched for graphs</source>
+        <translation>Seite %1 wird noch nach Graphen durchsucht</translation>
+    </message>
+    <message>
+        <source>Graph %1, %2
+%3</source>
+        <translation>Graph %1, %2
+%3</translation>
+    </message>
+    <message>
+        <source>Page %1, graph %2, %3, %4</source>
+        <translation>Seite %1, Graph %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>Graph %1 of page %2: %3. Tick several to import them together.</source>
+        <translation>Graph %1 auf Seite %2: %3. Kreuzen Sie mehrere an, um sie zusammen zu importieren.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PageReturn</name>
+    <message>
+        <source>This is not the sheet the button was read from, %1.</source>
+        <translation>Das ist nicht das Blatt, von dem der Taster gelesen wurde, %1.</translation>
+    </message>
+    <message>
+        <source>%1 is there, but the graph was not read again. %2</source>
+        <translation>%1 ist da, aber der Graph ließ sich nicht noch einmal lesen. %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PageTool</name>
+    <message>
+        <source>top left corner</source>
+        <translation>Die Ecke oben links</translation>
+    </message>
+    <message>
+        <source>top right corner</source>
+        <translation>Die Ecke oben rechts</translation>
+    </message>
+    <message>
+        <source>bottom right corner</source>
+        <translation>Die Ecke unten rechts</translation>
+    </message>
+    <message>
+        <source>bottom left corner</source>
+        <translation>Die Ecke unten links</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PageView</name>
+    <message>
+        <source>Page with findings</source>
+        <translation>Seite mit Befunden</translation>
+    </message>
+    <message>
+        <source>The page with plot frame, axis ticks and curves as found. Tab walks through corners and ticks, arrow keys nudge, Enter types a value.</source>
+        <translation>Die Seite mit Rahmen, Teilstrichen und Kurven, wie gefunden. Tab geht durch Ecken und Teilstriche, Pfeiltasten schieben, die Eingabetaste öffnet einen Wert.</translation>
+    </message>
+    <message>
+        <source>Value of the displacement tick</source>
+        <translation>Wert des Teilstrichs der Wegachse</translation>
+    </message>
+    <message>
+        <source>Value of the force tick</source>
+        <translation>Wert des Teilstrichs der Kraftachse</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>value in %1</source>
+        <translation>Wert in %1</translation>
+    </message>
+    <message>
+        <source>Set displacement tick</source>
+        <translation>Teilstrich der Wegachse setzen</translation>
+    </message>
+    <message>
+        <source>Set force tick</source>
+        <translation>Teilstrich der Kraftachse setzen</translation>
+    </message>
+    <message>
+        <source>Value of both axes at their common corner</source>
+        <translation>Wert beider Achsen in ihrer gemeinsamen Ecke</translation>
+    </message>
+    <message>
+        <source>value of both axes</source>
+        <translation>Wert beider Achsen</translation>
+    </message>
+    <message>
+        <source>Set the origin</source>
+        <translation>Ursprung setzen</translation>
+    </message>
+    <message>
+        <source>Opening %1 …</source>
+        <translation>%1 wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Drop a datasheet or a force meter's log here,
+paste a picture of a graph (%1),
+or open a file (%2).</source>
+        <translation>Legen Sie hier ein Datenblatt oder das Protokoll eines Kraftmessgeräts ab,
+fügen Sie ein Bild eines Graphen ein (%1),
+oder öffnen Sie eine Datei (%2).</translation>
+    </message>
+    <message>
+        <source>Graph %1: click to import it</source>
+        <translation>Graph %1: Klicken Sie, um ihn zu importieren</translation>
+    </message>
+    <message>
+        <source>Not taken for a force graph: %1 Click to import it by hand.</source>
+        <translation>Nicht für einen Kraftgraphen gehalten: %1 Klicken Sie, um ihn von Hand zu importieren.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PanTool</name>
+    <message>
+        <source>Drag the page. Everywhere else: with the middle button, or Space and drag.</source>
+        <translation>Ziehen Sie die Seite. Überall sonst: mit der mittleren Maustaste, oder mit der Leertaste und Ziehen.</translation>
+    </message>
+    <message>
+        <source>Drag to move the view; the wheel zooms at the pointer.</source>
+        <translation>Ziehen verschiebt die Ansicht; das Mausrad vergrößert am Zeiger.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PipetteTool</name>
+    <message>
+        <source>Pick press curve</source>
+        <translation>Kurve des Drückens wählen</translation>
+    </message>
+    <message>
+        <source>Pick release curve</source>
+        <translation>Kurve des Rückwegs wählen</translation>
+    </message>
+    <message>
+        <source>Click the press curve.</source>
+        <translation>Klicken Sie die Kurve des Drückens an.</translation>
+    </message>
+    <message>
+        <source>Click the release curve.</source>
+        <translation>Klicken Sie die Kurve des Rückwegs an.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PressPad</name>
+    <message>
+        <source>Press pad</source>
+        <translation>Druckfeld</translation>
+    </message>
+    <message>
+        <source>Press and hold Space or Enter to press the button. Mouse, pen and touch press it too.</source>
+        <translation>Halten Sie Leertaste oder Eingabetaste, um den Taster zu drücken. Maus, Stift und Berührung drücken ihn auch.</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Press the button: hold &lt;b&gt;Space&lt;/b&gt; or &lt;b&gt;Enter&lt;/b&gt;, the mouse, a finger, or a pen (its pressure is the force).&lt;/p&gt;&lt;p&gt;The scales show depth and force; lamps light up for what is felt.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Drücken Sie den Taster: Halten Sie &lt;b&gt;Leertaste&lt;/b&gt; oder &lt;b&gt;Eingabetaste&lt;/b&gt;, die Maus, einen Finger oder einen Stift (sein Druck ist die Kraft).&lt;/p&gt;&lt;p&gt;Die Skalen zeigen Tiefe und Kraft; Lampen leuchten bei dem, was zu fühlen ist.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Open a button to press it.</source>
+        <translation>Öffnen Sie einen Taster, um ihn zu drücken.</translation>
+    </message>
+    <message>
+        <source>hold to press</source>
+        <translation>zum Drücken halten</translation>
+    </message>
+    <message>
+        <source>drag down to press</source>
+        <translation>zum Drücken hinabziehen</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>Anschlag</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Space · mouse · pen · touch</source>
+        <translation>Leertaste · Maus · Stift · Berührung</translation>
+    </message>
+    <message>
+        <source>release stroke</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>press stroke</source>
+        <translation>Drücken</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::PressStrip</name>
+    <message>
+        <source>Last presses</source>
+        <translation>Letzte Drücke</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;The last 3 seconds: depth of the finger (down is deeper), and what was felt.&lt;/p&gt;&lt;p&gt;Short ticks: grains of the slopes. Bars: jumps of the press and release stroke, bottom-out. The line above stands for the closed contact.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Die letzten 3 Sekunden: Tiefe des Fingers (unten ist tiefer) und was zu fühlen war.&lt;/p&gt;&lt;p&gt;Kurze Striche: Körner der Steigungen. Balken: Sprünge des Drückens und des Rückwegs, Anschlag. Die Linie darüber steht für den geschlossenen Kontakt.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>What is felt runs through here</source>
+        <translation>Hier läuft durch, was zu fühlen ist</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::QuantityField</name>
+    <message>
+        <source>Between %1 and %2</source>
+        <translation>Zwischen %1 und %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::RecoveryDesk</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Detent ended without closing and kept what was not saved: %1</source>
+        <translation>Detent endete, ohne zu schließen, und hat behalten, was nicht gespeichert war: %1</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Discard…</source>
+        <translation>Verwerfen …</translation>
+    </message>
+    <message>
+        <source>Throw the unsaved changes away for good?</source>
+        <translation>Die nicht gespeicherten Änderungen endgültig wegwerfen?</translation>
+    </message>
+    <message>
+        <source>Throw away</source>
+        <translation>Wegwerfen</translation>
+    </message>
+    <message>
+        <source>Recover unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen wiederherstellen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::RecoveryStore</name>
+    <message>
+        <source>Autosave is off: the folder %1 cannot be written. Save your work yourself.</source>
+        <translation>Das selbsttätige Sichern ist aus: In den Ordner %1 lässt sich nicht schreiben. Speichern Sie Ihre Arbeit selbst.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ResultBox</name>
+    <message>
+        <source>%1 %2 ms</source>
+        <translation>%1 %2 ms</translation>
+    </message>
+    <message>
+        <source>Computed in %1 ms: %2</source>
+        <translation>In %1 ms berechnet: %2</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Printed on the page:
+%1</source>
+        <translation>Auf der Seite gedruckt:
+%1</translation>
+    </message>
+    <message>
+        <source>%1: 1 piece</source>
+        <translation>%1: 1 Stück</translation>
+    </message>
+    <message>
+        <source>%1: %2 pieces</source>
+        <translation>%1: %2 Stücke</translation>
+    </message>
+    <message>
+        <source>, off by %1 px</source>
+        <translation>, Abweichung %1 px</translation>
+    </message>
+    <message>
+        <source>
+   tactile point %1, %2</source>
+        <translation>
+   Druckpunkt %1, %2</translation>
+    </message>
+    <message>
+        <source>, no tactile point</source>
+        <translation>, kein Druckpunkt</translation>
+    </message>
+    <message>
+        <source>Travel %1</source>
+        <translation>Weg %1</translation>
+    </message>
+    <message>
+        <source>Press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>No release curve</source>
+        <translation>Keine Kurve des Rückwegs</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>Operating point</source>
+        <translation>Schaltpunkt</translation>
+    </message>
+    <message>
+        <source>Reset point</source>
+        <translation>Rückschaltpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ScaleTool</name>
+    <message>
+        <source>Click a tick of an axis and type the value that stands there; two per axis settle it. The corner where the axes meet sets both at once.</source>
+        <translation>Klicken Sie einen Teilstrich einer Achse an und geben Sie den Wert ein, der dort steht; zwei je Achse legen sie fest. Die Ecke, in der die Achsen sich treffen, setzt beide zugleich.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::SelectTool</name>
+    <message>
+        <source>Drag points, slope handles and sections; drag on the ground to select several. Shift keeps to one axis, Ctrl does not snap, Escape cancels.</source>
+        <translation>Ziehen Sie Punkte, Steigungsgriffe und Abschnitte; auf dem Grund ziehen wählt mehrere. Umschalt hält eine Achse, Strg fängt nicht, Esc bricht ab.</translation>
+    </message>
+    <message>
+        <source>No knot stands here. Add one (K) to select it with others.</source>
+        <translation>Hier steht kein Knoten. Fügen Sie einen hinzu (K), um ihn mit anderen auszuwählen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n points selected</source>
+        <translation><numerusform>%n Punkt ausgewählt</numerusform><numerusform>%n Punkte ausgewählt</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>Move %n points</source>
+        <translation><numerusform>%n Punkt verschieben</numerusform><numerusform>%n Punkte verschieben</numerusform></translation>
+    </message>
+    <message>
+        <source>Corner or smooth: %1</source>
+        <translation>Ecke oder glatt: %1</translation>
+    </message>
+    <message>
+        <source>Add knot</source>
+        <translation>Knoten hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::SheetDesk</name>
+    <message>
+        <source>Give up the corrections made to this sheet?</source>
+        <translation>Die Berichtigungen an diesem Blatt aufgeben?</translation>
+    </message>
+    <message>
+        <source>Give up</source>
+        <translation>Aufgeben</translation>
+    </message>
+    <message>
+        <source>a pasted picture</source>
+        <translation>ein eingefügtes Bild</translation>
+    </message>
+    <message>
+        <source>An import was interrupted; the corrections made to %1 are kept.</source>
+        <translation>Ein Import wurde unterbrochen; die Berichtigungen an %1 sind noch da.</translation>
+    </message>
+    <message>
+        <source>Continue</source>
+        <translation>Fortsetzen</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Find the sheet…</source>
+        <translation>Blatt suchen …</translation>
+    </message>
+    <message>
+        <source>Find the sheet</source>
+        <translation>Das Blatt suchen</translation>
+    </message>
+    <message>
+        <source>The page of %1 is behind the curves again.</source>
+        <translation>Die Seite von %1 liegt wieder hinter den Kurven.</translation>
+    </message>
+    <message>
+        <source>The sheet this button was read from, %1, is neither beside its file nor where it was last.</source>
+        <translation>Das Blatt, von dem dieser Taster gelesen wurde, %1, ist weder neben seiner Datei noch dort, wo es zuletzt war.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ShortcutDialog</name>
+    <message>
+        <source>Action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Search the shortcuts</source>
+        <translation>Die Tastenkürzel durchsuchen</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::SignalView</name>
+    <message>
+        <source>grain</source>
+        <translation>Korn</translation>
+    </message>
+    <message>
+        <source>press jump</source>
+        <translation>Sprung beim Drücken</translation>
+    </message>
+    <message>
+        <source>release jump</source>
+        <translation>Sprung auf dem Rückweg</translation>
+    </message>
+    <message>
+        <source>bottom-out</source>
+        <translation>Anschlag</translation>
+    </message>
+    <message>
+        <source>contact closes</source>
+        <translation>Kontakt schließt</translation>
+    </message>
+    <message>
+        <source>contact opens</source>
+        <translation>Kontakt öffnet</translation>
+    </message>
+    <message>
+        <source>signal message</source>
+        <translation>Signalmeldung</translation>
+    </message>
+    <message>
+        <source>Vibration of a press</source>
+        <translation>Schwingung eines Drucks</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Above: the vibration of a press, as a share of full scale. The grey line is the force (or depth) it was pressed with: a standard press (rise 120 ms, hold 80 ms, fall 100 ms; a quarter more force than the bottom-out needs) or your own last one.&lt;/p&gt;&lt;p&gt;Below: its spectrogram up to 1000 Hz; Hann window of 32 ms, levels from −60 to 0 dB of a full-scale sine.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Oben: die Schwingung eines Drucks, als Anteil der Vollaussteuerung. Die graue Linie ist die Kraft (oder Tiefe), mit der gedrückt wurde: ein Normdruck (120 ms hinab, 80 ms halten, 100 ms zurück; ein Viertel mehr Kraft, als der Anschlag braucht) oder Ihr eigener letzter.&lt;/p&gt;&lt;p&gt;Unten: ihr Spektrogramm bis 1000 Hz; Hann-Fenster von 32 ms, Pegel von −60 bis 0 dB eines voll ausgesteuerten Sinus.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Peak %1 percent of full scale, %2 milliseconds. %3</source>
+        <translation>Spitze %1 Prozent der Vollaussteuerung, %2 Millisekunden. %3</translation>
+    </message>
+    <message>
+        <source>The vibration of a press is drawn here.</source>
+        <translation>Hier wird die Schwingung eines Drucks gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Vibration of a standard press</source>
+        <translation>Schwingung eines Normdrucks</translation>
+    </message>
+    <message>
+        <source>Vibration of my last press</source>
+        <translation>Schwingung meines letzten Drucks</translation>
+    </message>
+    <message>
+        <source>peak %1 %</source>
+        <translation>Spitze %1 %</translation>
+    </message>
+    <message>
+        <source>felt</source>
+        <translation>gefühlt</translation>
+    </message>
+    <message>
+        <source>Hz</source>
+        <translation>Hz</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>−60 dB</source>
+        <translation>−60 dB</translation>
+    </message>
+    <message>
+        <source>0 dB</source>
+        <translation>0 dB</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1   %2 Hz   %3 dB</source>
+        <translation>%1   %2 Hz   %3 dB</translation>
+    </message>
+    <message>
+        <source>%1 ms   %2 at %3 mm</source>
+        <translation>%1 ms   %2 bei %3 mm</translation>
+    </message>
+    <message>
+        <source>%1   %2 % of full scale</source>
+        <translation>%1   %2 % der Vollaussteuerung</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::SoundBox</name>
+    <message>
+        <source>Sound</source>
+        <translation>Ton</translation>
+    </message>
+    <message>
+        <source>Play what is felt on the sound device. The device is opened by the first press, and closed when this is switched off.</source>
+        <translation>Auf dem Audiogerät spielen, was zu fühlen ist. Das Gerät wird beim ersten Druck geöffnet und geschlossen, wenn dies ausgeschaltet wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Gain</source>
+        <translation>&amp;Verstärkung</translation>
+    </message>
+    <message>
+        <source>Gain before the limiter, −40 to +20 dB; 0 dB is what the button and the device profile ask for</source>
+        <translation>Verstärkung vor dem Begrenzer, −40 bis +20 dB; 0 dB ist, was Taster und Geräteprofil verlangen</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Noch einmal</translation>
+    </message>
+    <message>
+        <source>Open the sound device once more</source>
+        <translation>Das Audiogerät noch einmal öffnen</translation>
+    </message>
+    <message>
+        <source>%1 dB</source>
+        <translation>%1 dB</translation>
+    </message>
+    <message>
+        <source>No sound: the finger is followed silently</source>
+        <translation>Kein Ton: Dem Finger wird still gefolgt</translation>
+    </message>
+    <message>
+        <source>Sound starts with the first press.</source>
+        <translation>Der Ton beginnt mit dem ersten Druck.</translation>
+    </message>
+    <message>
+        <source>Sound is off; the finger is followed silently.</source>
+        <translation>Der Ton ist aus; dem Finger wird still gefolgt.</translation>
+    </message>
+    <message>
+        <source>Opening the sound device; the finger is followed silently until then.</source>
+        <translation>Das Audiogerät wird geöffnet; bis dahin wird dem Finger still gefolgt.</translation>
+    </message>
+    <message>
+        <source>The sound device %1 is gone. Plug it in or start its server again: sound goes on by itself. Until then the finger is followed silently.</source>
+        <translation>Das Audiogerät %1 ist weg. Stecken Sie es an oder starten Sie seinen Server neu: Der Ton geht von selbst weiter. Bis dahin wird dem Finger still gefolgt.</translation>
+    </message>
+    <message>
+        <source>No sound: %1 The finger is followed silently.</source>
+        <translation>Kein Ton: %1 Dem Finger wird still gefolgt.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 kHz</source>
+        <translation>%1 · %2 kHz</translation>
+    </message>
+    <message>
+        <source> · buffer %1 (%2 ms)</source>
+        <translation> · Puffer %1 (%2 ms)</translation>
+    </message>
+    <message>
+        <source> · load %1 %</source>
+        <translation> · Last %1 %</translation>
+    </message>
+    <message>
+        <source> · drop-outs: %1</source>
+        <translation> · Aussetzer: %1</translation>
+    </message>
+    <message>
+        <source> · losses: %1</source>
+        <translation> · Verluste: %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::TabArea</name>
+    <message>
+        <source>Open buttons</source>
+        <translation>Offene Taster</translation>
+    </message>
+    <message>
+        <source>Not saved yet</source>
+        <translation>Noch nicht gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::TactileChoice</name>
+    <message>
+        <source>Tactile point</source>
+        <translation>Druckpunkt</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::TemplateDialog</name>
+    <message>
+        <source>New button</source>
+        <translation>Neuer Taster</translation>
+    </message>
+    <message>
+        <source>Templates</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>Start from a template and shape it, or drop a datasheet on the window instead.</source>
+        <translation>Beginnen Sie mit einer Vorlage und formen Sie sie, oder legen Sie stattdessen ein Datenblatt im Fenster ab.</translation>
+    </message>
+    <message>
+        <source>Create</source>
+        <translation>Anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::UnitPlot</name>
+    <message>
+        <source>Displacement (%1)</source>
+        <translation>Weg (%1)</translation>
+    </message>
+    <message>
+        <source>Force (%1)</source>
+        <translation>Kraft (%1)</translation>
+    </message>
+    <message>
+        <source>Damping (%1·s/%2)</source>
+        <translation>Dämpfung (%1·s/%2)</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ValuesModel</name>
+    <message>
+        <source>Tactile point %1</source>
+        <translation>Druckpunkt %1</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>Umkehrpunkt %1</translation>
+    </message>
+    <message>
+        <source>Knot %1</source>
+        <translation>Knoten %1</translation>
+    </message>
+    <message>
+        <source>Section %1</source>
+        <translation>Abschnitt %1</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>bottom-out</source>
+        <translation>Anschlag</translation>
+    </message>
+    <message>
+        <source>Press: tactile points</source>
+        <translation>Drücken: Druckpunkte</translation>
+    </message>
+    <message>
+        <source>Release: tactile points</source>
+        <translation>Rückweg: Druckpunkte</translation>
+    </message>
+    <message>
+        <source>Press: valleys and humps</source>
+        <translation>Drücken: Täler und Buckel</translation>
+    </message>
+    <message>
+        <source>Release: valleys and humps</source>
+        <translation>Rückweg: Täler und Buckel</translation>
+    </message>
+    <message>
+        <source>Press: sections, at their ends</source>
+        <translation>Drücken: Abschnitte, an ihren Enden</translation>
+    </message>
+    <message>
+        <source>Release: sections, at their ends</source>
+        <translation>Rückweg: Abschnitte, an ihren Enden</translation>
+    </message>
+    <message>
+        <source>Press: knots</source>
+        <translation>Drücken: Knoten</translation>
+    </message>
+    <message>
+        <source>Release: knots</source>
+        <translation>Rückweg: Knoten</translation>
+    </message>
+    <message>
+        <source>Contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Slope on the knot's left side</source>
+        <translation>Steigung auf der linken Seite des Knotens</translation>
+    </message>
+    <message>
+        <source>Slope on the knot's right side; of a section, from end to end</source>
+        <translation>Steigung auf der rechten Seite des Knotens; bei einem Abschnitt von Ende zu Ende</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Was</translation>
+    </message>
+    <message>
+        <source>At (%1)</source>
+        <translation>Bei (%1)</translation>
+    </message>
+    <message>
+        <source>Force (%1)</source>
+        <translation>Kraft (%1)</translation>
+    </message>
+    <message>
+        <source>Before (%1)</source>
+        <translation>Davor (%1)</translation>
+    </message>
+    <message>
+        <source>Slope (%1)</source>
+        <translation>Steigung (%1)</translation>
+    </message>
+    <message>
+        <source>Set: %1</source>
+        <translation>Setzen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ValuesPanel</name>
+    <message>
+        <source>Exact values of the force graph</source>
+        <translation>Genaue Werte des Kraftgraphen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::WelcomePage</name>
+    <message>
+        <source>Drop a datasheet here</source>
+        <translation>Legen Sie hier ein Datenblatt ab</translation>
+    </message>
+    <message>
+        <source>A picture, a PDF, an SVG, a force meter's CSV, or a button file. Detent reads the force graph and makes a button of it that you can shape and feel.</source>
+        <translation>Ein Bild, ein PDF, ein SVG, die CSV eines Kraftmessgeräts oder eine Tasterdatei. Detent liest den Kraftgraphen und macht daraus einen Taster, den Sie formen und fühlen können.</translation>
+    </message>
+    <message>
+        <source>Opened last</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Files opened last</source>
+        <translation>Zuletzt geöffnete Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer</name>
+    <message>
+        <source>%1 axis</source>
+        <translation>Achse %1</translation>
+    </message>
+    <message>
+        <source>%1 corners make no plot frame</source>
+        <translation>%1 Ecken ergeben keinen Rahmen</translation>
+    </message>
+    <message>
+        <source>corner (%1, %2) is outside the page</source>
+        <translation>die Ecke (%1, %2) liegt außerhalb der Seite</translation>
+    </message>
+    <message>
+        <source>page %1</source>
+        <translation>Seite %1</translation>
+    </message>
+    <message>
+        <source>page %1, graph %2</source>
+        <translation>Seite %1, Graph %2</translation>
+    </message>
+    <message>
+        <source>plot frame given by hand</source>
+        <translation>Rahmen von Hand vorgegeben</translation>
+    </message>
+    <message>
+        <source>%1 of 4 edges drawn, %2 vertical and %3 horizontal lines or ticks</source>
+        <translation>%1 von 4 Kanten gezeichnet, %2 senkrechte und %3 waagerechte Linien oder Teilstriche</translation>
+    </message>
+    <message>
+        <source>%1 labels below and %2 beside a rectangle of lines</source>
+        <translation>%1 Beschriftungen unter und %2 neben einem Rechteck aus Linien</translation>
+    </message>
+    <message>
+        <source>%1: given</source>
+        <translation>%1: vorgegeben</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 labels on an even progression over %4 ticks</source>
+        <translation>%1: %2 von %3 Beschriftungen in gleichmäßiger Folge über %4 Teilstriche</translation>
+    </message>
+    <message>
+        <source>drawn as one loop and told apart by its course</source>
+        <translation>als eine Schleife gezeichnet und an ihrem Verlauf unterschieden</translation>
+    </message>
+    <message>
+        <source>named by the legend</source>
+        <translation>von der Legende benannt</translation>
+    </message>
+    <message>
+        <source>press lies above release on %1 of where they differ</source>
+        <translation>das Drücken liegt auf %1 der Strecke, wo beide sich unterscheiden, über dem Rückweg</translation>
+    </message>
+    <message>
+        <source>one reaches a higher force</source>
+        <translation>eine erreicht eine höhere Kraft</translation>
+    </message>
+    <message>
+        <source>one curve: press only</source>
+        <translation>eine Kurve: nur das Drücken</translation>
+    </message>
+    <message>
+        <source>one curve, taken as press although the legend calls it release</source>
+        <translation>eine Kurve, für das Drücken genommen, obwohl die Legende sie Rückweg nennt</translation>
+    </message>
+    <message>
+        <source>exchanged by hand</source>
+        <translation>von Hand vertauscht</translation>
+    </message>
+    <message>
+        <source>the legend names them "%1" and "%2", not one switch's press and release</source>
+        <translation>die Legende nennt sie „%1“ und „%2“, nicht Drücken und Rückweg eines Tasters</translation>
+    </message>
+    <message>
+        <source>%1 numbers in a row and %2 in a column, without a rectangle of lines</source>
+        <translation>%1 Zahlen in einer Zeile und %2 in einer Spalte, ohne ein Rechteck aus Linien</translation>
+    </message>
+    <message>
+        <source>widened to where its numbers end</source>
+        <translation>erweitert bis dorthin, wo seine Zahlen enden</translation>
+    </message>
+    <message>
+        <source>the axes are not certain (%1)</source>
+        <translation>die Achsen sind nicht sicher (%1)</translation>
+    </message>
+    <message>
+        <source>the curves are not certain (%1)</source>
+        <translation>die Kurven sind nicht sicher (%1)</translation>
+    </message>
+    <message>
+        <source>the traced points make no curve (the fit is %1 px off them)</source>
+        <translation>die abgelesenen Punkte ergeben keine Kurve (die Anpassung verfehlt sie um %1 px)</translation>
+    </message>
+    <message>
+        <source>the graph %1</source>
+        <translation>der Graph %1</translation>
+    </message>
+    <message>
+        <source>the %1 numbers along it make no even progression</source>
+        <translation>die %1 Zahlen daran bilden keine gleichmäßige Folge</translation>
+    </message>
+    <message>
+        <source>this is more likely a drawing than a force graph (%1)</source>
+        <translation>dies ist eher eine Zeichnung als ein Kraftgraph (%1)</translation>
+    </message>
+    <message>
+        <source>what can be followed in this ink does not look like a force curve (confidence %1)</source>
+        <translation>was sich in dieser Farbe verfolgen lässt, sieht nicht nach einer Kraftkurve aus (Sicherheit %1)</translation>
+    </message>
+    <message>
+        <source>%1 curves, and which two belong together is not clear: %2</source>
+        <translation>%1 Kurven, und welche zwei zusammengehören, ist nicht klar: %2</translation>
+    </message>
+    <message>
+        <source>press and release cannot be told apart: neither legend nor hysteresis says which is which (%1, %2)</source>
+        <translation>Drücken und Rückweg lassen sich nicht unterscheiden: Weder Legende noch Hysterese sagt, welche welche ist (%1, %2)</translation>
+    </message>
+    <message>
+        <source>the %1 axis names no unit; %2 would be a guess</source>
+        <translation>die Achse %1 nennt keine Einheit; %2 wäre geraten</translation>
+    </message>
+    <message>
+        <source>the %1 axis measures "%2"</source>
+        <translation>die Achse %1 misst „%2“</translation>
+    </message>
+    <message>
+        <source>a travel of %1 is not a button's</source>
+        <translation>ein Weg von %1 ist nicht der eines Tasters</translation>
+    </message>
+    <message>
+        <source>a force of %1 is not a button's</source>
+        <translation>eine Kraft von %1 ist nicht die eines Tasters</translation>
+    </message>
+    <message>
+        <source>the press starts at %1, left of zero</source>
+        <translation>das Drücken beginnt bei %1, links von null</translation>
+    </message>
+    <message>
+        <source>the press goes down to %1, below zero</source>
+        <translation>das Drücken geht bis %1 hinab, unter null</translation>
+    </message>
+    <message>
+        <source>press and release are the same line over most of their length</source>
+        <translation>Drücken und Rückweg sind über den größten Teil ihrer Länge dieselbe Linie</translation>
+    </message>
+    <message>
+        <source>more than half of a curve is parallel to an axis, as gridlines are</source>
+        <translation>mehr als die Hälfte einer Kurve liegt parallel zu einer Achse, wie Rasterlinien es tun</translation>
+    </message>
+    <message>
+        <source>a stroke with %1 tactile points is not a button's</source>
+        <translation>eine Kurve mit %1 Druckpunkten ist nicht die eines Tasters</translation>
+    </message>
+    <message>
+        <source>the press drops at the end of its travel, as an edge of the frame does</source>
+        <translation>das Drücken fällt am Ende seines Wegs ab, wie eine Kante des Rahmens es tut</translation>
+    </message>
+    <message>
+        <source>a curve ends where the picture does</source>
+        <translation>eine Kurve endet, wo das Bild endet</translation>
+    </message>
+    <message>
+        <source>a second scale on the right measures something else</source>
+        <translation>eine zweite Skala rechts misst etwas anderes</translation>
+    </message>
+    <message>
+        <source>page %1: images of the document that cannot be decoded: %2; the rest was read</source>
+        <translation>Seite %1: Bilder des Dokuments, die sich nicht entschlüsseln lassen: %2; der Rest wurde gelesen</translation>
+    </message>
+    <message>
+        <source>page %1: %2</source>
+        <translation>Seite %1: %2</translation>
+    </message>
+    <message>
+        <source>no unit found on the %1 axis: taken as %2</source>
+        <translation>keine Einheit an der Achse %1 gefunden: für %2 genommen</translation>
+    </message>
+    <message>
+        <source>no unit found on the %1 axis: taken as N because it ends at 5 or below</source>
+        <translation>keine Einheit an der Achse %1 gefunden: für N genommen, weil sie bei 5 oder darunter endet</translation>
+    </message>
+    <message>
+        <source>no unit found on the %1 axis: taken as gf because it ends above 5</source>
+        <translation>keine Einheit an der Achse %1 gefunden: für gf genommen, weil sie über 5 endet</translation>
+    </message>
+    <message>
+        <source>the label "%1" on the %2 axis stands at %3 of the scale that the others make: left out</source>
+        <translation>die Beschriftung „%1“ der Achse %2 steht bei %3 der Skala, die die anderen bilden: weggelassen</translation>
+    </message>
+    <message>
+        <source>the %1 axis has no ticks: its scale comes from where its numbers stand</source>
+        <translation>die Achse %1 hat keine Teilstriche: Ihre Skala kommt daher, wo ihre Zahlen stehen</translation>
+    </message>
+    <message>
+        <source>no unit of displacement found: taken as %1</source>
+        <translation>keine Einheit des Wegs gefunden: für %1 genommen</translation>
+    </message>
+    <message>
+        <source>no unit of force found: taken as %1 from the size of the numbers</source>
+        <translation>keine Einheit der Kraft gefunden: nach der Größe der Zahlen für %1 genommen</translation>
+    </message>
+    <message>
+        <source>compression is negative in this file: forces were made positive</source>
+        <translation>Druckkräfte sind in dieser Datei negativ: Die Kräfte wurden positiv gemacht</translation>
+    </message>
+    <message>
+        <source>displacement falls while force rises in this file: its direction was reversed</source>
+        <translation>der Weg fällt in dieser Datei, während die Kraft steigt: Seine Richtung wurde umgekehrt</translation>
+    </message>
+    <message>
+        <source>the log holds %1 presses: the first complete cycle was taken</source>
+        <translation>das Protokoll enthält %1 Drücke: Der erste vollständige wurde genommen</translation>
+    </message>
+    <message>
+        <source>displacement starts at %1: shifted so that the press starts at zero</source>
+        <translation>der Weg beginnt bei %1: so verschoben, dass das Drücken bei null beginnt</translation>
+    </message>
+    <message>
+        <source>a force of %1 before contact was taken off as the meter's offset</source>
+        <translation>eine Kraft von %1 vor der Berührung wurde als Nullpunktfehler des Messgeräts abgezogen</translation>
+    </message>
+    <message>
+        <source>the log is long: each %1 rows were averaged into one</source>
+        <translation>das Protokoll ist lang: Je %1 Zeilen wurden zu einer gemittelt</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows hold no two finite numbers and were left out, the first in line %3 ("%4")</source>
+        <translation>%1 von %2 Zeilen enthalten keine zwei endlichen Zahlen und wurden weggelassen, die erste in Zeile %3 („%4“)</translation>
+    </message>
+    <message>
+        <source>the log holds no release stroke</source>
+        <translation>das Protokoll enthält keinen Rückweg</translation>
+    </message>
+    <message>
+        <source>the same graph is drawn %1 times (%2); the one on page %3 is taken, which reads best</source>
+        <translation>derselbe Graph ist %1 Mal gezeichnet (%2); genommen wurde der auf Seite %3, der sich am besten liest</translation>
+    </message>
+    <message>
+        <source>%1 graphs found; this is the most certain one (page %2, graph %3)</source>
+        <translation>%1 Graphen gefunden; dies ist der sicherste (Seite %2, Graph %3)</translation>
+    </message>
+    <message>
+        <source>%1</source>
+        <translation>%1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::ImportSession::Impl</name>
+    <message>
+        <source>1 to %1</source>
+        <translation>1 bis %1</translation>
+    </message>
+    <message>
+        <source>graph %1</source>
+        <translation>Graph %1</translation>
+    </message>
+    <message>
+        <source>no force graph found</source>
+        <translation>kein Kraftgraph gefunden</translation>
+    </message>
+    <message>
+        <source>no force graph found (%1)</source>
+        <translation>kein Kraftgraph gefunden (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>std</name>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+</context>
+</TS>

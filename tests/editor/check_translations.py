@@ -1,0 +1,84 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Whether each translation of the editor says everything the sources say.
+
+    check_translations.py --root FOLDER --lupdate PROGRAM
+
+Fails on a text of the sources that a translation does not have, on a value (%1, %n) or line break that got lost in it, on a missing
+plural form, and on a key of a menu (&) that is there in one language and not in the other. After a change of texts, build the
+target detent-edit-texts and translate what it marks as unfinished.
+"""
+
+import argparse
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ET
+from pathlib import Path
+
+FORMS = {"de": 2}  # plural forms
+
+
+def values(text):
+    return sorted(re.findall(r"%(?:L?\d+|n)", text))
+
+
+def has_key(text):
+    return re.search(r"&[^&\s]", text) is not None
+
+
+def faults_of(message, language):
+    source = message.findtext("source")
+    translation = message.find("translation")
+    if translation.get("type") in ("vanished", "obsolete"):
+        return
+    if message.get("numerus"):
+        texts = [form.text or "" for form in translation]
+        if len(texts) != FORMS[language]:
+            yield f"{len(texts)} plural forms, not {FORMS[language]}"
+    else:
+        texts = [translation.text or ""]
+    if translation.get("type") == "unfinished" or not all(texts):
+        yield "not translated"
+        return
+    for text in texts:
+        if values(text) != values(source):
+            yield f"values {values(source)} became {values(text)} in \"{text}\""
+        if text.count("\n") != source.count("\n"):
+            yield f"line breaks differ in \"{text}\""
+        if has_key(text) != has_key(source):
+            yield f"a key (&) is in one of both only: \"{text}\""
+        if source.strip() == source and text.strip() != text or source.startswith(" ") != text.startswith(" "):
+            yield f"spaces at the ends differ in \"{text}\""
+
+
+def check(file, root, lupdate):
+    language = file.stem.split("_")[-1]
+    with tempfile.TemporaryDirectory() as folder:
+        updated = Path(folder) / file.name
+        shutil.copy(file, updated)
+        subprocess.run([lupdate, "-silent", "-locations", "none", "-I", ".", "-tr-function-alias", "tr+=Message,tr+=words",
+                        "editor", "importer", "model", "-ts", updated], cwd=root, check=True, capture_output=True, timeout=300)
+        messages = [m for m in ET.parse(updated).getroot().iter("message")]
+    faults = [f"{file.name}: \"{message.findtext('source')}\": {fault}" for message in messages for fault in faults_of(message, language)]
+    print(f"{file.name}: {len(messages)} texts, {len(faults)} faults")
+    return faults
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[2])
+    parser.add_argument("--lupdate", type=Path, required=True)
+    arguments = parser.parse_args()
+    faults = []
+    for file in sorted((arguments.root / "editor/translations").glob("detent_*.ts")):
+        faults += check(file, arguments.root, arguments.lupdate)
+    for fault in faults:
+        print(fault)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
