@@ -18,6 +18,8 @@
 
 #include <qcustomplot.h>
 
+#include "editor/importing/page_view.h"
+
 namespace detent::editor {
 namespace {
 
@@ -43,6 +45,8 @@ QJsonObject axesJson(const QCustomPlot& plot) {
           {"y", axis(*plot.yAxis)},
           {"rect", rectJson(onScreen(plot, plot.axisRect()->rect()))}};
 }
+
+QJsonArray transformJson(const QTransform& t) { return {t.m11(), t.m12(), t.m21(), t.m22(), t.dx(), t.dy()}; }
 
 QJsonArray actionsJson(const QMenu& menu) {
   QJsonArray all;
@@ -83,6 +87,8 @@ QJsonObject widgetJson(const QWidget& widget) {
   if (const auto* button = qobject_cast<const QAbstractButton*>(&widget); button && button->isCheckable())
     object["checked"] = button->isChecked();
   if (const auto* plot = qobject_cast<const QCustomPlot*>(&widget)) object["axes"] = axesJson(*plot);
+  if (const auto* page = qobject_cast<const PageView*>(&widget))
+    object["page"] = transformJson(page->pageToWidget());
   if (const auto* menu = qobject_cast<const QMenu*>(&widget)) object["actions"] = actionsJson(*menu);
   if (const auto* table = qobject_cast<const QTableView*>(&widget)) object["cells"] = cellsJson(*table);
   if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) {

@@ -11,6 +11,7 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPrinter>
+#include <QScreen>
 #include <QStatusBar>
 #include <QToolBar>
 #include <QVBoxLayout>
@@ -343,6 +344,10 @@ void MainWindow::updateTitle() {
 
 void MainWindow::compareWith(ButtonDocument* other) {
   ButtonDocument* shown = tabs_->current() ? &tabs_->current()->document() : nullptr;
+  if (comparison_ && comparison_->isVisible() && other) {
+    comparison_->add(other);
+    return bringUp(*comparison_);
+  }
   for (ButtonDocument* document : tabs_->documents())
     if (!other && document != shown) other = document;
   comparePair(shown, other ? other : shown);
@@ -407,7 +412,8 @@ void MainWindow::applyAppearance() {
 // ---- between two runs
 
 void MainWindow::restoreWindow() {
-  if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray())) resize(firstSize_px);
+  if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray()))
+    resize(firstSize_px.boundedTo(screen()->availableSize()));
   restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
   if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
     library_->setFolder(folder);

@@ -76,19 +76,19 @@ void MainWindow::makeFileActions() {
   QMenu* exports = menu->addMenu(tr("&Export"));
   exports->setObjectName("exportMenu");
   exports->setToolTipsVisible(true);
-  exports->addAction(tabAction("exportPng", tr("&Picture (PNG)…"),
-                               tr("Write a picture of the graph, 2400 by 1600 pixels"),
-                               QKeySequence("Ctrl+E"), [this](DocumentTab& tab) { files_->exportPng(tab); }));
+  exports->addAction(
+      tabAction("exportPng", tr("&Picture (PNG)…"), tr("Write a picture of the graph, 2400 by 1600 pixels"),
+                QKeySequence("Ctrl+E"), [this](DocumentTab& tab) { files_->exports().png(tab); }));
   exports->addAction(tabAction(
       "exportSvg", tr("&Drawing (SVG)…"), tr("Write a plot as datasheets print it, axes in the units shown"),
-      QKeySequence("Ctrl+Shift+E"), [this](DocumentTab& tab) { files_->exportSvg(tab); }));
+      QKeySequence("Ctrl+Shift+E"), [this](DocumentTab& tab) { files_->exports().svg(tab); }));
   exports->addAction(
       tabAction("exportCsv", tr("&Samples (CSV)…"), tr("Write samples of the state shown, in mm and N"),
-                QKeySequence("Ctrl+Alt+E"), [this](DocumentTab& tab) { files_->exportCsv(tab); }));
+                QKeySequence("Ctrl+Alt+E"), [this](DocumentTab& tab) { files_->exports().csv(tab); }));
   exports->addAction(tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
                                tr("Write what a standard press feels like: mono, 48 kHz"),
                                QKeySequence("Ctrl+Alt+W"),
-                               [this](DocumentTab& tab) { files_->exportWav(tab); }));
+                               [this](DocumentTab& tab) { files_->exports().wav(tab); }));
   menu->addSeparator();
   menu->addAction(tabAction("print", tr("&Print…"), tr("Print the graph with its values"),
                             QKeySequence("Ctrl+P"), [this](DocumentTab& tab) { print(tab); }));
@@ -208,8 +208,8 @@ void MainWindow::makeAppearanceActions(QMenu* menu) {
 void MainWindow::makeWindowActions() {
   buttonMenu_ = menuOf(menuBar(), tr("&Button"), "buttonMenu");
   QMenu* menu = buttonMenu_;
-  menu->addAction(tabAction("compare", tr("&Compare two…"),
-                            tr("Lay this button over another and list the differences"),
+  menu->addAction(tabAction("compare", tr("&Compare…"),
+                            tr("Lay this button over others and list the differences"),
                             QKeySequence("Ctrl+K"), [this](DocumentTab&) { compareWith(nullptr); }));
   menu->addAction(action("forecasts", tr("&Who will be taken for whom?…"),
                          tr("Predict for all open buttons which of them people will confuse"),

@@ -3,15 +3,19 @@
 // valid; at the end undoing all gives the first button exactly, redoing all the last.
 //
 // DETENT_MONKEY_ACTIONS and DETENT_MONKEY_SEED change how many and which (defaults: 10000, 5).
+#include <QApplication>
+#include <QClipboard>
 #include <QDialog>
 #include <QKeyEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <random>
 
 #include "editor/panels/operation_dialog.h"
 #include "editor/panels/values_model.h"
 #include "editor/panels/values_panel.h"
 #include "editor/tools/damping_view.h"
+#include "editor/tools/knot_text.h"
 #include "model/edits.h"
 #include "tests/editor/workspace_rig.h"
 
@@ -65,6 +69,8 @@ class Monkey {
                                          {2, &Monkey::switchState},
                                          {2, &Monkey::doubleClick},
                                          {2, &Monkey::useDamping},
+                                         {4, &Monkey::selectSeveral},
+                                         {4, &Monkey::paste},
                                          {1, &Monkey::changeSnap},
                                          {1, &Monkey::fit},
                                          {1, &Monkey::tidy}};
@@ -150,6 +156,23 @@ class Monkey {
   void triggerEdit() {
     const auto actions = rig_.workspace.editActions();
     actions[upTo(static_cast<int>(actions.size()))]->trigger();
+  }
+  // As a rubber band or Shift and clicks leave them: any marks, in any order.
+  void selectSeveral() {
+    if (rig_.document.history().dragging()) return;
+    std::vector<MarkId> several;
+    for (const Mark& mark : pointMarks(rig_.canvas().state(), rig_.canvas().values()))
+      if (upTo(3) == 0) several.push_back(mark.id);
+    std::shuffle(several.begin(), several.end(), random_);
+    rig_.canvas().setSelection(several);
+  }
+  // What was copied or cut before, often; sometimes what another program left in the clipboard.
+  void paste() {
+    static const QString texts[] = {"", "words", textOf({{{1, 0.4, 0, 0}, {1.2, 0.5, 0, 0}}, {}}),
+                                    textOf({{{-7, 0.4, 0, 0}}, {{90, 0.5, 0, 0}}}),
+                                    textOf({{}, {{2, 1e300, 0, 0}, {2, -1e300, 0, 0}}})};
+    const QString text = upTo(3) > 0 ? QApplication::clipboard()->text() : texts[upTo(5)];
+    if (const auto stretch = stretchFrom(text)) rig_.workspace.paste(*stretch);
   }
   void useDialog(OperationDialog& dialog) {
     const std::size_t fields = dialog.values().size();

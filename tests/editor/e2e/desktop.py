@@ -40,11 +40,12 @@ def end(process):
 
 
 class Desktop:
-    """Xvfb on a display that is free, with openbox. Use with `with`."""
+    """Xvfb on a display that is free, with openbox. Use with `with`. Places are in the editor's pixels, `scale` screen pixels each."""
 
-    def __init__(self, folder, size="1500x950"):
-        self.folder, self.size = Path(folder), size
+    def __init__(self, folder, size="1500x950", scale=1):
+        self.folder, self.size, self.scale = Path(folder), size, scale
         self.started = []
+        self.actions = 0  # clicks, drags and keys of a person; what is typed into a field belongs to its click
 
     def __enter__(self):
         reading, writing = os.pipe()
@@ -58,7 +59,7 @@ class Desktop:
             raise NotThere(f"Xvfb did not start; its words are in {log.name}")
         self.environment = dict(os.environ, DISPLAY=self.display, QT_QPA_PLATFORM="xcb", LC_ALL="C.UTF-8",
                                 XDG_CONFIG_HOME=str(self.folder / "config"), XDG_DATA_HOME=str(self.folder / "data"),
-                                XDG_RUNTIME_DIR=str(self.folder), HOME=str(self.folder))
+                                XDG_RUNTIME_DIR=str(self.folder), HOME=str(self.folder), QT_SCALE_FACTOR=str(self.scale))
         self.environment.pop("WAYLAND_DISPLAY", None)
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
         self.start(["openbox"], env=self.environment, **quiet)
@@ -79,21 +80,31 @@ class Desktop:
                               timeout=30)
 
     def key(self, *keys):
+        self.actions += 1
         self.xdotool("key", "--clearmodifiers", *keys)
 
     def type(self, text):
         self.xdotool("type", "--clearmodifiers", "--delay", 8, text)
 
+    def move(self, place, *options):
+        self.xdotool("mousemove", *options, *(round(self.scale * part) for part in place))
+
     def click(self, place):
-        self.xdotool("mousemove", "--sync", *place)
+        self.actions += 1
+        self.move(place, "--sync")
         self.xdotool("click", 1)
 
     def drag(self, start, stop, steps=12):
         """Like a hand: several moves, a little time in each."""
-        self.xdotool("mousemove", "--sync", *start)
+        self.trail([start] + [[a + (b - a) * i / steps for a, b in zip(start, stop)] for i in range(1, steps + 1)])
+
+    def trail(self, places):
+        """One drag along places."""
+        self.actions += 1
+        self.move(places[0], "--sync")
         self.xdotool("mousedown", 1)
-        for i in range(1, steps + 1):
-            self.xdotool("mousemove", *(round(a + (b - a) * i / steps) for a, b in zip(start, stop)))
+        for place in places[1:]:
+            self.move(place)
             time.sleep(0.02)
         self.xdotool("mouseup", 1)
 
@@ -138,7 +149,7 @@ class Editor:
 
     def replace_text(self, name, text, window=None):
         self.click(name, window)
-        self.desktop.key("ctrl+a")
+        self.desktop.xdotool("key", "--clearmodifiers", "ctrl+a")
         self.desktop.type(text)
 
     def on_graph(self, x_mm, y_N, name="graphCanvas"):
@@ -147,6 +158,12 @@ class Editor:
         left, top, width, height = axes["rect"]
         (_, x0, x1), (_, y0, y1) = axes["x"], axes["y"]
         return (left + (x_mm - x0) / (x1 - x0) * width, top + (y1 - y_N) / (y1 - y0) * height)
+
+    def on_page(self, x, y):
+        """Where a place of the page in the import dialogue is on the screen."""
+        view = self.widget("pageView")
+        m11, m12, m21, m22, dx, dy = view["page"]
+        return (view["rect"][0] + m11 * x + m21 * y + dx, view["rect"][1] + m12 * x + m22 * y + dy)
 
     def per_pixel(self, name="graphCanvas"):
         """mm and N of one pixel."""

@@ -14,6 +14,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolBar>
 #include <QToolButton>
 
 #include "editor/importing/advice_bar.h"
@@ -90,6 +91,10 @@ class ImportDialogTest : public QObject {
   void theFrameIsDraggedWithTheMouse();
   void aCurveIsDrawnByHand();
   void aFrameBesideTheShownOneAddsAGraph();
+  void aMissingUnitIsAskedForInTheBanner();
+  void theOriginSetsBothAxes();
+  void theDialogueFitsSmallScreens();
+  void anotherSheetAsksBeforeCorrectionsGo();
   void aGraphOnItsSideIsCorrectedToo();
   void theKeyboardReachesEverything();
   void theWindowNeverStalls();
@@ -609,6 +614,106 @@ void ImportDialogTest::aCurveIsDrawnByHand() {
   QVERIFY(apart(state.current()->good->report) < 0.03);
   QVERIFY(std::abs(state.current()->good->report->button.states()[0].graph.press().end_mm() -
                    press.end_mm()) < 0.02 * length);
+}
+
+// The sheet names no unit of force: nothing is guessed quietly, and one click in the banner settles it.
+void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
+  QImage page(sample("brown-one-ink.png"));
+  {
+    QPainter painter(&page);
+    painter.fillRect(0, 160, 38, 150, Qt::white);  // "force (cN)"
+  }
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  dialog.openPicture(page);
+  auto* accept = dialog.findChild<QPushButton*>("import");
+  auto* banner = dialog.findChild<AdviceBar*>();
+  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), patience_ms);
+  QTest::qWait(50);
+  QVERIFY(!accept->isEnabled());
+  keepPicture(dialog, "missing-unit");
+  auto* inGram = dialog.findChild<QPushButton*>("forceUnit_gf");
+  QVERIFY(inGram && inGram->isVisible());
+  QSignalSpy imported(&dialog, &ImportDialog::imported);
+  QTest::mouseClick(inGram, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  QTest::mouseClick(accept, Qt::LeftButton);
+  QCOMPARE(imported.count(), 1);
+  const auto result = imported.front().front().value<Report>();
+  QCOMPARE(result->y->unit, std::string("gf"));
+  QCOMPARE(result->y->unitBy, DecidedBy::given);
+}
+
+void ImportDialogTest::theOriginSetsBothAxes() {
+  ViewSettings settings;
+  ImportState state;
+  PageView view(state, settings);
+  view.resize(800, 600);
+  view.show();
+  QVERIFY(open(state, sample("white-vector.pdf")));
+  const FrameCorners corners = *view.shownCorners();
+  view.setTool(ToolKind::scale);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, view.toWidget(corners[3]).toPoint() + QPoint(3, 2));
+  auto* editor = view.findChild<QLineEdit*>("tickValue");
+  QVERIFY(editor);
+  QCOMPARE(editor->text(), QString("0"));
+  QTest::keyClick(editor, Qt::Key_Return);
+  const Corrections& given = state.current()->history.now();
+  QCOMPARE(given.x.ticks.size(), std::size_t{1});
+  QCOMPARE(given.y.ticks.size(), std::size_t{1});
+  QVERIFY(given.x.ticks[0].at == corners[3] && given.y.ticks[0].value == 0);
+  state.undo();  // one step
+  QVERIFY(state.current()->history.now() == Corrections{});
+  QVERIFY(again(state));
+}
+
+// A screen of 1366x768 at twice the size leaves 683x384: what ends the work is still in reach.
+void ImportDialogTest::theDialogueFitsSmallScreens() {
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  dialog.openFile(sample("two-level-legend.png"));
+  auto* accept = dialog.findChild<QPushButton*>("import");
+  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  for (const QSize screen : {QSize(1366, 768), QSize(1024, 700), QSize(683, 384)}) {
+    const QSize room = screen - QSize(8, 40);  // a window's frame, a panel of the desktop
+    dialog.resize(room);
+    QTest::qWait(20);
+    QVERIFY2(dialog.width() <= room.width() && dialog.height() <= room.height(),
+             qPrintable(QString("%1x%2 at most %3x%4")
+                            .arg(dialog.width())
+                            .arg(dialog.height())
+                            .arg(room.width())
+                            .arg(room.height())));
+    QVERIFY(dialog.rect().contains(QRect(accept->mapTo(&dialog, QPoint()), accept->size())));
+    auto* bar = dialog.findChild<QToolBar*>();
+    for (QAction* action : bar->actions())
+      if (QWidget* button = bar->widgetForAction(action); !action->isSeparator())
+        QVERIFY2(button->isVisible(), qPrintable(action->text() + QString(" at %1").arg(screen.width())));
+    keepPicture(dialog, QString("screen-%1").arg(screen.width()));
+  }
+}
+
+void ImportDialogTest::anotherSheetAsksBeforeCorrectionsGo() {
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  int asked = 0;
+  bool mayLeave = false;
+  dialog.setLeaveQuestion([&] { return ++asked, mayLeave; });
+  dialog.openFile(sample("two-level-legend.png"));
+  auto* accept = dialog.findChild<QPushButton*>("import");
+  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  QCOMPARE(asked, 0);
+  ImportState& state = dialog.findChild<PageView*>()->state();
+  state.correct("Exchange strokes", [](Corrections& c) { c.swapStrokes = true; });
+  dialog.openFile(sample("white-vector.pdf"));
+  QCOMPARE(asked, 1);
+  QCOMPARE(state.documentName(), QString("two-level-legend.png"));
+  mayLeave = true;
+  dialog.openFile(sample("white-vector.pdf"));
+  QCOMPARE(state.documentName(), QString("white-vector.pdf"));
 }
 
 void ImportDialogTest::aGraphOnItsSideIsCorrectedToo() {

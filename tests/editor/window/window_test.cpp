@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window as a whole: actions, files, tabs, recovery, appearance, units.
 
+#include <QAbstractButton>
 #include <QAccessible>
 #include <QApplication>
 #include <QClipboard>
@@ -15,6 +16,7 @@
 #include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -48,6 +50,24 @@ using detent::editor::tests::ScriptedPrompts;
 namespace {
 
 QString sample(const char* name) { return QStringLiteral(DETENT_SOURCE_DIR "/samples/") + name; }
+
+/// Texts of buttons, labels and boxes of this window that are wider than their room.
+QStringList cutTexts(const QWidget& window) {
+  QStringList cut;
+  const auto look = [&cut](const QWidget& widget, const QString& text) {
+    if (widget.isVisible() && !text.isEmpty() && widget.sizeHint().width() > widget.width() + 1)
+      cut << QString("%1: \"%2\" needs %3, has %4")
+                 .arg(widget.objectName(), text)
+                 .arg(widget.sizeHint().width())
+                 .arg(widget.width());
+  };
+  for (const auto* button : window.findChildren<QAbstractButton*>())
+    if (button->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored) look(*button, button->text());
+  for (const auto* label : window.findChildren<QLabel*>())
+    if (!label->wordWrap() && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored)
+      look(*label, label->text());
+  return cut;
+}
 
 /// A window with a settings file and a recovery folder of its own.
 struct Rig {
@@ -126,6 +146,34 @@ class WindowTest : public QObject {
     qDeleteAll(qApp->findChildren<QTranslator*>());
     Rig rig(folder_->path());
     QVERIFY(rig.action("save")->toolTip().startsWith("Save"));
+  }
+
+  // German texts are a third longer than English ones.
+  void germanTextsAreNotCut() {
+    QVERIFY(installTranslation(*qApp, QLocale("de_DE"), DETENT_TRANSLATIONS));
+    const auto german = qScopeGuard([] { qDeleteAll(qApp->findChildren<QTranslator*>()); });
+    Rig rig(folder_->path());
+    QCOMPARE(rig.action("save")->text(), QString("&Speichern"));
+    rig.window->resize(1280, 820);
+    rig.window->files().open({sample("buttons/latch.button.json"), sample("buttons/B.button.json")});
+    rig.action("checksDockToggle")->trigger();
+    rig.action("feelDockToggle")->trigger();
+    QTest::qWait(100);
+    QStringList cut = cutTexts(*rig.window);
+    rig.action("compare")->trigger();
+    rig.window->files().open({sample("plots/two-level-legend.png")});
+    auto* import = rig.window->findChild<ImportDialog*>();
+    auto* accept = import->findChild<QPushButton*>("import");
+    QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), 60000);
+    QTest::qWait(100);
+    cut << cutTexts(*import) << cutTexts(*rig.window->findChild<CompareDialog*>());
+    if (const QString folder = qEnvironmentVariable("DETENT_PICTURES"); !folder.isEmpty()) {
+      rig.window->grab().save(folder + "/german-window.png");
+      import->grab().save(folder + "/german-import.png");
+      rig.window->findChild<CompareDialog*>()->grab().save(folder + "/german-compare.png");
+    }
+    import->close();
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join('\n')));
   }
 
   void everyActionIsComplete() {

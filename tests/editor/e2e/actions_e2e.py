@@ -1,0 +1,195 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How many actions a person needs in a real window, from a sheet to a saved button.
+
+    actions_e2e.py --bin FOLDER [--root FOLDER] [--keep FOLDER] [SHEET...]
+
+A click, a drag or a key is an action; what is typed into a field belongs to the click on it. Two ways are walked: a sheet that
+imports (those named, else a sample), and a page of which nothing is read, neither frame nor numbers nor curves. Then the
+windows are looked at on small screens and at twice the size.
+"""
+
+import argparse
+import json
+import math
+import shutil
+import struct
+import subprocess
+import sys
+import tempfile
+import zlib
+from pathlib import Path
+
+from desktop import Desktop, Editor, wait_for
+
+MOST_ACTIONS_THAT_IMPORT, MOST_ACTIONS_BY_HAND = 5, 15
+SCREENS = [("1024x700", 1), ("1366x768", 1), ("1366x768", 2)]
+
+
+def write_png(path, width, height, ink):
+    """8-bit grey; ink(x, y) gives 0 (black) to 255."""
+    rows = b"".join(b"\0" + bytes(ink(x, y) for x in range(width)) for y in range(height))
+
+    def chunk(kind, body):
+        return struct.pack(">I", len(body)) + kind + body + struct.pack(">I", zlib.crc32(kind + body))
+
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) +
+                     chunk(b"IDAT", zlib.compress(rows)) + chunk(b"IEND", b""))
+
+
+class BarePage:
+    """A plot without a single number or word: the person knows that it goes to 4 mm and 1 N."""
+
+    WIDTH, HEIGHT = 700, 500
+    LEFT, TOP, RIGHT, BOTTOM = 80, 40, 620, 420
+    TRAVEL_MM, FORCE_N = 4.0, 1.0
+
+    def force_N(self, x_mm):
+        bump = 0.25 * math.exp(-((x_mm - 1.2) / 0.5) ** 2)
+        return min(0.2 + 0.1 * x_mm + bump, 1)
+
+    def place(self, x_mm):
+        return (self.LEFT + x_mm / self.TRAVEL_MM * (self.RIGHT - self.LEFT),
+                self.BOTTOM - self.force_N(x_mm) / self.FORCE_N * (self.BOTTOM - self.TOP))
+
+    def ink(self, x, y):
+        on_frame = (x in (self.LEFT, self.RIGHT) and self.TOP <= y <= self.BOTTOM) or \
+                   (y in (self.TOP, self.BOTTOM) and self.LEFT <= x <= self.RIGHT)
+        if on_frame:
+            return 90
+        if not self.LEFT < x < self.RIGHT:
+            return 255
+        x_mm = (x - self.LEFT) / (self.RIGHT - self.LEFT) * self.TRAVEL_MM
+        return 20 if abs(y - self.place(x_mm)[1]) <= 1 else 255
+
+
+def save(editor, desktop, path):
+    desktop.key("ctrl+s")
+    field = editor.widget("fileNameEdit")
+    if str(path) not in field["text"]:  # where it is saved is this test's business, not an action of the person
+        desktop.xdotool("key", "--clearmodifiers", "ctrl+a")
+        desktop.type(str(path))
+    desktop.key("Return")
+    wait_for("the saved button", path.exists)
+
+
+def from_a_sheet_that_imports(programs, sheet, folder):
+    """Dropped on the window (here: named on the command line), imported, saved."""
+    with Desktop(folder) as desktop:
+        editor = Editor(desktop, programs / "detent-edit", [sheet])
+        desktop.actions = 1  # the drop
+        editor.click("import", "importDialog")
+        editor.widget("graphCanvas")
+        saved = folder / "imported.button.json"
+        save(editor, desktop, saved)
+        return desktop.actions
+
+
+def by_hand(programs, folder):
+    page = BarePage()
+    sheet = folder / "bare.png"
+    write_png(sheet, page.WIDTH, page.HEIGHT, page.ink)
+    with Desktop(folder) as desktop:
+        try:
+            return walk_by_hand(page, Editor(desktop, programs / "detent-edit", [sheet]), desktop, folder)
+        except BaseException:
+            desktop.screenshot(folder / "failure.png")
+            raise
+
+
+def walk_by_hand(page, editor, desktop, folder):
+    dialog = "importDialog"
+    wait_for("the page", lambda: editor.find("pageView", dialog) and editor.find("adviceBar", dialog))
+    desktop.actions = 1  # the drop
+    desktop.key("alt+3")
+    desktop.drag(editor.on_page(page.LEFT, page.TOP), editor.on_page(page.RIGHT, page.BOTTOM))
+    for field, value in (("xMin", "0"), ("xMax", "4"), ("yMin", "0"), ("yMax", "1")):
+        editor.replace_text(field, value, dialog)
+    desktop.xdotool("key", "Tab")
+    desktop.key("alt+9")
+    steps = 60
+    desktop.trail([editor.on_page(*page.place(page.TRAVEL_MM * (0.01 + 0.98 * i / steps))) for i in range(steps + 1)])
+    desktop.key("Return")
+    settle_doubts(editor, dialog)
+    editor.click("import", dialog)
+    editor.widget("graphCanvas")
+    saved = folder / "by-hand.button.json"
+    save(editor, desktop, saved)
+    check_curve(page, saved)
+    return desktop.actions
+
+
+def settle_doubts(editor, dialog):
+    """The units are asked for; what is in doubt still is confirmed."""
+    for choice in ("lengthUnit_mm", "forceUnit_N", "confirmed"):
+        def asked():
+            return editor.find("import", dialog, enabled=True) or editor.find(choice, dialog)
+        try:
+            wait_for(f"the import or {choice}", asked, 15)
+        except AssertionError:
+            continue
+        if editor.find("import", dialog, enabled=True):
+            return
+        editor.click(choice, dialog)
+
+
+def check_curve(page, saved):
+    for knot in json.loads(saved.read_text())["states"][0]["press"]:
+        x, force = knot["displacement_mm"], knot["force_N"]
+        if 0.1 < x < 3.9 and abs(force - page.force_N(x)) > 0.03:
+            raise AssertionError(f"drawn by hand: {force:.3f} N at {x:.2f} mm, not {page.force_N(x):.3f} N")
+
+
+def fits(programs, root, folder, size, scale):
+    width, height = (int(part) / scale for part in size.split("x"))
+    with Desktop(folder, size, scale) as desktop:
+        editor = Editor(desktop, programs / "detent-edit", [root / "samples/plots/two-level-legend.png"])
+        accept = editor.widget("import", "importDialog", enabled=True)
+        desktop.screenshot(folder / f"import-{size}-{scale}.png")
+        for name, rect in (("the import dialogue", next(w["rect"] for w in editor.report()["windows"] if w["name"] == "importDialog")),
+                           ("its Import button", accept["rect"])):
+            if rect[0] < 0 or rect[1] < 0 or rect[0] + rect[2] > width or rect[1] + rect[3] > height:
+                raise AssertionError(f"on a screen of {size} at scale {scale}, {name} is at {rect}")
+        editor.click("import", "importDialog")
+        editor.widget("graphCanvas")
+        desktop.screenshot(folder / f"window-{size}-{scale}.png")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("sheets", nargs="*", type=Path)
+    parser.add_argument("--bin", type=Path, required=True)
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[3])
+    parser.add_argument("--keep", type=Path)
+    arguments = parser.parse_args()
+    missing = [tool for tool in ("Xvfb", "openbox", "xdotool") if not shutil.which(tool)]
+    if missing:
+        print(f"SKIPPED counting the editor's actions: {', '.join(missing)} not installed")
+        return 0
+    root, programs = arguments.root.resolve(), arguments.bin.resolve()
+    failed = 0
+    with tempfile.TemporaryDirectory(prefix="detent-actions-") as name:
+        def walk(what, run, most=None):
+            nonlocal failed
+            folder = Path(name) / what.replace(" ", "-").replace("/", "-")
+            folder.mkdir()
+            try:
+                actions = run(folder)
+                print(f"{what}: " + (f"{actions} actions (at most {most})" if most else "fits"), flush=True)
+                failed += bool(most and actions > most)
+            except (AssertionError, subprocess.SubprocessError) as failure:
+                print(f"{what}: {type(failure).__name__}: {failure}", flush=True)
+                failed += 1
+
+        for sheet in [s.resolve() for s in arguments.sheets] or [root / "samples/plots/white-vector.pdf"]:
+            walk(sheet.name, lambda folder: from_a_sheet_that_imports(programs, sheet, folder), MOST_ACTIONS_THAT_IMPORT)
+        walk("by hand", lambda folder: by_hand(programs, folder), MOST_ACTIONS_BY_HAND)
+        for size, scale in SCREENS:
+            walk(f"screen {size} at {scale}", lambda folder: fits(programs, root, folder, size, scale))
+        if arguments.keep:
+            shutil.copytree(name, arguments.keep, dirs_exist_ok=True, ignore_dangling_symlinks=True)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
