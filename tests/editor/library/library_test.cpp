@@ -15,6 +15,7 @@
 #include "editor/files/document_files.h"
 #include "editor/library/compare_dialog.h"
 #include "editor/library/compare_plot.h"
+#include "editor/library/difference_rows.h"
 #include "editor/library/graph_picture.h"
 #include "editor/library/library_panel.h"
 #include "editor/library/template_dialog.h"
