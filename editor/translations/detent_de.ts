@@ -336,6 +336,342 @@
 <context>
     <name>detent</name>
     <message>
+        <source>state %1</source>
+        <translation>Zustand %1</translation>
+    </message>
+    <message>
+        <source>state "%1"</source>
+        <translation>Zustand „%1“</translation>
+    </message>
+    <message>
+        <source>%1 at %2 lies outside its stroke, %3 to %4</source>
+        <translation>%1 bei %2 liegt außerhalb der Kurve, %3 bis %4</translation>
+    </message>
+    <message>
+        <source>Move it inside the travel or leave it out</source>
+        <translation>Legen Sie ihn in den Weg, oder lassen Sie ihn weg</translation>
+    </message>
+    <message>
+        <source>displacement %1 is not a usable number</source>
+        <translation>der Weg %1 ist keine brauchbare Zahl</translation>
+    </message>
+    <message>
+        <source>Give a displacement inside the travel</source>
+        <translation>Geben Sie einen Ort innerhalb des Wegs an</translation>
+    </message>
+    <message>
+        <source>damping %1 N·s/mm is not finite and &gt;= 0</source>
+        <translation>die Dämpfung %1 N·s/mm ist nicht endlich und &gt;= 0</translation>
+    </message>
+    <message>
+        <source>Give 0 where there is no damping</source>
+        <translation>Geben Sie 0 an, wo es keine Dämpfung gibt</translation>
+    </message>
+    <message>
+        <source>displacement %1 does not increase</source>
+        <translation>der Weg %1 nimmt nicht zu</translation>
+    </message>
+    <message>
+        <source>Order damping points by increasing displacement</source>
+        <translation>Ordnen Sie Dämpfungspunkte nach zunehmendem Weg</translation>
+    </message>
+    <message>
+        <source>has the same name as state %1</source>
+        <translation>hat denselben Namen wie Zustand %1</translation>
+    </message>
+    <message>
+        <source>Give each state its own name</source>
+        <translation>Geben Sie jedem Zustand seinen eigenen Namen</translation>
+    </message>
+    <message>
+        <source>operating point</source>
+        <translation>Schaltpunkt</translation>
+    </message>
+    <message>
+        <source>reset point</source>
+        <translation>Rückschaltpunkt</translation>
+    </message>
+    <message>
+        <source>provenance</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>%1 is %2, not a finite number</source>
+        <translation>%1 ist %2, keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>Leave out what is not known</source>
+        <translation>Lassen Sie weg, was nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>frame edge</source>
+        <translation>Rahmenkante</translation>
+    </message>
+    <message>
+        <source>axis value</source>
+        <translation>Achsenwert</translation>
+    </message>
+    <message>
+        <source>residual or confidence</source>
+        <translation>Abweichung oder Sicherheit</translation>
+    </message>
+    <message>
+        <source>factor %1 is not a finite number above 0</source>
+        <translation>der Faktor %1 ist keine endliche Zahl über 0</translation>
+    </message>
+    <message>
+        <source>Give a factor such as 1.1</source>
+        <translation>Geben Sie einen Faktor wie 1,1 an</translation>
+    </message>
+    <message>
+        <source>has no state %1</source>
+        <translation>hat keinen Zustand %1</translation>
+    </message>
+    <message>
+        <source>Choose one of its states</source>
+        <translation>Wählen Sie einen seiner Zustände</translation>
+    </message>
+    <message>
+        <source>release curve</source>
+        <translation>Kurve des Rückwegs</translation>
+    </message>
+    <message>
+        <source>does not exist</source>
+        <translation>gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Mirror the press curve first</source>
+        <translation>Spiegeln Sie zuerst die Kurve des Drückens</translation>
+    </message>
+    <message>
+        <source>hysteresis</source>
+        <translation>Hysterese</translation>
+    </message>
+    <message>
+        <source>is not a finite number &gt;= 0</source>
+        <translation>ist keine endliche Zahl &gt;= 0</translation>
+    </message>
+    <message>
+        <source>Give a force in N, 0 for none</source>
+        <translation>Geben Sie eine Kraft in N an, 0 für keine</translation>
+    </message>
+    <message>
+        <source>has two states already</source>
+        <translation>hat schon zwei Zustände</translation>
+    </message>
+    <message>
+        <source>Remove one of them first</source>
+        <translation>Entfernen Sie zuerst einen davon</translation>
+    </message>
+    <message>
+        <source>has this state alone</source>
+        <translation>hat nur diesen Zustand</translation>
+    </message>
+    <message>
+        <source>Add a second one first</source>
+        <translation>Fügen Sie zuerst einen zweiten hinzu</translation>
+    </message>
+    <message>
+        <source>has no knot %1, only %2</source>
+        <translation>hat keinen Knoten %1, nur %2</translation>
+    </message>
+    <message>
+        <source>Choose one of its knots</source>
+        <translation>Wählen Sie einen ihrer Knoten</translation>
+    </message>
+    <message>
+        <source>knot %1</source>
+        <translation>Knoten %1</translation>
+    </message>
+    <message>
+        <source>cannot move to %1, past its neighbour at %2</source>
+        <translation>kann nicht nach %1, an seinem Nachbarn bei %2 vorbei</translation>
+    </message>
+    <message>
+        <source>Keep it between its neighbours, or remove the neighbour first</source>
+        <translation>Lassen Sie ihn zwischen seinen Nachbarn, oder entfernen Sie zuerst den Nachbarn</translation>
+    </message>
+    <message>
+        <source>has no place for a knot at %1, outside %2 to %3</source>
+        <translation>hat keinen Platz für einen Knoten bei %1, außerhalb von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Choose a displacement inside the curve</source>
+        <translation>Wählen Sie einen Ort innerhalb der Kurve</translation>
+    </message>
+    <message>
+        <source>stands already at %1</source>
+        <translation>steht schon bei %1</translation>
+    </message>
+    <message>
+        <source>Move that knot instead</source>
+        <translation>Verschieben Sie stattdessen diesen Knoten</translation>
+    </message>
+    <message>
+        <source>cannot be removed: a curve needs 2 knots</source>
+        <translation>lässt sich nicht entfernen: Eine Kurve braucht 2 Knoten</translation>
+    </message>
+    <message>
+        <source>Move it instead</source>
+        <translation>Verschieben Sie ihn stattdessen</translation>
+    </message>
+    <message>
+        <source>would stand at %1, before knot %2 at %3</source>
+        <translation>stünde bei %1, vor Knoten %2 bei %3</translation>
+    </message>
+    <message>
+        <source>Keep the knots in their order, or select fewer</source>
+        <translation>Lassen Sie die Knoten in ihrer Reihenfolge, oder wählen Sie weniger aus</translation>
+    </message>
+    <message>
+        <source>%1 knots cannot be removed: a curve needs 2 knots</source>
+        <translation>%1 Knoten lassen sich nicht entfernen: Eine Kurve braucht 2 Knoten</translation>
+    </message>
+    <message>
+        <source>Leave two of them</source>
+        <translation>Lassen Sie zwei davon stehen</translation>
+    </message>
+    <message>
+        <source>has no stretch from %1 to %2</source>
+        <translation>hat kein Stück von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Choose two places on the curve, the first one before the second</source>
+        <translation>Wählen Sie zwei Orte auf der Kurve, den ersten vor dem zweiten</translation>
+    </message>
+    <message>
+        <source>gets no knots</source>
+        <translation>bekommt keine Knoten</translation>
+    </message>
+    <message>
+        <source>Give one knot or more</source>
+        <translation>Geben Sie einen Knoten oder mehr an</translation>
+    </message>
+    <message>
+        <source>cannot move to %1, outside its flanks from %2 to %3</source>
+        <translation>kann nicht nach %1, außerhalb seiner Flanken von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>Keep it between the neighbouring extrema</source>
+        <translation>Lassen Sie ihn zwischen den benachbarten Extremen</translation>
+    </message>
+    <message>
+        <source>would be no extremum at %1: its flanks end at %2</source>
+        <translation>wäre bei %1 kein Extremum: Seine Flanken enden bei %2</translation>
+    </message>
+    <message>
+        <source>Keep its force above that</source>
+        <translation>Halten Sie seine Kraft darüber</translation>
+    </message>
+    <message>
+        <source>Keep its force below that</source>
+        <translation>Halten Sie seine Kraft darunter</translation>
+    </message>
+    <message>
+        <source>has no tactile point %1, it has %2</source>
+        <translation>hat keinen Druckpunkt %1, sie hat %2</translation>
+    </message>
+    <message>
+        <source>Choose one of its tactile points</source>
+        <translation>Wählen Sie einen ihrer Druckpunkte</translation>
+    </message>
+    <message>
+        <source>cannot move by %1, past the end of the section beside it at %2</source>
+        <translation>kann nicht um %1 verschoben werden, über das Ende des Abschnitts daneben bei %2 hinaus</translation>
+    </message>
+    <message>
+        <source>Move it less</source>
+        <translation>Verschieben Sie ihn weniger</translation>
+    </message>
+    <message>
+        <source>new jump</source>
+        <translation>neuer Sprung</translation>
+    </message>
+    <message>
+        <source>has width %1 and drop %2</source>
+        <translation>hat die Breite %1 und den Abfall %2</translation>
+    </message>
+    <message>
+        <source>Give both as numbers above 0</source>
+        <translation>Geben Sie beides als Zahlen über 0 an</translation>
+    </message>
+    <message>
+        <source>from %1 to %2 leaves the curve, %3 to %4</source>
+        <translation>von %1 bis %2 verlässt die Kurve, %3 bis %4</translation>
+    </message>
+    <message>
+        <source>Make it narrower or move it inward</source>
+        <translation>Machen Sie ihn schmaler, oder rücken Sie ihn nach innen</translation>
+    </message>
+    <message>
+        <source>starts at %1, where the force does not rise</source>
+        <translation>beginnt bei %1, wo die Kraft nicht steigt</translation>
+    </message>
+    <message>
+        <source>Start it on a rising slope, so that its start is a tactile point</source>
+        <translation>Lassen Sie ihn auf einer steigenden Flanke beginnen, damit sein Anfang ein Druckpunkt ist</translation>
+    </message>
+    <message>
+        <source>tactile point %1</source>
+        <translation>Druckpunkt %1</translation>
+    </message>
+    <message>
+        <source>is not an extremum of the curve</source>
+        <translation>ist kein Extremum der Kurve</translation>
+    </message>
+    <message>
+        <source>Choose a valley or a hump</source>
+        <translation>Wählen Sie ein Tal oder einen Buckel</translation>
+    </message>
+    <message>
+        <source>cannot have a snap ratio of %1</source>
+        <translation>kann kein Schnappverhältnis von %1 haben</translation>
+    </message>
+    <message>
+        <source>Give a ratio above 0</source>
+        <translation>Geben Sie ein Verhältnis über 0 an</translation>
+    </message>
+    <message>
+        <source>has no valley after it</source>
+        <translation>hat kein Tal danach</translation>
+    </message>
+    <message>
+        <source>Add one, or move the end of the stroke above it</source>
+        <translation>Fügen Sie eines hinzu, oder schieben Sie das Ende der Kurve darüber</translation>
+    </message>
+    <message>
+        <source>valley after %1</source>
+        <translation>Tal nach %1</translation>
+    </message>
+    <message>
+        <source>has no section %1, it has %2</source>
+        <translation>hat keinen Abschnitt %1, sie hat %2</translation>
+    </message>
+    <message>
+        <source>Choose one of its sections</source>
+        <translation>Wählen Sie einen ihrer Abschnitte</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>Abschnitt %1</translation>
+    </message>
+    <message>
+        <source>cannot move by a number that is not finite</source>
+        <translation>kann nicht um eine Zahl verschoben werden, die nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>Give finite distances</source>
+        <translation>Geben Sie endliche Abstände an</translation>
+    </message>
+    <message>
+        <source>would not come back: the curve has %1 at its end, its valley %2</source>
+        <translation>käme nicht zurück: Die Kurve hat an ihrem Ende %1, sein Tal %2</translation>
+    </message>
+    <message>
+        <source>Make the drop larger or the jump narrower</source>
+        <translation>Machen Sie den Abfall größer oder den Sprung schmaler</translation>
+    </message>
+    <message>
         <source>has %1 entries for %2 warnings</source>
         <translation>hat %1 Einträge zu %2 Warnungen</translation>
     </message>
@@ -356,8 +692,28 @@
         <translation>Zeilen des Drückens</translation>
     </message>
     <message>
-        <source>cannot be written: %1</source>
-        <translation>lässt sich nicht schreiben: %1</translation>
+        <source>force reaches %1, beyond the limit of ±%2</source>
+        <translation>die Kraft erreicht %1, jenseits der Grenze von ±%2</translation>
+    </message>
+    <message>
+        <source>Check the unit of the force axis</source>
+        <translation>Prüfen Sie die Einheit der Kraftachse</translation>
+    </message>
+    <message>
+        <source>displacement reaches %1, beyond the limit of %2</source>
+        <translation>der Weg erreicht %1, jenseits der Grenze von %2</translation>
+    </message>
+    <message>
+        <source>Check the unit of the displacement axis</source>
+        <translation>Prüfen Sie die Einheit der Wegachse</translation>
+    </message>
+    <message>
+        <source>covers %1 to %2, beside the press curve's %3 to %4</source>
+        <translation>reicht von %1 bis %2, neben dem Drücken von %3 bis %4</translation>
+    </message>
+    <message>
+        <source>Bring both strokes to the same displacement axis</source>
+        <translation>Bringen Sie beide Kurven auf dieselbe Wegachse</translation>
     </message>
     <message>
         <source>at %1 goes back behind %2</source>
@@ -371,12 +727,148 @@
         <source>point %1</source>
         <translation>Punkt %1</translation>
     </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>Give every knot finite numbers</source>
+        <translation>Geben Sie jedem Knoten endliche Zahlen</translation>
+    </message>
+    <message>
+        <source>displacement %1 lies before the previous knot's %2</source>
+        <translation>der Weg %1 liegt vor dem des vorigen Knotens, %2</translation>
+    </message>
+    <message>
+        <source>Order the knots by increasing displacement</source>
+        <translation>Ordnen Sie die Knoten nach zunehmendem Weg</translation>
+    </message>
+    <message>
+        <source>is the third knot at displacement %1</source>
+        <translation>ist der dritte Knoten beim Weg %1</translation>
+    </message>
+    <message>
+        <source>Keep at most two knots, the ends of one vertical piece, at one displacement</source>
+        <translation>Behalten Sie an einem Ort höchstens zwei Knoten, die Enden eines senkrechten Stücks</translation>
+    </message>
+    <message>
+        <source>piece %1</source>
+        <translation>Stück %1</translation>
+    </message>
+    <message>
+        <source>is so steep that its slope leaves the range of a double</source>
+        <translation>ist so steil, dass seine Steigung den Zahlenbereich verlässt</translation>
+    </message>
+    <message>
+        <source>Make the piece vertical (equal displacements) or less steep</source>
+        <translation>Machen Sie das Stück senkrecht (gleiche Wege) oder weniger steil</translation>
+    </message>
+    <message>
+        <source>does not exist: the sketch has %1 pieces</source>
+        <translation>gibt es nicht: Die Skizze hat %1 Stücke</translation>
+    </message>
+    <message>
+        <source>Name one of its pieces</source>
+        <translation>Nennen Sie eines ihrer Stücke</translation>
+    </message>
+</context>
+<context>
+    <name>detent::Button</name>
+    <message>
+        <source>has %1 states</source>
+        <translation>hat %1 Zustände</translation>
+    </message>
+    <message>
+        <source>Give one state (momentary) or two (self-locking)</source>
+        <translation>Geben Sie einen Zustand an (tastend) oder zwei (rastend)</translation>
+    </message>
+</context>
+<context>
+    <name>detent::ForceGraph</name>
+    <message>
+        <source>press curve</source>
+        <translation>Kurve des Drückens</translation>
+    </message>
+    <message>
+        <source>starts at %1, before 0</source>
+        <translation>beginnt bei %1, vor 0</translation>
+    </message>
+    <message>
+        <source>Move the curve so that it starts at 0 mm or later</source>
+        <translation>Verschieben Sie die Kurve so, dass sie bei 0 mm oder später beginnt</translation>
+    </message>
 </context>
 <context>
     <name>detent::Reader::T</name>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::StagedFile</name>
+    <message>
+        <source>it is a folder</source>
+        <translation>das ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Name a file inside it</source>
+        <translation>Nennen Sie eine Datei darin</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>das ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>Name a file</source>
+        <translation>Nennen Sie eine Datei</translation>
+    </message>
+    <message>
+        <source>its folder does not exist</source>
+        <translation>den Ordner gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Create the folder first</source>
+        <translation>Legen Sie zuerst den Ordner an</translation>
+    </message>
+    <message>
+        <source>cannot be written</source>
+        <translation>lässt sich nicht schreiben</translation>
+    </message>
+    <message>
+        <source>cannot be written: %1</source>
+        <translation>lässt sich nicht schreiben: %1</translation>
+    </message>
+    <message>
+        <source>Check the folder's permissions and free space</source>
+        <translation>Prüfen Sie Zugriffsrechte und freien Platz des Ordners</translation>
+    </message>
+</context>
+<context>
+    <name>detent::StrokeCurve</name>
+    <message>
+        <source>has %1 knots, but a curve needs at least 2</source>
+        <translation>hat %1 Knoten, aber eine Kurve braucht mindestens 2</translation>
+    </message>
+    <message>
+        <source>Give its start and its end</source>
+        <translation>Geben Sie Anfang und Ende an</translation>
+    </message>
+    <message>
+        <source>has %1 knots, more than the %2 allowed</source>
+        <translation>hat %1 Knoten, mehr als die erlaubten %2</translation>
+    </message>
+    <message>
+        <source>Thin the points first</source>
+        <translation>Dünnen Sie zuerst die Punkte aus</translation>
+    </message>
+    <message>
+        <source>has zero travel: all knots lie at %1</source>
+        <translation>hat keinen Weg: Alle Knoten liegen bei %1</translation>
+    </message>
+    <message>
+        <source>Give the curve two different displacements</source>
+        <translation>Geben Sie der Kurve zwei verschiedene Wege</translation>
     </message>
 </context>
 <context>
@@ -478,8 +970,16 @@
         <translation>den Rahmen des Graphen zeichnen oder seine Ecken auf die Enden der Achsen ziehen</translation>
     </message>
     <message>
+        <source>Draw plot frame</source>
+        <translation>Rahmen zeichnen</translation>
+    </message>
+    <message>
         <source>give the displacement axis the values at its two ends</source>
         <translation>der Wegachse die Werte an ihren beiden Enden geben</translation>
+    </message>
+    <message>
+        <source>Set axis values</source>
+        <translation>Achsenwerte setzen</translation>
     </message>
     <message>
         <source>give the force axis the values at its two ends</source>
@@ -490,28 +990,56 @@
         <translation>die Einheit der Wegachse wählen</translation>
     </message>
     <message>
+        <source>Displacement unit</source>
+        <translation>Wegeinheit</translation>
+    </message>
+    <message>
         <source>choose the unit of the force axis</source>
         <translation>die Einheit der Kraftachse wählen</translation>
+    </message>
+    <message>
+        <source>Force unit</source>
+        <translation>Krafteinheit</translation>
     </message>
     <message>
         <source>click the press curve with the pipette</source>
         <translation>mit der Pipette die Kurve des Drückens anklicken</translation>
     </message>
     <message>
+        <source>Pick press curve</source>
+        <translation>Kurve des Drückens wählen</translation>
+    </message>
+    <message>
         <source>click the release curve with the pipette</source>
         <translation>mit der Pipette die Kurve des Rückwegs anklicken</translation>
+    </message>
+    <message>
+        <source>Pick release curve</source>
+        <translation>Kurve des Rückwegs wählen</translation>
     </message>
     <message>
         <source>paint a mask over what is not part of a curve</source>
         <translation>mit einer Maske übermalen, was nicht zu einer Kurve gehört</translation>
     </message>
     <message>
+        <source>Paint mask</source>
+        <translation>Maske malen</translation>
+    </message>
+    <message>
         <source>set a resolution, so that a picture of the page is traced</source>
         <translation>eine Auflösung setzen, damit ein Bild der Seite abgelesen wird</translation>
     </message>
     <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
         <source>exchange press and release</source>
         <translation>Drücken und Rückweg vertauschen</translation>
+    </message>
+    <message>
+        <source>Exchange strokes</source>
+        <translation>Kurven vertauschen</translation>
     </message>
     <message>
         <source>, or </source>
@@ -524,42 +1052,6 @@
     <message>
         <source>If that is wrong, </source>
         <translation>Wenn das falsch ist: </translation>
-    </message>
-    <message>
-        <source>Draw plot frame</source>
-        <translation>Rahmen zeichnen</translation>
-    </message>
-    <message>
-        <source>Set axis values</source>
-        <translation>Achsenwerte setzen</translation>
-    </message>
-    <message>
-        <source>Displacement unit</source>
-        <translation>Wegeinheit</translation>
-    </message>
-    <message>
-        <source>Force unit</source>
-        <translation>Krafteinheit</translation>
-    </message>
-    <message>
-        <source>Pick press curve</source>
-        <translation>Kurve des Drückens wählen</translation>
-    </message>
-    <message>
-        <source>Pick release curve</source>
-        <translation>Kurve des Rückwegs wählen</translation>
-    </message>
-    <message>
-        <source>Paint mask</source>
-        <translation>Maske malen</translation>
-    </message>
-    <message>
-        <source>Resolution</source>
-        <translation>Auflösung</translation>
-    </message>
-    <message>
-        <source>Exchange strokes</source>
-        <translation>Kurven vertauschen</translation>
     </message>
     <message>
         <source>Axes</source>
