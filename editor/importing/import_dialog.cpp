@@ -7,6 +7,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -129,6 +130,8 @@ struct ImportDialog::Impl {
   FindingsPanel* findings;
   AdviceBar* advice;
 
+  QWidget* side = nullptr;  // with the list of pages
+  QCheckBox* graphsOnly = nullptr;
   QStackedWidget* middle = nullptr;
   QLabel *document = nullptr, *hint = nullptr, *work = nullptr;
   QComboBox* quality = nullptr;
@@ -265,7 +268,15 @@ void ImportDialog::Impl::build() {
   middle->addWidget(view);
   middle->addWidget(log);
   auto* splitter = new QSplitter;
-  splitter->addWidget(pages);
+  side = new QWidget;
+  auto* list = new QVBoxLayout(side);
+  list->setContentsMargins(0, 0, 0, 0);
+  list->addWidget(graphsOnly = new QCheckBox(tr("Graphs onl&y")));
+  list->addWidget(pages);
+  graphsOnly->setObjectName(QStringLiteral("graphsOnly"));
+  graphsOnly->setToolTip(tr("List the graphs without the pages between them"));
+  QObject::connect(graphsOnly, &QCheckBox::toggled, pages, &PageList::setGraphsOnly);
+  splitter->addWidget(side);
   splitter->addWidget(middle);
   splitter->addWidget(findings);
   splitter->setStretchFactor(1, 1);
@@ -369,7 +380,8 @@ void ImportDialog::Impl::showDocument() {
   dialog.setWindowTitle(text.isEmpty() ? tr("Import a force graph")
                                        : tr("Import – %1").arg(state.documentName()));
   middle->setCurrentWidget(state.isForceLog() ? static_cast<QWidget*>(log) : view);
-  pages->setVisible(state.isOpen() && !state.isForceLog());
+  side->setVisible(state.isOpen() && !state.isForceLog());
+  graphsOnly->setVisible(state.pageCount() > 1);
   findings->setVisible(state.isOpen());
   const bool onPage = state.isOpen() && !state.isForceLog();
   for (QAction* action : tools->actions()) action->setEnabled(onPage);
@@ -516,6 +528,9 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
   impl_->drawIcons();
   impl_->connectState();
   connect(&impl_->state, &ImportState::correctionsChanged, this, &ImportDialog::draftChanged);
+  connect(&impl_->state, &ImportState::documentChanged, this, [this] {
+    if (impl_->state.isOpen() && !draft().path.isEmpty()) emit opened(draft().path);
+  });
   impl_->showDocument();
   impl_->view->setTool(ToolKind::adjust);
 }

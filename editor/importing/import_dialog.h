@@ -42,6 +42,8 @@ class ImportDialog : public QDialog {
  signals:
   /// Once per accepted graph. Shared and never changed.
   void imported(std::shared_ptr<const importer::ImportReport> report);
+  /// This file could be read.
+  void opened(const QString& path);
   /// draft() is another one now, or may be.
   void draftChanged();
 

@@ -107,9 +107,22 @@ PageList::PageList(ImportState& state, QWidget* parent)
   setLayoutMode(QListView::SinglePass);
   setMinimumWidth(150);
   setMaximumWidth(260);
+  connect(model_, &QAbstractItemModel::rowsInserted, this, &PageList::hidePages);
+  connect(model_, &QAbstractItemModel::modelReset, this, &PageList::hidePages);
   connect(&state_, &ImportState::currentChanged, this, &PageList::followState);
   connect(&state_, &ImportState::documentChanged, this,
           [this] { QMetaObject::invokeMethod(this, &PageList::reportVisible, Qt::QueuedConnection); });
+}
+
+void PageList::setGraphsOnly(bool only) {
+  graphsOnly_ = only;
+  hidePages();
+  reportVisible();
+}
+
+void PageList::hidePages() {
+  for (int row = 0; row < model_->rowCount(); ++row)
+    setRowHidden(row, graphsOnly_ && model_->at(row).graph == 0);
 }
 
 void PageList::followState() {

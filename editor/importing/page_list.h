@@ -18,6 +18,9 @@ class PageList : public QListView {
   /// `state` must outlive it.
   explicit PageList(ImportState& state, QWidget* parent = nullptr);
 
+  /// Pages are left out, their graphs stay.
+  void setGraphsOnly(bool only);
+
  protected:
   void scrollContentsBy(int dx, int dy) override;
   void resizeEvent(QResizeEvent* event) override;
@@ -26,9 +29,11 @@ class PageList : public QListView {
  private:
   void followState();
   void reportVisible();
+  void hidePages();
 
   ImportState& state_;
   PageListModel* model_;
+  bool graphsOnly_ = false;
   bool following_ = false;  ///< the selection is set from the state, not by a hand
 };
 

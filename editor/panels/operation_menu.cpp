@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/operation_menu.h"
 
+#include <algorithm>
+#include <QScreen>
+
 namespace detent::editor {
 namespace {
+
+constexpr int gapBeside_px = 8;
 
 bool always(const OperationTarget&) { return true; }
 bool hasTactilePoint(const OperationTarget& t) {
@@ -93,6 +98,15 @@ void OperationMenu::open(Operation (*make)(const OperationTarget&)) {
   if (document_.history().dragging()) return;  // another dialog or view holds the button
   dialog_ = new OperationDialog(document_, settings_, make(target()), &window_);
   dialog_->open();
+  placeBeside(*dialog_);
+}
+
+// What it previews stays in sight: beside the graph, or as far to its right as the screen allows.
+void OperationMenu::placeBeside(QWidget& dialog) const {
+  const QRect screen = dialog.screen()->availableGeometry();
+  QPoint at = window_.mapToGlobal(QPoint(window_.width() + gapBeside_px, 0));
+  at.setX(std::min(at.x(), screen.right() - dialog.frameGeometry().width()));
+  dialog.move(at);
 }
 
 }  // namespace detent::editor

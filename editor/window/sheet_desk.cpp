@@ -29,7 +29,6 @@ void SheetDesk::startNext() {
   const QString path = waiting_.front();
   waiting_.pop_front();
   shownDialog().openFile(path);
-  emit opened(path);
 }
 
 void SheetDesk::importPicture(const QImage& picture) { shownDialog().openPicture(picture); }
@@ -48,6 +47,7 @@ ImportDialog& SheetDesk::dialog() {
   delete importing_;
   importing_ = new ImportDialog(at_.view, &at_.window);
   connect(importing_, &ImportDialog::imported, this, &SheetDesk::addImported);
+  connect(importing_, &ImportDialog::opened, this, &SheetDesk::opened);
   connect(importing_, &ImportDialog::draftChanged, this, [this] {
     if (!draftSoon_.isActive()) draftSoon_.start();
   });

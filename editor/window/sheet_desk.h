@@ -33,7 +33,7 @@ class SheetDesk : public QObject {
  signals:
   /// Something was done: a sentence for the status bar.
   void done(const QString& sentence);
-  /// This sheet is in the import dialogue.
+  /// This sheet is in the import dialogue, and could be read.
   void opened(const QString& path);
 
  private:

@@ -92,6 +92,7 @@ class ImportDialogTest : public QObject {
   void aCurveIsDrawnByHand();
   void aFrameBesideTheShownOneAddsAGraph();
   void aMissingUnitIsAskedForInTheBanner();
+  void graphsAreListedWithoutTheirPages();
   void theOriginSetsBothAxes();
   void theDialogueFitsSmallScreens();
   void anotherSheetAsksBeforeCorrectionsGo();
@@ -643,6 +644,20 @@ void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
   const auto result = imported.front().front().value<Report>();
   QCOMPARE(result->y->unit, std::string("gf"));
   QCOMPARE(result->y->unitBy, DecidedBy::given);
+}
+
+void ImportDialogTest::graphsAreListedWithoutTheirPages() {
+  ImportState state;
+  PageList list(state);
+  list.show();
+  QVERIFY(open(state, sample("white-vector.pdf")));
+  QCOMPARE(list.model()->rowCount(), 2);  // a page, its graph
+  list.setGraphsOnly(true);
+  QVERIFY(list.isRowHidden(0) && !list.isRowHidden(1));
+  QVERIFY(open(state, sample("two-level-legend.png")));
+  QVERIFY(list.isRowHidden(0) && !list.isRowHidden(1));
+  list.setGraphsOnly(false);
+  QVERIFY(!list.isRowHidden(0));
 }
 
 void ImportDialogTest::theOriginSetsBothAxes() {

@@ -17,6 +17,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QScopeGuard>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -32,6 +33,7 @@
 #include "editor/importing/page_view.h"
 #include "editor/library/compare_dialog.h"
 #include "editor/panels/checks_panel.h"
+#include "editor/panels/operation_dialog.h"
 #include "editor/panels/values_model.h"
 #include "editor/panels/values_panel.h"
 #include "editor/window/appearance.h"
@@ -630,6 +632,23 @@ class WindowTest : public QObject {
     QVERIFY(rig.window->tabs().current()->workspace().canvas().selected().has_value());
     rig.document().history().stack().undo();
     QCOMPARE(static_cast<int>(checks->texts().size()), before);
+  }
+
+  void aDialogueLeavesItsPreviewInSight() {
+    Rig rig(folder_->path());
+    rig.window->resize(700, 500);
+    rig.window->move(0, 0);
+    rig.window->findChild<QDockWidget*>("libraryDock")->hide();
+    rig.window->files().open({sample("buttons/B.button.json")});
+    QCoreApplication::processEvents();
+    rig.action("operationScaleForce")->trigger();
+    auto* dialog = rig.window->findChild<OperationDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    const QWidget& canvas = rig.window->tabs().current()->workspace().canvas();
+    const QRect graph(canvas.mapToGlobal(QPoint()), canvas.size());
+    const int room = dialog->screen()->availableGeometry().right() - graph.right();
+    QVERIFY2(room < dialog->width() || !graph.intersects(dialog->frameGeometry()), "it covers the graph");
+    dialog->reject();
   }
 
   void f6LeavesEveryPanel() {
