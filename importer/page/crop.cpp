@@ -128,4 +128,30 @@ Raster turnedCrop(const Raster& raster, const PixelRect& rect, int quarterTurns)
   return out;
 }
 
+Affine reducedCropToRaster(const PixelRect& rect, int factor) {
+  const double middle = 0.5 * (factor - 1);
+  return {static_cast<double>(factor), 0, 0, static_cast<double>(factor), rect.x + middle, rect.y + middle};
+}
+
+Raster reducedCrop(const Raster& raster, const PixelRect& rect, int factor) {
+  DETENT_CHECK(factor > 0, "pixels are averaged, not invented");
+  Raster out;
+  out.width_px = (rect.width + factor - 1) / factor;
+  out.height_px = (rect.height + factor - 1) / factor;
+  out.rgb.reserve(3 * static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px));
+  for (int top = 0; top < rect.height; top += factor) {
+    const int bottom = std::min(top + factor, rect.height);
+    for (int left = 0; left < rect.width; left += factor) {
+      const int right = std::min(left + factor, rect.width), count = (right - left) * (bottom - top);
+      int sums[3] = {};
+      for (int y = top; y < bottom; ++y) {
+        const std::uint8_t* from = raster.at(rect.x + left, rect.y + y);
+        for (int i = 0; i < 3 * (right - left); ++i) sums[i % 3] += from[i];
+      }
+      for (const int sum : sums) out.rgb.push_back(static_cast<std::uint8_t>((sum + count / 2) / count));
+    }
+  }
+  return out;
+}
+
 }  // namespace detent::importer

@@ -27,4 +27,10 @@ Raster resampled(const Raster& source, const Affine& toSource, int width_px, int
 /// Map from the turned crop's pixels back to the raster's.
 Affine turnedCropToRaster(const PixelRect& rect, int quarterTurns);
 
+/// The rectangle with `factor` by `factor` pixels averaged into one (fewer at its right and lower edge); > 0.
+Raster reducedCrop(const Raster& raster, const PixelRect& rect, int factor);
+
+/// Map from the reduced crop's pixels back to the raster's.
+Affine reducedCropToRaster(const PixelRect& rect, int factor);
+
 }  // namespace detent::importer

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures: the page is the picture, a view is a crop of its own pixels.
+// Pictures: the page is the picture, a view is a crop of its own pixels; of what is larger than any plot
+// needs, pixels are averaged (docs/decisions/0305-large-pictures.md).
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +11,15 @@
 
 namespace detent::importer {
 namespace {
+
+/// No plot is drawn finer: 16 million pixels are four times what a page of A4 has at 300 dpi across its width.
+constexpr double mostPixels = 16e6;
+
+/// How many pixels are averaged into one, to a side.
+int reductionOf(int width_px, int height_px) {
+  const double pixels = static_cast<double>(width_px) * height_px;
+  return std::max(1, static_cast<int>(std::ceil(std::sqrt(pixels / mostPixels))));
+}
 
 class PictureSource : public PageSource {
  public:
@@ -33,40 +43,78 @@ class PictureSource : public PageSource {
     page.width = raster->width_px;
     page.height = raster->height_px;
     page.dpi = header.dpi;
-    page.overview = std::move(*raster);
+    const int factor = reductionOf(raster->width_px, raster->height_px);
+    if (factor == 1) {
+      page.overview = std::move(*raster);
+      return page;
+    }
+    const PixelRect all{0, 0, raster->width_px, raster->height_px};
+    page.overview = reducedCrop(*raster, all, factor);
+    page.overviewToPage = reducedCropToRaster(all, factor);
+    large_ = {number, std::move(*raster)};
     return page;
   }
 
   Result<PageView> view(const Page& page, const Box& region, int quarterTurns, const ViewOptions&,
                         double lean_deg) override {
     if (lean_deg != 0) return levelView(page, region, quarterTurns, lean_deg);
-    const auto rect = touchedPixels(region, page.overview.width_px, page.overview.height_px);
+    const Result<const Raster*> pixels = pixelsOf(page);
+    if (!pixels) return pixels.failure();
+    const Raster& picture = **pixels;
+    const auto rect = touchedPixels(region, picture.width_px, picture.height_px);
     if (!rect)
       return Failure{FailureCode::wrongUsage, file_.name, placeOf(page.number),
                      "the region lies outside the picture",
-                     "Give a region inside " + std::to_string(page.overview.width_px) + " x " +
-                         std::to_string(page.overview.height_px) + " pixels"};
+                     "Give a region inside " + std::to_string(picture.width_px) + " x " +
+                         std::to_string(picture.height_px) + " pixels"};
     PageView view;
-    view.raster = turnedCrop(page.overview, *rect, quarterTurns);
-    view.viewToPage = turnedCropToRaster(*rect, quarterTurns);
-    view.nativePixels = true;
+    const int factor = reductionOf(rect->width, rect->height);
+    if (factor == 1) {
+      view.raster = turnedCrop(picture, *rect, quarterTurns);
+      view.viewToPage = turnedCropToRaster(*rect, quarterTurns);
+      view.nativePixels = true;
+      return view;
+    }
+    const Raster reduced = reducedCrop(picture, *rect, factor);
+    const PixelRect all{0, 0, reduced.width_px, reduced.height_px};
+    view.raster = turnedCrop(reduced, all, quarterTurns);
+    view.viewToPage = reducedCropToRaster(*rect, factor).after(turnedCropToRaster(all, quarterTurns));
     return view;
   }
 
  private:
-  /// A region of the page turned level, interpolated.
+  /// A region of the page turned level, interpolated between the pixels of its overview.
   static PageView levelView(const Page& page, const Box& region, int quarterTurns, double lean_deg) {
     const Affine turn = turnedToPage(page, lean_deg);
     const Box whole = turn.inverse().boxOf({0, 0, page.width - 1, page.height - 1}),
               seen = region.common(whole);
     const double left = std::floor(seen.x0), top = std::floor(seen.y0);
-    const PixelRect all{0, 0, static_cast<int>(std::ceil(seen.x1) - left) + 1,
-                        static_cast<int>(std::ceil(seen.y1) - top) + 1};
-    const Affine toPage = turn.after({1, 0, 0, 1, left, top});
+    const int width = static_cast<int>(std::ceil(seen.x1) - left) + 1,
+              height = static_cast<int>(std::ceil(seen.y1) - top) + 1;
+    const int factor = reductionOf(width, height);
+    const PixelRect all{0, 0, (width + factor - 1) / factor, (height + factor - 1) / factor};
+    const Affine toPage = turn.after(reducedCropToRaster({0, 0, width, height}, factor))
+                              .after({1, 0, 0, 1, left / factor, top / factor});
     PageView view;
-    view.raster = turnedCrop(resampled(page.overview, toPage, all.width, all.height), all, quarterTurns);
+    view.raster = turnedCrop(
+        resampled(page.overview, page.overviewToPage.inverse().after(toPage), all.width, all.height), all,
+        quarterTurns);
     view.viewToPage = toPage.after(turnedCropToRaster(all, quarterTurns));
     return view;
+  }
+
+  /// All pixels of a large picture, kept beside its page.
+  struct Large {
+    int page = 0;
+    Raster raster;
+  };
+
+  /// The picture as stored: the page's own, or of a large one what was kept, decoded again if another took its place.
+  Result<const Raster*> pixelsOf(const Page& page) {
+    if (page.overviewToPage == Affine{}) return &page.overview;
+    if (large_.page != page.number)
+      if (const auto again = this->page(page.number, {}); !again) return again.failure();
+    return &large_.raster;
   }
 
   std::string placeOf(int number) const {
@@ -76,6 +124,7 @@ class PictureSource : public PageSource {
   SourceFile file_;
   FileKind kind_;
   std::vector<PictureHeader> headers_;
+  Large large_;
 };
 
 std::string megapixels(double pixels) {

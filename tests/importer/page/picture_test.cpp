@@ -146,6 +146,35 @@ TEST_CASE("a turned view shows the same pixels, and its map leads back to them")
   CHECK(document->view(*page, {2, 1, 6, 3}, 1)->viewToPage({0, 0}) == Point{2, 3});
 }
 
+TEST_CASE("a large picture is seen reduced, a part of it in its own pixels") {
+  cv::Mat mat(4001, 6000, CV_8UC3, cv::Scalar(255, 255, 255));
+  cv::rectangle(mat, cv::Rect(1000, 2000, 40, 20), cv::Scalar(0, 0, 0), cv::FILLED);
+  const auto document = Document::fromBytes(encoded(".bmp", mat), "plot.bmp");
+  REQUIRE(document.ok());
+  const auto page = document->page(1);
+  REQUIRE(page.ok());
+  CHECK(page->width == 6000);
+  CHECK(page->overview.width_px == 3000);
+  CHECK(page->overview.height_px == 2001);  // the last row is of one row alone
+  CHECK(page->overviewToPage({0, 0}) == Point{0.5, 0.5});
+  CHECK(pixel(page->overview, 500, 1000) == Rgb{0, 0, 0});
+  CHECK(pixel(page->overview, 520, 1000) == Rgb{255, 255, 255});
+  for (int turns = 0; turns < 4; ++turns) {
+    INFO(turns);
+    const auto all = document->view(*page, {0, 0, 5999, 4000}, turns);
+    REQUIRE(all.ok());
+    CHECK_FALSE(all->nativePixels);
+    const Point black = all->viewToPage.inverse()({1010.5, 2008.5});
+    CHECK(pixel(all->raster, static_cast<int>(black.x), static_cast<int>(black.y)) == Rgb{0, 0, 0});
+    CHECK(std::abs(black.x - std::round(black.x)) < 1e-9);
+  }
+  const auto part = document->view(*page, {990, 1990, 1100, 2100});
+  REQUIRE(part.ok());
+  CHECK(part->nativePixels);
+  CHECK(pixel(part->raster, 10, 10) == Rgb{0, 0, 0});
+  CHECK(pixel(part->raster, 9, 10) == Rgb{255, 255, 255});
+}
+
 TEST_CASE("a region is clipped; one beside the page is refused") {
   const auto document = Document::fromBytes(encoded(".png", numberedPixels(9, 6)), "plot.png");
   const auto page = document->page(1);
