@@ -23,6 +23,7 @@ std::string recoveryText(const RecoveryRecord& record) {
                            {"version", recoveryVersion},
                            {"path", record.path},
                            {"title", record.title},
+                           {"known_content", QString::fromLatin1(record.knownContent.toHex())},
                            {"written", record.written.toUTC().toString(Qt::ISODateWithMs)},
                            {"button", QString::fromStdString(jsonFrom(record.button))}};
   return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
@@ -41,7 +42,8 @@ Result<RecoveryRecord> recoveryFromText(const std::string& text, const QString& 
   auto button = buttonFromJson(object["button"].toString().toStdString(), subject.toStdString());
   if (!button) return button.failure();
   return RecoveryRecord{*std::move(button), object["path"].toString(), object["title"].toString(),
-                        QDateTime::fromString(object["written"].toString(), Qt::ISODateWithMs)};
+                        QDateTime::fromString(object["written"].toString(), Qt::ISODateWithMs),
+                        QByteArray::fromHex(object["known_content"].toString().toLatin1())};
 }
 
 }  // namespace detent::editor

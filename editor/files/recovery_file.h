@@ -15,6 +15,8 @@ struct RecoveryRecord {
   QString path;
   QString title;
   QDateTime written;  ///< UTC
+  /// ButtonDocument::knownContent(), so that the guard against writing over somebody's change outlives the editor.
+  QByteArray knownContent = {};
 };
 
 /// One JSON object: format, version, path, title, time, and the text of the button file.

@@ -85,7 +85,7 @@ void RecoveryStore::write(ButtonDocument& document) {
   if (entry->file.isEmpty()) entry->file = QDir(session_).filePath(QString::number(nextFile_++) + ending);
   entry->onDisk = true;
   const RecoveryRecord record{document.history().committed(), document.path(), document.title(),
-                              QDateTime::currentDateTimeUtc()};
+                              QDateTime::currentDateTimeUtc(), document.knownContent()};
   writer_.start([this, record, file = entry->file] {
     const auto written = writeTextFileAtomically(bytesOf(file), recoveryText(record));
     const QString sentence = written ? QString() : sentenceOf(written.failure());

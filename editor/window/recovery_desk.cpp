@@ -41,19 +41,24 @@ void RecoveryDesk::recover(const QList<LeftBehind>& left) {
   for (const LeftBehind& one : left) at_.recovery.discard(one);
 }
 
+// What somebody else wrote since is not what these changes were made on: saving asks.
+void RecoveryDesk::recoverInto(ButtonDocument& document, const RecoveryRecord& record) {
+  document.history().apply(record.button, tr("Recover unsaved changes"));
+  if (!record.knownContent.isEmpty()) document.setKnownContent(record.knownContent);
+}
+
 // On top of the file as it was saved, so that undo leads back to it.
 DocumentTab& RecoveryDesk::recoverOne(const RecoveryRecord& record) {
-  const QString label = tr("Recover unsaved changes");
   DocumentTab* open = at_.tabs.withPath(record.path);
   if (open && !open->document().history().modified()) {  // the last session's tabs are open again by now
-    open->document().history().apply(record.button, label);
+    recoverInto(open->document(), record);
     at_.tabs.show(open->document());
     return *open;
   }
   if (!open && QFileInfo::exists(record.path)) {
     if (auto saved = openDocument(record.path)) {
       DocumentTab& tab = at_.tabs.add(*std::move(saved));
-      tab.document().history().apply(record.button, label);
+      recoverInto(tab.document(), record);
       return tab;
     }
   }

@@ -25,6 +25,7 @@ class RecoveryDesk : public QObject {
   void say(const QList<LeftBehind>& left);
   void discard(const QList<LeftBehind>& left);
   void recover(const QList<LeftBehind>& left);
+  static void recoverInto(ButtonDocument& document, const RecoveryRecord& record);
   DocumentTab& recoverOne(const RecoveryRecord& record);
 
   DeskPlaces at_;

@@ -67,13 +67,15 @@ class RecoveryTest : public QObject {
   void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
   void recordsSurviveTheirText() {
-    const RecoveryRecord record{*clickyButton(), "/a/ü.button.json", "ü", QDateTime::currentDateTimeUtc()};
+    const RecoveryRecord record{*clickyButton(), "/a/ü.button.json", "ü", QDateTime::currentDateTimeUtc(),
+                                "a hash"};
     const auto read = recoveryFromText(recoveryText(record), "x");
     QVERIFY(read.ok());
     QVERIFY(read->button == record.button);
     QCOMPARE(read->path, record.path);
     QCOMPARE(read->title, record.title);
     QCOMPARE(read->written, record.written);
+    QCOMPARE(read->knownContent, record.knownContent);
     QVERIFY(!recoveryFromText("{}", "x").ok());
     QVERIFY(!recoveryFromText("{\"format\":\"detent-recovery\",\"version\":2}", "x").ok());
     QVERIFY(!recoveryFromText("no json", "x").ok());

@@ -377,6 +377,32 @@ class WindowTest : public QObject {
     QVERIFY(!QDir(at("recovery/dead")).exists());
   }
 
+  // Somebody else saved the file after the editor had died: the recovered changes do not go over it unasked.
+  void recoveredChangesAskBeforeTheyOverwrite() {
+    QVERIFY(QDir().mkpath(at("recovery/dead")));
+    const QString path = at("b.button.json");
+    QFile::copy(sample("buttons/B.button.json"), path);
+    QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner);
+    auto mine = openDocument(path);
+    const Button unsaved = *scaleForce((*mine)->button(), 1.25);
+    QFile left(at("recovery/dead/1.recovery.json"));
+    QVERIFY(left.open(QIODevice::WriteOnly));
+    left.write(QByteArray::fromStdString(
+        recoveryText({unsaved, path, "b", QDateTime::currentDateTimeUtc(), (*mine)->knownContent()})));
+    left.close();
+    ButtonDocument other(*scaleForce((*mine)->button(), 3));
+    QVERIFY(saveDocument(other, path).ok());
+    Rig rig(folder_->path());
+    rig.window->files().offerRecovery();
+    rig.press("recover");
+    QVERIFY(rig.document().button() == unsaved);
+    rig.action("save")->trigger();
+    QVERIFY((*openDocument(path))->button() == other.button());
+    QVERIFY(rig.notices().join(' ').contains("Not saved"));
+    rig.press("overwrite");
+    QVERIFY((*openDocument(path))->button() == unsaved);
+  }
+
   void changesFromOutsideAreSaid() {
     Rig rig(folder_->path());
     QFile::copy(sample("buttons/B.button.json"), at("b.button.json"));
