@@ -24,7 +24,6 @@ FindingsPanel::FindingsPanel(ImportState& state, ViewSettings& settings, QWidget
   setObjectName(QStringLiteral("findingsPanel"));
   setAccessibleName(tr("Findings and corrections"));
   setWidgetResizable(true);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(QFrame::NoFrame);
   setMinimumWidth(270);
   build();

@@ -571,6 +571,12 @@ void ImportDialog::done(int result) {
   QDialog::done(result);
 }
 
+// Only now are the widgets of the style and size they are seen in.
+void ImportDialog::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  impl_->fitTools();
+}
+
 void ImportDialog::dragEnterEvent(QDragEnterEvent* event) {
   const QMimeData* mime = event->mimeData();
   const bool file = mime->hasUrls() && !mime->urls().isEmpty() && mime->urls().front().isLocalFile();

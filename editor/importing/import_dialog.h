@@ -53,6 +53,7 @@ class ImportDialog : public QDialog {
   void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   bool mayGiveUp() const;

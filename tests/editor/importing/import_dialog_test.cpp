@@ -11,6 +11,7 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -92,6 +93,7 @@ class ImportDialogTest : public QObject {
   void aCurveIsDrawnByHand();
   void aFrameBesideTheShownOneAddsAGraph();
   void aMissingUnitIsAskedForInTheBanner();
+  void axisEndsAreTypedAlikeInEveryLanguage();
   void graphsAreListedWithoutTheirPages();
   void theOriginSetsBothAxes();
   void theDialogueFitsSmallScreens();
@@ -644,6 +646,50 @@ void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
   const auto result = imported.front().front().value<Report>();
   QCOMPARE(result->y->unit, std::string("gf"));
   QCOMPARE(result->y->unitBy, DecidedBy::given);
+}
+
+void ImportDialogTest::axisEndsAreTypedAlikeInEveryLanguage() {
+  struct Typing {
+    QString text;
+    std::optional<double> max_cN;  ///< none: refused, and as typed
+  };
+  const Typing typings[] = {{"120.5", 120.5},
+                            {"120,5", 120.5},
+                            {"1.205 N", 120.5},
+                            {"1,205N", 120.5},
+                            {"100+20", 120},
+                            {"+5", 125},
+                            {"-10 %", 112.5},
+                            {"1,250.5", {}},
+                            {"1 250", {}},
+                            {"60 mm", {}},
+                            {"many", {}},
+                            {"2*60 cN", 120},
+                            {"122.9 gf", 122.9 * 0.980665}};
+  ViewSettings settings;
+  ImportState state;
+  FindingsPanel panel(state, settings);
+  panel.show();
+  QVERIFY(open(state, sample("brown-one-ink.png")));
+  QTest::qWait(1);
+  auto* max = panel.findChild<QLineEdit*>("yMax");
+  const auto restored = qScopeGuard([] { QLocale::setDefault(QLocale::c()); });
+  for (const char* language : {"C", "de_DE", "fr_FR", "en_IN", "ar_EG"}) {
+    QLocale::setDefault(QLocale(language));
+    double now_cN = 0;
+    for (const auto& [text, max_cN] : typings) {
+      max->setText(text);
+      max->setModified(true);
+      emit max->editingFinished();
+      const QByteArray what = QString("%1 in %2").arg(text, language).toUtf8();
+      if (max_cN) now_cN = *max_cN;
+      const auto given = state.current()->history.now().y.max;
+      QVERIFY2(given && std::abs(*given - now_cN) < 1e-6, what);
+      QVERIFY2(max_cN || max->text() == text, what);
+      QTest::qWait(1);  // the fields follow
+    }
+  }
+  QVERIFY(again(state));
 }
 
 void ImportDialogTest::graphsAreListedWithoutTheirPages() {

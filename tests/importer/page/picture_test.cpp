@@ -148,7 +148,7 @@ TEST_CASE("a turned view shows the same pixels, and its map leads back to them")
 
 TEST_CASE("a large picture is seen reduced, a part of it in its own pixels") {
   cv::Mat mat(4001, 6000, CV_8UC3, cv::Scalar(255, 255, 255));
-  cv::rectangle(mat, cv::Rect(1000, 2000, 40, 20), cv::Scalar(0, 0, 0), cv::FILLED);
+  mat(cv::Rect(1000, 2000, 40, 20)).setTo(cv::Scalar(0, 0, 0));
   const auto document = Document::fromBytes(encoded(".bmp", mat), "plot.bmp");
   REQUIRE(document.ok());
   const auto page = document->page(1);
