@@ -35,6 +35,7 @@ ChecksPanel::ChecksPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   nothing_->setText(tr("Nothing is odd about this button."));
   nothing_->setMargin(10);
   nothing_->setWordWrap(true);
+  setMinimumWidth(260);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
