@@ -252,7 +252,7 @@
     </message>
     <message>
         <source>%1 % sure</source>
-        <translation>zu %1 % sicher</translation>
+        <translation>%1 % sicher</translation>
     </message>
     <message>
         <source>, check it</source>
@@ -1590,7 +1590,7 @@
     </message>
     <message>
         <source>Set on page…</source>
-        <translation>Auf der Seite setzen …</translation>
+        <translation>Auf Seite setzen …</translation>
     </message>
     <message>
         <source>Click ticks of the axis on the page and type their values</source>
@@ -2479,15 +2479,15 @@
     </message>
     <message>
         <source>The last result that worked, %1 % sure</source>
-        <translation>Das letzte gelungene Ergebnis, zu %1 % sicher</translation>
+        <translation>Das letzte gelungene Ergebnis, %1 % sicher</translation>
     </message>
     <message>
         <source>%1 % sure: please check</source>
-        <translation>Zu %1 % sicher: bitte prüfen</translation>
+        <translation>%1 % sicher: bitte prüfen</translation>
     </message>
     <message>
         <source>%1 % sure</source>
-        <translation>zu %1 % sicher</translation>
+        <translation>%1 % sicher</translation>
     </message>
     <message>
         <source>Reading the graph …</source>
@@ -2948,6 +2948,14 @@
     <message>
         <source>How carefully the graph is read: usual time of an import and the usual distance of the curve from the printed one, as measured on datasheet graphs. Corrections stay when it changes.</source>
         <translation>Wie sorgfältig der Graph gelesen wird: übliche Zeit eines Imports und üblicher Abstand der Kurve von der gedruckten, gemessen an Graphen aus Datenblättern. Berichtigungen bleiben, wenn sie sich ändert.</translation>
+    </message>
+    <message>
+        <source>Graphs onl&amp;y</source>
+        <translation>Nur &amp;Graphen</translation>
+    </message>
+    <message>
+        <source>List the graphs without the pages between them</source>
+        <translation>Die Graphen ohne die Seiten dazwischen aufführen</translation>
     </message>
     <message>
         <source>Progress of the import</source>
@@ -3838,7 +3846,7 @@
     </message>
     <message>
         <source>found, %1 % sure</source>
-        <translation>gefunden, zu %1 % sicher</translation>
+        <translation>gefunden, %1 % sicher</translation>
     </message>
 </context>
 <context>
