@@ -5,7 +5,7 @@
 #include <QString>
 
 #include "editor/document/display_units.h"
-#include "importer/specs/printed_spec.h"
+#include "importer/importer.h"
 #include "model/validation.h"
 
 namespace detent::editor {
