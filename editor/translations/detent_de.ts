@@ -291,6 +291,33 @@
     </message>
 </context>
 <context>
+    <name>StudyDesk</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1, complete</source>
+        <translation>%1, vollständig</translation>
+    </message>
+    <message>
+        <source>%1, ended early</source>
+        <translation>%1, vorzeitig beendet</translation>
+    </message>
+    <message>
+        <source>person</source>
+        <translation>Mensch</translation>
+    </message>
+    <message>
+        <source>REHEARSAL, nothing felt</source>
+        <translation>PROBE, nichts zu fühlen</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULIERT</translation>
+    </message>
+</context>
+<context>
     <name>Templates</name>
     <message>
         <source>Linear</source>
@@ -964,6 +991,158 @@
     <message>
         <source>release</source>
         <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>%1: </source>
+        <translation>%1: </translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>with its damping</source>
+        <translation>mit seiner Dämpfung</translation>
+    </message>
+    <message>
+        <source>with its friction and encoder steps</source>
+        <translation>mit seiner Reibung und seinen Encoderschritten</translation>
+    </message>
+    <message>
+        <source>at all</source>
+        <translation>überhaupt</translation>
+    </message>
+    <message>
+        <source>the falling jump %1 has %2</source>
+        <translation>der fallende Sprung %1 hat %2</translation>
+    </message>
+    <message>
+        <source>the wall %1 has %2</source>
+        <translation>die Wand %1 hat %2</translation>
+    </message>
+    <message>
+        <source>; the device bears %1 %2</source>
+        <translation>; das Gerät trägt %1 %2</translation>
+    </message>
+    <message>
+        <source>Stable: the device bears every slope. The steepest leaves %1.</source>
+        <translation>Stabil: Das Gerät trägt jede Steigung. Die steilste lässt %1.</translation>
+    </message>
+    <message>
+        <source>In one place the button is steeper than the device bears.</source>
+        <translation>An einer Stelle ist der Taster steiler, als das Gerät trägt.</translation>
+    </message>
+    <message>
+        <source>In %1 places the button is steeper than the device bears. The worst:</source>
+        <translation>An %1 Stellen ist der Taster steiler, als das Gerät trägt. Die schlimmste:</translation>
+    </message>
+    <message>
+        <source>the wall of %1 at %2 is felt as %3</source>
+        <translation>die Wand von %1 bei %2 fühlt sich wie %3 an</translation>
+    </message>
+    <message>
+        <source>the fall of %1 at %2 is felt as %3</source>
+        <translation>der Abfall von %1 bei %2 fühlt sich wie %3 an</translation>
+    </message>
+    <message>
+        <source>%1 is more than the device gives; %2 is felt</source>
+        <translation>%1 ist mehr, als das Gerät gibt; gefühlt wird %2</translation>
+    </message>
+    <message>
+        <source>the release lies up to %1 above the press at %2, which would make energy; both are felt as the release there</source>
+        <translation>der Rückweg liegt bei %2 um bis zu %1 über dem Drücken, was Energie erzeugen würde; beide fühlen sich dort wie der Rückweg an</translation>
+    </message>
+    <message>
+        <source>the damping of %1 at %2 is felt as %3</source>
+        <translation>die Dämpfung von %1 bei %2 fühlt sich wie %3 an</translation>
+    </message>
+    <message>
+        <source>from press to release would take %1 on this device; it is cut to %2 and may be unsteady</source>
+        <translation>vom Drücken zum Rückweg bräuchte es auf diesem Gerät %1; es wird auf %2 gekürzt und ist vielleicht unruhig</translation>
+    </message>
+    <message>
+        <source>forces changed by up to %1, %2</source>
+        <translation>Kräfte um bis zu %1 geändert, %2</translation>
+    </message>
+    <message>
+        <source>damping raised by up to %1</source>
+        <translation>Dämpfung um bis zu %1 erhöht</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>how strong it is</source>
+        <translation>wie stark er ist</translation>
+    </message>
+    <message>
+        <source>when the click comes</source>
+        <translation>wann der Klick kommt</translation>
+    </message>
+    <message>
+        <source>how far it seems to yield</source>
+        <translation>wie weit er nachzugeben scheint</translation>
+    </message>
+    <message>
+        <source>hardly an error in 90</source>
+        <translation>kaum ein Fehler in 90</translation>
+    </message>
+    <message>
+        <source>about 1 error in 90</source>
+        <translation>etwa 1 Fehler in 90</translation>
+    </message>
+    <message>
+        <source>about %1 errors in 90</source>
+        <translation>etwa %1 Fehler in 90</translation>
+    </message>
+    <message>
+        <source>told apart: %1</source>
+        <translation>unterschieden: %1</translation>
+    </message>
+    <message>
+        <source>confused: %1</source>
+        <translation>verwechselt: %1</translation>
+    </message>
+    <message>
+        <source>Nothing differs.</source>
+        <translation>Nichts unterscheidet sich.</translation>
+    </message>
+    <message>
+        <source>Most differs on the press: %1.</source>
+        <translation>Am meisten verschieden beim Drücken: %1.</translation>
+    </message>
+    <message>
+        <source>Most differs on the release: %1.</source>
+        <translation>Am meisten verschieden auf dem Rückweg: %1.</translation>
+    </message>
+    <message>
+        <source>People will probably tell these apart: %1.</source>
+        <translation>Menschen unterscheiden diese wahrscheinlich: %1.</translation>
+    </message>
+    <message>
+        <source>People will probably not tell these apart: %1.</source>
+        <translation>Menschen unterscheiden diese wahrscheinlich nicht: %1.</translation>
+    </message>
+    <message>
+        <source>Snap ratio × %1</source>
+        <translation>Schnappverhältnis × %1</translation>
+    </message>
+    <message>
+        <source>Travel × %1</source>
+        <translation>Weg × %1</translation>
+    </message>
+    <message>
+        <source>Force × %1</source>
+        <translation>Kraft × %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
     <message>
         <source>draw the plot frame, or drag its corners onto the ends of the axes</source>
@@ -2507,6 +2686,336 @@
     </message>
 </context>
 <context>
+    <name>detent::editor::ForceBox</name>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>&amp;Nearest stable button</source>
+        <translation>&amp;Nächster stabiler Taster</translation>
+    </message>
+    <message>
+        <source>Change the button as little as the device needs: damping first, then slopes; a peak keeps its force. One step that can be undone.</source>
+        <translation>Den Taster so wenig ändern, wie das Gerät es braucht: zuerst Dämpfung, dann Steigungen; ein Gipfel behält seine Kraft. Ein Schritt, der sich rückgängig machen lässt.</translation>
+    </message>
+    <message>
+        <source>No force device. Choose one under Setup; simulated ones need no hardware.</source>
+        <translation>Kein Kraftgerät. Wählen Sie eines unter Einrichtung; simulierte brauchen keine Hardware.</translation>
+    </message>
+    <message>
+        <source>Simulated; nothing is moved. Switch on to watch it.</source>
+        <translation>Simuliert; nichts wird bewegt. Schalten Sie ein, um es zu beobachten.</translation>
+    </message>
+    <message>
+        <source>Off: the device is without force.</source>
+        <translation>Aus: Das Gerät ist ohne Kraft.</translation>
+    </message>
+    <message>
+        <source>Opening the force device…</source>
+        <translation>Das Kraftgerät wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>The force device is gone, without force. It goes on by itself when it is back.</source>
+        <translation>Das Kraftgerät ist weg, ohne Kraft. Sobald es zurück ist, geht es von selbst weiter.</translation>
+    </message>
+    <message>
+        <source>No force: %1</source>
+        <translation>Keine Kraft: %1</translation>
+    </message>
+    <message>
+        <source>No force yet: pull the handle all the way out and push it all the way in, until the light is green.</source>
+        <translation>Noch keine Kraft: Ziehen Sie den Griff ganz heraus und schieben Sie ihn ganz hinein, bis das Licht grün ist.</translation>
+    </message>
+    <message>
+        <source>Simulated finger on: %1</source>
+        <translation>Simulierter Finger an: %1</translation>
+    </message>
+    <message>
+        <source>On: %1</source>
+        <translation>An: %1</translation>
+    </message>
+    <message>
+        <source>Feel the button as force on the device chosen under Setup</source>
+        <translation>Den Taster als Kraft auf dem unter Einrichtung gewählten Gerät fühlen</translation>
+    </message>
+    <message>
+        <source>Choose a force device under Setup first</source>
+        <translation>Wählen Sie zuerst unter Einrichtung ein Kraftgerät</translation>
+    </message>
+    <message>
+        <source>Changed: %1</source>
+        <translation>Geändert: %1</translation>
+    </message>
+    <message>
+        <source>Slopes against what the device bears, drawn over the graph</source>
+        <translation>Steigungen gegen das, was das Gerät trägt, über den Graphen gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ForceMeter</name>
+    <message>
+        <source>Force, energy and deadlines</source>
+        <translation>Kraft, Energie und Fristen</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;&lt;b&gt;Force&lt;/b&gt; that the device is asked for, of what it may give.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energy&lt;/b&gt; that the finger has put into the button since its rest, and how much of it came back. A balance below 0 means that the button gave more than it held.&lt;/p&gt;&lt;p&gt;&lt;b&gt;On time&lt;/b&gt;: steps of the loop that began within 0.1 ms of their time, and the latest one.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;&lt;b&gt;Kraft&lt;/b&gt;, die vom Gerät verlangt wird, von der, die es geben kann.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Energie&lt;/b&gt;, die der Finger seit der Ruhe in den Taster gesteckt hat, und wie viel davon zurückkam. Eine Bilanz unter 0 heißt, dass der Taster mehr gab, als er hielt.&lt;/p&gt;&lt;p&gt;&lt;b&gt;Pünktlich&lt;/b&gt;: Schritte der Schleife, die innerhalb von 0,1 ms ihrer Zeit begannen, und der späteste.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>On time</source>
+        <translation>Pünktlich</translation>
+    </message>
+    <message>
+        <source>no force</source>
+        <translation>keine Kraft</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 mJ, balance %2 mJ</source>
+        <translation>%1 mJ, Bilanz %2 mJ</translation>
+    </message>
+    <message>
+        <source>%1 mJ, %2 of %3 back</source>
+        <translation>%1 mJ, %2 von %3 zurück</translation>
+    </message>
+    <message>
+        <source>%1 %, worst %2 ms</source>
+        <translation>%1 %, spätestens %2 ms</translation>
+    </message>
+    <message>
+        <source>, missed: %1</source>
+        <translation>, verpasst: %1</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ForceSession</name>
+    <message>
+        <source>Nothing has to change: the device bears every slope of this button.</source>
+        <translation>Nichts muss sich ändern: Das Gerät trägt jede Steigung dieses Tasters.</translation>
+    </message>
+    <message>
+        <source>Nearest stable button</source>
+        <translation>Nächster stabiler Taster</translation>
+    </message>
+    <message>
+        <source>Changed to the nearest stable button; undo takes it back.</source>
+        <translation>Zum nächsten stabilen Taster geändert; Rückgängig nimmt es zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ForceSetup</name>
+    <message>
+        <source>What pushes back: a simulated device with a simulated finger, or a real one</source>
+        <translation>Was zurückdrückt: ein simuliertes Gerät mit einem simulierten Finger, oder ein echtes</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>simulated: bench device, 1 µm</source>
+        <translation>simuliert: Laborgerät, 1 µm</translation>
+    </message>
+    <message>
+        <source>simulated: Novint Falcon</source>
+        <translation>simuliert: Novint Falcon</translation>
+    </message>
+    <message>
+        <source>simulated: voice coil, 10 µm</source>
+        <translation>simuliert: Tauchspule, 10 µm</translation>
+    </message>
+    <message>
+        <source>microcontroller on a serial port</source>
+        <translation>Mikrocontroller an einem seriellen Anschluss</translation>
+    </message>
+    <message>
+        <source>ODrive</source>
+        <translation>ODrive</translation>
+    </message>
+    <message>
+        <source>Novint Falcon</source>
+        <translation>Novint Falcon</translation>
+    </message>
+    <message>
+        <source>F&amp;orce device:</source>
+        <translation>&amp;Kraftgerät:</translation>
+    </message>
+    <message>
+        <source>Serial port of the force device, for example /dev/ttyACM0</source>
+        <translation>Serieller Anschluss des Kraftgeräts, zum Beispiel /dev/ttyACM0</translation>
+    </message>
+    <message>
+        <source>P&amp;ort:</source>
+        <translation>A&amp;nschluss:</translation>
+    </message>
+    <message>
+        <source>A Falcon that was just switched on needs the file that came with its driver, 7 to 9 kB; its licence forbids us to ship it</source>
+        <translation>Ein eben eingeschalteter Falcon braucht die Datei, die mit seinem Treiber kam, 7 bis 9 kB; ihre Lizenz verbietet uns, sie mitzuliefern</translation>
+    </message>
+    <message>
+        <source>Fir&amp;mware:</source>
+        <translation>Fir&amp;mware:</translation>
+    </message>
+    <message>
+        <source>What the simulated finger does</source>
+        <translation>Was der simulierte Finger tut</translation>
+    </message>
+    <message>
+        <source>presses again and again</source>
+        <translation>drückt immer wieder</translation>
+    </message>
+    <message>
+        <source>rests in the middle of the travel</source>
+        <translation>ruht in der Mitte des Wegs</translation>
+    </message>
+    <message>
+        <source>F&amp;inger:</source>
+        <translation>F&amp;inger:</translation>
+    </message>
+    <message>
+        <source>The device is never asked for more force than this</source>
+        <translation>Vom Gerät wird nie mehr Kraft verlangt als diese</translation>
+    </message>
+    <message>
+        <source>the device's own</source>
+        <translation>die des Geräts</translation>
+    </message>
+    <message>
+        <source>&amp;Largest force:</source>
+        <translation>&amp;Größte Kraft:</translation>
+    </message>
+    <message>
+        <source>Encoder step, at the finger</source>
+        <translation>Encoderschritt, am Finger</translation>
+    </message>
+    <message>
+        <source>10 µm</source>
+        <translation>10 µm</translation>
+    </message>
+    <message>
+        <source>Encoder s&amp;tep:</source>
+        <translation>Encoderschri&amp;tt:</translation>
+    </message>
+    <message>
+        <source>Travel of the handle in one turn of the motor; negative where pressing turns it backwards</source>
+        <translation>Weg des Griffs bei einer Umdrehung des Motors; negativ, wo Drücken ihn rückwärts dreht</translation>
+    </message>
+    <message>
+        <source>Travel per t&amp;urn:</source>
+        <translation>Weg je &amp;Umdrehung:</translation>
+    </message>
+    <message>
+        <source>The microcontroller runs the law at its own rate</source>
+        <translation>Der Mikrocontroller rechnet das Gesetz in seinem eigenen Takt</translation>
+    </message>
+    <message>
+        <source>The force table is uploaded: no USB delay stands between position and force</source>
+        <translation>Die Krafttabelle wird hochgeladen: Keine USB-Verzögerung steht zwischen Ort und Kraft</translation>
+    </message>
+    <message>
+        <source>Damp where the button gives more than it took</source>
+        <translation>Dämpfen, wo der Taster mehr gab, als er nahm</translation>
+    </message>
+    <message>
+        <source>Passivity controller: steadier on a device that shakes, duller where a button snaps</source>
+        <translation>Passivitätsregler: ruhiger auf einem Gerät, das zittert, stumpfer, wo ein Taster schnappt</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>The first time: a hand on the power switch, and a largest force of 1 N. The guide to force feedback tells how to wire it.</source>
+        <translation>Beim ersten Mal: eine Hand am Netzschalter, und eine größte Kraft von 1 N. Der Leitfaden zur Kraftrückmeldung sagt, wie es verdrahtet wird.</translation>
+    </message>
+    <message>
+        <source>Firmware of the Falcon</source>
+        <translation>Firmware des Falcon</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin);;All files (*)</source>
+        <translation>Firmware (*.bin);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ForecastBar</name>
+    <message>
+        <source>Predicted confusion</source>
+        <translation>Vorhergesagte Verwechslung</translation>
+    </message>
+    <message>
+        <source>What a model of the sense of touch says about the vibration of both; asked of nobody. How far it is to be trusted: predicted-confusion in the documents.</source>
+        <translation>Was ein Modell des Tastsinns zur Schwingung beider sagt; niemand wurde gefragt. Wie weit ihm zu trauen ist: predicted-confusion in den Dokumenten.</translation>
+    </message>
+    <message>
+        <source>Make &amp;distinguishable…</source>
+        <translation>&amp;Unterscheidbar machen …</translation>
+    </message>
+    <message>
+        <source>Look for the smallest change of button A that people will notice</source>
+        <translation>Die kleinste Änderung von Taster A suchen, die Menschen bemerken</translation>
+    </message>
+    <message>
+        <source>Looking…</source>
+        <translation>Es wird gesucht …</translation>
+    </message>
+    <message>
+        <source>No single change of snap, travel or force by up to a factor 2 helps</source>
+        <translation>Keine einzelne Änderung von Schnappen, Weg oder Kraft bis zum Faktor 2 hilft</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ForecastMatrix</name>
+    <message>
+        <source>Who will be taken for whom?</source>
+        <translation>Wer wird mit wem verwechselt?</translation>
+    </message>
+    <message>
+        <source>Errors in 90 that people will probably make when they compare two buttons by feel; 45 is guessing. More than 9 (bold): they will probably not tell them apart. Double click: compare the two.</source>
+        <translation>Fehler in 90, die Menschen wahrscheinlich machen, wenn sie zwei Taster nach Gefühl vergleichen; 45 ist geraten. Mehr als 9 (fett): Sie werden sie wahrscheinlich nicht unterscheiden. Doppelklick: die beiden vergleichen.</translation>
+    </message>
+    <message>
+        <source>Predicted errors in 90 of every pair</source>
+        <translation>Vorhergesagte Fehler in 90 für jedes Paar</translation>
+    </message>
+    <message>
+        <source>%v of %m</source>
+        <translation>%v von %m</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Anhalten</translation>
+    </message>
+    <message>
+        <source>Give up what is being computed; the next edit begins anew</source>
+        <translation>Aufgeben, was berechnet wird; die nächste Änderung beginnt neu</translation>
+    </message>
+    <message>
+        <source>Open two buttons or more to compare them.</source>
+        <translation>Öffnen Sie zwei Taster oder mehr, um sie zu vergleichen.</translation>
+    </message>
+</context>
+<context>
     <name>detent::editor::GraphCanvas</name>
     <message>
         <source>Force graph</source>
@@ -3588,6 +4097,22 @@
         <translation>Diesen Taster über andere legen und die Unterschiede aufführen</translation>
     </message>
     <message>
+        <source>&amp;Who will be taken for whom?…</source>
+        <translation>&amp;Wer wird mit wem verwechselt? …</translation>
+    </message>
+    <message>
+        <source>Predict for all open buttons which of them people will confuse</source>
+        <translation>Für alle offenen Taster vorhersagen, welche Menschen verwechseln</translation>
+    </message>
+    <message>
+        <source>&amp;Study with people…</source>
+        <translation>&amp;Studie mit Menschen …</translation>
+    </message>
+    <message>
+        <source>Ask people whether they can tell buttons apart</source>
+        <translation>Menschen fragen, ob sie Taster unterscheiden können</translation>
+    </message>
+    <message>
         <source>&amp;Next button</source>
         <translation>&amp;Nächster Taster</translation>
     </message>
@@ -3661,6 +4186,17 @@
     </message>
 </context>
 <context>
+    <name>detent::editor::MarginOverlay</name>
+    <message>
+        <source>What slopes the force device bears</source>
+        <translation>Welche Steigungen das Kraftgerät trägt</translation>
+    </message>
+    <message>
+        <source>%1, bears %2</source>
+        <translation>%1, trägt %2</translation>
+    </message>
+</context>
+<context>
     <name>detent::editor::MaskBoxTool</name>
     <message>
         <source>Drag a rectangle over what is not a curve: texts, arrows, stamps.</source>
@@ -3694,6 +4230,12 @@
     <message>
         <source>Not saved yet</source>
         <translation>Noch nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1
+Against the button shown: %2</source>
+        <translation>%1
+Gegen den gezeigten Taster: %2</translation>
     </message>
     <message>
         <source>%1, with unsaved changes</source>
@@ -4486,6 +5028,383 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source> · losses: %1</source>
         <translation> · Verluste: %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::StudyDesk</name>
+    <message>
+        <source>Study: experimenter</source>
+        <translation>Studie: Versuchsleitung</translation>
+    </message>
+    <message>
+        <source>&amp;New study…</source>
+        <translation>&amp;Neue Studie …</translation>
+    </message>
+    <message>
+        <source>Make a study of the open buttons</source>
+        <translation>Eine Studie mit den offenen Tastern anlegen</translation>
+    </message>
+    <message>
+        <source>&amp;Open a study…</source>
+        <translation>Studie &amp;öffnen …</translation>
+    </message>
+    <message>
+        <source>Choose the folder of a study</source>
+        <translation>Den Ordner einer Studie wählen</translation>
+    </message>
+    <message>
+        <source>Participants</source>
+        <translation>Teilnehmende</translation>
+    </message>
+    <message>
+        <source>Participant</source>
+        <translation>Teilnehmer/in</translation>
+    </message>
+    <message>
+        <source>Answered</source>
+        <translation>Beantwortet</translation>
+    </message>
+    <message>
+        <source>Answers by</source>
+        <translation>Antworten von</translation>
+    </message>
+    <message>
+        <source>To be known</source>
+        <translation>Zu wissen</translation>
+    </message>
+    <message>
+        <source>Letters, digits, - and _; no name of a person. One that is in the list goes on at the very question</source>
+        <translation>Buchstaben, Ziffern, - und _; kein Name eines Menschen. Wer in der Liste steht, macht genau bei seiner Frage weiter</translation>
+    </message>
+    <message>
+        <source>Where nothing is felt, every row and every page of the report says so</source>
+        <translation>Wo nichts zu fühlen ist, sagt es jede Zeile und jede Seite des Berichts</translation>
+    </message>
+    <message>
+        <source>a person, with the sound device</source>
+        <translation>ein Mensch, mit dem Audiogerät</translation>
+    </message>
+    <message>
+        <source>nobody who counts: a rehearsal without a sound device</source>
+        <translation>niemand, der zählt: eine Probe ohne Audiogerät</translation>
+    </message>
+    <message>
+        <source>the program, guessing</source>
+        <translation>das Programm, geraten</translation>
+    </message>
+    <message>
+        <source>the program, without an error</source>
+        <translation>das Programm, ohne Fehler</translation>
+    </message>
+    <message>
+        <source>What reaches the ears; kept in every row</source>
+        <translation>Was die Ohren erreicht; steht in jeder Zeile</translation>
+    </message>
+    <message>
+        <source>quiet</source>
+        <translation>still</translation>
+    </message>
+    <message>
+        <source>masked by noise</source>
+        <translation>durch Rauschen verdeckt</translation>
+    </message>
+    <message>
+        <source>Serial port of a force sensor under the finger, calibrated by the study's device profile; empty: keys and large buttons press</source>
+        <translation>Serieller Anschluss eines Kraftsensors unter dem Finger, kalibriert durch das Geräteprofil der Studie; leer: Tasten und große Knöpfe drücken</translation>
+    </message>
+    <message>
+        <source>Next &amp;participant:</source>
+        <translation>&amp;Nächste Person:</translation>
+    </message>
+    <message>
+        <source>&amp;Answers by:</source>
+        <translation>&amp;Antworten von:</translation>
+    </message>
+    <message>
+        <source>&amp;Listening:</source>
+        <translation>&amp;Gehör:</translation>
+    </message>
+    <message>
+        <source>Force &amp;sensor:</source>
+        <translation>Kraft&amp;sensor:</translation>
+    </message>
+    <message>
+        <source>&amp;Begin or go on</source>
+        <translation>&amp;Beginnen oder weitermachen</translation>
+    </message>
+    <message>
+        <source>Open the participant's window, or let the program answer</source>
+        <translation>Das Fenster für die Person öffnen, oder das Programm antworten lassen</translation>
+    </message>
+    <message>
+        <source>Write the &amp;report…</source>
+        <translation>&amp;Bericht schreiben …</translation>
+    </message>
+    <message>
+        <source>Write tables and pictures of what was answered so far as one HTML page</source>
+        <translation>Tabellen und Bilder der bisherigen Antworten als eine HTML-Seite schreiben</translation>
+    </message>
+    <message>
+        <source>Open a study</source>
+        <translation>Studie öffnen</translation>
+    </message>
+    <message>
+        <source>Make a new study of the open buttons, or open the folder of one.</source>
+        <translation>Legen Sie eine neue Studie mit den offenen Tastern an, oder öffnen Sie den Ordner einer Studie.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt;: %2. Questions for each participant: %3</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt;: %2. Fragen an jede Person: %3</translation>
+    </message>
+    <message>
+        <source>A participant is at work: finish or pause there first.</source>
+        <translation>Eine Person ist bei der Arbeit: Beenden oder pausieren Sie zuerst dort.</translation>
+    </message>
+    <message>
+        <source>%1 Or choose a rehearsal.</source>
+        <translation>%1 Oder wählen Sie eine Probe.</translation>
+    </message>
+    <message>
+        <source>%1 has answered everything.</source>
+        <translation>%1 hat alles beantwortet.</translation>
+    </message>
+    <message>
+        <source>The program answers…</source>
+        <translation>Das Programm antwortet …</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Web page (*.html)</source>
+        <translation>Webseite (*.html)</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::StudyMaker</name>
+    <message>
+        <source>Every pair is tried in each of these, mixed and unnamed</source>
+        <translation>Jedes Paar wird in jeder davon versucht, gemischt und ungenannt</translation>
+    </message>
+    <message>
+        <source>New study</source>
+        <translation>Neue Studie</translation>
+    </message>
+    <message>
+        <source>Buttons of the study</source>
+        <translation>Taster der Studie</translation>
+    </message>
+    <message>
+        <source>Buttons, as they are shown now:</source>
+        <translation>Taster, wie sie jetzt gezeigt sind:</translation>
+    </message>
+    <message>
+        <source>What a participant is asked</source>
+        <translation>Was eine Person gefragt wird</translation>
+    </message>
+    <message>
+        <source>Which of two is X?</source>
+        <translation>Welcher von zweien ist X?</translation>
+    </message>
+    <message>
+        <source>Which of all is X?</source>
+        <translation>Welcher von allen ist X?</translation>
+    </message>
+    <message>
+        <source>Questions for each pair (of two) or button (of all), and kind of feedback</source>
+        <translation>Fragen je Paar (von zweien) oder Taster (von allen) und Art der Rückmeldung</translation>
+    </message>
+    <message>
+        <source>Questions before the first that counts</source>
+        <translation>Fragen vor der ersten, die zählt</translation>
+    </message>
+    <message>
+        <source>everything</source>
+        <translation>alles</translation>
+    </message>
+    <message>
+        <source>clicks only</source>
+        <translation>nur Klicks</translation>
+    </message>
+    <message>
+        <source>slopes only</source>
+        <translation>nur Steigungen</translation>
+    </message>
+    <message>
+        <source>&amp;Task:</source>
+        <translation>&amp;Aufgabe:</translation>
+    </message>
+    <message>
+        <source>&amp;Questions each:</source>
+        <translation>&amp;Fragen je:</translation>
+    </message>
+    <message>
+        <source>&amp;Practice:</source>
+        <translation>&amp;Übung:</translation>
+    </message>
+    <message>
+        <source>Feedback:</source>
+        <translation>Rückmeldung:</translation>
+    </message>
+    <message>
+        <source>Device profile:</source>
+        <translation>Geräteprofil:</translation>
+    </message>
+    <message>
+        <source>none (chosen under Setup of Feel it)</source>
+        <translation>keines (gewählt unter Einrichtung bei Fühlen)</translation>
+    </message>
+    <message>
+        <source>A folder that is not there yet; it holds the whole study and can be copied</source>
+        <translation>Ein Ordner, den es noch nicht gibt; er enthält die ganze Studie und lässt sich kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Choose…</source>
+        <translation>&amp;Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose where the folder is made</source>
+        <translation>Wählen, wo der Ordner angelegt wird</translation>
+    </message>
+    <message>
+        <source>Folder of the study</source>
+        <translation>Ordner der Studie</translation>
+    </message>
+    <message>
+        <source>&amp;Folder:</source>
+        <translation>&amp;Ordner:</translation>
+    </message>
+    <message>
+        <source>&amp;Make the study</source>
+        <translation>Studie an&amp;legen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Questions for each participant: %1, about %2 minutes.</source>
+        <translation>Fragen an jede Person: %1, etwa %2 Minuten.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::StudyWindow</name>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>REHEARSAL: there is no sound device, nothing is felt</source>
+        <translation>PROBE: Es gibt kein Audiogerät, nichts ist zu fühlen</translation>
+    </message>
+    <message>
+        <source>I agree: begin</source>
+        <translation>Ich bin einverstanden: beginnen</translation>
+    </message>
+    <message>
+        <source>No, thank you</source>
+        <translation>Nein, danke</translation>
+    </message>
+    <message>
+        <source>Feel X</source>
+        <translation>X fühlen</translation>
+    </message>
+    <message>
+        <source>Feel %1</source>
+        <translation>%1 fühlen</translation>
+    </message>
+    <message>
+        <source>X is %1</source>
+        <translation>X ist %1</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Close; the next start goes on at this very question</source>
+        <translation>Schließen; der nächste Start macht genau bei dieser Frage weiter</translation>
+    </message>
+    <message>
+        <source>Stop for good</source>
+        <translation>Endgültig aufhören</translation>
+    </message>
+    <message>
+        <source>Stop for good? What you have answered is kept.</source>
+        <translation>Endgültig aufhören? Was Sie beantwortet haben, bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>No, go on</source>
+        <translation>Nein, weitermachen</translation>
+    </message>
+    <message>
+        <source>Yes, stop</source>
+        <translation>Ja, aufhören</translation>
+    </message>
+    <message>
+        <source>That was the last one. Thank you.</source>
+        <translation>Das war die letzte. Vielen Dank.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Practice: question %1 of %2</source>
+        <translation>Übung: Frage %1 von %2</translation>
+    </message>
+    <message>
+        <source>Question %1 of %2</source>
+        <translation>Frage %1 von %2</translation>
+    </message>
+    <message>
+        <source>X is the real switch number %1</source>
+        <translation>X ist der echte Schalter Nummer %1</translation>
+    </message>
+    <message>
+        <source>Keys: %1 and X to feel, %2 to answer.</source>
+        <translation>Tasten: %1 und X zum Fühlen, %2 zum Antworten.</translation>
+    </message>
+    <message>
+        <source>Which one is X? Feel each as often as you like, then answer below it.</source>
+        <translation>Welcher ist X? Fühlen Sie jeden, so oft Sie mögen, dann antworten Sie darunter.</translation>
+    </message>
+    <message>
+        <source>X is one of those below. Feel X and the others, then say which one it is.</source>
+        <translation>X ist einer von denen unten. Fühlen Sie X und die anderen, dann sagen Sie, welcher es ist.</translation>
+    </message>
+    <message>
+        <source>Choose one, then press the pad with your finger.</source>
+        <translation>Wählen Sie einen, dann drücken Sie das Feld mit dem Finger.</translation>
+    </message>
+    <message>
+        <source>Click to feel it under your finger.</source>
+        <translation>Klicken Sie, um ihn unter dem Finger zu fühlen.</translation>
+    </message>
+    <message>
+        <source>Your answer is not kept yet. %1 Then answer again.</source>
+        <translation>Ihre Antwort ist noch nicht festgehalten. %1 Dann antworten Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>The sound device is back. This question begins anew.</source>
+        <translation>Das Audiogerät ist wieder da. Diese Frage beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>The sound device went away. Please call the experimenter.</source>
+        <translation>Das Audiogerät ist weg. Bitte rufen Sie die Versuchsleitung.</translation>
     </message>
 </context>
 <context>
