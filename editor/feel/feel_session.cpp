@@ -19,14 +19,6 @@ double fullForceOf(const playback::HapticProgram& program) {
 
 }  // namespace
 
-playback::PlayerSettings outputOf(const FeelSettings& settings) {
-  playback::PlayerSettings output;
-  output.device = settings.device.toStdString();
-  output.sampleRate_Hz = settings.rate_Hz;
-  output.bufferFrames = settings.buffer;
-  return output;
-}
-
 FeelSession::FeelSession(QObject* parent, const FeelDevices& devices)
     : QObject(parent), soundDevices_(nullptr, devices), player_(nullptr, devices), force_(nullptr, devices) {
   for (const FeelSide side : {FeelSide::a, FeelSide::b})

@@ -31,9 +31,6 @@ struct FeelMotion {
   bool pressed = false, releasing = false, contact = false;
 };
 
-/// The sound output that was chosen; everything else as the player has it by itself.
-playback::PlayerSettings outputOf(const FeelSettings& settings);
-
 /// No device is touched before the first press; without one everything but the device works. GUI thread.
 class FeelSession : public QObject {
   Q_OBJECT
