@@ -2799,10 +2799,6 @@
         <translation>%1 %, spätestens %2 ms</translation>
     </message>
     <message>
-        <source>, missed: %1</source>
-        <translation>, verpasst: %1</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -5105,8 +5101,16 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>still</translation>
     </message>
     <message>
-        <source>masked by noise</source>
-        <translation>durch Rauschen verdeckt</translation>
+        <source>masked by rain</source>
+        <translation>durch Regen verdeckt</translation>
+    </message>
+    <message>
+        <source>on the outputs behind the vibration's</source>
+        <translation>auf den Ausgängen hinter dem der Schwingung</translation>
+    </message>
+    <message>
+        <source>Sound device on which rain is played for the ears; turn it up until the vibration cannot be heard</source>
+        <translation>Audiogerät, auf dem Regen für die Ohren gespielt wird; drehen Sie auf, bis die Schwingung nicht mehr zu hören ist</translation>
     </message>
     <message>
         <source>Serial port of a force sensor under the finger, calibrated by the study's device profile; empty: keys and large buttons press</source>
@@ -5123,6 +5127,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>&amp;Listening:</source>
         <translation>&amp;Gehör:</translation>
+    </message>
+    <message>
+        <source>&amp;Headphones:</source>
+        <translation>&amp;Kopfhörer:</translation>
     </message>
     <message>
         <source>Force &amp;sensor:</source>
