@@ -3,12 +3,12 @@
 // valid; at the end undoing all gives the first button exactly, redoing all the last.
 //
 // DETENT_MONKEY_ACTIONS and DETENT_MONKEY_SEED change how many and which (defaults: 10000, 5).
+#include <algorithm>
 #include <QApplication>
 #include <QClipboard>
 #include <QDialog>
 #include <QKeyEvent>
 #include <QWheelEvent>
-#include <algorithm>
 #include <random>
 
 #include "editor/panels/operation_dialog.h"
