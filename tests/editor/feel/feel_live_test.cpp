@@ -127,6 +127,28 @@ class FeelLiveTest : public QObject {
     QCOMPARE(loudest(listener, silent + 4800), 0.0);
   }
 
+  void forceAndVibrationComeFromOnePress() {
+    JackServer server(128);
+    if (skipped(server, "force and vibration at once")) return;
+    Rig rig;
+    QTRY_VERIFY(rig.ready());
+    rig.panel.restoreState({{"device", jackDevice}, {"forceDevice", "sim:rig"}});
+    QTest::mouseClick(rig.part<QToolButton>("forceSwitch"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 10000);  // the sound device is opened as by a press
+    JackListener listener;
+    QVERIFY(listener.ready() && listener.listenTo("detent:out_1"));
+    rig.deepest_mm = 0;
+    QTRY_VERIFY_WITH_TIMEOUT(rig.deepest_mm > 3.5 && loudest(listener) > 0.05, 10000);
+
+    QTest::mouseClick(rig.part<QToolButton>("forceSwitch"), Qt::LeftButton);
+    QTRY_VERIFY(!rig.finger);
+    QTest::qWait(400);
+    const std::size_t from = listener.recorded().size();
+    QTest::qWait(300);
+    QCOMPARE(loudest(listener, from), 0.0);
+    QVERIFY(rig.sounding());
+  }
+
   void theDrawnPressPlaysByItself() {
     JackServer server(128);
     if (skipped(server, "playing a press")) return;
