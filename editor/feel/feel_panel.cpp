@@ -132,6 +132,7 @@ QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   column->addStretch(1);
   // In a low dock not all of it has room; whatever is wrapped, everything can be reached.
   auto* area = new QScrollArea;
+  area->setAccessibleName(tr("Sound, force and setup"));
   area->setWidget(whole);
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
