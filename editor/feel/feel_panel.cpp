@@ -137,8 +137,8 @@ QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   area->setWidgetResizable(true);
   area->setFrameShape(QFrame::NoFrame);
   area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  area->setMinimumSize(whole->minimumSizeHint().width() + area->verticalScrollBar()->sizeHint().width(),
-                       leastControls_px);
+  const int least_px = std::max(whole->minimumSizeHint().width(), setupPage_->minimumSizeHint().width());
+  area->setMinimumSize(least_px + area->verticalScrollBar()->sizeHint().width(), leastControls_px);
   return area;
 }
 

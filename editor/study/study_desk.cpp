@@ -306,6 +306,8 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   window_ = new StudyWindow(std::move(work));
   connect(window_, &QObject::destroyed, this, &StudyDesk::refresh, Qt::QueuedConnection);
   window_->show();
+  window_->raise();
+  window_->activateWindow();  // the keys are the participant's at once
   return Done{};
 }
 

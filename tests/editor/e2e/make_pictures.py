@@ -97,17 +97,26 @@ class Camera:
         self.desktop.key("alt+4")
         self.editor.click("setupToggle")
         x, y, _, height = self.editor.widget("driveChoice")["rect"]
-        self.desktop.xdotool("mousemove", x - 40, y + height // 2)  # beside the fields: a wheel on one would change it
-        self.desktop.xdotool("click", "--repeat", 60, "--delay", 10, 5)
-        time.sleep(1)
-        self.editor.click("forceDevice")
-        for _ in range(2):
-            self.desktop.key("Down")
-        self.desktop.key("Return")
+        place = (x - 40, y + height // 2)  # beside the fields: a wheel on one would change it
+        self.wheel(place, 5)
+        self.choose("forceDevice", 2)
+        self.wheel(place, 4)
         self.editor.click("setupToggle")
         self.editor.click("forceSwitch")
         time.sleep(2.3)
         self.take("feel-force")
+
+    def wheel(self, place, button):
+        self.desktop.xdotool("mousemove", *place)
+        self.desktop.xdotool("click", "--repeat", 60, "--delay", 10, button)
+        time.sleep(1)
+
+    def choose(self, name, entry, window=None):
+        """The entry of a list, counted from 0."""
+        self.editor.click(name, window)
+        time.sleep(0.7)
+        self.desktop.key("Home", *["Down"] * entry, "Return")
+        time.sleep(0.3)
 
     def compare(self):
         self.start("light", "buttons/C.button.json", "buttons/B.button.json")
@@ -126,18 +135,18 @@ class Camera:
     def study_desk(self):
         self.make_study()
         for answers in (2, 3):  # two simulated participants
-            self.editor.click("studyAnswers", "studyDesk")
-            self.desktop.key("Home", *["Down"] * answers, "Return")
+            self.choose("studyAnswers", answers, "studyDesk")
             self.editor.click("studyStart", "studyDesk")
             time.sleep(1)
         self.take("study-desk")
 
     def study_participant(self):
         self.make_study()
-        self.editor.click("studyAnswers", "studyDesk")
-        self.desktop.key("Home", "Down", "Return")
+        self.choose("studyAnswers", 1, "studyDesk")
         self.editor.click("studyStart", "studyDesk")
+        time.sleep(1.5)  # until the window is where it says
         self.editor.click("studyBegin", "studyWindow")
+        time.sleep(0.5)
         self.desktop.key("1", "2", "x")
         self.take("study-participant")
 
@@ -147,7 +156,7 @@ class Camera:
         self.editor.click("studyNew", "studyDesk")
         self.editor.click("makerFolder", "studyMaker")
         self.desktop.type(str(self.desktop.folder / "clicks"))
-        self.editor.click("makerMake", "studyMaker", enabled=True)
+        self.editor.click("makerMake", "studyMaker")
         self.editor.gone("studyMaker")
 
 
