@@ -90,9 +90,10 @@ class LiveView {
   }
 
   /// A line of its own; on a terminal the status line is drawn again below it.
-  static void warn(const std::string& sentence) {
-    std::fprintf(stderr, "%swarning: %s\n", errorIsTerminal() ? "\r\033[K" : "", sentence.c_str());
+  static void tell(const std::string& sentence) {
+    std::fprintf(stderr, "%s%s\n", errorIsTerminal() ? "\r\033[K" : "", sentence.c_str());
   }
+  static void warn(const std::string& sentence) { tell("warning: " + sentence); }
 
   Result<Done> connect() {
     player_->setGain(gain_);
@@ -186,9 +187,13 @@ class LiveView {
     if (traceEnd_s_ > 0 && now_s() > traceEnd_s_) ended_ = true;
     const PlayerStatus status = player_->status();
     for (const std::string& w : warnings_.look(status, now_s())) warn(w);
+    if (lost_ && !status.deviceLost)
+      tell("the sound device is back, at " + std::to_string(std::lround(status.sampleRate_Hz)) +
+           " samples per second");
+    lost_ = status.deviceLost;
     if (!status.sensorGreeting.empty() && status.sensorGreeting != greeting_) {
       greeting_ = status.sensorGreeting;
-      std::fprintf(stderr, "%ssensor: %s\n", errorIsTerminal() ? "\r\033[K" : "", greeting_.c_str());
+      tell("sensor: " + greeting_);
     }
     if (errorIsTerminal()) draw(status);
   }
@@ -261,7 +266,7 @@ class LiveView {
   LiveWarnings warnings_{profile_.sensor.weights > 0};
   std::string greeting_;
   const char* last_ = "";
-  bool ended_ = false, tracing_ = false;
+  bool ended_ = false, tracing_ = false, lost_ = false;
   double traceEnd_s_ = 0;
   int exitCode_ = 0;
 };

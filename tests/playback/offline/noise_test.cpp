@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <iostream>
 #include <memory>
 #include <random>
 
@@ -96,12 +97,13 @@ TEST_CASE("noise: a finger held still for a minute feels nothing, anywhere on an
       }
     }
   }
-  INFO(holds << " holds of a minute");
+  std::cout << holds << " holds of a minute, " << restless << " of them felt anything\n";
   CHECK(restless == 0);
 }
 
 TEST_CASE("noise: slow and fast presses feel each jump and the bottom-out exactly once") {
   std::uint64_t seed = 1;
+  std::size_t wrong = 0;
   for (const auto& [name, program] : sampleButtons()) {
     const double peak_N = 1.3 * strongestForce_N(program);
     const StateProgram& state = program.states[0];
@@ -117,8 +119,14 @@ TEST_CASE("noise: slow and fast presses feel each jump and the bottom-out exactl
           CHECK(felt.pressJumps == state.press.jumpCount);
           CHECK(felt.releaseJumps == state.release.jumpCount);
           CHECK(felt.bottomOuts == (state.hasBottomOut ? 1U : 0U));
+          wrong += felt.pressJumps != state.press.jumpCount || felt.releaseJumps != state.release.jumpCount ||
+                           felt.bottomOuts != (state.hasBottomOut ? 1U : 0U)
+                       ? 1
+                       : 0;
         }
       }
     }
   }
+  std::cout << seed - 1 << " noisy presses, " << wrong
+            << " of them with a jump or bottom-out too many or too few\n";
 }
