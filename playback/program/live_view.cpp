@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <set>
 
 #include <nlohmann/json.hpp>
 
@@ -84,7 +85,7 @@ class LiveView {
     Result<PreparedProgram> prepared = prepareProgram(buttons_[current_], profile_, settings_);
     if (prepared) {
       for (const PrepareWarning& w : prepared->summary.warnings) warn(english(w.message));
-      for (const std::string& w : doubtsAbout(a_, buttons_[current_], profile_, *prepared)) warn(w);
+      for (const Message& w : doubtsAbout(a_, buttons_[current_], profile_, *prepared)) warn(english(w));
     }
     return prepared;
   }
@@ -186,7 +187,10 @@ class LiveView {
     }
     if (traceEnd_s_ > 0 && now_s() > traceEnd_s_) ended_ = true;
     const PlayerStatus status = player_->status();
-    for (const std::string& w : warnings_.look(status, now_s())) warn(w);
+    for (const LiveWarning& w : warnings_.look(status, now_s())) {
+      warn(english(messageOf(w)));
+      warned_.insert(nameOf(w.code));
+    }
     if (lost_ && !status.deviceLost)
       tell("the sound device is back, at " + std::to_string(std::lround(status.sampleRate_Hz)) +
            " samples per second");
@@ -204,8 +208,8 @@ class LiveView {
     std::snprintf(text, sizeof text,
                   "%s%s%s%s %5.2f N %6.3f mm %s%s |%-10s| gain %+.0f dB %s %s grains %llu jumps %llu %s load "
                   "%2.0f%% xruns %llu %s",
-                  warnings_.mostUrgent().c_str(), warnings_.mostUrgent().empty() ? "" : " | ",
-                  buttons_[current_].name().substr(0, 20).c_str(),
+                  warnings_.mostUrgent() ? titleOf(*warnings_.mostUrgent()) : "",
+                  warnings_.mostUrgent() ? " | " : "", buttons_[current_].name().substr(0, 20).c_str(),
                   buttons_[current_].selfLocking() ? (s.state == 0 ? " (1)" : " (2)") : "", s.force_N,
                   s.displacement_mm, s.releasing ? "up  " : "down", s.contact ? "*" : " ",
                   std::string(bars, '#').c_str(), 20 * std::log10(std::max(gain_, 1e-6)),
@@ -252,7 +256,8 @@ class LiveView {
                                       {"dropped_readings", s.droppedReadings},
                                       {"dropped_events", s.droppedEvents},
                                       {"clipped_blocks", s.limitedBlocks},
-                                      {"sensor_noise_N", s.sensorNoise_N}};
+                                      {"sensor_noise_N", s.sensorNoise_N},
+                                      {"warning_codes", warned_}};
     std::cout << json.dump() << std::endl;
   }
 
@@ -265,6 +270,7 @@ class LiveView {
   std::unique_ptr<LivePlayer> player_;
   LiveWarnings warnings_{profile_.sensor.weights > 0};
   std::string greeting_;
+  std::set<std::string> warned_;  // codes of all that was told
   const char* last_ = "";
   bool ended_ = false, tracing_ = false, lost_ = false;
   double traceEnd_s_ = 0;

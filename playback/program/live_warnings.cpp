@@ -11,40 +11,79 @@ constexpr double shownFor_s = 3;         // a thing counted stays on the status 
 constexpr double toldEvery_s = 10;       // and makes a line of its own no more often than this
 constexpr double rarestForces_Hz = 100;  // below, a press of 60 ms is six readings
 
-}  // namespace
-
 /// One thing that may be wrong.
-struct LiveWarnings::Finding {
-  bool counted;  ///< by `value` growing; else it is there while `value` is not 0
-  std::uint64_t value;
+struct Wording {
+  LiveWarningCode code;
+  bool counted;  ///< else it is there or it is not
+  const char* name;
   const char* title;
-  const char* sentence;
+  const char* words;
 };
 
-std::vector<std::string> doubtsAbout(const LiveArguments& arguments, const Button& button,
-                                     const DeviceProfile& profile, const PreparedProgram& program) {
-  std::vector<std::string> doubts;
+constexpr std::array<Wording, liveWarningCodes> wordings{{
+    {LiveWarningCode::deviceLost, false, "device-lost", "DEVICE LOST",
+     "the sound device is gone; playing goes on when it is back"},
+    {LiveWarningCode::sensorUnplugged, false, "sensor-unplugged", "SENSOR UNPLUGGED",
+     "the sensor's port is gone; check its cable, it is opened again when it is back"},
+    {LiveWarningCode::sensorSilent, false, "sensor-silent", "SENSOR SILENT",
+     "the sensor sends nothing; check that its firmware runs and that --baud fits"},
+    {LiveWarningCode::sensorStuck, false, "sensor-stuck", "SENSOR STUCK",
+     "the sensor has sent the same force for 10 s; lift the finger, check its wiring"},
+    {LiveWarningCode::countsNotNewtons, false, "counts-not-newtons", "COUNTS, NOT NEWTONS",
+     "the sensor sends counts and the profile does not say what they are in newtons; run `detent-play "
+     "calibrate`"},
+    {LiveWarningCode::xruns, true, "xruns", "XRUNS",
+     "%1 dropouts (xruns); enlarge --buffer or close other programs"},
+    {LiveWarningCode::readingsDropped, true, "readings-dropped", "READINGS DROPPED",
+     "%1 readings came faster or waited longer than they can be played; send at most 2000 a second"},
+    {LiveWarningCode::eventsDropped, true, "events-dropped", "EVENTS DROPPED",
+     "%1 jumps came closer than they can be felt; some were left out"},
+    {LiveWarningCode::readingsRejected, true, "readings-rejected", "READINGS REJECTED",
+     "%1 readings that cannot be forces of a finger; see docs/serial-protocol.md"},
+    {LiveWarningCode::badLines, true, "bad-lines", "BAD LINES",
+     "%1 lines or messages that cannot be read; check --baud, docs/serial-protocol.md and docs/osc.md"},
+    {LiveWarningCode::clipping, true, "clipping", "CLIPPING",
+     "%1 blocks louder than full scale were turned down; lower --gain"},
+    {LiveWarningCode::forcesTooRare, false, "forces-too-rare", "FORCES TOO RARE",
+     "forces by message come less than 100 times a second: fast presses are felt as steps; send 425 or "
+     "more"},
+}};
+
+const Wording& wordingOf(LiveWarningCode code) { return wordings[static_cast<std::size_t>(code)]; }
+
+}  // namespace
+
+const char* nameOf(LiveWarningCode code) { return wordingOf(code).name; }
+const char* titleOf(LiveWarningCode code) { return wordingOf(code).title; }
+Message messageOf(const LiveWarning& warning) {
+  return Message::of(wordingOf(warning.code).words, {MessageValue(warning.count)});
+}
+
+std::vector<Message> doubtsAbout(const LiveArguments& arguments, const Button& button,
+                                 const DeviceProfile& profile, const PreparedProgram& program) {
+  std::vector<Message> doubts;
   const bool damped = std::any_of(button.states().begin(), button.states().end(),
                                   [](const ButtonState& s) { return !s.damping.empty(); });
   if (damped)
     doubts.push_back(
-        "\"" + button.name() +
-        "\" has damping, which vibration cannot give; `detent-play force` plays it on a force device");
+        {"\"%1\" has damping, which vibration cannot give; `detent-play force` plays it on a force device",
+         button.name()});
   const PrepareSummary& s = program.summary;
   if (arguments.signalTarget && s.grains + s.pressJumps + s.releaseJumps + s.bottomOuts == 0)
-    doubts.push_back("--signals-to: \"" + button.name() +
-                     "\" has nothing to signal in this mode; choose another --mode");
+    doubts.push_back(
+        {"--signals-to: \"%1\" has nothing to signal in this mode; choose another --mode", button.name()});
   if (arguments.signalTarget && !arguments.pressFile.empty())
-    doubts.push_back("--signals-to gets what sensor, keyboard and messages do, not the press that is played");
+    doubts.emplace_back(
+        "--signals-to gets what sensor, keyboard and messages do, not the press that is played");
   if (!arguments.sensor.port.empty() && profile.sensor.weights == 0)
     doubts.push_back(
-        "the sensor has no calibration: what it sends as counts is taken for newtons. Run `detent-play "
-        "calibrate --sensor " +
-        arguments.sensor.port + " -o my.device` and pass --profile my.device");
+        {"the sensor has no calibration: what it sends as counts is taken for newtons. Run `detent-play "
+         "calibrate --sensor %1 -o my.device` and pass --profile my.device",
+         arguments.sensor.port});
   return doubts;
 }
 
-std::vector<LiveWarnings::Finding> LiveWarnings::findingsIn(const PlayerStatus& s, double now_s) {
+LiveWarnings::Values LiveWarnings::valuesIn(const PlayerStatus& s, double now_s) {
   if (rateSince_s_ < 0 || now_s - rateSince_s_ > 1) {
     messageRate_Hz_ =
         rateSince_s_ < 0 ? 0 : static_cast<double>(s.messageForces - messagesThen_) / (now_s - rateSince_s_);
@@ -52,50 +91,43 @@ std::vector<LiveWarnings::Finding> LiveWarnings::findingsIn(const PlayerStatus& 
     messagesThen_ = s.messageForces;
   }
   const auto when = [](bool is) { return std::uint64_t{is ? 1U : 0U}; };
-  return {
-      {false, when(s.deviceLost), "DEVICE LOST", "the sound device is gone; playing goes on when it is back"},
-      {false, when(s.sensor == SensorCondition::unplugged), "SENSOR UNPLUGGED",
-       "the sensor's port is gone; check its cable, it is opened again when it is back"},
-      {false, when(s.sensor == SensorCondition::silent), "SENSOR SILENT",
-       "the sensor sends nothing; check that its firmware runs and that --baud fits"},
-      {false, when(s.sensor == SensorCondition::stuck), "SENSOR STUCK",
-       "the sensor has sent the same force for 10 s; lift the finger, check its wiring"},
-      {false, when(s.sensorSendsCounts && !calibrated_), "COUNTS, NOT NEWTONS",
-       "the sensor sends counts and the profile does not say what they are in newtons; run `detent-play "
-       "calibrate`"},
-      {true, s.xruns, "XRUNS", "dropouts (xruns); enlarge --buffer or close other programs"},
-      {true, s.droppedReadings, "READINGS DROPPED",
-       "readings came faster or waited longer than they can be played; send at most 2000 a second"},
-      {true, s.droppedEvents, "EVENTS DROPPED",
-       "jumps came closer than they can be felt; some were left out"},
-      {true, s.rejectedReadings, "READINGS REJECTED",
-       "readings that cannot be forces of a finger; see docs/serial-protocol.md"},
-      {true, s.malformedLines + s.malformedMessages, "BAD LINES",
-       "lines or messages that cannot be read; check --baud, docs/serial-protocol.md and docs/osc.md"},
-      {true, s.limitedBlocks, "CLIPPING", "blocks louder than full scale were turned down; lower --gain"},
-      {false, when(messageRate_Hz_ > 0 && messageRate_Hz_ < rarestForces_Hz), "FORCES TOO RARE",
-       "forces by message come less than 100 times a second: fast presses are felt as steps; send 425 or "
-       "more"},
-  };
+  return {when(s.deviceLost),
+          when(s.sensor == SensorCondition::unplugged),
+          when(s.sensor == SensorCondition::silent),
+          when(s.sensor == SensorCondition::stuck),
+          when(s.sensorSendsCounts && !calibrated_),
+          s.xruns,
+          s.droppedReadings,
+          s.droppedEvents,
+          s.rejectedReadings,
+          s.malformedLines + s.malformedMessages,
+          s.limitedBlocks,
+          when(messageRate_Hz_ > 0 && messageRate_Hz_ < rarestForces_Hz)};
 }
 
-std::vector<std::string> LiveWarnings::look(const PlayerStatus& status, double now_s) {
-  const std::vector<Finding> findings = findingsIn(status, now_s);
-  std::vector<std::string> news;
-  mostUrgent_.clear();
-  for (std::size_t i = 0; i < findings.size() && i < kinds; ++i) {
-    const Finding& f = findings[i];
-    Watch& w = watches_[i];
-    if (f.counted && f.value > w.seen) w.until_s = now_s + shownFor_s;
-    w.seen = f.value;
-    const bool active = f.counted ? now_s < w.until_s : f.value != 0;
-    if (active && mostUrgent_.empty()) mostUrgent_ = f.title;
-    const bool begins = f.counted ? f.value > w.told : active && !w.active;
-    w.active = active;
-    if (!begins || now_s - w.told_s < (f.counted ? toldEvery_s : 1)) continue;
-    w.told_s = now_s;
-    news.push_back(f.counted ? std::to_string(f.value - w.told) + " " + f.sentence : f.sentence);
-    w.told = f.value;
+std::optional<LiveWarning> LiveWarnings::newsOf(LiveWarningCode code, std::uint64_t value, double now_s) {
+  Watch& w = watches_[static_cast<std::size_t>(code)];
+  const bool counted = wordingOf(code).counted;
+  if (counted && value > w.seen) w.until_s = now_s + shownFor_s;
+  w.seen = value;
+  const bool active = counted ? now_s < w.until_s : value != 0;
+  if (active && !mostUrgent_) mostUrgent_ = code;
+  const bool begins = counted ? value > w.told : active && !w.active;
+  w.active = active;
+  if (!begins || now_s - w.told_s < (counted ? toldEvery_s : 1)) return {};
+  w.told_s = now_s;
+  const std::uint64_t before = w.told;
+  w.told = value;
+  return LiveWarning{code, counted ? value - before : 0};
+}
+
+std::vector<LiveWarning> LiveWarnings::look(const PlayerStatus& status, double now_s) {
+  const Values values = valuesIn(status, now_s);
+  std::vector<LiveWarning> news;
+  mostUrgent_.reset();
+  for (const Wording& w : wordings) {
+    if (const auto one = newsOf(w.code, values[static_cast<std::size_t>(w.code)], now_s))
+      news.push_back(*one);
   }
   return news;
 }

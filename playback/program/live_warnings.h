@@ -1,20 +1,52 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a person at the live view should know before anything else, one clear sentence each.
+// What a person at the live view should know before anything else: codes with values, and one clear sentence for each.
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/button.h"
+#include "model/message.h"
 #include "playback/playback.h"
 #include "playback/program/live_command.h"
 
 namespace detent::playback {
 
+/// Most urgent first.
+enum class LiveWarningCode : std::uint8_t {
+  deviceLost,
+  sensorUnplugged,
+  sensorSilent,
+  sensorStuck,
+  countsNotNewtons,
+  xruns,
+  readingsDropped,
+  eventsDropped,
+  readingsRejected,
+  badLines,
+  clipping,
+  forcesTooRare
+};
+inline constexpr std::size_t liveWarningCodes = 12;
+
+/// Something that has just begun, or has been counted again.
+struct LiveWarning {
+  LiveWarningCode code;
+  std::uint64_t count = 0;  ///< how many since it was told last; 0: it is there or it is not
+};
+
+/// "sensor-unplugged": as scripts see it.
+const char* nameOf(LiveWarningCode code);
+/// In capitals, for a status line.
+const char* titleOf(LiveWarningCode code);
+Message messageOf(const LiveWarning& warning);
+
 /// What the command line asks for that this button or device cannot give.
-std::vector<std::string> doubtsAbout(const LiveArguments& arguments, const Button& button,
-                                     const DeviceProfile& profile, const PreparedProgram& program);
+std::vector<Message> doubtsAbout(const LiveArguments& arguments, const Button& button,
+                                 const DeviceProfile& profile, const PreparedProgram& program);
 
 /// Watches a player's status from one look to the next. One owner.
 class LiveWarnings {
@@ -23,27 +55,26 @@ class LiveWarnings {
   explicit LiveWarnings(bool calibrated) : calibrated_(calibrated) {}
 
   /// Looks at the status; gives what is new, most urgent first.
-  std::vector<std::string> look(const PlayerStatus& status, double now_s);
-  /// The most urgent thing that is wrong right now, in capitals for a status line; empty: nothing.
-  const std::string& mostUrgent() const { return mostUrgent_; }
+  std::vector<LiveWarning> look(const PlayerStatus& status, double now_s);
+  /// The most urgent thing that is wrong right now.
+  std::optional<LiveWarningCode> mostUrgent() const { return mostUrgent_; }
 
  private:
-  static constexpr std::size_t kinds = 12;
-
   struct Watch {
     bool active = false;
     double until_s = -1, told_s = -1e9;
     std::uint64_t seen = 0, told = 0;
   };
-  struct Finding;
+  using Values = std::array<std::uint64_t, liveWarningCodes>;  // counts, or 1 where something is wrong
 
-  std::vector<Finding> findingsIn(const PlayerStatus& status, double now_s);
+  Values valuesIn(const PlayerStatus& status, double now_s);
+  std::optional<LiveWarning> newsOf(LiveWarningCode code, std::uint64_t value, double now_s);
 
   bool calibrated_;
-  std::array<Watch, kinds> watches_;
+  std::array<Watch, liveWarningCodes> watches_;
   double rateSince_s_ = -1, messageRate_Hz_ = 0;
   std::uint64_t messagesThen_ = 0;
-  std::string mostUrgent_;
+  std::optional<LiveWarningCode> mostUrgent_;
 };
 
 }  // namespace detent::playback

@@ -19,7 +19,8 @@ namespace detent::playback {
 class GrainVoice {
  public:
   bool active() const { return envelopeAge_ < envelopeLength_; }
-  double amplitude() const { return amplitude_; }
+  /// A new grain may renew the envelope at any time.
+  double loudest() const { return amplitude_; }
 
   void start(const Burst& burst, GrainCarrier carrier, double sampleRate_Hz) {
     const bool runsOn = carrier == GrainCarrier::running && active();

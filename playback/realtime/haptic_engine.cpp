@@ -248,6 +248,7 @@ void HapticEngine::play(const Pending& pending) {
   switch (event.kind) {
     case EventKind::grain:
       counts_.grains += event.count;
+      if (!chain().grainSounds()) lookFrame_ = now_;
       chain().startGrain(pending.burst);
       break;
     case EventKind::pressJump:
@@ -316,7 +317,7 @@ void HapticEngine::render(float* out, std::size_t count) {
   while (now_ < end) {
     applyDueInputs();
     playDue();
-    if (now_ >= lookFrame_ || loudest() > lookedAt_) lookAhead();
+    if (now_ >= lookFrame_) lookAhead();
     std::int64_t until = lookFrame_ < end ? lookFrame_ : end;
     if (inputCount_ > 0 && inputFrame(inputs_[inputHead_]) < until) until = inputFrame(inputs_[inputHead_]);
     if (pendingCount_ > 0 && pending_[pendingHead_].frame < until) until = pending_[pendingHead_].frame;
@@ -334,42 +335,45 @@ void HapticEngine::render(float* out, std::size_t count) {
   }
 }
 
-double HapticEngine::loudest() const {
+double HapticEngine::loudestWithin(double samples) const {
   double sum = 0;
-  for (const SoundChain& c : chains_) sum += c.loudest();
+  for (const SoundChain& c : chains_) sum += c.loudestWithin(samples);
   return sum * (gain_ > gainTarget_ ? gain_ : gainTarget_);
 }
 
-// What sounds is settled until the next event: a copy of the chains tells it, without a delay of the sound.
+// What sounds is settled until the next event: the limiter is told of a peak before it comes, without a delay of the sound.
 void HapticEngine::lookAhead() {
-  lookedAt_ = loudest();
-  lookFrame_ = never;
-  if (!(lookedAt_ > limiter_.ceiling())) {
+  const double horizon = std::floor(lookAhead_s * sampleRate_Hz_);
+  const bool everLoud = loudestWithin(highestSampleRate_Hz) > limiter_.ceiling();
+  lookFrame_ = everLoud ? now_ + static_cast<std::int64_t>(horizon / 2) : never;
+  if (!everLoud || !(loudestWithin(horizon) > limiter_.ceiling())) {
     limiter_.expect(1, 0);
     return;
   }
+  double first = 0;
+  const double peak = peakWithin(static_cast<std::size_t>(horizon), first);
+  const double wanted = peak > limiter_.ceiling() ? limiter_.ceiling() / peak : 1;
+  // As soon as what sounds now lets it: out of silence at once.
+  const double step = first * std::fmax(0.0, limiter_.gain() - wanted);
+  limiter_.expect(wanted, static_cast<std::size_t>(step / steepestTurn_per_s * sampleRate_Hz_));
+}
+
+// By a copy of all that sounds. `first`: the level of the very next sample.
+double HapticEngine::peakWithin(std::size_t samples, double& first) {
   const double gain = gain_ > gainTarget_ ? gain_ : gainTarget_;
-  const auto horizon = static_cast<std::size_t>(lookAhead_s * sampleRate_Hz_);
   ahead_ = chains_;
-  double highest = 0, first = 0;
-  for (std::size_t done = 0; done < horizon;) {
-    const std::size_t count = horizon - done < span ? horizon - done : span;
+  double peak = 0;
+  for (std::size_t done = 0; done < samples;) {
+    const std::size_t count = samples - done < span ? samples - done : span;
     for (std::size_t i = 0; i < count; ++i) mix_[i] = 0;
     for (SoundChain& c : ahead_) {
       if (!c.silent()) c.addTo(mix_.data(), bus_.data(), count);
     }
-    for (std::size_t i = 0; i < count; ++i) {
-      const double level = std::fabs(mix_[i]) * gain;
-      if (done + i == 0) first = level;
-      if (level > highest) highest = level;
-    }
+    if (done == 0) first = std::fabs(mix_[0]) * gain;
+    for (std::size_t i = 0; i < count; ++i) peak = std::fmax(peak, std::fabs(mix_[i]) * gain);
     done += count;
   }
-  const double wanted = highest > limiter_.ceiling() ? limiter_.ceiling() / highest : 1;
-  // As soon as what sounds now lets it: out of silence at once.
-  const double step = first * std::fmax(0.0, limiter_.gain() - wanted);
-  limiter_.expect(wanted, static_cast<std::size_t>(step / steepestTurn_per_s * sampleRate_Hz_));
-  lookFrame_ = now_ + static_cast<std::int64_t>(horizon / 2);
+  return peak;
 }
 
 void HapticEngine::renderSpan(float* out, std::size_t count) {

@@ -147,8 +147,9 @@ class HapticEngine {
   void playDue();
   void play(const Pending& pending);
   void startBurst(const Burst& burst);
-  double loudest() const;
+  double loudestWithin(double samples) const;
   void lookAhead();
+  double peakWithin(std::size_t samples, double& first);
   void report(const EngineEvent& event);
   void renderSpan(float* out, std::size_t count);
   bool silent() const;
@@ -180,7 +181,6 @@ class HapticEngine {
   double gain_ = 1, gainTarget_ = 1, gainStep_ = 0;
   Limiter limiter_;
   std::int64_t lookFrame_ = never;  // when the limiter is told again what comes
-  double lookedAt_ = 0;             // loudest() when it was told last
   std::array<SoundChain, chainCount> ahead_;
   float peak_ = 0;
   EngineCounts counts_;

@@ -6,7 +6,8 @@
 namespace detent::playback {
 
 namespace {
-constexpr double lowPassOvershoot = 1.3;  // of a restarted grain behind the Butterworth section of order 2
+constexpr double grainBehindLowPass =
+    0.8;  // 0.71 at the cutoff, where its carrier stands, and what restarts add
 }
 
 void SoundChain::use(const HapticProgram& program, double sampleRate_Hz) {
@@ -19,7 +20,8 @@ void SoundChain::use(const HapticProgram& program, double sampleRate_Hz) {
   highPassOn_ = program.highPass_Hz > 0;
   highPass_.setCoefficients(highPass(sampleRate_Hz, program.highPass_Hz));
   equalizerCount_ = 0;
-  raise_ = program.gain * lowPassOvershoot;
+  raise_ = program.gain;
+  grainShare_ = program.lowPass.placement == LowPassPlacement::none ? 1 : grainBehindLowPass;
   for (std::size_t i = 0; i < program.equalizerBandCount && i < maxEqualizerBands; ++i) {
     const EqualizerBand& band = program.equalizer[i];
     equalizer_[equalizerCount_++].setCoefficients(
@@ -76,10 +78,10 @@ bool SoundChain::silent() const {
   return true;
 }
 
-double SoundChain::loudest() const {
-  double sum = grain_.active() ? grain_.amplitude() : 0;
+double SoundChain::loudestWithin(double samples) const {
+  double sum = grain_.active() ? grainShare_ * grain_.loudest() : 0;
   for (const Voice& v : voices_) {
-    if (v.active()) sum += v.amplitude();
+    if (v.active()) sum += v.loudestWithin(samples);
   }
   return raise_ * sum;
 }

@@ -32,8 +32,9 @@ class SoundChain {
 
   /// Nothing sounds and no filter rings.
   bool silent() const;
-  /// What the sum of its voices cannot pass, by far: their amplitudes, as much as gain and equalizer raise them.
-  double loudest() const;
+  bool grainSounds() const { return grain_.active(); }
+  /// What the sum of its voices hardly passes in the next `samples`: their envelopes, as much as gain and equalizer raise them.
+  double loudestWithin(double samples) const;
 
   /// Adds `count` samples to `mix`; `bus` is working space of that length.
   void addTo(double* mix, double* bus, std::size_t count);
@@ -49,7 +50,8 @@ class SoundChain {
   std::size_t equalizerCount_ = 0;
   std::int64_t stealFade_frames_ = 1;
   double gain_ = 1;
-  double raise_ = 1;  // by gain, equalizer and the overshoot of the low-pass
+  double raise_ = 1;       // by gain and equalizer
+  double grainShare_ = 1;  // of a grain's amplitude that is left behind the low-pass
 };
 
 }  // namespace detent::playback

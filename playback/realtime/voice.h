@@ -16,7 +16,11 @@ class Voice {
   bool active() const { return position_ < length_; }
   bool fading() const { return fadeLength_ > 0; }
   std::int64_t age() const { return position_; }
-  double amplitude() const { return amplitude_; }
+  /// The highest its envelope gets in the next `samples`, as far as it is not stolen.
+  double loudestWithin(double samples) const {
+    const double now = static_cast<double>(position_) * perLength_, then = now + samples * perLength_;
+    return amplitude_ * (envelope_ == Envelope::falling ? 1 - now : then < 1 ? then : 1);
+  }
   /// Share of its level a fading voice still has; 1 when not fading.
   double fadeLevel() const {
     return fading() ? 1.0 - static_cast<double>(fadePosition_) / static_cast<double>(fadeLength_) : 1.0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/program/live_warnings.h"
 
+#include <set>
+
 #include <catch2/catch.hpp>
 
 #include "tests/playback/sample_buttons.h"
@@ -23,21 +25,26 @@ PlayerStatus healthy() {
 TEST_CASE("live warnings: nothing is said where nothing is wrong") {
   LiveWarnings warnings(true);
   for (int i = 0; i < 100; ++i) CHECK(warnings.look(healthy(), 0.05 * i).empty());
-  CHECK(warnings.mostUrgent().empty());
+  CHECK_FALSE(warnings.mostUrgent().has_value());
 }
 
 TEST_CASE("live warnings: what is wrong stands on the line as long as it lasts, and is told once") {
-  const auto troubles = {SensorCondition::unplugged, SensorCondition::silent, SensorCondition::stuck};
-  for (const SensorCondition condition : troubles) {
+  const std::vector<std::pair<SensorCondition, LiveWarningCode>> troubles{
+      {SensorCondition::unplugged, LiveWarningCode::sensorUnplugged},
+      {SensorCondition::silent, LiveWarningCode::sensorSilent},
+      {SensorCondition::stuck, LiveWarningCode::sensorStuck}};
+  for (const auto& [condition, code] : troubles) {
     LiveWarnings warnings(true);
     PlayerStatus status = healthy();
     status.sensor = condition;
-    CHECK(warnings.look(status, 0).size() == 1);
-    CHECK_FALSE(warnings.mostUrgent().empty());
+    const std::vector<LiveWarning> first = warnings.look(status, 0);
+    REQUIRE(first.size() == 1);
+    CHECK(first[0].code == code);
+    CHECK(warnings.mostUrgent() == code);
     for (int i = 1; i < 200; ++i) CHECK(warnings.look(status, 0.05 * i).empty());
-    CHECK_FALSE(warnings.mostUrgent().empty());
+    CHECK(warnings.mostUrgent().has_value());
     CHECK(warnings.look(healthy(), 11).empty());
-    CHECK(warnings.mostUrgent().empty());
+    CHECK_FALSE(warnings.mostUrgent().has_value());
     CHECK(warnings.look(status, 12).size() == 1);
   }
 }
@@ -47,10 +54,10 @@ TEST_CASE("live warnings: a lost device comes before everything else") {
   PlayerStatus status = healthy();
   status.sensor = SensorCondition::unplugged;
   warnings.look(status, 0);
-  const std::string sensor = warnings.mostUrgent();
+  CHECK(warnings.mostUrgent() == LiveWarningCode::sensorUnplugged);
   status.deviceLost = true;
   CHECK(warnings.look(status, 0.1).size() == 1);
-  CHECK(warnings.mostUrgent() != sensor);
+  CHECK(warnings.mostUrgent() == LiveWarningCode::deviceLost);
 }
 
 TEST_CASE("live warnings: what is counted is told with its number, every ten seconds at most") {
@@ -61,18 +68,19 @@ TEST_CASE("live warnings: what is counted is told with its number, every ten sec
     LiveWarnings warnings(true);
     PlayerStatus status = healthy();
     status.*count = 3;
-    const std::vector<std::string> first = warnings.look(status, 0);
+    const std::vector<LiveWarning> first = warnings.look(status, 0);
     REQUIRE(first.size() == 1);
-    CHECK(first[0][0] == '3');
+    CHECK(first[0].count == 3);
+    CHECK(english(messageOf(first[0])).front() == '3');
     std::size_t told = 0;
     for (int i = 1; i <= 200; ++i) {
       ++(status.*count);
       told += warnings.look(status, 0.05 * i).size();
     }
     CHECK(told == 1);
-    CHECK_FALSE(warnings.mostUrgent().empty());
+    CHECK(warnings.mostUrgent().has_value());
     warnings.look(status, 14);
-    CHECK(warnings.mostUrgent().empty());
+    CHECK_FALSE(warnings.mostUrgent().has_value());
   }
 }
 
@@ -116,4 +124,17 @@ TEST_CASE("live doubts: what this button or device cannot give is said before an
   CHECK(doubts(arguments, off, plain) == 1);
   arguments.pressFile = "press.csv";
   CHECK(doubts(arguments, {}, plain) == 1);
+}
+
+TEST_CASE("live warnings: every code has its own name, title and words") {
+  std::set<std::string> names, titles, words;
+  for (std::size_t i = 0; i < liveWarningCodes; ++i) {
+    const auto code = static_cast<LiveWarningCode>(i);
+    names.insert(nameOf(code));
+    titles.insert(titleOf(code));
+    words.insert(english(messageOf({code, 1})));
+  }
+  CHECK(names.size() == liveWarningCodes);
+  CHECK(titles.size() == liveWarningCodes);
+  CHECK(words.size() == liveWarningCodes);
 }
