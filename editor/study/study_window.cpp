@@ -54,6 +54,9 @@ QLabel* banner(const QString& text) {
 QPushButton* feelButton(const QString& text, const QString& name) {
   QPushButton* button = largeButton(text, name, largeText_pt, pressHeight_px);
   button->setCheckable(true);
+  button->setStyleSheet(
+      "QPushButton:checked { border: 5px solid palette(highlight); border-radius: 4px; background: "
+      "palette(button); }");
   QObject::connect(button, &QPushButton::clicked, button, [button] { button->setChecked(true); });
   return button;
 }
