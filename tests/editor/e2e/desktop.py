@@ -46,6 +46,7 @@ class Desktop:
         self.folder, self.size, self.scale = Path(folder), size, scale
         self.started = []
         self.actions = 0  # clicks, drags and keys of a person; what is typed into a field belongs to its click
+        self.clicks = 0  # clicks and drags alone
 
     def __enter__(self):
         reading, writing = os.pipe()
@@ -91,6 +92,7 @@ class Desktop:
 
     def click(self, place):
         self.actions += 1
+        self.clicks += 1
         self.move(place, "--sync")
         self.xdotool("click", 1)
 
@@ -98,14 +100,15 @@ class Desktop:
         """Like a hand: several moves, a little time in each."""
         self.trail([start] + [[a + (b - a) * i / steps for a, b in zip(start, stop)] for i in range(1, steps + 1)])
 
-    def trail(self, places):
-        """One drag along places."""
+    def trail(self, places, pause_s=0.02):
+        """One drag along places. A busy window takes several moves for one: a longer pause lets it see each."""
         self.actions += 1
+        self.clicks += 1
         self.move(places[0], "--sync")
         self.xdotool("mousedown", 1)
         for place in places[1:]:
             self.move(place)
-            time.sleep(0.02)
+            time.sleep(pause_s)
         self.xdotool("mouseup", 1)
 
     def screenshot(self, file):
