@@ -17,6 +17,7 @@
 #include "model/result.h"
 #include "playback/offline/render_press.h"
 #include "playback/prepare/prepare_force.h"
+#include "playback/prepare/spring_button.h"
 #include "playback/prepare/stability.h"
 #include "playback/realtime/force_engine.h"
 

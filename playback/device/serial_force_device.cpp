@@ -152,6 +152,7 @@ ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
     if (link_.reopen()) {
       ++counts_.reconnects;
       ownLaw_ = false;
+      lastTime_us_ = -1;
     }
     return reading;
   }
@@ -172,15 +173,18 @@ ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
     const std::optional<std::string_view> text = forceLineBody(*line);
     const std::vector<std::string_view> f = split(text.value_or(""));
     std::uint32_t sequence = 0;
-    long long position_nm = 0;
-    if (!text || f.size() != 4 || f[0] != "P" || !read(f[1], sequence) || !read(f[3], position_nm)) {
+    long long time_us = 0, position_nm = 0;
+    if (!text || f.size() != 4 || f[0] != "P" || !read(f[1], sequence) || !read(f[2], time_us) ||
+        !read(f[3], position_nm)) {
       ++counts_.malformed;
       continue;
     }
-    if (sequence != sequence_) {
-      ++counts_.repeated;  // of an earlier period, or twice
+    // Of an earlier period, or twice; or a device whose clock stands still measures nothing anew.
+    if (sequence != sequence_ || time_us == lastTime_us_) {
+      ++counts_.repeated;
       continue;
     }
+    lastTime_us_ = time_us;
     reading.position_mm = last_mm_ = static_cast<double>(position_nm) / nmPerMm;
     reading.fresh = true;
     return reading;

@@ -49,6 +49,7 @@ class SerialForceDevice : public ForceDevice {
   ForceLinkCounts counts_;
   bool ownLaw_ = false;
   std::uint32_t sequence_ = 0;
+  long long lastTime_us_ = -1;  ///< of the device, at its last answer
   double last_mm_ = 0;
 };
 

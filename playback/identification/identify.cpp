@@ -33,17 +33,35 @@ struct Sample {
   double x_mm, v_mm_per_s, a_mm_per_s2, force_N;
 };
 
-/// Shares of the two knots around a place.
+/// Adds to `out` what the slope at a knot takes of the knots' values, `factor` times: that of the parabola through three of them.
+void addSlope(std::size_t knots, std::size_t at, double factor, double* out) {
+  if (knots == 2) {
+    out[0] -= factor, out[1] += factor;
+  } else if (at == 0) {
+    out[0] -= 1.5 * factor, out[1] += 2 * factor, out[2] -= 0.5 * factor;
+  } else if (at == knots - 1) {
+    out[at] += 1.5 * factor, out[at - 1] -= 2 * factor, out[at - 2] += 0.5 * factor;
+  } else {
+    out[at + 1] += 0.5 * factor, out[at - 1] -= 0.5 * factor;
+  }
+}
+
+/// Shares of the knots in the value at a place, `factor` times: cubics that reproduce every parabola. Straight lines between knots
+/// would put a smooth button's bend into the errors, whose size then no longer covers it.
 void addShares(const std::vector<double>& knots_mm, double x_mm, double factor, double* out) {
-  if (knots_mm.size() == 1) {
+  const std::size_t n = knots_mm.size();
+  if (n == 1) {
     out[0] = factor;
     return;
   }
-  const double place = std::clamp((x_mm - knots_mm.front()) / (knots_mm[1] - knots_mm[0]), 0.0,
-                                  static_cast<double>(knots_mm.size() - 1) - 1e-12);
-  const auto i = static_cast<std::size_t>(place);
-  out[i] = factor * (1 - (place - static_cast<double>(i)));
-  out[i + 1] = factor * (place - static_cast<double>(i));
+  const double place =
+      std::clamp((x_mm - knots_mm.front()) / (knots_mm[1] - knots_mm[0]), 0.0, static_cast<double>(n - 1));
+  const std::size_t i = std::min(static_cast<std::size_t>(place), n - 2);
+  const double u = place - static_cast<double>(i), rest = 1 - u;
+  out[i] += factor * rest * rest * (1 + 2 * u);
+  out[i + 1] += factor * u * u * (3 - 2 * u);
+  addSlope(n, i, factor * u * rest * rest, out);
+  addSlope(n, i + 1, -factor * u * u * rest, out);
 }
 
 Eigen::MatrixXd designOf(const std::vector<Sample>& samples, const std::vector<double>& knots_mm,
@@ -149,6 +167,14 @@ double speedSpread(const std::vector<Sample>& samples) {
   return 0.5 * (at(0.9) - at(0.1)) / at(0.5);
 }
 
+double valueAt(const std::vector<double>& knots_mm, const std::vector<Estimate>& estimates, double x_mm) {
+  std::vector<double> shares(knots_mm.size(), 0.0);
+  addShares(knots_mm, x_mm, 1, shares.data());
+  double value = 0;
+  for (std::size_t k = 0; k < shares.size(); ++k) value += shares[k] * estimates[k].value;
+  return value;
+}
+
 Failure unusable(std::string problem, std::string remedy) {
   return {FailureCode::unreadableInput, "record", "", std::move(problem), std::move(remedy)};
 }
@@ -231,24 +257,17 @@ Result<Button> buttonFrom(const Identification& found, const std::string& name, 
   std::vector<CurvePoint> points;
   for (int i = 0; i <= places; ++i) {
     const double x_mm = travel_mm * i / places;
-    std::vector<double> shares(found.knots_mm.size(), 0.0);
-    addShares(found.knots_mm, x_mm, x_mm, shares.data());
-    double force_N = found.offset_N.value;
-    for (std::size_t k = 0; k < shares.size(); ++k) force_N += shares[k] * found.k_N_per_mm[k].value;
-    points.push_back({x_mm, force_N});
+    points.push_back({x_mm, found.offset_N.value + valueAt(found.knots_mm, found.k_N_per_mm, x_mm) * x_mm});
   }
   Result<StrokeCurve> press = StrokeCurve::throughPoints(points);
   if (!press) return press.failure();
   Result<ForceGraph> graph = ForceGraph::fromCurves(*press, *press);
   if (!graph) return graph.failure();
   ButtonState state{"", *std::move(graph), {}, {}, {}};
-  for (std::size_t k = 0; k < found.b_Ns_per_mm.size(); ++k) {
-    const double b = std::max(0.0, found.b_Ns_per_mm[k].value);
-    if (found.knots_mm.size() == 1) {
-      state.damping = {{0, b}, {travel_mm, b}};
-    } else {
-      state.damping.push_back({found.knots_mm[k], b});
-    }
+  for (int i = 0; i <= places && !found.b_Ns_per_mm.empty(); ++i) {
+    const double x_mm = travel_mm * i / places;
+    state.damping.push_back({x_mm, std::max(0.0, valueAt(found.knots_mm, found.b_Ns_per_mm, x_mm))});
+    if (found.knots_mm.size() == 1) i = std::max(i, places - 1);  // a constant needs its ends only
   }
   return Button::fromStates(name, {std::move(state)});
 }

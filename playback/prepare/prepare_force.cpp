@@ -112,11 +112,10 @@ class Preparation {
     setDamping(from, to, s);
     if (button_.selfLocking()) {
       fill(press, restOf(press), to, &ForceRow::pending_N);
-      setStored(&ForceRow::pending_N, to);
+      setStored(&ForceRow::pending_N, &ForceRow::pendingStored_mJ, to);
       setActuation(from, release, to);
-    } else {
-      setStored(&ForceRow::release_N, to);
     }
+    setStored(&ForceRow::release_N, &ForceRow::stored_mJ, to);
     prepared_.summary.travel_mm = std::max(prepared_.summary.travel_mm, from.graph.travel_mm());
     prepared_.summary.rowSpacing_mm = std::max(prepared_.summary.rowSpacing_mm, to.spacing_mm);
   }
@@ -236,7 +235,7 @@ class Preparation {
     if (strongest > largest) remark(ForceRemarkKind::dampingLimited, s, strongest_mm, strongest, largest);
   }
 
-  void setStored(float ForceRow::*force, ForceStateTable& to) const {
+  static void setStored(float ForceRow::*force, float ForceRow::*stored, ForceStateTable& to) {
     double stored_mJ = 0, least_mJ = 0;
     std::vector<double> sums_mJ(to.rowCount, 0.0);
     for (std::size_t i = 1; i < to.rowCount; ++i) {
@@ -245,7 +244,7 @@ class Preparation {
       least_mJ = std::min(least_mJ, stored_mJ);
     }
     for (std::size_t i = 0; i < to.rowCount; ++i)
-      to.rows[i].stored_mJ = static_cast<float>(sums_mJ[i] - least_mJ);
+      to.rows[i].*stored = static_cast<float>(sums_mJ[i] - least_mJ);
   }
 
   void setActuation(const ButtonState& from, const StrokeCurve& release, ForceStateTable& to) {
@@ -261,27 +260,14 @@ class Preparation {
     const double last_mm = press.end_mm() - 2 * device_.step_mm;
     to.operating_mm =
         std::min(std::max(from.operatingPoint_mm.value_or(acts_mm), leave_mm), std::max(last_mm, leave_mm));
-    to.actuationEnergy_mJ = stored_mJ(to, to.rest_mm, &ForceRow::release_N) -
-                            stored_mJ(to, press.start_mm(), &ForceRow::pending_N);
-  }
-
-  /// What a stroke holds at the operating point, above what it holds at its own rest.
-  static double stored_mJ(const ForceStateTable& table, double rest_mm, float ForceRow::*force) {
-    double energy_mJ = 0;
-    for (std::size_t i = 1; i < table.rowCount; ++i) {
-      const double at_mm = table.first_mm + (static_cast<double>(i) - 0.5) * table.spacing_mm;
-      if (at_mm < rest_mm || at_mm > table.operating_mm) continue;
-      energy_mJ +=
-          0.5 * static_cast<double>(table.rows[i].*force + table.rows[i - 1].*force) * table.spacing_mm;
-    }
-    return energy_mJ;
   }
 
   void setRest() {
     const ForceStateTable& t = prepared_.program.states[0];
+    const auto held = button_.selfLocking() ? &ForceRow::pendingStored_mJ : &ForceRow::stored_mJ;
     const auto least =
         std::min_element(t.rows.begin(), t.rows.begin() + t.rowCount,
-                         [](const ForceRow& a, const ForceRow& b) { return a.stored_mJ < b.stored_mJ; });
+                         [held](const ForceRow& a, const ForceRow& b) { return a.*held < b.*held; });
     prepared_.summary.rest_mm = placeOf(t, static_cast<std::size_t>(least - t.rows.begin()));
   }
 

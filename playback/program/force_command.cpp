@@ -31,7 +31,8 @@ constexpr std::size_t mostDrawnSteps = 200000;  // of a picture; the log has the
 
 struct ForceArguments {
   std::string button, device = "sim", finger = "press";
-  double rate_Hz = 0;  ///< 0: the device's own
+  SpringPolynomials spring;  ///< in place of a button file
+  double rate_Hz = 0;        ///< 0: the device's own
   ForceSettings force;
   double seconds = 0;
   bool fast = false;
@@ -52,7 +53,20 @@ const std::map<std::string, VelocityMethod> velocities{{"kalman", VelocityMethod
                                                        {"difference", VelocityMethod::difference}};
 
 void addOptions(CLI::App& app, ForceArguments& a) {
-  app.add_option("BUTTON", a.button, "*.button.json")->required();
+  app.add_option("BUTTON", a.button, "*.button.json, or --stiffness in its place");
+  const std::string spring = "A spring and damper in place of BUTTON: F = k(x) x + b(x) v";
+  app.add_option("--stiffness", a.spring.stiffness_N_per_mm,
+                 "k(x) in N/mm: coefficients of x^0, x^1, ... with x in mm, 0.2,0,-0.01")
+      ->delimiter(',')
+      ->group(spring);
+  app.add_option("--damping", a.spring.damping_Ns_per_mm, "b(x) in N s/mm, likewise")
+      ->delimiter(',')
+      ->group(spring)
+      ->needs("--stiffness");
+  app.add_option("--travel", a.spring.travel_mm, "In mm")
+      ->capture_default_str()
+      ->group(spring)
+      ->needs("--stiffness");
   app.add_option("--device", a.device, "sim[:falcon|:rig]|serial:PORT|odrive:PORT|falcon[:N]")
       ->capture_default_str();
   app.add_option("--finger", a.finger,
@@ -202,6 +216,7 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
            {{"missing_readings", s.guard.missing},
             {"readings_not_finite", s.guard.notFinite},
             {"absurd_readings", s.guard.absurd},
+            {"frozen_readings", s.guard.frozen},
             {"fades", s.guard.faded},
             {"too_fast", s.guard.tooFast},
             {"force_limited_steps", s.guard.forceLimited},
@@ -231,15 +246,16 @@ void printFigures(const ForceStatus& s, const RunFigures& run, const ForceSummar
                  percentPunctual(s), 1e6 * s.worstLate_s, static_cast<unsigned long long>(s.missedDeadlines),
                  s.realtime ? "" : " (no real-time scheduling: docs/force-feedback.md)");
   }
-  const std::uint64_t bad = s.guard.missing + s.guard.notFinite + s.guard.absurd;
+  const std::uint64_t bad = s.guard.missing + s.guard.notFinite + s.guard.absurd + s.guard.frozen;
   if (bad > 0 || s.guard.tooFast > 0) {
     std::fprintf(
         stderr,
-        "safety: %llu readings late, %llu not a number, %llu absurd, %llu times too fast; the force was "
-        "taken away "
-        "%llu times\n",
+        "safety: %llu readings late, %llu not a number, %llu absurd, %llu frozen, %llu times too fast; the "
+        "force was "
+        "taken away %llu times\n",
         static_cast<unsigned long long>(s.guard.missing), static_cast<unsigned long long>(s.guard.notFinite),
-        static_cast<unsigned long long>(s.guard.absurd), static_cast<unsigned long long>(s.guard.tooFast),
+        static_cast<unsigned long long>(s.guard.absurd), static_cast<unsigned long long>(s.guard.frozen),
+        static_cast<unsigned long long>(s.guard.tooFast),
         static_cast<unsigned long long>(s.guard.faded + s.guard.tooFast));
   }
 }
@@ -282,9 +298,20 @@ Result<Done> writePictures(const ForceArguments& a, const Button& button, const 
                                : writeTextFileAtomically(a.figuresFile, paperFiguresSvg(button, steps));
 }
 
+Result<Button> buttonFor(const ForceArguments& a) {
+  const bool given = !a.spring.stiffness_N_per_mm.empty();
+  if (given == !a.button.empty()) {
+    return Failure{FailureCode::wrongUsage, "BUTTON", "",
+                   given ? "is given beside --stiffness" : "is missing",
+                   "Give a *.button.json, or --stiffness"};
+  }
+  return given ? springButton("Spring and damper", a.spring) : readButtonFile(a.button);
+}
+
 int run(const ForceArguments& a, const Cancelled& cancelled) {
-  Result<Button> button = readButtonFile(a.button);
+  Result<Button> button = buttonFor(a);
   if (!button) return fail(button.failure());
+  const std::string shownAs = a.button.empty() ? button->name() : a.button;
   Result<ForcePlayerSettings> settings = settingsFrom(a);
   if (!settings) return fail(settings.failure());
   std::optional<ForceLog> log;
@@ -297,11 +324,11 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
   if (!player) return fail(player.failure());
   const ForceSummary summary = (*player)->summary();
   for (const ForceRemark& r : summary.remarks) {
-    std::fprintf(stderr, "note: %s: %s.\n", a.button.c_str(), sentenceOf(r, *button).c_str());
+    std::fprintf(stderr, "note: %s: %s.\n", shownAs.c_str(), sentenceOf(r, *button).c_str());
   }
   const double rate_Hz = settings->force.rate_Hz.value_or(settings->device.profile.rate_Hz);
   for (const UnstableStretch& u : stabilityOf(*button, settings->device.profile, rate_Hz).unstable) {
-    std::fprintf(stderr, "stability: %s: %s.\n", a.button.c_str(), sentenceOf(u, *button).c_str());
+    std::fprintf(stderr, "stability: %s: %s.\n", shownAs.c_str(), sentenceOf(u, *button).c_str());
   }
   RunFigures figures;
   std::vector<ForceStep> steps, drawn;

@@ -17,32 +17,61 @@ constexpr double controllerSpeed_mm_per_s = 0.5;  // below it there is nothing t
 ForceEngine::ForceEngine(const ForceProgram& program)
     : program_(&program),
       law_(program),
-      guard_(program.limits, program.period_s),
+      guard_(program.limits, program.period_s, program.step_mm),
       velocity_(program.velocity, program.period_s, program.step_mm),
       sidewaysVelocity_{velocity_, velocity_} {}
 
 void ForceEngine::setProgram(const ForceProgram& program) {
-  const ForceStep last = last_;
-  *this = ForceEngine(program);
-  last_.index = last.index;
-  last_.position_mm = last.position_mm;
-  last_.energy_mJ = last.energy_mJ;
+  program_ = &program;
+  const double pressShare = law_.pressShare();
+  law_ = ForceLaw(program);
+  law_.restart(steady_mm_, pressShare);
+  guard_.setLimits(program.limits, program.period_s, program.step_mm);
+  velocity_ = VelocityEstimator(program.velocity, program.period_s, program.step_mm);
+  sidewaysVelocity_ = {velocity_, velocity_};
+  resuming_ = true;  // the estimators know nothing yet
+  exchanged_ = running_;
+}
+
+// While one button becomes the other, the force moves energy of its own.
+double ForceEngine::exchanging_N(double force_N) {
+  if (exchanged_) {
+    exchanged_ = false;
+    exchange_N_ = heldForce_N_ - force_N;
+    exchangeLeft_ = 1;
+  }
+  const double sent_N = force_N + exchangeLeft_ * exchange_N_;
+  exchangeLeft_ = std::max(0.0, exchangeLeft_ - program_->period_s / program_->limits.startRamp_s);
+  return sent_N;
 }
 
 // An encoder that flickers between two steps says no more than that the position lies at their common edge: exactly what
 // this gives. Three steps wide would hide movement.
-double ForceEngine::steadied_mm(double position_mm) {
+double ForceEngine::steadied_mm(double position_mm) const {
   const double half_mm = 0.5 * program_->step_mm * (1 + 1e-9);
-  return steady_mm_ = std::max(position_mm - half_mm, std::min(position_mm + half_mm, steady_mm_));
+  return std::max(position_mm - half_mm, std::min(position_mm + half_mm, steady_mm_));
 }
 
-// E(n) = E(n-1) + F(n-1) (x(n) - x(n-1)): what the held force did on the way here (Hannaford and Ryu's passivity observer).
+// What a device's delay lets act between the last reading and this one.
+double ForceEngine::actingForce_N() const {
+  const double periods =
+      std::min(program_->law.holdLead_s / program_->period_s - 0.5, static_cast<double>(sent_N_.size() - 2));
+  const auto whole = static_cast<std::size_t>(std::max(0.0, periods));
+  const auto before = [&](std::size_t steps) {
+    return sent_N_[(newestSent_ + sent_N_.size() - steps) % sent_N_.size()];
+  };
+  return before(whole) +
+         (std::max(0.0, periods) - static_cast<double>(whole)) * (before(whole + 1) - before(whole));
+}
+
+// E(n) = E(n-1) + F (x(n) - x(n-1)) with the force that acted on the way here (Hannaford and Ryu's passivity observer). The
+// steadied position tells the way: at each of its changes the handle stood on the edge between two encoder steps.
 void ForceEngine::observe(double position_mm) {
-  last_.energy_mJ += last_.force_N * (position_mm - last_.position_mm);
-  last_.position_mm = position_mm;
+  last_.energy_mJ += actingForce_N() * (position_mm - steady_mm_);
+  steady_mm_ = position_mm;
   // A force that rises or fades by itself moves energy of its own: the balance begins where it is whole.
   const double worked_mJ = last_.energy_mJ + law_.stateEnergy_mJ();
-  const bool whole = guard_.gain() == 1;
+  const bool whole = guard_.gain() == 1 && exchangeLeft_ == 0 && !exchanged_;
   if (whole && !full_) balanceOrigin_mJ_ = law_.stored_mJ(position_mm) - worked_mJ;
   full_ = whole;
   last_.balance_mJ = full_ ? balanceOrigin_mJ_ + worked_mJ : 0;
@@ -71,36 +100,42 @@ std::array<double, 2> ForceEngine::guide(const std::array<double, 2>& sideways_m
   return force_N;
 }
 
+void ForceEngine::restartAt(const ForceReading& reading) {
+  if (!running_) steady_mm_ = reading.position_mm;
+  velocity_.restart(reading.position_mm);
+  for (std::size_t i = 0; i < sidewaysVelocity_.size(); ++i)
+    sidewaysVelocity_[i].restart(reading.sideways_mm[i]);
+  running_ = true;
+  resuming_ = false;
+}
+
 ForceCommand ForceEngine::step(const ForceReading& reading) {
   ++last_.index;
   const ReadingVerdict verdict = guard_.judge(reading.position_mm, reading.fresh);
-  ForceCommand command;
   if (verdict != ReadingVerdict::good) {
     // The last force for a moment, then down to nothing.
-    command.force_N = last_.force_N = guard_.limit(heldForce_N_, 0);
+    const ForceCommand command = send(guard_.limit(heldForce_N_, 0), {});
     resuming_ = resuming_ || guard_.silent();
     return command;
   }
-  if (!running_) {
-    running_ = true;
-    steady_mm_ = last_.position_mm = reading.position_mm;
-    velocity_.restart(reading.position_mm);
-    for (std::size_t i = 0; i < sidewaysVelocity_.size(); ++i)
-      sidewaysVelocity_[i].restart(reading.sideways_mm[i]);
-    law_.restart(reading.position_mm);
-  } else if (resuming_) {
-    velocity_.restart(reading.position_mm);
-  }
-  resuming_ = false;
-  observe(reading.position_mm);
+  if (!running_) law_.restart(reading.position_mm);
+  if (!running_ || resuming_) restartAt(reading);
+  last_.position_mm = reading.position_mm;
   const double position_mm = steadied_mm(reading.position_mm);
+  observe(position_mm);
   last_.velocity_mm_per_s = velocity_.update(position_mm);
-  heldForce_N_ = controlled_N(law_.step(position_mm, last_.velocity_mm_per_s), last_.velocity_mm_per_s);
+  heldForce_N_ =
+      controlled_N(exchanging_N(law_.step(position_mm, last_.velocity_mm_per_s)), last_.velocity_mm_per_s);
   last_.state = law_.state();
   last_.actuated = law_.actuated();
-  command.force_N = last_.force_N = guard_.limit(heldForce_N_, last_.velocity_mm_per_s);
-  command.sideways_N = guide(reading.sideways_mm);
-  return command;
+  return send(guard_.limit(heldForce_N_, last_.velocity_mm_per_s), guide(reading.sideways_mm));
+}
+
+ForceCommand ForceEngine::send(double force_N, std::array<double, 2> sideways_N) {
+  last_.force_N = force_N;
+  newestSent_ = (newestSent_ + 1) % sent_N_.size();
+  sent_N_[newestSent_] = force_N;
+  return {force_N, sideways_N};
 }
 
 }  // namespace detent::playback

@@ -43,7 +43,7 @@ class ForceEngine {
   /// The program must outlive the engine.
   explicit ForceEngine(const ForceProgram& program);
 
-  /// Exchanges the button; the new one's force rises from nothing. The old program may go afterwards.
+  /// Exchanges the button: the old force becomes the new one's over `startRamp_s`. The old program may go afterwards.
   void setProgram(const ForceProgram& program);
 
   /// One period. Bad readings and too much force never leave here (force_guard.h).
@@ -60,8 +60,12 @@ class ForceEngine {
   double lowestBalance_mJ() const { return lowestBalance_mJ_; }
 
  private:
-  double steadied_mm(double position_mm);
+  double steadied_mm(double position_mm) const;
+  void restartAt(const ForceReading& reading);
   void observe(double position_mm);
+  double actingForce_N() const;
+  ForceCommand send(double force_N, std::array<double, 2> sideways_N);
+  double exchanging_N(double force_N);
   double controlled_N(double force_N, double velocity_mm_per_s) const;
   std::array<double, 2> guide(const std::array<double, 2>& sideways_mm);
 
@@ -73,11 +77,16 @@ class ForceEngine {
   ForceStep last_;
   bool running_ = false;
   bool resuming_ = false;  ///< readings were bad until the force was gone: the velocity is not known
+  std::array<double, 32> sent_N_{};  ///< the newest forces, a ring
+  std::size_t newestSent_ = 0;
   double steady_mm_ =
       0;  ///< centre of a play of half an encoder step: a flicker between two steps does not move it
   double balanceOrigin_mJ_ = 0;  ///< balance less energy less state energy
   bool full_ = false;            ///< the force is let through whole: the balance counts
   double heldForce_N_ = 0;       ///< of the last good reading, before the limits
+  bool exchanged_ = false;       ///< the first step of another button comes
+  double exchange_N_ = 0;        ///< old force less new one at the exchange
+  double exchangeLeft_ = 0;      ///< share of it, 1..0
   double lowestBalance_mJ_ = 0;
 };
 

@@ -24,11 +24,12 @@ ForceLaw::ForceLaw(const ForceProgram& program)
   restart(program.stateCount > 0 ? program.states[0].first_mm : 0);
 }
 
-void ForceLaw::restart(double position_mm) {
+void ForceLaw::restart(double position_mm, double pressShare) {
   state_ = 0;
   actuated_ = false;
-  fading_N_ = stateEnergy_mJ_ = 0;
-  play_.restart(position_mm, program_->law.playRadius_mm);
+  fading_N_ = fadeLeft_mJ_ = stateEnergy_mJ_ = 0;
+  play_.restart(position_mm, program_->law.playRadius_mm, pressShare);
+  pressShare_ = pressShare;
 }
 
 ForceLaw::Strokes ForceLaw::at(double position_mm) const {
@@ -51,9 +52,31 @@ ForceLaw::Strokes ForceLaw::strokesOf(const ForceRow& row, double wall_N) {
 
 double ForceLaw::stored_mJ(double position_mm) const {
   const ForceStateTable& t = table();
-  const double place =
-      std::clamp((position_mm - t.first_mm) / t.spacing_mm, 0.0, static_cast<double>(t.rowCount - 1));
-  return t.rows[static_cast<std::uint32_t>(place)].stored_mJ;
+  const auto held = pending() ? &ForceRow::pendingStored_mJ : &ForceRow::stored_mJ;
+  const auto force = pending() ? &ForceRow::pending_N : &ForceRow::release_N;
+  const double place = (position_mm - t.first_mm) / t.spacing_mm, last = static_cast<double>(t.rowCount - 1);
+  if (place >= last) {
+    const double above_mm = (place - last) * t.spacing_mm;
+    const ForceRow& end = t.rows[t.rowCount - 1];
+    return end.*held + above_mm * (end.*force + 0.5 * t.wallSlope_N_per_mm * above_mm) +
+           playStored_mJ(position_mm);
+  }
+  const auto i = static_cast<std::uint32_t>(std::max(place, 0.0));
+  return between(t.rows[i].*held, t.rows[i + 1].*held, std::max(place, 0.0) - i) + playStored_mJ(position_mm);
+}
+
+// On the way from the press to the release curve the force lies above the latter: 2r times the integral over the share u of
+// (press - release) u, by Simpson's rule.
+double ForceLaw::playStored_mJ(double position_mm) const {
+  if (pending() || !table().hysteresis) return 0;
+  const double radius_mm = program_->law.playRadius_mm;
+  const double share = std::clamp(play_.pressShare(position_mm, radius_mm), 0.0, 1.0);
+  const auto apart_N = [&](double at_mm) {
+    const Strokes s = at(at_mm);
+    return s.press_N - s.release_N;
+  };
+  return radius_mm * share * share / 3 *
+         (2 * apart_N(position_mm - radius_mm * share) + apart_N(position_mm));
 }
 
 double ForceLaw::curveForce_N(const Strokes& strokes, double pressShare) const {
@@ -77,17 +100,25 @@ double ForceLaw::movingForce_N(double position_mm, double velocity_mm_per_s, dou
 double ForceLaw::step(double position_mm, double velocity_mm_per_s) {
   const double radius_mm = program_->law.playRadius_mm;
   if (program_->stateCount > 1) followState(position_mm);
-  double pressShare = 1;
+  pressShare_ = 1;
   if (table().hysteresis && !pending()) {
     play_.update(position_mm, radius_mm);
-    pressShare = play_.pressShare(position_mm, radius_mm);
+    pressShare_ = play_.pressShare(position_mm, radius_mm);
   }
-  const double force_N = movingForce_N(position_mm, velocity_mm_per_s, pressShare) + fading_N_;
-  if (fading_N_ != 0) {
-    fading_N_ *= fadeFactor_;
-    if (std::abs(fading_N_) < faded_N) fading_N_ = 0;
-  }
-  return force_N;
+  if (fading_N_ != 0) fade(position_mm, velocity_mm_per_s);
+  return movingForce_N(position_mm, velocity_mm_per_s, pressShare_) + fading_N_;
+}
+
+// The cross-fade may give what the state before still held, and no more: beyond, it goes at once.
+void ForceLaw::fade(double position_mm, double velocity_mm_per_s) {
+  const double given_mJ = std::max(0.0, fading_N_ * (fadedAt_mm_ - position_mm));
+  fadedAt_mm_ = position_mm;
+  stateEnergy_mJ_ += given_mJ;
+  fadeLeft_mJ_ = std::max(0.0, fadeLeft_mJ_ - given_mJ);
+  fading_N_ *= fadeFactor_;
+  const double next_mJ = -fading_N_ * velocity_mm_per_s * program_->period_s;
+  if (next_mJ > fadeLeft_mJ_) fading_N_ *= fadeLeft_mJ_ / next_mJ;
+  if (std::abs(fading_N_) < faded_N) fading_N_ = 0;
 }
 
 // Before the operating point a press can only be taken back, on its own curve. After it the release curve counts, and where
@@ -95,17 +126,23 @@ double ForceLaw::step(double position_mm, double velocity_mm_per_s) {
 void ForceLaw::followState(double position_mm) {
   if (!actuated_) {
     if (position_mm < table().operating_mm) return;
+    const double held_mJ = stored_mJ(position_mm);
     actuated_ = true;
-    stateEnergy_mJ_ += table().actuationEnergy_mJ;
+    stateEnergy_mJ_ += stored_mJ(position_mm) - held_mJ;
     play_.setPressing(position_mm, program_->law.playRadius_mm);
     return;
   }
   if (position_mm > table().rest_mm + program_->law.settle_mm) return;
   play_.update(position_mm, program_->law.playRadius_mm);
+  const double held_mJ = stored_mJ(position_mm);
   const double before_N =
       curveForce_N(at(position_mm), play_.pressShare(position_mm, program_->law.playRadius_mm));
   state_ = (state_ + 1) % program_->stateCount;
   actuated_ = false;
+  const double change_mJ = stored_mJ(position_mm) - held_mJ;
+  stateEnergy_mJ_ += change_mJ;
+  fadeLeft_mJ_ = std::max(0.0, -change_mJ);
+  fadedAt_mm_ = position_mm;
   fading_N_ += before_N - at(position_mm).pending_N;
 }
 

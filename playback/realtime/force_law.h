@@ -15,8 +15,10 @@ class ForceLaw {
  public:
   explicit ForceLaw(const ForceProgram& program);
 
-  /// At rest in the first state at a position.
-  void restart(double position_mm);
+  /// At rest in the first state at a position; between release (0) and press curve (1) at a share.
+  void restart(double position_mm, double pressShare = 0);
+  /// Where the last step stood between release (0) and press curve (1).
+  double pressShare() const { return pressShare_; }
 
   /// Force in N, before any limit. `position_mm` is free of flicker (force_engine.h), finite.
   double step(double position_mm, double velocity_mm_per_s);
@@ -24,9 +26,9 @@ class ForceLaw {
   std::uint32_t state() const { return state_; }
   /// The press of this actuation has passed the operating point (self-locking buttons).
   bool actuated() const { return actuated_; }
-  /// Energy held at a position of the present state (mJ, >= 0).
+  /// Energy held at a position, with the memory the law has now (mJ, >= 0).
   double stored_mJ(double position_mm) const;
-  /// Change of stored energy by actuations since `restart` (mJ); what a change of state may give or take.
+  /// By how much actuations and changes of state have raised what is held since `restart` (mJ): what they may give.
   double stateEnergy_mJ() const { return stateEnergy_mJ_; }
 
  private:
@@ -39,13 +41,18 @@ class ForceLaw {
   bool pending() const { return program_->stateCount > 1 && !actuated_; }
   double movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const;
   void followState(double position_mm);
+  double playStored_mJ(double position_mm) const;
+  void fade(double position_mm, double velocity_mm_per_s);
   const ForceStateTable& table() const { return program_->states[state_]; }
 
   const ForceProgram* program_;
   PlayOperator play_;
+  double pressShare_ = 0;
   std::uint32_t state_ = 0;
   bool actuated_ = false;
   double fading_N_ = 0;  ///< of the state before, cross-fading
+  double fadeLeft_mJ_ = 0,
+         fadedAt_mm_ = 0;  ///< what the cross-fade may still give; where it was counted last
   double fadeFactor_ = 0;
   double leadSpeed_mm_per_s_ = 0;
   double stateEnergy_mJ_ = 0;

@@ -22,7 +22,8 @@ struct ForceRow {
   float pending_N =
       0;  ///< self-locking: both ways before the actuation, held at the rest the state began with
   float damping_Ns_per_mm = 0;
-  float stored_mJ = 0;  ///< what a finger that lets go here gets back, slowly
+  float stored_mJ = 0;         ///< what a finger that lets go here gets back, slowly, along the release
+  float pendingStored_mJ = 0;  ///< and before the actuation (self-locking)
 };
 
 /// One state of the button, on evenly spaced displacements. No slope in it is steeper than the device can render.
@@ -35,7 +36,6 @@ struct ForceStateTable {
   bool damped = false;            ///< else no damping is computed
   double rest_mm = 0;             ///< where a release ends after an actuation (self-locking)
   double operating_mm = 0;        ///< a press that arrives here has actuated (self-locking)
-  double actuationEnergy_mJ = 0;  ///< stored energy after the actuation less that before it (self-locking)
   std::array<ForceRow, maxForceRows> rows{};
 };
 
@@ -52,8 +52,9 @@ struct ForceLawSettings {
 
 /// What the device can do and may be asked for. Every limit is on by default.
 struct ForceLimits {
-  double force_N = 5;            ///< > 0; largest force, both signs
-  double slew_N_per_s = 2000;    ///< > 0; fastest change of force
+  double force_N = 5;  ///< > 0; largest force, both signs
+  double slew_N_per_s =
+      5000;  ///< > 0; fastest change of force; below slope times speed a wall would give more than it took
   double speed_mm_per_s = 2000;  ///< > 0; above it the force fades: no button moves like that
   double lowest_mm = -50;        ///< readings outside lowest..highest are absurd
   double highest_mm = 150;

@@ -10,7 +10,10 @@ namespace detent::playback {
 /// A centre that is dragged along by a position once that is `radius` away from it.
 class PlayOperator {
  public:
-  void restart(double position_mm, double radius_mm) { centre_mm_ = position_mm + radius_mm; }
+  /// With a press share of 0..1, as `pressShare` gives it.
+  void restart(double position_mm, double radius_mm, double share) {
+    centre_mm_ = position_mm + radius_mm * (1 - 2 * share);
+  }
   double update(double position_mm, double radius_mm) {
     centre_mm_ = std::max(position_mm - radius_mm, std::min(position_mm + radius_mm, centre_mm_));
     return centre_mm_;

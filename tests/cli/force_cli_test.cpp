@@ -77,18 +77,24 @@ TEST_CASE("force: the on/off button changes its state under the finger") {
 
 TEST_CASE("force: wrong words, files and devices leave no log and say what to give") {
   const Force force;
-  const std::vector<std::pair<std::vector<std::string>, int>> calls{{{"--device", "simulated"}, 2},
-                                                                    {{"--device", "sim:"}, 2},
-                                                                    {{"--device", "falcon:x"}, 2},
-                                                                    {{"--device", "serial:"}, 2},
-                                                                    {{"--finger", "hold=x"}, 2},
-                                                                    {{"--finger", "hold=99"}, 2},
-                                                                    {{"--finger", "nothing.csv"}, 3},
-                                                                    {{"--rate", "1"}, 2},
-                                                                    {{"--law", "other"}, 2},
-                                                                    {{"--device", "serial:/nowhere"}, 6},
-                                                                    {{"--device", "odrive:/nowhere"}, 6},
-                                                                    {{"--log", "no/where.csv"}, 3}};
+  const std::vector<std::pair<std::vector<std::string>, int>> calls{
+      {{"--device", "simulated"}, 2},
+      {{"--device", "sim:"}, 2},
+      {{"--device", "falcon:x"}, 2},
+      {{"--device", "serial:"}, 2},
+      {{"--finger", "hold=x"}, 2},
+      {{"--finger", "hold=99"}, 2},
+      {{"--finger", "nothing.csv"}, 3},
+      {{"--rate", "1"}, 2},
+      {{"--law", "other"}, 2},
+      {{"--device", "serial:/nowhere"}, 6},
+      {{"--device", "odrive:/nowhere"}, 6},
+      {{"--device", "serial:/dev/null", "--baud", "1234"}, 2},
+      {{"--device", "falcon:99"}, 6},
+      {{"--device", "falcon", "--firmware", "none.bin"}, 3},
+      {{"--device", "falcon", "--firmware", "B.button.json"}, 3},
+      {{"--stiffness", "0.2"}, 2},
+      {{"--log", "no/where.csv"}, 3}};
   for (const auto& [words, code] : calls) {
     std::vector<std::string> call{"force", "B.button.json", "--seconds", "0.1", "--log", "x.csv"};
     if (words[0] == "--log") call.resize(4);
@@ -101,6 +107,19 @@ TEST_CASE("force: wrong words, files and devices leave no log and say what to gi
     CHECK_FALSE(force.has("x.csv.part"));
   }
   CHECK(force({"force", "missing.button.json"}).exitCode == 3);
+  CHECK(force({"force"}).exitCode == 2);
+}
+
+TEST_CASE("force: a spring and damper straight from its polynomials") {
+  const Force force;
+  const ProgramResult result =
+      force({"force", "--stiffness=0.3325,-0.25,0.05", "--damping=0.001,0.004,-0.0008", "--travel", "5",
+             "--seconds", "1", "--fast", "--json"});
+  REQUIRE(result.exitCode == 0);
+  CHECK(json::parse(result.out)["button"] == "Spring and damper");
+  CHECK(json::parse(result.out)["strongest_N"] > 0.3);
+  CHECK(force({"force", "--stiffness", "0.2", "--damping=-1"}).exitCode == 2);
+  CHECK(force({"force", "--damping", "0.1"}).exitCode == 2);
 }
 
 TEST_CASE("identify: k and b with errors, b null with a reason at constant speed") {

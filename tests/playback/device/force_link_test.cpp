@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <functional>
+#include <mutex>
 #include <string>
 #include <thread>
 
@@ -29,23 +31,37 @@ namespace {
 using namespace detent;
 using namespace detent::playback;
 
-/// The other end of a serial line: answers each line by a function, on a thread of its own.
+/// The other end of a serial line, behind a link with a stable name: answers each line by a function, on a thread of its own.
 class FakeDevice {
  public:
   using Answer = std::function<std::string(const std::string& line)>;
   explicit FakeDevice(Answer answer) : answer_(std::move(answer)) {
-    char name[64] = {};
-    termios mode{};
-    ::cfmakeraw(&mode);
-    REQUIRE(::openpty(&master_, &slave_, name, &mode, nullptr) == 0);
-    port = name;
+    static int devices = 0;
+    port = (std::filesystem::temp_directory_path() /
+            ("detent-force-" + std::to_string(::getpid()) + "-" + std::to_string(devices++)))
+               .string();
+    plugIn();
     thread_ = std::thread([this] { serve(); });
   }
   ~FakeDevice() {
     ending_ = true;
     thread_.join();
+    unplug();
+  }
+  void plugIn() {
+    const std::lock_guard lock(mutex_);
+    char name[64] = {};
+    termios mode{};
+    ::cfmakeraw(&mode);
+    REQUIRE(::openpty(&master_, &slave_, name, &mode, nullptr) == 0);
+    REQUIRE(::symlink(name, port.c_str()) == 0);
+  }
+  void unplug() {
+    const std::lock_guard lock(mutex_);
+    ::unlink(port.c_str());
     ::close(master_);
     ::close(slave_);
+    master_ = slave_ = -1;
   }
   std::string port;
 
@@ -53,8 +69,10 @@ class FakeDevice {
   void serve() {
     std::string received;
     while (!ending_) {
+      sleepUntil(now_s() + 0.0002);
+      const std::lock_guard lock(mutex_);
       pollfd poll{master_, POLLIN, 0};
-      if (::poll(&poll, 1, 5) <= 0) continue;
+      if (master_ < 0 || ::poll(&poll, 1, 1) <= 0) continue;
       char bytes[256];
       const ssize_t count = ::read(master_, bytes, sizeof bytes);
       if (count <= 0) continue;
@@ -68,6 +86,7 @@ class FakeDevice {
     }
   }
   Answer answer_;
+  std::mutex mutex_;
   int master_ = -1, slave_ = -1;
   std::atomic<bool> ending_{false};
   std::thread thread_;
@@ -83,7 +102,7 @@ std::string goodBoard(const std::string& line, long position_nm) {
   const std::string body = bodyOf(line);
   if (body == "?") return forceLine("I,fake,10000,5000000,4000,64");
   if (body.starts_with("F,") || body.starts_with("H,")) {
-    return forceLine("P," + sequenceOf(body) + ",1," + std::to_string(position_nm));
+    return forceLine("P," + sequenceOf(body) + "," + sequenceOf(body) + "000," + std::to_string(position_nm));
   }
   return body.empty() || body == "X" ? "" : forceLine("A");
 }
@@ -246,6 +265,93 @@ TEST_CASE("serial force device: the sample firmware takes a table and renders th
   CHECK(firmware::pwm == 0);
 }
 
+TEST_CASE("serial force device: a device whose clock stands still measures nothing anew") {
+  std::atomic<bool> frozen{false};
+  FakeDevice fake([&](const std::string& line) {
+    const std::string body = bodyOf(line);
+    return frozen && body.starts_with("F,") ? forceLine("P," + sequenceOf(body) + ",77,1000000")
+                                            : goodBoard(line, 1000000);
+  });
+  auto device = opened(fake, 0.2);
+  CHECK(device->exchange({}).fresh);
+  frozen = true;
+  device->exchange({});
+  CHECK_FALSE(device->exchange({}).fresh);
+  CHECK(device->counts().repeated >= 1);
+}
+
+TEST_CASE(
+    "serial force device: unplugged there is no reading; plugged in again it goes on, without its table") {
+  std::atomic<int> forces{0};
+  FakeDevice fake([&](const std::string& line) {
+    if (bodyOf(line).starts_with("F,")) ++forces;
+    return goodBoard(line, 500000);
+  });
+  auto device = opened(fake, 0.2);
+  const auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
+  REQUIRE(prepared);
+  REQUIRE(device->upload(prepared->program));
+  CHECK(device->exchange({}).fresh);
+  CHECK(forces == 0);
+  fake.unplug();
+  for (int i = 0; i < 3; ++i) CHECK_FALSE(device->exchange({}).fresh);
+  CHECK(device->state() == ForceDeviceState::lost);
+  fake.plugIn();
+  bool back = false;
+  for (const double end_s = now_s() + 10; !back && now_s() < end_s;) {
+    back = device->exchange({}).fresh;
+    sleepUntil(now_s() + 0.02);
+  }
+  CHECK(back);
+  CHECK(device->counts().reconnects == 1);
+  CHECK(forces > 0);
+}
+
+TEST_CASE(
+    "serial force device: one that resets in the middle loses the force, which then rises from nothing") {
+  std::atomic<long> position_nm{3000000};
+  FakeDevice fake([&](const std::string& line) { return goodBoard(line, position_nm); });
+  auto device = opened(fake, 0.5);
+  auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
+  REQUIRE(prepared);
+  // The guard's times are periods: those of 1 kHz, however slowly the test's machine exchanges.
+  ForceEngine engine(prepared->program);
+  ForceCommand command;
+  for (int i = 0; i < 230; ++i) command = engine.step(device->exchange(command));
+  CHECK(command.force_N ==
+        Approx(test::linearButton().states().front().graph.curve(Stroke::release).force_N(3)).margin(0.01));
+  position_nm = -40000000;  // as far from where it was as no hand moves
+  const double held_N = command.force_N;
+  for (int i = 0; i < 3; ++i) command = engine.step(device->exchange(command));
+  CHECK(command.force_N == Approx(held_N));
+  double before_N = command.force_N;
+  for (int i = 0; i < 40; ++i) {
+    command = engine.step(device->exchange(command));
+    CHECK(command.force_N <= before_N + 1e-9);
+    before_N = command.force_N;
+  }
+  CHECK(engine.counts().absurd >= 4);
+  CHECK(engine.counts().faded == 1);
+}
+
+TEST_CASE("serial force device: a table longer than the firmware takes is thinned to what it holds") {
+  std::atomic<int> rows{0}, announced{0};
+  FakeDevice fake([&](const std::string& line) {
+    const std::string body = bodyOf(line);
+    rows += body.starts_with("R,") ? 1 : 0;
+    if (body.starts_with("T,")) announced = std::atoi(body.c_str() + 2);
+    return goodBoard(line, 0);
+  });
+  auto device = opened(fake);
+  const auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
+  REQUIRE(prepared);
+  REQUIRE(prepared->program.states[0].rowCount > 64);
+  CHECK(device->upload(prepared->program));
+  CHECK(rows == 64);
+  CHECK(announced == 64);
+  CHECK_FALSE(SerialForceDevice::open(fake.port, 12345, 0.001));
+}
+
 TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end") {
   std::atomic<double> torque_Nm{0};
   std::atomic<bool> idle{false}, watchdog{false};
@@ -261,6 +367,7 @@ TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end"
     if (!line.starts_with("f 0")) return "";
     if (mode == 1) return "nonsense\n";
     if (mode == 2) return "";
+    if (mode == 3) return "nan 0.0\r\n";
     return std::to_string(turns.load()) + " 0.000000\r\n";
   });
   {
@@ -283,6 +390,8 @@ TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end"
     mode = 2;
     CHECK_FALSE((*device)->exchange({}).fresh);
     CHECK((*device)->counts().late >= 1);
+    mode = 3;  // a number that is none reaches the guard, which holds the force and then takes it away
+    CHECK(std::isnan((*device)->exchange({}).position_mm));
   }
   for (const double end_s = now_s() + 2; !idle && now_s() < end_s;) sleepUntil(now_s() + 0.01);
   CHECK(idle);

@@ -12,11 +12,11 @@ namespace {
 
 using namespace detent::playback;
 
-constexpr double period_s = 0.001;
+constexpr double period_s = 0.001, step_mm = 0.01;
 
 /// A guard that has let the whole force through.
 ForceGuard running(const ForceLimits& limits = {}) {
-  ForceGuard guard(limits, period_s);
+  ForceGuard guard(limits, period_s, step_mm);
   for (int i = 0; i < 300; ++i) {
     guard.judge(1, true);
     guard.limit(1, 0);
@@ -27,7 +27,7 @@ ForceGuard running(const ForceLimits& limits = {}) {
 }  // namespace
 
 TEST_CASE("force guard: the start ramps in") {
-  ForceGuard guard({}, period_s);
+  ForceGuard guard({}, period_s, step_mm);
   double before_N = 0;
   for (int i = 0; i < 220; ++i) {
     guard.judge(0, true);
@@ -69,6 +69,7 @@ TEST_CASE("force guard: bad readings are held for three samples, then the force 
 TEST_CASE("force guard: force, its change and speed are limited and counted") {
   ForceLimits limits;
   limits.force_N = 5;
+  limits.slew_N_per_s = 2000;
   ForceGuard guard = running(limits);
   guard.judge(1, true);
   CHECK(guard.limit(1000, 0) == Approx(1 + limits.slew_N_per_s * period_s));
@@ -96,4 +97,47 @@ TEST_CASE("force guard: after a stop the force is gone within 10 ms and stays go
     guard.judge(1, true);
     CHECK(guard.limit(1, 0) == 0);
   }
+}
+
+TEST_CASE("force guard: an encoder that stops dead under force is frozen; a finger that slows down is not") {
+  const auto movedAt = [](double mm_per_s, double force_N) {
+    ForceGuard guard({}, period_s, step_mm);
+    double at_mm = 0;
+    for (int i = 0; i < 300; ++i) {
+      guard.judge(at_mm += mm_per_s * period_s, true);
+      guard.limit(force_N, mm_per_s);
+    }
+    for (int i = 0; i < 30; ++i) {
+      guard.judge(at_mm, true);
+      guard.limit(force_N, 0);
+    }
+    return guard;
+  };
+  const ForceGuard broken = movedAt(150, 2);
+  CHECK(broken.counts().frozen > 0);
+  CHECK(broken.counts().faded == 1);
+  CHECK(broken.silent());
+  CHECK_FALSE(movedAt(150, 0.5).silent());  // too little to surprise anybody
+  CHECK_FALSE(movedAt(50, 2).silent());
+  ForceGuard finger({}, period_s, step_mm);  // turns on a wall, 0.5 mm deep
+  for (int i = 0; i < 600; ++i) {
+    const double at_mm = std::round(0.5 * std::sin(0.18 * 0.05 * i * 20) / step_mm) * step_mm;
+    finger.judge(at_mm, true);
+    finger.limit(2, 0);
+  }
+  CHECK(finger.counts().frozen == 0);
+}
+
+TEST_CASE("force guard: a handle that moves by itself is stopped by nobody, but loses the force") {
+  ForceLimits limits;
+  ForceGuard guard(limits, period_s, step_mm);
+  double at_mm = 0, force_N = 0;
+  for (int i = 0; i < 300; ++i) guard.judge(0, true), force_N = guard.limit(3, 0);
+  CHECK(force_N == 3);
+  for (int i = 0; i < 30; ++i) {
+    guard.judge(at_mm += 2.5, true);
+    force_N = guard.limit(3, 2500);
+  }
+  CHECK(force_N == 0);
+  CHECK(guard.counts().tooFast == 1);
 }
