@@ -89,6 +89,7 @@ class Preparation {
     p.law.holdLead_s = 0.5 * p.period_s + device_.delay_s;
     p.law.settle_mm = std::max(settle_mm, 2 * device_.step_mm);
     p.stateCount = static_cast<std::uint32_t>(button_.states().size());
+    if (p.stateCount > 1) p.law.catchDamping_Ns_per_mm = largestDamping_Ns_per_mm(device_, 1 / p.period_s);
     prepared_.summary.slopeLimit_N_per_mm = slope_ = device_.largestSlope_N_per_mm;
     for (std::size_t s = 0; s < p.stateCount; ++s) prepareState(s);
     setPlayRadius();

@@ -48,7 +48,10 @@ struct Range {
   }
   Ticks ticks() const {
     if (!(low <= high)) return niceTicks(0, 1, aboutTicks);
-    return niceTicks(low, high > low ? high : low + 1, aboutTicks);
+    // What differs by rounding alone is one value.
+    const double rounding = 1e-9 * std::max(std::abs(low), std::abs(high));
+    return high - low > rounding ? niceTicks(low, high, aboutTicks)
+                                 : niceTicks(std::min(0.0, 2 * low), std::max(1e-9, 2 * high), aboutTicks);
   }
 };
 

@@ -12,6 +12,7 @@ namespace {
 // tremor across one step's edge moves no force.
 constexpr double slowStep_s = 0.02;
 constexpr double faded_N = 1e-4;
+constexpr double calm_mm_per_s = 10, calmFor_s = 0.005;
 
 double between(double low, double high, double share) { return low + share * (high - low); }
 
@@ -27,6 +28,7 @@ ForceLaw::ForceLaw(const ForceProgram& program)
 void ForceLaw::restart(double position_mm, double pressShare) {
   state_ = 0;
   actuated_ = false;
+  caught_ = true;
   fading_N_ = fadeLeft_mJ_ = stateEnergy_mJ_ = 0;
   play_.restart(position_mm, program_->law.playRadius_mm, pressShare);
   pressShare_ = pressShare;
@@ -92,21 +94,33 @@ double ForceLaw::movingForce_N(double position_mm, double velocity_mm_per_s, dou
   const double lead_mm =
       velocity_mm_per_s * program_->law.holdLead_s +
       0.5 * program_->step_mm * std::clamp(velocity_mm_per_s / leadSpeed_mm_per_s_, -1.0, 1.0);
-  const double ahead_N = curveForce_N(at(position_mm + lead_mm), pressShare);
+  const double aheadShare = std::clamp(pressShare + 0.5 * lead_mm / program_->law.playRadius_mm, 0.0, 1.0);
+  const double ahead_N =
+      curveForce_N(at(position_mm + lead_mm), table().hysteresis ? aheadShare : pressShare);
   force_N = velocity_mm_per_s > 0 ? std::max(force_N, ahead_N) : std::min(force_N, ahead_N);
   return table().damped ? force_N + here.damping_Ns_per_mm * velocity_mm_per_s : force_N;
 }
 
 double ForceLaw::step(double position_mm, double velocity_mm_per_s) {
   const double radius_mm = program_->law.playRadius_mm;
-  if (program_->stateCount > 1) followState(position_mm);
+  if (program_->stateCount > 1)
+    followState(position_mm, std::max(0.0, velocity_mm_per_s * program_->law.holdLead_s));
   pressShare_ = 1;
   if (table().hysteresis && !pending()) {
     play_.update(position_mm, radius_mm);
     pressShare_ = play_.pressShare(position_mm, radius_mm);
   }
   if (fading_N_ != 0) fade(position_mm, velocity_mm_per_s);
-  return movingForce_N(position_mm, velocity_mm_per_s, pressShare_) + fading_N_;
+  const double force_N = movingForce_N(position_mm, velocity_mm_per_s, pressShare_) + fading_N_;
+  return caught_ ? force_N : force_N + caughtBy_N(velocity_mm_per_s);
+}
+
+// A handle that falls into its latch would bounce there, and a bounce is no press: it is damped, and until it has been calm for a
+// moment nothing actuates. The turns of a bounce are shorter than this moment.
+double ForceLaw::caughtBy_N(double velocity_mm_per_s) {
+  calm_s_ = std::abs(velocity_mm_per_s) < calm_mm_per_s ? calm_s_ + program_->period_s : 0;
+  caught_ = calm_s_ >= calmFor_s;
+  return program_->law.catchDamping_Ns_per_mm * velocity_mm_per_s;
 }
 
 // The cross-fade may give what the state before still held, and no more: beyond, it goes at once.
@@ -123,13 +137,16 @@ void ForceLaw::fade(double position_mm, double velocity_mm_per_s) {
 
 // Before the operating point a press can only be taken back, on its own curve. After it the release curve counts, and where
 // that comes to rest the other state begins.
-void ForceLaw::followState(double position_mm) {
+void ForceLaw::followState(double position_mm, double lead_mm) {
   if (!actuated_) {
-    if (position_mm < table().operating_mm) return;
-    const double held_mJ = stored_mJ(position_mm);
+    if (!caught_ || position_mm + lead_mm < table().operating_mm) return;
+    const double at_mm = std::max(position_mm, table().operating_mm);
+    // A force that rises has to be there when the handle is: late, the actuation would take less than it then holds.
+    if (position_mm < at_mm && at(at_mm).press_N <= at(at_mm).pending_N) return;
+    const double held_mJ = stored_mJ(at_mm);
     actuated_ = true;
-    stateEnergy_mJ_ += stored_mJ(position_mm) - held_mJ;
-    play_.setPressing(position_mm, program_->law.playRadius_mm);
+    play_.setPressing(at_mm, program_->law.playRadius_mm);
+    stateEnergy_mJ_ += stored_mJ(at_mm) - held_mJ;
     return;
   }
   if (position_mm > table().rest_mm + program_->law.settle_mm) return;
@@ -138,7 +155,8 @@ void ForceLaw::followState(double position_mm) {
   const double before_N =
       curveForce_N(at(position_mm), play_.pressShare(position_mm, program_->law.playRadius_mm));
   state_ = (state_ + 1) % program_->stateCount;
-  actuated_ = false;
+  actuated_ = caught_ = false;
+  calm_s_ = 0;
   const double change_mJ = stored_mJ(position_mm) - held_mJ;
   stateEnergy_mJ_ += change_mJ;
   fadeLeft_mJ_ = std::max(0.0, -change_mJ);

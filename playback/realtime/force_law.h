@@ -40,9 +40,11 @@ class ForceLaw {
   double curveForce_N(const Strokes& strokes, double pressShare) const;
   bool pending() const { return program_->stateCount > 1 && !actuated_; }
   double movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const;
-  void followState(double position_mm);
+  /// `lead_mm` >= 0: how far on the handle is when the force acts.
+  void followState(double position_mm, double lead_mm);
   double playStored_mJ(double position_mm) const;
   void fade(double position_mm, double velocity_mm_per_s);
+  double caughtBy_N(double velocity_mm_per_s);
   const ForceStateTable& table() const { return program_->states[state_]; }
 
   const ForceProgram* program_;
@@ -50,6 +52,8 @@ class ForceLaw {
   double pressShare_ = 0;
   std::uint32_t state_ = 0;
   bool actuated_ = false;
+  bool caught_ = true;   ///< the handle has been calm since the state changed: a press may actuate
+  double calm_s_ = 0;    ///< for so long it has been
   double fading_N_ = 0;  ///< of the state before, cross-fading
   double fadeLeft_mJ_ = 0,
          fadedAt_mm_ = 0;  ///< what the cross-fade may still give; where it was counted last

@@ -44,9 +44,11 @@ enum class VelocityMethod : std::uint8_t { kalman, foaw, difference };
 /// The law's numbers besides its curves.
 struct ForceLawSettings {
   double playRadius_mm =
-      0.02;                   ///< > 0; way from the press to the release curve is twice this (play operator)
-  double holdLead_s = 0;      ///< >= 0; half a period and the device's delay: how late the force will act
-  double settle_mm = 0.05;    ///< this close to its rest an actuated state has come back
+      0.02;                 ///< > 0; way from the press to the release curve is twice this (play operator)
+  double holdLead_s = 0;    ///< >= 0; half a period and the device's delay: how late the force will act
+  double settle_mm = 0.05;  ///< this close to its rest an actuated state has come back
+  double catchDamping_Ns_per_mm =
+      0;  ///< >= 0; a latch catches: added from a change of state until the handle is calm
   double crossFade_s = 0.01;  ///< a difference of force between two states fades with this time constant
 };
 

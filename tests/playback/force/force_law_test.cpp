@@ -64,6 +64,25 @@ TEST_CASE("force law: the on/off button holds at 22.9 mm and comes back after th
   CHECK(law.state() == 0);
 }
 
+TEST_CASE(
+    "force law: under a finger the on/off button stays where it was latched, and comes back at the next "
+    "press") {
+  for (const ForceDeviceProfile& device : presets()) {
+    const PreparedForce prepared = forceOf(sampleButton("latch"), device);
+    ForceRun run(prepared, device, FingerPresses{25.4, 2.6, 0.2, 0.2, 0.6});
+    std::vector<std::uint32_t> states;
+    double latched_mm = 0;
+    run.run(8, [&](const ForceStep& s) {
+      if (states.empty() || states.back() != s.state) states.push_back(s.state);
+      if (s.state == 1 && !s.actuated && std::abs(s.velocity_mm_per_s) < 1) latched_mm = s.position_mm;
+    });
+    INFO(device.name);
+    CHECK(states.size() >= 4);
+    CHECK(states.size() <= 9);  // one change a press
+    CHECK(latched_mm == Approx(22.9).margin(0.3));
+  }
+}
+
 TEST_CASE("force law: what a button does not have is not computed") {
   const PreparedForce spring = forceOf(sampleButton("push"), simulatedDevice());
   CHECK_FALSE(spring.program.states[0].hysteresis);
