@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include <ceres/ceres.h>
@@ -65,62 +64,22 @@ void addShares(const std::vector<double>& knots_mm, double x_mm, double factor, 
   addSlope(n, i + 1, -factor * u * u * rest, out);
 }
 
-Eigen::RowVectorXd rowOf(const Sample& s, const std::vector<double>& knots_mm, const Columns& columns) {
-  std::vector<double> row(columns.count(), 0.0);
-  row[0] = 1;
-  addShares(knots_mm, s.x_mm, s.x_mm, row.data() + 1);
-  if (columns.damping) addShares(knots_mm, s.x_mm, s.v_mm_per_s, row.data() + 1 + columns.knots);
-  if (columns.mass) row.back() = s.a_mm_per_s2 / mmPerM;
-  return Eigen::Map<const Eigen::RowVectorXd>(row.data(), static_cast<Eigen::Index>(row.size()));
-}
-
 Eigen::MatrixXd designOf(const std::vector<Sample>& samples, const std::vector<double>& knots_mm,
                          const Columns& columns) {
-  Eigen::MatrixXd design(static_cast<Eigen::Index>(samples.size()),
-                         static_cast<Eigen::Index>(columns.count()));
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    design.row(static_cast<Eigen::Index>(i)) = rowOf(samples[i], knots_mm, columns);
-  return design;
-}
-
-/// Samples whose displacement is off by the same rounding: those of one run of equal readings, and all rests at one reading.
-std::vector<std::size_t> roundedTogether(const std::vector<Sample>& samples) {
-  constexpr std::size_t rest = 20;  // samples
-  std::vector<std::size_t> groups(samples.size());
-  std::map<double, std::size_t> rests;
-  std::size_t next = 0;
-  for (std::size_t begin = 0, end = 0; begin < samples.size(); begin = end) {
-    while (end < samples.size() && samples[end].x_mm == samples[begin].x_mm) ++end;
-    const bool resting = end - begin >= rest;
-    const std::size_t group = resting ? rests.try_emplace(samples[begin].x_mm, next).first->second : next;
-    std::fill(groups.begin() + static_cast<std::ptrdiff_t>(begin),
-              groups.begin() + static_cast<std::ptrdiff_t>(end), group);
-    ++next;
-  }
-  return groups;
-}
-
-/// What the rounding of the displacement adds to the normal equations: it is no white noise, since it stays while a reading does.
-Eigen::MatrixXd roundingOf(const std::vector<Sample>& samples, const std::vector<double>& knots_mm,
-                           const Columns& columns, const Eigen::MatrixXd& design,
-                           const Eigen::VectorXd& lengths, const Eigen::VectorXd& parameters,
-                           double step_mm) {
-  const std::vector<std::size_t> groups = roundedTogether(samples);
-  std::map<std::size_t, Eigen::VectorXd> sums;
-  const auto force_N = [&](Sample s, double moved_mm) {
-    s.x_mm += moved_mm;
-    return rowOf(s, knots_mm, columns).cwiseQuotient(lengths.transpose()).dot(parameters);
-  };
+  Eigen::MatrixXd design = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples.size()),
+                                                 static_cast<Eigen::Index>(columns.count()));
+  std::vector<double> row;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double slope_N_per_mm =
-        (force_N(samples[i], step_mm) - force_N(samples[i], -step_mm)) / (2 * step_mm);
-    const Eigen::VectorXd weighed = slope_N_per_mm * design.row(static_cast<Eigen::Index>(i)).transpose();
-    const auto [at, isNew] = sums.try_emplace(groups[i], weighed);
-    if (!isNew) at->second += weighed;
+    const Sample& s = samples[i];
+    row.assign(columns.count(), 0.0);
+    row[0] = 1;
+    addShares(knots_mm, s.x_mm, s.x_mm, row.data() + 1);
+    if (columns.damping) addShares(knots_mm, s.x_mm, s.v_mm_per_s, row.data() + 1 + columns.knots);
+    if (columns.mass) row.back() = s.a_mm_per_s2 / mmPerM;
+    design.row(static_cast<Eigen::Index>(i)) =
+        Eigen::Map<const Eigen::RowVectorXd>(row.data(), static_cast<Eigen::Index>(row.size()));
   }
-  Eigen::MatrixXd total = Eigen::MatrixXd::Zero(design.cols(), design.cols());
-  for (const auto& [group, sum] : sums) total += sum * sum.transpose();
-  return step_mm * step_mm / 12 * total;
+  return design;
 }
 
 /// The whole record as one residual block: its Jacobian is the design matrix.
@@ -152,8 +111,7 @@ struct Fit {
   bool usable = false;
 };
 
-Fit fitted(const std::vector<Sample>& samples, const std::vector<double>& knots_mm, const Columns& columns,
-           double step_mm) {
+Fit fitted(const std::vector<Sample>& samples, const std::vector<double>& knots_mm, const Columns& columns) {
   Eigen::MatrixXd design = designOf(samples, knots_mm, columns);
   Eigen::VectorXd force_N(static_cast<Eigen::Index>(samples.size()));
   for (std::size_t i = 0; i < samples.size(); ++i) force_N[static_cast<Eigen::Index>(i)] = samples[i].force_N;
@@ -184,17 +142,11 @@ Fit fitted(const std::vector<Sample>& samples, const std::vector<double>& knots_
   if (!covariance.Compute(whole, &problem)) return fit;
   std::vector<double> block(columns.count() * columns.count());
   covariance.GetCovarianceBlock(parameters.data(), parameters.data(), block.data());
-  const auto count = static_cast<Eigen::Index>(columns.count());
-  const Eigen::Map<const Eigen::MatrixXd> inverse(block.data(), count, count);
-  const Eigen::MatrixXd spread =
-      fit.residual_N * fit.residual_N * inverse +
-      inverse *
-          roundingOf(samples, knots_mm, columns, design, lengths,
-                     Eigen::Map<const Eigen::VectorXd>(parameters.data(), count), step_mm) *
-          inverse;
-  for (Eigen::Index i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < columns.count(); ++i) {
+    const double length = lengths[static_cast<Eigen::Index>(i)];
     fit.parameters.push_back(
-        {parameters[static_cast<std::size_t>(i)] / lengths[i], std::sqrt(spread(i, i)) / lengths[i]});
+        {parameters[i] / length, fit.residual_N * std::sqrt(block[i * columns.count() + i]) / length});
+  }
   fit.usable = true;
   return fit;
 }
@@ -265,11 +217,11 @@ Result<Identification> identify(const ForceRecord& record, const IdentifySetting
     found.doubtFigure = spread;
     columns.damping = columns.mass = false;
   }
-  Fit fit = fitted(samples, found.knots_mm, columns, motion.step_mm);
+  Fit fit = fitted(samples, found.knots_mm, columns);
   if (columns.mass &&
       (!fit.usable || fit.parameters.back().value < standsOut * fit.parameters.back().sigma)) {
     columns.mass = false;
-    fit = fitted(samples, found.knots_mm, columns, motion.step_mm);
+    fit = fitted(samples, found.knots_mm, columns);
   }
   if (!fit.usable)
     return unusable("gives no fit", "Record presses of different speeds over the whole travel");

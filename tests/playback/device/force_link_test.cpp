@@ -212,7 +212,7 @@ TEST_CASE("serial force device: late, repeated, broken and half answers are no r
         return forceLine("P,1,1,1") + good;
     }
   });
-  auto device = opened(fake, 0.2);
+  auto device = opened(fake, 1);
   CHECK(device->exchange({}).fresh);
   mode = 1;
   CHECK_FALSE(device->exchange({}).fresh);
@@ -272,7 +272,7 @@ TEST_CASE("serial force device: a device whose clock stands still measures nothi
     return frozen && body.starts_with("F,") ? forceLine("P," + sequenceOf(body) + ",77,1000000")
                                             : goodBoard(line, 1000000);
   });
-  auto device = opened(fake, 0.2);
+  auto device = opened(fake, 1);
   CHECK(device->exchange({}).fresh);
   frozen = true;
   device->exchange({});
@@ -287,7 +287,7 @@ TEST_CASE(
     if (bodyOf(line).starts_with("F,")) ++forces;
     return goodBoard(line, 500000);
   });
-  auto device = opened(fake, 0.2);
+  auto device = opened(fake, slow_s);
   const auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
   REQUIRE(prepared);
   REQUIRE(device->upload(prepared->program));
@@ -311,7 +311,7 @@ TEST_CASE(
     "serial force device: one that resets in the middle loses the force, which then rises from nothing") {
   std::atomic<long> position_nm{3000000};
   FakeDevice fake([&](const std::string& line) { return goodBoard(line, position_nm); });
-  auto device = opened(fake, 0.5);
+  auto device = opened(fake, slow_s);
   auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
   REQUIRE(prepared);
   // The guard's times are periods: those of 1 kHz, however slowly the test's machine exchanges.

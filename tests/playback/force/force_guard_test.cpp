@@ -113,12 +113,12 @@ TEST_CASE("force guard: an encoder that stops dead under force is frozen; a fing
     }
     return guard;
   };
-  const ForceGuard broken = movedAt(150, 2);
+  const ForceGuard broken = movedAt(400, 2);
   CHECK(broken.counts().frozen > 0);
   CHECK(broken.counts().faded == 1);
   CHECK(broken.silent());
-  CHECK_FALSE(movedAt(150, 0.5).silent());  // too little to surprise anybody
-  CHECK_FALSE(movedAt(50, 2).silent());
+  CHECK_FALSE(movedAt(400, 0.5).silent());  // too little to surprise anybody
+  CHECK_FALSE(movedAt(150, 2).silent());
   ForceGuard finger({}, period_s, step_mm);  // turns on a wall, 0.5 mm deep
   for (int i = 0; i < 600; ++i) {
     const double at_mm = std::round(0.5 * std::sin(0.18 * 0.05 * i * 20) / step_mm) * step_mm;
