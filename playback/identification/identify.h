@@ -15,8 +15,8 @@
 namespace detent::playback {
 
 struct IdentifySettings {
-  std::size_t knots = 1;  ///< 1..32 places of k and b over the travel, smooth between them; 1: constants
-  double lowestQuanta = 10;     ///< > 0; a velocity window spans at least so many encoder steps of movement
+  std::size_t knots = 1;     ///< 1..32 places of k and b over the travel, smooth between them; 1: constants
+  double lowestQuanta = 10;  ///< > 0; a velocity window spans at least so many encoder steps of movement
   double largestSpread = 0.20;  ///< b is named only if its standard error is below this share of it
 };
 
