@@ -49,6 +49,32 @@ struct SourceRig {
 
 }  // namespace
 
+/// Posts its click when the button becomes enabled, so that the click stands in the queue before any answer can: a
+/// loaded machine may have answered before anybody looks.
+class ClickOnceEnabled : public QObject {
+ public:
+  explicit ClickOnceEnabled(QPushButton* button) : button_(button) { button->installEventFilter(this); }
+  bool clicked() const { return clicked_; }
+
+ private:
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() == QEvent::EnabledChange && button_->isEnabled() && !posted_) {
+      posted_ = true;
+      QMetaObject::invokeMethod(
+          button_,
+          [this] {
+            button_->click();
+            clicked_ = true;
+          },
+          Qt::QueuedConnection);
+    }
+    return QObject::eventFilter(watched, event);
+  }
+
+  QPushButton* button_;
+  bool posted_ = false, clicked_ = false;
+};
+
 class ForecastTest : public QObject {
   Q_OBJECT
 
@@ -187,10 +213,10 @@ class ForecastTest : public QObject {
       documents.push_back(owned.back().get());
     }
     matrix.setDocuments(documents);
-    matrix.show();
     auto* stop = matrix.findChild<QPushButton*>("matrixStop");
-    QTRY_VERIFY_WITH_TIMEOUT(stop->isEnabled(), patience_ms);
-    stop->click();
+    ClickOnceEnabled click(stop);
+    matrix.show();
+    QTRY_VERIFY_WITH_TIMEOUT(click.clicked(), patience_ms);
     QVERIFY(!stop->isEnabled());
     QTest::qWait(400);
     QVERIFY(matrix.findChild<QTableWidget*>("forecastTable")->item(0, 0) == nullptr);
