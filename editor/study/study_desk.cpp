@@ -204,16 +204,16 @@ void StudyDesk::tell(const QString& text) { trouble_->setText(text); }
 void StudyDesk::makeNew() {
   auto* maker = new StudyMaker(places_.documents(), places_.profileFile(), this);
   maker->setAttribute(Qt::WA_DeleteOnClose);
-  connect(maker, &StudyMaker::made, this, &StudyDesk::open);
+  connect(maker, &StudyMaker::made, this, &StudyDesk::showStudy);
   maker->open();
 }
 
 void StudyDesk::choose() {
   const QString folder = QFileDialog::getExistingDirectory(this, tr("Open a study"), folder_);
-  if (!folder.isEmpty()) open(folder);
+  if (!folder.isEmpty()) showStudy(folder);
 }
 
-void StudyDesk::open(const QString& folder) {
+void StudyDesk::showStudy(const QString& folder) {
   folder_ = folder;
   tell({});
   refresh();

@@ -39,7 +39,7 @@ class StudyDesk : public QDialog {
  public:
   explicit StudyDesk(StudyPlaces places = {}, QWidget* parent = nullptr);
   /// Shows that study; a folder that holds none is told in the window.
-  void open(const QString& folder);
+  void showStudy(const QString& folder);
 
  private:
   /// Who gives the answers of the next session.

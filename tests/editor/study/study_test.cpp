@@ -71,7 +71,7 @@ struct Rig {
     QSignalSpy made(&maker, &StudyMaker::made);
     maker.findChild<QPushButton*>("makerMake")->click();
     QVERIFY2(made.count() == 1, qPrintable(maker.findChild<QLabel*>("makerTrouble")->text()));
-    desk->open(study);
+    desk->showStudy(study);
   }
   void answersBy(int choice) { desk->findChild<QComboBox*>("studyAnswers")->setCurrentIndex(choice); }
   QString trouble() { return desk->findChild<QLabel*>("studyTrouble")->text(); }
@@ -142,7 +142,7 @@ class StudyTest : public QObject {
 
   void aFolderWithoutAStudyIsSaid() {
     Rig rig;
-    rig.desk->open(rig.folder.path());
+    rig.desk->showStudy(rig.folder.path());
     QVERIFY(!rig.trouble().isEmpty());
     QVERIFY(!rig.desk->findChild<QPushButton*>("studyStart")->isEnabled());
   }
