@@ -181,6 +181,11 @@ class StudyPlayer {
   virtual bool lostSinceAsked() = 0;
 };
 
+/// What the forecast says of a study's buttons, in its first mode and on its device, by pairsOf(); `reason` words what tells a
+/// pair apart. Some 200 ms a button. Failure: as feel(). Any thread.
+Result<std::vector<ForetoldPair>> foretold(const Study& study,
+                                           const std::function<std::string(const PredictedPair&)>& reason);
+
 // ---- measuring a device
 
 struct SoundRecording {

@@ -61,25 +61,6 @@ QString freeId(const std::vector<playback::ParticipantRecord>& records) {
 }
 
 /// What is to be expected of the study's buttons on its device, in its first mode.
-Result<std::vector<playback::ForetoldPair>> foretold(const playback::Study& study) {
-  playback::PerceptionSettings settings;
-  if (study.profile) settings.device = *study.profile;
-  settings.playback.mode = study.design.modes.front();
-  std::vector<playback::FeltButton> felt;
-  for (const playback::StudyButton& button : study.buttons) {
-    Result<playback::FeltButton> one = playback::feel(button.button, settings);
-    if (!one) return one.failure();
-    felt.push_back(*std::move(one));
-  }
-  std::vector<playback::ForetoldPair> pairs;
-  const std::vector<playback::PredictedPair> predicted = playback::predictAll(felt);
-  for (const auto& [first, second] : playback::pairsOf(felt.size())) {
-    const playback::PredictedPair& pair = predicted[pairs.size()];
-    pairs.push_back({first, second, pair.dPrime, pair.shareOfErrors, reasonWords(pair).toStdString()});
-  }
-  return pairs;
-}
-
 }  // namespace
 
 StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), places_(std::move(places)) {
@@ -352,7 +333,8 @@ Result<Done> StudyDesk::writeReportTo(const QString& file) {
   if (!study) return study.failure();
   const auto records = playback::readParticipants(*study);
   if (!records) return records.failure();
-  const auto expected = foretold(*study);
+  const auto expected = playback::foretold(
+      *study, [](const playback::PredictedPair& pair) { return reasonWords(pair).toStdString(); });
   if (!expected) return expected.failure();
   return writeTextFileAtomically(file.toStdString(),
                                  playback::resultsPage(playback::resultsOf(*study, *records), *expected));

@@ -262,26 +262,11 @@ Result<StudyResults> resultsIn(const std::string& folder) {
 }
 
 /// What was to be expected of the study's buttons on its device, in its first mode.
-Result<std::vector<ForetoldPair>> foretold(const std::string& folder) {
+Result<std::vector<ForetoldPair>> foretoldIn(const std::string& folder) {
   if (holdsPrintedCounts(folder)) return std::vector<ForetoldPair>{};
   Result<Study> study = openStudy(folder);
   if (!study) return study.failure();
-  PerceptionSettings settings;
-  if (study->profile) settings.device = *study->profile;
-  settings.playback.mode = study->design.modes.front();
-  std::vector<FeltButton> felt;
-  for (const StudyButton& b : study->buttons) {
-    Result<FeltButton> one = feel(b.button, settings);
-    if (!one) return one.failure();
-    felt.push_back(*std::move(one));
-  }
-  std::vector<ForetoldPair> pairs;
-  const std::vector<PredictedPair> predicted = predictAll(felt);
-  for (const auto& [first, second] : pairsOf(felt.size())) {
-    const PredictedPair& pair = predicted[pairs.size()];
-    pairs.push_back({first, second, pair.dPrime, pair.shareOfErrors, reasonOf(pair)});
-  }
-  return pairs;
+  return foretold(*study, reasonOf);
 }
 
 int runReport(const ReadArguments& a) {
@@ -295,7 +280,7 @@ int runReport(const ReadArguments& a) {
     if (Result<Done> ok = writeBids(*results, a.bidsFolder); !ok) return fail(ok.failure());
   }
   if (!a.htmlFile.empty()) {
-    Result<std::vector<ForetoldPair>> expected = foretold(a.folder);
+    Result<std::vector<ForetoldPair>> expected = foretoldIn(a.folder);
     if (!expected) return fail(expected.failure());
     if (Result<Done> ok = writeTextFileAtomically(a.htmlFile, resultsPage(*results, *expected)); !ok)
       return fail(ok.failure());
