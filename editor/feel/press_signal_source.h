@@ -2,24 +2,23 @@
 #pragma once
 // Press signals off the GUI thread: the latest request wins, what it overtook is never computed.
 
-#include <condition_variable>
-#include <mutex>
-#include <optional>
+#include <cstdint>
+#include <memory>
 #include <QObject>
-#include <thread>
 
+#include "editor/document/latest_request.h"
 #include "editor/feel/press_signal.h"
 
 namespace detent::editor {
 
 /// One worker thread, begun with the first request. At most one request waits while one is computed, so an
-/// answer is never older than two computations. GUI thread, except where said.
+/// answer is never older than two computations. Its end waits for the running computation, some milliseconds. GUI
+/// thread, except where said.
 class PressSignalSource : public QObject {
   Q_OBJECT
 
  public:
   explicit PressSignalSource(QObject* parent = nullptr);
-  ~PressSignalSource() override;  ///< waits for the running computation, some milliseconds
 
   /// Gives the revision that the answer will carry, unless a later request overtakes it.
   std::uint64_t request(PressSignalRequest request);
@@ -29,18 +28,14 @@ class PressSignalSource : public QObject {
   void ready(std::shared_ptr<const detent::editor::PressSignal> signal);
 
  private:
-  void run();  // worker thread
-
   struct Waiting {
     std::uint64_t revision;
     PressSignalRequest request;
   };
+  void compute(const Waiting& next);  // worker thread
+
   std::uint64_t requested_ = 0;
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  std::optional<Waiting> waiting_;
-  bool stopping_ = false;
-  std::thread worker_;
+  LatestRequest<Waiting> requests_;
 };
 
 }  // namespace detent::editor

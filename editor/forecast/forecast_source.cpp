@@ -22,50 +22,30 @@ std::vector<std::pair<std::size_t, std::size_t>> pairsIn(std::size_t buttons, Fo
 
 }  // namespace
 
-ForecastSource::ForecastSource(QObject* parent) : QObject(parent) {}
+ForecastSource::ForecastSource(QObject* parent)
+    : QObject(parent), requests_([this](const Waiting& next) { answer(next); }) {}
 
-ForecastSource::~ForecastSource() {
-  {
-    const std::lock_guard lock(mutex_);
-    stopping_ = true;
-    ++latest_;
-  }
-  wake_.notify_one();
-  if (worker_.joinable()) worker_.join();
-}
+ForecastSource::~ForecastSource() { cancel(); }
 
 std::uint64_t ForecastSource::request(std::vector<Button> buttons, ForecastPairs pairs) {
   const std::uint64_t revision = ++latest_;
-  {
-    const std::lock_guard lock(mutex_);
-    waiting_.emplace(Waiting{revision, std::move(buttons), pairs});
-  }
-  if (!worker_.joinable()) worker_ = std::thread([this] { run(); });
-  wake_.notify_one();
+  requests_.put({revision, std::move(buttons), pairs});
   return revision;
 }
 
 void ForecastSource::cancel() { ++latest_; }
 
-void ForecastSource::run() {
-  std::unique_lock lock(mutex_);
-  while (true) {
-    wake_.wait(lock, [this] { return stopping_ || waiting_.has_value(); });
-    if (stopping_) return;
-    const Waiting next = *std::exchange(waiting_, std::nullopt);
-    lock.unlock();
-    if (std::optional<Forecast> computed = compute(next)) {
-      auto forecast = std::make_shared<const Forecast>(*std::move(computed));
-      // Queued events for an object that is gone are dropped by Qt; the destructor waits for this thread.
-      QMetaObject::invokeMethod(
-          this,
-          [this, forecast] {
-            if (!overtaken(forecast->revision)) emit ready(forecast);
-          },
-          Qt::QueuedConnection);
-    }
-    lock.lock();
-  }
+void ForecastSource::answer(const Waiting& next) {
+  std::optional<Forecast> computed = compute(next);
+  if (!computed) return;
+  auto forecast = std::make_shared<const Forecast>(*std::move(computed));
+  // Queued events for an object that is gone are dropped by Qt; the destructor waits for this thread.
+  QMetaObject::invokeMethod(
+      this,
+      [this, forecast] {
+        if (!overtaken(forecast->revision)) emit ready(forecast);
+      },
+      Qt::QueuedConnection);
 }
 
 std::optional<Forecast> ForecastSource::compute(const Waiting& asked) {

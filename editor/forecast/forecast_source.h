@@ -3,17 +3,15 @@
 // Forecasts of confusion off the GUI thread: the latest request wins, what it overtook is given up.
 
 #include <atomic>
-#include <condition_variable>
 #include <map>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <QObject>
 #include <QString>
-#include <thread>
 #include <utility>
 #include <vector>
 
+#include "editor/document/latest_request.h"
 #include "playback/playback.h"
 
 namespace detent::editor {
@@ -60,7 +58,7 @@ class ForecastSource : public QObject {
     playback::FeltButton felt;
   };
   using FeltList = std::vector<std::shared_ptr<const Felt>>;
-  void run();                                       // worker thread
+  void answer(const Waiting& next);                 // worker thread
   std::optional<Forecast> compute(const Waiting&);  // worker thread; nothing when overtaken
   Result<std::shared_ptr<const Felt>> feltOf(const Button& button, std::uint64_t revision);
   playback::PredictedPair pairOf(const Felt& a, const Felt& b);
@@ -69,15 +67,11 @@ class ForecastSource : public QObject {
   bool overtaken(std::uint64_t revision) const { return latest_ != revision; }
 
   std::atomic<std::uint64_t> latest_{0};
-  std::mutex mutex_;
-  std::condition_variable wake_;
-  std::optional<Waiting> waiting_;
-  bool stopping_ = false;
   // Of the worker thread.
   FeltList kept_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, playback::PredictedPair> keptPairs_;
   std::uint64_t nextId_ = 0;
-  std::thread worker_;
+  LatestRequest<Waiting> requests_;  // last: its thread uses the others
 };
 
 }  // namespace detent::editor
