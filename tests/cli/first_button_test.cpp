@@ -23,13 +23,12 @@
 #include "tests/cli/terminal_program.h"
 #include "tests/playback/device/jack_rig.h"
 #include "tests/playback/device/pty_sensor.h"
+#include "tests/playback/device/sketch_on_host.h"
 
 namespace firmware {
 
 std::atomic<double> force_N{0};
 std::uint32_t time_us = 0;
-std::string sent;
-constexpr std::uint8_t A0 = 14;
 
 std::uint32_t micros() { return time_us; }
 /// A sensor whose conductance rises with the force, 10 kOhm to ground, one count of noise.
@@ -39,23 +38,6 @@ int analogRead(std::uint8_t) {
   const double share = force_N / 5;
   return static_cast<int>(std::lround(1023 * share / (1 + share) + noise(random)));
 }
-
-struct SerialPort {
-  void begin(std::uint32_t) {}
-  void print(const char* text) { sent += text; }
-  void println(const char* text) { sent += std::string(text) + "\r\n"; }
-} Serial;
-
-void sendReading(std::uint32_t time_us, int counts);  // the Arduino builder writes this declaration
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-using std::int32_t;
-using std::snprintf;
-using std::uint32_t;
-using std::uint8_t;
-#include "samples/firmware/fsr400/fsr400.ino"
-#pragma GCC diagnostic pop
 
 }  // namespace firmware
 

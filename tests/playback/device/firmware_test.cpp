@@ -11,32 +11,14 @@
 #include <catch2/catch.hpp>
 
 #include "playback/device/sensor_line.h"
+#include "tests/playback/device/sketch_on_host.h"
 
 namespace firmware {
 
 std::uint32_t time_us = 4294900000U;  // wraps during the test
-std::string sent;
-constexpr std::uint8_t A0 = 14;
 
 std::uint32_t micros() { return time_us; }
 int analogRead(std::uint8_t) { return static_cast<int>(time_us / 1000 % 1024); }
-
-struct SerialPort {
-  void begin(std::uint32_t) {}
-  void print(const char* text) { sent += text; }
-  void println(const char* text) { sent += std::string(text) + "\r\n"; }
-} Serial;
-
-void sendReading(std::uint32_t time_us, int counts);  // the Arduino builder writes this declaration
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wshadow"
-#pragma GCC diagnostic ignored "-Wold-style-cast"
-using std::int32_t;
-using std::snprintf;
-using std::uint32_t;
-using std::uint8_t;
-#include "samples/firmware/fsr400/fsr400.ino"
-#pragma GCC diagnostic pop
 
 }  // namespace firmware
 
