@@ -50,8 +50,8 @@ class Remedies {
   Remedies(RemedyKind kind) : all_{{kind, {}}} {}
   Remedies(std::initializer_list<Remedy> remedies) : all_(remedies) {}
   template <class Words>
-  requires std::constructible_from<Message, Words&&> Remedies(Words&& words) {
-    Message message(std::forward<Words>(words));
+  requires std::constructible_from<Message, const Words&> Remedies(const Words& words) {
+    Message message(words);
     if (!message.empty()) all_.push_back({RemedyKind::advice, std::move(message)});
   }
 

@@ -33,7 +33,7 @@ char line[96];
 uint8_t lineLength;
 
 void readEncoder() {
-  counts += digitalRead(encoderA) == digitalRead(encoderB) ? 1 : -1;
+  counts = counts + (digitalRead(encoderA) == digitalRead(encoderB) ? 1 : -1);
 }
 
 void setup() {

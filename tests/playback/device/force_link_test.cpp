@@ -146,7 +146,6 @@ struct SerialPort {
 #pragma GCC diagnostic ignored "-Wshadow"
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wold-style-cast"
-#pragma GCC diagnostic ignored "-Wvolatile"
 using std::abs;
 using std::int32_t;
 using std::int64_t;
