@@ -122,8 +122,4 @@ cv::Mat darknessOf(const Raster& raster, PaperBy by) {
   return darkness;
 }
 
-bool hasDarkPaper(const Raster& raster) {
-  return !raster.empty() && paperLuminance(luminanceOf(raster)) < 128;
-}
-
 }  // namespace detent::importer

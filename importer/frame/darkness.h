@@ -13,7 +13,4 @@ namespace detent::importer {
 /// region: the median around each pixel, which keeps its step where one paper meets the next; about 40 ms per megapixel.
 cv::Mat darknessOf(const Raster& raster, PaperBy paper = PaperBy::page);
 
-/// True if most of the raster is dark, so that its ink is light.
-bool hasDarkPaper(const Raster& raster);
-
 }  // namespace detent::importer

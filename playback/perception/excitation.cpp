@@ -86,9 +86,4 @@ Excitation masked(const Excitation& excitation, const MaskingSettings& settings)
   return out;
 }
 
-double loudness_dB(const std::array<double, channelCount>& level_dB) {
-  const auto& [ra, p] = level_dB;
-  return std::max(ra, p) + 0.5 * std::min(ra, p);
-}
-
 }  // namespace detent::playback

@@ -43,7 +43,4 @@ struct MaskingSettings {
 /// strong vibration and falls back exponentially. Channels do not mask each other.
 Excitation masked(const Excitation& excitation, const MaskingSettings& settings = {});
 
-/// Loudness at one time: the stronger channel and half the weaker one, in dB above threshold.
-double loudness_dB(const std::array<double, channelCount>& level_dB);
-
 }  // namespace detent::playback

@@ -6,10 +6,10 @@
 
 #include "model/edits.h"
 #include "model/file/button_file.h"
-#include "playback/perception/baselines.h"
 #include "playback/perception/confusion.h"
 #include "playback/perception/design_help.h"
 #include "playback/statistics/rank_correlation.h"
+#include "tests/playback/perception/baselines.h"
 
 using namespace detent;
 using namespace detent::playback;
@@ -69,8 +69,6 @@ TEST_CASE("masking: a faint burst beside a strong one fades, far from it it stay
   channels.level_dB = {{0, 40}, {6, 0}};
   CHECK(masked(channels).level_dB[1][0] == 6);  // channels do not mask each other
 }
-
-TEST_CASE("loudness: the stronger channel and half of the weaker") { CHECK(loudness_dB({10, 30}) == 35); }
 
 TEST_CASE(
     "confusion: a button and itself cannot be told apart; order does not matter; more change, more d'") {

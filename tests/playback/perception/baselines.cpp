@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "playback/perception/baselines.h"
+#include "tests/playback/perception/baselines.h"
 
 #include <algorithm>
 #include <cmath>
