@@ -99,7 +99,10 @@ void ForceLoop::waitFor(double due_s) {
 }
 
 void ForceLoop::run() {
-  deadlines_.realtime = settings_.paced && requestRealtime(loopPriority);
+  if (settings_.paced) {
+    requestPunctualWakeUp();
+    deadlines_.realtime = requestRealtime(loopPriority);
+  }
   double due_s = now_s();
   for (std::int64_t i = 0; !stopping_ && (settings_.steps == 0 || i < settings_.steps); ++i) {
     if (settings_.paced) {

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/device/steady_clock.h"
 
+#include <cmath>
+
 #include <pthread.h>
 #include <sched.h>
+#include <sys/prctl.h>
 #include <time.h>
 
 namespace detent::playback {
@@ -13,15 +16,23 @@ double now_s() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
+// Sleeping on the raw clock is not offered: the same moment on CLOCK_MONOTONIC, given as a time and not as a length, so that a
+// thread that is put aside on the way to sleep is not late for it. Put aside between the two clocks, it wakes early and sleeps again.
 void sleepUntil(double time_s) {
-  // Sleeping on the raw clock is not offered; a relative sleep a little short, then the rest.
-  for (double left_s = time_s - now_s(); left_s > 0; left_s = time_s - now_s()) {
+  for (;;) {
     timespec t{};
-    t.tv_sec = static_cast<time_t>(left_s);
-    t.tv_nsec = static_cast<long>((left_s - static_cast<double>(t.tv_sec)) * 1e9);
-    clock_nanosleep(CLOCK_MONOTONIC, 0, &t, nullptr);
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    const double left_s = time_s - now_s();
+    if (left_s <= 0) return;
+    constexpr long perSecond = 1000000000;
+    t.tv_sec += static_cast<time_t>(left_s);
+    t.tv_nsec += static_cast<long>((left_s - std::floor(left_s)) * perSecond);
+    if (t.tv_nsec >= perSecond) t.tv_nsec -= perSecond, ++t.tv_sec;
+    clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &t, nullptr);
   }
 }
+
+void requestPunctualWakeUp() { prctl(PR_SET_TIMERSLACK, 1UL); }
 
 bool requestRealtime(int priority) {
   sched_param parameters{};

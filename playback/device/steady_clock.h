@@ -11,6 +11,10 @@ double now_s();
 /// Sleeps until that time has come.
 void sleepUntil(double time_s);
 
+/// Asks the system to wake the calling thread when its time has come, not within the 50 µs after it that save power: for threads
+/// whose work is due to 100 µs. Real-time threads are woken so anyway.
+void requestPunctualWakeUp();
+
 /// Asks for real-time scheduling of the calling thread (FIFO). False where the machine refuses; the caller
 /// goes on.
 bool requestRealtime(int priority);

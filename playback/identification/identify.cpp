@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include <ceres/ceres.h>
@@ -29,10 +30,6 @@ struct Columns {
   std::size_t count() const { return 1 + knots + (damping ? knots : 0) + (mass ? 1 : 0); }
 };
 
-struct Sample {
-  double x_mm, v_mm_per_s, a_mm_per_s2, force_N;
-};
-
 /// Adds to `out` what the slope at a knot takes of the knots' values, `factor` times: that of the parabola through three of them.
 void addSlope(std::size_t knots, std::size_t at, double factor, double* out) {
   if (knots == 2) {
@@ -46,12 +43,12 @@ void addSlope(std::size_t knots, std::size_t at, double factor, double* out) {
   }
 }
 
-/// Shares of the knots in the value at a place, `factor` times: cubics that reproduce every parabola. Straight lines between knots
+/// Adds the shares of the knots in the value at a place, `factor` times: cubics that reproduce every parabola. Straight lines between knots
 /// would put a smooth button's bend into the errors, whose size then no longer covers it.
 void addShares(const std::vector<double>& knots_mm, double x_mm, double factor, double* out) {
   const std::size_t n = knots_mm.size();
   if (n == 1) {
-    out[0] = factor;
+    out[0] += factor;
     return;
   }
   const double place =
@@ -64,22 +61,122 @@ void addShares(const std::vector<double>& knots_mm, double x_mm, double factor, 
   addSlope(n, i + 1, -factor * u * u * rest, out);
 }
 
-Eigen::MatrixXd designOf(const std::vector<Sample>& samples, const std::vector<double>& knots_mm,
-                         const Columns& columns) {
-  Eigen::MatrixXd design = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(samples.size()),
-                                                 static_cast<Eigen::Index>(columns.count()));
-  std::vector<double> row;
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const Sample& s = samples[i];
-    row.assign(columns.count(), 0.0);
-    row[0] = 1;
-    addShares(knots_mm, s.x_mm, s.x_mm, row.data() + 1);
-    if (columns.damping) addShares(knots_mm, s.x_mm, s.v_mm_per_s, row.data() + 1 + columns.knots);
-    if (columns.mass) row.back() = s.a_mm_per_s2 / mmPerM;
-    design.row(static_cast<Eigen::Index>(i)) =
-        Eigen::Map<const Eigen::RowVectorXd>(row.data(), static_cast<Eigen::Index>(row.size()));
+/// What the shares of one interval between two knots add up to from its left knot to `u` of its width, as shares of the values (and
+/// slopes) at both: the integrals of Hermite's four cubics.
+struct CellIntegral {
+  double left, right, leftSlope, rightSlope;
+  explicit CellIntegral(double u)
+      : left(u - u * u * u + 0.5 * u * u * u * u),
+        right(u * u * u - 0.5 * u * u * u * u),
+        leftSlope(u * u * (0.5 - u * (2.0 / 3 - 0.25 * u))),
+        rightSlope(u * u * u * (0.25 * u - 1.0 / 3)) {}
+};
+
+/// Adds the integral of the shares from the first knot to a place: b(x) v is the rate at which this changes.
+void addIntegrals(const std::vector<double>& knots_mm, double x_mm, double* out) {
+  const std::size_t n = knots_mm.size();
+  if (n == 1) {
+    out[0] += x_mm;
+    return;
   }
-  return design;
+  const double width_mm = knots_mm[1] - knots_mm[0];
+  const double place = std::clamp((x_mm - knots_mm.front()) / width_mm, 0.0, static_cast<double>(n - 1));
+  for (std::size_t i = 0; i + 1 < n && static_cast<double>(i) < place; ++i) {
+    const CellIntegral part(std::min(1.0, place - static_cast<double>(i)));
+    out[i] += width_mm * part.left;
+    out[i + 1] += width_mm * part.right;
+    addSlope(n, i, width_mm * part.leftSlope, out);
+    addSlope(n, i + 1, width_mm * part.rightSlope, out);
+  }
+}
+
+/// A record as the fit sees it, sample by sample.
+struct Samples {
+  std::vector<double> knots_mm;
+  Eigen::MatrixXd spring_mm;  ///< what a stiffness of 1 at each knot gives (N)
+  Eigen::MatrixXd way_mm;     ///< what damping of 1 at each knot has taken up to here; its rate is the force
+  Eigen::VectorXd place_mm, force_N;
+};
+
+Samples samplesOf(const ForceRecord& record, std::vector<double> knots_mm) {
+  const auto n = static_cast<Eigen::Index>(record.time_s.size()),
+             knots = static_cast<Eigen::Index>(knots_mm.size());
+  Samples s{std::move(knots_mm), Eigen::MatrixXd::Zero(n, knots), Eigen::MatrixXd::Zero(n, knots),
+            Eigen::Map<const Eigen::VectorXd>(record.displacement_mm.data(), n),
+            Eigen::Map<const Eigen::VectorXd>(record.force_N.data(), n)};
+  std::vector<double> row(s.knots_mm.size());
+  for (Eigen::Index i = 0; i < n; ++i) {
+    std::fill(row.begin(), row.end(), 0.0);
+    addShares(s.knots_mm, s.place_mm[i], s.place_mm[i], row.data());
+    s.spring_mm.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), knots);
+    std::fill(row.begin(), row.end(), 0.0);
+    addIntegrals(s.knots_mm, s.place_mm[i], row.data());
+    s.way_mm.row(i) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), knots);
+  }
+  return s;
+}
+
+/// The equations of the fit, one per window.
+struct Equations {
+  Eigen::MatrixXd design;
+  Eigen::VectorXd force_N;
+  std::vector<std::size_t> centre;  ///< sample in the middle of each window
+};
+
+Equations equationsOf(const Samples& s, const RecordWindows& windows, const Columns& columns) {
+  Equations e;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(s.force_N.size()); ++i) {
+    if (windows.inside(i)) e.centre.push_back(i);
+  }
+  const auto rows = static_cast<Eigen::Index>(e.centre.size()),
+             knots = static_cast<Eigen::Index>(columns.knots);
+  e.design = Eigen::MatrixXd::Zero(rows, static_cast<Eigen::Index>(columns.count()));
+  e.force_N = Eigen::VectorXd::Zero(rows);
+  std::vector<SampleShare> shares;
+  for (Eigen::Index r = 0; r < rows; ++r) {
+    const std::size_t centre = e.centre[static_cast<std::size_t>(r)];
+    windows.shares(centre, shares);
+    e.design(r, 0) = 1;
+    for (std::size_t j = 0; j < shares.size(); ++j) {
+      const auto at = static_cast<Eigen::Index>(windows.first(centre) + j);
+      e.force_N[r] += shares[j].mean * s.force_N[at];
+      e.design.row(r).segment(1, knots) += shares[j].mean * s.spring_mm.row(at);
+      if (columns.damping) e.design.row(r).segment(1 + knots, knots) += shares[j].perS * s.way_mm.row(at);
+      if (columns.mass) e.design(r, e.design.cols() - 1) += shares[j].perS2 * s.place_mm[at] / mmPerM;
+    }
+  }
+  return e;
+}
+
+/// What a fit without errors gives at every sample: how much its force changes with the place, and its damping there.
+struct Local {
+  Eigen::VectorXd slope_N_per_mm, damping_Ns_per_mm;
+  double mass_kg = 0;
+};
+
+Local localOf(const Samples& s, const Columns& columns, const Eigen::VectorXd& parameters) {
+  const Eigen::Index n = s.place_mm.size(), knots = static_cast<Eigen::Index>(columns.knots);
+  Local local{Eigen::VectorXd::Zero(n), Eigen::VectorXd::Zero(n),
+              columns.mass ? parameters[parameters.size() - 1] : 0};
+  const double nudge_mm = 1e-6 * (s.place_mm.maxCoeff() - s.place_mm.minCoeff());
+  std::vector<double> row(columns.knots);
+  const auto changeOf = [&](auto add, Eigen::Index i, const Eigen::VectorXd& values) {
+    std::fill(row.begin(), row.end(), 0.0);
+    add(s.place_mm[i] + nudge_mm, 1.0);
+    add(s.place_mm[i] - nudge_mm, -1.0);
+    return Eigen::Map<const Eigen::VectorXd>(row.data(), knots).dot(values) / (2 * nudge_mm);
+  };
+  for (Eigen::Index i = 0; i < n; ++i) {
+    local.slope_N_per_mm[i] =
+        changeOf([&](double x_mm, double sign) { addShares(s.knots_mm, x_mm, sign * x_mm, row.data()); }, i,
+                 parameters.segment(1, knots));
+    if (!columns.damping) continue;
+    std::fill(row.begin(), row.end(), 0.0);
+    addShares(s.knots_mm, s.place_mm[i], 1, row.data());
+    local.damping_Ns_per_mm[i] =
+        Eigen::Map<const Eigen::VectorXd>(row.data(), knots).dot(parameters.segment(1 + knots, knots));
+  }
+  return local;
 }
 
 /// The whole record as one residual block: its Jacobian is the design matrix.
@@ -105,25 +202,60 @@ class ForceResiduals : public ceres::CostFunction {
   const Eigen::VectorXd& force_N_;
 };
 
-struct Fit {
-  std::vector<Estimate> parameters;
-  double residual_N = 0, condition = 1;
-  bool usable = false;
+/// Where the handle stays, the mean of its equations is known no better than its rounding: it counts that much less.
+class StayWeights {
+ public:
+  StayWeights(const Equations& equations, const Stays& stays)
+      : rows_(stays.levels), factor_(stays.levels, 1.0) {
+    for (std::size_t r = 0; r < equations.centre.size(); ++r) {
+      const std::size_t level = stays.level[equations.centre[r]];
+      if (level != Stays::moving) rows_[level].push_back(static_cast<Eigen::Index>(r));
+    }
+  }
+  void set(const Equations& equations, const Local& local, double rounding_mm, double noise_N) {
+    for (std::size_t level = 0; level < rows_.size(); ++level) {
+      if (rows_[level].empty()) continue;
+      const std::size_t centre = equations.centre[static_cast<std::size_t>(rows_[level].front())];
+      const double error_N = rounding_mm * local.slope_N_per_mm[static_cast<Eigen::Index>(centre)];
+      factor_[level] =
+          noise_N / std::sqrt(noise_N * noise_N +
+                              static_cast<double>(rows_[level].size()) * error_N * error_N + 1e-300);
+    }
+  }
+  /// Takes away from every column what is too much of its mean in each stay. Symmetric: the same serves the way back.
+  void apply(Eigen::Ref<Eigen::MatrixXd> columns) const {
+    for (std::size_t level = 0; level < rows_.size(); ++level) {
+      if (factor_[level] == 1) continue;
+      Eigen::RowVectorXd mean = Eigen::RowVectorXd::Zero(columns.cols());
+      for (const Eigen::Index r : rows_[level]) mean += columns.row(r);
+      mean *= (1 - factor_[level]) / static_cast<double>(rows_[level].size());
+      for (const Eigen::Index r : rows_[level]) columns.row(r) -= mean;
+    }
+  }
+
+ private:
+  std::vector<std::vector<Eigen::Index>> rows_;  ///< of each level
+  std::vector<double> factor_;                   ///< of each level, 0..1
 };
 
-Fit fitted(const std::vector<Sample>& samples, const std::vector<double>& knots_mm, const Columns& columns) {
-  Eigen::MatrixXd design = designOf(samples, knots_mm, columns);
-  Eigen::VectorXd force_N(static_cast<Eigen::Index>(samples.size()));
-  for (std::size_t i = 0; i < samples.size(); ++i) force_N[static_cast<Eigen::Index>(i)] = samples[i].force_N;
+struct Solution {
+  Eigen::VectorXd parameters;
+  Eigen::MatrixXd inverse;  ///< of the normal matrix
+  double condition = 1;
+};
+
+/// Least squares of the weighted equations. None where they cannot be solved.
+std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& force_N) {
   // Columns of length 1: N, N/mm and N·s/mm differ by orders of magnitude.
-  const Eigen::VectorXd lengths = design.colwise().norm().cwiseMax(1e-300);
+  const Eigen::VectorXd lengths = design.colwise().norm().cwiseMax(1e-300).transpose();
   design.array().rowwise() /= lengths.transpose().array();
-  Fit fit;
+  Solution solution;
   const Eigen::VectorXd singular = design.bdcSvd().singularValues();
-  fit.condition = singular[0] / std::max(singular[singular.size() - 1], 1e-300);
-  std::vector<double> parameters(columns.count(), 0.0);
+  solution.condition = singular[0] / std::max(singular[singular.size() - 1], 1e-300);
+  solution.parameters = Eigen::VectorXd::Zero(design.cols());
+  double* parameters = solution.parameters.data();
   ceres::Problem problem;
-  problem.AddResidualBlock(new ForceResiduals(design, force_N), nullptr, parameters.data());
+  problem.AddResidualBlock(new ForceResiduals(design, force_N), nullptr, parameters);
   ceres::Solver::Options options;
   options.logging_type = ceres::SILENT;
   options.linear_solver_type = ceres::DENSE_QR;
@@ -131,40 +263,132 @@ Fit fitted(const std::vector<Sample>& samples, const std::vector<double>& knots_
   options.function_tolerance = 1e-14;
   ceres::Solver::Summary summary;
   ceres::Solve(options, &problem, &summary);
-  if (!summary.IsSolutionUsable()) return fit;
-  const double degrees = static_cast<double>(samples.size() - columns.count());
-  fit.residual_N = std::sqrt(2 * summary.final_cost / degrees);
+  if (!summary.IsSolutionUsable()) return {};
   ceres::Covariance::Options covarianceOptions;
   covarianceOptions.algorithm_type = ceres::DENSE_SVD;
   covarianceOptions.null_space_rank = -1;
   ceres::Covariance covariance(covarianceOptions);
-  const std::vector<std::pair<const double*, const double*>> whole{{parameters.data(), parameters.data()}};
-  if (!covariance.Compute(whole, &problem)) return fit;
-  std::vector<double> block(columns.count() * columns.count());
-  covariance.GetCovarianceBlock(parameters.data(), parameters.data(), block.data());
-  for (std::size_t i = 0; i < columns.count(); ++i) {
-    const double length = lengths[static_cast<Eigen::Index>(i)];
-    fit.parameters.push_back(
-        {parameters[i] / length, fit.residual_N * std::sqrt(block[i * columns.count() + i]) / length});
+  const std::vector<std::pair<const double*, const double*>> whole{{parameters, parameters}};
+  if (!covariance.Compute(whole, &problem)) return {};
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> inverse(design.cols(),
+                                                                                 design.cols());
+  covariance.GetCovarianceBlock(parameters, parameters, inverse.data());
+  solution.inverse = lengths.cwiseInverse().asDiagonal() * inverse * lengths.cwiseInverse().asDiagonal();
+  solution.parameters = solution.parameters.cwiseQuotient(lengths);
+  return solution;
+}
+
+/// What one unit of error in each sample's force, and in its place, does to the normal equations: the windows' way back.
+struct Influence {
+  Eigen::MatrixXd ofForce, ofPlace;  ///< samples x parameters
+  double squares = 0;                ///< of all shares in all averages
+};
+
+Influence influenceOf(const Samples& s, const RecordWindows& windows, const Equations& equations,
+                      const Eigen::MatrixXd& weighted, const Local& local) {
+  Influence influence{Eigen::MatrixXd::Zero(s.force_N.size(), weighted.cols()),
+                      Eigen::MatrixXd::Zero(s.force_N.size(), weighted.cols())};
+  std::vector<SampleShare> shares;
+  for (std::size_t r = 0; r < equations.centre.size(); ++r) {
+    const std::size_t centre = equations.centre[r];
+    windows.shares(centre, shares);
+    const auto row = weighted.row(static_cast<Eigen::Index>(r));
+    for (std::size_t j = 0; j < shares.size(); ++j) {
+      const auto at = static_cast<Eigen::Index>(windows.first(centre) + j);
+      influence.ofForce.row(at) += shares[j].mean * row;
+      influence.ofPlace.row(at) +=
+          (shares[j].mean * local.slope_N_per_mm[at] + shares[j].perS * local.damping_Ns_per_mm[at] +
+           shares[j].perS2 * local.mass_kg / mmPerM) *
+          row;
+      influence.squares += shares[j].mean * shares[j].mean;
+    }
   }
+  return influence;
+}
+
+/// Sum over independent errors of (what each does)(the same)ᵀ, an error of a stay being one for all its samples.
+Eigen::MatrixXd spreadOfRounding(const Eigen::MatrixXd& ofPlace, const Stays& stays) {
+  Eigen::MatrixXd ofStays = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(stays.levels), ofPlace.cols());
+  Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(ofPlace.cols(), ofPlace.cols());
+  for (Eigen::Index i = 0; i < ofPlace.rows(); ++i) {
+    const std::size_t level = stays.level[static_cast<std::size_t>(i)];
+    if (level == Stays::moving) {
+      spread += ofPlace.row(i).transpose() * ofPlace.row(i);
+    } else {
+      ofStays.row(static_cast<Eigen::Index>(level)) += ofPlace.row(i);
+    }
+  }
+  return spread + ofStays.transpose() * ofStays;
+}
+
+struct Fit {
+  std::vector<Estimate> parameters;
+  double residual_N = 0, condition = 1;
+  bool usable = false;
+};
+
+/// Least squares over the windows, where a stay counts as much as its rounding lets it; the errors are those of force and rounding,
+/// carried through windows, weights and solution (docs/decisions/1105-errors-of-an-identification.md).
+Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& stays, const Columns& columns) {
+  constexpr int passes = 3;  // the first knows no weights yet, the last changes them no more
+  const Equations equations = equationsOf(samples, windows, columns);
+  const double rounding_mm = windows.step_mm() / std::sqrt(12.0);
+  StayWeights weights(equations, stays);
+  Fit fit;
+  Eigen::MatrixXd covariance;
+  std::optional<Solution> solution;
+  for (int pass = 0; pass < passes; ++pass) {
+    Eigen::MatrixXd design = equations.design;
+    Eigen::MatrixXd force_N = equations.force_N;
+    weights.apply(design);
+    weights.apply(force_N);
+    solution = solved(design, force_N);
+    if (!solution) return fit;
+    const Local local = localOf(samples, columns, solution->parameters);
+    weights.apply(design);
+    const Influence influence = influenceOf(samples, windows, equations, design, local);
+    const Eigen::MatrixXd ofForce = influence.ofForce.transpose() * influence.ofForce;
+    const double freedom = influence.squares - (solution->inverse * ofForce).trace();
+    const double squares = (equations.design * solution->parameters - equations.force_N).squaredNorm();
+    fit.residual_N = std::sqrt(squares / std::max(freedom, 1e-300));
+    covariance = solution->inverse *
+                 (fit.residual_N * fit.residual_N * ofForce +
+                  rounding_mm * rounding_mm * spreadOfRounding(influence.ofPlace, stays)) *
+                 solution->inverse;
+    weights.set(equations, local, rounding_mm, fit.residual_N);
+  }
+  for (Eigen::Index i = 0; i < covariance.rows(); ++i) {
+    fit.parameters.push_back({solution->parameters[i], std::sqrt(std::max(0.0, covariance(i, i)))});
+  }
+  fit.condition = solution->condition;
   fit.usable = true;
   return fit;
 }
 
 /// Spread of the speed of what moves, as a share of its median; large where speed varies.
-double speedSpread(const std::vector<Sample>& samples) {
-  double fastest = 0;
-  for (const Sample& s : samples) fastest = std::max(fastest, std::abs(s.v_mm_per_s));
-  std::vector<double> speeds;
-  for (const Sample& s : samples) {
-    if (std::abs(s.v_mm_per_s) > movingShare * fastest) speeds.push_back(std::abs(s.v_mm_per_s));
-  }
+double speedSpread(std::vector<double> speeds) {
+  const double fastest = *std::max_element(speeds.begin(), speeds.end());
+  std::erase_if(speeds, [&](double speed) { return !(speed > movingShare * fastest); });
   if (speeds.size() < 10) return 0;
   std::sort(speeds.begin(), speeds.end());
   const auto at = [&](double share) {
     return speeds[static_cast<std::size_t>(share * static_cast<double>(speeds.size() - 1))];
   };
   return 0.5 * (at(0.9) - at(0.1)) / at(0.5);
+}
+
+/// Velocity (mm/s) of every sample; 0 where no window fits into the record.
+std::vector<double> velocityOf(const ForceRecord& record, const RecordWindows& windows) {
+  std::vector<double> velocity(record.time_s.size(), 0.0);
+  std::vector<SampleShare> shares;
+  for (std::size_t i = 0; i < velocity.size(); ++i) {
+    if (!windows.inside(i)) continue;
+    windows.shares(i, shares);
+    for (std::size_t j = 0; j < shares.size(); ++j) {
+      velocity[i] += shares[j].perS * record.displacement_mm[windows.first(i) + j];
+    }
+  }
+  return velocity;
 }
 
 double valueAt(const std::vector<double>& knots_mm, const std::vector<Estimate>& estimates, double x_mm) {
@@ -193,16 +417,10 @@ Result<Identification> identify(const ForceRecord& record, const IdentifySetting
   }
   const auto [low_mm, high_mm] =
       std::minmax_element(record.displacement_mm.begin(), record.displacement_mm.end());
-  RecordMotion motion = motionOf(record, settings.lowestQuanta);
-  if (!(*high_mm - *low_mm > leastMovement_quanta * motion.step_mm)) {
+  const RecordWindows windows(record, settings.lowestQuanta);
+  if (!(*high_mm - *low_mm > leastMovement_quanta * windows.step_mm())) {
     return unusable("does not move: " + std::to_string(*high_mm - *low_mm) + " mm in all",
                     "Record a press over the whole travel");
-  }
-  std::vector<Sample> samples;
-  for (std::size_t i = 0; i < record.time_s.size(); ++i) {
-    if (!motion.inside[i]) continue;
-    samples.push_back({record.displacement_mm[i], motion.velocity_mm_per_s[i],
-                       motion.acceleration_mm_per_s2[i], record.force_N[i]});
   }
   Identification found;
   for (std::size_t i = 0; i < settings.knots; ++i) {
@@ -211,17 +429,22 @@ Result<Identification> identify(const ForceRecord& record, const IdentifySetting
                                                                  static_cast<double>(settings.knots - 1));
   }
   Columns columns{settings.knots, true, true};
-  const double spread = speedSpread(samples);
+  found.velocity_mm_per_s = velocityOf(record, windows);
+  std::vector<double> speeds;
+  for (const double v : found.velocity_mm_per_s) speeds.push_back(std::abs(v));
+  const double spread = speedSpread(std::move(speeds));
   if (spread < constantSpread) {
     found.doubt = DampingDoubt::constantSpeed;
     found.doubtFigure = spread;
     columns.damping = columns.mass = false;
   }
-  Fit fit = fitted(samples, found.knots_mm, columns);
+  const Samples samples = samplesOf(record, found.knots_mm);
+  const Stays stays = staysOf(record.displacement_mm);
+  Fit fit = fitted(samples, windows, stays, columns);
   if (columns.mass &&
       (!fit.usable || fit.parameters.back().value < standsOut * fit.parameters.back().sigma)) {
     columns.mass = false;
-    fit = fitted(samples, found.knots_mm, columns);
+    fit = fitted(samples, windows, stays, columns);
   }
   if (!fit.usable)
     return unusable("gives no fit", "Record presses of different speeds over the whole travel");
@@ -246,9 +469,8 @@ Result<Identification> identify(const ForceRecord& record, const IdentifySetting
   if (columns.mass) found.mass_kg = fit.parameters.back();
   found.condition = fit.condition;
   found.residual_N = fit.residual_N;
-  found.step_mm = motion.step_mm;
-  found.samples = samples.size();
-  found.velocity_mm_per_s = std::move(motion.velocity_mm_per_s);
+  found.step_mm = windows.step_mm();
+  found.samples = record.time_s.size();
   return found;
 }
 

@@ -299,6 +299,25 @@ class Preparation {
   PreparedForce prepared_;
 };
 
+/// Beyond a device's reach every reading is absurd: a press to the bottom would lose its force on the way.
+Result<Done> checkTravel(const ButtonState& state, const ForceDeviceProfile& device) {
+  const std::string subject = "travel of " + (state.name.empty() ? "the button" : "state " + state.name);
+  const std::string remedy = "scale the button (edit it, or convert its graph)";
+  const double travel_mm = state.graph.travel_mm(), end_mm = state.graph.press().end_mm(),
+               reach_mm = device.limits.highest_mm;
+  if (!(travel_mm >= shortestTravel_mm && travel_mm <= longestTravel_mm)) {
+    return outOfRange(subject, "is " + numberText(travel_mm) + " mm",
+                      "A force device can render 0.1 to 100 mm; " + remedy);
+  }
+  if (end_mm > reach_mm) {
+    return outOfRange(
+        subject,
+        "ends at " + numberText(end_mm) + " mm; " + device.name + " reaches " + numberText(reach_mm) + " mm",
+        "Choose a device that reaches farther, or " + remedy);
+  }
+  return Done{};
+}
+
 }  // namespace
 
 Result<PreparedForce> prepareForce(const Button& button, const ForceDeviceProfile& device,
@@ -306,12 +325,7 @@ Result<PreparedForce> prepareForce(const Button& button, const ForceDeviceProfil
   if (Result<Done> checked = checkDevice(device, settings.rate_Hz.value_or(device.rate_Hz)); !checked)
     return checked.failure();
   for (const ButtonState& state : button.states()) {
-    const double travel_mm = state.graph.travel_mm();
-    if (travel_mm >= shortestTravel_mm && travel_mm <= longestTravel_mm) continue;
-    return outOfRange(
-        "travel of " + (state.name.empty() ? "the button" : "state " + state.name),
-        "is " + numberText(travel_mm) + " mm",
-        "A force device can render 0.1 to 100 mm; scale the button (edit it, or convert its graph)");
+    if (Result<Done> fits = checkTravel(state, device); !fits) return fits.failure();
   }
   return Preparation(button, device, settings).run();
 }

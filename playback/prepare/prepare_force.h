@@ -53,8 +53,8 @@ struct PreparedForce {
   ForceSummary summary;
 };
 
-/// Failure wrongUsage names the value of device or settings that is out of its range, or a travel outside 0.1..100 mm. Any
-/// thread; allocates.
+/// Failure wrongUsage names the value of device or settings that is out of its range, a travel outside 0.1..100 mm, or
+/// one that ends beyond the device's reach. Any thread; allocates.
 Result<PreparedForce> prepareForce(const Button& button, const ForceDeviceProfile& device,
                                    const ForceSettings& settings = {});
 

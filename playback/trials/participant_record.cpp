@@ -112,7 +112,6 @@ class Replay {
       note("half a line (" + std::to_string(cut) + " bytes) was cut off: what it held was never confirmed");
     if (!record_.sessions.empty()) placeAfterPause(s);
     record_.sessions.push_back(s);
-    record_.interruptions = 0;
     record_.endedEarly = false;
     return Done{};
   }
@@ -178,7 +177,7 @@ const char* nameOf(SessionKind kind) {
 const char* nameOf(Listening listening) { return listening == Listening::quiet ? "quiet" : "masked"; }
 
 const Trial* ParticipantRecord::next() const {
-  return answers.size() < plan.size() ? &plan[answers.size()] : nullptr;
+  return complete() || endedEarly ? nullptr : &plan[answers.size()];
 }
 
 Result<ParticipantRecord> replayJournal(const Study& study, const std::string& participant,

@@ -67,7 +67,7 @@ struct ParticipantRecord {
   std::vector<std::string> notes;  ///< what a reader must know: cut lines, clocks that disagree
 
   bool complete() const { return answers.size() >= plan.size(); }
-  /// The trial that comes next; none when complete or ended.
+  /// The trial that comes next; none when complete or ended early (until another session goes on).
   const Trial* next() const;
 };
 

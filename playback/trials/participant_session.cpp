@@ -41,12 +41,12 @@ Result<ParticipantSession> ParticipantSession::open(const Study& study, const st
     const std::string line = headerLine(study, participant, chain);
     if (Result<Done> ok = session.append(line, chain); !ok) return ok.failure();
   }
-  if (session.trial() == nullptr) return session;
+  if (session.record_.complete()) return session;
   std::string chain = session.chain_;
   const std::string line = sessionLine(start, text.unfinished.size(), chain);
   if (Result<Done> ok = session.append(line, chain); !ok) return ok.failure();
   session.record_.sessions.push_back(start);
-  session.record_.interruptions = 0;
+  session.record_.endedEarly = false;
   return session;
 }
 

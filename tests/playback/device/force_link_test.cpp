@@ -107,10 +107,29 @@ std::string goodBoard(const std::string& line, long position_nm) {
   return body.empty() || body == "X" ? "" : forceLine("A");
 }
 
+// On a loaded machine the other end may not get its turn within any period: what a test rests on is asked for again.
+constexpr int tries = 30;
+
 std::unique_ptr<SerialForceDevice> opened(const FakeDevice& fake, double period_s = slow_s) {
   auto device = SerialForceDevice::open(fake.port, 230400, period_s);
+  for (int i = 1; i < tries && !device; ++i) device = SerialForceDevice::open(fake.port, 230400, period_s);
   REQUIRE(device);
   return std::move(*device);
+}
+
+/// The next reading that is one. Where it has come, the other end has dealt with every line before it.
+ForceReading answered(ForceDevice& device, const ForceCommand& command = {}) {
+  ForceReading reading = device.exchange(command);
+  for (int i = 1; i < tries && !reading.fresh; ++i) reading = device.exchange(command);
+  CHECK(reading.fresh);
+  return reading;
+}
+
+bool takesTable(SerialForceDevice& device, const ForceProgram& program) {
+  for (int i = 0; i < tries; ++i) {
+    if (device.upload(program)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -187,8 +206,7 @@ TEST_CASE("serial force device: forces go out, positions come back") {
   CHECK(device->info().force_N == Approx(5));
   ForceCommand command;
   command.force_N = 1.5;
-  const ForceReading reading = device->exchange(command);
-  CHECK(reading.fresh);
+  const ForceReading reading = answered(*device, command);
   CHECK(reading.position_mm == Approx(1.25));
   CHECK(force_uN == 1500000);
 }
@@ -212,7 +230,7 @@ TEST_CASE("serial force device: late, repeated, broken and half answers are no r
     }
   });
   auto device = opened(fake, 1);
-  CHECK(device->exchange({}).fresh);
+  answered(*device);
   mode = 1;
   CHECK_FALSE(device->exchange({}).fresh);
   CHECK(device->counts().late >= 1);
@@ -222,8 +240,7 @@ TEST_CASE("serial force device: late, repeated, broken and half answers are no r
   CHECK_FALSE(device->exchange({}).fresh);
   CHECK(device->counts().malformed >= 1);
   mode = 4;
-  device->exchange({});
-  CHECK(device->exchange({}).fresh);
+  answered(*device);
   CHECK(device->counts().repeated >= 1);
 }
 
@@ -250,11 +267,11 @@ TEST_CASE("serial force device: the sample firmware takes a table and renders th
   const Button button = test::linearButton();
   const auto prepared = prepareForce(button, voiceCoilRig());
   REQUIRE(prepared);
-  REQUIRE(device->upload(prepared->program));
+  REQUIRE(takesTable(*device, prepared->program));
   firmware::counts = 0;
   for (int i = 0; i <= 200; ++i) {  // 2 mm inwards, slowly
     firmware::counts = i;
-    device->exchange({});
+    answered(*device);
     firmware::run(20000);
   }
   CHECK(firmware::force_uN * 1e-6 == Approx(button.states().front().graph.press().force_N(2)).margin(0.01));
@@ -272,7 +289,7 @@ TEST_CASE("serial force device: a device whose clock stands still measures nothi
                                             : goodBoard(line, 1000000);
   });
   auto device = opened(fake, 1);
-  CHECK(device->exchange({}).fresh);
+  answered(*device);
   frozen = true;
   device->exchange({});
   CHECK_FALSE(device->exchange({}).fresh);
@@ -289,8 +306,8 @@ TEST_CASE(
   auto device = opened(fake, slow_s);
   const auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
   REQUIRE(prepared);
-  REQUIRE(device->upload(prepared->program));
-  CHECK(device->exchange({}).fresh);
+  REQUIRE(takesTable(*device, prepared->program));
+  answered(*device);
   CHECK(forces == 0);
   fake.unplug();
   for (int i = 0; i < 3; ++i) CHECK_FALSE(device->exchange({}).fresh);
@@ -316,12 +333,12 @@ TEST_CASE(
   // The guard's times are periods: those of 1 kHz, however slowly the test's machine exchanges.
   ForceEngine engine(prepared->program);
   ForceCommand command;
-  for (int i = 0; i < 230; ++i) command = engine.step(device->exchange(command));
+  for (int i = 0; i < 230; ++i) command = engine.step(answered(*device, command));
   CHECK(command.force_N ==
         Approx(test::linearButton().states().front().graph.curve(Stroke::release).force_N(3)).margin(0.01));
   position_nm = -40000000;  // as far from where it was as no hand moves
   const double held_N = command.force_N;
-  for (int i = 0; i < 3; ++i) command = engine.step(device->exchange(command));
+  for (int i = 0; i < 3; ++i) command = engine.step(answered(*device, command));
   CHECK(command.force_N == Approx(held_N));
   double before_N = command.force_N;
   for (int i = 0; i < 40; ++i) {
@@ -338,14 +355,14 @@ TEST_CASE("serial force device: a table longer than the firmware takes is thinne
   FakeDevice fake([&](const std::string& line) {
     const std::string body = bodyOf(line);
     rows += body.starts_with("R,") ? 1 : 0;
-    if (body.starts_with("T,")) announced = std::atoi(body.c_str() + 2);
+    if (body.starts_with("T,")) announced = std::atoi(body.c_str() + 2), rows = 0;
     return goodBoard(line, 0);
   });
   auto device = opened(fake);
   const auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
   REQUIRE(prepared);
   REQUIRE(prepared->program.states[0].rowCount > 64);
-  CHECK(device->upload(prepared->program));
+  CHECK(takesTable(*device, prepared->program));
   CHECK(rows == 64);
   CHECK(announced == 64);
   CHECK_FALSE(SerialForceDevice::open(fake.port, 12345, 0.001));
@@ -374,13 +391,15 @@ TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end"
     settings.port = fake.port;
     settings.period_s = 0.4;
     auto device = OdriveForceDevice::open(settings);
+    for (int i = 1; i < tries && !device; ++i) device = OdriveForceDevice::open(settings);
     REQUIRE(device);
     CHECK(watchdog);
     turns = 1.55;
     ForceCommand command;
     command.force_N = 2;
-    const ForceReading reading = (*device)->exchange(command);
-    CHECK(reading.fresh);
+    // An ODrive's answers carry no number: one to the opening that comes late is a reading too.
+    ForceReading reading = answered(**device, command);
+    for (int i = 1; i < tries && reading.position_mm == 0; ++i) reading = answered(**device, command);
     CHECK(reading.position_mm == Approx(3).margin(1e-4));
     CHECK(torque_Nm == Approx(-2 * 60 / (2 * 3.14159265 * 1000)).margin(1e-5));
     mode = 1;
@@ -390,9 +409,9 @@ TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end"
     CHECK_FALSE((*device)->exchange({}).fresh);
     CHECK((*device)->counts().late >= 1);
     mode = 3;  // a number that is none reaches the guard, which holds the force and then takes it away
-    CHECK(std::isnan((*device)->exchange({}).position_mm));
+    CHECK(std::isnan(answered(**device).position_mm));
   }
-  for (const double end_s = now_s() + 2; !idle && now_s() < end_s;) sleepUntil(now_s() + 0.01);
+  for (const double end_s = now_s() + 20; !idle && now_s() < end_s;) sleepUntil(now_s() + 0.01);
   CHECK(idle);
   CHECK(torque_Nm == 0);
 }

@@ -234,3 +234,21 @@ TEST_CASE("prepare force: walls of 1e5 N and of 0.1 um are rendered within the d
     }
   }
 }
+
+TEST_CASE("prepare force: a travel beyond the device's reach is refused, with the device's name") {
+  const auto button = [](double travel_mm) {
+    SpringPolynomials spring;
+    spring.stiffness_N_per_mm = {0.01};
+    spring.travel_mm = travel_mm;
+    Result<Button> made = springButton("long", spring);
+    REQUIRE(made);
+    return *std::move(made);
+  };
+  CHECK(prepareForce(button(70), falconDevice()));
+  const Result<PreparedForce> tooFar = prepareForce(button(71), falconDevice());
+  REQUIRE_FALSE(tooFar);
+  CHECK(tooFar.failure().code == FailureCode::wrongUsage);
+  CHECK_THAT(tooFar.failure().sentence(),
+             Catch::Contains("71 mm") && Catch::Contains("Novint Falcon reaches 70 mm"));
+  CHECK(prepareForce(button(71), voiceCoilRig()));
+}

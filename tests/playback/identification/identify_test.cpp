@@ -2,42 +2,28 @@
 #include "playback/identification/identify.h"
 
 #include <cmath>
-#include <random>
 #include <string>
 
 #include <catch2/catch.hpp>
 
 #include "playback/identification/force_record.h"
+#include "tests/playback/identification/pressed_record.h"
 
 namespace {
 
 using namespace detent;
 using namespace detent::playback;
 
-constexpr double k = 0.3, b = 0.003, offset_N = 0.2;
-
-double minimumJerk(double share) {
-  const double s = std::min(1.0, std::max(0.0, share));
-  return s * s * s * (10 + s * (6 * s - 15));
-}
+constexpr double k = 0.3, b = 0.003;
 
 /// A press and release of 4 mm at 1 kHz, 10 µm steps and 10 mN of noise.
 ForceRecord pressRecord(double press_s, unsigned seed, double mass_kg = 0) {
-  std::mt19937 random(seed);
-  std::normal_distribution<> noise_N(0, 0.01);
-  const auto place = [&](double t) {
-    return 4 * (minimumJerk((t - 0.05) / press_s) - minimumJerk((t - 0.1 - press_s) / press_s));
-  };
-  ForceRecord record;
-  for (double t = 0; t < 2 * press_s + 0.2; t += 0.001) {
-    constexpr double h = 1e-5;
-    const double v = (place(t + h) - place(t - h)) / (2 * h),
-                 a = (place(t + h) - 2 * place(t) + place(t - h)) / (h * h);
-    record.time_s.push_back(t);
-    record.displacement_mm.push_back(std::round(place(t) / 0.01) * 0.01);
-    record.force_N.push_back(offset_N + k * place(t) + b * v + mass_kg * a / 1000 + noise_N(random));
-  }
-  return record;
+  test::PressedRecord press;
+  press.presses_s = {press_s};
+  press.k = [](double) { return k; };
+  press.b = [](double) { return b; };
+  press.mass_kg = mass_kg;
+  return test::recordOf(press, seed);
 }
 
 }  // namespace

@@ -298,7 +298,8 @@ TEST_CASE("session: a trial broken off by the device is marked, its row says so"
   }
   const auto records = readParticipants(*made.study);
   const std::vector<TrialRow> rows = rowsOf(*made.study, *records);
-  CHECK(rows[0].condition == "quiet/simulated");
+  CHECK(rows[0].condition == "quiet/simulated/repeated");  // gone on with on another day
+  CHECK(rows[1].condition == "quiet/simulated");
   CHECK(rows[2].condition == "quiet/simulated/repeated");
 }
 
@@ -308,7 +309,9 @@ TEST_CASE("session: an early end keeps the columns; stopping is told") {
     Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
     REQUIRE(session->record(simulatedAnswer(*made.study, "P01", *session->trial(), {})));
     REQUIRE(session->end("stopped by the participant"));
+    CHECK(session->trial() == nullptr);
   }
+  CHECK(readParticipants(*made.study)->front().next() == nullptr);
   const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
   const std::string csv = resultsCsv(results);
   CHECK(csv.rfind("study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,answer_s,"
@@ -317,6 +320,13 @@ TEST_CASE("session: an early end keeps the columns; stopping is told") {
   CHECK(std::count(csv.begin(), csv.end(), '\n') == 2);
   CHECK(std::any_of(results.warnings.begin(), results.warnings.end(),
                     [](const std::string& w) { return w.find("ended early") != std::string::npos; }));
+  // Who comes back goes on where they stopped.
+  Result<ParticipantSession> again = ParticipantSession::open(*made.study, "P01", simulatedStart);
+  REQUIRE(again);
+  REQUIRE(again->trial() != nullptr);
+  CHECK(again->trial()->number == 2);
+  REQUIRE(again->record(simulatedAnswer(*made.study, "P01", *again->trial(), {})));
+  CHECK(readParticipants(*made.study)->front().answers.size() == 2);
 }
 
 TEST_CASE("desk: nothing is answered unfelt; times and tries are counted") {

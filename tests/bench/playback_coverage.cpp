@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// detent_playback_coverage: how often the truth lies within the errors that playback and studies print. `coverage.py playback`
+// writes its tables into docs/coverage.md.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "playback/identification/identify.h"
+#include "playback/realtime/biquad.h"
+#include "playback/statistics/binomial.h"
+#include "playback/statistics/resampling.h"
+#include "playback/study/calibrate.h"
+#include "playback/study/latency_statistics.h"
+#include "playback/study/sweep.h"
+#include "tests/bench/coverage_count.h"
+#include "tests/playback/identification/pressed_record.h"
+
+namespace {
+
+using namespace detent;
+using namespace detent::playback;
+using namespace detent::test;
+
+void printHead(const char* what, const char* columns) {
+  std::printf("\n### %s\n\n| %s | N | within 68.3 %% | within 95.0 %% |\n|---|---|---|---|\n", what, columns);
+}
+
+void printRow(const std::string& name, const CoverageCount& count) {
+  std::printf("| %s | %zu | %s |\n", name.c_str(), count.count(), count.text().c_str());
+  std::fflush(stdout);
+}
+
+void identification() {
+  constexpr unsigned records = 1000;
+  printHead("`identify`: sigma of k, b, mass and offset", "record, estimate");
+  for (const double press_s : {0.06, 0.2, 0.5}) {
+    PressedRecord press;
+    press.presses_s = {press_s};
+    CoverageCount k, b, c;
+    for (unsigned seed = 0; seed < records; ++seed) {
+      const auto found = identify(recordOf(press, 5000 + seed));
+      if (!found) continue;
+      k.add(found->k_N_per_mm[0].value, found->k_N_per_mm[0].sigma, 0.3);
+      c.add(found->offset_N.value, found->offset_N.sigma, press.offset_N);
+      if (!found->b_Ns_per_mm.empty()) b.add(found->b_Ns_per_mm[0].value, found->b_Ns_per_mm[0].sigma, 0.003);
+    }
+    const std::string name = std::to_string(std::lround(1000 * press_s)) + " ms, one k and b: ";
+    printRow(name + "k", k);
+    printRow(name + "b", b);
+    printRow(name + "offset", c);
+  }
+  PressedRecord heavy;
+  heavy.presses_s = {0.08, 0.15};
+  heavy.mass_kg = 0.05;
+  CoverageCount mass;
+  for (unsigned seed = 0; seed < records; ++seed) {
+    const auto found = identify(recordOf(heavy, 5000 + seed));
+    if (found && found->mass_kg) mass.add(found->mass_kg->value, found->mass_kg->sigma, heavy.mass_kg);
+  }
+  printRow("80 and 150 ms, 50 g: mass", mass);
+  PressedRecord four;
+  four.presses_s = {0.06, 0.1, 0.2, 0.5};
+  four.k = [](double x) { return 0.25 + 0.03 * (x - 2) * (x - 2); };
+  four.b = [](double x) { return 0.004 - 0.0005 * (x - 2) * (x - 2); };
+  IdentifySettings settings;
+  settings.knots = 8;
+  std::array<CoverageCount, 8> k, b;
+  for (unsigned seed = 0; seed < records; ++seed) {
+    const auto found = identify(recordOf(four, 5000 + seed), settings);
+    if (!found) continue;
+    for (std::size_t i = 0; i < k.size(); ++i) {
+      k[i].add(found->k_N_per_mm[i].value, found->k_N_per_mm[i].sigma, four.k(found->knots_mm[i]));
+      if (!found->b_Ns_per_mm.empty())
+        b[i].add(found->b_Ns_per_mm[i].value, found->b_Ns_per_mm[i].sigma, four.b(found->knots_mm[i]));
+    }
+  }
+  for (std::size_t i = 0; i < k.size(); ++i) {
+    printRow("60 to 500 ms, knot " + std::to_string(i + 1) + " of 8: k", k[i]);
+    printRow("60 to 500 ms, knot " + std::to_string(i + 1) + " of 8: b", b[i]);
+  }
+}
+
+/// Weights on a sensor whose curve is a polynomial of a divider's reading; each reading errs as the settings say.
+std::vector<KnownWeight> weighed(const SensorCalibration& truth, std::size_t readings, std::mt19937& random) {
+  std::normal_distribution<> unit(0, 1);
+  const CalibrationSettings settings;
+  std::vector<KnownWeight> weights;
+  for (std::size_t i = 0; i < readings; ++i) {
+    KnownWeight w;
+    w.force_N = 0.2 + 4.8 * static_cast<double>(i) / static_cast<double>(readings - 1);
+    const double felt_N =
+        w.force_N + std::hypot(settings.absoluteError_N, settings.relativeError * w.force_N) * unit(random);
+    double low = 0, high = truth.fullScale_counts - 1e-9;
+    for (int step = 0; step < 60; ++step) {
+      const double middle = (low + high) / 2;
+      (truth.force_N(middle) < felt_N ? low : high) = middle;
+    }
+    w.raw = low;
+    weights.push_back(w);
+  }
+  return weights;
+}
+
+void calibration() {
+  constexpr unsigned calibrations = 2000;
+  printHead("`calibrate`: standard errors of the coefficients", "curve, readings, coefficient");
+  std::mt19937 random(31);
+  for (const std::size_t degree : {1U, 2U}) {
+    SensorCalibration truth;
+    truth.circuit = SensorCircuit::divider;
+    truth.coefficientCount = degree + 1;
+    truth.coefficients = {0.02, 2.0, degree == 2 ? 0.4 : 0.0, 0};
+    for (const std::size_t readings : {8U, 12U, 24U}) {
+      std::array<CoverageCount, 3> counts;
+      unsigned found = 0, right = 0;
+      for (unsigned i = 0; i < calibrations; ++i) {
+        const auto calibrated = calibrate(weighed(truth, readings, random), {});
+        if (!calibrated) continue;
+        ++found;
+        if (calibrated->coefficientCount != truth.coefficientCount) continue;
+        ++right;
+        for (std::size_t c = 0; c <= degree; ++c)
+          counts[c].add(calibrated->coefficients[c], calibrated->standardErrors[c], truth.coefficients[c]);
+      }
+      for (std::size_t c = 0; c <= degree; ++c) {
+        char name[100];
+        std::snprintf(name, sizeof name, "degree %zu (chosen in %.0f %%), %zu readings: c%zu", degree,
+                      100.0 * right / std::max(1U, found), readings, c);
+        printRow(name, counts[c]);
+      }
+    }
+  }
+}
+
+std::size_t drawErrors(std::size_t trials, double rate, std::mt19937& random) {
+  return std::binomial_distribution<std::size_t>(trials, rate)(random);
+}
+
+/// Participants are not alike: their rates come from a beta distribution of that mean and concentration.
+std::vector<Count> answersOf(std::size_t participants, std::size_t trials, double rate, double concentration,
+                             std::mt19937& random) {
+  std::gamma_distribution<> a(rate * concentration, 1), b((1 - rate) * concentration, 1);
+  std::vector<Count> counts;
+  for (std::size_t i = 0; i < participants; ++i) {
+    const double x = a(random), y = b(random);
+    counts.push_back({drawErrors(trials, x + y > 0 ? x / (x + y) : rate, random), trials});
+  }
+  return counts;
+}
+
+bool holds(const Interval& interval, double rate) { return interval.low <= rate && rate <= interval.high; }
+
+void studies() {
+  constexpr unsigned studyCount = 4000;
+  std::mt19937 random(77);
+  printHead("Studies: intervals of an error rate over independent trials", "trials, rate, interval");
+  for (const std::size_t trials : {90U, 1350U}) {
+    for (const double rate : {0.01, 0.05, 0.11, 0.3}) {
+      CoverageCount byWilson, byClopperPearson;
+      for (unsigned i = 0; i < studyCount; ++i) {
+        const Count count{drawErrors(trials, rate, random), trials};
+        byWilson.add(holds(wilson(count, 0.6827), rate), holds(wilson(count), rate));
+        byClopperPearson.add(holds(clopperPearson(count, 0.6827), rate), holds(clopperPearson(count), rate));
+      }
+      char name[80];
+      std::snprintf(name, sizeof name, "%zu, %.0f %%: ", trials, 100 * rate);
+      printRow(std::string(name) + "Wilson", byWilson);
+      printRow(std::string(name) + "Clopper-Pearson", byClopperPearson);
+    }
+  }
+  constexpr unsigned groupCount = 1000;
+  printHead("Studies: interval of a group's error rate by resampling participants (BCa)",
+            "participants of 150 trials, rate, concentration");
+  for (const std::size_t participants : {4U, 9U, 18U}) {
+    for (const auto& [rate, concentration] : {std::pair{0.034, 70.0}, {0.1, 70.0}, {0.1, 10.0}}) {
+      CoverageCount counts;
+      for (unsigned i = 0; i < groupCount; ++i) {
+        const std::vector<Count> answers = answersOf(participants, 150, rate, concentration, random);
+        ResamplingSettings narrow, wide;
+        narrow.resamples = wide.resamples = 1000;
+        narrow.confidence = 0.6827;
+        const auto within68 = participantBootstrap(answers, narrow),
+                   within95 = participantBootstrap(answers, wide);
+        if (within68 && within95) counts.add(holds(*within68, rate), holds(*within95, rate));
+      }
+      char name[80];
+      std::snprintf(name, sizeof name, "%zu, %.1f %%, %.0f", participants, 100 * rate, concentration);
+      printRow(name, counts);
+    }
+  }
+}
+
+// A sweep prints no errors. What it misses by is stated here, so that nobody has to believe it.
+void sweeps() {
+  constexpr unsigned sweepCount = 60;
+  std::printf(
+      "\n### `sweep`: no errors are printed; what a resonance is off by, %u simulated devices each\n\n"
+      "| noise, of the sweep's level | frequency: rms, worst %% | Q: median of found / true | lost |\n"
+      "|---|---|---|---|\n",
+      sweepCount);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<> share(0, 1);
+  SweepSettings settings;
+  settings.duration_s = 4;
+  settings.sampleRate_Hz = 8000;
+  const std::vector<float> played = sweepSignal(settings);
+  for (const double noise : {0.0, 0.01, 0.1}) {
+    double squares = 0, worst = 0;
+    std::vector<double> qualities;
+    unsigned lost = 0;
+    for (unsigned i = 0; i < sweepCount; ++i) {
+      const double frequency_Hz = 150 * std::exp2(2 * share(random)), q = 4 + 10 * share(random);
+      Biquad resonance;
+      resonance.setCoefficients(peaking(settings.sampleRate_Hz, frequency_Hz, q, 14));
+      std::vector<double> samples(played.begin(), played.end());
+      resonance.process(samples.data(), samples.size());
+      std::normal_distribution<> hiss(0, noise * settings.level);
+      std::vector<float> recorded(samples.size());
+      for (std::size_t k = 0; k < samples.size(); ++k)
+        recorded[k] = static_cast<float>(0.1 * (samples[k] + (noise > 0 ? hiss(random) : 0)));
+      const auto response = analyseSweep(played, recorded, settings);
+      if (!response || response->resonances.empty()) {
+        ++lost;
+        continue;
+      }
+      const double off = response->resonances.front().frequency_Hz / frequency_Hz - 1;
+      squares += off * off;
+      worst = std::max(worst, std::abs(off));
+      qualities.push_back(response->resonances.front().q / q);
+    }
+    std::sort(qualities.begin(), qualities.end());
+    std::printf("| %.2f | %.2f, %.2f | %.2f | %u |\n", noise,
+                100 * std::sqrt(squares / static_cast<double>(std::max<std::size_t>(1, qualities.size()))),
+                100 * worst, qualities.empty() ? 0 : qualities[qualities.size() / 2], lost);
+  }
+}
+
+// `latency` prints mean and SD of what was measured, as the paper does: a spread, no error of the mean. SD / sqrt(N) must be one.
+void latencies() {
+  printHead("`latency`: mean against SD / sqrt(N)", "delays");
+  std::mt19937 random(9);
+  for (const std::size_t n : {20U, 50U, 200U}) {
+    CoverageCount counts;
+    for (unsigned i = 0; i < 4000; ++i) {
+      std::vector<double> delays_s;
+      std::uniform_real_distribution<> waiting_s(0, 0.0027);  // for the next block or reading
+      std::normal_distribution<> jitter_s(0.005, 0.0003);
+      for (std::size_t k = 0; k < n; ++k) delays_s.push_back(jitter_s(random) + waiting_s(random));
+      const LatencyStatistics s = statisticsOf(std::move(delays_s), 0);
+      counts.add(s.mean_s, s.sd_s / std::sqrt(static_cast<double>(n)), 0.005 + 0.00135);
+    }
+    printRow(std::to_string(n), counts);
+  }
+}
+
+}  // namespace
+
+int main() {
+  identification();
+  calibration();
+  studies();
+  latencies();
+  sweeps();
+  return 0;
+}
