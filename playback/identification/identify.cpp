@@ -9,7 +9,7 @@
 #include <ceres/ceres.h>
 #include <Eigen/Dense>
 
-#include "playback/identification/record_velocity.h"
+#include "playback/identification/record_windows.h"
 
 namespace detent::playback {
 

@@ -149,3 +149,23 @@ TEST_CASE("render to file: whole or not at all, and bit for bit the same") {
     files += entry.is_regular_file() ? 1 : 0;
   CHECK(files == 3);
 }
+
+TEST_CASE("render to file: what may pass 4 GiB is an RF64, whose lengths have 64 bits") {
+  const Folder folder;
+  const auto program = std::make_unique<HapticProgram>(programOf(tactileButton()));
+  RenderSettings settings;
+  settings.sampleRate_Hz = 192000;
+  const auto kind = [&](double tail_s) {
+    settings.tail_s = tail_s;  // of which silence is left out, so that the file stays small
+    const Result<RenderSummary> summary =
+        renderPressToFile(*program, raisedCosine(0.05, 1.3), settings, folder.path / "long.wav");
+    REQUIRE(summary);
+    CHECK(summary->duration_s < 10);
+    return contentOf(folder.path / "long.wav").substr(0, 4);
+  };
+  constexpr double float32_s = 4.0 * 192000, limit_bytes = 4.0 * 1024 * 1024 * 1024;
+  CHECK(kind(0.9 * limit_bytes / float32_s) == "RIFF");
+  CHECK(kind(1.1 * limit_bytes / float32_s) == "RF64");
+  settings.format = SampleFormat::bits16;
+  CHECK(kind(1.1 * limit_bytes / float32_s) == "RIFF");
+}
