@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// detent_force_bench [step|rest|velocity|energy|identify|day ...]: the tables of docs/bench-force.md.
+// detent_force_bench [step|rest|velocity|energy|identify|day ...] [sim|falcon|rig ...]: the tables of docs/bench-force.md, of all
+// devices or those named.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "playback/identification/identify.h"
@@ -21,7 +23,18 @@ using namespace detent;
 using namespace detent::playback;
 using namespace detent::test;
 
-std::vector<ForceDeviceProfile> presets() { return {simulatedDevice(), falconDevice(), voiceCoilRig()}; }
+std::vector<std::string> wanted;  // from the command line; empty: everything
+
+std::vector<ForceDeviceProfile> presets() {
+  const std::pair<const char*, ForceDeviceProfile> all[] = {
+      {"sim", simulatedDevice()}, {"falcon", falconDevice()}, {"rig", voiceCoilRig()}};
+  std::vector<ForceDeviceProfile> named, every;
+  for (const auto& [name, profile] : all) {
+    every.push_back(profile);
+    if (std::find(wanted.begin(), wanted.end(), name) != wanted.end()) named.push_back(profile);
+  }
+  return named.empty() ? every : named;
+}
 
 /// The paper's law: force from the raw reading, velocity by the difference of two, press or release by its sign.
 class PaperLaw {
@@ -324,7 +337,7 @@ void day() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::vector<std::string> wanted(argv + 1, argv + argc);
+  wanted.assign(argv + 1, argv + argc);
   const auto asked = [&](const char* name) {
     return wanted.empty() || std::find(wanted.begin(), wanted.end(), name) != wanted.end();
   };

@@ -14,8 +14,8 @@ namespace detent::test {
 
 struct PressedRecord {
   std::vector<double> presses_s{
-      0.1};  ///< one after the other, each with its own time; rests of 50 to 100 ms between
-  double travel_mm = 4;
+      0.1};              ///< one after the other, each with its own time; rests of 50 to 100 ms between
+  double travel_mm = 4;  ///< and up to one step more
   std::function<double(double)> k = [](double) { return 0.3; };    ///< N/mm, of the place in mm
   std::function<double(double)> b = [](double) { return 0.003; };  ///< N·s/mm
   double offset_N = 0.2, mass_kg = 0;
@@ -26,8 +26,9 @@ struct PressedRecord {
 inline playback::ForceRecord recordOf(const PressedRecord& p, unsigned seed) {
   std::mt19937 random(seed);
   std::normal_distribution<> noise_N(0, p.noise_N);
-  // Where the encoder's steps lie.
-  const double shift_mm = std::uniform_real_distribution<>(0, p.step_mm)(random);
+  // Where the encoder's steps lie, from the rest and from the bottom: no travel is a whole number of steps.
+  std::uniform_real_distribution<> step_mm(0, p.step_mm);
+  const double shift_mm = step_mm(random), travel_mm = p.travel_mm + step_mm(random);
   const auto minimumJerk = [](double share) {
     const double s = std::clamp(share, 0.0, 1.0);
     return s * s * s * (10 + s * (6 * s - 15));
@@ -39,7 +40,7 @@ inline playback::ForceRecord recordOf(const PressedRecord& p, unsigned seed) {
       constexpr double turn = 2 * 3.14159265358979;
       const double tremor =
           std::sin(turn * 8.7 * (start_s + t)) + std::sin(turn * 11.3 * (start_s + t) + 1.0);
-      return p.travel_mm * (minimumJerk((t - 0.05) / press_s) - minimumJerk((t - 0.1 - press_s) / press_s)) +
+      return travel_mm * (minimumJerk((t - 0.05) / press_s) - minimumJerk((t - 0.1 - press_s) / press_s)) +
              p.tremor_mm * tremor;
     };
     for (double t = 0; t < 2 * press_s + 0.2; t += p.period_s) {
