@@ -7,6 +7,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "importer/assemble_report.h"
+
 using namespace detent;
 using namespace detent::importer;
 
@@ -39,12 +41,15 @@ struct Import {
     AxisCalibration& axes = graph.axes.calibration.value;
     axes.x.unit = "mm", axes.y.unit = "N";
     axes.x.unitFound = axes.y.unitFound = true;
+    graph.frame.confidence = graph.axes.calibration.confidence = 1;
   }
 
-  std::vector<DoubtCode> doubts() const {
+  /// Everything the steps before gave; the points lie `rms_px` off the fit.
+  GraphFindings findings(double rms_px = 0.1) const {
     const auto fitted = [&](const std::vector<CurvePoint>&) {
       FittedStroke stroke{StrokeCurve::throughPoints({{0, 0}, {1, 1}}).value(), {}};
       stroke.summary.tactilePoints.resize(tactilePoints);
+      stroke.summary.rmsSigma = 1;
       return stroke;
     };
     StrokePair pair{strokeOf(press), {}};
@@ -52,9 +57,12 @@ struct Import {
     if (!release.empty()) pair.release = strokeOf(release), strokes.release = fitted(release);
     Found<StrokePair> found;
     found.value = pair;
+    found.confidence = 1;
+    return {graph, traces, found, strokes, rms_px, rms_px, {}, {}};
+  }
+  std::vector<DoubtCode> doubts() const {
     std::vector<DoubtCode> kinds;
-    for (const WeighedDoubt& each :
-         doubtsOf({graph, traces, found, strokes, 0.1, 0.1, {}, {}}, checks, hints)) {
+    for (const WeighedDoubt& each : doubtsOf(findings(), checks, hints)) {
       CHECK(each.confidence < confidenceBar);
       CHECK_FALSE(english(messageOf(each.doubt)).empty());
       CHECK_FALSE(commandLineWords(each.doubt.remedies).empty());
@@ -132,4 +140,13 @@ TEST_CASE("a curve that ends where the picture does, and a second scale") {
   Import scales;
   scales.graph.axes.otherRightScale = true;
   CHECK(scales.doubted(DoubtCode::otherScale));
+}
+
+TEST_CASE("points that make no curve are refused, however sure the steps before were") {
+  const Import import;
+  CHECK(assembleReport(import.findings(1), {}, {}).ok());
+  const auto refused = assembleReport(import.findings(50), {}, {});
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.failure().code == FailureCode::notCertain);
+  CHECK(refused.failure().sentence().find("50") != std::string::npos);
 }
