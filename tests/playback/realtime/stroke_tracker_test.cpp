@@ -269,3 +269,20 @@ TEST_CASE("tracker: flat force, walls and far too long travels stay in bounds") 
   far.add(tracker.updateForce(0));
   CHECK(far.grains == 2 * grainPositions(tall->states[0].press));
 }
+
+TEST_CASE("tracker: more grains in one reading than there is room for are counted by those before them") {
+  // Cranked all the way down, so that the table keeps a piece for each knot: more pieces than crossings have room.
+  std::vector<CurvePoint> points;
+  for (int i = 0; i <= 1400; ++i) points.push_back({100.0 * i / 1400, 0.002 * i + (i % 2 == 0 ? 0 : 0.001)});
+  const Button cranked = buttonOf("cranked", {stateOf("", points, {})});
+  const auto program = std::make_unique<HapticProgram>(programOf(cranked));
+  REQUIRE(program->states[0].press.pointCount > Crossings::capacity - maxJumps);
+  StrokeTracker tracker;
+  tracker.use(program.get());
+  const Crossings& crossed = tracker.updateForce(10);
+  CHECK(crossed.count <= Crossings::capacity);
+  Totals t;
+  t.add(crossed);
+  CHECK(t.grains == grainPositions(program->states[0].press));
+  CHECK(t.bottomOuts == 1);
+}
