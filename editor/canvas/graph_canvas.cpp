@@ -94,6 +94,8 @@ void GraphCanvas::takeOrigin() {
     if (origin->evidence && !origin->evidence->view.raster.empty())
       underlay_->setPage(imageOf(origin->evidence->view.raster),
                          transformOf(origin->evidence->axes.calibration.value.viewToUnits.m));
+  } else if (const auto& sheet = document_.sheet()) {
+    underlay_->setPage(sheet->picture, sheet->pixelToAxes);
   }
   takeSettings();
 }
@@ -106,7 +108,9 @@ void GraphCanvas::takeSettings() {
   // The page has a grid of its own.
   const bool pageShown = hasUnderlay() && settings().underlayOpacity() > 0;
   for (QCPAxis* axis : {xAxis, yAxis}) axis->grid()->setSubGridVisible(!pageShown);
-  traced_->setShown(settings().residualsShown() || settings().snap().toTracedPoints);
+  const bool pointsWanted = settings().residualsShown() || settings().snap().toTracedPoints;
+  traced_->setShown(pointsWanted);
+  if (pointsWanted) document_.wantOrigin();
   replot(QCustomPlot::rpQueuedReplot);
 }
 

@@ -180,6 +180,12 @@ void UnitPlot::zoomAt(QPointF at_px, double factorX, double factorY) {
              at.y() - (at.y() - shown.top()) * height / shown.height(), width, height});
 }
 
+void UnitPlot::zoomTo(const QRectF& part_px) {
+  const PlotMapping map = mapping();
+  fitted_ = false;
+  showRange(QRectF(map.toPlot(part_px.bottomLeft()), map.toPlot(part_px.topRight())).normalized());
+}
+
 void UnitPlot::panBy(QPointF by_px) {
   const PlotMapping map = mapping();
   fitted_ = false;

@@ -31,6 +31,8 @@ class UnitPlot : public QCustomPlot {
   QRectF shownRange() const;
   /// Keeps the value under `at_px` where it is. factor > 1: closer.
   void zoomAt(QPointF at_px, double factorX, double factorY);
+  /// This part of the plot becomes the whole view.
+  void zoomTo(const QRectF& part_px);
   void panBy(QPointF by_px);
   /// Shows all of what the plot has; whoever zooms or pans by hand ends it.
   void fit();

@@ -50,4 +50,13 @@ void ButtonDocument::setOrigin(std::shared_ptr<const importer::ImportReport> ori
   emit originChanged();
 }
 
+void ButtonDocument::setSheet(std::optional<PlacedPage> sheet) {
+  sheet_ = std::move(sheet);
+  emit originChanged();
+}
+
+void ButtonDocument::wantOrigin() {
+  if (originOnDemand()) emit originWanted();
+}
+
 }  // namespace detent::editor

@@ -3,14 +3,24 @@
 // One open button: its history, its file, the page it came from, and which of its states is worked on.
 
 #include <memory>
+#include <optional>
 #include <QByteArray>
+#include <QImage>
 #include <QObject>
 #include <QString>
+#include <QTransform>
 
 #include "editor/document/edit_history.h"
 #include "importer/importer.h"
 
 namespace detent::editor {
+
+/// A datasheet page as it lies behind the curves. Plain value.
+struct PlacedPage {
+  QImage picture;
+  QTransform pixelToAxes;  ///< from pixel centres (0,0 top left) to mm and N; may be projective
+  bool readable = true;    ///< reading it again may give traced points; false once that has failed
+};
 
 /// What a tab shows. Views draw its values and listen to its signals; only tools and operations call
 /// `history()`. GUI thread.
@@ -41,15 +51,23 @@ class ButtonDocument : public QObject {
   QString title() const;
 
   /// Page, traced points and confidence of the import this button came from; null without one, and for
-  /// buttons opened from a file. Shared and never changed.
+  /// buttons opened from a file until their sheet was read again. Shared and never changed.
   const std::shared_ptr<const importer::ImportReport>& origin() const { return origin_; }
   void setOrigin(std::shared_ptr<const importer::ImportReport> origin);
+  /// The page alone, of a button opened from a file whose sheet was found; nothing was traced on it yet.
+  const std::optional<PlacedPage>& sheet() const { return sheet_; }
+  void setSheet(std::optional<PlacedPage> sheet);
+  /// There is no origin, but reading the sheet again would give one.
+  bool originOnDemand() const { return sheet_ && sheet_->readable && !origin_; }
+  /// Whoever needs traced points or printed values says so; they come as `originChanged`, if they can be had.
+  void wantOrigin();
 
  signals:
   /// The button (or its preview) is another value now.
   void changed();
   void activeStateChanged();
-  void originChanged();
+  void originChanged();  ///< origin or sheet
+  void originWanted();   ///< by wantOrigin, where it is on demand
   /// Path, name or unsaved mark.
   void titleChanged();
 
@@ -59,6 +77,7 @@ class ButtonDocument : public QObject {
   QString path_;
   QByteArray knownContent_;
   std::shared_ptr<const importer::ImportReport> origin_;
+  std::optional<PlacedPage> sheet_;
 };
 
 }  // namespace detent::editor

@@ -54,8 +54,9 @@ GraphColors graphColors(bool dark) {
 
 QColor seriesColor(std::size_t index, bool dark) {
   const GraphColors colors = graphColors(dark);
-  const std::array series{colors.press,      colors.release,      colors.operatingPoint,
-                          colors.resetPoint, colors.tactilePoint, colors.wall};
+  // Not the release's: it means that stroke in every picture.
+  const std::array series{colors.press,          colors.tactilePoint, colors.resetPoint,
+                          colors.operatingPoint, colors.text,         colors.wall};
   return series[index % series.size()];
 }
 

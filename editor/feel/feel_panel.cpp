@@ -328,11 +328,10 @@ void FeelPanel::follow() {
   pad_->setMotion({motion.displacement_mm, motion.force_N, motion.pressed, motion.releasing, motion.contact});
   const double now_s = steadyTime_s();
   if (motion.pressed) lastPressed_s_ = now_s;
-  const auto program = session_.program();
-  if (now_s - lastPressed_s_ < stripTail_s && program) {
-    const playback::StateProgram& state = program->states[session_.state()];
-    const double travel_mm = state.end_mm - state.start_mm;
-    const double depth = travel_mm > 0 ? (motion.displacement_mm - state.start_mm) / travel_mm : 0;
+  const playback::StateProgram* state = session_.pressedState();
+  if (now_s - lastPressed_s_ < stripTail_s && state != nullptr) {
+    const double travel_mm = state->end_mm - state->start_mm;
+    const double depth = travel_mm > 0 ? (motion.displacement_mm - state->start_mm) / travel_mm : 0;
     strip_->addMoment({now_s, depth, motion.releasing, motion.contact});
   }
   const playback::PlayerStatus& status = session_.player().status();

@@ -28,6 +28,7 @@ FeelSession::FeelSession(QObject* parent, const FeelDevices& devices)
   connect(&player_, &FeelPlayer::felt, this, &FeelSession::eventsFelt);
   connect(&player_, &FeelPlayer::recorded, this, [this](const auto& press) {
     ownPress_ = press;
+    ownState_ = pressBegan_;
     drawOwnPress(drawsOwn_);
     emit ownPressChanged();
   });
@@ -83,7 +84,7 @@ double FeelSession::full_N() const {
 void FeelSession::underFinger() {
   force_.setDocument(feltDocument());
   player_.setProgram(program());
-  if (!force_.running()) state_ = 0;  // a program begins in its first state
+  if (!force_.running()) state_ = firstState();
   emit feltChanged();
 }
 
@@ -109,7 +110,7 @@ void FeelSession::request(Slot& slot) {
   settings.mode = settings_.mode;
   settings.placement = settings_.placement;
   slot.source.request({slot.document->button(), profile_.value_or(playback::DeviceProfile{}), settings,
-                       drawsOwn_ ? ownPress_ : nullptr});
+                       drawsOwn_ ? ownPress_ : nullptr, drawsOwn_ ? ownState_ : 0});
 }
 
 void FeelSession::requestAll() {
@@ -126,6 +127,7 @@ bool FeelSession::playable() const { return program() && settings_.sound && !pla
 
 void FeelSession::play() {
   if (!program()) return;
+  if (!player_.pressed() && state_ != firstState()) underFinger();  // it was left in another state
   if (!player_.play(std::make_shared<const playback::PressTrace>(signal()->press)))
     emit said(settings_.sound ? tr("One press at a time") : tr("Switch the sound on to play a press"));
 }
@@ -188,10 +190,15 @@ void FeelSession::followSensor() {
 // ---- the finger
 
 void FeelSession::pushDepth(double share) {
-  const auto pressed = program();
-  if (!pressed) return;
-  const playback::StateProgram& state = pressed->states[state_];
-  player_.pushDepth(state.start_mm + share * (state.end_mm - state.start_mm));
+  const playback::StateProgram* pressed = pressedState();
+  if (pressed != nullptr)
+    player_.pushDepth(pressed->start_mm + share * (pressed->end_mm - pressed->start_mm));
+}
+
+const playback::StateProgram* FeelSession::pressedState() const {
+  const auto played = program();  // kept by the felt slot
+  if (!played) return nullptr;
+  return &played->states[(state_ + played->stateCount - firstState()) % played->stateCount];
 }
 
 void FeelSession::followPlayer() {
@@ -201,17 +208,18 @@ void FeelSession::followPlayer() {
   }
   const playback::PlayerStatus& s = player_.status();
   const bool pressed = player_.pressed();
+  const std::size_t states = program() ? program()->stateCount : 1;
   // A finger that trembles at one place turns the engine's stroke to and fro; it has turned for the eye once
   // it moves.
   const bool rests = pressed && s.displacement_mm == motion_.displacement_mm;
   show({s.displacement_mm, s.force_N, pressed, rests ? motion_.releasing : s.releasing, s.contact},
-       static_cast<std::size_t>(s.state));
+       (static_cast<std::size_t>(s.state) + firstState()) % states);
 }
 
 void FeelSession::followForce() {
   const playback::ForceStep& last = force_.status().last;
-  const auto felt = program();
-  const double start_mm = felt ? felt->states[state_].start_mm : 0;
+  const playback::StateProgram* felt = pressedState();
+  const double start_mm = felt != nullptr ? felt->start_mm : 0;
   const bool rests = std::abs(last.velocity_mm_per_s) < stillBelow_mm_per_s;
   const bool releasing = rests ? motion_.releasing : last.velocity_mm_per_s < 0;
   show({last.position_mm, last.force_N, last.position_mm > start_mm + touch_mm, releasing,
@@ -233,6 +241,7 @@ void FeelSession::followForceState() {
 
 void FeelSession::show(const FeelMotion& motion, std::size_t state) {
   const bool wasPressed = motion_.pressed;
+  if (motion.pressed && !wasPressed) pressBegan_ = state_;
   followState(state, motion.pressed);
   motion_ = motion;
   if (motion.pressed || wasPressed) {

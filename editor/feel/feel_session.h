@@ -57,6 +57,8 @@ class FeelSession : public QObject {
   std::shared_ptr<const playback::HapticProgram> program() const;
   /// State of the felt button that is pressed.
   std::size_t state() const { return state_; }
+  /// The felt button's state under the finger, as it is played; null without a program.
+  const playback::StateProgram* pressedState() const;
   /// Force of a full press (N, > 0).
   double full_N() const;
   const FeelMotion& motion() const { return motion_; }
@@ -82,7 +84,7 @@ class FeelSession : public QObject {
   bool ownPressKnown() const { return ownPress_ != nullptr; }
   void drawOwnPress(bool own);
   bool playable() const;
-  /// Plays the drawn press on the sound device.
+  /// Plays the drawn press on the sound device, from the state in which it was drawn.
   void play();
 
   FeelPlayer& player() { return player_; }
@@ -135,6 +137,7 @@ class FeelSession : public QObject {
   void followForceState();
   void show(const FeelMotion& motion, std::size_t state);
   void followState(std::size_t state, bool pressed);
+  std::size_t firstState() const { return felt().signal ? felt().signal->firstState : 0; }
   void tellFinger(const std::optional<FingerPosition>& position);
 
   FeelSettings settings_;
@@ -149,6 +152,7 @@ class FeelSession : public QObject {
   std::size_t state_ = 0;
   bool watched_ = false;
   std::shared_ptr<const playback::PressTrace> ownPress_;  ///< the last one by hand
+  std::size_t ownState_ = 0, pressBegan_ = 0;             ///< in which that one, and the running one, began
   bool drawsOwn_ = false;
   FeelMotion motion_;
 };

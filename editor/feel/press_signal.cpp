@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/feel/press_signal.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace detent::editor {
@@ -12,11 +13,20 @@ PressSignal failed(const Failure& failure) {
   return signal;
 }
 
+/// With the state first in which the press begins, as programs do.
+Button begunIn(const Button& button, std::size_t state) {
+  std::vector<ButtonState> states = button.states();
+  if (state == 0 || state >= states.size()) return button;
+  std::rotate(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(state), states.end());
+  return Button::fromStates(button.name(), std::move(states), button.provenance()).value();
+}
+
 PressSignal computed(const PressSignalRequest& request) {
-  Result<playback::PreparedProgram> prepared =
-      playback::prepareProgram(request.button, request.profile, request.settings);
+  Result<playback::PreparedProgram> prepared = playback::prepareProgram(
+      begunIn(request.button, request.firstState), request.profile, request.settings);
   if (!prepared) return failed(prepared.failure());
   PressSignal signal;
+  signal.firstState = request.firstState < request.button.states().size() ? request.firstState : 0;
   signal.program = std::make_shared<const playback::HapticProgram>(prepared->program);
   signal.summary = prepared->summary.line();
   for (const playback::PrepareWarning& w : prepared->summary.warnings) signal.warnings.push_back(w.message);

@@ -20,6 +20,7 @@ struct PressSignalRequest {
   playback::DeviceProfile profile;
   playback::PlaybackSettings settings;
   std::shared_ptr<const playback::PressTrace> press = nullptr;  ///< null: the standard press
+  std::size_t firstState = 0;  ///< of a self-locking button: in which the press begins
 };
 
 /// A button prepared for playing, and one press of it. Where something could not
@@ -34,6 +35,7 @@ struct PressSignal {
   std::vector<playback::EngineEvent> events;
   playback::PressTrace press;  ///< what was pressed with
   bool standard = true;        ///< playback::StandardPress, or a recorded one
+  std::size_t firstState = 0;  ///< the button's state that is the program's first
   playback::Spectrogram spectrogram;
   std::optional<Failure> failure;
   double computing_s = 0;

@@ -14,6 +14,12 @@ const QStringList& pageEndings() {
   return endings;
 }
 
+QString pagePatterns() {
+  QStringList patterns;
+  for (const QString& ending : pageEndings()) patterns << "*." + ending;
+  return patterns.join(' ');
+}
+
 Failure unreadable(const QString& path, const QString& problem, const QString& remedy) {
   return {FailureCode::unreadableInput, QDir::toNativeSeparators(path).toStdString(), "",
           problem.toStdString(), remedy.toStdString()};
@@ -53,15 +59,17 @@ Result<InputKind> inputKindOf(const QString& path) {
   return InputKind::page;
 }
 
+QStringList importFilters() {
+  return {InputKinds::tr("Datasheets, pictures and force meters' logs") + " (" + pagePatterns() + " *.csv)",
+          InputKinds::tr("All files") + " (*)"};
+}
+
 QStringList openFilters() {
-  QStringList pages;
-  for (const QString& ending : pageEndings()) pages << "*." + ending;
   const QString buttons = "*.button.json *.json", csv = "*.csv";
-  return {
-      InputKinds::tr("Everything Detent reads") + " (" + buttons + " " + csv + " " + pages.join(' ') + ")",
-      InputKinds::tr("Buttons") + " (" + buttons + ")",
-      InputKinds::tr("Datasheets and pictures") + " (" + pages.join(' ') + ")",
-      InputKinds::tr("Force-displacement CSV") + " (" + csv + ")", InputKinds::tr("All files") + " (*)"};
+  return {InputKinds::tr("Everything Detent reads") + " (" + buttons + " " + csv + " " + pagePatterns() + ")",
+          InputKinds::tr("Buttons") + " (" + buttons + ")",
+          InputKinds::tr("Datasheets and pictures") + " (" + pagePatterns() + ")",
+          InputKinds::tr("Force-displacement CSV") + " (" + csv + ")", InputKinds::tr("All files") + " (*)"};
 }
 
 }  // namespace detent::editor

@@ -21,5 +21,7 @@ Result<InputKind> inputKindOf(const QString& path);
 
 /// Filters of an open dialogue, first one: everything the editor can open.
 QStringList openFilters();
+/// Of a dialogue that asks for a sheet to import; first one: everything that can be.
+QStringList importFilters();
 
 }  // namespace detent::editor

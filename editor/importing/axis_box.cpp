@@ -188,8 +188,10 @@ void AxisBox::showEnds(const AxisCorrection& given, const importer::AxisReading*
                         double foundEnd) {
     now = givenEnd ? givenEnd : found ? std::optional(foundEnd) : std::nullopt;
     if (edit.isModified()) return;
-    edit.setText(givenEnd ? numberText(*givenEnd, 5) : found ? numberText(foundEnd, 4) : QString());
-    edit.setModified(false);
+    const QString text = givenEnd ? numberText(*givenEnd, 5) : found ? numberText(foundEnd, 4) : QString();
+    if (text == edit.text()) return;  // what is selected there stays selected
+    edit.setText(text);
+    if (edit.hasFocus()) edit.selectAll();  // what is typed next takes its place, not a place behind it
   };
   show(*min_, minShown_, given.min, found ? found->min : 0);
   show(*max_, maxShown_, given.max, found ? found->max : 0);

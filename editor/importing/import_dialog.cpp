@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+#include "editor/files/input_kind.h"
 #include "editor/importing/advice_bar.h"
 #include "editor/importing/findings_panel.h"
 #include "editor/importing/import_state.h"
@@ -498,9 +499,7 @@ void ImportDialog::Impl::chooseFile() {
   auto* chooser = new QFileDialog(&dialog, tr("Open a datasheet or a force meter's log"));
   chooser->setAttribute(Qt::WA_DeleteOnClose);
   chooser->setFileMode(QFileDialog::ExistingFile);
-  chooser->setNameFilters(
-      {tr("Datasheets and logs (*.pdf *.svg *.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp *.csv)"),
-       tr("All files (*)")});
+  chooser->setNameFilters(importFilters());
   QObject::connect(chooser, &QFileDialog::fileSelected, &dialog, &ImportDialog::openFile);
   chooser->open();
 }
@@ -529,7 +528,10 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
   impl_->connectState();
   connect(&impl_->state, &ImportState::correctionsChanged, this, &ImportDialog::draftChanged);
   connect(&impl_->state, &ImportState::documentChanged, this, [this] {
-    if (impl_->state.isOpen() && !draft().path.isEmpty()) emit opened(draft().path);
+    const QString path = draft().path;
+    if (path.isEmpty()) return;
+    if (impl_->state.isOpen()) emit opened(path);
+    if (impl_->state.openFailure()) emit unreadable(path);
   });
   impl_->showDocument();
   impl_->view->setTool(ToolKind::adjust);

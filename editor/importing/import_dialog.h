@@ -44,6 +44,8 @@ class ImportDialog : public QDialog {
   void imported(std::shared_ptr<const importer::ImportReport> report);
   /// This file could be read.
   void opened(const QString& path);
+  /// This one could not.
+  void unreadable(const QString& path);
   /// draft() is another one now, or may be.
   void draftChanged();
 

@@ -41,6 +41,11 @@ Result<importer::ImportReport> pageAlone(const Button& button,
   return report;
 }
 
+QString notReadAgain(const Button& button, const std::optional<Failure>& why) {
+  return PageReturn::tr("%1 is there, but the graph was not read again. %2")
+      .arg(QString::fromStdString(button.provenance()->sourceFile), why ? sentenceOf(*why) : QString());
+}
+
 importer::Quality qualityOf(const std::string& name) {
   if (name == "draft") return importer::Quality::draft;
   return name == "precise" ? importer::Quality::precise : importer::Quality::standard;
@@ -87,26 +92,24 @@ void PageReturn::remember(const Provenance& provenance, const QString& path) {
   if (!provenance.sourceSha256.empty() && !path.isEmpty()) places_.setValue(placeKey(provenance), path);
 }
 
+QString PageReturn::lastPlaceOf(const Button& button) const {
+  return places_.value(placeKey(*button.provenance())).toString();
+}
+
 void PageReturn::bringBack(ButtonDocument& document) {
   const auto& provenance = document.button().provenance();
-  if (!provenance || provenance->sourceSha256.empty() || document.origin()) return;
+  if (!provenance || provenance->sourceSha256.empty() || document.origin() || document.sheet()) return;
   QStringList places;
   if (!document.path().isEmpty())
     places << QFileInfo(document.path()).dir().filePath(QString::fromStdString(provenance->sourceFile));
-  if (const QString last = places_.value(placeKey(*provenance)).toString(); !last.isEmpty()) places << last;
+  if (const QString last = lastPlaceOf(document.button()); !last.isEmpty()) places << last;
   ask(document, places, false);
 }
 
 void PageReturn::bringBackFrom(ButtonDocument& document, const QString& path) { ask(document, {path}, true); }
 
-PageReturn::Answer PageReturn::lookAndRead(const Button& button, const QStringList& places,
-                                           const std::atomic<bool>& stop) {
-  const Provenance& provenance = *button.provenance();
-  Answer answer;
-  for (const QString& place : places)
-    if (answer.path.isEmpty() && !stop && isSheet(place, provenance.sourceSha256)) answer.path = place;
-  if (answer.path.isEmpty() || stop) return answer;
-  importer::ImportRequest request = requestAgain(provenance);
+void PageReturn::readAgain(const Button& button, Answer& answer, const std::atomic<bool>& stop) {
+  importer::ImportRequest request = requestAgain(*button.provenance());
   request.path = QFile::encodeName(answer.path).toStdString();
   importer::Progress progress;
   progress.cancelled = [&stop] { return stop.load(); };
@@ -115,21 +118,63 @@ PageReturn::Answer PageReturn::lookAndRead(const Button& button, const QStringLi
   if (!imported) answer.failure = imported.failure();
   if (!imported && session) imported = pageAlone(button, session->evidenceOfFailure(), imported.failure());
   if (imported) answer.report = std::make_shared<const importer::ImportReport>(*std::move(imported));
+}
+
+PageReturn::Answer PageReturn::lookAndRead(const Button& button, const QStringList& places, bool traced,
+                                           const std::atomic<bool>& stop) {
+  Answer answer;
+  for (const QString& place : places)
+    if (answer.path.isEmpty() && !stop && isSheet(place, button.provenance()->sourceSha256))
+      answer.path = place;
+  if (answer.path.isEmpty() || stop) return answer;
+  if (!traced) {
+    importer::Progress progress;
+    progress.cancelled = [&stop] { return stop.load(); };
+    if (const auto sheet = importer::Document::open(QFile::encodeName(answer.path).toStdString()))
+      answer.page = placedPage(button, *sheet, progress);
+  }
+  if (!answer.page && !stop) readAgain(button, answer, stop);
   return answer;
 }
 
+void PageReturn::start(ButtonDocument& document, const QStringList& places, bool traced,
+                       std::function<void(ButtonDocument&, const Answer&)> take) {
+  thread_.start([this, guarded = QPointer<ButtonDocument>(&document), button = document.button(), places,
+                 traced, take = std::move(take)] {
+    Answer answer = lookAndRead(button, places, traced, stop_);
+    if (stop_) return;
+    QMetaObject::invokeMethod(
+        this,
+        [guarded, answer = std::move(answer), take] {
+          if (guarded) take(*guarded, answer);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
 void PageReturn::ask(ButtonDocument& document, const QStringList& places, bool chosen) {
-  thread_.start(
-      [this, guarded = QPointer<ButtonDocument>(&document), button = document.button(), places, chosen] {
-        Answer answer = lookAndRead(button, places, stop_);
-        if (stop_) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, guarded, answer = std::move(answer), chosen] {
-              if (guarded) take(*guarded, answer, chosen);
-            },
-            Qt::QueuedConnection);
-      });
+  start(document, places, false,
+        [this, chosen](ButtonDocument& itself, const Answer& answer) { take(itself, answer, chosen); });
+}
+
+void PageReturn::trace(ButtonDocument& document) {
+  if (!tracing_.insert(&document).second) return;
+  start(document, {lastPlaceOf(document.button())}, true,
+        [this](ButtonDocument& itself, const Answer& answer) {
+          if (!answer.report) {
+            PlacedPage page = *itself.sheet();
+            page.readable = false;
+            itself.setSheet(std::move(page));
+            return emit refused(&itself, notReadAgain(itself.button(), answer.failure));
+          }
+          itself.setOrigin(answer.report);
+          emit returned(&itself);
+        });
+}
+
+void PageReturn::attend(ButtonDocument& document) {
+  connect(&document, &ButtonDocument::originWanted, this, [this, itself = &document] { trace(*itself); });
+  connect(&document, &QObject::destroyed, this, [this, gone = &document] { tracing_.erase(gone); });
 }
 
 void PageReturn::take(ButtonDocument& document, const Answer& answer, bool chosen) {
@@ -142,10 +187,12 @@ void PageReturn::take(ButtonDocument& document, const Answer& answer, bool chose
     return emit missing(&document, name);
   }
   remember(*provenance, answer.path);
-  if (!answer.report)
-    return emit refused(&document, tr("%1 is there, but the graph was not read again. %2")
-                                       .arg(name, answer.failure ? sentenceOf(*answer.failure) : QString()));
-  document.setOrigin(answer.report);
+  if (!answer.page && !answer.report)
+    return emit refused(&document, notReadAgain(document.button(), answer.failure));
+  if (answer.page)
+    document.setSheet(answer.page);
+  else
+    document.setOrigin(answer.report);
   emit returned(&document);
 }
 

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The page of a button that was imported once: found again by name and hash, read again, and put behind the
-// curves, with its traced points.
+// The page of a button that was imported once: found again by name and hash, and put behind the curves. Its curves
+// are traced again where somebody wants the points.
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <QObject>
 #include <QPointer>
 #include <QSettings>
 #include <QThreadPool>
+#include <set>
 
-#include "editor/document/button_document.h"
+#include "editor/importing/placed_page.h"
 
 namespace detent::editor {
 
@@ -21,7 +23,8 @@ namespace detent::editor {
 importer::ImportRequest requestAgain(const Provenance& provenance);
 
 /// A file is the sheet only if its contents are: name and place alone prove nothing. One thread of its own
-/// looks and reads; documents may be closed meanwhile. GUI thread.
+/// looks and reads; documents may be closed meanwhile, and are never changed. A page that cannot be laid behind the curves by
+/// what the file keeps of it (placed_page.h) is read again at once. GUI thread.
 class PageReturn : public QObject {
   Q_OBJECT
 
@@ -31,6 +34,8 @@ class PageReturn : public QObject {
   /// Waits for the thread.
   ~PageReturn() override;
 
+  /// Traces the document's sheet when somebody wants the points.
+  void attend(ButtonDocument& document);
   /// Where a sheet was imported from.
   void remember(const Provenance& provenance, const QString& path);
   /// Looks beside the button's file and where the sheet was last; nothing for buttons that came from no sheet,
@@ -40,7 +45,8 @@ class PageReturn : public QObject {
   void bringBackFrom(ButtonDocument& document, const QString& path);
 
  signals:
-  void returned(detent::editor::ButtonDocument* document);
+  void returned(
+      detent::editor::ButtonDocument* document);  ///< the page; the traced points too where they were read
   /// Nowhere it could be.
   void missing(detent::editor::ButtonDocument* document, const QString& fileName);
   /// The chosen file is another one, or could not be read this time.
@@ -50,15 +56,24 @@ class PageReturn : public QObject {
   /// What the thread came to.
   struct Answer {
     QString path;  ///< of the sheet; empty: none of the places held it
+    std::optional<PlacedPage> page;
     std::shared_ptr<const importer::ImportReport> report;
     std::optional<Failure> failure;  ///< of reading it again
   };
-  static Answer lookAndRead(const Button& button, const QStringList& places, const std::atomic<bool>& stop);
+  /// Looks at the places, lays the page, and reads it again if that cannot be done or `traced` is wanted.
+  static Answer lookAndRead(const Button& button, const QStringList& places, bool traced,
+                            const std::atomic<bool>& stop);
+  static void readAgain(const Button& button, Answer& answer, const std::atomic<bool>& stop);
   void ask(ButtonDocument& document, const QStringList& places, bool chosen);
+  void trace(ButtonDocument& document);
+  void start(ButtonDocument& document, const QStringList& places, bool traced,
+             std::function<void(ButtonDocument&, const Answer&)> take);
+  QString lastPlaceOf(const Button& button) const;
   void take(ButtonDocument& document, const Answer& answer, bool chosen);
 
   QSettings& places_;
   QThreadPool thread_;
+  std::set<const ButtonDocument*> tracing_;
   std::atomic<bool> stop_ = false;
 };
 

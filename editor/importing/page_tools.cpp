@@ -127,8 +127,9 @@ class RectangleTool : public PageTool {
     view_.update();
     return true;
   }
-  bool release(const QMouseEvent&) override {
+  bool release(const QMouseEvent& event) override {
     if (!from_) return false;
+    to_ = view_.onPage(view_.toPage(event.position()));
     const importer::Box box = boxOf(*from_, to_);
     const QRectF seen = QRectF(view_.toWidget(*from_), view_.toWidget(to_)).normalized();
     cancel();
@@ -294,16 +295,22 @@ class DrawCurveTool : public PageTool {
     if (event.button() != Qt::LeftButton || !view_.state().current()) return false;
     add(event.position());
     held_ = true;
+    drawn_ = false;
     return true;
   }
   bool move(const QMouseEvent& event) override {
     at_ = event.position();
     view_.setMagnifier(at_);
-    if (held_ && distance(view_.toWidget(points_.back()), at_) >= drawnEvery_px) add(at_);
+    if (held_ && distance(view_.toWidget(points_.back()), at_) >= drawnEvery_px) {
+      add(at_);
+      drawn_ = true;
+    }
     view_.update();
     return true;
   }
-  bool release(const QMouseEvent&) override {
+  bool release(const QMouseEvent& event) override {
+    if (held_ && drawn_ && distance(view_.toWidget(points_.back()), event.position()) >= 1)
+      add(event.position());
     held_ = false;
     return true;
   }
@@ -362,7 +369,7 @@ class DrawCurveTool : public PageTool {
 
   Stroke stroke_;
   std::vector<importer::Point> points_;
-  bool held_ = false;
+  bool held_ = false, drawn_ = false;  ///< the button is down; it was moved since
   QPointF at_;
 };
 

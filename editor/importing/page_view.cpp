@@ -65,6 +65,7 @@ void PageView::setTool(ToolKind kind) {
   preview_.reset(), magnifier_.reset();
   toolKind_ = kind;
   retired_ = std::exchange(tool_, makeTool(kind, *this));
+  endGesture();
   setCursor(tool_->cursor(mapFromGlobal(QCursor::pos())));
   emit toolChanged(kind);
   emit hint(tool_->hint());
@@ -136,7 +137,8 @@ void PageView::takeCurrent() {
 }
 
 void PageView::refit() {
-  if (fit_ == Fit::none) return;
+  fitDue_ = tool_->busy();
+  if (fit_ == Fit::none || fitDue_) return;
   const auto corners = shownCorners();
   if (fit_ == Fit::graph && corners) {
     QPolygonF outline;
@@ -464,7 +466,17 @@ void PageView::drawMagnifier(QPainter& painter) const {
 
 // ---- mouse and keys
 
-void PageView::resizeEvent(QResizeEvent*) { refit(); }
+// A message that comes or goes above moves the view; under a running gesture the page lies still.
+void PageView::resizeEvent(QResizeEvent*) {
+  refit();
+  const QPointF moved = mapTo(window(), QPointF()) - inWindow_;
+  inWindow_ += moved;
+  if (tool_->busy()) setTransform(pageToWidget_ * QTransform::fromTranslate(-moved.x(), -moved.y()));
+}
+
+void PageView::endGesture() {
+  if (fitDue_ && !tool_->busy()) refit();
+}
 
 void PageView::wheelEvent(QWheelEvent* event) {
   const QPoint pixels = event->pixelDelta();
@@ -483,6 +495,7 @@ void PageView::wheelEvent(QWheelEvent* event) {
 }
 
 void PageView::mousePressEvent(QMouseEvent* event) {
+  if (!tool_->busy()) inWindow_ = mapTo(window(), QPointF());
   if (event->button() == Qt::MiddleButton || (spaceDown_ && event->button() == Qt::LeftButton)) {
     panFrom_ = event->position();
     setCursor(Qt::ClosedHandCursor);
@@ -517,17 +530,20 @@ void PageView::mouseReleaseEvent(QMouseEvent* event) {
     return;
   }
   tool_->release(*event);
+  endGesture();
   emit hint(tool_->hint());
 }
 
 void PageView::mouseDoubleClickEvent(QMouseEvent* event) {
-  if (!tool_->doubleClick(*event)) mousePressEvent(event);
+  if (!tool_->doubleClick(*event)) return mousePressEvent(event);
+  endGesture();
 }
 
 void PageView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape && closeEditor()) return;
   if (event->key() == Qt::Key_Escape && tool_->busy()) {
     tool_->cancel();
+    endGesture();
     return;
   }
   if (event->key() == Qt::Key_Escape && toolKind_ != ToolKind::adjust) return setTool(ToolKind::adjust);
@@ -538,7 +554,8 @@ void PageView::keyPressEvent(QKeyEvent* event) {
   }
   if (event->key() == Qt::Key_Plus || event->key() == Qt::Key_Equal) return zoomBy(1.25);
   if (event->key() == Qt::Key_Minus) return zoomBy(0.8);
-  if (!tool_->key(*event)) QWidget::keyPressEvent(event);
+  if (!tool_->key(*event)) return QWidget::keyPressEvent(event);
+  endGesture();
 }
 
 void PageView::keyReleaseEvent(QKeyEvent* event) {

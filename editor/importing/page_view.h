@@ -106,7 +106,8 @@ class PageView : public QWidget {
   bool closeEditor();  ///< of a tick's value; false if none is open
   void takeResult();
   void takeCurrent();
-  void refit();
+  void refit();       ///< under a running gesture it waits for endGesture
+  void endGesture();  ///< does what a gesture held up, if none is running any more
   void fitRect(QRectF page, double margin);
   void setTransform(const QTransform& pageToWidget);
   QRectF pageBounds() const;
@@ -129,6 +130,8 @@ class PageView : public QWidget {
   std::shared_ptr<const ImportedGraph> drawnFrom_;  ///< good result the curves come from
   QTransform pageToWidget_;
   Fit fit_ = Fit::graph;
+  bool fitDue_ = false;  ///< a running gesture held it up
+  QPointF inWindow_;     ///< of the top left corner, when the gesture began or was last moved
   std::optional<GraphId> fitted_;
   int fittedPage_ = 0;
   std::optional<QPointF> panFrom_, magnifier_;

@@ -60,7 +60,14 @@ ChecksPanel::ChecksPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   follow();
 }
 
+// What the page says in words is known only where it was read.
+void ChecksPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  document_.wantOrigin();
+}
+
 void ChecksPanel::follow() {
+  if (isVisible()) document_.wantOrigin();
   pause_.stop();
   show(validate(document_.button()));
 }

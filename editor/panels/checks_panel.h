@@ -28,6 +28,9 @@ class ChecksPanel : public QWidget {
   /// How many checks ask for a look.
   void countChanged(int odd);
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
   void follow();
   void show(const std::vector<Warning>& warnings);

@@ -155,6 +155,8 @@ void GraphWorkspace::makeToolActions() {
        tr("Press where the jump begins, pull its valley into place"), QKeySequence(Qt::Key_J)},
       {ToolKind::pan, "toolPan", tr("&Pan"), tr("Drag the view; the middle button does it in every tool"),
        QKeySequence(Qt::Key_H)},
+      {ToolKind::zoom, "toolZoom", tr("&Zoom to a rectangle"),
+       tr("Drag a rectangle to see it enlarged; a click comes nearer"), QKeySequence(Qt::Key_Z)},
   };
   auto* group = new QActionGroup(this);
   for (const Entry& entry : entries) {

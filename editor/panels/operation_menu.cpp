@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <QScreen>
+#include <utility>
 
 namespace detent::editor {
 namespace {
@@ -15,7 +16,9 @@ bool hasTactilePoint(const OperationTarget& t) {
 }
 bool pressHasTactilePoint(const OperationTarget& t) { return !t.values.press.tactile.empty(); }
 bool hasRelease(const OperationTarget& t) { return t.graph().release().has_value(); }
-bool hasOrigin(const OperationTarget& t) { return t.origin && !t.origin->strokes.press.points.empty(); }
+bool hasOrigin(const OperationTarget& t) {
+  return t.originOnDemand || (t.origin && !t.origin->strokes.press.points.empty());
+}
 bool hasOneState(const OperationTarget& t) { return t.button.states().size() == 1; }
 bool hasTwoStates(const OperationTarget& t) { return t.button.states().size() > 1; }
 
@@ -61,6 +64,9 @@ OperationMenu::OperationMenu(ButtonDocument& document, ViewSettings& settings, G
   add("operationRemoveState", tr("Remove st&ate…"), tr("The other state alone remains"), {},
       removeStateOperation, hasTwoStates);
   updateActions();
+  connect(&document_, &ButtonDocument::originChanged, this, [this] {
+    if (std::exchange(refitWaits_, false) && hasOrigin(target())) open(refitOperation);
+  });
 }
 
 void OperationMenu::add(const char* name, const QString& text, const QString& tip, const QKeySequence& key,
@@ -82,8 +88,8 @@ void OperationMenu::addSeparator() {
 }
 
 OperationTarget OperationMenu::target() const {
-  return {document_.button(), document_.activeState(), canvas_.values(), canvas_.selected(),
-          document_.origin().get()};
+  return {document_.button(), document_.activeState(),  canvas_.values(),
+          canvas_.selected(), document_.origin().get(), document_.originOnDemand()};
 }
 
 void OperationMenu::updateActions() {
@@ -96,6 +102,11 @@ void OperationMenu::updateActions() {
 void OperationMenu::open(Operation (*make)(const OperationTarget&)) {
   tools_.cancelDrag();
   if (document_.history().dragging()) return;  // another dialog or view holds the button
+  refitWaits_ = make == refitOperation && document_.originOnDemand();
+  if (refitWaits_) {
+    emit said(tr("Reading the traced points from the page…"));
+    return document_.wantOrigin();
+  }
   dialog_ = new OperationDialog(document_, settings_, make(target()), &window_);
   dialog_->open();
   placeBeside(*dialog_);

@@ -16,6 +16,7 @@ struct OperationTarget {
   const GraphValues& values;       ///< of that state
   std::optional<MarkId> selected;  ///< its stroke and tactile point are offered first
   const importer::ImportReport* origin = nullptr;
+  bool originOnDemand = false;  ///< there is none, but it can be had
 
   const ForceGraph& graph() const { return button.states()[state].graph; }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/values_panel.h"
 
+#include <algorithm>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -15,6 +16,10 @@
 
 namespace detent::editor {
 namespace {
+
+constexpr int measuredRows = 200;      // of a long table: the first ones tell how wide its columns are
+constexpr int leastNumber = 8;         // characters that a column of numbers has room for
+constexpr int roomBesideText_px = 12;  // of a cell
 
 /// Keeps a cell open, marked, with the reason beside it, as long as what is typed there is refused.
 class ValueDelegate : public QStyledItemDelegate {
@@ -82,11 +87,6 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // a thousand rows are not measured
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Interactive);
   table_->horizontalHeader()->setHighlightSections(false);
-  const int character = fontMetrics().horizontalAdvance(QLatin1Char('0'));
-  table_->horizontalHeader()->setMinimumSectionSize(8 * character);
-  table_->horizontalHeader()->setSectionResizeMode(ValuesModel::name, QHeaderView::Stretch);
-  for (int column = ValuesModel::displacement; column < ValuesModel::columns; ++column)
-    table_->setColumnWidth(column, (column < ValuesModel::slopeBefore ? 11 : 15) * character);
   table_->setWordWrap(false);
   table_->setShowGrid(false);
   table_->setTabKeyNavigation(false);  // Tab leaves the table; arrows go through it
@@ -108,18 +108,47 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   connect(model_, &ValuesModel::refused, this, &ValuesPanel::showRefusal);
   connect(model_, &ValuesModel::accepted, refusal_, &QWidget::hide);
   connect(&document, &ButtonDocument::changed, refusal_, &QWidget::hide);
-  connect(model_, &QAbstractItemModel::modelReset, this, &ValuesPanel::spanHeadings);
+  connect(model_, &QAbstractItemModel::modelReset, this, &ValuesPanel::layOut);
+  connect(model_, &QAbstractItemModel::headerDataChanged, this, &ValuesPanel::layOut);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
           [this](const QModelIndex& now) {
             if (const auto mark = model_->markOf(now)) emit markChosen(*mark);
           });
-  spanHeadings();
+  layOut();
 }
 
-void ValuesPanel::spanHeadings() {
+void ValuesPanel::layOut() {
   table_->clearSpans();
   for (int row = 0; row < model_->rowCount(); ++row)
     if (!model_->markOf(model_->index(row, 0))) table_->setSpan(row, 0, 1, ValuesModel::columns);
+  for (int column = 0; column < ValuesModel::columns; ++column)
+    table_->setColumnWidth(column, widthOf(column));
+  giveRoomToNames();
+}
+
+// Headings have the whole width: they do not count.
+int ValuesPanel::widthOf(int column) const {
+  const QFontMetrics metrics = table_->fontMetrics();
+  int text_px = column == ValuesModel::name ? 0 : leastNumber * metrics.horizontalAdvance(QLatin1Char('0'));
+  for (int row = 0; row < std::min(model_->rowCount(), measuredRows); ++row)
+    if (const QModelIndex cell = model_->index(row, column); model_->markOf(cell))
+      text_px = std::max(text_px, metrics.horizontalAdvance(cell.data().toString()));
+  return std::max(text_px + roomBesideText_px, table_->horizontalHeader()->sectionSizeHint(column));
+}
+
+// What the panel has left goes to the names; where it is too narrow the numbers scroll.
+void ValuesPanel::giveRoomToNames() {
+  int others = 0;
+  for (int column = ValuesModel::displacement; column < ValuesModel::columns; ++column)
+    others += table_->columnWidth(column);
+  table_->setColumnWidth(ValuesModel::name,
+                         std::max(widthOf(ValuesModel::name), table_->viewport()->width() - others));
+}
+
+void ValuesPanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  layout()->activate();
+  giveRoomToNames();
 }
 
 void ValuesPanel::showRefusal(const QModelIndex& index, const QString& why) {

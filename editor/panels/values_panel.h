@@ -32,9 +32,14 @@ class ValuesPanel : public QWidget {
   /// A row was chosen.
   void markChosen(detent::editor::MarkId mark);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   void showRefusal(const QModelIndex& index, const QString& why);
-  void spanHeadings();
+  void layOut();  ///< headings over the whole width, columns as wide as what stands in them
+  int widthOf(int column) const;
+  void giveRoomToNames();
 
   ValuesModel* model_;
   QTableView* table_;

@@ -23,6 +23,8 @@ class QuantityField : public QAbstractSpinBox {
  public:
   QuantityField(Quantity quantity, const DisplayUnits& units, QWidget* parent = nullptr);
 
+  Quantity quantity() const { return quantity_; }
+  const QuantityRange& range() const { return range_; }
   double value() const { return value_; }
   /// Clamped to the range; typed text is given up. No signal.
   void setValue(double value);

@@ -33,13 +33,13 @@ QString labelOf(const QString& title, QSet<QString>& taken) {
   return unique;
 }
 
-QSpinBox* countBox(const char* name, int least, int most, int value, const QString& tip) {
-  auto* box = new QSpinBox;
-  box->setObjectName(name);
-  box->setRange(least, most);
-  box->setValue(value);
-  box->setToolTip(tip);
-  return box;
+QuantityField* countField(const char* name, int least, int most, int value, const QString& tip) {
+  auto* field = new QuantityField(Quantity::count, {});
+  field->setObjectName(name);
+  field->setRange({static_cast<double>(least), static_cast<double>(most)});
+  field->setValue(value);
+  field->setToolTip(tip);
+  return field;
 }
 
 QCheckBox* modeBox(const char* name, const QString& text, bool checked) {
@@ -91,16 +91,18 @@ QLayout* StudyMaker::designForm() {
   kind_ = comboBox("makerKind", tr("What a participant is asked"));
   addChoice(kind_, tr("Which of two is X?"), static_cast<int>(playback::StudyKind::abx));
   addChoice(kind_, tr("Which of all is X?"), static_cast<int>(playback::StudyKind::matching));
-  trials_ = countBox("makerTrials", 1, mostTrials, usualTrials,
-                     tr("Questions for each pair (of two) or button (of all), and kind of feedback"));
-  practice_ =
-      countBox("makerPractice", 0, mostPractice, usualPractice, tr("Questions before the first that counts"));
+  trials_ = countField("makerTrials", 1, mostTrials, usualTrials,
+                       tr("Questions for each pair (of two) or button (of all), and kind of feedback"));
+  practice_ = countField("makerPractice", 0, mostPractice, usualPractice,
+                         tr("Questions before the first that counts"));
   full_ = modeBox("makerFull", tr("everything"), true);
   clicks_ = modeBox("makerClicks", tr("clicks only"), false);
   slopes_ = modeBox("makerSlopes", tr("slopes only"), false);
   connect(kind_, &QComboBox::currentIndexChanged, this, &StudyMaker::showLength);
-  for (QSpinBox* box : {trials_, practice_})
-    connect(box, &QSpinBox::valueChanged, this, &StudyMaker::showLength);
+  for (QuantityField* field : {trials_, practice_}) {
+    connect(field, &QuantityField::valueChanged, this, &StudyMaker::showLength);
+    connect(field, &QuantityField::refusalChanged, this, &StudyMaker::showLength);
+  }
   for (QCheckBox* box : {full_, clicks_, slopes_})
     connect(box, &QCheckBox::toggled, this, &StudyMaker::showLength);
   auto* form = new QFormLayout;
@@ -175,7 +177,8 @@ void StudyMaker::showLength() {
   const playback::StudyDesign asked = design();
   const std::size_t buttons = chosen().size();
   const Result<Done> possible = playback::checkDesign(asked, buttons);
-  make_->setEnabled(static_cast<bool>(possible) && !folder_->text().trimmed().isEmpty());
+  const bool readable = trials_->acceptable() && practice_->acceptable();
+  make_->setEnabled(possible.ok() && readable && !folder_->text().trimmed().isEmpty());
   if (!possible) return length_->setText(sentenceOf(possible.failure()));
   const std::size_t cells =
       asked.kind == playback::StudyKind::abx ? playback::pairsOf(buttons).size() : buttons;

@@ -9,10 +9,10 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
-#include <QSpinBox>
 #include <vector>
 
 #include "editor/document/button_document.h"
+#include "editor/quantity/quantity_field.h"
 #include "playback/playback.h"
 
 namespace detent::editor {
@@ -46,7 +46,7 @@ class StudyMaker : public QDialog {
   QString profileFile_;
   QListWidget* list_ = nullptr;
   QComboBox* kind_ = nullptr;
-  QSpinBox *trials_ = nullptr, *practice_ = nullptr;
+  QuantityField *trials_ = nullptr, *practice_ = nullptr;
   QCheckBox *full_ = nullptr, *clicks_ = nullptr, *slopes_ = nullptr;
   QLineEdit* folder_ = nullptr;
   QLabel *length_ = nullptr, *trouble_ = nullptr;

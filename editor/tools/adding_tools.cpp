@@ -158,4 +158,44 @@ bool PanTool::released(const PointerInput& input) {
   return true;
 }
 
+// ---- zoom
+
+QString ZoomTool::hint() const {
+  return tr(
+      "Drag a rectangle to see it enlarged; a click comes nearer, with Shift it goes back. F shows all.");
+}
+
+void ZoomTool::leave() {
+  from_px_.reset();
+  context_.canvas.setFeedback({});
+}
+
+bool ZoomTool::pressed(const PointerInput& input) {
+  if (input.button != Qt::LeftButton) return false;
+  from_px_ = input.at_px;
+  return true;
+}
+
+bool ZoomTool::moved(const PointerInput& input) {
+  if (!from_px_) return false;
+  CanvasFeedback feedback;
+  feedback.band_px = QRectF(*from_px_, input.at_px).normalized();
+  context_.canvas.setFeedback(feedback);
+  return true;
+}
+
+bool ZoomTool::released(const PointerInput& input) {
+  if (input.button != Qt::LeftButton || !from_px_) return false;
+  constexpr double least_px = 6;  // less is a click with an unsteady hand
+  const QRectF part_px = QRectF(*from_px_, input.at_px).normalized();
+  leave();
+  if (part_px.width() >= least_px && part_px.height() >= least_px) {
+    context_.canvas.zoomTo(part_px);
+  } else {
+    const double factor = input.modifiers & Qt::ShiftModifier ? 0.5 : 2;
+    context_.canvas.zoomAt(input.at_px, factor, factor);
+  }
+  return true;
+}
+
 }  // namespace detent::editor

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Tools that add something where the mouse is pressed, and shape it while it is held.
+// Tools that add something where the mouse is pressed, and shape it while it is held; and those that move the view.
 
 #include "editor/tools/tool.h"
 
@@ -44,6 +44,21 @@ class PanTool : public Tool {
 
  private:
   std::optional<QPointF> last_px_;
+};
+
+/// A rectangle becomes the whole view; a click comes nearer, with Shift it goes back.
+class ZoomTool : public Tool {
+ public:
+  using Tool::Tool;
+  void leave() override;
+  bool pressed(const PointerInput& input) override;
+  bool moved(const PointerInput& input) override;
+  bool released(const PointerInput& input) override;
+  Qt::CursorShape cursor() const override { return Qt::CrossCursor; }
+  QString hint() const override;
+
+ private:
+  std::optional<QPointF> from_px_;
 };
 
 }  // namespace detent::editor

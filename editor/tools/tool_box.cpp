@@ -14,7 +14,8 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
       context_{document, settings, canvas, drag_, [this](const QString& text) { emit said(text); }},
       keyboard_(context_),
       tools_{std::make_unique<SelectTool>(context_), std::make_unique<AddKnotTool>(context_),
-             std::make_unique<AddJumpTool>(context_), std::make_unique<PanTool>(context_)} {
+             std::make_unique<AddJumpTool>(context_), std::make_unique<PanTool>(context_),
+             std::make_unique<ZoomTool>(context_)} {
   canvas_.setEvents(this);
   // What the drag started from is no longer there.
   connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::cancelDrag);

@@ -11,8 +11,8 @@
 
 namespace detent::editor {
 
-enum class ToolKind { select, addKnot, addJump, pan };
-inline constexpr std::size_t toolCount = 4;
+enum class ToolKind { select, addKnot, addJump, pan, zoom };
+inline constexpr std::size_t toolCount = 5;
 
 /// Escape cancels a drag, undo and a change of state end it; a tool is left without one. GUI thread.
 class ToolBox : public QObject, public CanvasEvents {

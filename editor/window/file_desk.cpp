@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/file_desk.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QMimeData>
+#include <QSaveFile>
 #include <QUrl>
 
 #include "editor/document/message_words.h"
@@ -28,6 +31,7 @@ FileDesk::FileDesk(const DeskPlaces& places, QObject* parent)
   connect(&sheets_, &SheetDesk::done, this, &FileDesk::done);
   connect(&exports_, &ExportDesk::done, this, &FileDesk::done);
   connect(&sheets_, &SheetDesk::opened, &recent_, &RecentFiles::add);
+  connect(&sheets_, &SheetDesk::unreadable, &recent_, &RecentFiles::remove);
   connect(&leftBehind_, &RecoveryDesk::recovered, this, [this](DocumentTab* tab) {
     if (const QString path = tab->document().path(); !path.isEmpty()) watch_.watch(path);
     sheets_.bringPageBack(tab->document());
@@ -45,6 +49,7 @@ void FileDesk::connectTabs() {
   connect(&at_.tabs, &TabArea::tabAdded, this, [this](DocumentTab* tab) {
     at_.recovery.watch(tab->document());
     marks_.watch(tab->document());
+    sheets_.attend(tab->document());
   });
   connect(&at_.tabs, &TabArea::tabClosing, this, [this](DocumentTab* tab) {
     at_.recovery.forget(tab->document());
@@ -69,11 +74,24 @@ void FileDesk::openByDialog() {
 }
 
 void FileDesk::importByDialog() {
-  QStringList filters = openFilters();
-  filters.move(2, 0);  // datasheets first
-  const QStringList chosen = at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folder(), filters);
+  const QStringList chosen =
+      at_.prompts.filesToOpen(&at_.window, tr("Import"), at_.folder(), importFilters());
   for (const QString& path : chosen) at_.rememberFolder(path);
   sheets_.importFiles(chosen);
+}
+
+// As a file of its own: it can be opened again, and its page comes back like any other.
+void FileDesk::importSample() {
+  const QString path =
+      QFileInfo(at_.recovery.folder()).dir().filePath(tr("sample-datasheet") + QStringLiteral(".pdf"));
+  QFile inside(QStringLiteral(":/samples/white-vector.pdf"));
+  QSaveFile file(path);
+  if (!inside.open(QIODevice::ReadOnly) || !QDir().mkpath(QFileInfo(path).path()) ||
+      !file.open(QIODevice::WriteOnly) || file.write(inside.readAll()) != inside.size() || !file.commit())
+    return trouble("sample",
+                   tr("The sample cannot be written to %1: %2").arg(shownPath(path), file.errorString()));
+  at_.notices.dismiss("sample");
+  sheets_.importFiles({path});
 }
 
 void FileDesk::open(const QStringList& paths) {

@@ -28,6 +28,8 @@ class FileDesk : public QObject {
   void newButton();
   void openByDialog();
   void importByDialog();
+  /// A datasheet that comes with the program.
+  void importSample();
   /// Buttons in tabs, sheets one after the other in the import dialogue.
   void open(const QStringList& paths);
   /// A button file; null if it cannot be opened (said).

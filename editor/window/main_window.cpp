@@ -37,7 +37,7 @@ namespace {
 constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 2;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
-constexpr int firstLibrary_px = 230, firstValues_px = 380;
+constexpr int firstLibrary_px = 230, firstValues_px = 400;
 constexpr QSize copiedPicture_px{1800, 1200};
 
 void bringUp(QWidget& window) {
@@ -86,9 +86,9 @@ MainWindow::~MainWindow() {
 
 void MainWindow::makeCentre() {
   QList<QAction*> ways;
-  for (QAction* way : ownActions_)
-    if (way->objectName() == "import" || way->objectName() == "new" || way->objectName() == "open")
-      way->objectName() == "import" ? ways.prepend(way) : ways.append(way);
+  for (const char* name : {"import", "new", "open", "trySample"})
+    for (QAction* way : ownActions_)
+      if (way->objectName() == name) ways << way;
   welcome_ = new WelcomePage(ways);
   tabs_ = new TabArea(welcome_, at_.view);
   notices_ = new NoticeBar;
@@ -499,6 +499,7 @@ void MainWindow::copyButton(DocumentTab& tab) {
 void MainWindow::duplicateButton(DocumentTab& tab) {
   auto copy = std::make_unique<ButtonDocument>(tab.document().history().committed());
   copy->setOrigin(tab.document().origin());
+  copy->setSheet(tab.document().sheet());
   copy->history().stack().resetClean();
   tabs_->add(std::move(copy));
 }

@@ -63,6 +63,9 @@ void MainWindow::makeFileActions() {
   menu->addAction(action("import", tr("&Import a datasheet…"),
                          tr("Read the force graph from a picture, PDF, SVG or CSV"), QKeySequence("Ctrl+I"),
                          [this] { files_->importByDialog(); }));
+  menu->addAction(action("trySample", tr("&Try a sample datasheet"),
+                         tr("Import a sheet that comes with Detent, to see how it goes"),
+                         QKeySequence("Ctrl+Alt+T"), [this] { files_->importSample(); }));
   recentMenu_ = menu->addMenu(tr("Open &recent"));
   recentMenu_->setObjectName("recentMenu");
   recentMenu_->setToolTipsVisible(true);

@@ -48,6 +48,7 @@ ImportDialog& SheetDesk::dialog() {
   importing_ = new ImportDialog(at_.view, &at_.window);
   connect(importing_, &ImportDialog::imported, this, &SheetDesk::addImported);
   connect(importing_, &ImportDialog::opened, this, &SheetDesk::opened);
+  connect(importing_, &ImportDialog::unreadable, this, &SheetDesk::unreadable);
   connect(importing_, &ImportDialog::draftChanged, this, [this] {
     if (!draftSoon_.isActive()) draftSoon_.start();
   });
@@ -106,12 +107,14 @@ void SheetDesk::offerInterrupted() {
 
 // ---- pages that come back
 
+void SheetDesk::attend(ButtonDocument& document) { pages_.attend(document); }
+
 void SheetDesk::bringPageBack(ButtonDocument& document) { pages_.bringBack(document); }
 
 NoticeBar::Choice SheetDesk::findSheetChoice(ButtonDocument& document) {
   return {"findSheet", tr("Find the sheet…"), [this, known = QPointer<ButtonDocument>(&document)] {
             const QStringList chosen =
-                at_.prompts.filesToOpen(&at_.window, tr("Find the sheet"), at_.folder(), openFilters());
+                at_.prompts.filesToOpen(&at_.window, tr("Find the sheet"), at_.folder(), importFilters());
             if (known && !chosen.isEmpty()) pages_.bringBackFrom(*known, chosen.front());
           }};
 }

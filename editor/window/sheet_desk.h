@@ -25,6 +25,8 @@ class SheetDesk : public QObject {
 
   void importFiles(const QStringList& paths);
   void importPicture(const QImage& picture);
+  /// A tab of it was added: its sheet is traced again where somebody wants the points.
+  void attend(ButtonDocument& document);
   /// The page that the button was read from, behind its curves; where it cannot be found the tab says so.
   void bringPageBack(ButtonDocument& document);
   /// Says which imports a dead editor left unfinished, with a choice. After the recovery store was searched.
@@ -35,6 +37,7 @@ class SheetDesk : public QObject {
   void done(const QString& sentence);
   /// This sheet is in the import dialogue, and could be read.
   void opened(const QString& path);
+  void unreadable(const QString& path);
 
  private:
   void startNext();

@@ -16,8 +16,8 @@ namespace {
 constexpr double marginLeft_px = 74, marginRight_px = 24, marginTop_px = 44, marginBottom_px = 60;
 constexpr double fontSize_px = 12;
 constexpr double glyphWidth_px = 6.6;  // of a sans-serif digit at fontSize_px, generous
-constexpr const char* pressColour = "#b3122b";
-constexpr const char* releaseColour = "#1b5fa8";
+constexpr const char* pressColour = "#0072b2";
+constexpr const char* releaseColour = "#c46f00";
 
 std::string fixed(double value, int decimals) {
   char buffer[400];

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """How many actions a person needs in a real window, from a sheet to a saved button.
 
-    actions_e2e.py --bin FOLDER [--root FOLDER] [--keep FOLDER] [--by-hand] [SHEET...]
+    actions_e2e.py --bin FOLDER [--root FOLDER] [--keep FOLDER] [--walk sheets|by-hand|screens] [--times N] [SHEET...]
 
-Two ways are walked: a sheet that imports (those named, else a sample), where a click, a drag or a key is an action; and a page of
-which nothing is read, neither frame nor numbers nor curves, where clicks and drags count. What is typed into a field belongs to
-the click on it. Then the windows are looked at on small screens and at twice the size.
+Walks: sheets that import (those named, else a sample), where a click, a drag or a key is an action; by hand, a page of which
+nothing is read, neither frame nor numbers nor curves, where clicks and drags count; and the windows on small screens and at twice
+the size. What is typed into a field belongs to the click on it.
 """
 
 import argparse
@@ -24,7 +24,6 @@ from pathlib import Path
 from desktop import PATIENCE_S, Desktop, Editor, wait_for
 
 MOST_ACTIONS_THAT_IMPORT, MOST_CLICKS_BY_HAND = 5, 15
-ANSWER_S = 2  # until what a click changed is read again
 SCREENS = [("1024x700", 1), ("1366x768", 1), ("1366x768", 2)]
 
 
@@ -102,16 +101,19 @@ def by_hand(programs, folder):
 def walk_by_hand(page, editor, desktop, folder):
     dialog = "importDialog"
     wait_for("the page", lambda: editor.find("pageView", dialog) and editor.find("adviceBar", dialog))
+    editor.active(dialog)
     desktop.key("alt+3")
     desktop.drag(editor.on_page(page.LEFT, page.TOP), editor.on_page(page.RIGHT, page.BOTTOM))
+    read_to_its_end(editor, dialog)
     for field, value in (("xMin", "0"), ("xMax", "4"), ("yMin", "0"), ("yMax", "1")):
         editor.replace_text(field, value, dialog)
     desktop.xdotool("key", "Tab")
     desktop.key("alt+9")
-    steps = 60
-    desktop.trail([editor.on_page(*page.place(page.TRAVEL_MM * (0.01 + 0.98 * i / steps))) for i in range(steps + 1)],
-                  pause_s=0.1)
+    read_to_its_end(editor, dialog)
+    place, steps = editor.page_places(), 60
+    desktop.trail([place(*page.place(page.TRAVEL_MM * (0.01 + 0.98 * i / steps))) for i in range(steps + 1)], pause_s=0.1)
     desktop.key("Return")
+    read_to_its_end(editor, dialog)
     settle_doubts(editor, dialog)
     editor.click("import", dialog)
     editor.widget("graphCanvas")
@@ -121,22 +123,20 @@ def walk_by_hand(page, editor, desktop, folder):
     return desktop.clicks
 
 
+def read_to_its_end(editor, dialog):
+    """Until what was given is read: the button that stops it stands there meanwhile."""
+    wait_for("the page to be read", lambda: not editor.find("stop", dialog), 2 * PATIENCE_S)
+    editor.at_rest("pageView", dialog)
+
+
 def settle_doubts(editor, dialog):
     """The units are asked for; what is in doubt still is confirmed."""
-    left = ["lengthUnit_mm", "forceUnit_N", "confirmed"]
-
-    def settled():
+    for choice in ("lengthUnit_mm", "forceUnit_N", "confirmed"):
         if editor.find("import", dialog, enabled=True):
-            return True
-        for choice in left:
-            if editor.find(choice, dialog):
-                left.remove(choice)
-                editor.click(choice, dialog)
-                time.sleep(ANSWER_S)
-                break
-        return False
-
-    wait_for("the doubts to be settled", settled, 2 * PATIENCE_S)
+            return
+        if editor.find(choice, dialog):
+            editor.click(choice, dialog)
+            read_to_its_end(editor, dialog)
 
 
 def check_curve(page, saved):
@@ -167,7 +167,8 @@ def main():
     parser.add_argument("--bin", type=Path, required=True)
     parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parents[3])
     parser.add_argument("--keep", type=Path)
-    parser.add_argument("--by-hand", action="store_true", help="walk the second way too: it needs an idle machine, or moves of the mouse get lost")
+    parser.add_argument("--walk", choices=("sheets", "by-hand", "screens"), help="this alone")
+    parser.add_argument("--times", type=int, default=1, help="how often to walk by hand")
     arguments = parser.parse_args()
     missing = [tool for tool in ("Xvfb", "openbox", "xdotool") if not shutil.which(tool)]
     if missing:
@@ -188,11 +189,13 @@ def main():
                 print(f"{what}: {type(failure).__name__}: {failure}", flush=True)
                 failed += 1
 
-        for sheet in [s.resolve() for s in arguments.sheets] or [root / "samples/plots/white-vector.pdf"]:
+        asked = [arguments.walk] if arguments.walk else ["sheets", "by-hand", "screens"]
+        sheets = [s.resolve() for s in arguments.sheets] or [root / "samples/plots/white-vector.pdf"]
+        for sheet in sheets if "sheets" in asked else []:
             walk(sheet.name, lambda folder: from_a_sheet_that_imports(programs, sheet, folder), MOST_ACTIONS_THAT_IMPORT)
-        if arguments.by_hand:
-            walk("by hand", lambda folder: by_hand(programs, folder), MOST_CLICKS_BY_HAND)
-        for size, scale in SCREENS:
+        for time_walked in range(arguments.times if "by-hand" in asked else 0):
+            walk(f"by hand {time_walked + 1}", lambda folder: by_hand(programs, folder), MOST_CLICKS_BY_HAND)
+        for size, scale in SCREENS if "screens" in asked else []:
             walk(f"screen {size} at {scale}", lambda folder: fits(programs, root, folder, size, scale))
         if arguments.keep:
             shutil.copytree(name, arguments.keep, dirs_exist_ok=True, ignore_dangling_symlinks=True)

@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 PATIENCE_S = 60.0
+REST_S = 0.35  # what has not moved for so long lies still; the report is written every 0.1 s
 
 
 class NotThere(AssertionError):
@@ -144,11 +145,30 @@ class Editor:
         """Waits until it is there as wanted (enabled=True, text="...")."""
         return wait_for(f"widget {name} {wanted or ''}", lambda: self.find(name, window, **wanted), patience_s)
 
+    def at_rest(self, name, window=None, **wanted):
+        """As widget(), but waits until it lies still too: nobody aims at what is moving."""
+        seen, since = None, 0.0
+
+        def still():
+            nonlocal seen, since
+            now = self.find(name, window, **wanted)
+            place = now and (now["rect"], now.get("page"))
+            if place != seen:
+                seen, since = place, time.monotonic()
+            return now if now and time.monotonic() - since >= REST_S else None
+
+        return wait_for(f"widget {name} {wanted or ''} to lie still", still)
+
+    def active(self, window):
+        """Waits until the window has the keys."""
+        wait_for(f"{window} to have the keys",
+                 lambda: any(w["name"] == window and w["active"] for w in self.report()["windows"]))
+
     def gone(self, name):
         wait_for(f"{name} to go away", lambda: not self.find(name))
 
     def click(self, name, window=None, **wanted):
-        self.desktop.click(centre(self.widget(name, window, enabled=True, **wanted)))
+        self.desktop.click(centre(self.at_rest(name, window, enabled=True, **wanted)))
 
     def replace_text(self, name, text, window=None):
         self.click(name, window)
@@ -162,11 +182,15 @@ class Editor:
         (_, x0, x1), (_, y0, y1) = axes["x"], axes["y"]
         return (left + (x_mm - x0) / (x1 - x0) * width, top + (y1 - y_N) / (y1 - y0) * height)
 
-    def on_page(self, x, y):
-        """Where a place of the page in the import dialogue is on the screen."""
-        view = self.widget("pageView")
+    def page_places(self):
+        """Where places (x, y) of the page in the import dialogue are on the screen now."""
+        view = self.at_rest("pageView")
+        left, top = view["rect"][:2]
         m11, m12, m21, m22, dx, dy = view["page"]
-        return (view["rect"][0] + m11 * x + m21 * y + dx, view["rect"][1] + m12 * x + m22 * y + dy)
+        return lambda x, y: (left + m11 * x + m21 * y + dx, top + m12 * x + m22 * y + dy)
+
+    def on_page(self, x, y):
+        return self.page_places()(x, y)
 
     def per_pixel(self, name="graphCanvas"):
         """mm and N of one pixel."""

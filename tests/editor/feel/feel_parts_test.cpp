@@ -16,6 +16,7 @@
 #include "editor/feel/signal_view.h"
 #include "editor/feel/sound_device_list.h"
 #include "model/edits.h"
+#include "model/templates.h"
 #include "tests/editor/feel/feel_buttons.h"
 
 using namespace detent;
@@ -73,6 +74,23 @@ class FeelPartsTest : public QObject {
     QVERIFY(std::fabs(drawn_s - tactile.duration_s()) < 0.01);
     const PressSignal linear = pressSignalOf({linearButton(), {}, {}});
     QCOMPARE(countOf(linear, EventKind::pressJump), std::size_t{0});
+  }
+
+  // A press recorded in the second state of a latch is drawn and played from there.
+  void aPressBeginsInItsState() {
+    const Button latch = selfLockingButton().value();
+    PressSignalRequest request{latch, {}, {}};
+    const PressSignal first = pressSignalOf(request);
+    request.firstState = 1;
+    const PressSignal second = pressSignalOf(request);
+    QVERIFY(first.program && second.program);
+    QCOMPARE(first.firstState, std::size_t(0));
+    QCOMPARE(second.firstState, std::size_t(1));
+    QCOMPARE(second.program->states[0].end_mm, first.program->states[1].end_mm);
+    QCOMPARE(second.program->states[1].end_mm, first.program->states[0].end_mm);
+    QVERIFY(first.samples != second.samples);
+    request.firstState = 7;  // of a button that had more states
+    QCOMPARE(pressSignalOf(request).firstState, std::size_t(0));
   }
 
   void settingsAndProfileReachTheSignal() {

@@ -91,6 +91,8 @@ class ImportDialogTest : public QObject {
   void aPastedPicture();
   void theFrameIsDraggedWithTheMouse();
   void aCurveIsDrawnByHand();
+  void thePageLiesStillUnderAGesture();
+  void aFieldInHandKeepsItsSelection();
   void aFrameBesideTheShownOneAddsAGraph();
   void aMissingUnitIsAskedForInTheBanner();
   void axisEndsAreTypedAlikeInEveryLanguage();
@@ -617,6 +619,49 @@ void ImportDialogTest::aCurveIsDrawnByHand() {
   QVERIFY(apart(state.current()->good->report) < 0.03);
   QVERIFY(std::abs(state.current()->good->report->button.states()[0].graph.press().end_mm() -
                    press.end_mm()) < 0.02 * length);
+}
+
+// A message comes while a curve is drawn: what lies under the pointer stays under it until the curve is ended.
+void ImportDialogTest::thePageLiesStillUnderAGesture() {
+  ViewSettings settings;
+  ImportDialog dialog(settings);
+  dialog.show();
+  dialog.openFile(sample("two-level-legend.png"));
+  auto* accept = dialog.findChild<QPushButton*>("import");
+  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  auto* view = dialog.findChild<PageView*>();
+  auto* banner = dialog.findChild<AdviceBar*>();
+  QVERIFY(!banner->isVisible());
+  view->setTool(ToolKind::drawPress);
+  const QPoint start = view->rect().center();
+  const importer::Point page = view->toPage(start);
+  const auto onDialog = [&] { return view->mapTo(&dialog, view->toWidget(page)); };
+  const QPointF before = onDialog();
+  QTest::mousePress(view, Qt::LeftButton, {}, start);
+  const int height = view->height();
+  banner->say(AdviceBar::Tone::doubt, {"Something is not certain", "Look at it", {}});
+  QTRY_VERIFY(view->height() < height);
+  QVERIFY(QLineF(onDialog(), before).length() < 0.01);
+  QTest::mouseRelease(view, Qt::LeftButton, {}, view->toWidget(page).toPoint());
+  QVERIFY(QLineF(onDialog(), before).length() < 0.01);  // clicks go on
+  QTest::keyClick(view, Qt::Key_Escape);
+  QVERIFY(QLineF(onDialog(), before).length() > 1);  // fits its new room
+}
+
+// An answer that comes while an end of an axis is about to be typed does not put what is typed behind the old value.
+void ImportDialogTest::aFieldInHandKeepsItsSelection() {
+  ViewSettings settings;
+  ImportState state;
+  FindingsPanel panel(state, settings);
+  panel.show();
+  QVERIFY(open(state, sample("brown-one-ink.png")));
+  auto* max = panel.findChild<QLineEdit*>("yMax");
+  max->selectAll();
+  const QString all = max->selectedText();
+  QVERIFY(!all.isEmpty());
+  emit state.resultChanged();
+  QTest::qWait(1);
+  QCOMPARE(max->selectedText(), all);
 }
 
 // The sheet names no unit of force: nothing is guessed quietly, and one click in the banner settles it.

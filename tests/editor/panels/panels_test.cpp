@@ -70,6 +70,8 @@ class PanelsTest : public QObject {
   void valuesAreTypedInTheUsersUnits();
   void invalidValuesSayWhyAndRestore();
   void sectionEndsAndSlopesAreTyped();
+  void nothingInTheTableIsCut();
+  void readValuesHaveTheDigitsTheirErrorLeaves();
   void everyFieldReadsTheSameInEveryLocaleAndUnit();
   void aRefusedTextStaysInItsCell();
   void historyListJumps();
@@ -297,6 +299,57 @@ void PanelsTest::sectionEndsAndSlopesAreTyped() {
   QVERIFY(model.setData(cell(model, reset, ValuesModel::displacement), "1.2", Qt::EditRole));
   QCOMPARE(*rig.canvas().state().resetPoint_mm, 1.2);
   QVERIFY(!(model.flags(cell(model, reset, ValuesModel::force)) & Qt::ItemIsEditable));
+}
+
+void PanelsTest::nothingInTheTableIsCut() {
+  WorkspaceRig rig(require(twoLevelButton()));
+  ValuesPanel panel(rig.document, rig.settings);
+  panel.show();
+  auto* table = panel.findChild<QTableView*>();
+  for (const DisplayUnits& units :
+       {DisplayUnits{}, DisplayUnits{LengthUnit::micrometre, ForceUnit::millinewton},
+        DisplayUnits{LengthUnit::inch, ForceUnit::ounceForce}}) {
+    rig.settings.setUnits(units);
+    for (const int width : {200, 320, 640}) {
+      panel.resize(width, 400);
+      QCoreApplication::processEvents();
+      const ValuesModel& model = panel.model();
+      for (int column = 0; column < ValuesModel::columns; ++column) {
+        QVERIFY2(table->horizontalHeader()->sectionSizeHint(column) <= table->columnWidth(column),
+                 qPrintable(model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString()));
+        for (int row = 0; row < model.rowCount(); ++row) {
+          const QModelIndex at = model.index(row, column);
+          if (!model.markOf(at)) continue;
+          const QString text = at.data().toString();
+          QVERIFY2(table->fontMetrics().horizontalAdvance(text) + 6 <= table->columnWidth(column),
+                   qPrintable(text));
+        }
+      }
+    }
+  }
+}
+
+// An imported graph of 1000 px over 4 mm, read to 0.5 px: 0.002 mm, 0.6 cN.
+void PanelsTest::readValuesHaveTheDigitsTheirErrorLeaves() {
+  Provenance from;
+  from.sourceFile = "sheet.png";
+  from.frame = {0, 0, 1000, 100};
+  from.xAxis = AxisProvenance{"mm", 0, 4, 0.3, DecidedBy::found};
+  from.yAxis = AxisProvenance{"cN", 0, 120, 0.3, DecidedBy::found};
+  from.pressRms_px = 0.4;
+  const Button drawn = require(tactileButton());
+  std::vector<ButtonState> states = drawn.states();
+  const Button read = require(scaleForce(require(Button::fromStates("read", states, from)), 1.0123456789));
+  WorkspaceRig rig(read);
+  ValuesPanel panel(rig.document, rig.settings);
+  ValuesModel& model = panel.model();
+  const QModelIndex force = cell(model, tactile, ValuesModel::force);
+  QCOMPARE(force.data().toString(), QString("55.7"));
+  QVERIFY(force.data(Qt::EditRole).toString().size() > 8);  // all of it is there to be edited
+  QVERIFY(model.setData(force, "56.1234", Qt::EditRole));
+  QCOMPARE(force.data().toString(), QString("56.123"));  // typed: five digits, as everywhere
+  QVERIFY(model.setData(cell(model, tactile, ValuesModel::displacement), "1.23456789", Qt::EditRole));
+  QCOMPARE(cell(model, tactile, ValuesModel::displacement).data().toString(), QString("1.235"));
 }
 
 // Cells of the table and fields of a dialogue: what they show is typed back, and a number means the same.

@@ -8,7 +8,6 @@
 #include <QPointer>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QSpinBox>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -65,8 +64,8 @@ struct Rig {
   }
   void makeStudy(int trials = 4) {
     StudyMaker maker({&a, &b}, {});
-    maker.findChild<QSpinBox*>("makerTrials")->setValue(trials);
-    maker.findChild<QSpinBox*>("makerPractice")->setValue(0);
+    maker.findChild<QuantityField*>("makerTrials")->setValue(trials);
+    maker.findChild<QuantityField*>("makerPractice")->setValue(0);
     maker.setFolder(study);
     QSignalSpy made(&maker, &StudyMaker::made);
     maker.findChild<QPushButton*>("makerMake")->click();

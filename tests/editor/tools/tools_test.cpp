@@ -56,6 +56,7 @@ class ToolsTest : public QObject {
   void doubleClickAddsAKnot();
   void panMovesTheViewAlone();
   void wheelZoomsAtThePointer();
+  void aRectangleBecomesTheView();
   void dragOnEmptyGroundSelectsWhatLiesInIt();
   void aJumpAddedElsewhereLeavesTheSelectionAlone();
   void undoKeepsTheSelectionOnItsKnot();
@@ -559,6 +560,37 @@ void ToolsTest::manyAreNudgedAndRemovedAsOneStep() {
   const Button left = rig.button();
   rig.key(Qt::Key_Delete);
   QVERIFY(rig.button() == left);
+}
+
+void ToolsTest::aRectangleBecomesTheView() {
+  WorkspaceRig rig(require(tactileButton()));
+  const Button before = rig.button();
+  const QRectF all = rig.canvas().shownRange();
+  rig.action("toolZoom")->trigger();
+  const QPointF from = rig.pixel(1.0, 0.6), to = rig.pixel(2.0, 0.2);
+  rig.press(from);
+  rig.move(0.5 * (from + to));
+  QVERIFY(rig.canvas().feedback().band_px.has_value());
+  rig.move(to);
+  rig.release(to);
+  QVERIFY(!rig.canvas().feedback().band_px);
+  const QRectF near_ = rig.canvas().shownRange();
+  QVERIFY(near(near_.left(), 1, 1e-9) && near(near_.right(), 2, 1e-9));
+  QVERIFY(near(near_.top(), 0.2, 1e-9) && near(near_.bottom(), 0.6, 1e-9));
+  rig.press(rig.pixel(1.2, 0.3));
+  QTest::keyClick(&rig.canvas(), Qt::Key_V);  // left in the middle of it
+  rig.release(rig.pixel(1.8, 0.5));
+  QCOMPARE(rig.canvas().shownRange(), near_);
+  rig.action("toolZoom")->trigger();
+  rig.click(rig.canvas().mapping().clip_px.center());
+  QVERIFY(near(rig.canvas().shownRange().width(), 0.5 * near_.width(), 1e-9));
+  rig.press(rig.canvas().mapping().clip_px.center(), Qt::ShiftModifier);
+  rig.mouse(QEvent::MouseButtonRelease, rig.canvas().mapping().clip_px.center(), Qt::LeftButton,
+            Qt::ShiftModifier);
+  QVERIFY(near(rig.canvas().shownRange().width(), near_.width(), 1e-9));
+  rig.action("viewFit")->trigger();
+  QCOMPARE(rig.canvas().shownRange(), all);
+  QVERIFY(rig.button() == before);
 }
 
 void ToolsTest::alignAndDistribute() {

@@ -13,6 +13,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
@@ -31,6 +32,7 @@
 #include "editor/importing/import_dialog.h"
 #include "editor/importing/import_state.h"
 #include "editor/importing/page_view.h"
+#include "editor/importing/placed_page.h"
 #include "editor/library/compare_dialog.h"
 #include "editor/panels/checks_panel.h"
 #include "editor/panels/operation_dialog.h"
@@ -114,6 +116,45 @@ double luminance(const QColor& color) {
 double contrast(const QColor& a, const QColor& b) {
   const double x = luminance(a), y = luminance(b);
   return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+/// Text of a widget that stands on a ground of its own.
+QString textSeen(const QWidget& widget) {
+  if (const auto* label = qobject_cast<const QLabel*>(&widget)) return label->text();
+  if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) return button->text();
+  if (const auto* box = qobject_cast<const QComboBox*>(&widget)) return box->currentText();
+  if (const auto* edit = qobject_cast<const QLineEdit*>(&widget)) return edit->displayText();
+  return {};
+}
+
+/// The highest contrast that a pixel has to the colour there is most of.
+double contrastIn(const QImage& picture) {
+  QHash<QRgb, int> counts;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x) ++counts[picture.pixel(x, y)];
+  const auto most = std::max_element(counts.begin(), counts.end());
+  double best = 0;
+  for (auto color = counts.begin(); color != counts.end(); ++color)
+    best = std::max(best, contrast(QColor(color.key()), QColor(most.key())));
+  return best;
+}
+
+void lookAtTexts(QWidget& window, const QString& where) {
+  QTest::qWait(50);
+  const QImage seen = window.grab().toImage();
+  if (const QString folder = qEnvironmentVariable("DETENT_PICTURES"); !folder.isEmpty())
+    seen.save(QString("%1/texts-%2.png").arg(folder, QString(where).replace(' ', '-')));
+  for (const auto* widget : window.findChildren<QWidget*>()) {
+    const QRect place(widget->mapTo(&window, QPoint()), widget->size());
+    if (!widget->isEnabled() || textSeen(*widget).trimmed().isEmpty() || !seen.rect().contains(place) ||
+        widget->visibleRegion().boundingRect() != widget->rect())
+      continue;
+    const double found = contrastIn(seen.copy(place));
+    if (found < 4.5)
+      qWarning("%s: %s \"%s\" has %.2f", qPrintable(where), qPrintable(widget->objectName()),
+               qPrintable(textSeen(*widget)), found);
+    QVERIFY(found >= 4.5);
+  }
 }
 
 }  // namespace
@@ -610,10 +651,25 @@ class WindowTest : public QObject {
     }
     Rig rig(folder_->path());
     rig.window->files().open({button});
-    QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
-    QVERIFY(rig.window->tabs().current()->workspace().canvas().hasUnderlay());
-    QVERIFY(!rig.window->tabs().current()->workspace().canvas().tracedPoints(Stroke::press).empty());
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
+    // The page alone, where the curves lie: nothing was read again.
+    const GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    QVERIFY(canvas.hasUnderlay() && !rig.document().origin());
+    const importer::Homography& traced = report->evidence->axes.calibration.value.viewToUnits;
+    const auto unitsAt = [&](double x, double y) {
+      const importer::Point at = traced({x, y});
+      return QPointF(at.x, at.y);
+    };
+    const auto& corners = report->evidence->frame.corners;
+    const QRectF frame(unitsAt(corners[3].x, corners[3].y), unitsAt(corners[1].x, corners[1].y));
+    const QTransform axesToPixel = rig.document().sheet()->pixelToAxes.inverted();
+    QVERIFY(axesToPixel.mapRect(frame).width() > 500 && axesToPixel.mapRect(frame).height() > 200);
+    // Whoever wants the points gets them: Refit opens when they are there.
     QVERIFY(rig.action("operationRefit")->isEnabled());
+    rig.action("operationRefit")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(rig.window->findChild<OperationDialog*>() != nullptr, 60000);
+    QVERIFY(rig.document().origin() && !canvas.tracedPoints(Stroke::press).empty());
+    rig.window->findChild<OperationDialog*>()->reject();
     QVERIFY(!rig.document().history().modified());
     rig.window->tabs().remove(*rig.window->tabs().current());
     // Moved away: another file of its name is not it; the person shows where it is.
@@ -628,12 +684,72 @@ class WindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(rig.notices().join(' ').contains("not the sheet"), 60000);
     rig.prompts.openAnswers.push_back({at("elsewhere/renamed.pdf")});
     rig.press("findSheet");
-    QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
     QVERIFY(!rig.notices().join(' ').contains("sheet"));
     // From now on it is found where it was shown to be.
     rig.window->tabs().remove(*rig.window->tabs().current());
     rig.window->files().open({button});
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
+    // Where traced points are shown they are wanted.
+    rig.action("viewResiduals")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
+  }
+
+  // A button that was reshaped so far that its page does not prove itself is read again at once, as is a page on its side
+  // that nothing says is on its side.
+  void aPageThatDoesNotProveItselfIsReadAgain() {
+    const QString sheet = at("sheet.png"), button = at("b.button.json");
+    QVERIFY(QFile::copy(sample("plots/two-level-legend.png"), sheet));
+    importer::ImportRequest request;
+    request.path = sheet.toStdString();
+    auto report = importer::ImportSession::open(request.path)->importGraph(request);
+    QVERIFY(report.ok());
+    auto imported = importedDocument(std::make_shared<importer::ImportReport>(*report));
+    const auto document = importer::Document::open(request.path);
+    QVERIFY(document.ok());
+    QVERIFY(placedPage(imported->button(), *document, {}).has_value());
+    const Button reshaped = *scaleForce(imported->button(), 0.4);
+    QVERIFY(!placedPage(reshaped, *document, {}));
+    imported->history().apply(reshaped, "Scale force");
+    QVERIFY(saveDocument(*imported, button).ok());
+    Rig rig(folder_->path());
+    rig.window->files().open({button});
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
+    QVERIFY(rig.document().button() == reshaped);
+  }
+
+  void aSampleIsThereToTry() {
+    Rig rig(folder_->path());
+    auto* offered = rig.window->findChild<QPushButton*>("welcome_trySample");
+    QVERIFY(offered && offered->isVisible());
+    offered->click();
+    auto* dialog = rig.window->findChild<ImportDialog*>();
+    QVERIFY(dialog && dialog->isVisible());
+    auto* accept = dialog->findChild<QPushButton*>("import");
+    QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), 60000);
+    accept->click();
+    QVERIFY(rig.document().button().provenance().has_value());
+  }
+
+  void whatCannotBeReadLeavesTheRecentList() {
+    Rig rig(folder_->path());
+    const QString button = at("b.button.json"), sheet = at("s.png");
+    QVERIFY(QFile::copy(sample("buttons/B.button.json"), button));
+    QVERIFY(QFile::copy(sample("plots/locked-dark.png"), sheet));
+    rig.window->files().open({button});
+    rig.window->files().open({sheet});
+    QTRY_COMPARE_WITH_TIMEOUT(rig.window->files().recent().paths().size(), 2, 60000);
+    rig.window->findChild<ImportDialog*>()->reject();
+    for (const QString& path : {button, sheet}) {
+      QFile file(path);
+      QVERIFY(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+      file.write("nothing of the kind");
+    }
+    rig.window->tabs().remove(*rig.window->tabs().current());
+    rig.window->files().open({button});
+    QCOMPARE(rig.window->files().recent().paths(), QStringList{sheet});
+    rig.window->files().open({sheet});
+    QTRY_VERIFY_WITH_TIMEOUT(rig.window->files().recent().paths().isEmpty(), 60000);
   }
 
   void checksAreLiveAndLeadToTheirPlace() {
@@ -811,6 +927,29 @@ class WindowTest : public QObject {
             std::pair(QPalette::ToolTipText, QPalette::ToolTipBase)})
         QVERIFY2(contrast(palette.color(text), palette.color(ground)) >= 4.5,
                  qPrintable(QString("role %1 on %2").arg(text).arg(ground)));
+    }
+  }
+
+  // What is seen of every label, button and field of every window, light and dark: its ground is the colour it has most of.
+  void everyTextCanBeRead() {
+    Rig rig(folder_->path());
+    rig.window->resize(1500, 950);
+    for (const char* name : {"buttons/B.button.json", "buttons/E.button.json"})
+      rig.window->files().open({sample(name)});
+    rig.action("feelDockToggle")->trigger();
+    for (const char* appearance : {"appearanceLight", "appearanceDark"}) {
+      rig.action(appearance)->trigger();
+      lookAtTexts(*rig.window, appearance);
+      for (const char* name : {"operationScaleForce", "compare", "forecasts", "study", "shortcuts"}) {
+        rig.action(name)->trigger();
+        lookAtTexts(*QApplication::activeWindow(), QString(appearance) + ' ' + name);
+        QApplication::activeWindow()->close();
+      }
+      ImportDialog import(rig.view);
+      import.show();
+      import.openFile(sample("plots/black-red-curves.png"));
+      QTRY_VERIFY_WITH_TIMEOUT(import.findChild<QPushButton*>("import")->isEnabled(), 60000);
+      lookAtTexts(import, QString(appearance) + " import");
     }
   }
 

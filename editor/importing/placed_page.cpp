@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/importing/placed_page.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <QPolygonF>
+
+#include "editor/importing/page_picture.h"
+#include "model/units.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr double margin = 0.15;       // of the frame's longer side, as much as axes and titles take
+constexpr int largestSide_px = 2000;  // as the import's own view
+constexpr int samplesOfCurve = 96;
+constexpr int nearInk_px = 2,
+              ground_px = 9;       // a curve is looked for so near, its ground is what lies so near
+constexpr int leastContrast = 60;  // of 255, in one channel
+
+/// What the frame spans: displacement to the right, force upwards.
+std::optional<QRectF> spanOf(const Provenance& from) {
+  if (!from.xAxis || !from.yAxis) return {};
+  const auto length = lengthUnitFrom(from.xAxis->unit);
+  const auto force = forceUnitFrom(from.yAxis->unit);
+  if (!length || !force) return {};
+  const double mm = millimetresPer(*length), N = newtonsPer(*force);
+  const QRectF span(QPointF(mm * from.xAxis->min, N * from.yAxis->min),
+                    QPointF(mm * from.xAxis->max, N * from.yAxis->max));
+  return span.isEmpty() ? std::nullopt : std::optional(span);
+}
+
+importer::Box around(const importer::Box& frame, const importer::Page& page) {
+  const double room = margin * std::max(frame.width(), frame.height());
+  return {std::max(0.0, frame.x0 - room), std::max(0.0, frame.y0 - room),
+          std::min(page.width, frame.x1 + room), std::min(page.height, frame.y1 + room)};
+}
+
+/// Corners of the frame in the picture, from the one at the start of the press and full force, clockwise on the graph.
+QPolygonF cornersOf(const importer::Box& frame, const importer::Affine& pageToPicture, int quarterTurns) {
+  std::array<importer::Point, 4> corners{
+      {{frame.x0, frame.y0}, {frame.x1, frame.y0}, {frame.x1, frame.y1}, {frame.x0, frame.y1}}};
+  std::rotate(corners.begin(), corners.begin() + (4 - quarterTurns) % 4, corners.end());
+  QPolygonF polygon;
+  for (const importer::Point& corner : corners) {
+    const importer::Point at = pageToPicture(corner);
+    polygon << QPointF(at.x, at.y);
+  }
+  return polygon;
+}
+
+std::array<int, 3> channelsOf(QRgb color) { return {qRed(color), qGreen(color), qBlue(color)}; }
+
+/// The middle of what lies around: the paper, or a filled ground.
+std::array<int, 3> groundAt(const QImage& picture, QPoint at) {
+  std::array<std::vector<int>, 3> around;
+  const QRect patch =
+      QRect(at.x() - ground_px, at.y() - ground_px, 2 * ground_px + 1, 2 * ground_px + 1) & picture.rect();
+  for (int y = patch.top(); y <= patch.bottom(); y += 2)
+    for (int x = patch.left(); x <= patch.right(); x += 2) {
+      const auto color = channelsOf(picture.pixel(x, y));
+      for (std::size_t channel = 0; channel < 3; ++channel) around[channel].push_back(color[channel]);
+    }
+  std::array<int, 3> ground{};
+  for (std::size_t channel = 0; channel < 3; ++channel) {
+    auto& values = around[channel];
+    std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                     values.end());
+    ground[channel] = values[values.size() / 2];
+  }
+  return ground;
+}
+
+bool hasInk(const QImage& picture, QPoint at) {
+  if (!picture.rect().contains(at)) return false;
+  const auto ground = groundAt(picture, at);
+  const QRect near = QRect(at.x() - nearInk_px, at.y() - nearInk_px, 2 * nearInk_px + 1, 2 * nearInk_px + 1) &
+                     picture.rect();
+  for (int y = near.top(); y <= near.bottom(); ++y)
+    for (int x = near.left(); x <= near.right(); ++x) {
+      const auto color = channelsOf(picture.pixel(x, y));
+      for (std::size_t channel = 0; channel < 3; ++channel)
+        if (std::abs(color[channel] - ground[channel]) >= leastContrast) return true;
+    }
+  return false;
+}
+
+double shareOnInk(const StrokeCurve& curve, const QImage& picture, const QTransform& axesToPixel) {
+  int onInk = 0;
+  for (int i = 0; i < samplesOfCurve; ++i) {
+    const double at_mm = curve.start_mm() + (i + 0.5) / samplesOfCurve * (curve.end_mm() - curve.start_mm());
+    onInk += hasInk(picture, axesToPixel.map(QPointF(at_mm, curve.force_N(at_mm))).toPoint());
+  }
+  return double(onInk) / samplesOfCurve;
+}
+
+}  // namespace
+
+std::optional<PlacedPage> placedPage(const Button& button, const importer::Document& sheet,
+                                     const importer::Progress& progress) {
+  if (!button.provenance() || button.provenance()->frame.size() != 4) return {};
+  const Provenance& from = *button.provenance();
+  const auto span = spanOf(from);
+  const auto page = sheet.page(from.page, progress);
+  if (!span || !page) return {};
+  const importer::Box frame{from.frame[0], from.frame[1], from.frame[2], from.frame[3]};
+  const auto view = sheet.view(*page, around(frame, *page));
+  if (!view || view->raster.empty()) return {};
+  PlacedPage placed{imageFrom(view->raster, largestSide_px), {}};
+  const double shrink = double(placed.picture.width()) / view->raster.width_px;
+  const importer::Affine smaller{shrink, 0, 0, shrink, 0.5 * (shrink - 1), 0.5 * (shrink - 1)};
+  const importer::Affine pageToPicture = smaller.after(view->viewToPage.inverse());
+  const QPolygonF onGraph{{span->left(), span->bottom()},
+                          {span->right(), span->bottom()},
+                          {span->right(), span->top()},
+                          {span->left(), span->top()}};
+  double best = leastOnInk;
+  bool lies = false;
+  for (int turns = 0; turns < 4; ++turns) {
+    QTransform pixelToAxes;
+    if (!QTransform::quadToQuad(cornersOf(frame, pageToPicture, turns), onGraph, pixelToAxes)) continue;
+    const double share =
+        shareOnInk(button.states().front().graph.press(), placed.picture, pixelToAxes.inverted());
+    if (share < best) continue;
+    lies = true;
+    best = share + 1e-9;  // of equals the first: pages seldom lie on their side
+    placed.pixelToAxes = pixelToAxes;
+  }
+  return lies ? std::optional(std::move(placed)) : std::nullopt;
+}
+
+}  // namespace detent::editor

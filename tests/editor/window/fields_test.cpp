@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every field for a quantity that the windows have, whatever it is called: what is typed means the same in every language, with
+// every unit typed and every unit shown; what cannot be read leaves the value alone.
+
+#include <algorithm>
+#include <cmath>
+#include <QDockWidget>
+#include <QLineEdit>
+#include <QScopeGuard>
+#include <QTemporaryDir>
+#include <QTest>
+#include <random>
+
+#include "editor/importing/import_dialog.h"
+#include "editor/panels/operation_dialog.h"
+#include "editor/quantity/quantity_field.h"
+#include "editor/study/study_maker.h"
+#include "editor/window/main_window.h"
+#include "editor/window/stored_view.h"
+#include "tests/editor/window/scripted_prompts.h"
+
+using namespace detent;
+using namespace detent::editor;
+using detent::editor::tests::ScriptedPrompts;
+
+namespace {
+
+struct TypedUnit {
+  const char* word;
+  double size;  ///< in mm, N, N/mm, N·s/mm; else 1
+};
+
+std::vector<TypedUnit> unitsOf(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::length:
+      return {{"mm", 1}, {"cm", 10}, {"\u00b5m", 1e-3}, {"in", 25.4}, {"mil", 0.0254}};
+    case Quantity::force:
+      return {{"N", 1},
+              {"cN", 0.01},
+              {"mN", 0.001},
+              {"gf", 0.00980665},
+              {"kgf", 9.80665},
+              {"ozf", 0.278013850953781},
+              {"lbf", 4.4482216152605}};
+    case Quantity::slope:
+      return {{"N/mm", 1}, {"cN/mm", 0.01}, {"gf/mm", 0.00980665}, {"lbf/in", 4.4482216152605 / 25.4}};
+    case Quantity::damping:
+      return {{"N*s/mm", 1}, {"mN*s/mm", 0.001}};
+    case Quantity::share:
+      return {{"%", 0.01}};
+    default:
+      return {};
+  }
+}
+
+const DisplayUnits shownUnits[] = {{LengthUnit::millimetre, ForceUnit::centinewton},
+                                   {LengthUnit::micrometre, ForceUnit::gramForce},
+                                   {LengthUnit::mil, ForceUnit::newton},
+                                   {LengthUnit::inch, ForceUnit::poundForce}};
+
+/// Values of the field's range, and its ends.
+std::vector<double> valuesFor(const QuantityField& field, std::mt19937& random) {
+  const auto [low, high] = field.range();
+  const double top = std::min(high, std::max(low + 1, 1e3)), bottom = std::max(low, -1e3);
+  std::uniform_real_distribution<double> between(bottom, top);
+  std::vector<double> values{bottom, top};
+  for (int i = 0; i < 3; ++i) values.push_back(between(random));
+  const bool whole = field.quantity() == Quantity::count;
+  for (double& value : values)
+    if (whole) value = std::clamp(std::round(value), low, high);
+  return values;
+}
+
+bool near(double a, double b, double range) {
+  return std::abs(a - b) <= 1e-9 * std::max({std::abs(a), std::abs(b), range});
+}
+
+}  // namespace
+
+class FieldsTest : public QObject {
+  Q_OBJECT
+
+  void type(QuantityField& field, const QString& text) {
+    auto* edit = field.findChild<QLineEdit*>();
+    edit->selectAll();
+    QTest::keyClicks(edit, text);
+    ++typed_;
+  }
+
+  /// Each value in each unit, with both decimal signs.
+  void takesEveryUnit(QuantityField& field, const char* where) {
+    const QString named = QString("%1 in %2, %3").arg(field.accessibleName(), where, QLocale().name());
+    for (const double value : valuesFor(field, random_)) {
+      std::vector<TypedUnit> units = unitsOf(field.quantity());
+      if (units.empty()) units = {{"", 1}};
+      for (const TypedUnit& unit : units)
+        for (const char sign : {'.', ','}) {
+          QString text = QString::number(value / unit.size, 'f', 12);
+          if (field.quantity() == Quantity::count) text = QString::number(value, 'f', 0);
+          text.replace('.', sign);
+          type(field, (text + ' ' + QString::fromUtf8(unit.word)).trimmed());
+          const double reach = std::max(std::abs(field.range().lowest), std::abs(field.range().highest));
+          const double expected = text.replace(',', '.').toDouble() * unit.size;
+          const bool inside = expected >= field.range().lowest - 1e-9 * reach &&
+                              expected <= field.range().highest + 1e-9 * reach;
+          QVERIFY2(!inside || near(field.value(), expected, std::abs(unit.size) * 1e-3),
+                   qPrintable(QString("%1: \"%2 %3\" became %4 (%5)")
+                                  .arg(named, text, unit.word)
+                                  .arg(field.value(), 0, 'g', 15)
+                                  .arg(field.refusal())));
+        }
+    }
+  }
+
+  /// What it shows, typed back, is what it has.
+  void showsWhatItReads(QuantityField& field, const char* where) {
+    for (const double value : valuesFor(field, random_)) {
+      field.setValue(value);
+      const double shown = field.value();
+      const QString text = field.text();
+      if (text.isEmpty() || !text.front().isDigit()) continue;  // a word for the lowest value
+      type(field, text);
+      QVERIFY2(std::abs(field.value() - shown) <= 1e-5 * std::max(std::abs(shown), 1e-9),
+               qPrintable(QString("%1 in %2 shows \"%3\"").arg(field.accessibleName(), where, text)));
+    }
+  }
+
+  void refusesWhatItCannotRead(QuantityField& field, const char* where) {
+    field.setValue(valuesFor(field, random_).back());
+    const double before = field.value();
+    QStringList refused{"1,250.5", "1 250", "1'250", "about two", "5 +", "nan", "5 apples"};
+    refused << (field.quantity() == Quantity::length ? "5 gf" : "5 mm");
+    for (const QString& text : refused) {
+      type(field, text);
+      QVERIFY2(!field.acceptable() && field.value() == before,
+               qPrintable(QString("%1 in %2 took \"%3\"").arg(field.accessibleName(), where, text)));
+      field.setValue(before);
+    }
+  }
+
+  void check(QWidget& window, const char* where) {
+    const auto restored = qScopeGuard([] { QLocale::setDefault(QLocale::c()); });
+    for (const auto* box : window.findChildren<QAbstractSpinBox*>())
+      QVERIFY2(qobject_cast<const QuantityField*>(box),
+               qPrintable(QString("%1 in %2 is a field of another kind").arg(box->objectName(), where)));
+    for (auto* field : window.findChildren<QuantityField*>()) {
+      ++fields_;
+      for (const char* language : {"de_DE", "en_US", "fr_FR"}) {
+        QLocale::setDefault(QLocale(language));
+        for (const DisplayUnits& units : shownUnits) {
+          if (!unitsOf(field->quantity()).empty() && field->quantity() != Quantity::share)
+            field->setUnits(units);
+          takesEveryUnit(*field, where);
+          showsWhatItReads(*field, where);
+          refusesWhatItCannotRead(*field, where);
+          if (QTest::currentTestFailed()) return;
+        }
+      }
+    }
+  }
+
+ private slots:
+  void initTestCase() {
+    window_ = std::make_unique<MainWindow>(WindowPlaces{view_, settings_, prompts_, recovery_});
+    window_->show();
+    window_->files().open({QStringLiteral(DETENT_SOURCE_DIR "/samples/buttons/B.button.json")});
+  }
+
+  void operations() {
+    GraphWorkspace& workspace = window_->tabs().current()->workspace();
+    int opened = 0;
+    for (QAction* action : workspace.editActions() + workspace.viewActions()) {
+      if (!action->isEnabled() || !action->text().contains(QStringLiteral("…"))) continue;
+      action->trigger();
+      auto* dialog = workspace.findChild<OperationDialog*>();
+      if (dialog == nullptr) continue;
+      ++opened;
+      check(*dialog, qPrintable(action->objectName()));
+      dialog->reject();
+      QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    }
+    QVERIFY2(opened >= 9, qPrintable(QString::number(opened)));
+  }
+
+  void feelIt() {
+    for (QAction* action : window_->allActions())
+      if (action->objectName() == "feelDockToggle") action->trigger();
+    auto* dock = window_->findChild<QDockWidget*>("feelDock");
+    QVERIFY(dock->widget()->findChildren<QuantityField*>().size() >= 3);
+    check(*dock->widget(), "the feel panel");
+  }
+
+  void importing() {
+    ImportDialog dialog(view_);
+    QVERIFY(dialog.findChildren<QuantityField*>().size() >= 1);
+    check(dialog, "the import dialogue");
+  }
+
+  void studies() {
+    StudyMaker maker(window_->tabs().documents(), {});
+    QVERIFY(maker.findChildren<QuantityField*>().size() >= 2);
+    check(maker, "the study maker");
+  }
+
+  void cleanupTestCase() {
+    qInfo("%d fields, %d texts typed", fields_, typed_);
+    check(*window_, "the window");
+    window_.reset();
+  }
+
+ private:
+  QTemporaryDir folder_;
+  QSettings settings_{folder_.filePath("settings.ini"), QSettings::IniFormat};
+  ViewSettings view_;
+  ScriptedPrompts prompts_;
+  RecoveryStore recovery_{folder_.filePath("recovery")};
+  std::unique_ptr<MainWindow> window_;
+  std::mt19937 random_{14};
+  int fields_ = 0, typed_ = 0;
+};
+
+QTEST_MAIN(FieldsTest)
+#include "fields_test.moc"
