@@ -26,6 +26,7 @@
 #include <utility>
 #include <vector>
 
+#include "editor/document/line_icon.h"
 #include "editor/files/input_kind.h"
 #include "editor/importing/advice_bar.h"
 #include "editor/importing/findings_panel.h"
@@ -34,7 +35,6 @@
 #include "editor/importing/page_list.h"
 #include "editor/importing/page_view.h"
 #include "editor/importing/quality_figures.h"
-#include "editor/importing/tool_icons.h"
 
 namespace detent::editor {
 namespace {
@@ -106,12 +106,11 @@ struct ImportDialog::Impl {
   void build();
   void buildTools(QToolBar& bar);
   void fitTools();
-  QAction* addTool(QToolBar& bar, ToolKind kind, const QString& text, const QString& tip,
+  QAction* addTool(QToolBar& bar, ToolKind kind, const char* name, const QString& text, const QString& tip,
                    const QKeySequence& key);
-  QAction* addAction(QToolBar& bar, ViewIcon icon, const QString& name, const QString& text,
-                     const QString& tip, const QKeySequence& key, const std::function<void()>& run);
+  QAction* addAction(QToolBar& bar, const char* name, const QString& text, const QString& tip,
+                     const QKeySequence& key, const std::function<void()>& run);
   void connectState();
-  void drawIcons();
 
   void showDocument();
   void showCorrections();
@@ -141,13 +140,13 @@ struct ImportDialog::Impl {
   QAction *undo = nullptr, *redo = nullptr;
   QActionGroup* tools = nullptr;
   QToolBar* toolBar = nullptr;
-  std::vector<std::pair<QAction*, ViewIcon>> viewActions;
+  std::vector<QAction*> viewActions;
   QTimer* workSoon = nullptr;
 };
 
-QAction* ImportDialog::Impl::addTool(QToolBar& bar, ToolKind kind, const QString& text, const QString& tip,
-                                     const QKeySequence& key) {
-  auto* action = new QAction(text, &dialog);
+QAction* ImportDialog::Impl::addTool(QToolBar& bar, ToolKind kind, const char* name, const QString& text,
+                                     const QString& tip, const QKeySequence& key) {
+  auto* action = new QAction(lineIcon(name), text, &dialog);
   action->setCheckable(true);
   action->setData(static_cast<int>(kind));
   action->setShortcut(key);
@@ -158,12 +157,12 @@ QAction* ImportDialog::Impl::addTool(QToolBar& bar, ToolKind kind, const QString
   return action;
 }
 
-QAction* ImportDialog::Impl::addAction(QToolBar& bar, ViewIcon icon, const QString& name, const QString& text,
+QAction* ImportDialog::Impl::addAction(QToolBar& bar, const char* name, const QString& text,
                                        const QString& tip, const QKeySequence& key,
                                        const std::function<void()>& run) {
-  auto* action = new QAction(text, &dialog);
-  action->setObjectName(name);
-  viewActions.emplace_back(action, icon);
+  auto* action = new QAction(lineIcon(name), text, &dialog);
+  action->setObjectName(QString::fromLatin1(name));
+  viewActions.push_back(action);
   action->setShortcut(key);
   action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
   bar.addAction(action);
@@ -171,30 +170,25 @@ QAction* ImportDialog::Impl::addAction(QToolBar& bar, ViewIcon icon, const QStri
   return action;
 }
 
-void ImportDialog::Impl::drawIcons() {
-  const QPalette palette = dialog.palette();
-  for (QAction* action : tools->actions())
-    action->setIcon(toolIcon(static_cast<ToolKind>(action->data().toInt()), palette));
-  for (const auto& [action, icon] : viewActions) action->setIcon(viewIcon(icon, palette));
-}
-
 void ImportDialog::Impl::buildTools(QToolBar& bar) {
   tools = new QActionGroup(&dialog);
-  addTool(bar, ToolKind::adjust, tr("Adjust"), tr("Drag corners, edges and ticks"), Qt::ALT | Qt::Key_1)
+  addTool(bar, ToolKind::adjust, "adjust", tr("Adjust"), tr("Drag corners, edges and ticks"),
+          Qt::ALT | Qt::Key_1)
       ->setChecked(true);
-  addTool(bar, ToolKind::scale, tr("Axis values"), tr("Click ticks and type their values"),
+  addTool(bar, ToolKind::scale, "scale", tr("Axis values"), tr("Click ticks and type their values"),
           Qt::ALT | Qt::Key_2);
-  addTool(bar, ToolKind::drawFrame, tr("Frame"), tr("Draw a plot frame"), Qt::ALT | Qt::Key_3);
-  addTool(bar, ToolKind::pressColor, tr("Press curve"), tr("Click the press curve"), Qt::ALT | Qt::Key_4);
-  addTool(bar, ToolKind::releaseColor, tr("Release curve"), tr("Click the release curve"),
+  addTool(bar, ToolKind::drawFrame, "drawFrame", tr("Frame"), tr("Draw a plot frame"), Qt::ALT | Qt::Key_3);
+  addTool(bar, ToolKind::pressColor, "pressColor", tr("Press curve"), tr("Click the press curve"),
+          Qt::ALT | Qt::Key_4);
+  addTool(bar, ToolKind::releaseColor, "releaseColor", tr("Release curve"), tr("Click the release curve"),
           Qt::ALT | Qt::Key_5);
-  addTool(bar, ToolKind::drawPress, tr("Draw press"),
+  addTool(bar, ToolKind::drawPress, "drawPress", tr("Draw press"),
           tr("Click points along the press curve, or draw along it"), Qt::ALT | Qt::Key_9);
-  addTool(bar, ToolKind::drawRelease, tr("Draw release"),
+  addTool(bar, ToolKind::drawRelease, "drawRelease", tr("Draw release"),
           tr("Click points along the release curve, or draw along it"), Qt::ALT | Qt::Key_0);
-  addTool(bar, ToolKind::maskBox, tr("Mask"), tr("Mask a rectangle"), Qt::ALT | Qt::Key_6);
-  addTool(bar, ToolKind::maskBrush, tr("Brush"), tr("Paint a mask"), Qt::ALT | Qt::Key_7);
-  addTool(bar, ToolKind::pan, tr("Pan"), tr("Drag the page"), Qt::ALT | Qt::Key_8);
+  addTool(bar, ToolKind::maskBox, "maskBox", tr("Mask"), tr("Mask a rectangle"), Qt::ALT | Qt::Key_6);
+  addTool(bar, ToolKind::maskBrush, "maskBrush", tr("Brush"), tr("Paint a mask"), Qt::ALT | Qt::Key_7);
+  addTool(bar, ToolKind::pan, "pan", tr("Pan"), tr("Drag the page"), Qt::ALT | Qt::Key_8);
   bar.addSeparator();
   const auto addKey = [this](const char* name, const QString& text, const QKeySequence& keys, auto run) {
     auto* action = new QAction(text, &dialog);
@@ -206,19 +200,17 @@ void ImportDialog::Impl::buildTools(QToolBar& bar) {
   addKey("nextGraph", tr("Next graph"), QKeySequence("Ctrl+PgDown"), [this] { state.selectNext(1); });
   addKey("previousGraph", tr("Previous graph"), QKeySequence("Ctrl+PgUp"), [this] { state.selectNext(-1); });
   addKey("allGraphs", tr("Tick all graphs"), QKeySequence("Ctrl+Shift+A"), [this] { state.tickAll(); });
-  undo = addAction(bar, ViewIcon::undo, QStringLiteral("undo"), tr("Undo"), tr("Undo the last correction"),
-                   QKeySequence::Undo, [this] { state.undo(); });
-  redo = addAction(bar, ViewIcon::redo, QStringLiteral("redo"), tr("Redo"), tr("Redo the correction"),
-                   QKeySequence::Redo, [this] { state.redo(); });
+  undo = addAction(bar, "undo", tr("Undo"), tr("Undo the last correction"), QKeySequence::Undo,
+                   [this] { state.undo(); });
+  redo = addAction(bar, "redo", tr("Redo"), tr("Redo the correction"), QKeySequence::Redo,
+                   [this] { state.redo(); });
   bar.addSeparator();
-  addAction(bar, ViewIcon::fitGraph, QStringLiteral("fitGraph"), tr("Graph"), tr("Show the graph"),
-            Qt::CTRL | Qt::Key_0, [this] { view->fitGraph(); });
-  addAction(bar, ViewIcon::fitPage, QStringLiteral("fitPage"), tr("Page"), tr("Show the whole page"),
-            Qt::CTRL | Qt::Key_9, [this] { view->fitPage(); });
-  addAction(bar, ViewIcon::zoomIn, QStringLiteral("zoomIn"), tr("In"), tr("Zoom in"), QKeySequence::ZoomIn,
-            [this] { view->zoomBy(1.25); });
-  addAction(bar, ViewIcon::zoomOut, QStringLiteral("zoomOut"), tr("Out"), tr("Zoom out"),
-            QKeySequence::ZoomOut, [this] { view->zoomBy(0.8); });
+  addAction(bar, "fitGraph", tr("Graph"), tr("Show the graph"), Qt::CTRL | Qt::Key_0,
+            [this] { view->fitGraph(); });
+  addAction(bar, "fitPage", tr("Page"), tr("Show the whole page"), Qt::CTRL | Qt::Key_9,
+            [this] { view->fitPage(); });
+  addAction(bar, "zoomIn", tr("In"), tr("Zoom in"), QKeySequence::ZoomIn, [this] { view->zoomBy(1.25); });
+  addAction(bar, "zoomOut", tr("Out"), tr("Zoom out"), QKeySequence::ZoomOut, [this] { view->zoomBy(0.8); });
   QObject::connect(view, &PageView::toolChanged, &dialog, [this](ToolKind kind) {
     for (QAction* action : tools->actions())
       action->setChecked(action->data().toInt() == static_cast<int>(kind));
@@ -386,9 +378,8 @@ void ImportDialog::Impl::showDocument() {
   findings->setVisible(state.isOpen());
   const bool onPage = state.isOpen() && !state.isForceLog();
   for (QAction* action : tools->actions()) action->setEnabled(onPage);
-  for (const auto& each : viewActions) {
-    if (each.first != undo && each.first != redo) each.first->setEnabled(onPage);
-  }
+  for (QAction* action : viewActions)
+    if (action != undo && action != redo) action->setEnabled(onPage);
   hint->setVisible(!state.isForceLog());
   showCorrections();
   showWork();
@@ -524,7 +515,6 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
   setAcceptDrops(true);
   impl_->build();
   resize(firstSize_px.boundedTo(screen()->availableSize() - roomForFrame_px));
-  impl_->drawIcons();
   impl_->connectState();
   connect(&impl_->state, &ImportState::correctionsChanged, this, &ImportDialog::draftChanged);
   connect(&impl_->state, &ImportState::documentChanged, this, [this] {
@@ -592,11 +582,6 @@ void ImportDialog::dropEvent(QDropEvent* event) {
   } else if (mime->hasImage()) {
     openPicture(qvariant_cast<QImage>(mime->imageData()));
   }
-}
-
-void ImportDialog::changeEvent(QEvent* event) {
-  if (event->type() == QEvent::PaletteChange && impl_ && impl_->tools) impl_->drawIcons();
-  QDialog::changeEvent(event);
 }
 
 void ImportDialog::keyPressEvent(QKeyEvent* event) {

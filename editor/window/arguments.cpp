@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/arguments.h"
 
+#include <algorithm>
+#include <QCommandLineParser>
+
 namespace detent::editor {
 namespace {
 
@@ -13,26 +16,21 @@ const QStringList qtSwitches = {"reverse", "widgetcount"};
 }  // namespace
 
 Arguments argumentsFrom(const QStringList& words) {
-  Arguments arguments;
-  bool optionsEnded = false;
-  for (qsizetype i = 0; i < words.size(); ++i) {
-    const QString& word = words[i];
-    const QString bare = word.mid(word.startsWith("--") ? 2 : 1);
-    if (optionsEnded || !word.startsWith('-') || word == "-")
-      arguments.files << word;
-    else if (word == "--")
-      optionsEnded = true;
-    else if (word == "--help" || word == "-h")
-      arguments.help = true;
-    else if (word == "--version")
-      arguments.version = true;
-    else if (qtOptionsWithValue.contains(bare))
-      ++i;
-    else if (qtSwitches.contains(bare) || qtOptionsWithValue.contains(bare.section('=', 0, 0)))
-      continue;
-    else if (arguments.wrongUsage.isEmpty())
-      arguments.wrongUsage = QString("detent-edit: %1 is not an option. See detent-edit --help.").arg(word);
-  }
+  QCommandLineParser parser;
+  parser.setSingleDashWordOptionMode(QCommandLineParser::ParseAsLongOptions);  // as Qt's own are spelt
+  parser.addOptions({{{"h", "help"}, {}}, {"version", {}}});
+  for (const QString& name : qtOptionsWithValue) parser.addOption({name, {}, "value"});
+  for (const QString& name : qtSwitches) parser.addOption({name, {}});
+  parser.parse(QStringList("detent-edit") + words);
+  Arguments arguments{parser.positionalArguments(), parser.isSet("help"), parser.isSet("version"), {}};
+  const QStringList unknown = parser.unknownOptionNames();
+  if (unknown.isEmpty()) return arguments;
+  const auto typed = std::find_if(words.begin(), words.end(), [&](const QString& word) {
+    return word.startsWith(QLatin1Char('-')) &&
+           word.section(QLatin1Char('='), 0, 0).endsWith(unknown.first());
+  });
+  arguments.wrongUsage = QString("detent-edit: %1 is not an option. See detent-edit --help.")
+                             .arg(typed == words.end() ? "--" + unknown.first() : *typed);
   return arguments;
 }
 

@@ -10,7 +10,7 @@
 #include <QMessageBox>
 #include <QToolBar>
 
-#include "editor/window/line_icon.h"
+#include "editor/document/line_icon.h"
 #include "editor/window/main_window.h"
 
 namespace detent::editor {

@@ -171,7 +171,9 @@ class WindowTest : public QObject {
     QVERIFY(plain.wrongUsage.isEmpty());
     QVERIFY(argumentsFrom({"--help"}).help);
     QVERIFY(argumentsFrom({"--version"}).version);
-    QVERIFY(argumentsFrom({"--nonsense"}).wrongUsage.contains("--nonsense"));
+    QVERIFY(argumentsFrom({"-h"}).help);
+    for (const char* wrong : {"--nonsense", "-n", "--nonsense=3", "-platforms"})
+      QVERIFY2(argumentsFrom({wrong}).wrongUsage.contains(wrong), wrong);
     QVERIFY(helpText().contains("Exit codes"));
     const Arguments ofQt = argumentsFrom({"-platform", "offscreen", "--style=fusion", "-reverse", "b.png"});
     QVERIFY(ofQt.wrongUsage.isEmpty());
