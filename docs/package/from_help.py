@@ -2,9 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the man pages and the shell completion of the programs from what they answer to --help and --version.
 
+A man page in another language is made from PROGRAM.LANGUAGE.txt beside this script, which must name the options that --help names.
+
     from_help.py --bin FOLDER --out FOLDER
 
-FOLDER of --bin holds the programs (those that are there are described); --out gets man1/PROGRAM.1.gz and completions/PROGRAM.
+FOLDER of --bin holds the programs (those that are there are described); --out gets man1/PROGRAM.1.gz, LANGUAGE/man1/PROGRAM.1.gz and completions/PROGRAM.
 `cmake --install` runs it, so that what is installed describes the very programs beside it. Deterministic: no date, no path.
 """
 
@@ -17,6 +19,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 PROGRAMS = ("detent-import", "detent-graph", "detent-play", "detent-edit")
+HEADINGS = {"": ("User Commands", "NAME", "DESCRIPTION", "SEE ALSO"), "de": ("Benutzerkommandos", "BEZEICHNUNG", "BESCHREIBUNG", "SIEHE AUCH")}
 OPTION = re.compile(r"^ +(-{1,2}[A-Za-z][^ ]*(?:, --?[\w-]+)*)(.*)$")
 SECTION = re.compile(r"^(?:\[Option Group: (?P<group>[^\]]+)\]|(?P<title>[A-Z][^:]*):)$")
 # CLI11's spelling of a value that comes from a list: {draft->0,precise->2}.
@@ -92,15 +95,31 @@ def body(text):
     return "\n".join(entry for i, entry in enumerate(out) if entry != ".PP" or (i and out[i - 1] not in (".PP",)))
 
 
-def man_page(helps, version):
+def man_page(helps, version, language=""):
     program = helps[0].words[0]
+    section, name, description, see_also = HEADINGS[language]
     first = next(line for line in helps[0].text.split("\n") if line and not line.startswith("Usage:"))
-    pages = [f'.TH {program.upper()} 1 "" "Detent {version}" "User Commands"', ".SH NAME",
-             f"{program} \\- {escaped(first.split('. ')[0].rstrip('.'))}", ".SH DESCRIPTION", body(helps[0].text)]
+    pages = [f'.TH {program.upper()} 1 "" "Detent {version}" "{section}"', f".SH {name}",
+             f"{program} \\- {escaped(first.split('. ')[0].rstrip('.'))}", f".SH {description}", body(helps[0].text)]
     for sub in helps[1:]:
         pages += [f".SH {escaped(' '.join(sub.words[1:]).upper())}", body(sub.text)]
     others = ", ".join(f".BR {escaped(name)} (1)" for name in PROGRAMS if name != program).replace(", ", " ,\n")
-    return "\n".join(pages + [".SH SEE ALSO", others, ""])
+    return "\n".join(pages + [f".SH {see_also}", others, ""])
+
+
+def translated(english, text, source):
+    found = Help(english.words, text.rstrip())
+    found.options = sorted(set(re.findall(r"(?m)^ +(?:-\w, ?)?(--[a-z][\w-]*)", text)))
+    if found.options != english.options:
+        sys.exit(f"from_help.py: {source.name} names {found.options}, --help names {english.options}")
+    return found
+
+
+def write_page(folder, name, page):
+    folder.mkdir(parents=True, exist_ok=True)
+    with open(folder / f"{name}.1.gz", "wb") as file, \
+            gzip.GzipFile(filename="", mode="wb", fileobj=file, mtime=0, compresslevel=9) as packed:
+        packed.write(page.encode())
 
 
 def completion(helps):
@@ -136,7 +155,6 @@ def main():
     parser.add_argument("--bin", type=Path, required=True)
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
-    (arguments.out / "man1").mkdir(parents=True, exist_ok=True)
     (arguments.out / "completions").mkdir(parents=True, exist_ok=True)
     written = 0
     for name in PROGRAMS:
@@ -145,9 +163,11 @@ def main():
             continue
         helps = all_helps(binary)
         version = answer(binary, "--version").split()[-1]
-        with open(arguments.out / "man1" / f"{name}.1.gz", "wb") as file, \
-                gzip.GzipFile(filename="", mode="wb", fileobj=file, mtime=0, compresslevel=9) as packed:
-            packed.write(man_page(helps, version).encode())
+        write_page(arguments.out / "man1", name, man_page(helps, version))
+        for source in sorted(Path(__file__).parent.glob(f"{name}.*.txt")):
+            language = source.suffixes[-2].lstrip(".")
+            other = translated(helps[0], source.read_text(encoding="utf-8"), source)
+            write_page(arguments.out / language / "man1", name, man_page([other], version, language))
         (arguments.out / "completions" / name).write_text(completion(helps))
         written += 1
     if not written:

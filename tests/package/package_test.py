@@ -54,6 +54,13 @@ class FromHelp(unittest.TestCase):
                 self.assertIn(option.replace("-", "\\-"), page, name)
             self.assertNotIn(str(BIN), page, "a page of a package names no folder of the machine it was made on")
 
+    def test_the_german_page_of_the_editor_has_its_options_and_letters(self):
+        if not (BIN / "detent-edit").is_file():
+            self.skipTest("detent-edit is not built")
+        page = gzip.decompress((self.out / "de/man1/detent-edit.1.gz").read_bytes()).decode()
+        for word in ("\\-\\-help", "\\-\\-version", "BEZEICHNUNG", "fühlen"):
+            self.assertIn(word, page)
+
     def test_completions_are_bash_and_offer_options_and_subcommands(self):
         for name in programs():
             script = self.out / "completions" / name

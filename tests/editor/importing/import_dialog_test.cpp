@@ -44,6 +44,32 @@ void keepPicture(QWidget& widget, const QString& name) {
   widget.grab().save(folder + '/' + name + ".png");
 }
 
+struct OwnSettings {
+  ViewSettings settings;
+};
+
+/// As a person has it before a sheet is in it.
+class ShownDialog : private OwnSettings, public ImportDialog {
+ public:
+  ShownDialog() : ImportDialog(settings) { show(); }
+  QPushButton* const accept = findChild<QPushButton*>("import");
+  AdviceBar* const banner = findChild<AdviceBar*>();
+  PageView* const view = findChild<PageView*>();
+};
+
+struct OwnState : OwnSettings {
+  ImportState state_;
+};
+
+/// The page alone, without the dialogue around it.
+class ShownView : private OwnState, public PageView {
+ public:
+  explicit ShownView(QSize size = {900, 700}) : PageView(state_, settings) {
+    resize(size);
+    show();
+  }
+};
+
 bool settled(const ImportState& state) {
   const ImportGraph* graph = state.current();
   return !state.opening() && graph && graph->pending == 0 && graph->last;
@@ -108,18 +134,15 @@ class ImportDialogTest : public QObject {
 };
 
 void ImportDialogTest::aSampleIsImportedWithoutAWord() {
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
-  auto* accept = dialog.findChild<QPushButton*>("import");
-  QVERIFY(!accept->isEnabled());
+  ShownDialog dialog;
+  QVERIFY(!dialog.accept->isEnabled());
   QSignalSpy imported(&dialog, &ImportDialog::imported), closed(&dialog, &QDialog::accepted);
   dialog.openFile(sample("two-level-legend.png"));
-  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
   QVERIFY(!dialog.findChild<AdviceBar*>()->isVisible());
   QTest::qWait(50);
   keepPicture(dialog, "two-level");
-  QTest::mouseClick(accept, Qt::LeftButton);
+  QTest::mouseClick(dialog.accept, Qt::LeftButton);
   QCOMPARE(imported.count(), 1);
   QCOMPARE(closed.count(), 1);
   const auto result = imported.front().front().value<Report>();
@@ -151,11 +174,8 @@ void ImportDialogTest::anAxisIsCorrectedAndOnlyWhatDependsOnItRuns() {
 }
 
 void ImportDialogTest::oneMisreadTickIsRetyped() {
-  ViewSettings settings;
-  ImportState state;
-  PageView view(state, settings);
-  view.resize(800, 600);
-  view.show();
+  ShownView view({800, 600});
+  ImportState& state = view.state();
   QVERIFY(open(state, sample("white-vector.pdf")));
   const auto before = *report(state).x;
   const auto& ticks = view.drawn().xTicks;
@@ -206,11 +226,8 @@ void ImportDialogTest::unitsArePickedAndGoBackToFound() {
 }
 
 void ImportDialogTest::aColourIsPickedOnThePage() {
-  ViewSettings settings;
-  ImportState state;
-  PageView view(state, settings);
-  view.resize(900, 700);
-  view.show();
+  ShownView view;
+  ImportState& state = view.state();
   QVERIFY(open(state, sample("two-level-legend.png")));
   QVERIFY(QTest::qWaitFor([&] { return state.sheet() != nullptr; }, patience_ms));
   const auto& traced = view.drawn().release->traced;
@@ -228,11 +245,8 @@ void ImportDialogTest::aColourIsPickedOnThePage() {
 }
 
 void ImportDialogTest::aMaskChangesTheTraceAndUndoRestores() {
-  ViewSettings settings;
-  ImportState state;
-  PageView view(state, settings);
-  view.resize(900, 700);
-  view.show();
+  ShownView view;
+  ImportState& state = view.state();
   QVERIFY(open(state, sample("two-level-legend.png")));
   const Report before = state.current()->last->report;
   view.setTool(ToolKind::maskBox);
@@ -341,19 +355,16 @@ void ImportDialogTest::brokenFilesSayWhatToDo() {
     QVERIFY(file.open(QIODevice::WriteOnly));
     file.write(bytes);
   }
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
+  ShownDialog dialog;
   dialog.openFile(path);
-  auto* advice = dialog.findChild<AdviceBar*>();
-  QTRY_VERIFY_WITH_TIMEOUT(advice->isVisible(), patience_ms);
-  QVERIFY2(advice->text().contains(says), qPrintable(advice->text()));
-  QVERIFY(!advice->text().contains("--"));
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.banner->isVisible(), patience_ms);
+  QVERIFY2(dialog.banner->text().contains(says), qPrintable(dialog.banner->text()));
+  QVERIFY(!dialog.banner->text().contains("--"));
   QVERIFY(!dialog.findChild<QPushButton*>("import")->isEnabled());
   // The next file opens as if nothing had been.
   dialog.openFile(sample("white-vector.pdf"));
   QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QPushButton*>("import")->isEnabled(), patience_ms);
-  QVERIFY(!advice->isVisible());
+  QVERIFY(!dialog.banner->isVisible());
 }
 
 void ImportDialogTest::aFrameDrawnByHandOnAPictureWithoutGraph() {
@@ -372,27 +383,24 @@ void ImportDialogTest::aFrameDrawnByHandOnAPictureWithoutGraph() {
       curve << QPointF(x, 500 - 0.5 * (x - 100) - (x > 650 ? 2.0 * (x - 650) : 0));
     painter.drawPolyline(curve);
   }
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
+  ShownDialog dialog;
   dialog.openPicture(picture);
-  auto* advice = dialog.findChild<AdviceBar*>();
-  QTRY_VERIFY_WITH_TIMEOUT(advice->isVisible(), patience_ms);
-  auto* view = dialog.findChild<PageView*>();
-  ImportState& state = view->state();
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.banner->isVisible(), patience_ms);
+  ImportState& state = dialog.view->state();
   QTRY_VERIFY_WITH_TIMEOUT(state.sheet(), patience_ms);
   QVERIFY(!state.current());
   QTest::qWait(20);
   keepPicture(dialog, "no-graph");
-  view->setTool(ToolKind::drawFrame);
-  const QPoint from = view->toWidget({100, 100}).toPoint(), to = view->toWidget({700, 500}).toPoint();
-  QTest::mousePress(view, Qt::LeftButton, {}, from);
-  QTest::mouseMove(view, to);
-  QTest::mouseRelease(view, Qt::LeftButton, {}, to);
+  dialog.view->setTool(ToolKind::drawFrame);
+  const QPoint from = dialog.view->toWidget({100, 100}).toPoint(),
+               to = dialog.view->toWidget({700, 500}).toPoint();
+  QTest::mousePress(dialog.view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(dialog.view, to);
+  QTest::mouseRelease(dialog.view, Qt::LeftButton, {}, to);
   QVERIFY(state.current());
   QVERIFY(again(state));
   QVERIFY(state.current()->last->failure);  // numbers are missing, and that is said
-  QVERIFY(advice->isVisible());
+  QVERIFY(dialog.banner->isVisible());
   keepPicture(dialog, "no-numbers");
   for (const auto& [field, value] : {std::pair("xMin", "0"), {"xMax", "4"}, {"yMin", "0"}, {"yMax", "120"}}) {
     auto* edit = dialog.findChild<QLineEdit*>(field);
@@ -456,16 +464,13 @@ void ImportDialogTest::severalGraphsAtOnce() {
 }
 
 void ImportDialogTest::aForceLog() {
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
+  ShownDialog dialog;
   QSignalSpy imported(&dialog, &ImportDialog::imported);
   dialog.openFile(sample("force-meter-log.csv"));
-  auto* accept = dialog.findChild<QPushButton*>("import");
-  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
   QTest::qWait(20);
   keepPicture(dialog, "force-log");
-  accept->click();
+  dialog.accept->click();
   QCOMPARE(imported.count(), 1);
 }
 
@@ -480,11 +485,8 @@ void ImportDialogTest::aPastedPicture() {
 }
 
 void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
-  ViewSettings settings;
-  ImportState state;
-  PageView view(state, settings);
-  view.resize(900, 700);
-  view.show();
+  ShownView view;
+  ImportState& state = view.state();
   QVERIFY(open(state, sample("brown-one-ink.png")));
   const auto corners = *view.shownCorners();
   const QPoint from = view.toWidget(corners[1]).toPoint(), to = from + QPoint(-30, 20);
@@ -536,11 +538,8 @@ void ImportDialogTest::aFrameBesideTheShownOneAddsAGraph() {
     painter.drawImage(0, 0, one);
     painter.drawImage(one.width(), 0, one);
   }
-  ViewSettings settings;
-  ImportState state;
-  PageView view(state, settings);
-  view.resize(1200, 500);
-  view.show();
+  ShownView view({1200, 500});
+  ImportState& state = view.state();
   state.openPicture(page);
   QVERIFY(again(state));
   const std::size_t found = state.graphs().size();
@@ -575,11 +574,8 @@ void ImportDialogTest::aFrameBesideTheShownOneAddsAGraph() {
 // Clicks along the curve, a few pixels beside it: the ink pulls, and what comes out is what is printed. Over a
 // part of a stroke it replaces that part.
 void ImportDialogTest::aCurveIsDrawnByHand() {
-  ViewSettings settings;
-  ImportState state;
-  PageView view(state, settings);
-  view.resize(900, 700);
-  view.show();
+  ShownView view;
+  ImportState& state = view.state();
   QVERIFY(open(state, sample("two-level-legend.png")));
   const Report found = state.current()->good->report;
   const auto& evidence = *state.current()->good->evidence;
@@ -623,28 +619,23 @@ void ImportDialogTest::aCurveIsDrawnByHand() {
 
 // A message comes while a curve is drawn: what lies under the pointer stays under it until the curve is ended.
 void ImportDialogTest::thePageLiesStillUnderAGesture() {
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
+  ShownDialog dialog;
   dialog.openFile(sample("two-level-legend.png"));
-  auto* accept = dialog.findChild<QPushButton*>("import");
-  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
-  auto* view = dialog.findChild<PageView*>();
-  auto* banner = dialog.findChild<AdviceBar*>();
-  QVERIFY(!banner->isVisible());
-  view->setTool(ToolKind::drawPress);
-  const QPoint start = view->rect().center();
-  const importer::Point page = view->toPage(start);
-  const auto onDialog = [&] { return view->mapTo(&dialog, view->toWidget(page)); };
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QVERIFY(!dialog.banner->isVisible());
+  dialog.view->setTool(ToolKind::drawPress);
+  const QPoint start = dialog.view->rect().center();
+  const importer::Point page = dialog.view->toPage(start);
+  const auto onDialog = [&] { return dialog.view->mapTo(&dialog, dialog.view->toWidget(page)); };
   const QPointF before = onDialog();
-  QTest::mousePress(view, Qt::LeftButton, {}, start);
-  const int height = view->height();
-  banner->say(AdviceBar::Tone::doubt, {"Something is not certain", "Look at it", {}});
-  QTRY_VERIFY(view->height() < height);
+  QTest::mousePress(dialog.view, Qt::LeftButton, {}, start);
+  const int height = dialog.view->height();
+  dialog.banner->say(AdviceBar::Tone::doubt, {"Something is not certain", "Look at it", {}});
+  QTRY_VERIFY(dialog.view->height() < height);
   QVERIFY(QLineF(onDialog(), before).length() < 0.01);
-  QTest::mouseRelease(view, Qt::LeftButton, {}, view->toWidget(page).toPoint());
+  QTest::mouseRelease(dialog.view, Qt::LeftButton, {}, dialog.view->toWidget(page).toPoint());
   QVERIFY(QLineF(onDialog(), before).length() < 0.01);  // clicks go on
-  QTest::keyClick(view, Qt::Key_Escape);
+  QTest::keyClick(dialog.view, Qt::Key_Escape);
   QVERIFY(QLineF(onDialog(), before).length() > 1);  // fits its new room
 }
 
@@ -671,22 +662,18 @@ void ImportDialogTest::aMissingUnitIsAskedForInTheBanner() {
     QPainter painter(&page);
     painter.fillRect(0, 160, 38, 150, Qt::white);  // "force (cN)"
   }
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
+  ShownDialog dialog;
   dialog.openPicture(page);
-  auto* accept = dialog.findChild<QPushButton*>("import");
-  auto* banner = dialog.findChild<AdviceBar*>();
-  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), patience_ms);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.banner->isVisible(), patience_ms);
   QTest::qWait(50);
-  QVERIFY(!accept->isEnabled());
+  QVERIFY(!dialog.accept->isEnabled());
   keepPicture(dialog, "missing-unit");
   auto* inGram = dialog.findChild<QPushButton*>("forceUnit_gf");
   QVERIFY(inGram && inGram->isVisible());
   QSignalSpy imported(&dialog, &ImportDialog::imported);
   QTest::mouseClick(inGram, Qt::LeftButton);
-  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
-  QTest::mouseClick(accept, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QTest::mouseClick(dialog.accept, Qt::LeftButton);
   QCOMPARE(imported.count(), 1);
   const auto result = imported.front().front().value<Report>();
   QCOMPARE(result->y->unit, std::string("gf"));
@@ -752,11 +739,8 @@ void ImportDialogTest::graphsAreListedWithoutTheirPages() {
 }
 
 void ImportDialogTest::theOriginSetsBothAxes() {
-  ViewSettings settings;
-  ImportState state;
-  PageView view(state, settings);
-  view.resize(800, 600);
-  view.show();
+  ShownView view({800, 600});
+  ImportState& state = view.state();
   QVERIFY(open(state, sample("white-vector.pdf")));
   const FrameCorners corners = *view.shownCorners();
   view.setTool(ToolKind::scale);
@@ -776,12 +760,9 @@ void ImportDialogTest::theOriginSetsBothAxes() {
 
 // A screen of 1366x768 at twice the size leaves 683x384: what ends the work is still in reach.
 void ImportDialogTest::theDialogueFitsSmallScreens() {
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
+  ShownDialog dialog;
   dialog.openFile(sample("two-level-legend.png"));
-  auto* accept = dialog.findChild<QPushButton*>("import");
-  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
   for (const QSize screen : {QSize(1366, 768), QSize(1024, 700), QSize(683, 384)}) {
     const QSize room = screen - QSize(8, 40);  // a window's frame, a panel of the desktop
     dialog.resize(room);
@@ -792,7 +773,7 @@ void ImportDialogTest::theDialogueFitsSmallScreens() {
                             .arg(dialog.height())
                             .arg(room.width())
                             .arg(room.height())));
-    QVERIFY(dialog.rect().contains(QRect(accept->mapTo(&dialog, QPoint()), accept->size())));
+    QVERIFY(dialog.rect().contains(QRect(dialog.accept->mapTo(&dialog, QPoint()), dialog.accept->size())));
     auto* bar = dialog.findChild<QToolBar*>();
     for (QAction* action : bar->actions())
       if (QWidget* button = bar->widgetForAction(action); !action->isSeparator())
@@ -802,15 +783,12 @@ void ImportDialogTest::theDialogueFitsSmallScreens() {
 }
 
 void ImportDialogTest::anotherSheetAsksBeforeCorrectionsGo() {
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
+  ShownDialog dialog;
   int asked = 0;
   bool mayLeave = false;
   dialog.setLeaveQuestion([&] { return ++asked, mayLeave; });
   dialog.openFile(sample("two-level-legend.png"));
-  auto* accept = dialog.findChild<QPushButton*>("import");
-  QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), patience_ms);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
   QCOMPARE(asked, 0);
   ImportState& state = dialog.findChild<PageView*>()->state();
   state.correct("Exchange strokes", [](Corrections& c) { c.swapStrokes = true; });
@@ -824,11 +802,8 @@ void ImportDialogTest::anotherSheetAsksBeforeCorrectionsGo() {
 
 void ImportDialogTest::aGraphOnItsSideIsCorrectedToo() {
   const QImage upright(sample("brown-one-ink.png"));
-  ViewSettings settings;
-  ImportState state;
-  PageView view(state, settings);
-  view.resize(900, 700);
-  view.show();
+  ShownView view;
+  ImportState& state = view.state();
   for (const int degrees : {90, 270}) {
     state.openPicture(upright.transformed(QTransform().rotate(degrees)));
     QVERIFY(QTest::qWaitFor([&] { return settled(state) && state.searchedPages() == 1; }, patience_ms));
@@ -848,22 +823,19 @@ void ImportDialogTest::aGraphOnItsSideIsCorrectedToo() {
 }
 
 void ImportDialogTest::theKeyboardReachesEverything() {
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
+  ShownDialog dialog;
   dialog.openFile(sample("white-vector.pdf"));
-  auto* view = dialog.findChild<PageView*>();
-  QVERIFY(QTest::qWaitFor([&] { return settled(view->state()); }, patience_ms));
-  view->setFocus();
-  QTest::keyClick(view, Qt::Key_Tab);  // the top left corner
-  QTest::keyClick(view, Qt::Key_Left);
-  QTest::keyClick(view, Qt::Key_Left, Qt::ShiftModifier);
-  const auto& history = view->state().current()->history;
+  QVERIFY(QTest::qWaitFor([&] { return settled(dialog.view->state()); }, patience_ms));
+  dialog.view->setFocus();
+  QTest::keyClick(dialog.view, Qt::Key_Tab);  // the top left corner
+  QTest::keyClick(dialog.view, Qt::Key_Left);
+  QTest::keyClick(dialog.view, Qt::Key_Left, Qt::ShiftModifier);
+  const auto& history = dialog.view->state().current()->history;
   QVERIFY(history.now().frame);
-  QVERIFY(again(view->state()));
+  QVERIFY(again(dialog.view->state()));
   QTest::keyClick(&dialog, Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(!history.now().frame);  // both nudges were one step
-  QVERIFY(again(view->state()));
+  QVERIFY(again(dialog.view->state()));
   // Enter in a field ends the field, not the dialogue.
   auto* field = dialog.findChild<QLineEdit*>("xMax");
   field->setFocus();
@@ -872,15 +844,15 @@ void ImportDialogTest::theKeyboardReachesEverything() {
   QTest::keyClick(field, Qt::Key_Return);
   QVERIFY(dialog.isVisible());
   QCOMPARE(history.now().x.max, 5.0);
-  QVERIFY(again(view->state()));
-  view->setFocus();
-  QTest::keyClick(view, Qt::Key_Tab);
-  for (int i = 0; i < 4; ++i) QTest::keyClick(view, Qt::Key_Tab);
-  QTest::keyClick(view, Qt::Key_Return);  // a tick's value
-  auto* editor = view->findChild<QLineEdit*>("tickValue");
+  QVERIFY(again(dialog.view->state()));
+  dialog.view->setFocus();
+  QTest::keyClick(dialog.view, Qt::Key_Tab);
+  for (int i = 0; i < 4; ++i) QTest::keyClick(dialog.view, Qt::Key_Tab);
+  QTest::keyClick(dialog.view, Qt::Key_Return);  // a tick's value
+  auto* editor = dialog.view->findChild<QLineEdit*>("tickValue");
   QVERIFY(editor);
   QTest::keyClick(editor, Qt::Key_Escape);
-  QVERIFY(!view->findChild<QLineEdit*>("tickValue"));
+  QVERIFY(!dialog.view->findChild<QLineEdit*>("tickValue"));
   QVERIFY(dialog.isVisible());
   for (const QWidget* widget : dialog.findChildren<QWidget*>()) {
     if (widget->focusPolicy() == Qt::NoFocus || !widget->isVisibleTo(&dialog)) continue;
@@ -895,14 +867,11 @@ void ImportDialogTest::theKeyboardReachesEverything() {
 }
 
 void ImportDialogTest::theWindowNeverStalls() {
-  ViewSettings settings;
-  ImportDialog dialog(settings);
-  dialog.show();
+  ShownDialog dialog;
   QTest::qWait(100);
   StallProbe probe;
-  auto* view = dialog.findChild<PageView*>();
   dialog.openFile(sample("two-level-legend.png"));
-  QVERIFY(QTest::qWaitFor([&] { return settled(view->state()); }, patience_ms));
+  QVERIFY(QTest::qWaitFor([&] { return settled(dialog.view->state()); }, patience_ms));
   // Figures are the benchmark's; this one says that nothing of an import runs in the window's thread.
   QVERIFY2(probe.longest_ms() < 250, qPrintable(QString::number(probe.longest_ms())));
 }

@@ -16,6 +16,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QProxyStyle>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QScreen>
@@ -902,6 +903,29 @@ class WindowTest : public QObject {
     QVERIFY(rig.action("appearanceDark")->isChecked());
     QVERIFY(!rig.window->findChild<QDockWidget*>("libraryDock")->isVisible());
     rig.action("appearanceLight")->trigger();
+    QVERIFY(!isDark(QApplication::palette()));
+  }
+
+  // The desktop goes dark while the window is open; a choice of one's own stays.
+  void theDesktopsThemeIsFollowed() {
+    struct Night : QProxyStyle {
+      Night() : QProxyStyle("Fusion") {}
+      QPalette standardPalette() const override { return QPalette(QColor(40, 40, 40)); }
+    };
+    const auto restored = qScopeGuard([] {
+      QApplication::setStyle("Fusion");
+      QApplication::setPalette(QPalette());
+    });
+    QApplication::setStyle("Fusion");
+    Rig rig(folder_->path());
+    rig.action("appearanceSystem")->trigger();
+    QVERIFY(!isDark(QApplication::palette()));
+    QApplication::setStyle(new Night);
+    QEvent change(QEvent::ThemeChange);
+    QCoreApplication::sendEvent(rig.window.get(), &change);
+    QVERIFY(isDark(QApplication::palette()));
+    rig.action("appearanceLight")->trigger();
+    QCoreApplication::sendEvent(rig.window.get(), &change);
     QVERIFY(!isDark(QApplication::palette()));
   }
 
