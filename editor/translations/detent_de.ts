@@ -171,7 +171,7 @@
         <translation>Zwischen den Wegen verlorene Arbeit</translation>
     </message>
     <message>
-        <source>%1: mean %2 % of A's range, largest %3 % (up to %4 %5, %6 %7)</source>
+        <source>%1: mean %2 % of A&apos;s range, largest %3 % (up to %4 %5, %6 %7)</source>
         <translation>%1: im Mittel %2 % der Spanne von A, höchstens %3 % (bis %4 %5, %6 %7)</translation>
     </message>
 </context>
@@ -228,6 +228,10 @@
         <source>All files</source>
         <translation>Alle Dateien</translation>
     </message>
+    <message>
+        <source>Datasheets, pictures and force meters&apos; logs</source>
+        <translation>Datenblätter, Bilder und Protokolle von Kraftmessern</translation>
+    </message>
 </context>
 <context>
     <name>PlacementDelay</name>
@@ -279,7 +283,10 @@
     </message>
     <message numerus="yes">
         <source>Save the changes to %n button(s)?</source>
-        <translation><numerusform>Änderungen an %n Taster speichern?</numerusform><numerusform>Änderungen an %n Tastern speichern?</numerusform></translation>
+        <translation>
+            <numerusform>Änderungen an %n Taster speichern?</numerusform>
+            <numerusform>Änderungen an %n Tastern speichern?</numerusform>
+        </translation>
     </message>
     <message>
         <source>They are lost otherwise.</source>
@@ -367,7 +374,7 @@
         <translation>Zustand %1</translation>
     </message>
     <message>
-        <source>state "%1"</source>
+        <source>state &quot;%1&quot;</source>
         <translation>Zustand „%1“</translation>
     </message>
     <message>
@@ -735,7 +742,7 @@
         <translation>Prüfen Sie die Einheit der Wegachse</translation>
     </message>
     <message>
-        <source>covers %1 to %2, beside the press curve's %3 to %4</source>
+        <source>covers %1 to %2, beside the press curve&apos;s %3 to %4</source>
         <translation>reicht von %1 bis %2, neben dem Drücken von %3 bis %4</translation>
     </message>
     <message>
@@ -763,7 +770,7 @@
         <translation>Geben Sie jedem Knoten endliche Zahlen</translation>
     </message>
     <message>
-        <source>displacement %1 lies before the previous knot's %2</source>
+        <source>displacement %1 lies before the previous knot&apos;s %2</source>
         <translation>der Weg %1 liegt vor dem des vorigen Knotens, %2</translation>
     </message>
     <message>
@@ -867,7 +874,7 @@
         <translation>lässt sich nicht schreiben: %1</translation>
     </message>
     <message>
-        <source>Check the folder's permissions and free space</source>
+        <source>Check the folder&apos;s permissions and free space</source>
         <translation>Prüfen Sie Zugriffsrechte und freien Platz des Ordners</translation>
     </message>
 </context>
@@ -2256,6 +2263,10 @@
         <source>This build of Detent has no live playback, so the pad cannot be pressed. The vibration is drawn below.</source>
         <translation>Dieses Detent ist ohne Live-Wiedergabe gebaut, daher lässt sich das Feld nicht drücken. Die Schwingung ist unten gezeichnet.</translation>
     </message>
+    <message>
+        <source>Sound, force and setup</source>
+        <translation>Ton, Kraft und Einrichtung</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::FeelSession</name>
@@ -2299,7 +2310,7 @@
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>Force of a full press: at the end of a timed press, at full pen pressure, at the end of a drag. Automatic: a quarter more than the button's strongest force.</source>
+        <source>Force of a full press: at the end of a timed press, at full pen pressure, at the end of a drag. Automatic: a quarter more than the button&apos;s strongest force.</source>
         <translation>Kraft eines vollen Drucks: am Ende eines Drucks nach Zeit, bei vollem Stiftdruck, am Ende eines Zugs. Automatisch: ein Viertel mehr als die stärkste Kraft des Tasters.</translation>
     </message>
     <message>
@@ -2395,7 +2406,7 @@
         <translation>Abtastrate in Hz</translation>
     </message>
     <message>
-        <source>the device's own</source>
+        <source>the device&apos;s own</source>
         <translation>die des Geräts</translation>
     </message>
     <message>
@@ -2407,7 +2418,7 @@
         <translation>Abtastwerte je Puffer: Kleiner ist schneller, größer ist sicherer gegen Aussetzer</translation>
     </message>
     <message>
-        <source>the host's choice</source>
+        <source>the host&apos;s choice</source>
         <translation>vom System gewählt</translation>
     </message>
     <message>
@@ -2558,7 +2569,7 @@
         <translation>Nicht gespeichert: %1</translation>
     </message>
     <message>
-        <source>Another Detent window (process %1) has this file open. Whoever saves second is asked before the first one's changes are overwritten.</source>
+        <source>Another Detent window (process %1) has this file open. Whoever saves second is asked before the first one&apos;s changes are overwritten.</source>
         <translation>Ein anderes Detent-Fenster (Prozess %1) hat diese Datei offen. Wer als Zweiter speichert, wird gefragt, bevor die Änderungen des Ersten überschrieben werden.</translation>
     </message>
     <message>
@@ -2620,6 +2631,14 @@
     <message>
         <source>The file of this button was deleted or moved away. Saving writes it again.</source>
         <translation>Die Datei dieses Tasters wurde gelöscht oder verschoben. Speichern schreibt sie neu.</translation>
+    </message>
+    <message>
+        <source>sample-datasheet</source>
+        <translation>Beispiel-Datenblatt</translation>
+    </message>
+    <message>
+        <source>The sample cannot be written to %1: %2</source>
+        <translation>Das Beispiel lässt sich nicht nach %1 schreiben: %2</translation>
     </message>
 </context>
 <context>
@@ -2893,7 +2912,7 @@
         <translation>Vom Gerät wird nie mehr Kraft verlangt als diese</translation>
     </message>
     <message>
-        <source>the device's own</source>
+        <source>the device&apos;s own</source>
         <translation>die des Geräts</translation>
     </message>
     <message>
@@ -3023,7 +3042,10 @@
     </message>
     <message numerus="yes">
         <source>Force graph: %n points selected</source>
-        <translation><numerusform>Kraftgraph: %n Punkt ausgewählt</numerusform><numerusform>Kraftgraph: %n Punkte ausgewählt</numerusform></translation>
+        <translation>
+            <numerusform>Kraftgraph: %n Punkt ausgewählt</numerusform>
+            <numerusform>Kraftgraph: %n Punkte ausgewählt</numerusform>
+        </translation>
     </message>
     <message>
         <source>Force graph: %1</source>
@@ -3260,6 +3282,14 @@
         <source>State %1</source>
         <translation>Zustand %1</translation>
     </message>
+    <message>
+        <source>&amp;Zoom to a rectangle</source>
+        <translation>Rechteck ver&amp;größern</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle to see it enlarged; a click comes nearer</source>
+        <translation>Ein Rechteck aufziehen, um es vergrößert zu sehen; ein Klick kommt näher</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::HistoryPanel</name>
@@ -3431,7 +3461,7 @@
         <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
-        <source>Open a picture, PDF, SVG or a force meter's CSV (%1)</source>
+        <source>Open a picture, PDF, SVG or a force meter&apos;s CSV (%1)</source>
         <translation>Ein Bild, PDF, SVG oder die CSV eines Kraftmessgeräts öffnen (%1)</translation>
     </message>
     <message>
@@ -3551,16 +3581,8 @@
         <translation>Kurven vertauschen</translation>
     </message>
     <message>
-        <source>Open a datasheet or a force meter's log</source>
+        <source>Open a datasheet or a force meter&apos;s log</source>
         <translation>Ein Datenblatt oder das Protokoll eines Kraftmessgeräts öffnen</translation>
-    </message>
-    <message>
-        <source>Datasheets and logs (*.pdf *.svg *.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp *.csv)</source>
-        <translation>Datenblätter und Protokolle (*.pdf *.svg *.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp *.csv)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>Alle Dateien (*)</translation>
     </message>
     <message>
         <source>There is no picture on the clipboard. Copy one, for instance with the snipping tool of your system.</source>
@@ -3586,11 +3608,17 @@
     <name>detent::editor::Keyboard</name>
     <message numerus="yes">
         <source>Move %n points</source>
-        <translation><numerusform>%n Punkt verschieben</numerusform><numerusform>%n Punkte verschieben</numerusform></translation>
+        <translation>
+            <numerusform>%n Punkt verschieben</numerusform>
+            <numerusform>%n Punkte verschieben</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n points selected</source>
-        <translation><numerusform>%n Punkt ausgewählt</numerusform><numerusform>%n Punkte ausgewählt</numerusform></translation>
+        <translation>
+            <numerusform>%n Punkt ausgewählt</numerusform>
+            <numerusform>%n Punkte ausgewählt</numerusform>
+        </translation>
     </message>
     <message>
         <source>Align at one force</source>
@@ -3610,7 +3638,10 @@
     </message>
     <message numerus="yes">
         <source>Remove %n points</source>
-        <translation><numerusform>%n Punkt entfernen</numerusform><numerusform>%n Punkte entfernen</numerusform></translation>
+        <translation>
+            <numerusform>%n Punkt entfernen</numerusform>
+            <numerusform>%n Punkte entfernen</numerusform>
+        </translation>
     </message>
     <message>
         <source>No knot stands at this turn. Select a knot or a tactile point.</source>
@@ -3636,7 +3667,7 @@
         <translation>Ausgangspegel</translation>
     </message>
     <message>
-        <source>&lt;p&gt;Output level, in dB of full scale: the bar is the peak of the last 20 ms, the line the highest peak (held for 1.5 s), the number the same.&lt;/p&gt;&lt;p&gt;LIM lights up while the limiter holds the level at its ceiling: lower the gain to feel the button's true strength.&lt;/p&gt;</source>
+        <source>&lt;p&gt;Output level, in dB of full scale: the bar is the peak of the last 20 ms, the line the highest peak (held for 1.5 s), the number the same.&lt;/p&gt;&lt;p&gt;LIM lights up while the limiter holds the level at its ceiling: lower the gain to feel the button&apos;s true strength.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Ausgangspegel in dB der Vollaussteuerung: Der Balken ist die Spitze der letzten 20 ms, die Linie die höchste Spitze (1,5 s gehalten), die Zahl ebenso.&lt;/p&gt;&lt;p&gt;LIM leuchtet, solange der Begrenzer den Pegel an der Decke hält: Senken Sie die Verstärkung, um die wahre Stärke des Tasters zu fühlen.&lt;/p&gt;</translation>
     </message>
     <message>
@@ -4180,6 +4211,14 @@
         <source>&lt;b&gt;Detent %1&lt;/b&gt;&lt;p&gt;From a printed force graph to a button you can feel.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. After S. Kim and G. Lee, UIST 2013, and P. Shrestha.&lt;/p&gt;</source>
         <translation>&lt;b&gt;Detent %1&lt;/b&gt;&lt;p&gt;Vom gedruckten Kraftgraphen zum Taster, den man fühlen kann.&lt;/p&gt;&lt;p&gt;GPL-3.0-or-later. Nach S. Kim und G. Lee, UIST 2013, und P. Shrestha.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>&amp;Try a sample datasheet</source>
+        <translation>Beispiel-Datenblatt aus&amp;probieren</translation>
+    </message>
+    <message>
+        <source>Import a sheet that comes with Detent, to see how it goes</source>
+        <translation>Ein mitgeliefertes Datenblatt importieren, um zu sehen, wie es geht</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MarginOverlay</name>
@@ -4367,6 +4406,10 @@ Gegen den gezeigten Taster: %2</translation>
         <source>The other state alone remains</source>
         <translation>Der andere Zustand bleibt allein</translation>
     </message>
+    <message>
+        <source>Reading the traced points from the page…</source>
+        <translation>Die Punkte werden von der Seite abgelesen …</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::OriginMark</name>
@@ -4512,7 +4555,7 @@ Gegen den gezeigten Taster: %2</translation>
         <translation>%1 wird geöffnet …</translation>
     </message>
     <message>
-        <source>Drop a datasheet or a force meter's log here,
+        <source>Drop a datasheet or a force meter&apos;s log here,
 paste a picture of a graph (%1),
 or open a file (%2).</source>
         <translation>Legen Sie hier ein Datenblatt oder das Protokoll eines Kraftmessgeräts ab,
@@ -4767,11 +4810,17 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message numerus="yes">
         <source>%n points selected</source>
-        <translation><numerusform>%n Punkt ausgewählt</numerusform><numerusform>%n Punkte ausgewählt</numerusform></translation>
+        <translation>
+            <numerusform>%n Punkt ausgewählt</numerusform>
+            <numerusform>%n Punkte ausgewählt</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>Move %n points</source>
-        <translation><numerusform>%n Punkt verschieben</numerusform><numerusform>%n Punkte verschieben</numerusform></translation>
+        <translation>
+            <numerusform>%n Punkt verschieben</numerusform>
+            <numerusform>%n Punkte verschieben</numerusform>
+        </translation>
     </message>
     <message>
         <source>Corner or smooth: %1</source>
@@ -5105,7 +5154,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>durch Regen verdeckt</translation>
     </message>
     <message>
-        <source>on the outputs behind the vibration's</source>
+        <source>on the outputs behind the vibration&apos;s</source>
         <translation>auf den Ausgängen hinter dem der Schwingung</translation>
     </message>
     <message>
@@ -5113,7 +5162,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Audiogerät, auf dem Regen für die Ohren gespielt wird; drehen Sie auf, bis die Schwingung nicht mehr zu hören ist</translation>
     </message>
     <message>
-        <source>Serial port of a force sensor under the finger, calibrated by the study's device profile; empty: keys and large buttons press</source>
+        <source>Serial port of a force sensor under the finger, calibrated by the study&apos;s device profile; empty: keys and large buttons press</source>
         <translation>Serieller Anschluss eines Kraftsensors unter dem Finger, kalibriert durch das Geräteprofil der Studie; leer: Tasten und große Knöpfe drücken</translation>
     </message>
     <message>
@@ -5141,7 +5190,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>&amp;Beginnen oder weitermachen</translation>
     </message>
     <message>
-        <source>Open the participant's window, or let the program answer</source>
+        <source>Open the participant&apos;s window, or let the program answer</source>
         <translation>Das Fenster für die Person öffnen, oder das Programm antworten lassen</translation>
     </message>
     <message>
@@ -5538,11 +5587,11 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Slope on the knot's left side</source>
+        <source>Slope on the knot&apos;s left side</source>
         <translation>Steigung auf der linken Seite des Knotens</translation>
     </message>
     <message>
-        <source>Slope on the knot's right side; of a section, from end to end</source>
+        <source>Slope on the knot&apos;s right side; of a section, from end to end</source>
         <translation>Steigung auf der rechten Seite des Knotens; bei einem Abschnitt von Ende zu Ende</translation>
     </message>
     <message>
@@ -5550,24 +5599,24 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Was</translation>
     </message>
     <message>
-        <source>At (%1)</source>
-        <translation>Bei (%1)</translation>
-    </message>
-    <message>
-        <source>Force (%1)</source>
-        <translation>Kraft (%1)</translation>
-    </message>
-    <message>
-        <source>Before (%1)</source>
-        <translation>Davor (%1)</translation>
-    </message>
-    <message>
-        <source>Slope (%1)</source>
-        <translation>Steigung (%1)</translation>
-    </message>
-    <message>
         <source>Set: %1</source>
         <translation>Setzen: %1</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Before</source>
+        <translation>Davor</translation>
+    </message>
+    <message>
+        <source>Slope</source>
+        <translation>Steigung</translation>
     </message>
 </context>
 <context>
@@ -5584,7 +5633,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Legen Sie hier ein Datenblatt ab</translation>
     </message>
     <message>
-        <source>A picture, a PDF, an SVG, a force meter's CSV, or a button file. Detent reads the force graph and makes a button of it that you can shape and feel.</source>
+        <source>A picture, a PDF, an SVG, a force meter&apos;s CSV, or a button file. Detent reads the force graph and makes a button of it that you can shape and feel.</source>
         <translation>Ein Bild, ein PDF, ein SVG, die CSV eines Kraftmessgeräts oder eine Tasterdatei. Detent liest den Kraftgraphen und macht daraus einen Taster, den Sie formen und fühlen können.</translation>
     </message>
     <message>
@@ -5594,6 +5643,13 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Files opened last</source>
         <translation>Zuletzt geöffnete Dateien</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ZoomTool</name>
+    <message>
+        <source>Drag a rectangle to see it enlarged; a click comes nearer, with Shift it goes back. F shows all.</source>
+        <translation>Ein Rechteck aufziehen, um es vergrößert zu sehen; ein Klick kommt näher, mit Umschalt geht es zurück. F zeigt alles.</translation>
     </message>
 </context>
 <context>
@@ -5667,7 +5723,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>von Hand vertauscht</translation>
     </message>
     <message>
-        <source>the legend names them "%1" and "%2", not one switch's press and release</source>
+        <source>the legend names them &quot;%1&quot; and &quot;%2&quot;, not one switch&apos;s press and release</source>
         <translation>die Legende nennt sie „%1“ und „%2“, nicht Drücken und Rückweg eines Tasters</translation>
     </message>
     <message>
@@ -5719,15 +5775,15 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Achse %1 nennt keine Einheit; %2 wäre geraten</translation>
     </message>
     <message>
-        <source>the %1 axis measures "%2"</source>
+        <source>the %1 axis measures &quot;%2&quot;</source>
         <translation>die Achse %1 misst „%2“</translation>
     </message>
     <message>
-        <source>a travel of %1 is not a button's</source>
+        <source>a travel of %1 is not a button&apos;s</source>
         <translation>ein Weg von %1 ist nicht der eines Tasters</translation>
     </message>
     <message>
-        <source>a force of %1 is not a button's</source>
+        <source>a force of %1 is not a button&apos;s</source>
         <translation>eine Kraft von %1 ist nicht die eines Tasters</translation>
     </message>
     <message>
@@ -5747,7 +5803,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>mehr als die Hälfte einer Kurve liegt parallel zu einer Achse, wie Rasterlinien es tun</translation>
     </message>
     <message>
-        <source>a stroke with %1 tactile points is not a button's</source>
+        <source>a stroke with %1 tactile points is not a button&apos;s</source>
         <translation>eine Kurve mit %1 Druckpunkten ist nicht die eines Tasters</translation>
     </message>
     <message>
@@ -5783,7 +5839,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>keine Einheit an der Achse %1 gefunden: für gf genommen, weil sie über 5 endet</translation>
     </message>
     <message>
-        <source>the label "%1" on the %2 axis stands at %3 of the scale that the others make: left out</source>
+        <source>the label &quot;%1&quot; on the %2 axis stands at %3 of the scale that the others make: left out</source>
         <translation>die Beschriftung „%1“ der Achse %2 steht bei %3 der Skala, die die anderen bilden: weggelassen</translation>
     </message>
     <message>
@@ -5815,7 +5871,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>der Weg beginnt bei %1: so verschoben, dass das Drücken bei null beginnt</translation>
     </message>
     <message>
-        <source>a force of %1 before contact was taken off as the meter's offset</source>
+        <source>a force of %1 before contact was taken off as the meter&apos;s offset</source>
         <translation>eine Kraft von %1 vor der Berührung wurde als Nullpunktfehler des Messgeräts abgezogen</translation>
     </message>
     <message>
@@ -5823,7 +5879,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Protokoll ist lang: Je %1 Zeilen wurden zu einer gemittelt</translation>
     </message>
     <message>
-        <source>%1 of %2 rows hold no two finite numbers and were left out, the first in line %3 ("%4")</source>
+        <source>%1 of %2 rows hold no two finite numbers and were left out, the first in line %3 (&quot;%4&quot;)</source>
         <translation>%1 von %2 Zeilen enthalten keine zwei endlichen Zahlen und wurden weggelassen, die erste in Zeile %3 („%4“)</translation>
     </message>
     <message>

@@ -4,7 +4,7 @@
 
     actions_e2e.py --bin FOLDER [--root FOLDER] [--keep FOLDER] [--walk sheets|by-hand|screens] [--times N] [SHEET...]
 
-Walks: sheets that import (those named, else a sample), where a click, a drag or a key is an action; by hand, a page of which
+Walks: sheets that import (those named, else a sample and six vendors' sheets of the corpus), where a click, a drag or a key is an action; by hand, a page of which
 nothing is read, neither frame nor numbers nor curves, where clicks and drags count; and the windows on small screens and at twice
 the size. What is typed into a field belongs to the click on it.
 """
@@ -12,6 +12,7 @@ the size. What is typed into a field belongs to the click on it.
 import argparse
 import json
 import math
+import os
 import shutil
 import struct
 import subprocess
@@ -24,6 +25,9 @@ from pathlib import Path
 from desktop import PATIENCE_S, Desktop, Editor, wait_for
 
 MOST_ACTIONS_THAT_IMPORT, MOST_CLICKS_BY_HAND = 5, 15
+# Of the corpus that DETENT_CORPUS names, or that lies beside the checkout: four vendors, traces and pictures, first and later pages.
+VENDOR_SHEETS = ["Cherry/EN_CHERRY_MX1A-1xxA_B.pdf", "Cherry/EN_CHERRY_MX3A-1xxA_B.pdf", "Gateron/Gateron ks-27 datasheet.pdf",
+                 "Kailh/CPG151001D02-Brown-Sun.pdf", "Kailh/CPG1353S01D01-01.pdf", "Greetech/SPEC_GT02A1BFN_Rev_A.pdf"]
 SCREENS = [("1024x700", 1), ("1366x768", 1), ("1366x768", 2)]
 
 
@@ -161,6 +165,14 @@ def fits(programs, root, folder, size, scale):
         desktop.screenshot(folder / f"window-{size}-{scale}.png")
 
 
+def vendor_sheets(root):
+    folder = Path(os.environ.get("DETENT_CORPUS", root.parent / "shared/corpus")) / "datasheets/pdf"
+    sheets = [folder / name for name in VENDOR_SHEETS if (folder / name).is_file()]
+    if len(sheets) < len(VENDOR_SHEETS):
+        print(f"SKIPPED {len(VENDOR_SHEETS) - len(sheets)} of {len(VENDOR_SHEETS)} vendors' sheets: not in {folder}", flush=True)
+    return sheets
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("sheets", nargs="*", type=Path)
@@ -190,7 +202,7 @@ def main():
                 failed += 1
 
         asked = [arguments.walk] if arguments.walk else ["sheets", "by-hand", "screens"]
-        sheets = [s.resolve() for s in arguments.sheets] or [root / "samples/plots/white-vector.pdf"]
+        sheets = [s.resolve() for s in arguments.sheets] or [root / "samples/plots/white-vector.pdf"] + vendor_sheets(root)
         for sheet in sheets if "sheets" in asked else []:
             walk(sheet.name, lambda folder: from_a_sheet_that_imports(programs, sheet, folder), MOST_ACTIONS_THAT_IMPORT)
         for time_walked in range(arguments.times if "by-hand" in asked else 0):
