@@ -234,8 +234,9 @@ QString ValuesModel::shownText(double value, Quantity quantity) const {
   const auto error = readingErrorOf(document_.button());
   const double shown = value / shownUnitOf(quantity, units);
   const QString plain = quantityText(value, quantity, units);
-  const auto rounded = readQuantity(plain, quantity, units).value;
-  const bool asTyped = rounded && std::abs(*rounded - value) <= 1e-9 * std::abs(value);
+  constexpr int mostTyped = 8;  // digits; what was read off a page has sixteen
+  const auto rounded = readQuantity(quantityText(value, quantity, units, mostTyped), quantity, units).value;
+  const bool asTyped = rounded && std::abs(*rounded - value) <= 1e-12 * std::abs(value);
   if (!error || asTyped) return plain;
   if (quantity == Quantity::slope) return quantityText(value, quantity, units, digitsOfReadSlope);
   const double sigma = (quantity == Quantity::length ? error->mm : error->N) / shownUnitOf(quantity, units);

@@ -68,8 +68,9 @@ void QuantityField::take(const QString& typed) {
   if (!reading.value) return refuse(refusalOf(reading, quantity_, units_));
   if (const QString why = rangeRefusal(*reading.value); !why.isEmpty()) return refuse(why);
   refuse({});
-  if (*reading.value == value_) return;
-  value_ = *reading.value;
+  const double read = std::clamp(*reading.value, range_.lowest, range_.highest);
+  if (read == value_) return;
+  value_ = read;
   if (keyboardTracking()) emit valueChanged(value_);
 }
 
@@ -90,8 +91,9 @@ QString QuantityField::textOf(double value) const {
 }
 
 QString QuantityField::rangeRefusal(double value) const {
-  // Bounds are other people's sums: what is shown as the bound is the bound.
-  const double slack = 1e-9 * std::max(std::abs(range_.lowest), std::abs(range_.highest));
+  // What is shown as the bound, with its few digits, is the bound.
+  const double slack =
+      std::pow(10.0, 1 - shownDigits) * std::max(std::abs(range_.lowest), std::abs(range_.highest));
   if (value >= range_.lowest - slack && value <= range_.highest + slack) return {};
   return tr("Between %1 and %2")
       .arg(quantityWithUnit(range_.lowest, quantity_, units_),

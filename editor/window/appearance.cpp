@@ -35,7 +35,7 @@ QPalette paletteOf(const Grounds& grounds) {
 }  // namespace
 
 QPalette lightPalette() {
-  return paletteOf({"#f3f4f6", "#ffffff", "#f6f7f9", "#eceef1", "#1d2126", "#6a717a", "#0067a8", "#ffffff",
+  return paletteOf({"#f3f4f6", "#ffffff", "#f6f7f9", "#eceef1", "#1d2126", "#5f666f", "#0067a8", "#ffffff",
                     "#005a94", "#ffffff", "#c3c8ce"});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/main_window.h"
 
+#include <algorithm>
 #include <cmath>
 #include <QApplication>
 #include <QClipboard>
@@ -13,8 +14,10 @@
 #include <QPrinter>
 #include <QScreen>
 #include <QStatusBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "editor/canvas/graph_canvas.h"
 #include "editor/feel/feel_panel.h"
@@ -37,7 +40,8 @@ namespace {
 constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 2;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
-constexpr int firstLibrary_px = 230, firstValues_px = 400;
+constexpr int firstLibrary_px = 230, firstValues_px = 430;
+constexpr double mostForValues = 0.36;  // of the window
 constexpr QSize copiedPicture_px{1800, 1200};
 
 void bringUp(QWidget& window) {
@@ -145,7 +149,6 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(valuesDock_, historyDock_);
   tabifyDockWidget(historyDock_, checksDock_);
   valuesDock_->raise();
-  resizeDocks({libraryDock_, valuesDock_}, {firstLibrary_px, firstValues_px}, Qt::Horizontal);
   feelDock_->hide();
   connect(feelDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     if (visible && !feel_) makeFeelPanel();
@@ -414,9 +417,19 @@ void MainWindow::applyAppearance() {
 void MainWindow::restoreWindow() {
   if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray()))
     resize(firstSize_px.boundedTo(screen()->availableSize()));
-  restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
+  docksAreNew_ = !restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
   if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
     library_->setFolder(folder);
+}
+
+// Docks take the widths they are given only in a window that has its own.
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (!std::exchange(docksAreNew_, false)) return;
+  QTimer::singleShot(0, this, [this] {
+    const int values_px = std::min(firstValues_px, static_cast<int>(mostForValues * width()));
+    resizeDocks({libraryDock_, valuesDock_}, {firstLibrary_px, values_px}, Qt::Horizontal);
+  });
 }
 
 void MainWindow::storeWindow() {

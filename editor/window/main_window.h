@@ -56,6 +56,7 @@ class MainWindow : public QMainWindow {
   void showStudy();
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -139,6 +140,7 @@ class MainWindow : public QMainWindow {
   QStackedWidget *values_ = nullptr, *history_ = nullptr, *checks_ = nullptr;
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *historyDock_ = nullptr,
               *checksDock_ = nullptr, *feelDock_ = nullptr;
+  bool docksAreNew_ = false;    // nothing was kept of how they were arranged
   QComboBox* other_ = nullptr;  // which button is B of the feel panel
   QPointer<MarginOverlay> margin_;
   QPointer<ButtonDocument> otherDocument_;

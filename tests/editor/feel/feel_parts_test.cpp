@@ -16,7 +16,6 @@
 #include "editor/feel/signal_view.h"
 #include "editor/feel/sound_device_list.h"
 #include "model/edits.h"
-#include "model/templates.h"
 #include "tests/editor/feel/feel_buttons.h"
 
 using namespace detent;
@@ -78,7 +77,7 @@ class FeelPartsTest : public QObject {
 
   // A press recorded in the second state of a latch is drawn and played from there.
   void aPressBeginsInItsState() {
-    const Button latch = selfLockingButton().value();
+    const Button latch = lockingButton();
     PressSignalRequest request{latch, {}, {}};
     const PressSignal first = pressSignalOf(request);
     request.firstState = 1;

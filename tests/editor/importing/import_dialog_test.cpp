@@ -58,13 +58,13 @@ class ShownDialog : private OwnSettings, public ImportDialog {
 };
 
 struct OwnState : OwnSettings {
-  ImportState state_;
+  ImportState itsState;
 };
 
 /// The page alone, without the dialogue around it.
 class ShownView : private OwnState, public PageView {
  public:
-  explicit ShownView(QSize size = {900, 700}) : PageView(state_, settings) {
+  explicit ShownView(QSize size = {900, 700}) : PageView(itsState, settings) {
     resize(size);
     show();
   }
