@@ -49,7 +49,8 @@ Line sampled(const Line& line) {
 }
 
 struct Offset {
-  double distance, dx, dy;
+  double squared, dx, dy;
+  double distance() const { return std::sqrt(squared); }
 };
 
 Offset offsetTo(const Spot& p, const Spot& a, const Spot& b) {
@@ -57,7 +58,7 @@ Offset offsetTo(const Spot& p, const Spot& a, const Spot& b) {
   const double share =
       length2 > 0 ? std::clamp(((p.x - a.x) * vx + (p.y - a.y) * vy) / length2, 0.0, 1.0) : 0;
   const double dx = p.x - (a.x + share * vx), dy = p.y - (a.y + share * vy);
-  return {std::hypot(dx, dy), std::abs(dx), std::abs(dy)};
+  return {dx * dx + dy * dy, std::abs(dx), std::abs(dy)};
 }
 
 // Runs of consecutive segments with their boxes: a far run is passed over at once, so long measured strokes
@@ -85,22 +86,23 @@ class NearestPlace {
     searchRun(p, lastRun_, best);  // the previous sample's neighbourhood first: a tight bound at once
     const std::size_t near = lastRun_;
     for (std::size_t run = 0; run < boxes_.size(); ++run)
-      if (run != near && boxes_[run].distance(p) < best.distance) searchRun(p, run, best);
+      if (run != near && boxes_[run].squaredDistance(p) < best.squared) searchRun(p, run, best);
     return best;
   }
 
  private:
   struct Box {
     double x0, x1, y0, y1;
-    double distance(const Spot& p) const {
-      return std::hypot(std::max({x0 - p.x, 0.0, p.x - x1}), std::max({y0 - p.y, 0.0, p.y - y1}));
+    double squaredDistance(const Spot& p) const {
+      const double dx = std::max({x0 - p.x, 0.0, p.x - x1}), dy = std::max({y0 - p.y, 0.0, p.y - y1});
+      return dx * dx + dy * dy;
     }
   };
   void searchRun(const Spot& p, std::size_t run, Offset& best) {
     const std::size_t first = run * runLength_, end = std::min(first + runLength_, line_.size() - 1);
     for (std::size_t i = first; i < end; ++i) {
       const Offset offset = offsetTo(p, line_[i], line_[i + 1]);
-      if (offset.distance >= best.distance) continue;
+      if (offset.squared >= best.squared) continue;
       best = offset;
       lastRun_ = run;
     }
@@ -129,11 +131,11 @@ OneWay oneWay(const Line& from, const Line& to) {
   std::vector<double> distances;
   for (const Spot& p : sampled(from)) {
     const Offset offset = nearest.to(p);
-    distances.push_back(offset.distance);
-    result.mean += offset.distance;
+    distances.push_back(offset.distance());
+    result.mean += distances.back();
     result.meanX += offset.dx;
     result.meanY += offset.dy;
-    result.max = std::max(result.max, offset.distance);
+    result.max = std::max(result.max, distances.back());
     result.maxX = std::max(result.maxX, offset.dx);
     result.maxY = std::max(result.maxY, offset.dy);
   }

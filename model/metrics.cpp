@@ -9,7 +9,8 @@ namespace {
 
 // The extremum against the tactile point between it and the next one (or the end of the jump): the lowest of
 // a press, the highest of a release. A force that never turns back has its end as valley.
-std::optional<CurvePoint> followingExtremum(const StrokeCurve& curve, Stroke stroke, double from_mm,
+std::optional<CurvePoint> followingExtremum(const StrokeCurve& curve, Stroke stroke,
+                                            const std::vector<CurvePoint>& extrema, double from_mm,
                                             double to_mm) {
   std::optional<CurvePoint> best;
   const auto consider = [&](double x, double force) {
@@ -17,8 +18,7 @@ std::optional<CurvePoint> followingExtremum(const StrokeCurve& curve, Stroke str
     if (!between) return;
     if (!best || (stroke == Stroke::press ? force < best->force_N : force > best->force_N)) best = {x, force};
   };
-  for (const CurvePoint& p : stroke == Stroke::press ? curve.localMinima() : curve.localMaxima())
-    consider(p.displacement_mm, p.force_N);
+  for (const CurvePoint& p : extrema) consider(p.displacement_mm, p.force_N);
   const Knot& end = stroke == Stroke::press ? curve.knots().back() : curve.knots().front();
   consider(end.displacement_mm, end.force_N);
   return best;
@@ -28,13 +28,14 @@ std::vector<TactileEvent> tactileEvents(const StrokeCurve& curve, Stroke stroke,
                                         const std::vector<Section>& sections,
                                         const SectionSettings& settings) {
   const std::vector<TactilePoint> points = tactilePoints(curve, stroke, settings);
+  const std::vector<CurvePoint> extrema = stroke == Stroke::press ? curve.localMinima() : curve.localMaxima();
   std::vector<TactileEvent> events;
   for (std::size_t i = 0; i < points.size(); ++i) {
     TactileEvent event;
     event.point = points[i];
     const double end_mm = stroke == Stroke::press ? curve.end_mm() : curve.start_mm();
     const double stop_mm = i + 1 < points.size() ? points[i + 1].displacement_mm : end_mm;
-    event.following = followingExtremum(curve, stroke, points[i].displacement_mm, stop_mm);
+    event.following = followingExtremum(curve, stroke, extrema, points[i].displacement_mm, stop_mm);
     if (stroke == Stroke::press && event.following && points[i].force_N > 0)
       event.snapRatio = (points[i].force_N - event.following->force_N) / points[i].force_N;
     for (const Section& s : sections) {

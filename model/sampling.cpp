@@ -212,7 +212,8 @@ std::vector<CurvePoint> samplesOf(const StrokeCurve& curve, double tolerance_N) 
                                   : a.displacement_mm + share * (b.displacement_mm - a.displacement_mm);
       for (; turn != turns.end() && turn->displacement_mm < x; ++turn)
         if (turn->displacement_mm > points.back().displacement_mm) points.push_back(*turn);
-      if (k < parts && x > points.back().displacement_mm) points.push_back({x, curve.force_N(x)});
+      // Between knots an ulp apart a place may round to the next knot, which speaks for itself.
+      if (x > points.back().displacement_mm && x < b.displacement_mm) points.push_back({x, curve.force_N(x)});
     }
   }
   appendIfNew(points, {knots.back().displacement_mm, knots.back().force_N});

@@ -37,6 +37,12 @@ constexpr UnitEntry<ForceUnit> forceUnits[] = {
     {ForceUnit::decinewton, 1e-1, "dN", {"dN"}, {"decinewton", "decinewtons"}},
     {ForceUnit::kilonewton, 1e3, "kN", {"kN", "KN"}, {"kilonewton", "kilonewtons"}},
     {ForceUnit::dyne, 1e-5, "dyn", {}, {"dyn", "dyne", "dynes"}},
+    {ForceUnit::micronewton,
+     1e-6,
+     "\xC2\xB5N",
+     {"uN", "\xC2\xB5N", "\xCE\xBCN", "мкН"},
+     {"micronewton", "micronewtons"}},
+    {ForceUnit::meganewton, 1e6, "MN", {"MN", "МН"}, {"meganewton", "meganewtons"}},
     {ForceUnit::gramForce,
      standardGravity_m_per_s2 / 1000,
      "gf",
@@ -84,7 +90,13 @@ constexpr UnitEntry<LengthUnit> lengthUnits[] = {
      "in",
      {},
      {"in", "in.", "ins", "inch", "inches", "\"", "zoll", "英寸", "英吋", "インチ", "дюйм"}},
-    {LengthUnit::mil, 0.0254, "mil", {}, {"mil", "mils", "thou"}}};
+    {LengthUnit::mil, 0.0254, "mil", {}, {"mil", "mils", "thou"}},
+    {LengthUnit::metre, 1e3, "m", {"m", "м"}, {"metre", "metres", "meter", "meters", "米"}},
+    {LengthUnit::nanometre,
+     1e-6,
+     "nm",
+     {"nm", "нм"},
+     {"nanometre", "nanometres", "nanometer", "nanometers", "纳米"}}};
 
 template <class Unit, std::size_t count>
 const UnitEntry<Unit>& entryOf(const UnitEntry<Unit> (&units)[count], Unit unit) {
@@ -118,8 +130,8 @@ std::optional<Unit> unitFrom(const UnitEntry<Unit> (&units)[count], std::string_
   return {};
 }
 
-// Mega: lowering it would silently be wrong by nine orders of magnitude.
-bool isMegaNewton(std::string_view text) { return text == "MN" || text == "Mn"; }
+// Half mega, half milli: lowering it would silently be wrong by nine orders of magnitude.
+bool mayBeMega(std::string_view text) { return text == "Mn"; }
 
 }  // namespace
 
@@ -130,7 +142,7 @@ std::string_view symbolOf(ForceUnit unit) { return entryOf(forceUnits, unit).sym
 std::string_view symbolOf(LengthUnit unit) { return entryOf(lengthUnits, unit).symbol; }
 
 std::optional<ForceUnit> forceUnitFrom(std::string_view text) {
-  if (isMegaNewton(trimmed(text))) return {};
+  if (mayBeMega(trimmed(text))) return {};
   return unitFrom(forceUnits, text);
 }
 

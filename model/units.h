@@ -17,9 +17,11 @@ enum class ForceUnit {
   poundForce,
   decinewton,
   kilonewton,
-  dyne
+  dyne,
+  micronewton,
+  meganewton
 };
-enum class LengthUnit { millimetre, centimetre, micrometre, inch, mil };
+enum class LengthUnit { millimetre, centimetre, micrometre, inch, mil, metre, nanometre };
 
 /// Newtons in one unit (exact where the definition is: 1 gf = 0.00980665 N, 1 lbf = 4.4482216152605 N).
 double newtonsPer(ForceUnit unit);
@@ -31,7 +33,7 @@ std::string_view symbolOf(ForceUnit unit);
 std::string_view symbolOf(LengthUnit unit);
 
 /// From a symbol or word as printed or typed, Latin, Cyrillic or CJK: "gf", "g", "gram", "cN", "mN", "N", "ozf", "oz",
-/// "lbf", "kgf", "гс", "牛"...; case matters only where it must ("mN" and "MN"). nullopt if it names no known unit.
+/// "lbf", "kgf", "гс", "牛"...; case matters only where it must ("mN" and "MN", "m" and "M"). nullopt if it names no known unit.
 std::optional<ForceUnit> forceUnitFrom(std::string_view text);
 std::optional<LengthUnit> lengthUnitFrom(std::string_view text);
 

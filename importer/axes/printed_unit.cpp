@@ -58,6 +58,10 @@ constexpr std::array lengthMisreadings{Misreading<LengthUnit>{"rnm", LengthUnit:
                                        Misreading<LengthUnit>{"Hm", LengthUnit::micrometre, 0.8, true},
                                        Misreading<LengthUnit>{"vm", LengthUnit::micrometre, 0.7, true}};
 
+/// No button's graph is printed in these; on a page they are a smaller unit misread, or another quantity.
+constexpr std::array unprintedForces{ForceUnit::micronewton, ForceUnit::meganewton};
+constexpr std::array unprintedLengths{LengthUnit::metre, LengthUnit::nanometre};
+
 constexpr std::array forceWords{"force", "kraft", "load", "weight", "力",
                                 "荷重",  "сила",  "усил", "fuerza", "carga"};
 constexpr std::array lengthWords{"travel", "stroke",     "displacement", "deflection", "distance", "weg",
@@ -262,16 +266,19 @@ bool mayBeUnit(const Piece& piece) {
   return piece.text.size() > 1 ? piece.text != "in" : piece.text == "N" || piece.text == "g";
 }
 
-template <class Unit, std::size_t N, class FromSymbol>
+template <class Unit, std::size_t N, std::size_t M, class FromSymbol>
 std::optional<PrintedUnit<Unit>> unitIn(std::string_view title,
                                         const std::array<Misreading<Unit>, N>& misreadings,
-                                        bool hasQuantityWord, FromSymbol fromSymbol) {
+                                        const std::array<Unit, M>& unprinted, bool hasQuantityWord,
+                                        FromSymbol fromSymbol) {
   std::optional<PrintedUnit<Unit>> best;
   const auto offer = [&](Unit unit, double sure) {
     if (!best || sure > best->sure) best = PrintedUnit<Unit>{unit, sure};
   };
   for (const Piece& piece : pieces(plainTitle(title))) {
-    if (const auto unit = fromSymbol(piece.text); unit && mayBeUnit(piece)) offer(*unit, piece.sure);
+    const auto unit = fromSymbol(piece.text);
+    if (unit && mayBeUnit(piece) && std::ranges::find(unprinted, *unit) == unprinted.end())
+      offer(*unit, piece.sure);
     if (piece.sure < 0.9) continue;
     for (const auto& m : misreadings)
       if (piece.text == m.text && (hasQuantityWord || !m.needsWord)) offer(m.unit, piece.sure * m.sure);
@@ -282,11 +289,13 @@ std::optional<PrintedUnit<Unit>> unitIn(std::string_view title,
 }  // namespace
 
 std::optional<PrintedUnit<ForceUnit>> forceUnitIn(std::string_view title) {
-  return unitIn(title, forceMisreadings, hasWord(lowered(plainTitle(title)), forceWords), forceUnitFrom);
+  return unitIn(title, forceMisreadings, unprintedForces, hasWord(lowered(plainTitle(title)), forceWords),
+                forceUnitFrom);
 }
 
 std::optional<PrintedUnit<LengthUnit>> lengthUnitIn(std::string_view title) {
-  return unitIn(title, lengthMisreadings, hasWord(lowered(plainTitle(title)), lengthWords), lengthUnitFrom);
+  return unitIn(title, lengthMisreadings, unprintedLengths, hasWord(lowered(plainTitle(title)), lengthWords),
+                lengthUnitFrom);
 }
 
 std::string otherQuantityIn(std::string_view title) {

@@ -445,6 +445,15 @@ SolveReport reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points,
 
 int returnStrayKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, double reach) {
   int returned = 0;
+  // An end that was taken for a wall's may slide along a flat stretch instead, and the curve lose what lies before it.
+  const auto returnEnd = [&](ChainKnot& knot, const SigmaPoint& end) {
+    if (std::abs(knot.u() - end.u) <= reach) return;
+    knot.at[0] = end.u;
+    knot.at[1] = end.v;
+    ++returned;
+  };
+  returnEnd(chain.front(), points.front());
+  returnEnd(chain.back(), points.back());
   for (ChainKnot& knot : chain) {
     double best = std::numeric_limits<double>::infinity(), u = knot.u(), v = knot.v();
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {

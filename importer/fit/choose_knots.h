@@ -47,7 +47,7 @@ SolveReport reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points,
                         const ChoiceSettings& settings);
 
 /// The last word against a solve that went astray (a few wild points leave a knot undetermined): knots
-/// further than `reach` sigmas from the line through the points go back to it. Returns how many did.
+/// further than `reach` sigmas from the line through the points go back to it, ends to the points' ends. Returns how many did.
 int returnStrayKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, double reach);
 
 }  // namespace detent::importer

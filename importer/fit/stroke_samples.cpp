@@ -31,6 +31,40 @@ Extent extentOf(const std::vector<CurvePoint>& points) {
   return e;
 }
 
+/// Extent of the points when each is the median of itself and its neighbours: single wild ones have no part in it.
+Extent calmExtentOf(const std::vector<CurvePoint>& points) {
+  const auto middle = [](double a, double b, double c) {
+    return std::max(std::min(a, b), std::min(std::max(a, b), c));
+  };
+  std::vector<CurvePoint> calm;
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const CurvePoint &a = points[i - 1], &b = points[i], &c = points[i + 1];
+    calm.push_back({middle(a.displacement_mm, b.displacement_mm, c.displacement_mm),
+                    middle(a.force_N, b.force_N, c.force_N)});
+  }
+  return extentOf(calm);
+}
+
+/// Points between the ends that lie farther outside of the others than those reach among themselves are slips of an instrument. Kept,
+/// one would make the resolution, which is a share of the spans, too coarse for all others. An end may be a wall's only sample.
+std::vector<CurvePoint> withoutSlips(const std::vector<CurvePoint>& points) {
+  constexpr std::size_t fewest = 8;
+  if (points.size() < fewest) return points;
+  const Extent calm = calmExtentOf(points);
+  const auto outside = [](double value, double low, double high) {
+    return high > low && (value < low - (high - low) || value > high + (high - low));
+  };
+  std::vector<CurvePoint> kept;
+  kept.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const CurvePoint& p = points[i];
+    const bool slip =
+        outside(p.displacement_mm, calm.minX, calm.maxX) || outside(p.force_N, calm.minF, calm.maxF);
+    if (!slip || i == 0 || i + 1 == points.size()) kept.push_back(p);
+  }
+  return kept;
+}
+
 /// Largest way back against the direction of travel: 0 for a clean stroke, near the travel for a
 /// there-and-back run.
 double greatestSetback(const std::vector<SigmaPoint>& points) {
@@ -175,13 +209,14 @@ void sharpenTactilePoints(std::vector<SigmaPoint>& points, Stroke stroke, double
 
 }  // namespace
 
-Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& points, Stroke stroke,
+Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& given, Stroke stroke,
                                      const FitOptions& options) {
-  for (std::size_t i = 0; i < points.size(); ++i)
-    if (!std::isfinite(points[i].displacement_mm) || !std::isfinite(points[i].force_N))
+  for (std::size_t i = 0; i < given.size(); ++i)
+    if (!std::isfinite(given[i].displacement_mm) || !std::isfinite(given[i].force_N))
       return unreadable(stroke, "point " + std::to_string(i + 1),
                         "displacement or force is not a finite number",
                         "Leave such points out before fitting");
+  const std::vector<CurvePoint> points = withoutSlips(given);
   if (points.size() < 2)
     return unreadable(stroke, "", "it has " + std::to_string(points.size()) + " point(s)",
                       "Give at least two points with different displacements");

@@ -34,6 +34,16 @@ std::vector<std::string> wordsOf(std::string_view text) {
   return words;
 }
 
+/// "Weg in Schritten": the word before the unit, not inches, which end a title or stand in brackets.
+std::string withoutPreposition(std::string_view title) {
+  std::string rest(title);
+  for (std::size_t at = rest.find(" in "); at != std::string::npos; at = rest.find(" in ", at + 1)) {
+    const std::size_t next = rest.find_first_not_of(' ', at + 4);
+    if (next != std::string::npos) rest.replace(at, 3, "   ");
+  }
+  return rest;
+}
+
 bool containsAny(const std::string& text, const std::vector<std::string_view>& parts) {
   return std::any_of(parts.begin(), parts.end(),
                      [&](std::string_view part) { return text.find(part) != std::string::npos; });
@@ -64,7 +74,7 @@ Role roleOf(std::string_view title) {
   if (containsAny(low, forceParts) || hasWord(words, {"f", "fz", "kraft"})) return Role::force;
   if (containsAny(low, displacementParts) || hasWord(words, {"pos", "disp", "dist", "x", "z", "stroke"}))
     return Role::displacement;
-  for (const std::string& word : wordsOf(title)) {
+  for (const std::string& word : wordsOf(withoutPreposition(title))) {
     if (forceUnitFrom(word)) return Role::force;
     if (lengthUnitFrom(word)) return Role::displacement;
   }
@@ -78,7 +88,7 @@ Role roleOf(std::string_view title) {
 template <class Unit, class From>
 std::optional<Unit> lastUnit(std::string_view title, From from) {
   std::optional<Unit> unit;
-  for (const std::string& word : wordsOf(title))
+  for (const std::string& word : wordsOf(withoutPreposition(title)))
     if (const auto named = from(word)) unit = named;
   return unit;
 }
@@ -110,7 +120,14 @@ std::optional<std::size_t> firstNumberRow(const std::vector<std::string>& lines,
   std::size_t run = 0;
   for (std::size_t i = 0; i < isRow.size(); ++i) {
     run = isRow[i] ? run + 1 : 0;
-    if (run == needed) return i + 1 - needed;
+    if (run < needed) continue;
+    std::size_t first = i + 1 - needed;
+    // A row without numbers among the first ("--;--") is no header where rows of numbers stand above it.
+    const auto bridges = [&](std::size_t row) {
+      return isRow[row] || (row > 0 && isRow[row - 1] && std::ranges::none_of(lines[row], isLetter));
+    };
+    while (first > 0 && bridges(first - 1)) --first;
+    return first;
   }
   return static_cast<std::size_t>(std::find(isRow.begin(), isRow.end(), 1) - isRow.begin());
 }

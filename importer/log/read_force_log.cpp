@@ -217,6 +217,7 @@ class LogReader {
     orient(press, Stroke::press);
     orient(release, Stroke::release);
     estimateNoise(press, release);
+    endBeforeDwell(press, log_.noise_mm, log_.noise_N);
     startAtZero(press, release);
     log_.strokes.press.points = std::move(press);
     if (!release.empty()) log_.strokes.release = StrokePoints{std::move(release), {}, false};
@@ -238,29 +239,43 @@ class LogReader {
     return {};
   }
 
-  /// Compression counts up and pushes with positive force, whatever the instrument's signs are.
+  /// Compression counts up and pushes with positive force, whatever the instrument's signs are. Single wild samples have no say.
   void settleSigns() {
-    double meanX = 0, meanF = 0, n = 0;
-    const auto each = [&](auto&& visit) {
-      for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
-        for (CurvePoint& p : run->samples()) visit(p);
-    };
-    double highest = -std::numeric_limits<double>::infinity(), lowest = -highest;
-    each([&](CurvePoint& p) {
-      meanX += p.displacement_mm, meanF += p.force_N, n += 1;
-      highest = std::max(highest, p.force_N), lowest = std::min(lowest, p.force_N);
-    });
-    if (-lowest > 1.5 * std::max(highest, 0.0)) {
-      each([](CurvePoint& p) { p.force_N = -p.force_N; });
-      meanF = -meanF;
-      log_.remarks.push_back({RemarkCode::forcesTurned});
-    }
-    meanX /= n, meanF /= n;
+    std::vector<CurvePoint> calm;
+    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release}) appendCalmed(run->samples(), calm);
+    const auto [lowest, highest] = std::ranges::minmax(calm, {}, &CurvePoint::force_N);
+    const bool turned = -lowest.force_N > 1.5 * std::max(highest.force_N, 0.0);
+    if (turned) log_.remarks.push_back({RemarkCode::forcesTurned});
+    CurvePoint mean;
+    const double n = static_cast<double>(calm.size());
+    for (const CurvePoint& p : calm)
+      mean.displacement_mm += p.displacement_mm / n, mean.force_N += p.force_N / n;
     double together = 0;
-    each([&](CurvePoint& p) { together += (p.displacement_mm - meanX) * (p.force_N - meanF); });
-    if (together < 0) {
-      each([](CurvePoint& p) { p.displacement_mm = -p.displacement_mm; });
-      log_.remarks.push_back({RemarkCode::displacementTurned});
+    for (const CurvePoint& p : calm)
+      together += (p.displacement_mm - mean.displacement_mm) * (p.force_N - mean.force_N);
+    const bool reversed = turned ? together > 0 : together < 0;
+    if (reversed) log_.remarks.push_back({RemarkCode::displacementTurned});
+    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
+      for (CurvePoint& p : run->samples()) {
+        if (turned) p.force_N = -p.force_N;
+        if (reversed) p.displacement_mm = -p.displacement_mm;
+      }
+  }
+
+  /// Each sample as the median of it and its two neighbours; at the ends that of the first or last three.
+  static void appendCalmed(const std::vector<CurvePoint>& samples, std::vector<CurvePoint>& calm) {
+    if (samples.size() < 3) {
+      calm.insert(calm.end(), samples.begin(), samples.end());
+      return;
+    }
+    const auto middle = [](double a, double b, double c) {
+      return std::max(std::min(a, b), std::min(std::max(a, b), c));
+    };
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const std::size_t at = std::clamp<std::size_t>(i, 1, samples.size() - 2);
+      const CurvePoint &a = samples[at - 1], &b = samples[at], &c = samples[at + 1];
+      calm.push_back({middle(a.displacement_mm, b.displacement_mm, c.displacement_mm),
+                      middle(a.force_N, b.force_N, c.force_N)});
     }
   }
 

@@ -26,7 +26,7 @@ std::vector<StrokeSpan> spansOf(const std::vector<CurvePoint>& samples, double l
   const auto x = [&](std::size_t i) { return samples[i].displacement_mm; };
   for (std::size_t i = 1; i < samples.size(); ++i) {
     if (x(i) < x(lowest)) lowest = i;
-    // The last of equal heights: a dwell at the bottom belongs to the press.
+    // The last of equal heights: a dwell at the bottom is cut off the press later (endBeforeDwell).
     if (x(i) >= x(highest)) highest = i;
     if (way >= 0 && x(highest) - x(i) > least_mm && highest < i) {
       if (way > 0 || highest > begin) spans.push_back({begin, highest, Stroke::press});
@@ -69,16 +69,32 @@ FirstCycle firstCycleOf(const std::vector<StrokeSpan>& spans, const std::vector<
   return cycle;
 }
 
+void endBeforeDwell(std::vector<CurvePoint>& press, double noise_mm, double noise_N) {
+  constexpr double band = 3, fall = 5;  // noises
+  if (press.size() < 2) return;
+  double deepest_mm = press.back().displacement_mm;
+  for (const CurvePoint& p : press) deepest_mm = std::max(deepest_mm, p.displacement_mm);
+  const auto first = std::ranges::find_if(
+      press, [&](const CurvePoint& p) { return p.displacement_mm >= deepest_mm - band * noise_mm; });
+  const auto strongest = std::ranges::max_element(first, press.end(), {}, &CurvePoint::force_N);
+  if (strongest->force_N - press.back().force_N <= fall * noise_N || strongest - press.begin() < 1) return;
+  press.erase(strongest + 1, press.end());
+}
+
 double noiseOf(const std::vector<double>& values) {
   std::vector<double> bends;
   double resolution = std::numeric_limits<double>::infinity();
+  double greatest = 0;
+  for (const double value : values) greatest = std::max(greatest, std::abs(value));
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double step = std::abs(values[i] - values[i - 1]);
     // Rounding of decimal fractions leaves differences of a few ulp between equal numbers.
-    if (step > 1e-12 * (1 + std::abs(values[i]))) resolution = std::min(resolution, step);
+    if (step > 1e-12 * greatest) resolution = std::min(resolution, step);
     if (i + 1 < values.size()) bends.push_back(std::abs(values[i + 1] - 2 * values[i] + values[i - 1]));
   }
+  constexpr std::size_t fewest = 16;
   double noise = 0;
+  if (values.size() < fewest) return noise;
   if (!bends.empty()) noise = 1.4826 * medianOf(std::move(bends)) / std::sqrt(6.0);
   if (std::isfinite(resolution)) noise = std::max(noise, resolution / std::sqrt(12.0));
   return noise;

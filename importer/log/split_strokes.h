@@ -26,8 +26,14 @@ struct FirstCycle {
 };
 FirstCycle firstCycleOf(const std::vector<StrokeSpan>& spans, const std::vector<CurvePoint>& samples);
 
+/// Takes the dwell off the end of a press: where the handle stands at its deepest place (within 3 noises) and the force
+/// relaxes, or falls over to the release, the stroke ends with its strongest sample there. Kept, the fall would read as a
+/// tactile point at the end of the travel.
+void endBeforeDwell(std::vector<CurvePoint>& press, double noise_mm, double noise_N);
+
 /// Standard deviation of white noise from second differences (median absolute deviation: steps and corners do
-/// not count); at least what the smallest step between samples, read as the instrument's resolution, makes.
+/// not count); at least what the smallest step between samples, read as the instrument's resolution, makes. Fewer than 16
+/// values cannot tell noise from shape: they count as written.
 double noiseOf(const std::vector<double>& values);
 
 /// Force before contact: the median of a flat stretch at the start of a press, if there is one.

@@ -129,8 +129,8 @@ void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
                     "plot frame: X0,Y0,X1,Y1 or four corners as eight numbers, page units");
   group->add_option("--x-axis", raw.xAxis, "MIN:MAX at the frame's left and right edge, in the x unit");
   group->add_option("--y-axis", raw.yAxis, "MIN:MAX at the frame's bottom and top edge, in the y unit");
-  group->add_option("--x-unit", raw.xUnit, "mm, cm, um, in or mil (thou)");
-  group->add_option("--y-unit", raw.yUnit, "N, mN, cN, dN, kN, gf, kgf (kp), ozf, lbf or dyn");
+  group->add_option("--x-unit", raw.xUnit, "mm, cm, m, um, nm, in or mil (thou)");
+  group->add_option("--y-unit", raw.yUnit, "N, uN, mN, cN, dN, kN, MN, gf, kgf (kp), ozf, lbf or dyn");
   group->add_option("--press-color", raw.pressColor, "colour of the press curve, #rrggbb");
   group->add_option("--release-color", raw.releaseColor, "colour of the release curve, #rrggbb");
   group->add_option(
@@ -193,12 +193,14 @@ void settle(const RawOptions& raw, Arguments& a) {
   if (!raw.yAxis.empty()) parseAxis("--y-axis", raw.yAxis, hints.axes.yMin, hints.axes.yMax);
   if (!raw.xUnit.empty()) {
     hints.axes.xUnit = lengthUnitFrom(raw.xUnit);
-    if (!hints.axes.xUnit) throw wrong("--x-unit", raw.xUnit, "a unit of length (mm, cm, um, in, mil)");
+    if (!hints.axes.xUnit)
+      throw wrong("--x-unit", raw.xUnit, "a unit of length (mm, cm, m, um, nm, in, mil)");
   }
   if (!raw.yUnit.empty()) {
     hints.axes.yUnit = forceUnitFrom(raw.yUnit);
     if (!hints.axes.yUnit)
-      throw wrong("--y-unit", raw.yUnit, "a unit of force (N, mN, cN, dN, kN, gf, kgf, ozf, lbf, dyn)");
+      throw wrong("--y-unit", raw.yUnit,
+                  "a unit of force (N, uN, mN, cN, dN, kN, MN, gf, kgf, ozf, lbf, dyn)");
   }
   if (!raw.pressColor.empty()) hints.trace.pressColor = parseColor("--press-color", raw.pressColor);
   if (!raw.releaseColor.empty()) hints.trace.releaseColor = parseColor("--release-color", raw.releaseColor);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 
 #include "model/check.h"
@@ -218,12 +219,22 @@ class Plot {
     return buffer;
   }
 
+  // More would cover the curve: of a rough measurement's thousands the most prominent are named.
+  static std::vector<TactileEvent> namedOf(std::vector<TactileEvent> events) {
+    constexpr std::size_t most = 12;
+    if (events.size() <= most) return events;
+    std::ranges::nth_element(events, events.begin() + most, std::greater{},
+                             [](const TactileEvent& e) { return e.point.prominence_N; });
+    events.resize(most);
+    return events;
+  }
+
   void drawCallouts(std::string& out) {
-    for (const TactileEvent& e : metrics_.press.tactile)
+    for (const TactileEvent& e : namedOf(metrics_.press.tactile))
       callout(out, {e.point.displacement_mm, e.point.force_N}, "Tactile point", -1);
     if (metrics_.operatingPoint) callout(out, *metrics_.operatingPoint, "Operating point", -1);
     if (metrics_.release)
-      for (const TactileEvent& e : metrics_.release->tactile)
+      for (const TactileEvent& e : namedOf(metrics_.release->tactile))
         callout(out, {e.point.displacement_mm, e.point.force_N}, "Tactile point (release)", 1);
     if (metrics_.resetPoint) callout(out, *metrics_.resetPoint, "Reset point", 1);
     if (metrics_.press.bottomOut.wall)
@@ -296,7 +307,10 @@ double Ticks::at(int i) const {
 Ticks niceTicks(double low, double high, int aboutSteps) {
   DETENT_CHECK(std::isfinite(low) && std::isfinite(high) && low <= high && aboutSteps >= 2, "a finite range");
   if (!(high > low)) high = low == 0 ? 1 : low + std::abs(low);
-  if (!(high > low)) high = std::nextafter(low, std::numeric_limits<double>::infinity());
+  // A step keeps all its digits only above the smallest normal numbers: narrower ranges are one of their own.
+  constexpr double narrowest = 1e-290;
+  if (high - low < narrowest)
+    high = low + std::max(narrowest, std::abs(low) * std::numeric_limits<double>::epsilon());
   const double rough = (high - low) / aboutSteps;
   const double power = std::pow(10, std::floor(std::log10(rough)));
   Ticks ticks;

@@ -22,7 +22,6 @@ constexpr double constantSpread = 0.15;
 constexpr double movingShare = 0.1;  // of the fastest: slower samples tell nothing about speed
 constexpr double standsOut = 3;      // standard errors
 constexpr double mmPerM = 1000;
-constexpr double leastNoiseShare = 0.05;  // of the residual's squares is never taken for rounding
 
 /// Which columns the fit has, in this order: c, k at the knots, b at the knots, m.
 struct Columns {
@@ -247,6 +246,7 @@ struct Solution {
 
 /// Least squares of the weighted equations. None where they cannot be solved.
 std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& force_N) {
+  if (!design.allFinite()) return {};
   // Columns of length 1: N, N/mm and N·s/mm differ by orders of magnitude.
   const Eigen::VectorXd lengths = design.colwise().norm().cwiseMax(1e-300).transpose();
   design.array().rowwise() /= lengths.transpose().array();
@@ -282,12 +282,11 @@ std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& fo
 /// What one unit of error in each sample's force, and in its place, does to the normal equations: the windows' way back.
 struct Influence {
   Eigen::MatrixXd ofForce, ofPlace;  ///< samples x parameters
-  double forceSquares = 0;           ///< of what each sample's force does to each equation
-  double placeSquares = 0;           ///< of what the place of each sample that moves does to each equation
+  double squares = 0;                ///< of all shares in all averages
 };
 
 Influence influenceOf(const Samples& s, const RecordWindows& windows, const Equations& equations,
-                      const Stays& stays, const Eigen::MatrixXd& weighted, const Local& local) {
+                      const Eigen::MatrixXd& weighted, const Local& local) {
   Influence influence{Eigen::MatrixXd::Zero(s.force_N.size(), weighted.cols()),
                       Eigen::MatrixXd::Zero(s.force_N.size(), weighted.cols())};
   std::vector<SampleShare> shares;
@@ -298,13 +297,11 @@ Influence influenceOf(const Samples& s, const RecordWindows& windows, const Equa
     for (std::size_t j = 0; j < shares.size(); ++j) {
       const auto at = static_cast<Eigen::Index>(windows.first(centre) + j);
       influence.ofForce.row(at) += shares[j].mean * row;
-      const double byPlace = shares[j].mean * local.slope_N_per_mm[at] +
-                             shares[j].perS * local.damping_Ns_per_mm[at] +
-                             shares[j].perS2 * local.mass_kg / mmPerM;
-      influence.ofPlace.row(at) += byPlace * row;
-      influence.forceSquares += shares[j].mean * shares[j].mean;
-      if (stays.level[windows.first(centre) + j] == Stays::moving)
-        influence.placeSquares += byPlace * byPlace;
+      influence.ofPlace.row(at) +=
+          (shares[j].mean * local.slope_N_per_mm[at] + shares[j].perS * local.damping_Ns_per_mm[at] +
+           shares[j].perS2 * local.mass_kg / mmPerM) *
+          row;
+      influence.squares += shares[j].mean * shares[j].mean;
     }
   }
   return influence;
@@ -332,7 +329,7 @@ struct Fit {
 };
 
 /// Least squares over the windows, where a stay counts as much as its rounding lets it; the errors are those of force and rounding,
-/// carried through windows, weights and solution (docs/decisions/1108-errors-of-an-identification.md).
+/// carried through windows, weights and solution (docs/decisions/1105-errors-of-an-identification.md).
 Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& stays, const Columns& columns) {
   constexpr int passes = 3;  // the first knows no weights yet, the last changes them no more
   const Equations equations = equationsOf(samples, windows, columns);
@@ -350,14 +347,11 @@ Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& st
     if (!solution) return fit;
     const Local local = localOf(samples, columns, solution->parameters);
     weights.apply(design);
-    const Influence influence = influenceOf(samples, windows, equations, stays, design, local);
+    const Influence influence = influenceOf(samples, windows, equations, design, local);
     const Eigen::MatrixXd ofForce = influence.ofForce.transpose() * influence.ofForce;
-    const double freedom = influence.forceSquares - (solution->inverse * ofForce).trace();
+    const double freedom = influence.squares - (solution->inverse * ofForce).trace();
     const double squares = (equations.design * solution->parameters - equations.force_N).squaredNorm();
-    // What rounding leaves in the equations is no noise of the force; where the record has none, little is left of the squares.
-    const double ofRounding = rounding_mm * rounding_mm * influence.placeSquares;
-    fit.residual_N =
-        std::sqrt(std::max(squares - ofRounding, leastNoiseShare * squares) / std::max(freedom, 1e-300));
+    fit.residual_N = std::sqrt(squares / std::max(freedom, 1e-300));
     covariance = solution->inverse *
                  (fit.residual_N * fit.residual_N * ofForce +
                   rounding_mm * rounding_mm * spreadOfRounding(influence.ofPlace, stays)) *
@@ -406,13 +400,42 @@ double valueAt(const std::vector<double>& knots_mm, const std::vector<Estimate>&
   return value;
 }
 
-Failure unusable(std::string problem, std::string remedy) {
+Failure unusable(Message problem, std::string remedy) {
   return {FailureCode::unreadableInput, "record", "", std::move(problem), std::move(remedy)};
 }
 
-}  // namespace
+/// The first sample that no button gives.
+std::optional<Failure> wildSampleOf(const ForceRecord& record) {
+  for (std::size_t i = 0; i < record.time_s.size(); ++i) {
+    const bool place = std::abs(record.displacement_mm[i]) <= ForceGraph::maxTravel_mm;
+    if (place && std::abs(record.force_N[i]) <= ForceGraph::maxForce_N) continue;
+    return Failure{FailureCode::unreadableInput, "record", Message("sample %1", i + 1),
+                   place ? Message("its force is %1", newtons(record.force_N[i]))
+                         : Message("its displacement is %1", millimetres(record.displacement_mm[i])),
+                   "Record forces in N and displacements in mm"};
+  }
+  return {};
+}
 
-Result<Identification> identify(const ForceRecord& record, const IdentifySettings& settings) {
+/// A power of two: forces of a nanonewton or of a tonne are fitted alike, and nothing is rounded.
+int scaleOf(const std::vector<double>& force_N) {
+  double strongest_N = 0;
+  for (const double force : force_N) strongest_N = std::max(strongest_N, std::abs(force));
+  return strongest_N > 0 ? std::ilogb(strongest_N) : 0;
+}
+
+void scaleBack(Identification& found, int scale) {
+  const auto scaled = [scale](Estimate& e) {
+    e = {std::scalbn(e.value, scale), std::scalbn(e.sigma, scale)};
+  };
+  scaled(found.offset_N);
+  std::ranges::for_each(found.k_N_per_mm, scaled);
+  std::ranges::for_each(found.b_Ns_per_mm, scaled);
+  if (found.mass_kg) scaled(*found.mass_kg);
+  found.residual_N = std::scalbn(found.residual_N, scale);
+}
+
+Result<Identification> identified(const ForceRecord& record, const IdentifySettings& settings) {
   if (settings.knots < 1 || settings.knots > mostKnots) {
     return Failure{FailureCode::wrongUsage, "--knots", "", "is " + std::to_string(settings.knots),
                    "Give 1 to 32"};
@@ -426,7 +449,8 @@ Result<Identification> identify(const ForceRecord& record, const IdentifySetting
       std::minmax_element(record.displacement_mm.begin(), record.displacement_mm.end());
   const RecordWindows windows(record, settings.lowestQuanta);
   if (!(*high_mm - *low_mm > leastMovement_quanta * windows.step_mm())) {
-    return unusable("does not move: " + std::to_string(*high_mm - *low_mm) + " mm in all",
+    return unusable(Message("moves %1 in all, in steps of %2: too few of them",
+                            millimetres(*high_mm - *low_mm), millimetres(windows.step_mm())),
                     "Record a press over the whole travel");
   }
   Identification found;
@@ -449,7 +473,7 @@ Result<Identification> identify(const ForceRecord& record, const IdentifySetting
   const Stays stays = staysOf(record.displacement_mm);
   Fit fit = fitted(samples, windows, stays, columns);
   if (columns.mass &&
-      (!fit.usable || fit.parameters.back().value < standsOut * fit.parameters.back().sigma)) {
+      (!fit.usable || !(fit.parameters.back().value > standsOut * fit.parameters.back().sigma))) {
     columns.mass = false;
     fit = fitted(samples, windows, stays, columns);
   }
@@ -478,6 +502,18 @@ Result<Identification> identify(const ForceRecord& record, const IdentifySetting
   found.residual_N = fit.residual_N;
   found.step_mm = windows.step_mm();
   found.samples = record.time_s.size();
+  return found;
+}
+
+}  // namespace
+
+Result<Identification> identify(const ForceRecord& record, const IdentifySettings& settings) {
+  if (auto wild = wildSampleOf(record)) return *wild;
+  const int scale = scaleOf(record.force_N);
+  ForceRecord scaled = record;
+  for (double& force : scaled.force_N) force = std::scalbn(force, -scale);
+  Result<Identification> found = identified(scaled, settings);
+  if (found) scaleBack(*found, scale);
   return found;
 }
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "playback/offline/render_press.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <memory>
+
+#include "playback/offline/check_rendering.h"
 
 namespace detent::playback {
 
@@ -30,7 +31,27 @@ ConditionerSettings conditionerFor(PressTrace::Quantity quantity, const HapticPr
   return settings;
 }
 
-Result<Done> check(const PressTrace& trace, const RenderSettings& s) {
+Failure tooLong(const PressTrace& trace) {
+  const double begins_s = trace.readings.front().time_s;
+  char times[80];
+  std::snprintf(times, sizeof times, "its times begin at %g s", begins_s);
+  if (begins_s > longestRender_s)
+    return {FailureCode::wrongUsage, "press trace", "", times,
+            "Take that off all of them, so that they begin at 0"};
+  return {FailureCode::wrongUsage, "press trace", "", "longer than a week", "Cut it into parts"};
+}
+
+Failure noneIsReading(const PressTrace& trace) {
+  const bool force = trace.quantity == PressTrace::Quantity::force_N;
+  return {FailureCode::unreadableInput, "press trace", "",
+          "none of its " + std::to_string(trace.readings.size()) +
+              " readings can be one: each is no number or out of range",
+          force ? "Give forces in N, as a finger presses" : "Give displacements in mm"};
+}
+
+}  // namespace
+
+Result<Done> checkRendering(const PressTrace& trace, const RenderSettings& s) {
   const auto wrong = [](const char* what, double value, const char* range) {
     return Failure{FailureCode::wrongUsage, "render", what, std::to_string(value) + " lies outside " + range,
                    "Give a value inside"};
@@ -44,10 +65,9 @@ Result<Done> check(const PressTrace& trace, const RenderSettings& s) {
   if (trace.readings.empty()) {
     return Failure{FailureCode::wrongUsage, "press trace", "", "holds no reading", "Give at least one"};
   }
+  if (trace.readings.front().time_s > longestRender_s) return tooLong(trace);
   return Done{};
 }
-
-}  // namespace
 
 std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const HapticProgram& program,
                                            double sampleRate_Hz, double origin_s, ConditionerCounts& counts) {
@@ -90,16 +110,15 @@ std::vector<EngineInput> conditionedInputs(const PressTrace& trace, const Haptic
 
 Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace& trace,
                                   const RenderSettings& settings, const SampleSink& sink) {
-  if (Result<Done> ok = check(trace, settings); !ok) return ok.failure();
+  if (Result<Done> ok = checkRendering(trace, settings); !ok) return ok.failure();
   const auto began = std::chrono::steady_clock::now();
   RenderSummary summary;
   const double origin_s = std::min(0.0, trace.readings.front().time_s);
   const std::vector<EngineInput> inputs =
       conditionedInputs(trace, program, settings.sampleRate_Hz, origin_s, summary.sensor);
-  const double last_frames = inputs.empty() ? 0 : inputs.back().time_frames;
-  if (last_frames > longestRender_s * settings.sampleRate_Hz) {
-    return Failure{FailureCode::wrongUsage, "press trace", "", "longer than a week", "Cut it into parts"};
-  }
+  if (inputs.empty()) return noneIsReading(trace);
+  const double last_frames = inputs.back().time_frames;
+  if (last_frames > longestRender_s * settings.sampleRate_Hz) return tooLong(trace);
   const auto end = static_cast<std::int64_t>(std::ceil(last_frames));
   const auto latest = end + static_cast<std::int64_t>(settings.tail_s * settings.sampleRate_Hz);
 

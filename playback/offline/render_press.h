@@ -71,7 +71,7 @@ struct RenderSummary {
 using SampleSink = std::function<bool(const float* samples, std::size_t count)>;
 
 /// Renders the whole trace through `sink`. Time 0 of the sound is time 0 of the trace, or its first reading
-/// if that is earlier. Failure: wrongUsage for settings outside their ranges or a trace without readings.
+/// if that is earlier. Failure: as check_rendering.h; unreadableInput where no reading of the trace can be one.
 Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace& trace,
                                   const RenderSettings& settings, const SampleSink& sink);
 

@@ -6,7 +6,7 @@
 #include <sndfile.h>
 
 #include "model/staged_file.h"
-#include "playback/offline/render_press.h"
+#include "playback/offline/check_rendering.h"
 
 namespace detent::playback {
 
@@ -68,6 +68,7 @@ ExpectedSize expectedSize(const PressTrace& trace, const RenderSettings& setting
 
 Result<RenderSummary> renderPressToFile(const HapticProgram& program, const PressTrace& trace,
                                         const RenderSettings& settings, const std::filesystem::path& file) {
+  if (Result<Done> ok = checkRendering(trace, settings); !ok) return ok.failure();
   SF_INFO info{};
   info.channels = 1;
   info.samplerate = static_cast<int>(settings.sampleRate_Hz);

@@ -76,7 +76,7 @@ struct PlaybackSettings {
 
   // Time.
   EventPlacement placement = EventPlacement::timeStamped;  ///< docs/decisions/0901
-  double sensorPeriod_s = 1.0 / 425;  ///< "at a refresh rate of 425Hz" (Apparatus); (0, 0.25]
+  double sensorPeriod_s = 1.0 / 425;  ///< "at a refresh rate of 425Hz" (Apparatus); [1e-5, 0.25]
   double burstSpacing_s = 0.005;      ///< two taps closer than about 5 ms are felt as one; [0, 0.1]
 
   // Output.

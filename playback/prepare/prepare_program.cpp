@@ -422,7 +422,7 @@ Result<Done> checkSettings(const PlaybackSettings& s) {
                    {"hysteresis_N", s.hysteresis_N, 0, 10, true},
                    {"hysteresis_mm", s.hysteresis_mm, 0, 1, false},
                    {"rearm_N", s.rearm_N, 0, 10, true},
-                   {"sensorPeriod_s", s.sensorPeriod_s, 0, 0.25, false},
+                   {"sensorPeriod_s", s.sensorPeriod_s, 1e-5, 0.25, true},
                    {"burstSpacing_s", s.burstSpacing_s, 0, 0.1, true},
                    {"limiterCeiling", s.limiterCeiling, 0, 1, false},
                    {"sections.minProminence_N", s.sections.minProminence_N, 0, 1e7, true},

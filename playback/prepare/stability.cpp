@@ -86,6 +86,8 @@ class MarginOfState {
 /// A stroke with limited slopes, or itself where nothing had to change. A wall at the end of the travel keeps what fits.
 Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, StabilityChange& change) {
   const double spacing_mm = curve.travel_mm() / static_cast<double>(places);
+  const auto [low_N, high_N] = curve.forceRange_N();
+  const double range_N = high_N - low_N;
   std::vector<CurvePoint> points;
   double worst_N = 0;
   for (std::size_t i = 0; i <= places; ++i) {
@@ -99,7 +101,7 @@ Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, Sta
       force_N = std::clamp(wanted_N, points.back().force_N - most_N, points.back().force_N + most_N);
     }
     points.push_back({at_mm, force_N});
-    if (std::abs(force_N - wanted_N) > 1e-9) {
+    if (std::abs(force_N - wanted_N) > 1e-9 * range_N) {
       if (change.changedTo_mm == 0 && change.changedFrom_mm == 0) change.changedFrom_mm = at_mm;
       change.changedTo_mm = std::max(change.changedTo_mm, at_mm);
       worst_N = std::max(worst_N, std::abs(force_N - wanted_N));
@@ -107,8 +109,9 @@ Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, Sta
   }
   if (worst_N == 0) return curve;
   change.largestForceChange_N = std::max(change.largestForceChange_N, worst_N);
-  const auto [low_N, high_N] = curve.forceRange_N();
-  return curveThroughDensePoints(points, samplingTolerance * std::max(high_N - low_N, 1e-3));
+  // No coarser than what is left between the limit and what is allowed over one place.
+  const double spare_N = 0.25 * (1 - limitedTo) * slope_N_per_mm * spacing_mm;
+  return curveThroughDensePoints(points, std::min(samplingTolerance * range_N, spare_N));
 }
 
 }  // namespace

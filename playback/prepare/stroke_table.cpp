@@ -26,7 +26,13 @@ std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, 
                          ? to_mm
                          : from_mm + (to_mm - from_mm) * static_cast<double>(i) / static_cast<double>(looks));
   }
-  for (const Knot& knot : curve.knots()) places.push_back(knot.displacement_mm);
+  const std::vector<Knot>& knots = curve.knots();
+  for (const Knot& knot : knots) places.push_back(knot.displacement_mm);
+  // A piece narrower than the even places turns between its knots, too.
+  for (std::size_t i = 1; i < knots.size() && knots.size() < looks; ++i)
+    for (const double share : {0.25, 0.5, 0.75})
+      places.push_back(knots[i - 1].displacement_mm +
+                       share * (knots[i].displacement_mm - knots[i - 1].displacement_mm));
   places.insert(places.end(), kept_mm.begin(), kept_mm.end());
   std::sort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());

@@ -11,6 +11,7 @@
 
 #include "model/file/button_file.h"
 #include "model/file/text_file.h"
+#include "playback/offline/check_rendering.h"
 #include "playback/program/choice_option.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
@@ -83,7 +84,7 @@ void warnOfSize(const ExpectedSize& size) {
   constexpr double muchTime_s = 600, muchSpace_bytes = 1e9;
   if (size.duration_s <= muchTime_s && size.bytes <= muchSpace_bytes) return;
   std::fprintf(stderr,
-               "warning: the press lasts %.0f minutes, the file will have up to %.2f GB; Ctrl-C stops\n",
+               "warning: the press lasts %.3g minutes, the file will have up to %.3g GB; Ctrl-C stops\n",
                size.duration_s / 60, size.bytes / 1e9);
 }
 
@@ -108,6 +109,7 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
   settings.sampleRate_Hz = a.sampleRate_Hz;
   settings.format = a.format;
   settings.cancelled = cancelled;
+  if (Result<Done> ok = checkRendering(*trace, settings); !ok) return fail(ok.failure());
   warnOfSize(expectedSize(*trace, settings, a.outputFile));
   Result<RenderSummary> summary = renderPressToFile(prepared->program, *trace, settings, a.outputFile);
   if (!summary) return fail(summary.failure());

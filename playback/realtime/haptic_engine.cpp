@@ -18,7 +18,11 @@ constexpr double longestQueue_s = 0.1;
 // Times that are whole samples but for rounding (0.01 s at 48 kHz) stay whole.
 constexpr double frameRounding = 1e-6;
 
+// Times that are none, or that no stream reaches, are the ends of the time line: at once, or never.
 std::int64_t wholeFrame(double time_frames) {
+  constexpr double farthest_frames = 0x1p62;  // 0.8 million years at 192 kHz
+  if (!(time_frames > -farthest_frames)) return -(std::int64_t{1} << 62);
+  if (time_frames > farthest_frames) return std::int64_t{1} << 62;
   return static_cast<std::int64_t>(std::ceil(time_frames - frameRounding));
 }
 

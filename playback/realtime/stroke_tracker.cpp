@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/realtime/stroke_tracker.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
@@ -381,6 +382,9 @@ void StrokeTracker::spreadTies() {
     }
     i = end;
   }
+  // Rounding may have put a crossing an ulp before the one it follows.
+  for (std::size_t i = 1; i < crossings_.count; ++i)
+    crossings_.items[i].fraction = std::max(crossings_.items[i].fraction, crossings_.items[i - 1].fraction);
 }
 
 void StrokeTracker::placeAtForce(double force_N) {

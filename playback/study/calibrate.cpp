@@ -12,14 +12,13 @@
 
 #include <Eigen/QR>
 
-#include "playback/statistics/normal.h"
-
 namespace detent::playback {
 
 namespace {
 
 constexpr std::size_t fewestWeights = 3;
 constexpr int risingChecks = 200;
+constexpr double heaviest_N = 1e7;  // the strongest force any button may have
 
 struct Fit {
   SensorCalibration calibration;
@@ -53,8 +52,7 @@ std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const Cali
   if (qr.rank() < columns) return {};  // the weights do not tell this degree from the lower one
   const Eigen::VectorXd beta = qr.solve(forces);
   const double chi2 = (forces - powers * beta).squaredNorm();
-  // The scatter of few weights is known badly: Student's 68.3 % in place of one standard deviation.
-  const double error = std::sqrt(chi2 / static_cast<double>(n - m)) * studentQuantile(normalCdf(1), n - m);
+  const double variance = chi2 / static_cast<double>(n - m);
   const Eigen::MatrixXd inverse =
       qr.solve(Eigen::MatrixXd::Identity(rows, rows));  // its rows give the covariance
   c.coefficientCount = m;
@@ -63,7 +61,7 @@ std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const Cali
   for (std::size_t k = 0; k < m; ++k, power *= scale) {
     const auto row = static_cast<Eigen::Index>(k);
     c.coefficients[k] = beta(row) / power;
-    c.standardErrors[k] = error * inverse.row(row).norm() / power;
+    c.standardErrors[k] = std::sqrt(variance) * inverse.row(row).norm() / power;
   }
   double squares = 0;
   c.lowest_N = std::numeric_limits<double>::infinity();
@@ -74,6 +72,8 @@ std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const Cali
     c.highest_N = std::max(c.highest_N, w.force_N);
   }
   c.residual_N = std::sqrt(squares / static_cast<double>(n - m));
+  if (!std::isfinite(c.residual_N))
+    return {};  // readings of no sensor: their powers leave the range of a double
   c.weights = n;
   const auto count = static_cast<double>(n), parameters = static_cast<double>(m + 1);
   if (count - parameters - 1 <= 0) return {};
@@ -106,7 +106,8 @@ Result<SensorCalibration> calibrate(const std::vector<KnownWeight>& weights,
   circuit.fullScale_counts = settings.fullScale_counts;
   std::set<double> different;
   for (std::size_t i = 0; i < weights.size(); ++i) {
-    if (!std::isfinite(weights[i].force_N) || !std::isfinite(circuit.linearised(weights[i].raw))) {
+    if (!(std::fabs(weights[i].force_N) <= heaviest_N) ||
+        !std::isfinite(circuit.linearised(weights[i].raw))) {
       return Failure{FailureCode::unreadableInput, "calibration", "weight " + std::to_string(i + 1),
                      "is not a usable reading (not a number, or the sensor is saturated)",
                      "Leave it out or lower the load"};

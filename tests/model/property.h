@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Properties with a fixed seed: a test that failed yesterday fails today. DETENT_PROPERTY_SEED tries others.
+// Properties with a fixed seed: a test that failed yesterday fails today. RC_PARAMS="seed=N max_success=10000" tries others and
+// more; .ci/nightly does.
 
 #include <cstdlib>
 #include <sstream>
@@ -12,13 +13,11 @@
 
 namespace detent::tests {
 
-/// Runs a callable with RC_ASSERTs on 100 random cases inside a Catch test.
+/// Runs a callable with RC_ASSERTs on 100 random cases inside a Catch test, or on as many as RC_PARAMS says.
 template <class Testable>
 void holdsAlways(const std::string& name, Testable&& testable) {
-  rc::detail::TestParams parameters;
-  parameters.seed = 20131008;
-  if (const char* seed = std::getenv("DETENT_PROPERTY_SEED"))
-    parameters.seed = std::strtoull(seed, nullptr, 10);
+  rc::detail::TestParams parameters = rc::detail::configuration().testParams;
+  if (std::getenv("RC_PARAMS") == nullptr) parameters.seed = 20131008;
   rc::detail::TestMetadata metadata;
   metadata.id = name;
   metadata.description = name;

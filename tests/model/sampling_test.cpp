@@ -113,3 +113,16 @@ TEST_CASE("release samples come in the order travelled") {
   CHECK(samples.front().displacement_mm == 4);
   CHECK(samples.back().displacement_mm == 0);
 }
+
+TEST_CASE("a curve whose knots stand an ulp apart beside a wall comes back from its samples") {
+  const double x = 2.2204460492503136e-19, next = std::nextafter(x, 1.0);
+  const auto curve = StrokeCurve::fromKnots({{0, -2e-10, 0, 0},
+                                             {x, -2e-10, -4e-6, -4e-6},
+                                             {next, -1.9991e-10, -4e-6, -4e-6},
+                                             {next, -2e-10, -4e-6, -4e-6},
+                                             {1e-3, -1e-10, 0, 0}});
+  REQUIRE(curve);
+  const auto again = curveThroughDensePoints(samplesOf(*curve, 1e-14), 1e-14);
+  if (!again) FAIL(again.failure().sentence());
+  CHECK(again->knots().back().force_N == -1e-10);
+}

@@ -16,10 +16,11 @@ TEST_CASE("units are exact where their definition is") {
 TEST_CASE("every printed symbol reads back as its unit") {
   for (ForceUnit unit :
        {ForceUnit::newton, ForceUnit::millinewton, ForceUnit::centinewton, ForceUnit::gramForce,
-        ForceUnit::kilogramForce, ForceUnit::ounceForce, ForceUnit::poundForce})
+        ForceUnit::kilogramForce, ForceUnit::ounceForce, ForceUnit::poundForce, ForceUnit::decinewton,
+        ForceUnit::kilonewton, ForceUnit::dyne, ForceUnit::micronewton, ForceUnit::meganewton})
     CHECK(forceUnitFrom(symbolOf(unit)) == unit);
   for (LengthUnit unit : {LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::micrometre,
-                          LengthUnit::inch, LengthUnit::mil})
+                          LengthUnit::inch, LengthUnit::mil, LengthUnit::metre, LengthUnit::nanometre})
     CHECK(lengthUnitFrom(symbolOf(unit)) == unit);
 }
 
@@ -34,7 +35,10 @@ TEST_CASE("units are read as datasheets print them") {
 
 TEST_CASE("mega is not milli, and nonsense is no unit") {
   CHECK(forceUnitFrom("mN") == ForceUnit::millinewton);
-  CHECK_FALSE(forceUnitFrom("MN").has_value());
+  CHECK(forceUnitFrom("MN") == ForceUnit::meganewton);
+  CHECK_FALSE(forceUnitFrom("Mn").has_value());
+  CHECK(lengthUnitFrom("m") == LengthUnit::metre);
+  CHECK_FALSE(lengthUnitFrom("M").has_value());
   for (const char* text : {"", "  ", "furlong", "Nm", "N/mm"}) {
     CHECK_FALSE(forceUnitFrom(text).has_value());
     CHECK_FALSE(lengthUnitFrom(text).has_value());

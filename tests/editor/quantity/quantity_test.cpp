@@ -167,7 +167,7 @@ TEST_CASE("What is no quantity of this kind is refused with its reason") {
   CHECK(trouble("(5", Quantity::length) == noNumber);
   CHECK(trouble("5)", Quantity::length) == noNumber);
   CHECK(trouble("5 apples", Quantity::length) == unknownUnit);
-  CHECK(trouble("5 MN", Quantity::force) == unknownUnit);
+  CHECK(trouble("5 Mn", Quantity::force) == unknownUnit);
   CHECK(trouble("5 gf", Quantity::length) == otherQuantity);
   CHECK(trouble("5 mm * 2 mm", Quantity::length) == otherQuantity);
   CHECK(trouble("5 mm", Quantity::number) == otherQuantity);

@@ -112,6 +112,24 @@ TEST_CASE("repeated points and flat force") {
   CHECK(fitted->summary.tactilePoints.empty());
 }
 
+TEST_CASE("one wild sample of a force meter costs nothing but itself") {
+  std::vector<CurvePoint> points;
+  const StrokeCurve truth = tactileKey();
+  std::mt19937 random(2);
+  std::normal_distribution<double> noise(0, 0.001);
+  for (int i = 0; i <= 400; ++i) points.push_back({0.009 * i, truth.force_N(0.009 * i) + noise(random)});
+  for (const double wild : {-55.8, 500.0, 1e30}) {
+    CAPTURE(wild);
+    std::vector<CurvePoint> spoilt = points;
+    spoilt[137].force_N = wild;
+    const auto fitted = fitStroke(spoilt, Stroke::press, withNoise(0.003, 0.001));
+    REQUIRE(fitted);
+    CHECK(worstForceError(fitted->curve, truth, 3.5) < 0.01);
+    REQUIRE(fitted->summary.tactilePoints.size() == 1);
+    CHECK(fitted->summary.tactilePoints[0].point.force_N == Approx(0.55).margin(0.003));
+  }
+}
+
 TEST_CASE("what cannot be fitted is refused with a sentence") {
   const FitOptions options = withNoise(0.01, 0.01);
   const auto refused = [&](const std::vector<CurvePoint>& points) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -183,6 +184,70 @@ TEST_CASE("without units the sizes decide, with a warning, and hints overrule") 
   CHECK(given->strokes.press.points.front().force_N == Approx(pressForce_gf(0) * 0.01).margin(1e-6));
 }
 
+TEST_CASE("one press in any unit of length and force is the same press") {
+  const auto written = [](const char* header, double perMm, double perN) {
+    std::string text = std::string(header) + "\n";
+    char line[80];
+    for (int i = 0; i <= 400; ++i) {
+      std::snprintf(line, sizeof line, "%.17g,%.17g\n", 0.01 * i * perMm,
+                    pressForce_gf(0.01 * i) * newtonPerGf * perN);
+      text += line;
+    }
+    return text;
+  };
+  const std::vector<CurvePoint> expected =
+      readOk(written("displacement_mm,force_N", 1, 1)).strokes.press.points;
+  struct Form {
+    const char* header;
+    double perMm, perN;
+  };
+  for (const Form& form :
+       {Form{"displacement_m,force_kN", 1e-3, 1e-3}, Form{"Displacement (m),Force (N)", 1e-3, 1},
+        Form{"Weg in m,Kraft in kN", 1e-3, 1e-3}, Form{"Weg in \xC2\xB5m,Kraft in mN", 1e3, 1e3},
+        Form{"displacement_nm,force_uN", 1e6, 1e6}, Form{"Travel [cm],Load [MN]", 0.1, 1e-6},
+        Form{"Travel (in),Load (gf)", 1 / 25.4, 1 / newtonPerGf},
+        Form{"Weg in Zoll,Kraft in N", 1 / 25.4, 1}}) {
+    CAPTURE(form.header);
+    const ForceLog log = readOk(written(form.header, form.perMm, form.perN));
+    CHECK(log.remarks.size() == 1);  // no release; no unit had to be assumed
+    REQUIRE(log.strokes.press.points.size() == expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+      REQUIRE(log.strokes.press.points[i].displacement_mm ==
+              Approx(expected[i].displacement_mm).epsilon(1e-13));
+      REQUIRE(log.strokes.press.points[i].force_N == Approx(expected[i].force_N).epsilon(1e-13));
+    }
+  }
+}
+
+TEST_CASE("a preposition is no inch: the unit is assumed, and said") {
+  const ForceLog log = readOk("Weg in Schritten,Kraft in N\n0,0.1\n1,0.2\n2,0.4\n3,0.5\n");
+  CHECK(log.xUnit == "mm");
+  CHECK(log.strokes.press.points.back().displacement_mm == 3);
+  CHECK(std::ranges::count(log.remarks, RemarkCode::displacementUnitAssumed, &Remark::code) == 1);
+}
+
+TEST_CASE("a force that relaxes while the handle dwells at the bottom is no tactile point") {
+  std::string text = "displacement_mm,force_N\n";
+  for (int i = 0; i <= 400; ++i) text += number(0.01 * i, '.') + "," + number(0.3 + 0.001 * i, '.') + "\n";
+  for (int i = 1; i <= 200; ++i) text += "4.00000," + number(0.7 - 0.0005 * i, '.') + "\n";
+  for (int i = 400; i >= 0; --i) text += number(0.01 * i, '.') + "," + number(0.2 + 0.001 * i, '.') + "\n";
+  const ForceLog log = readOk(text);
+  CHECK(log.strokes.press.points.back() == CurvePoint{4, 0.7});
+  REQUIRE(log.strokes.release);
+  CHECK(log.strokes.release->points.back().displacement_mm == 0);
+}
+
+TEST_CASE("single wild samples do not turn the signs") {
+  std::string text = "displacement_mm,force_N\n";
+  for (int i = 0; i <= 400; ++i)
+    text += number(0.01 * i, '.') + "," + (i % 37 == 5 ? "-500" : number(0.3 + 0.001 * i, '.')) + "\n";
+  const ForceLog log = readOk(text);
+  for (const Remark& remark : log.remarks) {
+    CHECK(remark.code != RemarkCode::forcesTurned);
+    CHECK(remark.code != RemarkCode::displacementTurned);
+  }
+}
+
 TEST_CASE("an offset before contact is taken off and reported") {
   std::string text = "mm,N\n";
   for (int i = 0; i <= 100; ++i) text += number(0.01 * i, '.') + ",0.03\n";
@@ -224,6 +289,12 @@ TEST_CASE("what is no force log is refused with a sentence") {
   const auto folder = readForceLog(std::filesystem::temp_directory_path().string());
   REQUIRE_FALSE(folder);
   CHECK(folder.failure().code == FailureCode::unreadableInput);
+}
+
+TEST_CASE("a row without numbers among the first takes no row of numbers with it") {
+  const ForceLog log = readOk("mm,N\n0,0.1\n1,0.2\n--,--\n2,0.4\n3,0.5\n4,0.6\n");
+  CHECK(log.strokes.press.points.size() == 5);
+  CHECK(log.rowsSkipped == 1);
 }
 
 TEST_CASE("rows that are no numbers are left out, counted and named") {

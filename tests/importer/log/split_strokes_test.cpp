@@ -74,6 +74,45 @@ TEST_CASE("noise comes out of second differences, steps and slopes do not count"
   CHECK(noiseOf(quantised) == Approx(0.1 / std::sqrt(12.0)));
 }
 
+TEST_CASE("fewer than 16 values cannot tell noise from shape") {
+  CHECK(noiseOf({0.3, 0.4, 0.7, 0.5, 0.6, 0.8}) == 0);
+  CHECK(noiseOf({}) == 0);
+}
+
+TEST_CASE("noise has the unit of its values") {
+  std::mt19937 random(4);
+  std::normal_distribution<double> noise(0, 0.02);
+  std::vector<double> values, small;
+  for (int i = 0; i < 400; ++i) values.push_back(1e-3 * i + noise(random));
+  for (const double value : values) small.push_back(value * 0x1p-50);
+  CHECK(noiseOf(small) == noiseOf(values) * 0x1p-50);
+}
+
+TEST_CASE("a press ends before the handle dwells at the bottom and the force relaxes") {
+  std::vector<CurvePoint> press;
+  for (int i = 0; i <= 400; ++i) press.push_back({0.01 * i, 0.3 + 0.001 * i});
+  const std::vector<CurvePoint> whole = press;
+  SECTION("no dwell: nothing goes") { endBeforeDwell(press, 0.003, 0.001); }
+  SECTION("a dwell goes, also where its place jitters") {
+    for (int i = 1; i < 100; ++i) press.push_back({4 + 0.003 * std::sin(i), 0.7 - 0.001 * i});
+    endBeforeDwell(press, 0.003, 0.001);
+  }
+  SECTION("the first sample of the release, at the same place") {
+    press.push_back({4, 0.62});
+    endBeforeDwell(press, 0.003, 0.001);
+  }
+  CHECK(press == whole);
+}
+
+TEST_CASE("a wall at the end of a press is no dwell") {
+  std::vector<CurvePoint> press;
+  for (int i = 0; i <= 400; ++i) press.push_back({0.01 * i, 0.3 + 0.001 * i});
+  for (int i = 0; i < 100; ++i) press.push_back({4.0001 + 0.0001 * i, 0.7 + 0.01 * i});
+  const std::vector<CurvePoint> whole = press;
+  endBeforeDwell(press, 0.003, 0.001);
+  CHECK(press == whole);
+}
+
 TEST_CASE("force before contact is an offset only where it is flat, early and small") {
   std::vector<CurvePoint> press;
   for (int i = 0; i <= 400; ++i) {

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The fit over any points: finite, monotone between knots, the same in any unit, and what its headers bound.
+
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "importer/fit/choose_knots.h"
+#include "importer/fit/segment_stroke.h"
+#include "importer/fit/solve_chain.h"
+#include "importer/fit/stroke_samples.h"
+#include "tests/extremes/extreme_values.h"
+
+using namespace detent;
+using namespace detent::importer;
+using namespace detent::tests;
+
+namespace {
+
+/// Points along a random curve with noise of its own, and the noise.
+struct NoisyStroke {
+  std::vector<CurvePoint> points;
+  FitOptions options;
+};
+
+NoisyStroke noisyStroke(Size size, int least = 8, int most = 120) {
+  const StrokeCurve curve = extremeCurve(size);
+  NoisyStroke stroke;
+  const double noise = magnitude(1e-6, 1e-2);
+  stroke.options = fitOptionsFor(FitEffort::draft, {noise * size.travel_mm, noise * size.force_N});
+  const int points = count(least, most);
+  for (int i = 0; i < points; ++i) {
+    const double x = size.travel_mm * i / (points - 1);
+    stroke.points.push_back({x + (i == 0 || i == points - 1 ? 0 : within(-0.3, 0.3) * noise * size.travel_mm),
+                             curve.force_N(x) + within(-1, 1) * noise * size.force_N});
+  }
+  return stroke;
+}
+
+KnotChain anyChain() {
+  KnotChain chain;
+  double u = 0;
+  for (int i = count(2, 8); i > 0; --i) {
+    ChainKnot knot;
+    knot.at = {u, within(-100, 100), within(-10, 10) * magnitude(1e-3, 1e3),
+               within(-10, 10) * magnitude(1e-3, 1e3)};
+    knot.joint = oneIn(3) ? JointKind::corner : oneIn(2) ? JointKind::flat : JointKind::smooth;
+    chain.push_back(knot);
+    if (!oneIn(6)) u += magnitude(1e-9, 1e3);
+  }
+  chain.front().joint = chain.back().joint = JointKind::smooth;
+  return chain;
+}
+
+std::vector<SigmaPoint> pointsNear(const KnotChain& chain) {
+  std::vector<SigmaPoint> points;
+  const auto pieces = piecesOf(chain);
+  for (const ChainPiece& piece : pieces)
+    for (int i = 0; i < 12; ++i) {
+      const double t = (i + 0.5) / 12;
+      points.push_back({piece.u(t), piece.v(t) + within(-2, 2), magnitude(0.1, 10)});
+    }
+  return points;
+}
+
+bool piecesAreMonotone(const StrokeCurve& curve) {
+  for (const MonotoneStretch& s : curve.monotoneStretches()) {
+    bool atKnot = false;
+    for (const Knot& k : curve.knots())
+      atKnot = atKnot || alike(k.displacement_mm, s.from_mm, 1e-9, curve.travel_mm());
+    if (!atKnot) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+TEST_CASE("points of any size give a finite fit", "[finite]") {
+  holdsAlways("fitStroke, 1 µm to 100 m, 1 nN to 1 MN", [] {
+    const NoisyStroke stroke = noisyStroke(anySize());
+    const auto fitted = fitStroke(stroke.points, Stroke::press, stroke.options);
+    if (!fitted) return assertNamed(fitted.failure());
+    RC_ASSERT(piecesAreMonotone(fitted->curve));
+    const FitSummary& summary = fitted->summary;
+    RC_ASSERT(std::isfinite(summary.rmsSigma) && std::isfinite(summary.maxSigma) &&
+              std::isfinite(summary.bic));
+    RC_ASSERT(summary.correlationPoints >= 1);
+    RC_ASSERT(summary.pieces == static_cast<int>(fitted->curve.knots().size()) - 1);
+    RC_ASSERT(summary.pieces <= stroke.options.maxPieces);
+    for (const FittedTactilePoint& p : summary.tactilePoints)
+      RC_ASSERT(std::isfinite(p.sigma_mm) && std::isfinite(p.sigma_N) && p.sigma_mm >= 0 && p.sigma_N >= 0);
+  });
+  holdsAlways("the ends of the curve are the ends of the points, to their noise", [] {
+    const Size size = anySize();
+    const NoisyStroke stroke = noisyStroke(size);
+    const auto fitted = fitStroke(stroke.points, Stroke::press, stroke.options);
+    RC_PRE(fitted.ok());
+    const double reach = (stroke.options.robustScale + 2) *
+                         (stroke.options.noise.sigma_mm + stroke.options.resolutionOfSpan * size.travel_mm);
+    RC_ASSERT(std::abs(fitted->curve.start_mm() - stroke.points.front().displacement_mm) <= reach);
+    RC_ASSERT(std::abs(fitted->curve.end_mm() - stroke.points.back().displacement_mm) <= reach);
+  });
+}
+
+TEST_CASE("a fit is the same in any unit, whichever way the points run", "[finite]") {
+  holdsAlways("powers of two: the same bits", [] {
+    const NoisyStroke stroke = noisyStroke({4, 1});
+    const double mm = std::ldexp(1.0, count(-8, 8)), newton = std::ldexp(1.0, count(-12, 12));
+    NoisyStroke other = stroke;
+    for (CurvePoint& p : other.points) p.displacement_mm *= mm, p.force_N *= newton;
+    other.options.noise = {stroke.options.noise.sigma_mm * mm, stroke.options.noise.sigma_N * newton};
+    const auto one = fitStroke(stroke.points, Stroke::press, stroke.options);
+    const auto two = fitStroke(other.points, Stroke::press, other.options);
+    RC_ASSERT(one.ok() == two.ok());
+    if (!one) return;
+    RC_ASSERT(one->curve.knots().size() == two->curve.knots().size());
+    for (std::size_t k = 0; k < one->curve.knots().size(); ++k) {
+      RC_ASSERT(two->curve.knots()[k].displacement_mm == one->curve.knots()[k].displacement_mm * mm);
+      RC_ASSERT(two->curve.knots()[k].force_N == one->curve.knots()[k].force_N * newton);
+    }
+  });
+  holdsAlways("points turned round", [] {
+    NoisyStroke stroke = noisyStroke({4, 1});
+    const auto one = fitStroke(stroke.points, Stroke::press, stroke.options);
+    std::reverse(stroke.points.begin(), stroke.points.end());
+    const auto two = fitStroke(stroke.points, Stroke::press, stroke.options);
+    RC_ASSERT(one.ok() == two.ok());
+    if (one) RC_ASSERT(one->curve == two->curve);
+  });
+  holdsAlways("the same call twice", [] {
+    const NoisyStroke stroke = noisyStroke(anySize());
+    const auto one = fitStroke(stroke.points, Stroke::release, stroke.options);
+    const auto two = fitStroke(stroke.points, Stroke::release, stroke.options);
+    RC_ASSERT(one.ok() == two.ok());
+    if (one) RC_ASSERT(one->curve == two->curve);
+  });
+}
+
+TEST_CASE("any points and any options are fitted or refused by name") {
+  holdsAlways("fitStroke, any doubles", [] {
+    std::vector<CurvePoint> points;
+    for (int i = count(0, 12); i > 0; --i) points.push_back({anyDouble(), anyDouble()});
+    FitOptions options;
+    options.noise = {magnitude(1e-12, 1e12), magnitude(1e-12, 1e12)};
+    const auto fitted = fitStroke(points, Stroke::press, options);
+    if (!fitted) return assertNamed(fitted.failure());
+    const auto [low, high] = fitted->curve.forceRange_N();
+    RC_ASSERT(std::isfinite(low) && std::isfinite(high));
+  });
+  holdsAlways("fitStroke, any options", [] {
+    NoisyStroke stroke = noisyStroke({4, 1}, 8, 40);
+    FitOptions& o = stroke.options;
+    if (oneIn(2)) o.noise = {anyDouble(), anyDouble()};
+    if (oneIn(4)) o.robustScale = anyDouble();
+    if (oneIn(4)) o.tolerance = anyDouble();
+    if (oneIn(4)) o.resolutionOfSpan = anyDouble();
+    if (oneIn(4)) o.noiseAtTactilePoints_share = anyDouble();
+    if (oneIn(4)) o.correlationPoints = anyDouble();
+    if (oneIn(4)) o.maxPieces = count(-2, 12);
+    const auto fitted = fitStroke(stroke.points, Stroke::press, o);
+    if (!fitted) return assertNamed(fitted.failure());
+    RC_ASSERT(fitted->summary.pieces >= 1);
+  });
+  holdsAlways("a few wild points move the curve by little", [] {
+    const StrokeCurve truth = *StrokeCurve::throughPoints({{0, 0.2}, {4, within(0.4, 1)}});
+    std::vector<CurvePoint> points;
+    for (int i = 0; i <= 200; ++i)
+      points.push_back({0.02 * i, truth.force_N(0.02 * i) + within(-0.002, 0.002)});
+    const double wild = within(-1, 1) * magnitude(0.1, 1e3);
+    RC_LOG(std::to_string(wild));
+    for (int i = 0, at = 20; i < 3; ++i)
+      points[static_cast<std::size_t>(at += count(10, 50))].force_N += wild;
+    const auto fitted = fitStroke(points, Stroke::press, fitOptionsFor(FitEffort::standard, {0.002, 0.002}));
+    if (!fitted) return assertNamed(fitted.failure());
+    // The truth's neighbours hold: nowhere but at the wild points themselves may the curve follow them.
+    int far = 0;
+    for (int i = 0; i <= 200; ++i)
+      far += std::abs(fitted->curve.force_N(0.02 * i) - truth.force_N(0.02 * i)) > 0.02;
+    RC_ASSERT(far <= 12);
+  });
+}
+
+TEST_CASE("pieces and options keep their bounds", "[finite]") {
+  holdsAlways("fixed pieces: as many or fewer", [] {
+    NoisyStroke stroke = noisyStroke({4, 1});
+    stroke.options.criterion = PieceCriterion::fixed;
+    stroke.options.pieces = count(1, 20);
+    const auto fitted = fitStroke(stroke.points, Stroke::press, stroke.options);
+    if (fitted) RC_ASSERT(fitted->summary.pieces <= std::max(stroke.options.pieces, 4));
+  });
+  holdsAlways("at most maxPieces", [] {
+    NoisyStroke stroke = noisyStroke({4, 1}, 60, 200);
+    stroke.options.maxPieces = count(1, 6);
+    const auto fitted = fitStroke(stroke.points, Stroke::press, stroke.options);
+    if (fitted) RC_ASSERT(fitted->summary.pieces <= stroke.options.maxPieces);
+  });
+  holdsAlways("prepareSamples: from the least to the greatest displacement, thinned, the ends kept", [] {
+    NoisyStroke stroke = noisyStroke(anySize(), 8, 300);
+    stroke.options.maxPoints = count(4, 100);
+    const auto samples = prepareSamples(stroke.points, Stroke::press, stroke.options);
+    if (!samples) return assertNamed(samples.failure());
+    RC_ASSERT(samples->points.size() >= 2u);
+    RC_ASSERT(static_cast<int>(samples->points.size()) <= stroke.options.maxPoints + 2);
+    for (const SigmaPoint& p : samples->points)
+      RC_ASSERT(std::isfinite(p.u) && std::isfinite(p.v) && std::isfinite(p.weight) && p.weight > 0);
+    RC_ASSERT(alike(samples->displacement_mm(samples->points.front().u),
+                    stroke.points.front().displacement_mm, 1e-12, stroke.points.back().displacement_mm));
+  });
+}
+
+TEST_CASE("parts of the fit", "[finite]") {
+  holdsAlways("a piece is monotone for any knots", [] {
+    const KnotChain chain = anyChain();
+    for (const ChainPiece& piece : piecesOf(chain)) {
+      const double low = std::min(piece.v0, piece.v(1)), high = std::max(piece.v0, piece.v(1));
+      for (int i = 0; i <= 16; ++i) {
+        const double v = piece.v(i / 16.0);
+        RC_ASSERT(v >= low - 1e-9 * (1 + std::abs(low)) && v <= high + 1e-9 * (1 + std::abs(high)));
+      }
+    }
+  });
+  holdsAlways("nearestOn is no farther than any place looked at", [] {
+    const KnotChain chain = anyChain();
+    const auto pieces = piecesOf(chain);
+    const ChainPiece& piece = pieces[anyOf<std::size_t>(0, pieces.size() - 1)];
+    const SigmaPoint point{piece.u(share()) + within(-3, 3), piece.v(share()) + within(-3, 3), 1};
+    const Footpoint foot = nearestOn(piece, point);
+    RC_ASSERT(foot.t >= 0 && foot.t <= 1);
+    for (const double t : {0.0, 1.0}) {
+      const double du = piece.u(t) - point.u, dv = piece.v(t) - point.v;
+      RC_ASSERT(foot.squaredDistance <= (du * du + dv * dv) * (1 + 1e-9) + 1e-9);
+    }
+  });
+  holdsAlways("levelDisplacements: never backwards", [] {
+    KnotChain chain = anyChain();
+    for (ChainKnot& knot : chain) knot.at[0] += within(-50, 50);
+    levelDisplacements(chain);
+    for (std::size_t k = 1; k < chain.size(); ++k) RC_ASSERT(chain[k].u() >= chain[k - 1].u());
+  });
+  holdsAlways("dropRedundantKnots: at most two at one displacement", [] {
+    KnotChain chain = anyChain();
+    levelDisplacements(chain);
+    const double first = chain.front().u(), last = chain.back().u();
+    dropRedundantKnots(chain);
+    RC_ASSERT(!chain.empty() && chain.front().u() == first && chain.back().u() == last);
+    for (std::size_t k = 2; k < chain.size(); ++k) RC_ASSERT(chain[k].u() > chain[k - 2].u());
+  });
+  holdsAlways("chiSquareOf and residualsOf are finite", [] {
+    const KnotChain chain = anyChain();
+    const auto points = pointsNear(chain);
+    RC_ASSERT(std::isfinite(chiSquareOf(chain, points, magnitude(0.1, 100))));
+    for (const double residual : residualsOf(chain, points)) RC_ASSERT(std::isfinite(residual));
+  });
+  holdsAlways("solveChain: finite, and knots in their order", [] {
+    KnotChain chain = anyChain();
+    const auto points = pointsNear(chain);
+    const SolveReport report = solveChain(chain, points, {0, chain.size()}, {});
+    RC_ASSERT(std::isfinite(report.chiSquare));
+    for (std::size_t k = 1; k < chain.size(); ++k) RC_ASSERT(chain[k].u() >= chain[k - 1].u());
+  });
+  holdsAlways("knotSigmas are finite and never below 0", [] {
+    KnotChain chain = anyChain();
+    const auto points = pointsNear(chain);
+    SolveSettings settings;
+    solveChain(chain, points, {0, chain.size()}, settings);
+    const auto sigmas = knotSigmas(chain, points, settings);
+    RC_ASSERT(sigmas.size() == chain.size());
+    for (const KnotSigma& s : sigmas)
+      RC_ASSERT(std::isfinite(s.u) && std::isfinite(s.v) && s.u >= 0 && s.v >= 0);
+  });
+  holdsAlways("correlationOf is at least 1", [] {
+    std::vector<double> residuals;
+    for (int i = count(0, 200); i > 0; --i) residuals.push_back(within(-1, 1) * magnitude(1e-6, 1e6));
+    const double correlation = correlationOf(residuals);
+    RC_ASSERT(std::isfinite(correlation) && correlation >= 1);
+  });
+  holdsAlways("segmentStroke: a chain over all points, never backwards", [] {
+    const NoisyStroke stroke = noisyStroke(anySize(), 8, 200);
+    const auto samples = prepareSamples(stroke.points, Stroke::press, stroke.options);
+    RC_PRE(samples.ok());
+    const Segmentation cut = segmentStroke(samples->points, count(8, 100), magnitude(1, 100));
+    RC_ASSERT(cut.chain.size() >= 2u && cut.correlationPoints >= 1);
+    for (std::size_t k = 1; k < cut.chain.size(); ++k) RC_ASSERT(cut.chain[k].u() >= cut.chain[k - 1].u());
+    RC_ASSERT(std::isfinite(cut.chain.back().u()));
+  });
+  holdsAlways("returnStrayKnots leaves finite knots", [] {
+    KnotChain chain = anyChain();
+    const auto points = pointsNear(chain);
+    for (ChainKnot& knot : chain)
+      if (oneIn(3)) knot.at[1] += within(-1, 1) * 1e6;
+    RC_ASSERT(returnStrayKnots(chain, points, 5) >= 0);
+    for (const ChainKnot& knot : chain) RC_ASSERT(std::isfinite(knot.u()) && std::isfinite(knot.v()));
+  });
+}
