@@ -13,6 +13,9 @@ namespace {
 constexpr int loopPriority =
     70;  // above the audio callback (JACK: 65): a late force is felt, a late sample heard
 constexpr double punctual_s = 100e-6;
+// A thread wakes some tens of microseconds after its time. It asks to be woken that much earlier and waits out what is left awake: at
+// most 3 % of a processor (docs/decisions/1106-waiting-of-the-force-loop.md).
+constexpr double longestAwake_s = 30e-6, awakeOfPeriod = 0.03;
 constexpr std::size_t keptRows = 1 << 16;  // a minute at 1 kHz
 constexpr double fullQueuePause_s = 0.0005;
 constexpr int longestFade_steps =
@@ -89,7 +92,9 @@ void ForceLoop::keep(const ForceStep& step, bool wait) {
 }
 
 void ForceLoop::waitFor(double due_s) {
-  sleepUntil(due_s);
+  sleepUntil(due_s - std::min(longestAwake_s, awakeOfPeriod * program_->period_s));
+  while (now_s() < due_s) {
+  }
   const double late_s = std::max(0.0, now_s() - due_s);
   ++deadlines_.steps;
   deadlines_.within100us += late_s <= punctual_s ? 1 : 0;

@@ -10,7 +10,12 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double above_mm = -0.5;      // where a finger waits before it touches
+constexpr double above_mm = -0.5;  // where a finger waits before it touches
+// A hold: how fast it is made good what it is off by, and when that is done.
+constexpr double correctionRate_per_s = 25, shortestCorrection_s = 0.2, longestCorrection_s = 0.8;
+constexpr double arrivedWithin_mm = 0.005, arrivedBelow_mm_per_s = 0.5;
+// Of the muscles while they aim, times what they are at rest: both of a pair pull. Damping grows with the root.
+constexpr double aimingStiffness = 10, aimingDamping = 3;
 constexpr double longestHold_s = 0.5;  // a press that never feels the bottom turns back anyway
 constexpr double tremorFrequencies_Hz[] = {8.7, 11.3};  // physiological tremor, 8 to 12 Hz
 
@@ -41,12 +46,28 @@ double SimulatedFinger::tremor_mm() const {
   return mechanics_.tremor_mm * sum / static_cast<double>(std::size(tremorFrequencies_Hz));
 }
 
-double SimulatedFinger::intended(const FingerHold& plan, double) {
-  const double aim_mm = plan.at_mm + std::max(0.0, plan.force_N) / mechanics_.stiffness_N_per_mm;
-  return above_mm + (aim_mm - above_mm) * minimumJerk(time_s_ / plan.approach_s);
+double SimulatedFinger::intended(const FingerHold& plan, double device_mm, double dt_s) {
+  if (arrived_) return relaxed_mm_;
+  if (time_s_ >= plan.approach_s) correction_mm_ += (plan.at_mm - device_mm) * correctionRate_per_s * dt_s;
+  const double carried_N = std::max(0.0, plan.force_N),
+               aim_mm = plan.at_mm + carried_N / mechanics_.pulpStiffness_N_per_mm +
+                        carried_N / (aimingStiffness * mechanics_.stiffness_N_per_mm);
+  return above_mm + (aim_mm - above_mm) * minimumJerk(time_s_ / plan.approach_s) + correction_mm_;
 }
 
-double SimulatedFinger::intended(const FingerPresses& plan, double device_mm) {
+// The muscle goes on with the same force. A finger that went on correcting would hunt with the device's friction.
+void SimulatedFinger::relaxAt(const FingerHold& plan, double device_mm, double device_mm_per_s,
+                              double muscle_N) {
+  const double aiming_s = time_s_ - plan.approach_s;
+  const bool stands = std::abs(plan.at_mm - device_mm) <= arrivedWithin_mm &&
+                      std::abs(device_mm_per_s) <= arrivedBelow_mm_per_s;
+  if (!(aiming_s >= shortestCorrection_s && stands) && !(aiming_s >= longestCorrection_s)) return;
+  arrived_ = true;
+  relaxed_mm_ = tip_mm_ + muscle_N / mechanics_.stiffness_N_per_mm - tremor_mm();
+  wantedBefore_mm_ = relaxed_mm_ + tremor_mm();  // another aim of the same force is no movement
+}
+
+double SimulatedFinger::intended(const FingerPresses& plan, double device_mm, double) {
   const double aim_mm = plan.travel_mm + 1.3 * std::max(0.1, plan.force_N) / mechanics_.stiffness_N_per_mm;
   const double in_s = time_s_ - phaseStart_s_;
   switch (phase_) {
@@ -69,12 +90,12 @@ double SimulatedFinger::intended(const FingerPresses& plan, double device_mm) {
   return turned_mm_ + (above_mm - turned_mm_) * minimumJerk(in_s / plan.release_s);
 }
 
-double SimulatedFinger::intended(const FingerPath& plan, double) {
+double SimulatedFinger::intended(const FingerPath& plan, double, double) {
   return along(plan.time_s, plan.position_mm, time_s_, next_);
 }
 
-double SimulatedFinger::intended_mm(double device_mm) {
-  return std::visit([&](const auto& plan) { return intended(plan, device_mm); }, plan_) + tremor_mm();
+double SimulatedFinger::intended_mm(double device_mm, double dt_s) {
+  return std::visit([&](const auto& plan) { return intended(plan, device_mm, dt_s); }, plan_) + tremor_mm();
 }
 
 double SimulatedFinger::contact_N(double device_mm, double device_mm_per_s) const {
@@ -90,13 +111,15 @@ double SimulatedFinger::push_N(double device_mm, double device_mm_per_s, double 
     time_s_ += dt_s;
     return push_N;
   }
-  const double wanted_mm = intended_mm(device_mm);
+  const double wanted_mm = intended_mm(device_mm, dt_s);
   if (!started_) started_ = true, wantedBefore_mm_ = wanted_mm, tip_mm_ = wanted_mm;
   const double wanted_mm_per_s = (wanted_mm - wantedBefore_mm_) / dt_s;
   wantedBefore_mm_ = wanted_mm;
   const double push_N = contact_N(device_mm, device_mm_per_s);
-  const double muscle_N = mechanics_.stiffness_N_per_mm * (wanted_mm - tip_mm_) +
-                          mechanics_.damping_Ns_per_mm * (wanted_mm_per_s - tip_mm_per_s_);
+  const double muscle_N =
+      (aiming() ? aimingStiffness : 1) * mechanics_.stiffness_N_per_mm * (wanted_mm - tip_mm_) +
+      (aiming() ? aimingDamping : 1) * mechanics_.damping_Ns_per_mm * (wanted_mm_per_s - tip_mm_per_s_);
+  if (aiming()) relaxAt(std::get<FingerHold>(plan_), device_mm, device_mm_per_s, muscle_N);
   constexpr double mmPerM = 1000;
   tip_mm_per_s_ += (muscle_N - push_N) / mechanics_.mass_kg * mmPerM * dt_s;
   tip_mm_ += tip_mm_per_s_ * dt_s;

@@ -20,7 +20,8 @@ struct FingerMechanics {
   double tremor_mm = 0.006;  ///< peak
 };
 
-/// Goes to a place and rests there.
+/// Goes to a place, stiffened as people do who aim, and makes good what it is off by. Once the handle stands there (or 0.8 s later, as
+/// inside a steep snap) it relaxes, carries what it carries, and corrects nothing any more.
 struct FingerHold {
   double at_mm = 0;
   double force_N = 0;       ///< the button's force there: what the finger has to carry
@@ -51,11 +52,13 @@ class SimulatedFinger {
   double push_N(double device_mm, double device_mm_per_s, double dt_s);
 
  private:
-  double intended_mm(double device_mm);
-  double intended(const FingerHold& plan, double device_mm);
-  double intended(const FingerPresses& plan, double device_mm);
-  double intended(const FingerPath& plan, double device_mm);
-  double intended(const FingerForcePath&, double device_mm) { return device_mm; }
+  double intended_mm(double device_mm, double dt_s);
+  bool aiming() const { return std::holds_alternative<FingerHold>(plan_) && !arrived_; }
+  double intended(const FingerHold& plan, double device_mm, double dt_s);
+  double intended(const FingerPresses& plan, double device_mm, double dt_s);
+  double intended(const FingerPath& plan, double device_mm, double dt_s);
+  double intended(const FingerForcePath&, double device_mm, double) { return device_mm; }
+  void relaxAt(const FingerHold& plan, double device_mm, double device_mm_per_s, double muscle_N);
   double contact_N(double device_mm, double device_mm_per_s) const;
   double tremor_mm() const;
 
@@ -64,6 +67,9 @@ class SimulatedFinger {
   double time_s_ = 0, tip_mm_, tip_mm_per_s_ = 0, wantedBefore_mm_ = 0;
   bool started_ = false;
   std::size_t next_ = 0;  ///< of a path
+  double correction_mm_ = 0,
+         relaxed_mm_ = 0;  ///< of a hold: added to its aim before, its aim after it has arrived
+  bool arrived_ = false;
   double phaseStart_s_ = 0, turned_mm_ = 0, felt_s_ = -1;
   enum class Phase : std::uint8_t { pause, down, back } phase_ = Phase::pause;
 };

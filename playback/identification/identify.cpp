@@ -22,6 +22,7 @@ constexpr double constantSpread = 0.15;
 constexpr double movingShare = 0.1;  // of the fastest: slower samples tell nothing about speed
 constexpr double standsOut = 3;      // standard errors
 constexpr double mmPerM = 1000;
+constexpr double leastNoiseShare = 0.05;  // of the residual's squares is never taken for rounding
 
 /// Which columns the fit has, in this order: c, k at the knots, b at the knots, m.
 struct Columns {
@@ -282,11 +283,12 @@ std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& fo
 /// What one unit of error in each sample's force, and in its place, does to the normal equations: the windows' way back.
 struct Influence {
   Eigen::MatrixXd ofForce, ofPlace;  ///< samples x parameters
-  double squares = 0;                ///< of all shares in all averages
+  double forceSquares = 0;           ///< of what each sample's force does to each equation
+  double placeSquares = 0;           ///< of what the place of each sample that moves does to each equation
 };
 
 Influence influenceOf(const Samples& s, const RecordWindows& windows, const Equations& equations,
-                      const Eigen::MatrixXd& weighted, const Local& local) {
+                      const Stays& stays, const Eigen::MatrixXd& weighted, const Local& local) {
   Influence influence{Eigen::MatrixXd::Zero(s.force_N.size(), weighted.cols()),
                       Eigen::MatrixXd::Zero(s.force_N.size(), weighted.cols())};
   std::vector<SampleShare> shares;
@@ -297,11 +299,13 @@ Influence influenceOf(const Samples& s, const RecordWindows& windows, const Equa
     for (std::size_t j = 0; j < shares.size(); ++j) {
       const auto at = static_cast<Eigen::Index>(windows.first(centre) + j);
       influence.ofForce.row(at) += shares[j].mean * row;
-      influence.ofPlace.row(at) +=
-          (shares[j].mean * local.slope_N_per_mm[at] + shares[j].perS * local.damping_Ns_per_mm[at] +
-           shares[j].perS2 * local.mass_kg / mmPerM) *
-          row;
-      influence.squares += shares[j].mean * shares[j].mean;
+      const double byPlace = shares[j].mean * local.slope_N_per_mm[at] +
+                             shares[j].perS * local.damping_Ns_per_mm[at] +
+                             shares[j].perS2 * local.mass_kg / mmPerM;
+      influence.ofPlace.row(at) += byPlace * row;
+      influence.forceSquares += shares[j].mean * shares[j].mean;
+      if (stays.level[windows.first(centre) + j] == Stays::moving)
+        influence.placeSquares += byPlace * byPlace;
     }
   }
   return influence;
@@ -329,7 +333,7 @@ struct Fit {
 };
 
 /// Least squares over the windows, where a stay counts as much as its rounding lets it; the errors are those of force and rounding,
-/// carried through windows, weights and solution (docs/decisions/1105-errors-of-an-identification.md).
+/// carried through windows, weights and solution (docs/decisions/1108-errors-of-an-identification.md).
 Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& stays, const Columns& columns) {
   constexpr int passes = 3;  // the first knows no weights yet, the last changes them no more
   const Equations equations = equationsOf(samples, windows, columns);
@@ -347,11 +351,14 @@ Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& st
     if (!solution) return fit;
     const Local local = localOf(samples, columns, solution->parameters);
     weights.apply(design);
-    const Influence influence = influenceOf(samples, windows, equations, design, local);
+    const Influence influence = influenceOf(samples, windows, equations, stays, design, local);
     const Eigen::MatrixXd ofForce = influence.ofForce.transpose() * influence.ofForce;
-    const double freedom = influence.squares - (solution->inverse * ofForce).trace();
+    const double freedom = influence.forceSquares - (solution->inverse * ofForce).trace();
     const double squares = (equations.design * solution->parameters - equations.force_N).squaredNorm();
-    fit.residual_N = std::sqrt(squares / std::max(freedom, 1e-300));
+    // What rounding leaves in the equations is no noise of the force; where the record has none, little is left of the squares.
+    const double ofRounding = rounding_mm * rounding_mm * influence.placeSquares;
+    fit.residual_N =
+        std::sqrt(std::max(squares - ofRounding, leastNoiseShare * squares) / std::max(freedom, 1e-300));
     covariance = solution->inverse *
                  (fit.residual_N * fit.residual_N * ofForce +
                   rounding_mm * rounding_mm * spreadOfRounding(influence.ofPlace, stays)) *

@@ -9,7 +9,8 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::size_t narrowestHalf = 5, widestHalf = 60;  // samples on each side
+// Samples on each side. Narrower, the rounding of the places drowns the curvature (decision 1108).
+constexpr std::size_t narrowestHalf = 8, widestHalf = 60;
 
 /// The recording's step: smallest change that is more than rounding.
 double stepOf(const std::vector<double>& values) {

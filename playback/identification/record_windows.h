@@ -20,7 +20,7 @@ struct SampleShare {
 class RecordWindows {
  public:
   /// A window is as short as spans `lowestQuanta` steps of the recording, so that slow movements are not drowned in its steps
-  /// and fast ones not smeared. The record has at least 11 samples.
+  /// and fast ones not smeared. The record has at least 17 samples.
   RecordWindows(const ForceRecord& record, double lowestQuanta);
 
   /// Smallest change of displacement in the record (mm).

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/program/interruption.h"
 
+#include <csignal>
+
 #include "model/staged_file.h"
 #include "playback/device/signal_watch.h"
 
@@ -15,7 +17,8 @@ struct Interruption::Hearing {
   SignalWatch watch{grace_s, &StagedFile::removeAll};
 };
 
-Interruption::Interruption() : hearing_(std::make_unique<Hearing>()) {}
+// A file that reaches the system's limit is a full disk: the write fails and says so, instead of ending the program without a word.
+Interruption::Interruption() : hearing_(std::make_unique<Hearing>()) { std::signal(SIGXFSZ, SIG_IGN); }
 Interruption::~Interruption() = default;
 bool Interruption::requested() const { return hearing_->watch.seen(); }
 

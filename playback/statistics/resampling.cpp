@@ -85,9 +85,14 @@ std::optional<Interval> participantBootstrap(const std::vector<Count>& participa
   const double bias =
       normalQuantile(std::clamp((below + upTo) / (2 * static_cast<double>(rates.size())), half, 1 - half));
   const double acceleration = accelerationOf(participants);
+  // Resamples of n people spread by (n - 1) / n of what people do, and their spread is itself known from n only: the tails lie as
+  // far out as Student's (Hesterberg, American Statistician 2015).
+  const auto people = static_cast<double>(participants.size());
   const auto corrected = [&](double share) {
-    const double z = bias + normalQuantile(share);
-    return normalCdf(bias + z / (1 - acceleration * z));
+    const double z =
+        bias + std::sqrt(people / (people - 1)) * studentQuantile(share, participants.size() - 1);
+    const double stretch = 1 - acceleration * z;
+    return stretch > 0 ? normalCdf(bias + z / stretch) : z > 0 ? 1 : 0;
   };
   const double tail = (1 - settings.confidence) / 2;
   return Interval{quantileOf(rates, corrected(tail)), quantileOf(rates, corrected(1 - tail))};

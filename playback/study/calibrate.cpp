@@ -12,6 +12,8 @@
 
 #include <Eigen/QR>
 
+#include "playback/statistics/normal.h"
+
 namespace detent::playback {
 
 namespace {
@@ -52,7 +54,8 @@ std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const Cali
   if (qr.rank() < columns) return {};  // the weights do not tell this degree from the lower one
   const Eigen::VectorXd beta = qr.solve(forces);
   const double chi2 = (forces - powers * beta).squaredNorm();
-  const double variance = chi2 / static_cast<double>(n - m);
+  // The scatter of few weights is known badly: Student's 68.3 % in place of one standard deviation.
+  const double error = std::sqrt(chi2 / static_cast<double>(n - m)) * studentQuantile(normalCdf(1), n - m);
   const Eigen::MatrixXd inverse =
       qr.solve(Eigen::MatrixXd::Identity(rows, rows));  // its rows give the covariance
   c.coefficientCount = m;
@@ -61,7 +64,7 @@ std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const Cali
   for (std::size_t k = 0; k < m; ++k, power *= scale) {
     const auto row = static_cast<Eigen::Index>(k);
     c.coefficients[k] = beta(row) / power;
-    c.standardErrors[k] = std::sqrt(variance) * inverse.row(row).norm() / power;
+    c.standardErrors[k] = error * inverse.row(row).norm() / power;
   }
   double squares = 0;
   c.lowest_N = std::numeric_limits<double>::infinity();

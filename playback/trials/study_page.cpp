@@ -18,7 +18,7 @@ constexpr const char* style = R"(
 body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #1c2430; background: #fff; }
 h1 { font-size: 1.6rem; margin-bottom: .2rem; } h2 { font-size: 1.15rem; margin: 2rem 0 .5rem; }
 table { border-collapse: collapse; margin: .5rem 0; } th, td { padding: .25rem .7rem; text-align: right; border-bottom: 1px solid #dde3ea; }
-th { font-weight: 600; } td:first-child, th:first-child { text-align: left; } td.words { text-align: left; }
+th { font-weight: 600; } td:first-child, th:first-child, .words { text-align: left; }
 td.one { background: #d9dde3; } td.more { background: #8b95a3; color: #fff; }
 caption { caption-side: bottom; text-align: left; color: #56606e; font-size: .85rem; padding-top: .3rem; }
 .band { position: fixed; top: 0; left: 0; right: 0; background: #b3261e; color: #fff; text-align: center; font-weight: 700; padding: .3rem; z-index: 1; }
@@ -252,8 +252,8 @@ std::string foretoldTable(const StudyResults& results, const GroupResult& group,
   }
   if (lines.empty()) return {};
   return "<section><h2>Foretold and found: " + escaped(group.condition) +
-         "</h2>\n<table><tr><th>Pair</th><th>d′ foretold</th><th>Errors foretold</th><th>found</th><th>What "
-         "differs</th></tr>\n" +
+         "</h2>\n<table><tr><th>Pair</th><th>d′ foretold</th><th>Errors foretold</th><th>found</th>"
+         "<th class=\"words\">What differs</th></tr>\n" +
          lines +
          formatted(
              "<caption>Rank correlation (Spearman) of foretold and found: %.2f over %zu pairs. What is found "

@@ -111,11 +111,13 @@ void addPairs(GroupResult& group, const Study& study, const Rows& rows, const Di
       tests.push_back({id, count, passed, atMost(count, 0.5), 1});
     }
     PairResult pair = pairResult(first, second, sum);
-    pair.failCount = static_cast<std::size_t>(
-        std::count_if(tests.begin(), tests.end(), [](const AbxTest& t) { return !t.discriminates; }));
+    if (rule.mostErrors) {  // so few trials that nobody can pass are no test
+      pair.failCount = static_cast<std::size_t>(
+          std::count_if(tests.begin(), tests.end(), [](const AbxTest& t) { return !t.discriminates; }));
+      group.fails.trials += tests.size();
+      group.fails.errors += *pair.failCount;
+    }
     pair.tests = std::move(tests);
-    group.fails.trials += pair.tests.size();
-    group.fails.errors += *pair.failCount;
     group.pairs.push_back(std::move(pair));
   }
 }
@@ -167,6 +169,11 @@ void warn(StudyResults& results, const Study& study, const std::vector<Participa
       results.warnings.push_back(p.participant + ": answered with version " + p.program +
                                  ", the study is of " + study.program);
   }
+  if (study.design.kind == StudyKind::abx && !results.rule.mostErrors)
+    results.warnings.push_back(
+        std::to_string(study.design.trials) +
+        " trials of a pair are too few for a test: guessing gets them all right in more than 5 % of runs; "
+        "five are the fewest");
   if (results.rows.empty()) results.warnings.push_back("no answer yet: there is nothing to report");
 }
 

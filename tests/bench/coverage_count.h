@@ -30,6 +30,7 @@ class CoverageCount {
   double rms() const { return std::sqrt(squares_ / static_cast<double>(std::max<std::size_t>(1, count_))); }
   double worst() const { return worst_; }
   /// "68.1 (65.1 to 71.0) | 95.2 (93.6 to 96.4)": per cent, with Wilson's 95 % interval of the count.
+  std::string text95() const { return share(within95_); }
   std::string text() const { return share(within68_) + " | " + share(within95_); }
 
  private:

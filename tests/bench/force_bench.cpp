@@ -95,7 +95,7 @@ void stepTimes() {
 
 void resting() {
   std::printf(
-      "\nresting finger, 6 um tremor, 20 places of the travel, 2 s each after 1.2 s; worst place\n%-28s %-6s "
+      "\nresting finger, 6 um tremor, 20 places of the travel, 2 s each after 3 s; worst place\n%-28s %-6s "
       "| %8s %8s %8s | %8s %8s %8s\n",
       "device", "button", "steps pp", "rms mN", "jump mN", "paper pp", "rms mN", "jump mN");
   for (const ForceDeviceProfile& device : presets()) {
@@ -109,15 +109,15 @@ void resting() {
                               0.4};
         ForceRun run(prepared, device, hold);
         Quiet quiet, paper;
-        run.run(1.2);
+        run.run(3);
         run.run(2, [&](const ForceStep& s) { quiet.add(s.position_mm, s.force_N); });
         SimulatedForceDevice other(simulationOf(device, prepared), SimulatedFinger({}, hold));
         PaperLaw law(button, prepared.program.period_s);
         ForceCommand command;
-        for (int i = 0; i < 3200; ++i) {
+        for (int i = 0; i < 5000; ++i) {
           const ForceReading reading = other.exchange(command);
           command.force_N = law.step(reading.position_mm);
-          if (i >= 1200) paper.add(reading.position_mm, command.force_N);
+          if (i >= 3000) paper.add(reading.position_mm, command.force_N);
         }
         const double found[6] = {
             quiet.peakToPeak_mm() / device.step_mm, 1e3 * quiet.rms_N(), 1e3 * quiet.largestJump_N(),

@@ -153,42 +153,55 @@ std::vector<Count> answersOf(std::size_t participants, std::size_t trials, doubl
 
 bool holds(const Interval& interval, double rate) { return interval.low <= rate && rate <= interval.high; }
 
+/// Studies print 95 % intervals only.
+class StudyTable {
+ public:
+  StudyTable(const char* what, const char* columns) {
+    std::printf("\n### %s\n\n| %s | N | within 95.0 %% | no interval |\n|---|---|---|---|\n", what, columns);
+  }
+  void add(const std::string& name, const CoverageCount& count, unsigned none) {
+    std::printf("| %s | %zu | %s | %u |\n", name.c_str(), count.count(), count.text95().c_str(), none);
+    std::fflush(stdout);
+  }
+};
+
 void studies() {
   constexpr unsigned studyCount = 4000;
   std::mt19937 random(77);
-  printHead("Studies: intervals of an error rate over independent trials", "trials, rate, interval");
+  StudyTable ofTrials("Studies: intervals of an error rate over independent trials",
+                      "trials, rate, interval");
   for (const std::size_t trials : {90U, 1350U}) {
     for (const double rate : {0.01, 0.05, 0.11, 0.3}) {
       CoverageCount byWilson, byClopperPearson;
       for (unsigned i = 0; i < studyCount; ++i) {
         const Count count{drawErrors(trials, rate, random), trials};
-        byWilson.add(holds(wilson(count, 0.6827), rate), holds(wilson(count), rate));
-        byClopperPearson.add(holds(clopperPearson(count, 0.6827), rate), holds(clopperPearson(count), rate));
+        byWilson.add(false, holds(wilson(count), rate));
+        byClopperPearson.add(false, holds(clopperPearson(count), rate));
       }
       char name[80];
       std::snprintf(name, sizeof name, "%zu, %.0f %%: ", trials, 100 * rate);
-      printRow(std::string(name) + "Wilson", byWilson);
-      printRow(std::string(name) + "Clopper-Pearson", byClopperPearson);
+      ofTrials.add(std::string(name) + "Wilson", byWilson, 0);
+      ofTrials.add(std::string(name) + "Clopper-Pearson", byClopperPearson, 0);
     }
   }
   constexpr unsigned groupCount = 1000;
-  printHead("Studies: interval of a group's error rate by resampling participants (BCa)",
-            "participants of 150 trials, rate, concentration");
+  StudyTable ofPeople("Studies: interval of a group's error rate by resampling participants",
+                      "participants of 150 trials, rate, concentration");
   for (const std::size_t participants : {4U, 9U, 18U}) {
     for (const auto& [rate, concentration] : {std::pair{0.034, 70.0}, {0.1, 70.0}, {0.1, 10.0}}) {
       CoverageCount counts;
+      unsigned none = 0;
       for (unsigned i = 0; i < groupCount; ++i) {
         const std::vector<Count> answers = answersOf(participants, 150, rate, concentration, random);
-        ResamplingSettings narrow, wide;
-        narrow.resamples = wide.resamples = 1000;
-        narrow.confidence = 0.6827;
-        const auto within68 = participantBootstrap(answers, narrow),
-                   within95 = participantBootstrap(answers, wide);
-        if (within68 && within95) counts.add(holds(*within68, rate), holds(*within95, rate));
+        ResamplingSettings settings;
+        settings.resamples = 1000;
+        const auto interval = participantBootstrap(answers, settings);
+        none += interval ? 0 : 1;
+        if (interval) counts.add(false, holds(*interval, rate));
       }
       char name[80];
       std::snprintf(name, sizeof name, "%zu, %.1f %%, %.0f", participants, 100 * rate, concentration);
-      printRow(name, counts);
+      ofPeople.add(name, counts, none);
     }
   }
 }

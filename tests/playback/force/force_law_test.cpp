@@ -104,7 +104,7 @@ TEST_CASE("force law: a resting finger feels nothing move, on every device and s
         const double at_mm = share * prepared.summary.travel_mm;
         const double carried_N = button.states().front().graph.press().force_N(at_mm) + device.friction_N;
         ForceRun run(prepared, device, FingerHold{at_mm, carried_N, 0.4});
-        run.run(1.2);
+        run.run(2);
         Quiet quiet;
         run.run(0.8, [&](const ForceStep& s) { quiet.add(s.position_mm, s.force_N); });
         INFO(device.name << ", " << name << " at " << at_mm << " mm");

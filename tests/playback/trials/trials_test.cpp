@@ -267,6 +267,7 @@ TEST_CASE(
 TEST_CASE("session: clocks that disagree are told, times stay as measured") {
   const StudyFolder made;
   SessionStart later = simulatedStart;
+  later.kind = SessionKind::rehearsal;
   answer(*made.study, "P01", "perfect", 4, later);
   later.utc_s -= 5000;
   answer(*made.study, "P01", "perfect", 4, later);
@@ -279,6 +280,12 @@ TEST_CASE("session: clocks that disagree are told, times stay as measured") {
     CHECK(a.onset_s > before);
     before = a.onset_s;
   }
+  // Simulated times are made up.
+  answer(*made.study, "P02", "perfect", 4);
+  SessionStart earlier = simulatedStart;
+  earlier.utc_s -= 5000;
+  answer(*made.study, "P02", "perfect", 4, earlier);
+  CHECK((*readParticipants(*made.study))[1].notes.empty());
 }
 
 TEST_CASE("session: a trial broken off by the device is marked, its row says so") {
@@ -403,4 +410,17 @@ TEST_CASE("Kim & Lee's printed counts: their percentages, and what does not add 
     CHECK(text.find(figure) != std::string::npos);
   CHECK(results->warnings.size() == 2);
   for (const PairResult& pair : results->groups.front().pairs) CHECK_FALSE(pair.failCount.has_value());
+}
+
+TEST_CASE("results: of fewer than five trials nobody passes or fails, and it is said") {
+  StudyDesign design;
+  design.trials = 4;
+  const StudyFolder made(design);
+  answer(*made.study, "P01", "perfect", 1000);
+  const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
+  REQUIRE_FALSE(results.groups.empty());
+  CHECK(results.groups[0].fails.trials == 0);
+  CHECK_FALSE(results.groups[0].pairs[0].failCount);
+  CHECK(std::any_of(results.warnings.begin(), results.warnings.end(),
+                    [](const std::string& w) { return w.find("too few for a test") != std::string::npos; }));
 }
