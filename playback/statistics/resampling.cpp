@@ -12,6 +12,9 @@ namespace detent::playback {
 
 namespace {
 
+// What few people did bounds every resample of them: five cover the truth in 86 to 92 of 100 cases, six in 90 and more.
+constexpr std::size_t fewestParticipants = 6;
+
 Count sumOf(const std::vector<Count>& counts) {
   Count sum;
   for (const Count& c : counts) {
@@ -72,7 +75,7 @@ double meanRate(const std::vector<double>& rates, std::size_t from, std::size_t 
 
 std::optional<Interval> participantBootstrap(const std::vector<Count>& participants,
                                              const ResamplingSettings& settings) {
-  if (participants.size() < 2) return {};
+  if (participants.size() < fewestParticipants) return {};
   const std::vector<double> rates = resampledRates(participants, settings);
   if (rates.front() == rates.back()) return {};
   const double observed = rateOf(sumOf(participants));

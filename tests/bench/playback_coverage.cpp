@@ -187,7 +187,7 @@ void studies() {
   constexpr unsigned groupCount = 1000;
   StudyTable ofPeople("Studies: interval of a group's error rate by resampling participants",
                       "participants of 150 trials, rate, concentration");
-  for (const std::size_t participants : {4U, 9U, 18U}) {
+  for (const std::size_t participants : {6U, 9U, 18U}) {
     for (const auto& [rate, concentration] : {std::pair{0.034, 70.0}, {0.1, 70.0}, {0.1, 10.0}}) {
       CoverageCount counts;
       unsigned none = 0;
@@ -211,7 +211,8 @@ void sweeps() {
   constexpr unsigned sweepCount = 60;
   std::printf(
       "\n### `sweep`: no errors are printed; what a resonance is off by, %u simulated devices each\n\n"
-      "| noise, of the sweep's level | frequency: rms, worst %% | Q: median of found / true | lost |\n"
+      "| noise, of the sweep's level | frequency: rms, worst %% | Q (-3 dB width) over the equalizer's, "
+      "median | lost |\n"
       "|---|---|---|---|\n",
       sweepCount);
   std::mt19937 random(5);

@@ -115,7 +115,8 @@ TEST_CASE("a million guessers: 1.07 +- 0.03 % make at most one error in ten") {
 TEST_CASE("bootstrap over participants: nothing to resample gives nothing, spread gives an interval") {
   CHECK_FALSE(participantBootstrap({}));
   CHECK_FALSE(participantBootstrap({{3, 10}}));
-  CHECK_FALSE(participantBootstrap({{3, 10}, {3, 10}, {3, 10}}));
+  CHECK_FALSE(participantBootstrap({{3, 10}, {3, 10}, {3, 10}, {3, 10}, {3, 10}, {3, 10}}));
+  CHECK_FALSE(participantBootstrap({{0, 150}, {2, 150}, {3, 150}, {5, 150}, {5, 150}}));  // too few
   const std::vector<Count> people{{0, 150}, {2, 150}, {3, 150}, {5, 150}, {5, 150},
                                   {6, 150}, {7, 150}, {8, 150}, {10, 150}};
   const auto interval = participantBootstrap(people);
