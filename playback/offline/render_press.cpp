@@ -137,10 +137,16 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
       look += lookEvery;
     }
     const std::int64_t stop = std::min(look, latest);
-    const auto count = static_cast<std::size_t>(
+    auto count = static_cast<std::size_t>(
         std::min<std::int64_t>(static_cast<std::int64_t>(settings.block), stop - engine->frame()));
     const auto until = static_cast<double>(engine->frame() + static_cast<std::int64_t>(count));
     while (next < inputs.size() && inputs[next].time_frames < until && engine->push(inputs[next])) ++next;
+    // A trace denser than the engine's ring ends the block early: a reading applied late would be felt late.
+    if (next < inputs.size() && inputs[next].time_frames < until)
+      count =
+          std::clamp<std::size_t>(static_cast<std::size_t>(std::max(
+                                      0.0, inputs[next].time_frames - static_cast<double>(engine->frame()))),
+                                  1, count);
     engine->render(block.data(), count);
     while (engine->nextEvent(event)) summary.events.push_back(event);
     for (std::size_t i = 0; i < count; ++i) summary.peak = std::max(summary.peak, std::fabs(block[i]));

@@ -436,6 +436,23 @@ TEST_CASE("time does not wear out", "[finite]") {
   });
 }
 
+TEST_CASE("a press of 200,000 readings is felt when one of 400 is") {
+  const HapticProgram& program = programOf(1);
+  const auto jumpsOf = [&](double rate_Hz) {
+    const auto summary = renderPress(program, pressOf(program, 1.2, 0.2, rate_Hz), {},
+                                     [](const float*, std::size_t) { return true; });
+    REQUIRE(summary);
+    std::vector<double> times_s;
+    for (const EngineEvent& e : summary->events)
+      if (e.kind != EventKind::grain) times_s.push_back(static_cast<double>(e.frame) / 48000);
+    return times_s;
+  };
+  const std::vector<double> few = jumpsOf(2000), many = jumpsOf(1e6);
+  REQUIRE(few.size() == many.size());
+  REQUIRE(few.size() >= 2);
+  for (std::size_t i = 0; i < few.size(); ++i) CHECK(many[i] == Approx(few[i]).margin(0.001));
+}
+
 TEST_CASE("24 simulated hours: the last press is the first press") {
   const HapticProgram& program = programOf(1);
   const PressTrace press = pressOf(program, 1.2, 0.2, 425);
