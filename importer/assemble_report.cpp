@@ -61,6 +61,14 @@ const SpecCheck* grossConflict(const std::vector<SpecCheck>& checks) {
   return nullptr;
 }
 
+/// Index of the switch taken, where the plot shows several.
+std::optional<std::size_t> chosenAmongSeveral(const std::vector<PlotSwitch>& switches,
+                                              const std::vector<CurveTrace>& traces, const std::string& asked) {
+  if (switches.size() < 2) return {};
+  const auto chosen = chosenSwitch(switches, traces, asked);
+  return chosen ? std::optional(*chosen) : std::nullopt;  // drawn by hand instead
+}
+
 double worstRms_px(const GraphFindings& findings) {
   const double press_px = findings.fitted.press.summary.rmsSigma * findings.pressNoise_px;
   if (!findings.fitted.release) return press_px;
@@ -109,6 +117,7 @@ std::vector<std::string> givenByHand(const ImportHints& hints) {
   if (hints.trace.releaseColor) given.emplace_back("--release-color");
   if (!hints.trace.masks_px.empty()) given.emplace_back("--mask");
   if (hints.strokes.swap) given.emplace_back("--swap-strokes");
+  if (!hints.strokes.curve.empty()) given.emplace_back("--curve " + hints.strokes.curve);
   if (!hints.drawn.press.empty()) given.emplace_back("--press-line");
   if (!hints.drawn.release.empty()) given.emplace_back("--release-line");
   if (hints.dpi) given.emplace_back("--dpi");
@@ -142,7 +151,11 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   Provenance provenance = provenanceOf(findings, source, request);
   provenance.warnings = recorded(remarks);
   provenance.confidence = std::min(findings.graph.confidence(), findings.strokes.confidence);
-  auto button = buttonFrom(source.stem, findings.fitted, findings.callouts, provenance);
+  const std::vector<PlotSwitch> switches = switchesAmong(findings.traces);
+  const auto curve = chosenAmongSeveral(switches, findings.traces, request.hints.strokes.curve);
+  const std::string name =
+      curve && !switches[*curve].name.empty() ? source.stem + " " + switches[*curve].name : source.stem;
+  auto button = buttonFrom(name, findings.fitted, findings.callouts, provenance);
   if (!button) return button.failure();
   const AxisHints& axes = request.hints.axes;
   const auto checks = checkAgainst(findings.specs, *button);
@@ -157,6 +170,7 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   const AxisCalibration& calibration = findings.graph.axes.calibration.value;
   ImportReport report(std::move(button).value());
   report.page = source.page, report.graph = source.graph;
+  if (curve) report.curve = *curve + 1;
   report.x = calibration.x, report.y = calibration.y;
   report.press = {findings.fitted.press.summary, provenance.pressRms_px};
   if (findings.fitted.release) report.release = {findings.fitted.release->summary, provenance.releaseRms_px};
@@ -174,7 +188,7 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
       {ImportStep::strokes, findings.strokes.confidence, findings.strokes.by, findings.strokes.evidence});
   report.evidence = std::make_shared<const GraphEvidence>(
       GraphEvidence{findings.graph.view, findings.graph.frame.value, findings.graph.axes, findings.traces,
-                    std::move(steps)});
+                    switches, std::move(steps)});
   report.strokes = std::move(findings.strokes.value);
   return report;
 }

@@ -59,6 +59,10 @@ ViewOptions viewOptionsFor(const QualitySettings& settings, const ImportHints& h
   return view;
 }
 
+LocateKey locateKeyOf(const ImportRequest& request) {
+  return {viewOptionsFor(settingsFor(request.quality), request.hints), request.hints.axes, request.hints.frame};
+}
+
 /// Masks are given on the page; tracing works in the view.
 TraceHints inView(TraceHints hints, const PageView& view) {
   const Affine toView = view.viewToPage.inverse();
@@ -544,9 +548,9 @@ struct ImportSession::Impl {
   }
 
   /// What a person needs to see where it went wrong.
-  void keepEvidence(const LocatedGraph& graph, std::vector<CurveTrace> curves) {
+  void keepEvidence(const LocatedGraph& graph, const std::vector<CurveTrace>& curves) {
     failed = std::make_shared<const GraphEvidence>(
-        GraphEvidence{graph.view, graph.frame.value, graph.axes, std::move(curves), graph.findings()});
+        GraphEvidence{graph.view, graph.frame.value, graph.axes, curves, switchesAmong(curves), graph.findings()});
   }
 
   Failure placed(Failure f, const Choice& choice) const {
@@ -558,13 +562,27 @@ struct ImportSession::Impl {
     return f;
   }
 
+  Result<std::vector<PlotSwitch>> switches(const ImportRequest& request, const Progress& progress);
   Result<ImportReport> importPlot(const ImportRequest& request, const Progress& progress);
   Result<ImportReport> importLog(const ImportRequest& request, const Progress& progress);
 };
 
+Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportRequest& request,
+                                                              const Progress& progress) {
+  const QualitySettings settings = settingsFor(request.quality);
+  auto choice = choose(request, locateKeyOf(request), progress);
+  if (!choice) return choice.failure();
+  LocatedGraph& graph = choice->located();
+  readAllTexts(graph, progress);
+  letViewsGo(&graph);
+  auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
+  if (!curves) return placed(curves.failure(), *choice);
+  return switchesAmong(**curves);
+}
+
 Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& request, const Progress& progress) {
   const QualitySettings settings = settingsFor(request.quality);
-  const LocateKey key{viewOptionsFor(settings, request.hints), request.hints.axes, request.hints.frame};
+  const LocateKey key = locateKeyOf(request);
   seconds.clear();
   failed.reset();
   const auto step = [&](double fraction, ImportStep what) {
@@ -740,6 +758,16 @@ Result<std::vector<ListedGraph>> ImportSession::list(std::optional<int> page, Qu
   }
   if (unreadable == last - first + 1) return *firstFault;
   return listed;
+}
+
+Result<std::vector<PlotSwitch>> ImportSession::switches(const ListedGraph& graph, Quality quality,
+                                                        const ImportHints& hints, const Progress& progress) {
+  if (isForceLog()) return impl_->failure(FailureCode::wrongUsage, "", "a force log shows no switches", {});
+  ImportRequest request;
+  request.page = graph.page, request.graph = graph.graph;
+  request.quality = quality;
+  request.hints = hints;
+  return impl_->switches(request, progress);
 }
 
 std::vector<Remark> ImportSession::remarks() const { return impl_->allRemarks(); }

@@ -24,6 +24,7 @@
 #include "importer/quality.h"
 #include "importer/specs/printed_spec.h"
 #include "importer/strokes/stroke_pair.h"
+#include "importer/strokes/switches.h"
 #include "model/button.h"
 
 namespace detent::importer {
@@ -98,6 +99,7 @@ struct GraphEvidence {
   PlotFrame frame;
   AxesFound axes;
   std::vector<CurveTrace> traces;  ///< empty if it did not come so far
+  std::vector<PlotSwitch> switches;  ///< among the traces, numbered from 1; several: StrokeHints::curve takes one
   std::vector<StepFinding> steps;  ///< those that ran, in flow order; an import is as sure as its weakest
 };
 
@@ -114,6 +116,7 @@ struct ImportReport {
   Button button;
   StrokePair strokes;  ///< as traced, before the fit
   int page = 1, graph = 1;
+  std::optional<std::size_t> curve;  ///< of several switches in the plot the one taken, from 1
   std::optional<AxisReading> x, y;  ///< empty for force logs
   StrokeReport press;
   std::optional<StrokeReport> release;
@@ -147,6 +150,10 @@ class ImportSession {
   /// itself, unless it is the only one; remarks() names it.
   Result<std::vector<ListedGraph>> list(std::optional<int> page = {}, Quality quality = Quality::standard,
                                         const ImportHints& hints = {}, const Progress& progress = {});
+  /// The switches that a listed graph shows (one, as a rule), for choosing one by StrokeHints::curve; empty where it is
+  /// not clear which curves belong together. Traces the graph; what a later import needs of that is kept.
+  Result<std::vector<PlotSwitch>> switches(const ListedGraph& graph, Quality quality = Quality::standard,
+                                           const ImportHints& hints = {}, const Progress& progress = {});
   /// What could not be read of the pages seen so far: broken images, broken pages.
   std::vector<Remark> remarks() const;
   /// What was looked at on a page and not listed, as the last `list` of that page found it.

@@ -5723,10 +5723,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>von Hand vertauscht</translation>
     </message>
     <message>
-        <source>the legend names them &quot;%1&quot; and &quot;%2&quot;, not one switch&apos;s press and release</source>
-        <translation>die Legende nennt sie „%1“ und „%2“, nicht Drücken und Rückweg eines Tasters</translation>
-    </message>
-    <message>
         <source>%1 numbers in a row and %2 in a column, without a rectangle of lines</source>
         <translation>%1 Zahlen in einer Zeile und %2 in einer Spalte, ohne ein Rechteck aus Linien</translation>
     </message>
@@ -5765,6 +5761,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>%1 curves, and which two belong together is not clear: %2</source>
         <translation>%1 Kurven, und welche zwei zusammengehören, ist nicht klar: %2</translation>
+    </message>
+    <message>
+        <source>%1 switches are drawn in it: %2</source>
+        <translation>%1 Taster sind darin gezeichnet: %2</translation>
     </message>
     <message>
         <source>press and release cannot be told apart: neither legend nor hysteresis says which is which (%1, %2)</source>
@@ -5912,6 +5912,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>no force graph found</source>
         <translation>kein Kraftgraph gefunden</translation>
+    </message>
+    <message>
+        <source>Choose one by its name or number: --curve NAME|N</source>
+        <translation>Einen nach Name oder Nummer wählen: --curve NAME|N</translation>
+    </message>
+    <message>
+        <source>no one curve in it is "%1"; it shows %2</source>
+        <translation>keine einzelne Kurve darin ist „%1“; zu sehen: %2</translation>
     </message>
     <message>
         <source>no force graph found (%1)</source>

@@ -40,9 +40,6 @@ Wording wordingOf(EvidenceCode code) {
               words("one curve, taken as press although the legend calls it release")};
     case EvidenceCode::exchangedByHand:
       return {"exchanged-by-hand", words("exchanged by hand")};
-    case EvidenceCode::namedAsTwo:
-      return {"named-as-two",
-              words("the legend names them \"%1\" and \"%2\", not one switch's press and release")};
     case EvidenceCode::numbersAlone:
       return {"numbers-alone", words("%1 numbers in a row and %2 in a column, without a rectangle of lines")};
     case EvidenceCode::widenedToNumbers:
@@ -70,6 +67,8 @@ Wording wordingOf(DoubtCode code) {
               words("what can be followed in this ink does not look like a force curve (confidence %1)")};
     case DoubtCode::tooManyCurves:
       return {"too-many-curves", words("%1 curves, and which two belong together is not clear: %2")};
+    case DoubtCode::severalSwitches:
+      return {"several-switches", words("%1 switches are drawn in it: %2")};
     case DoubtCode::strokesAlike:
       return {"strokes-alike", words("press and release cannot be told apart: neither legend nor hysteresis "
                                      "says which is which (%1, %2)")};

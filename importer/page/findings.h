@@ -33,7 +33,6 @@ enum class EvidenceCode {
   pressAlone,
   pressAloneThoughNamedRelease,
   exchangedByHand,
-  namedAsTwo,       ///< legend texts of two curves that are not one switch's strokes
   numbersAlone,     ///< numbers in a row, numbers in a column; no rectangle of lines
   widenedToNumbers  ///< the labels count on beyond the rectangle of lines
 };
@@ -58,6 +57,7 @@ enum class DoubtCode {
   ratherADrawing,      ///< messages of the axes' evidence
   doesNotLookLikeOne,  ///< confidence of the curves, 0..1
   tooManyCurves,       ///< how many, their colours and names
+  severalSwitches,     ///< how many, their numbers, names and colours
   strokesAlike,        ///< colours of the two
   // what no step sees alone, docs/decisions/0805-doubts.md
   unitMissing,        ///< axis, unit that would be taken

@@ -37,6 +37,17 @@ Json checksJson(const std::vector<SpecCheck>& checks) {
   return all;
 }
 
+Json curvesJson(const std::vector<PlotSwitch>& switches) {
+  Json curves = Json::array();
+  for (const PlotSwitch& each : switches) {
+    Json curve = {
+        {"curve", curves.size() + 1}, {"name", each.name}, {"press_color", nameOf(each.pressColor)}};
+    if (each.releaseColor) curve["release_color"] = nameOf(*each.releaseColor);
+    curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
 /// "warnings" in words, for people and old scripts, and their codes in the same order.
 void addRemarks(Json& json, const std::vector<Remark>& remarks) {
   json["warnings"] = Json::array();
@@ -63,6 +74,10 @@ void appendRows(std::string& csv, const char* stroke, const std::vector<CurvePoi
 std::string reportJson(const ImportReport& report, const std::string& input,
                        const std::vector<std::string>& outputs) {
   Json json = {{"status", "ok"}, {"input", input}, {"page", report.page}, {"graph", report.graph}};
+  if (report.curve) {
+    const std::vector<PlotSwitch>& all = report.evidence->switches;
+    json["curve"] = {{"number", *report.curve}, {"name", all[*report.curve - 1].name}, {"of", all.size()}};
+  }
   if (report.x) json["x_axis"] = axisJson(*report.x);
   if (report.y) json["y_axis"] = axisJson(*report.y);
   json["press"] = strokeJson(report.press);
@@ -81,7 +96,8 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   return dumped(json);
 }
 
-std::string failureJson(const Failure& failure, const std::string& input) {
+std::string failureJson(const Failure& failure, const std::string& input,
+                        const std::vector<PlotSwitch>& switches) {
   Json remedies = Json::array();
   for (const Remedy& remedy : failure.remedies) remedies.push_back(nameOf(remedy.kind));
   Json json = {{"status", nameOf(failure.code)},     {"input", input},
@@ -89,12 +105,13 @@ std::string failureJson(const Failure& failure, const std::string& input) {
                {"place", english(failure.place)},    {"remedy", commandLineWords(failure.remedies)},
                {"remedy_codes", std::move(remedies)}};
   if (!failure.reason.empty()) json["reason"] = failure.reason;
+  if (switches.size() > 1) json["curves"] = curvesJson(switches);
   return dumped(json);
 }
 
-std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<Remark>& remarks) {
+std::string listJson(const std::vector<ListedPlot>& plots, const std::vector<Remark>& remarks) {
   Json listed = Json::array();
-  for (const ListedGraph& g : graphs) {
+  for (const auto& [g, switches] : plots) {
     const auto axis = [](const AxisReading& a) {
       return Json{{"unit", a.unit}, {"min", a.min}, {"max", a.max}};
     };
@@ -105,7 +122,8 @@ std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<R
                       {"rotated_deg", 90 * g.quarterTurns},
                       {"x_axis", axis(g.x)},
                       {"y_axis", axis(g.y)},
-                      {"confidence", g.confidence}});
+                      {"confidence", g.confidence},
+                      {"curves", curvesJson(switches)}});
   }
   Json json = {{"graphs", std::move(listed)}};
   if (!remarks.empty()) addRemarks(json, remarks);

@@ -12,10 +12,18 @@ namespace detent::importer {
 /// One object, one line. `input` as the user wrote it; `outputs` are the files written.
 std::string reportJson(const ImportReport& report, const std::string& input,
                        const std::vector<std::string>& outputs);
-std::string failureJson(const Failure& failure, const std::string& input);
+/// `switches` of the plot it is about: "curves" where there are several.
+std::string failureJson(const Failure& failure, const std::string& input,
+                        const std::vector<PlotSwitch>& switches = {});
+
+/// A graph with what it shows.
+struct ListedPlot {
+  ListedGraph graph;
+  std::vector<PlotSwitch> switches;
+};
 /// {"graphs":[...]}: `frame_pt` for documents, `frame_px` for pictures; "warnings" and
 /// "warning_codes" where there are any.
-std::string listJson(const std::vector<ListedGraph>& graphs, const std::vector<Remark>& remarks);
+std::string listJson(const std::vector<ListedPlot>& plots, const std::vector<Remark>& remarks);
 
 /// `stroke,displacement_mm,force_N`: traced points before the fit, in the order travelled.
 std::string traceCsv(const StrokePair& strokes);

@@ -78,7 +78,9 @@ int importOne(ImportSession& session, const ImportRequest& request, const Output
   if (report) written = writeOutputs(*report, paths);
   if (!report || !written) {
     const Failure& failure = report ? written.failure() : report.failure();
-    objects.push_back(failureJson(failure, request.path));
+    const auto evidence = session.evidenceOfFailure();
+    objects.push_back(
+        failureJson(failure, request.path, evidence ? evidence->switches : std::vector<PlotSwitch>{}));
     text += failure.sentence() + "\n";
     return failure.exitCode();
   }
@@ -175,9 +177,9 @@ int runImport(const Arguments& a, const Progress& progress) {
   return exitCode;
 }
 
-std::string listText(const std::vector<ListedGraph>& graphs) {
+std::string listText(const std::vector<ListedPlot>& plots) {
   std::string text;
-  for (const ListedGraph& g : graphs) {
+  for (const auto& [g, switches] : plots) {
     char row[320];
     std::snprintf(
         row, sizeof row,
@@ -186,8 +188,28 @@ std::string listText(const std::vector<ListedGraph>& graphs) {
         g.unit == PageUnit::point ? "pt" : "px", g.x.min, g.x.max, g.x.unit.c_str(), g.y.min, g.y.max,
         g.y.unit.c_str(), g.confidence);
     text += row;
+    for (std::size_t i = 0; i < switches.size() && switches.size() > 1; ++i) {
+      const PlotSwitch& each = switches[i];
+      text += "  curve " + std::to_string(i + 1) + (each.name.empty() ? "" : " \"" + each.name + "\"") +
+              "  press " + nameOf(each.pressColor) +
+              (each.releaseColor ? "  release " + nameOf(*each.releaseColor) : "") + "\n";
+    }
   }
   return text;
+}
+
+/// The graphs of an input with the switches each of them shows.
+Result<std::vector<ListedPlot>> listedPlots(ImportSession& session, const ImportRequest& request,
+                                            const Progress& progress) {
+  auto graphs = session.list(request.page, request.quality, request.hints, progress);
+  if (!graphs) return graphs.failure();
+  std::vector<ListedPlot> plots;
+  for (ListedGraph& graph : *graphs) {
+    auto switches = session.switches(graph, request.quality, request.hints, progress);
+    if (!switches && switches.failure().code == FailureCode::cancelled) return switches.failure();
+    plots.push_back({std::move(graph), switches ? std::move(*switches) : std::vector<PlotSwitch>{}});
+  }
+  return plots;
 }
 
 int runList(const Arguments& a, const Progress& progress) {
@@ -199,21 +221,21 @@ int runList(const Arguments& a, const Progress& progress) {
   };
   auto session = ImportSession::open(input, request.limits);
   if (!session) return refused(session.failure());
-  auto graphs = session->list(request.page, request.quality, request.hints, progress);
-  if (!graphs) return refused(graphs.failure());
+  const auto plots = listedPlots(*session, request, progress);
+  if (!plots) return refused(plots.failure());
 
   const std::vector<Remark> remarks = session->remarks();
   std::fputs(warningLines(remarks).c_str(), stderr);
-  const int exitCode = graphs->empty() ? static_cast<int>(FailureCode::noForceGraph) : 0;
-  const std::string text = graphs->empty() ? Failure{FailureCode::noForceGraph,
-                                                     input,
-                                                     "",
-                                                     "no force graph found",
-                                                     {{RemedyKind::giveFrame, "if there is one"}}}
-                                                     .sentence() +
-                                                 "\n"
-                                           : listText(*graphs);
-  print(a, listJson(*graphs, remarks) + "\n", a.json && exitCode == 0 ? "" : text, exitCode);
+  const int exitCode = plots->empty() ? static_cast<int>(FailureCode::noForceGraph) : 0;
+  const std::string text = plots->empty() ? Failure{FailureCode::noForceGraph,
+                                                    input,
+                                                    "",
+                                                    "no force graph found",
+                                                    {{RemedyKind::giveFrame, "if there is one"}}}
+                                                    .sentence() +
+                                                "\n"
+                                          : listText(*plots);
+  print(a, listJson(*plots, remarks) + "\n", a.json && exitCode == 0 ? "" : text, exitCode);
   return exitCode;
 }
 

@@ -70,27 +70,75 @@ bool anySign(std::string_view text, const List& list) {
                      [&](std::string_view sign) { return text.find(sign) != std::string_view::npos; });
 }
 
+bool isStrokeWord(const std::string& word) {
+  const std::vector<std::string> one{word};
+  return anyWord(one, kPressWords) || anyWord(one, kReleaseWords);
+}
+
 /// Words that name neither a stroke nor what every legend names: a switch's own name.
 std::vector<std::string> ownWords(std::string_view utf8) {
   constexpr std::array kCommonWords = {"stroke", "curve", "force", "travel", "key",  "switch",
                                        "the",    "of",    "on",    "hub",    "kraft"};
   std::vector<std::string> own;
   for (std::string& word : wordsOf(utf8)) {
-    const std::vector<std::string> one{word};
-    if (!anyWord(one, kPressWords) && !anyWord(one, kReleaseWords) && !anyWord(one, kCommonWords))
-      own.push_back(std::move(word));
+    if (!isStrokeWord(word) && !anyWord(std::vector{word}, kCommonWords)) own.push_back(std::move(word));
   }
   return own;
 }
 
+std::vector<std::string> numbersOf(std::string_view utf8) {
+  constexpr std::string_view kDigits = "0123456789";
+  std::vector<std::string> numbers;
+  for (auto at = utf8.find_first_of(kDigits); at < utf8.size();) {
+    const auto end = std::min(utf8.find_first_not_of(kDigits, at), utf8.size());
+    numbers.emplace_back(utf8.substr(at, end - at));
+    at = utf8.find_first_of(kDigits, end);
+  }
+  return numbers;
+}
+
+/// Nothing but what parts words: it goes where the word beside it goes.
+bool isJoint(char c) { return std::string_view(" _-/:,;()[]").find(c) != std::string_view::npos; }
+
 }  // namespace
 
-bool mayBeOnePair(std::string_view a, std::string_view b) {
-  const auto speaks = [](std::string_view text) {  // a callout beside its leader names a point, not a curve
-    const std::vector<std::string> words = wordsOf(text);
-    return !words.empty() && !anyWord(words, kPointWords) && !anySign(text, kPointSigns);
+bool namesACurve(std::string_view utf8) {  // a callout beside its leader names a point, not a curve
+  const std::vector<std::string> words = wordsOf(utf8);
+  return !words.empty() && !anyWord(words, kPointWords) && !anySign(utf8, kPointSigns);
+}
+
+bool namesOnePair(std::string_view a, std::string_view b) {
+  if (!namesACurve(a) || !namesACurve(b) || strokeNamedBy(a) == strokeNamedBy(b)) return false;
+  return ownWords(a) == ownWords(b) && numbersOf(a) == numbersOf(b);
+}
+
+std::string switchNamedBy(std::string_view utf8) {
+  std::string name;
+  bool shortened = false;
+  for (std::size_t i = 0; i < utf8.size();) {
+    std::size_t to = i;
+    while (to < utf8.size() && isJoint(utf8[to]) == isJoint(utf8[i])) ++to;
+    const std::string_view part = utf8.substr(i, to - i);
+    const std::vector<std::string> words = wordsOf(part);
+    const bool namesStroke = words.size() == 1 && isStrokeWord(words.front());
+    shortened = shortened || namesStroke;
+    if (!namesStroke) name += part;
+    i = to;
+  }
+  if (!shortened) return name;
+  for (const std::string_view emptied : {"()", "[]"})
+    if (const auto at = name.find(emptied); at != std::string::npos) name.erase(at, emptied.size());
+  const auto isRest = [&](char c) {  // brackets around the stroke's word go with it, those of the name stay
+    const bool opened = name.find('(') != std::string::npos || name.find('[') != std::string::npos;
+    return isJoint(c) && !(opened && (c == ')' || c == ']'));
   };
-  if (!speaks(a) || !speaks(b)) return true;
+  while (!name.empty() && isRest(name.back())) name.pop_back();
+  name.erase(name.begin(), std::find_if_not(name.begin(), name.end(), isJoint));
+  return name;
+}
+
+bool mayBeOnePair(std::string_view a, std::string_view b) {
+  if (!namesACurve(a) || !namesACurve(b)) return true;
   const std::optional<Stroke> ofA = strokeNamedBy(a), ofB = strokeNamedBy(b);
   if (!ofA && !ofB) return false;
   if (ofA == ofB) return false;

@@ -3,6 +3,7 @@
 // What a legend calls the strokes, in the languages datasheets are written in.
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "model/stroke_curve.h"
@@ -18,5 +19,16 @@ std::optional<Stroke> strokeNamedBy(std::string_view utf8);
 /// "X release"; "Switch A" and "Switch B", "down a" and "down b", "A press" and "B release" do not. A text that is empty
 /// or names a point speaks neither for nor against.
 bool mayBeOnePair(std::string_view a, std::string_view b);
+
+/// Whether two of more than two legend texts name the strokes of one switch: what is left without their words for press
+/// and release is the same, numbers included, and those words differ ("Switch A" and "Switch A release").
+bool namesOnePair(std::string_view a, std::string_view b);
+
+/// Whether a text names a curve at all: it has words and is no point's name.
+bool namesACurve(std::string_view utf8);
+
+/// A legend text without its words for press and release: "Switch A release" gives "Switch A", "downstroke_aura"
+/// gives "aura", "press" nothing.
+std::string switchNamedBy(std::string_view utf8);
 
 }  // namespace detent::importer

@@ -5,6 +5,7 @@
 
 #include "importer/strokes/legend.h"
 #include "importer/strokes/stroke_pair.h"
+#include "importer/strokes/switches.h"
 
 namespace detent::importer {
 
@@ -129,12 +130,6 @@ bool namedAsPair(const CurveTrace& first, const CurveTrace& second) {
   return a && b && *a != *b;
 }
 
-/// A legend that gives both curves names which are not one switch's press and release speaks of two switches.
-double creditOfNames(const CurveTrace& first, const CurveTrace& second) {
-  constexpr double namedOtherwise = 0.3;
-  return mayBeOnePair(first.label, second.label) ? 1 : namedOtherwise;
-}
-
 /// Which of two traces is the press.
 Verdict judge(const CurveTrace& first, const CurveTrace& second, const Comparison& c, double newtonPerPx) {
   Verdict verdict;
@@ -169,19 +164,6 @@ Failure tooMany(const std::vector<CurveTrace>& traces) {
                    "plot frame");
 }
 
-/// Of several traces the two that are named press and release, if the legend or the tracer names exactly one
-/// of each.
-std::optional<std::pair<std::size_t, std::size_t>> clearPair(const std::vector<CurveTrace>& traces) {
-  std::vector<std::size_t> press, release;
-  for (std::size_t i = 0; i < traces.size(); ++i) {
-    const std::optional<Stroke> named = traces[i].stroke ? traces[i].stroke : strokeNamedBy(traces[i].label);
-    if (!named) continue;
-    (*named == Stroke::press ? press : release).push_back(i);
-  }
-  if (press.size() != 1 || release.size() != 1) return {};
-  return std::pair(press.front(), release.front());
-}
-
 Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibration& calibration) {
   Found<StrokePair> found;
   found.value.press = inUnits(trace, calibration);
@@ -197,56 +179,57 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibrat
   return found;
 }
 
-}  // namespace
-
-Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
-                                          const StrokeHints& hints) {
-  const AxisCalibration& calibration = axes.calibration.value;
-  std::vector<CurveTrace> drawn;
-  for (const CurveTrace& trace : traces)
-    if (trace.points_px.size() >= 2) drawn.push_back(trace);
-  if (drawn.empty())
-    return Failure{FailureCode::noForceGraph,
-                   "plot frame",
-                   "",
-                   "holds no curve",
-                   {{RemedyKind::giveFrame, "if the plot stands elsewhere"},
-                    {RemedyKind::pickPress, "with the curve's colour"}}};
-  if (drawn.size() == 1) return pressAlone(drawn.front(), calibration);
-  if (drawn.size() > 2) {
-    const auto pair = clearPair(drawn);
-    if (!pair) return tooMany(drawn);
-    drawn = {drawn[pair->first], drawn[pair->second]};
-  }
-
-  StrokePoints a = inUnits(drawn[0], calibration), b = inUnits(drawn[1], calibration);
+/// Press and release of one switch.
+Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& second,
+                                 const AxisCalibration& calibration, bool swap) {
+  StrokePoints a = inUnits(first, calibration), b = inUnits(second, calibration);
   if (a.points.size() < 2 || b.points.size() < 2)
-    return pressAlone(a.points.size() < 2 ? drawn[1] : drawn[0], calibration);
+    return pressAlone(a.points.size() < 2 ? second : first, calibration);
   const double newtonPerPx = std::abs(calibration.newtonPerPx());
   const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
-  const Verdict verdict = judge(drawn[0], drawn[1], compared, newtonPerPx);
+  const Verdict verdict = judge(first, second, compared, newtonPerPx);
   Found<StrokePair> found;
-  const double names = creditOfNames(drawn[0], drawn[1]);
-  const double together = namedAsPair(drawn[0], drawn[1]) ? 1 : creditOfTravel(compared);
-  found.confidence =
-      verdict.confidence() * credit(std::min(drawn[0].confidence, drawn[1].confidence)) * together * names;
+  const double together = namedAsPair(first, second) ? 1 : creditOfTravel(compared);
+  found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) * together;
   found.evidence = verdict.reasons;
-  if (names < 1) found.evidence.push_back({EvidenceCode::namedAsTwo, {drawn[0].label, drawn[1].label}});
   bool firstIsPress = verdict.logOdds >= 0;
-  if (hints.swap) {
+  if (swap) {
     firstIsPress = !firstIsPress;
     found.by = DecidedBy::given;
     found.confidence = 1;
     found.evidence = {{EvidenceCode::exchangedByHand}};
   } else if (std::abs(verdict.logOdds) < 0.4) {
     return failureOf({DoubtCode::strokesAlike,
-                      {nameOf(drawn[0].color), nameOf(drawn[1].color)},
+                      {nameOf(first.color), nameOf(second.color)},
                       {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}}},
                      "plot frame");
   }
   found.value.press = firstIsPress ? std::move(a) : b;
   found.value.release = travelledBack(firstIsPress ? std::move(b) : std::move(a));
   return found;
+}
+
+}  // namespace
+
+Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
+                                          const StrokeHints& hints) {
+  const bool any = std::any_of(traces.begin(), traces.end(),
+                               [](const CurveTrace& trace) { return trace.points_px.size() >= 2; });
+  if (!any)
+    return Failure{FailureCode::noForceGraph,
+                   "plot frame",
+                   "",
+                   "holds no curve",
+                   {{RemedyKind::giveFrame, "if the plot stands elsewhere"},
+                    {RemedyKind::pickPress, "with the curve's colour"}}};
+  const std::vector<PlotSwitch> switches = switchesAmong(traces);
+  if (switches.empty()) return tooMany(traces);
+  const auto chosen = chosenSwitch(switches, traces, hints.curve);
+  if (!chosen) return chosen.failure();
+  const std::vector<std::size_t>& its = switches[*chosen].traces;
+  const AxisCalibration& calibration = axes.calibration.value;
+  if (its.size() == 1) return pressAlone(traces[its.front()], calibration);
+  return pairOf(traces[its[0]], traces[its[1]], calibration, hints.swap);
 }
 
 }  // namespace detent::importer

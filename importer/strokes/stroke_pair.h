@@ -2,6 +2,7 @@
 #pragma once
 // Step 5: which trace is the press, which the release; in millimetres and newtons, in the order travelled.
 
+#include <string>
 #include <vector>
 
 #include "importer/trace/curve_trace.h"
@@ -22,12 +23,14 @@ struct StrokePair {
 
 struct StrokeHints {
   bool swap = false;
+  std::string curve;  ///< of several switches the one to take, by name or number (chosenSwitch); empty: the only one
 
   bool operator==(const StrokeHints&) const = default;
 };
 
-/// Failure noForceGraph: nothing that could be a press; notCertain: more curves than two, or press and
-/// release that cannot be told apart.
+/// Failure noForceGraph: nothing that could be a press; notCertain: several switches and none chosen, curves of which
+/// it is not clear which belong together, or press and release that cannot be told apart; wrongUsage: the switch chosen
+/// is not there.
 Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces, const AxesFound& axes,
                                           const StrokeHints& hints = {});
 

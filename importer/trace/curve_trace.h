@@ -20,6 +20,7 @@ struct CurveTrace {
   /// For graphs whose two strokes share one ink, the tracer separates them itself and says which is which.
   std::optional<Stroke> stroke;
   std::string label;  ///< legend text that belongs to this colour/dash, if any
+  Box labelBox_px;    ///< where it stands, view pixels; empty without it
 };
 
 /// As people give colours: "#2a6099".

@@ -205,8 +205,9 @@ void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const R
     if (std::abs(text.angle_deg) > 20 || text.utf8.empty() || text.box.empty()) continue;
     const std::optional<std::size_t> trace = sampledTrace(text.box, inks, raster, backdrop);
     if (!trace) continue;
-    std::string& label = traces[*trace].label;
-    label += (label.empty() ? "" : " ") + text.utf8;
+    CurveTrace& named = traces[*trace];
+    named.labelBox_px = named.label.empty() ? text.box : named.labelBox_px.joined(text.box);
+    named.label += (named.label.empty() ? "" : " ") + text.utf8;
   }
 }
 
@@ -234,6 +235,35 @@ std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenInks& given) {
   for (CurveInk& found : chooseCurveInks(plot))
     if (found.ink != given.press && found.ink != given.release) curves.push_back(std::move(found));
   return curves;
+}
+
+/// Beside other curves an ink that draws both strokes of a switch is parted into them, both with its label. An ink
+/// beside whose curve nothing but marks lies stays one curve. Of two inks either both draw loops or neither.
+std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces, const std::vector<CurveInk>& curves,
+                                        const PlotInks& plot, const TraceOptions& options,
+                                        const Progress& progress) {
+  std::vector<CurveTrace> all;
+  std::size_t loops = 0;
+  for (std::size_t i = 0; i < traces.size() && !progress.isCancelled(); ++i) {
+    const Ink& ink = plot.palette[static_cast<std::size_t>(curves[i].ink)];
+    const auto loop = [&]() -> Result<std::vector<CurveTrace>> {
+      if (curves[i].secondStrand <= plot.options.secondStrand) return std::vector<CurveTrace>{};
+      return traceLoop(plot.area, coverageBy(ink, false, plot.area, plot.backdrop, plot.palette),
+                       traces[i].color, options, progress);
+    }();
+    if (!loop || loop->size() < 2 || loop->front().confidence < kCredibleLoop) {
+      all.push_back(traces[i]);
+      continue;
+    }
+    ++loops;
+    for (CurveTrace stroke : *loop) {
+      stroke.label = traces[i].label;
+      stroke.labelBox_px = traces[i].labelBox_px;
+      all.push_back(std::move(stroke));
+    }
+  }
+  const bool believed = traces.size() > 2 || loops == traces.size();
+  return believed ? all : traces;
 }
 
 Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView& view, const AxesFound& axes,
@@ -278,7 +308,7 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
   std::vector<CurveTrace> traces = ColouredCurves(finalPlot, options).trace(curves);
   nameGivenStrokes(traces, chosen, given);
   labelTraces(traces, axes, view.raster, backdrop);
-  return traces;
+  return given.any() ? traces : withLoopsParted(traces, curves, finalPlot, options, progress);
 }
 
 }  // namespace

@@ -214,11 +214,59 @@ def draw_guard(folder, name):
     return {"file": file.name, "kind": "guard", "name": name, "graphs": [{"press": press, "release": release}]}
 
 
+# Several switches in one plot: what their legend calls them, how their strokes are drawn, where the legend stands.
+SEVERAL = {
+    "press only": {"names": ("Switch A", "Switch B", "Switch C"), "strokes": "press", "key": "bottom right"},
+    "four inks": {"names": ("Brown", "Red"), "strokes": "inks", "key": "outside right top"},
+    "loops": {"names": ("Alpha", "Beta", "Gamma"), "strokes": "loop", "key": "outside right top"},
+    "vector": {"names": ("Gateron", "Kailh"), "strokes": "inks", "key": "top left", "svg": True},
+    "vector loops": {"names": ("Type 1", "Type 2"), "strokes": "loop", "key": "outside right top", "svg": True},
+}
+SEVERAL_INKS = ("#c8102e", "#0b5cad", "#2e8b37", "#d98e04", "#7b3fa0", "#159a9c")
+
+
+def unlike_strokes(chance, others):
+    """Strokes whose press keeps clear of the others' tactile points, so that a person can tell the switches apart."""
+    while True:
+        travel = chance.uniform(3.0, 4.0)
+        press, release = strokes_of(chance)
+        scaled = [[(x / stroke[-1][0] * travel, f / press[-1][1] * 1.4) for x, f in stroke] for stroke in (press, release)]
+        peak = max(scaled[0][:250], key=lambda p: p[1])
+        if all(abs(peak[1] - max(o["press"][:250], key=lambda p: p[1])[1]) > 0.08 for o in others):
+            return {"press": scaled[0], "release": scaled[1]}
+
+
+def draw_several(folder, name):
+    """Switches that share a plot, in the manner of `draw`; each graph's truth has its name."""
+    page, chance = SEVERAL[name], random.Random(f"several {name}")
+    style = STYLES["svg" if page.get("svg") else "two inks"]
+    file = folder / f"several-{name.replace(' ', '-')}.{style.ending}"
+    graphs, blocks, plots = [], [], []
+    for index, called in enumerate(page["names"]):
+        graphs.append({"name": called, **unlike_strokes(chance, graphs)})
+        if page["strokes"] == "press":
+            graphs[-1]["release"] = []
+        for number, stroke in enumerate(("press", "release")):
+            if not graphs[-1][stroke]:
+                continue
+            rows = "\n".join(f"{x:.6g} {f:.6g}" for x, f in graphs[-1][stroke])
+            blocks.append(f"$g{index}_{stroke} << EOD\n{rows}\nEOD")
+            ink = SEVERAL_INKS[2 * index + number if page["strokes"] == "inks" else index]
+            entry = {"inks": f"title '{called} {stroke}'", "press": f"title '{called}'",
+                     "loop": f"title '{called}'" if stroke == "press" else "notitle"}[page["strokes"]]
+            plots.append(f"$g{index}_{stroke} with lines lt 1 lw {style.width} lc rgb '{ink}' {entry}")
+    gnuplot("\n".join([f"set terminal {style.terminal}", f"set output '{file}'", *blocks, "set xrange [0:4.5]", "set yrange [0:1.6]",
+                       "set xtics 0,0.5", "set ytics 0,0.2", "set xlabel 'Travel (mm)'", "set ylabel 'Force (N)'",
+                       style.border, style.grid, f"set key {page['key']}", "plot " + ", ".join(plots)]) + "\n", name)
+    return {"file": file.name, "kind": "several", "name": name, "graphs": graphs}
+
+
 def draw_all(folder):
     folder.mkdir(parents=True, exist_ok=True)
     pages = [draw(folder, kind, number) for kind, count in PER_CLASS.items() for number in range(count)]
     pages += [draw_refused(folder, name) for name in REFUSED]
     pages += [draw_guard(folder, name) for name in GUARDS]
+    pages += [draw_several(folder, name) for name in SEVERAL]
     (folder / "truth.json").write_text(json.dumps(pages))
     return pages
 

@@ -5,7 +5,9 @@
 
 using detent::Stroke;
 using detent::importer::mayBeOnePair;
+using detent::importer::namesOnePair;
 using detent::importer::strokeNamedBy;
+using detent::importer::switchNamedBy;
 
 TEST_CASE("Legend words in the languages of datasheets", "[legend]") {
   for (const char* text :
@@ -40,4 +42,24 @@ TEST_CASE("Two names of one switch's strokes, and of two switches", "[legend]") 
   CHECK_FALSE(mayBeOnePair("Switch A", "Switch B"));
   CHECK_FALSE(mayBeOnePair("downstroke_a", "downstroke_b"));
   CHECK_FALSE(mayBeOnePair("Brown press", "Red release"));
+}
+
+TEST_CASE("Among several switches a pair has to name the same one", "[legend]") {
+  CHECK(namesOnePair("Switch A", "Switch A release"));
+  CHECK(namesOnePair("downstroke_aura", "upstroke_aura"));
+  CHECK(namesOnePair("Switch 1 press", "Switch 1 release"));
+  CHECK_FALSE(namesOnePair("Switch 1 press", "Switch 2 release"));
+  CHECK_FALSE(namesOnePair("Switch A", "Switch B release"));
+  CHECK_FALSE(namesOnePair("Switch A", "Switch A"));
+  CHECK_FALSE(namesOnePair("", "release"));
+}
+
+TEST_CASE("A switch is called what its strokes' names share", "[legend]") {
+  CHECK(switchNamedBy("Switch A release") == "Switch A");
+  CHECK(switchNamedBy("downstroke_aura") == "aura");
+  CHECK(switchNamedBy("T1 (JWK) - downstroke") == "T1 (JWK)");
+  CHECK(switchNamedBy("Boba (w/Clear-slotted top)") == "Boba (w/Clear-slotted top)");
+  CHECK(switchNamedBy("Switch A (press)") == "Switch A");
+  CHECK(switchNamedBy("press") == "");
+  CHECK(switchNamedBy("") == "");
 }

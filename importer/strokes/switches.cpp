@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/strokes/switches.h"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <utility>
+
+#include "importer/strokes/legend.h"
+
+namespace detent::importer {
+
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+std::optional<Stroke> namedStroke(const CurveTrace& trace) {
+  return trace.stroke ? trace.stroke : strokeNamedBy(trace.label);
+}
+
+/// Two strokes of one ink that the tracer told apart.
+bool shareAnInk(const CurveTrace& a, const CurveTrace& b) {
+  return a.color == b.color && a.stroke && b.stroke && *a.stroke != *b.stroke;
+}
+
+/// The one press and the one release that were named, by hand or by the legend, beside curves that nothing is said of.
+std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vector<CurveTrace>& traces,
+                                                                const Indices& drawn) {
+  Indices press, release;
+  for (const std::size_t i : drawn) {
+    const std::optional<Stroke> named = namedStroke(traces[i]);
+    if (!named && namesACurve(traces[i].label)) return {};
+    if (named) (*named == Stroke::press ? press : release).push_back(i);
+  }
+  if (press.size() != 1 || release.size() != 1) return {};
+  const CurveTrace &a = traces[press.front()], &b = traces[release.front()];
+  if (drawn.size() > 2 && shareAnInk(a, b)) return {};  // an ink beside it draws another switch
+  const bool byHand = a.stroke && b.stroke;
+  if (!byHand && !mayBeOnePair(a.label, b.label)) return {};
+  return std::pair(press.front(), release.front());
+}
+
+/// Each trace's partner: itself for a press alone. Empty where one has several or where a release stands alone.
+std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indices& drawn) {
+  std::vector<Indices> groups;
+  for (const std::size_t i : drawn) {
+    Indices partners;
+    for (const std::size_t j : drawn)
+      if (j != i && (shareAnInk(traces[i], traces[j]) || namesOnePair(traces[i].label, traces[j].label)))
+        partners.push_back(j);
+    const bool alone = partners.empty() && namesACurve(traces[i].label) &&
+                       namedStroke(traces[i]) != Stroke::release;
+    if (partners.size() > 1 || (partners.empty() && !alone)) return {};
+    if (alone) groups.push_back({i});
+    if (!partners.empty() && i < partners.front()) groups.push_back({i, partners.front()});
+  }
+  return groups;
+}
+
+double meanRow(const CurveTrace& trace) {
+  double sum = 0;
+  for (const Point& p : trace.points_px) sum += p.y;
+  return sum / static_cast<double>(trace.points_px.size());
+}
+
+/// The press first: as named, else the higher one.
+void putPressFirst(Indices& pair, const std::vector<CurveTrace>& traces) {
+  if (pair.size() < 2) return;
+  const CurveTrace &a = traces[pair[0]], &b = traces[pair[1]];
+  const std::optional<Stroke> ofA = namedStroke(a), ofB = namedStroke(b);
+  const bool told = ofA != ofB;
+  const bool exchanged = told ? ofA == Stroke::release || ofB == Stroke::press : meanRow(a) > meanRow(b);
+  if (exchanged) std::swap(pair[0], pair[1]);
+}
+
+/// Both tints of one hue make one ink, to which the legend's words of both come: a name said twice is said once.
+std::string saidOnce(const std::string& name) {
+  const std::size_t half = name.size() / 2;
+  const bool twice = name.size() % 2 == 1 && name[half] == ' ' && name.substr(0, half) == name.substr(half + 1);
+  return twice ? name.substr(0, half) : name;
+}
+
+PlotSwitch switchOf(Indices group, const std::vector<CurveTrace>& traces) {
+  putPressFirst(group, traces);
+  const CurveTrace& press = traces[group[0]];
+  PlotSwitch found{press.label, press.color, {}, group};
+  if (group.size() < 2) return found;
+  found.releaseColor = traces[group[1]].color;
+  found.name = saidOnce(switchNamedBy(press.label));
+  if (found.name.empty()) found.name = switchNamedBy(traces[group[1]].label);
+  return found;
+}
+
+/// From the legend's top, row by row; labels whose middle lies in another's height stand in one row.
+void putInLegendOrder(std::vector<PlotSwitch>& switches, const std::vector<CurveTrace>& traces) {
+  const auto labelOf = [&](const PlotSwitch& s) { return traces[s.traces.front()].labelBox_px; };
+  std::sort(switches.begin(), switches.end(), [&](const PlotSwitch& a, const PlotSwitch& b) {
+    return labelOf(a).middle().y < labelOf(b).middle().y;
+  });
+  for (auto row = switches.begin(); row != switches.end();) {
+    const double foot = labelOf(*row).y1;
+    const auto next = std::find_if(row, switches.end(),
+                                   [&](const PlotSwitch& s) { return labelOf(s).middle().y > foot; });
+    std::sort(row, next, [&](const PlotSwitch& a, const PlotSwitch& b) { return labelOf(a).x0 < labelOf(b).x0; });
+    row = next;
+  }
+}
+
+std::string listOf(const std::vector<PlotSwitch>& switches) {
+  std::string list;
+  for (std::size_t i = 0; i < switches.size(); ++i) {
+    const PlotSwitch& s = switches[i];
+    list += (i > 0 ? ", " : "") + std::to_string(i + 1);
+    if (!s.name.empty()) list += " \"" + s.name + "\"";
+    list += " (" + nameOf(s.pressColor) + (s.releaseColor ? " and " + nameOf(*s.releaseColor) : "") + ")";
+  }
+  return list;
+}
+
+/// Lower case, letters and digits only; bytes above ASCII stay.
+std::string bare(std::string_view name) {
+  std::string out;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= 0x80 || std::isalnum(byte)) out += static_cast<char>(byte < 0x80 ? std::tolower(byte) : byte);
+  }
+  return out;
+}
+
+/// What looks alike in pixels written alike.
+std::string blurred(std::string_view name) {
+  constexpr std::string_view kLooksLike = "0o1l5s8b2zil";  // first like second, third like fourth, ...
+  std::string out = bare(name);
+  for (char& c : out)
+    for (std::size_t i = 0; i < kLooksLike.size(); i += 2)
+      if (c == kLooksLike[i]) c = kLooksLike[i + 1];
+  return out;
+}
+
+/// Switches with a name, or a legend's words of a stroke, that is `asked` once both are written by `spelled`.
+template <class Spelled>
+Indices named(const std::vector<PlotSwitch>& switches, const std::vector<CurveTrace>& traces,
+              const std::string& asked, Spelled spelled) {
+  const std::string wanted = spelled(asked);
+  Indices fitting;
+  for (std::size_t i = 0; i < switches.size() && !wanted.empty(); ++i) {
+    bool fits = spelled(switches[i].name) == wanted;
+    for (const std::size_t t : switches[i].traces) fits = fits || spelled(traces[t].label) == wanted;
+    if (fits) fitting.push_back(i);
+  }
+  return fitting;
+}
+
+std::optional<std::size_t> numbered(const std::string& asked, std::size_t count) {
+  std::size_t number = 0;
+  const char* const end = asked.data() + asked.size();
+  const auto [after, error] = std::from_chars(asked.data(), end, number);
+  if (error != std::errc() || after != end || number < 1 || number > count) return {};
+  return number - 1;
+}
+
+constexpr const char* kPlace = "plot frame";
+
+}  // namespace
+
+std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
+  Indices drawn;
+  for (std::size_t i = 0; i < traces.size(); ++i)
+    if (traces[i].points_px.size() >= 2) drawn.push_back(i);
+  if (drawn.empty()) return {};
+  if (drawn.size() == 1) return {switchOf(drawn, traces)};
+  if (const auto pair = theNamedPair(traces, drawn)) return {switchOf({pair->first, pair->second}, traces)};
+  if (drawn.size() == 2 && mayBeOnePair(traces[drawn[0]].label, traces[drawn[1]].label))
+    return {switchOf(drawn, traces)};
+
+  std::vector<PlotSwitch> switches;
+  for (Indices& group : partnered(traces, drawn)) switches.push_back(switchOf(std::move(group), traces));
+  const bool inLegend = std::none_of(switches.begin(), switches.end(), [&](const PlotSwitch& s) {
+    return traces[s.traces.front()].labelBox_px.empty();
+  });
+  if (inLegend) {
+    putInLegendOrder(switches, traces);
+  } else {
+    std::sort(switches.begin(), switches.end(), [&](const PlotSwitch& a, const PlotSwitch& b) {
+      return meanRow(traces[a.traces.front()]) < meanRow(traces[b.traces.front()]);
+    });
+  }
+  return switches;
+}
+
+Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
+                                 const std::vector<CurveTrace>& traces, const std::string& asked) {
+  const Message choose = Message("Choose one by its name or number: --curve NAME|N");
+  if (asked.empty()) {
+    if (switches.size() == 1) return std::size_t{0};
+    return failureOf({DoubtCode::severalSwitches, {switches.size(), listOf(switches)}, choose}, kPlace);
+  }
+  for (const Indices& fitting :
+       {named(switches, traces, asked, [](const std::string& s) { return s; }),
+        named(switches, traces, asked, [](const std::string& s) { return bare(s); }),
+        named(switches, traces, asked, [](const std::string& s) { return blurred(s); })})
+    if (fitting.size() == 1) return fitting.front();
+  if (const auto index = numbered(asked, switches.size())) return *index;
+  return Failure{FailureCode::wrongUsage, kPlace, "",
+                 Message("no one curve in it is \"%1\"; it shows %2", asked, listOf(switches)), choose};
+}
+
+}  // namespace detent::importer

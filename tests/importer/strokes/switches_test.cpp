@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/strokes/switches.h"
+
+#include <catch2/catch.hpp>
+
+#include "importer/strokes/stroke_pair.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+/// A rising line of its own ink, `height_px` above the foot of a 300 px plot; its legend entry in row `row`.
+CurveTrace trace(std::string label, double height_px, std::uint8_t blue, int row = 0, double column_px = 400) {
+  CurveTrace t;
+  t.color = {20, 40, blue};
+  t.confidence = 1;
+  for (double x = 0; x <= 300; ++x) t.points_px.push_back({x, 300 - height_px - 0.3 * x});
+  t.label = std::move(label);
+  if (!t.label.empty()) t.labelBox_px = {column_px, 10.0 + 20 * row, column_px + 60, 22.0 + 20 * row};
+  return t;
+}
+
+std::vector<std::string> namesOf(const std::vector<PlotSwitch>& switches) {
+  std::vector<std::string> names;
+  for (const PlotSwitch& each : switches) names.push_back(each.name);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("Two curves that no legend parts are one switch's strokes", "[switches]") {
+  for (const char* label : {"", "press", "Switch A"}) {
+    const std::vector<CurveTrace> traces{trace("", 10, 1), trace(label, 60, 2)};
+    const auto switches = switchesAmong(traces);
+    REQUIRE(switches.size() == 1);
+    CHECK(switches[0].traces.size() == 2);
+    CHECK(chosenSwitch(switches, traces, "").value() == 0);
+    CHECK(chosenSwitch(switches, traces, "1").value() == 0);
+  }
+}
+
+TEST_CASE("Curves with names of their own are switches in the legend's order", "[switches]") {
+  const std::vector<CurveTrace> traces{trace("Switch B", 10, 1, 1), trace("Switch C", 60, 2, 2),
+                                       trace("Switch A", 30, 3, 0)};
+  const auto switches = switchesAmong(traces);
+  REQUIRE(namesOf(switches) == Names{"Switch A", "Switch B", "Switch C"});
+  CHECK(switches[0].pressColor == traces[2].color);
+  CHECK_FALSE(switches[0].releaseColor);
+  CHECK(namesOf(switchesAmong({trace("downstroke_a", 10, 1, 0), trace("downstroke_b", 60, 2, 1)})) ==
+        Names{"downstroke_a", "downstroke_b"});
+}
+
+TEST_CASE("A legend in one row counts from the left", "[switches]") {
+  const auto switches = switchesAmong(
+      {trace("Red", 10, 1, 0, 300), trace("Blue", 30, 2, 0, 100), trace("Brown", 60, 3, 0, 200)});
+  CHECK(namesOf(switches) == Names{"Blue", "Brown", "Red"});
+}
+
+TEST_CASE("Press and release come together by the rest of their names", "[switches]") {
+  const std::vector<CurveTrace> traces{
+      trace("Switch 2 release", 50, 1, 3), trace("Switch 1", 40, 2, 0), trace("Switch 2", 60, 3, 2),
+      trace("Switch 1 release", 30, 4, 1), trace("T1 upstroke", 5, 5, 5), trace("T1 downstroke", 15, 6, 4)};
+  const auto switches = switchesAmong(traces);
+  REQUIRE(namesOf(switches) == Names{"Switch 1", "Switch 2", "T1"});
+  CHECK(switches[0].pressColor == traces[1].color);
+  CHECK(switches[0].releaseColor == traces[3].color);
+  CHECK(switches[1].traces == std::vector<std::size_t>{2, 0});
+  CHECK(switches[2].traces == std::vector<std::size_t>{5, 4});
+}
+
+TEST_CASE("Loops that the tracer parted in inks of their own need no legend", "[switches]") {
+  std::vector<CurveTrace> traces{trace("", 10, 1), trace("", 20, 1), trace("", 40, 2), trace("", 50, 2)};
+  traces[0].stroke = traces[2].stroke = Stroke::release;
+  traces[1].stroke = traces[3].stroke = Stroke::press;
+  const auto switches = switchesAmong(traces);
+  REQUIRE(switches.size() == 2);
+  CHECK(switches[0].traces == std::vector<std::size_t>{3, 2});  // the higher one first
+  CHECK(switches[1].traces == std::vector<std::size_t>{1, 0});
+  CHECK(chosenSwitch(switches, traces, "2").value() == 1);
+}
+
+TEST_CASE("Where it is not clear what belongs together nothing is joined", "[switches]") {
+  CHECK(switchesAmong({trace("", 10, 1), trace("", 30, 2), trace("", 50, 3)}).empty());
+  CHECK(switchesAmong({trace("Brown press", 10, 1), trace("Red release", 30, 2)}).empty());
+  CHECK(switchesAmong({trace("A press", 10, 1), trace("A release", 30, 2), trace("A release", 50, 3)}).empty());
+  CHECK(switchesAmong({trace("A", 10, 1), trace("A release", 30, 2), trace("", 50, 3)}).empty());
+  CHECK(switchesAmong({}).empty());
+}
+
+TEST_CASE("Two colours given by hand are a pair whatever the legend says", "[switches]") {
+  std::vector<CurveTrace> traces{trace("Switch A", 10, 1), trace("Switch B", 30, 2)};
+  traces[0].stroke = Stroke::press;
+  traces[1].stroke = Stroke::release;
+  CHECK(switchesAmong(traces).size() == 1);
+}
+
+TEST_CASE("A switch is asked for by name or number", "[switches]") {
+  const std::vector<CurveTrace> traces{trace("Switch A", 40, 1, 0), trace("Switch 8", 20, 2, 1),
+                                       trace("Gateron", 60, 3, 2), trace("Gateron upstroke", 50, 4, 3)};
+  const auto switches = switchesAmong(traces);
+  REQUIRE(switches.size() == 3);
+  for (const auto& [asked, index] : {std::pair{"Switch A", 0U},
+                                     {"switch-a", 0U},
+                                     {"SWITCH B", 1U},
+                                     {"gateron", 2U},
+                                     {"Gateron Upstroke", 2U},
+                                     {"3", 2U},
+                                     {"1", 0U}}) {
+    INFO(asked);
+    const auto chosen = chosenSwitch(switches, traces, asked);
+    REQUIRE(chosen.ok());
+    CHECK(*chosen == index);
+  }
+  for (const char* asked : {"Switch C", "Switch", "4", "0", "-1", "1.5", "?"}) {
+    INFO(asked);
+    const auto chosen = chosenSwitch(switches, traces, asked);
+    REQUIRE_FALSE(chosen.ok());
+    CHECK(chosen.failure().code == FailureCode::wrongUsage);
+    CHECK_THAT(chosen.failure().sentence(), Catch::Contains("\"Gateron\"") && Catch::Contains(asked));
+  }
+}
+
+TEST_CASE("Of two switches called the same only a number chooses", "[switches]") {
+  const std::vector<CurveTrace> traces{trace("Red", 40, 1, 0), trace("Red", 20, 2, 1)};
+  const auto switches = switchesAmong(traces);
+  REQUIRE(switches.size() == 2);
+  CHECK(chosenSwitch(switches, traces, "Red").failure().code == FailureCode::wrongUsage);
+  CHECK(chosenSwitch(switches, traces, "2").value() == 1);
+}
+
+TEST_CASE("Several switches and none chosen: a doubt that names them", "[switches]") {
+  AxesFound axes;
+  axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
+  const std::vector<CurveTrace> traces{trace("Switch A", 90, 1, 0), trace("Switch B", 20, 2, 1)};
+  const auto refused = separateStrokes(traces, axes);
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.failure().code == FailureCode::notCertain);
+  CHECK(refused.failure().reason == nameOf(DoubtCode::severalSwitches));
+  CHECK_THAT(refused.failure().sentence(), Catch::Contains("1 \"Switch A\" (#142801), 2 \"Switch B\"") &&
+                                               Catch::Contains("--curve NAME|N"));
+  StrokeHints hints;
+  hints.curve = "Switch B";
+  const auto second = separateStrokes(traces, axes, hints);
+  REQUIRE(second.ok());
+  CHECK_FALSE(second->value.release);
+  CHECK(second->value.press.points_px == traces[1].points_px);
+}
