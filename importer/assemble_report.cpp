@@ -63,7 +63,8 @@ const SpecCheck* grossConflict(const std::vector<SpecCheck>& checks) {
 
 /// Index of the switch taken, where the plot shows several.
 std::optional<std::size_t> chosenAmongSeveral(const std::vector<PlotSwitch>& switches,
-                                              const std::vector<CurveTrace>& traces, const std::string& asked) {
+                                              const std::vector<CurveTrace>& traces,
+                                              const std::string& asked) {
   if (switches.size() < 2) return {};
   const auto chosen = chosenSwitch(switches, traces, asked);
   return chosen ? std::optional(*chosen) : std::nullopt;  // drawn by hand instead

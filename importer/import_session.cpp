@@ -60,7 +60,8 @@ ViewOptions viewOptionsFor(const QualitySettings& settings, const ImportHints& h
 }
 
 LocateKey locateKeyOf(const ImportRequest& request) {
-  return {viewOptionsFor(settingsFor(request.quality), request.hints), request.hints.axes, request.hints.frame};
+  return {viewOptionsFor(settingsFor(request.quality), request.hints), request.hints.axes,
+          request.hints.frame};
 }
 
 /// Masks are given on the page; tracing works in the view.
@@ -549,8 +550,8 @@ struct ImportSession::Impl {
 
   /// What a person needs to see where it went wrong.
   void keepEvidence(const LocatedGraph& graph, const std::vector<CurveTrace>& curves) {
-    failed = std::make_shared<const GraphEvidence>(
-        GraphEvidence{graph.view, graph.frame.value, graph.axes, curves, switchesAmong(curves), graph.findings()});
+    failed = std::make_shared<const GraphEvidence>(GraphEvidence{
+        graph.view, graph.frame.value, graph.axes, curves, switchesAmong(curves), graph.findings()});
   }
 
   Failure placed(Failure f, const Choice& choice) const {

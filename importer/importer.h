@@ -99,7 +99,8 @@ struct GraphEvidence {
   PlotFrame frame;
   AxesFound axes;
   std::vector<CurveTrace> traces;  ///< empty if it did not come so far
-  std::vector<PlotSwitch> switches;  ///< among the traces, numbered from 1; several: StrokeHints::curve takes one
+  std::vector<PlotSwitch>
+      switches;  ///< among the traces, numbered from 1; several: StrokeHints::curve takes one
   std::vector<StepFinding> steps;  ///< those that ran, in flow order; an import is as sure as its weakest
 };
 
@@ -117,7 +118,7 @@ struct ImportReport {
   StrokePair strokes;  ///< as traced, before the fit
   int page = 1, graph = 1;
   std::optional<std::size_t> curve;  ///< of several switches in the plot the one taken, from 1
-  std::optional<AxisReading> x, y;  ///< empty for force logs
+  std::optional<AxisReading> x, y;   ///< empty for force logs
   StrokeReport press;
   std::optional<StrokeReport> release;
   std::vector<Callout> callouts;      ///< operating and reset points that the page points at

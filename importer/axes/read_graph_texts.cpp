@@ -92,7 +92,7 @@ void readGraphTexts(const PageView& view, const PlotFrame& frame, AxesFound& axe
   const double largest = 0.12 * std::min(box.width(), box.height()) + 6;
   const Box around{box.x0 - 0.05 * box.width(), box.y0 - 0.25 * box.height(), box.x1 + 0.5 * box.width(),
                    box.y1 + 0.35 * box.height()};
-  auto lines = groupedLines(glyphsIn(glyphBoxes(ink, 2, largest), around, largest), 0.9);
+  auto lines = groupedLines(glyphsIn(glyphBoxes(ink, 2, largest), around, largest), 1.1);
   for (auto& line : lines) line = lettersOnly(line);
   std::erase_if(lines, [&](const TextLine& line) {
     return !looksWritten(line) || std::any_of(axes.texts.begin(), axes.texts.end(), [&](const SeenText& t) {

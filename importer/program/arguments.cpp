@@ -100,11 +100,13 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   app.add_option("--graph", raw.graph,
                  "graph on its page in reading order, from 1 (default: the most certain)")
       ->check(CLI::Range(1, 10000));
-  app.add_option("--curve", a.request.hints.strokes.curve,
-                 "NAME|N: of several switches in one plot the one to import, by its name in the legend or by its "
-                 "number; --list shows both");
+  app.add_option(
+      "--curve", a.request.hints.strokes.curve,
+      "NAME|N: of several switches in one plot the one to import, by its name in the legend or by its "
+      "number; --list shows both");
   app.add_flag("--all", a.all, "import every graph; page and graph number go into the output names");
-  app.add_flag("--list", a.list, "only list the graphs found: page, graph, box, axes, units, confidence, switches");
+  app.add_flag("--list", a.list,
+               "only list the graphs found: page, graph, box, axes, units, confidence, switches");
   app.add_option("--quality", a.request.quality,
                  "draft, standard or precise (default: standard); see docs/bench-importer.md")
       ->transform(CLI::CheckedTransformer(qualities, CLI::ignore_case));

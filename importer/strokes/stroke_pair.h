@@ -23,7 +23,8 @@ struct StrokePair {
 
 struct StrokeHints {
   bool swap = false;
-  std::string curve;  ///< of several switches the one to take, by name or number (chosenSwitch); empty: the only one
+  std::string
+      curve;  ///< of several switches the one to take, by name or number (chosenSwitch); empty: the only one
 
   bool operator==(const StrokeHints&) const = default;
 };

@@ -48,8 +48,8 @@ std::vector<Indices> partnered(const std::vector<CurveTrace>& traces, const Indi
     for (const std::size_t j : drawn)
       if (j != i && (shareAnInk(traces[i], traces[j]) || namesOnePair(traces[i].label, traces[j].label)))
         partners.push_back(j);
-    const bool alone = partners.empty() && namesACurve(traces[i].label) &&
-                       namedStroke(traces[i]) != Stroke::release;
+    const bool alone =
+        partners.empty() && namesACurve(traces[i].label) && namedStroke(traces[i]) != Stroke::release;
     if (partners.size() > 1 || (partners.empty() && !alone)) return {};
     if (alone) groups.push_back({i});
     if (!partners.empty() && i < partners.front()) groups.push_back({i, partners.front()});
@@ -76,7 +76,8 @@ void putPressFirst(Indices& pair, const std::vector<CurveTrace>& traces) {
 /// Both tints of one hue make one ink, to which the legend's words of both come: a name said twice is said once.
 std::string saidOnce(const std::string& name) {
   const std::size_t half = name.size() / 2;
-  const bool twice = name.size() % 2 == 1 && name[half] == ' ' && name.substr(0, half) == name.substr(half + 1);
+  const bool twice =
+      name.size() % 2 == 1 && name[half] == ' ' && name.substr(0, half) == name.substr(half + 1);
   return twice ? name.substr(0, half) : name;
 }
 
@@ -99,9 +100,10 @@ void putInLegendOrder(std::vector<PlotSwitch>& switches, const std::vector<Curve
   });
   for (auto row = switches.begin(); row != switches.end();) {
     const double foot = labelOf(*row).y1;
-    const auto next = std::find_if(row, switches.end(),
-                                   [&](const PlotSwitch& s) { return labelOf(s).middle().y > foot; });
-    std::sort(row, next, [&](const PlotSwitch& a, const PlotSwitch& b) { return labelOf(a).x0 < labelOf(b).x0; });
+    const auto next =
+        std::find_if(row, switches.end(), [&](const PlotSwitch& s) { return labelOf(s).middle().y > foot; });
+    std::sort(row, next,
+              [&](const PlotSwitch& a, const PlotSwitch& b) { return labelOf(a).x0 < labelOf(b).x0; });
     row = next;
   }
 }

@@ -15,10 +15,11 @@ namespace detent::importer {
 
 /// One of the switches (springs, samples) that a plot shows.
 struct PlotSwitch {
-  std::string name;                 ///< as the legend calls it, empty where it does not
-  Rgb pressColor;                   ///< of the stroke that is taken for the press as far as names and heights say
+  std::string name;  ///< as the legend calls it, empty where it does not
+  Rgb pressColor;    ///< of the stroke that is taken for the press as far as names and heights say
   std::optional<Rgb> releaseColor;  ///< empty: press only
-  std::vector<std::size_t> traces;  ///< one or two of the traces it was found among, in the order of the colours
+  std::vector<std::size_t>
+      traces;  ///< one or two of the traces it was found among, in the order of the colours
 };
 
 /// The switches in the order of the legend (from its top, row by row), without one from the highest curve to the lowest:

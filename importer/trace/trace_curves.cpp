@@ -239,9 +239,9 @@ std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenInks& given) {
 
 /// Beside other curves an ink that draws both strokes of a switch is parted into them, both with its label. An ink
 /// beside whose curve nothing but marks lies stays one curve. Of two inks either both draw loops or neither.
-std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces, const std::vector<CurveInk>& curves,
-                                        const PlotInks& plot, const TraceOptions& options,
-                                        const Progress& progress) {
+std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
+                                        const std::vector<CurveInk>& curves, const PlotInks& plot,
+                                        const TraceOptions& options, const Progress& progress) {
   std::vector<CurveTrace> all;
   std::size_t loops = 0;
   for (std::size_t i = 0; i < traces.size() && !progress.isCancelled(); ++i) {

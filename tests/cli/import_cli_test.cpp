@@ -43,6 +43,39 @@ void refused(const std::string& name, const std::string& bytes, int exitCode, co
   CHECK(folder.files() == Names{name});
 }
 
+/// A plot of two switches, 0..4 mm and 0..1.2 N: "Brown" with press and release, "Red" with a press alone.
+std::string twoSwitches() {
+  const auto line = [](const char* ink, std::initializer_list<std::pair<double, double>> mm_N) {
+    std::string points;
+    for (const auto& [mm, newton] : mm_N)
+      points += std::to_string(100 + 120 * mm) + "," + std::to_string(400 - 300 * newton) + " ";
+    return std::string("<polyline fill='none' stroke-width='2' stroke='") + ink + "' points='" + points +
+           "'/>";
+  };
+  const auto text = [](double x, double y, const std::string& words, const char* anchor = "middle") {
+    return "<text font-family='sans-serif' font-size='14' x='" + std::to_string(x) + "' y='" +
+           std::to_string(y) + "' text-anchor='" + anchor + "'>" + words + "</text>";
+  };
+  std::string svg =
+      "<svg xmlns='http://www.w3.org/2000/svg' width='800' height='470'>"
+      "<rect x='100' y='40' width='480' height='360' fill='none' stroke='black'/>";
+  for (int i = 0; i <= 4; ++i) svg += text(100 + 120 * i, 420, std::to_string(i));
+  for (int i = 0; i <= 6; ++i)
+    svg += text(80, 405 - 60 * i, std::to_string(i / 5) + "." + std::to_string(i * 2 % 10), "end");
+  svg += text(340, 450, "Travel (mm)") + text(60, 25, "Force (N)");
+  svg += line("#c8102e", {{0, 0}, {1.5, 0.8}, {2.5, 0.5}, {3.6, 0.9}, {3.8, 1.1}});
+  svg += line("#0b5cad", {{0, 0}, {1.4, 0.65}, {2.4, 0.35}, {3.6, 0.75}, {3.8, 1.1}});
+  svg += line("#2e8b37", {{0, 0}, {1.2, 0.6}, {2.0, 0.4}, {3.3, 0.55}, {3.5, 1.0}});
+  int row = 0;
+  for (const auto& [ink, words] :
+       {std::pair{"#c8102e", "Brown press"}, {"#0b5cad", "Brown release"}, {"#2e8b37", "Red"}}) {
+    const double y = 60 + 20 * row++;
+    svg += "<line x1='620' x2='650' y1='" + std::to_string(y) + "' y2='" + std::to_string(y) +
+           "' stroke-width='2' stroke='" + ink + "'/>" + text(658, y + 5, words, "start");
+  }
+  return svg + "</svg>";
+}
+
 /// A white 24-bit BMP: the smallest picture anyone can write by hand.
 std::string whiteBmp(unsigned width, unsigned height) {
   const std::size_t row = (3 * width + 3) / 4 * 4;
@@ -276,6 +309,54 @@ TEST_CASE("--list shows where the graph is and how its axes read") {
   CHECK(graphs[0]["x_axis"]["unit"] == "mm");
   CHECK(graphs[0]["y_axis"]["unit"] == "cN");
   CHECK(graphs[0]["y_axis"]["max"].get<double>() == Approx(100).margin(0.5));
+}
+
+TEST_CASE("Of several switches in one plot --curve takes one, by name or number") {
+  const ProgramFolder folder("import_curve");
+  folder.write("two.svg", twoSwitches());
+  const ProgramResult listed = import(folder, {"--list", "two.svg", "--json"});
+  INFO(listed.err);
+  REQUIRE(listed.exitCode == 0);
+  const json curves = json::parse(listed.out)["graphs"][0]["curves"];
+  REQUIRE(curves.size() == 2);
+  CHECK(curves[0] ==
+        json{{"curve", 1}, {"name", "Brown"}, {"press_color", "#c8102e"}, {"release_color", "#0b5cad"}});
+  CHECK(curves[1] == json{{"curve", 2}, {"name", "Red"}, {"press_color", "#2e8b37"}});
+  CHECK_THAT(import(folder, {"--list", "two.svg"}).out,
+             Catch::Contains("curve 1 \"Brown\"  press #c8102e  release #0b5cad"));
+
+  const ProgramResult unasked = import(folder, {"two.svg", "-o", "b.button.json", "--json"});
+  CHECK(unasked.exitCode == 5);
+  CHECK_THAT(unasked.err, Catch::Contains("1 \"Brown\"") && Catch::Contains("2 \"Red\" (#2e8b37)") &&
+                              Catch::Contains("--curve"));
+  CHECK(json::parse(unasked.out)["reason"] == "several-switches");
+  CHECK(json::parse(unasked.out)["curves"] == curves);
+  CHECK(folder.files() == Names{"two.svg"});
+
+  const auto imported = [&](const std::string& asked) {
+    const ProgramResult run = import(folder, {"two.svg", "--curve", asked, "-o", "b.button.json", "--json"});
+    INFO(run.err);
+    REQUIRE(run.exitCode == 0);
+    return json::parse(run.out);
+  };
+  const json brown = imported("Brown"), red = imported("red");
+  CHECK(brown["curve"] == json{{"number", 1}, {"name", "Brown"}, {"of", 2}});
+  CHECK(brown.contains("release"));
+  CHECK_FALSE(red.contains("release"));
+  CHECK(brown["press"]["tactile_points"][0]["force_N"].get<double>() == Approx(0.8).margin(0.01));
+  CHECK(red["press"]["tactile_points"][0]["force_N"].get<double>() == Approx(0.6).margin(0.01));
+  CHECK_THAT(folder.read("b.button.json"), Catch::Contains("--curve red") && Catch::Contains("two Red"));
+  CHECK(imported("2")["curve"]["name"] == "Red");
+
+  for (const char* wrong : {"Blue", "3", "0"}) {
+    const ProgramResult run = import(folder, {"two.svg", "--curve", wrong, "-o", "c.button.json"});
+    CHECK(run.exitCode == 2);
+    CHECK_THAT(run.err, Catch::Contains("\"Brown\"") && Catch::Contains(std::string("\"") + wrong + "\""));
+  }
+  CHECK(folder.files() == Names{"two.svg", "b.button.json"});
+  const ProgramResult only = import(folder, {plot, "--curve", "1", "--json"});
+  CHECK(only.exitCode == 0);  // a plot of one switch has a first one
+  CHECK_FALSE(json::parse(only.out).contains("curve"));
 }
 
 TEST_CASE("A force meter's log becomes the same button as its plot") {

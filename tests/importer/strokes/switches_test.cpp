@@ -11,7 +11,8 @@ using namespace detent::importer;
 namespace {
 
 /// A rising line of its own ink, `height_px` above the foot of a 300 px plot; its legend entry in row `row`.
-CurveTrace trace(std::string label, double height_px, std::uint8_t blue, int row = 0, double column_px = 400) {
+CurveTrace trace(std::string label, double height_px, std::uint8_t blue, int row = 0,
+                 double column_px = 400) {
   CurveTrace t;
   t.color = {20, 40, blue};
   t.confidence = 1;
@@ -61,7 +62,7 @@ TEST_CASE("A legend in one row counts from the left", "[switches]") {
 
 TEST_CASE("Press and release come together by the rest of their names", "[switches]") {
   const std::vector<CurveTrace> traces{
-      trace("Switch 2 release", 50, 1, 3), trace("Switch 1", 40, 2, 0), trace("Switch 2", 60, 3, 2),
+      trace("Switch 2 release", 50, 1, 3), trace("Switch 1", 40, 2, 0),   trace("Switch 2", 60, 3, 2),
       trace("Switch 1 release", 30, 4, 1), trace("T1 upstroke", 5, 5, 5), trace("T1 downstroke", 15, 6, 4)};
   const auto switches = switchesAmong(traces);
   REQUIRE(namesOf(switches) == Names{"Switch 1", "Switch 2", "T1"});
@@ -85,7 +86,8 @@ TEST_CASE("Loops that the tracer parted in inks of their own need no legend", "[
 TEST_CASE("Where it is not clear what belongs together nothing is joined", "[switches]") {
   CHECK(switchesAmong({trace("", 10, 1), trace("", 30, 2), trace("", 50, 3)}).empty());
   CHECK(switchesAmong({trace("Brown press", 10, 1), trace("Red release", 30, 2)}).empty());
-  CHECK(switchesAmong({trace("A press", 10, 1), trace("A release", 30, 2), trace("A release", 50, 3)}).empty());
+  CHECK(
+      switchesAmong({trace("A press", 10, 1), trace("A release", 30, 2), trace("A release", 50, 3)}).empty());
   CHECK(switchesAmong({trace("A", 10, 1), trace("A release", 30, 2), trace("", 50, 3)}).empty());
   CHECK(switchesAmong({}).empty());
 }
