@@ -61,15 +61,44 @@ double distanceTo(const std::vector<Point>& line, Point p) {
   return best;
 }
 
-/// Share of the release that runs on the press, judged at a few hundred places.
+/// Share of a line that runs on another, judged at a few hundred places.
+double shareOn(const std::vector<Point>& other, const std::vector<Point>& line, double within_px) {
+  if (other.size() < 2 || line.empty()) return 0;
+  const std::size_t step = std::max<std::size_t>(1, line.size() / 300);
+  double near = 0, all = 0;
+  for (std::size_t i = 0; i < line.size(); i += step, all += 1)
+    near += distanceTo(other, line[i]) <= within_px;
+  return near / all;
+}
+
+/// Of the stroke that runs more on the other one. A fringe of one line taken for the press covers a part of it only.
 double coincidingShare(const StrokePair& strokes, double within_px) {
   const auto &press = strokes.press.points_px, &release = strokes.release->points_px;
-  if (press.size() < 2 || release.empty()) return 0;
-  const std::size_t step = std::max<std::size_t>(1, release.size() / 300);
-  double near = 0, all = 0;
-  for (std::size_t i = 0; i < release.size(); i += step, all += 1)
-    near += distanceTo(press, release[i]) <= within_px;
-  return near / all;
+  return std::max(shareOn(press, release, within_px), shareOn(release, press, within_px));
+}
+
+/// Whether ink of this colour stands on a straight line beyond a curve's end, seen at three places.
+bool goesOn(const std::vector<Point>& curve, Rgb color, const Raster& picture) {
+  constexpr std::size_t tail = 12;
+  constexpr double sameInk = 70;  // colour levels
+  constexpr int reach = 2;
+  if (curve.size() <= tail) return false;
+  const Point end = curve.back(), before = curve[curve.size() - 1 - tail];
+  const double run = std::hypot(end.x - before.x, end.y - before.y);
+  if (!(run > 0)) return false;
+  const auto isInk = [&](int x, int y) {
+    if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return false;
+    const std::uint8_t* p = picture.at(x, y);
+    return std::hypot(p[0] - color.r, p[1] - color.g, p[2] - color.b) <= sameInk;
+  };
+  for (const double beyond_px : {5.0, 7.0, 9.0}) {
+    const int x = static_cast<int>(std::lround(end.x + beyond_px * (end.x - before.x) / run));
+    const int y = static_cast<int>(std::lround(end.y + beyond_px * (end.y - before.y) / run));
+    bool seen = false;
+    for (int v = y - reach; v <= y + reach; ++v) seen = seen || isInk(x, v);
+    if (!seen) return false;
+  }
+  return true;
 }
 
 /// Share of a stroke's length that its longest straight stretch along one axis takes.
@@ -203,10 +232,53 @@ class Doubts {
       add(DoubtCode::cutAtPictureEdge, unconfirmed, {},
           {{RemedyKind::advice, "Use the whole picture"},
            {RemedyKind::giveFrame, "if the curve ends there"}});
+    if (hints_.frame.empty()) {
+      edges(strokes.press);
+      if (strokes.release) edges(*strokes.release);
+    }
     if (findings_.graph.axes.otherRightScale)
       add(DoubtCode::otherScale, unconfirmed, {},
           {{RemedyKind::pickPress, {}},
            {RemedyKind::pickRelease, "with the colours of the left scale's curves"}});
+  }
+
+  /// Curves that the plot shows a part of only.
+  void edges(const StrokePoints& stroke) {
+    constexpr double atEdge_px = 2, noticeable = 0.03;  // of the axis' range
+    constexpr std::size_t fewest = 3;                   // points in a row along the lower edge
+    std::vector<Point> line = stroke.points_px;
+    if (line.empty()) return;
+    if (line.front().x > line.back().x) std::reverse(line.begin(), line.end());
+    const auto& [topLeft, topRight, bottomRight, bottomLeft] = findings_.graph.frame.value.corners;
+    const Raster& picture = findings_.graph.view.raster;
+    const Rgb color = colorOf(stroke);
+    if (line.back().x > std::min(topRight.x, bottomRight.x) - atEdge_px && goesOn(line, color, picture))
+      add(DoubtCode::leavesThePlot, unconfirmed, {{forceAtRight(stroke), Measure::force_N}},
+          {{RemedyKind::giveFrame, "with the whole curve in it"}, {RemedyKind::giveXAxis, {}}});
+
+    const AxisCalibration& axes = findings_.graph.axes.calibration.value;
+    const double foot_N = axes.toUnits(bottomLeft).y, top_N = axes.toUnits(topLeft).y;
+    const auto onFoot = static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [&](Point p) {
+      return axes.toUnits(p).y < foot_N + atEdge_px * std::abs(axes.newtonPerPx());
+    }));
+    if (foot_N > noticeable * (top_N - foot_N) && onFoot >= fewest)
+      add(DoubtCode::belowTheAxis, unconfirmed, {{foot_N, Measure::force_N}},
+          {{RemedyKind::giveYAxis, "if the axis was misread"}});
+  }
+
+  double forceAtRight(const StrokePoints& stroke) const {
+    const bool backwards = stroke.points_px.front().x > stroke.points_px.back().x;
+    return (backwards ? stroke.points.front() : stroke.points.back()).force_N;
+  }
+
+  /// Of the trace that the stroke was taken from.
+  Rgb colorOf(const StrokePoints& stroke) const {
+    const auto has = [&](const CurveTrace& trace) {
+      return !trace.points_px.empty() && (trace.points_px.front() == stroke.points_px.front() ||
+                                          trace.points_px.back() == stroke.points_px.front());
+    };
+    const auto from = std::find_if(findings_.traces.begin(), findings_.traces.end(), has);
+    return from == findings_.traces.end() ? Rgb{} : from->color;
   }
 
   const GraphFindings& findings_;

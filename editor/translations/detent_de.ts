@@ -5815,6 +5815,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine Kurve endet, wo das Bild endet</translation>
     </message>
     <message>
+        <source>a curve goes on beyond the plot frame's right edge at %1</source>
+        <translation>eine Kurve läuft bei %1 über den rechten Rand des Diagrammrahmens hinaus</translation>
+    </message>
+    <message>
+        <source>the force axis begins at %1 and a curve goes below it</source>
+        <translation>die Kraftachse beginnt bei %1, und eine Kurve läuft darunter weiter</translation>
+    </message>
+    <message>
         <source>a second scale on the right measures something else</source>
         <translation>eine zweite Skala rechts misst etwas anderes</translation>
     </message>

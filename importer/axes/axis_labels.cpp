@@ -133,8 +133,11 @@ int AxisLabels::numbers() const {
 
 std::optional<AxisLabels> readRightLabels(GraphReading& r) {
   constexpr int fewestRegular = 4;  // what is less may be a legend's
+  constexpr double besideTicks_px =
+      3;  // a tick begins at the frame's edge, a label does not; else "-0.8" is read
   const Box& b = r.box;
-  const Box band{b.x1 + 1, b.y0 - 0.1 * b.height(), b.x1 + 0.25 * b.width(), b.y1 + 0.08 * b.height()};
+  const Box band{b.x1 + besideTicks_px, b.y0 - 0.1 * b.height(), b.x1 + 0.25 * b.width(),
+                 b.y1 + 0.08 * b.height()};
   const auto mirrored = [](const Box& box) { return Box{-box.x1, box.y0, -box.x0, box.y1}; };
   std::vector<Box> words = inkedLabelWords(r, band);
   for (Box& word : words) word = mirrored(word);

@@ -246,6 +246,9 @@ std::vector<Piece> pieces(const std::string& t) {
     out.push_back({withoutBlanks(trimmed(std::string_view(t).substr(slash + 1))), 0.95});
   if (const auto in = t.rfind(" in "); in != std::string::npos)
     out.push_back({trimmed(std::string_view(t).substr(in + 4)), 0.95});
+  else if (const auto joined = t.rfind(" in");
+           joined != std::string::npos)  // "Weg inmm": a blank was not seen
+    out.push_back({trimmed(std::string_view(t).substr(joined + 3)), 0.85});
   if (const auto comma = t.rfind(','); comma != std::string::npos)
     out.push_back({withoutBlanks(trimmed(std::string_view(t).substr(comma + 1))), 0.85});
   if (const auto blank = t.find_last_of(' '); blank != std::string::npos)

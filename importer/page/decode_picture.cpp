@@ -40,11 +40,9 @@ bool bordersOnTransparency(const StoredPicture& in, int x, int y) {
   return false;
 }
 
-/// The ink that a pixel at a rim belongs to: smoothing against a background that was cut away later leaves the
-/// background's shade at the rims of every line.
+/// The ink that a pixel at a rim belongs to: the shade near it that differs most from its own.
 double inkBehindRim(const StoredPicture& in, int x, int y) {
   constexpr int reach = 2;
-  constexpr double otherShade = 60;  // grey levels
   const double own = luminance(pixelAt(in, x, y));
   double behind = own;
   for (int ny = std::max(0, y - reach); ny <= std::min(in.height_px - 1, y + reach); ++ny)
@@ -52,11 +50,12 @@ double inkBehindRim(const StoredPicture& in, int x, int y) {
       const Pixel p = pixelAt(in, nx, ny);
       if (p.alpha >= 128 && std::abs(luminance(p) - own) > std::abs(behind - own)) behind = luminance(p);
     }
-  return std::abs(behind - own) > otherShade ? behind : own;
+  return behind;
 }
 
 /// 255 or 0: white, unless more of the picture's ink would vanish on white than on black.
 std::uint8_t backgroundFor(const StoredPicture& in) {
+  constexpr double softRim = 6;  // grey levels between a line and its rim
   double lostOnWhite = 0, lostOnBlack = 0;
   const int step =
       std::max(1, static_cast<int>(std::sqrt(static_cast<double>(in.width_px) * in.height_px / 4e6)));
@@ -64,7 +63,12 @@ std::uint8_t backgroundFor(const StoredPicture& in) {
     for (int x = 0; x < in.width_px; x += step) {
       const Pixel p = pixelAt(in, x, y);
       if (p.alpha < 128 || !bordersOnTransparency(in, x, y)) continue;
-      const double ink = inkBehindRim(in, x, y);
+      const double own = luminance(p), ink = inkBehindRim(in, x, y);
+      if (std::abs(own - ink) > softRim) {
+        // Smoothed against a background that was cut away later: its shade is left at the rims of every line.
+        (own > ink ? lostOnBlack : lostOnWhite) += 1;
+        continue;
+      }
       lostOnWhite += vanishing(ink, 255);
       lostOnBlack += vanishing(ink, 0);
     }

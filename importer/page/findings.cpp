@@ -95,6 +95,10 @@ Wording wordingOf(DoubtCode code) {
               words("the press drops at the end of its travel, as an edge of the frame does")};
     case DoubtCode::cutAtPictureEdge:
       return {"cut-at-picture-edge", words("a curve ends where the picture does")};
+    case DoubtCode::leavesThePlot:
+      return {"leaves-the-plot", words("a curve goes on beyond the plot frame's right edge at %1")};
+    case DoubtCode::belowTheAxis:
+      return {"below-the-axis", words("the force axis begins at %1 and a curve goes below it")};
     case DoubtCode::otherScale:
       return {"other-scale", words("a second scale on the right measures something else")};
   }

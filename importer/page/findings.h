@@ -71,6 +71,8 @@ enum class DoubtCode {
   manyTactilePoints,  ///< how many
   endsInAFall,
   cutAtPictureEdge,
+  leavesThePlot,  ///< force at the edge that it goes on beyond, N
+  belowTheAxis,   ///< force at which the axis begins, N
   otherScale
 };
 

@@ -100,19 +100,8 @@ std::vector<std::string> numbersOf(std::string_view utf8) {
 /// Nothing but what parts words: it goes where the word beside it goes.
 bool isJoint(char c) { return std::string_view(" _-/:,;()[]").find(c) != std::string_view::npos; }
 
-}  // namespace
-
-bool namesACurve(std::string_view utf8) {  // a callout beside its leader names a point, not a curve
-  const std::vector<std::string> words = wordsOf(utf8);
-  return !words.empty() && !anyWord(words, kPointWords) && !anySign(utf8, kPointSigns);
-}
-
-bool namesOnePair(std::string_view a, std::string_view b) {
-  if (!namesACurve(a) || !namesACurve(b) || strokeNamedBy(a) == strokeNamedBy(b)) return false;
-  return ownWords(a) == ownWords(b) && numbersOf(a) == numbersOf(b);
-}
-
-std::string switchNamedBy(std::string_view utf8) {
+/// Of one text.
+std::string withoutStrokeWords(std::string_view utf8) {
   std::string name;
   bool shortened = false;
   for (std::size_t i = 0; i < utf8.size();) {
@@ -135,6 +124,39 @@ std::string switchNamedBy(std::string_view utf8) {
   while (!name.empty() && isRest(name.back())) name.pop_back();
   name.erase(name.begin(), std::find_if_not(name.begin(), name.end(), isJoint));
   return name;
+}
+
+}  // namespace
+
+bool namesACurve(std::string_view utf8) {  // a callout beside its leader names a point, not a curve
+  const std::vector<std::string> words = wordsOf(utf8);
+  return !words.empty() && !anyWord(words, kPointWords) && !anySign(utf8, kPointSigns);
+}
+
+bool namesOnePair(std::string_view a, std::string_view b) {
+  if (!namesACurve(a) || !namesACurve(b) || strokeNamedBy(a) == strokeNamedBy(b)) return false;
+  return ownWords(a) == ownWords(b) && numbersOf(a) == numbersOf(b);
+}
+
+bool namesBothStrokes(std::string_view label) {
+  const std::vector<std::string> words = wordsOf(label);
+  const bool press = anyWord(words, kPressWords) || anySign(label, kPressSigns);
+  return press && (anyWord(words, kReleaseWords) || anySign(label, kReleaseSigns));
+}
+
+std::string switchNamedBy(std::string_view utf8) {
+  constexpr std::string_view kParting = " / ";
+  std::vector<std::string> names;
+  for (std::size_t from = 0; from <= utf8.size();) {
+    const std::size_t to = std::min(utf8.find(kParting, from), utf8.size());
+    std::string name = withoutStrokeWords(utf8.substr(from, to - from));
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(std::move(name));
+    from = to + kParting.size();
+  }
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : std::string(kParting)) + name;
+  return all;
 }
 
 bool mayBeOnePair(std::string_view a, std::string_view b) {

@@ -27,8 +27,11 @@ bool namesOnePair(std::string_view a, std::string_view b);
 /// Whether a text names a curve at all: it has words and is no point's name.
 bool namesACurve(std::string_view utf8);
 
+/// Whether one text, or several parted by " / " (two tints make one ink), name the press as well as the release.
+bool namesBothStrokes(std::string_view label);
+
 /// A legend text without its words for press and release: "Switch A release" gives "Switch A", "downstroke_aura"
-/// gives "aura", "press" nothing.
+/// gives "aura", "press" nothing; of several texts parted by " / " each name once.
 std::string switchNamedBy(std::string_view utf8);
 
 }  // namespace detent::importer

@@ -174,7 +174,9 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibrat
                    "its curve has fewer than two points",
                    {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
-  found.confidence = (namedRelease ? 0.5 : 0.9) * credit(trace.confidence);
+  constexpr double ofOneNamed = 0.9, ofRelease = 0.5, ofBoth = 0.4;
+  const double named = namesBothStrokes(trace.label) ? ofBoth : namedRelease ? ofRelease : ofOneNamed;
+  found.confidence = named * credit(trace.confidence);
   found.evidence = {{namedRelease ? EvidenceCode::pressAloneThoughNamedRelease : EvidenceCode::pressAlone}};
   return found;
 }

@@ -23,21 +23,20 @@ bool shareAnInk(const CurveTrace& a, const CurveTrace& b) {
   return a.color == b.color && a.stroke && b.stroke && *a.stroke != *b.stroke;
 }
 
-/// The one press and the one release that were named, by hand or by the legend, beside curves that nothing is said of.
+/// The press and the release that were named, by hand or by the legend (of two names one must say its stroke, the other
+/// may be misread), beside curves that nothing is said of: marks and leaders.
 std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vector<CurveTrace>& traces,
                                                                 const Indices& drawn) {
-  Indices press, release;
-  for (const std::size_t i : drawn) {
-    const std::optional<Stroke> named = namedStroke(traces[i]);
-    if (!named && namesACurve(traces[i].label)) return {};
-    if (named) (*named == Stroke::press ? press : release).push_back(i);
-  }
-  if (press.size() != 1 || release.size() != 1) return {};
-  const CurveTrace &a = traces[press.front()], &b = traces[release.front()];
+  Indices named;
+  for (const std::size_t i : drawn)
+    if (namedStroke(traces[i]) || namesACurve(traces[i].label)) named.push_back(i);
+  if (named.size() != 2) return {};
+  const CurveTrace &a = traces[named[0]], &b = traces[named[1]];
+  if (namedStroke(a) == namedStroke(b)) return {};
   if (drawn.size() > 2 && shareAnInk(a, b)) return {};  // an ink beside it draws another switch
   const bool byHand = a.stroke && b.stroke;
   if (!byHand && !mayBeOnePair(a.label, b.label)) return {};
-  return std::pair(press.front(), release.front());
+  return std::pair(named[0], named[1]);
 }
 
 /// Each trace's partner: itself for a press alone. Empty where one has several or where a release stands alone.
@@ -73,21 +72,14 @@ void putPressFirst(Indices& pair, const std::vector<CurveTrace>& traces) {
   if (exchanged) std::swap(pair[0], pair[1]);
 }
 
-/// Both tints of one hue make one ink, to which the legend's words of both come: a name said twice is said once.
-std::string saidOnce(const std::string& name) {
-  const std::size_t half = name.size() / 2;
-  const bool twice =
-      name.size() % 2 == 1 && name[half] == ' ' && name.substr(0, half) == name.substr(half + 1);
-  return twice ? name.substr(0, half) : name;
-}
-
 PlotSwitch switchOf(Indices group, const std::vector<CurveTrace>& traces) {
   putPressFirst(group, traces);
   const CurveTrace& press = traces[group[0]];
   PlotSwitch found{press.label, press.color, {}, group};
+  if (namesBothStrokes(press.label)) found.name = switchNamedBy(press.label);
   if (group.size() < 2) return found;
   found.releaseColor = traces[group[1]].color;
-  found.name = saidOnce(switchNamedBy(press.label));
+  found.name = switchNamedBy(press.label);
   if (found.name.empty()) found.name = switchNamedBy(traces[group[1]].label);
   return found;
 }

@@ -19,7 +19,7 @@ struct CurveTrace {
   double confidence = 0;
   /// For graphs whose two strokes share one ink, the tracer separates them itself and says which is which.
   std::optional<Stroke> stroke;
-  std::string label;  ///< legend text that belongs to this colour/dash, if any
+  std::string label;  ///< legend text that belongs to this colour/dash, if any; several parted by " / "
   Box labelBox_px;    ///< where it stands, view pixels; empty without it
 };
 

@@ -267,6 +267,17 @@ bool isStraight(const std::vector<Point>& path, double off_px) {
                      [&](Point p) { return std::abs(cross(p - a, b - a)) / length <= off_px; });
 }
 
+/// One or two straight lines: two leaders one after the other, with what is crossed between them.
+bool isBracket(const std::vector<Point>& path, double off_px) {
+  if (isStraight(path, off_px)) return true;
+  const Point a = path.front(), b = path.back();
+  const auto corner = std::max_element(path.begin(), path.end(), [&](Point p, Point q) {
+    return std::abs(cross(p - a, b - a)) < std::abs(cross(q - a, b - a));
+  });
+  const std::vector<Point> first(path.begin(), corner + 1), second(corner, path.end());
+  return isStraight(first, off_px) && isStraight(second, off_px);
+}
+
 constexpr double kMuch = 0.3;       // of the frame's width: ink left over that may be a curve
 constexpr double kCrossing = 0.08;  // of it: where two curves run together at a crossing
 
@@ -326,7 +337,7 @@ class PairSearch {
     double length = 0, since = 0;
     bool onPaper = false;
     const auto close = [&] {
-      if (run.size() > 1 && !isStraight(run, stroke_ + 2)) best = std::max(best, length);
+      if (run.size() > 1 && !isBracket(run, stroke_ + 2)) best = std::max(best, length);
       run.clear();
       length = since = 0;
       onPaper = false;

@@ -59,6 +59,27 @@ GivenInks addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const
   return given;
 }
 
+/// Cuts a beginning that falls along the force axis: a stroke starts at rest and rises, what falls there is the axis
+/// itself, whose ink a picture turned back smears into the curve's.
+void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
+  constexpr double within_px = 2.5, leastShare = 0.02;  // of the frame's height
+  const auto& [topLeft, topRight, bottomRight, bottomLeft] = frame.corners;
+  const double height = distance(topLeft, bottomLeft);
+  const auto besideAxis = [&](Point p) {
+    return std::abs(cross(p - topLeft, bottomLeft - topLeft)) / std::max(1.0, height) <= within_px;
+  };
+  std::vector<Point>& points = trace.points_px;
+  if (points.size() < 2 || height <= 0) return;
+  if (points.front().x > points.back().x) return;  // drawn from the right: ends at rest
+  const auto leaves = std::find_if_not(points.begin(), points.end(), besideAxis);
+  const auto lowest = std::max_element(points.begin(), leaves, [](Point a, Point b) { return a.y < b.y; });
+  if (lowest == leaves || leaves == points.end()) return;
+  if (lowest->y - points.front().y < leastShare * height) return;
+  const auto cut = lowest - points.begin();
+  points.erase(points.begin(), lowest);
+  if (!trace.width_px.empty()) trace.width_px.erase(trace.width_px.begin(), trace.width_px.begin() + cut);
+}
+
 class ColouredCurves {
  public:
   ColouredCurves(const PlotInks& plot, const TraceOptions& options) : plot_(plot), options_(options) {}
@@ -196,18 +217,46 @@ std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>&
   return {};
 }
 
-/// Gives each trace the words that its legend sample stands beside.
+/// Entries of a legend stand in a column or in a row.
+bool standInLine(const Box& a, const Box& b) {
+  const double height = std::min(a.height(), b.height());
+  return std::abs(a.x0 - b.x0) < height || std::abs(a.x1 - b.x1) < height ||
+         std::abs(a.middle().y - b.middle().y) < 0.5 * height;
+}
+
+using LegendTexts = std::vector<std::vector<SeenText>>;  // per trace
+
+/// Of several texts beside an ink those that stand in line with another ink's, if any does: a fringe of a letter
+/// elsewhere on the page has an ink's colour by chance.
+std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
+  if (all[of].size() < 2) return all[of];
+  std::vector<SeenText> inLine;
+  for (const SeenText& text : all[of])
+    for (std::size_t k = 0; k < all.size(); ++k)
+      if (k != of && std::any_of(all[k].begin(), all[k].end(),
+                                 [&](const SeenText& t) { return standInLine(t.box, text.box); })) {
+        inLine.push_back(text);
+        break;
+      }
+  return inLine.empty() ? all[of] : inLine;
+}
+
+/// Gives each trace the words that its legend sample stands beside; several texts of one ink parted by " / ".
 void labelTraces(std::vector<CurveTrace>& traces, const AxesFound& axes, const Raster& raster,
                  const Backdrop& backdrop) {
   std::vector<Ink> inks;
   for (const CurveTrace& trace : traces) inks.push_back(inkOfColor(trace.color, backdrop));
+  LegendTexts beside(traces.size());
   for (const SeenText& text : axes.texts) {
     if (std::abs(text.angle_deg) > 20 || text.utf8.empty() || text.box.empty()) continue;
-    const std::optional<std::size_t> trace = sampledTrace(text.box, inks, raster, backdrop);
-    if (!trace) continue;
-    CurveTrace& named = traces[*trace];
-    named.labelBox_px = named.label.empty() ? text.box : named.labelBox_px.joined(text.box);
-    named.label += (named.label.empty() ? "" : " ") + text.utf8;
+    if (const auto trace = sampledTrace(text.box, inks, raster, backdrop)) beside[*trace].push_back(text);
+  }
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    CurveTrace& named = traces[i];
+    for (const SeenText& text : inLegend(beside, i)) {
+      named.labelBox_px = named.label.empty() ? text.box : named.labelBox_px.joined(text.box);
+      named.label += (named.label.empty() ? "" : " / ") + text.utf8;
+    }
   }
 }
 
@@ -329,7 +378,10 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
   PlotArea area = makePlotArea(view.raster, frame, axes.texts, hints.masks_px);
   if (area.raster.empty()) return noCurve("lies outside the picture or has no area");
   settleChroma(area.raster, rgbOf(paperOf(area)));
-  return traceRaster(area, view, axes, hints, options, progress);
+  auto traces = traceRaster(area, view, axes, hints, options, progress);
+  if (traces)
+    for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, frame);
+  return traces;
 }
 
 }  // namespace detent::importer
