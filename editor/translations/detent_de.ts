@@ -5922,6 +5922,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>kein Kraftgraph gefunden</translation>
     </message>
     <message>
+        <source>the curve ends where one of another switch covers it</source>
+        <translation>die Kurve endet, wo eine eines anderen Tasters sie verdeckt</translation>
+    </message>
+    <message>
+        <source>Draw the whole curve by hand: --press-line</source>
+        <translation>Die ganze Kurve von Hand zeichnen: --press-line</translation>
+    </message>
+    <message>
         <source>Choose one by its name or number: --curve NAME|N</source>
         <translation>Einen nach Name oder Nummer wählen: --curve NAME|N</translation>
     </message>

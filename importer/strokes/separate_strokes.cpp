@@ -191,7 +191,10 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
   const Verdict verdict = judge(first, second, compared, newtonPerPx);
   Found<StrokePair> found;
-  const double together = namedAsPair(first, second) ? 1 : creditOfTravel(compared);
+  // Two tints that the legend names apart and the tracer saw as one ink: which of its lines is whose is not known.
+  constexpr double ofMergedTints = 0.45;
+  const bool merged = first.color == second.color && namesBothStrokes(first.label);
+  const double together = merged ? ofMergedTints : namedAsPair(first, second) ? 1 : creditOfTravel(compared);
   found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) * together;
   found.evidence = verdict.reasons;
   bool firstIsPress = verdict.logOdds >= 0;
@@ -209,6 +212,30 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   found.value.press = firstIsPress ? std::move(a) : b;
   found.value.release = travelledBack(firstIsPress ? std::move(b) : std::move(a));
   return found;
+}
+
+/// Whether `other` runs on from one end of `own` to where `own` is not seen any more: the rest of it lies under the other.
+bool hidesAnEndOf(const CurveTrace& own, const CurveTrace& other) {
+  constexpr double touching_px = 3, goesOnShare = 0.05;  // of the height that `own` spans
+  const auto [top, foot] = std::minmax_element(own.points_px.begin(), own.points_px.end(),
+                                               [](Point a, Point b) { return a.y < b.y; });
+  const auto [otherTop, otherFoot] = std::minmax_element(other.points_px.begin(), other.points_px.end(),
+                                                         [](Point a, Point b) { return a.y < b.y; });
+  const double further_px = goesOnShare * (foot->y - top->y);
+  const auto touches = [&](Point end) {
+    return std::any_of(other.points_px.begin(), other.points_px.end(),
+                       [&](Point p) { return distance(p, end) <= touching_px; });
+  };
+  const auto [left, right] =
+      std::minmax(own.points_px.front(), own.points_px.back(), [](Point a, Point b) { return a.x < b.x; });
+  return (right.y - otherTop->y > further_px && touches(right)) ||
+         (otherFoot->y - left.y > further_px && touches(left));
+}
+
+Failure hiddenEnd() {
+  return {FailureCode::notCertain, "plot frame", "",
+          Message("the curve ends where one of another switch covers it"),
+          Message("Draw the whole curve by hand: --press-line")};
 }
 
 }  // namespace
@@ -229,6 +256,9 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   const auto chosen = chosenSwitch(switches, traces, hints.curve);
   if (!chosen) return chosen.failure();
   const std::vector<std::size_t>& its = switches[*chosen].traces;
+  for (const PlotSwitch& other : switches)
+    for (const std::size_t t : other.traces)
+      if (&other != &switches[*chosen] && hidesAnEndOf(traces[its.front()], traces[t])) return hiddenEnd();
   const AxisCalibration& calibration = axes.calibration.value;
   if (its.size() == 1) return pressAlone(traces[its.front()], calibration);
   return pairOf(traces[its[0]], traces[its[1]], calibration, hints.swap);

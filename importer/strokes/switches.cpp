@@ -23,8 +23,8 @@ bool shareAnInk(const CurveTrace& a, const CurveTrace& b) {
   return a.color == b.color && a.stroke && b.stroke && *a.stroke != *b.stroke;
 }
 
-/// The press and the release that were named, by hand or by the legend (of two names one must say its stroke, the other
-/// may be misread), beside curves that nothing is said of: marks and leaders.
+/// The press and the release that were named, by hand or by the legend, beside curves that nothing is said of: marks and
+/// leaders. Where the legend calls one "press" and no more, the other's name may be misread.
 std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vector<CurveTrace>& traces,
                                                                 const Indices& drawn) {
   Indices named;
@@ -33,6 +33,9 @@ std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vecto
   if (named.size() != 2) return {};
   const CurveTrace &a = traces[named[0]], &b = traces[named[1]];
   if (namedStroke(a) == namedStroke(b)) return {};
+  const CurveTrace& sure = namedStroke(a) ? a : b;
+  const bool bothNamed = namedStroke(a) && namedStroke(b);
+  if (!bothNamed && !sure.stroke && !switchNamedBy(sure.label).empty()) return {};
   if (drawn.size() > 2 && shareAnInk(a, b)) return {};  // an ink beside it draws another switch
   const bool byHand = a.stroke && b.stroke;
   if (!byHand && !mayBeOnePair(a.label, b.label)) return {};

@@ -39,6 +39,7 @@ struct Import {
     graph.view.raster.width_px = 700, graph.view.raster.height_px = 600;
     graph.frame.value.corners = {Point{100, 100}, Point{500, 100}, Point{500, 500}, Point{100, 500}};
     AxisCalibration& axes = graph.axes.calibration.value;
+    axes.viewToUnits = {0.01, 0, -1, 0, -0.01, 5, 0, 0, 1};
     axes.x.unit = "mm", axes.y.unit = "N";
     axes.x.unitFound = axes.y.unitFound = true;
     graph.candidate.confidence = graph.frame.confidence = graph.axes.calibration.confidence = 1;
@@ -122,6 +123,8 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   twice.release = twice.press;
   std::reverse(twice.release.begin(), twice.release.end());
   CHECK(twice.doubted(DoubtCode::strokesCoincide));
+  twice.press.erase(twice.press.begin(), twice.press.begin() + 2);  // a fringe of a part of the line
+  CHECK(twice.doubted(DoubtCode::strokesCoincide));
   Import level;
   level.press = {{0, 0.2}, {0.5, 0.7}, {3.5, 0.7}};
   CHECK(level.doubted(DoubtCode::alongAnAxis));
@@ -131,6 +134,34 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   Import turns;
   turns.tactilePoints = 7;
   CHECK(turns.doubted(DoubtCode::manyTactilePoints));
+}
+
+TEST_CASE("a plot that shows a part of its curves") {
+  Import below;
+  below.press = {{0, 0.5}, {0.4, 0.3}, {0.5, 0.3}, {0.6, 0.3}, {3, 0.8}, {3.2, 1.6}};
+  CHECK(below.doubts().empty());
+  below.graph.axes.calibration.value.viewToUnits = {0.01, 0, -1, 0, -0.01, 5.3, 0, 0, 1};  // from 0.3 N on
+  for (CurvePoint& p : below.press)
+    p.force_N -= 0.3;  // where they stand on the page; their forces do not matter here
+  CHECK(below.doubted(DoubtCode::belowTheAxis));
+
+  Import leaves;
+  leaves.press.clear();
+  for (int i = 0; i <= 400; ++i) leaves.press.push_back({0.01 * i, 0.2 + 0.002 * i});
+  leaves.traces.resize(1);
+  leaves.traces[0].color = {200, 30, 30};
+  for (const CurvePoint& p : leaves.press) leaves.traces[0].points_px.push_back(inView(p));
+  Raster& picture = leaves.graph.view.raster;
+  picture.rgb.assign(3UL * 700 * 600, 255);
+  CHECK(leaves.doubts().empty());
+  for (int x = 500; x < 530; ++x) {
+    std::uint8_t* p = picture.rgb.data() +
+                      3 * (700 * std::lround(inView({0.01 * (x - 100), 0}).y - 20 - 0.2 * (x - 100)) + x);
+    p[0] = 200, p[1] = p[2] = 30;
+  }
+  CHECK(leaves.doubted(DoubtCode::leavesThePlot));
+  leaves.hints.frame = {{100, 100}, {500, 500}};  // a person says so
+  CHECK(leaves.doubts().empty());
 }
 
 TEST_CASE("a curve that ends where the picture does, and a second scale") {

@@ -5,6 +5,7 @@
 
 using detent::Stroke;
 using detent::importer::mayBeOnePair;
+using detent::importer::namesBothStrokes;
 using detent::importer::namesOnePair;
 using detent::importer::strokeNamedBy;
 using detent::importer::switchNamedBy;
@@ -54,12 +55,19 @@ TEST_CASE("Among several switches a pair has to name the same one", "[legend]") 
   CHECK_FALSE(namesOnePair("", "release"));
 }
 
+TEST_CASE("Both tints of a hue bring both names", "[legend]") {
+  CHECK(namesBothStrokes("T1 downstroke / T1 upstroke"));
+  CHECK_FALSE(namesBothStrokes("T1 downstroke"));
+  CHECK_FALSE(namesBothStrokes("T1 / upstroke"));
+}
+
 TEST_CASE("A switch is called what its strokes' names share", "[legend]") {
   CHECK(switchNamedBy("Switch A release") == "Switch A");
   CHECK(switchNamedBy("downstroke_aura") == "aura");
   CHECK(switchNamedBy("T1 (JWK) - downstroke") == "T1 (JWK)");
   CHECK(switchNamedBy("Boba (w/Clear-slotted top)") == "Boba (w/Clear-slotted top)");
   CHECK(switchNamedBy("Switch A (press)") == "Switch A");
+  CHECK(switchNamedBy("T1 downstroke / T1 upstroke") == "T1");
   CHECK(switchNamedBy("press") == "");
   CHECK(switchNamedBy("") == "");
 }

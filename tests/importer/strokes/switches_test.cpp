@@ -92,6 +92,13 @@ TEST_CASE("Where it is not clear what belongs together nothing is joined", "[swi
   CHECK(switchesAmong({}).empty());
 }
 
+TEST_CASE("Beside press and release a mark without a name is none of them", "[switches]") {
+  const auto switches =
+      switchesAmong({trace("press", 10, 1), trace("lease", 30, 2), trace("", 50, 3)});  // misread
+  REQUIRE(switches.size() == 1);
+  CHECK(switches[0].traces.size() == 2);
+}
+
 TEST_CASE("Two colours given by hand are a pair whatever the legend says", "[switches]") {
   std::vector<CurveTrace> traces{trace("Switch A", 10, 1), trace("Switch B", 30, 2)};
   traces[0].stroke = Stroke::press;
@@ -149,4 +156,22 @@ TEST_CASE("Several switches and none chosen: a doubt that names them", "[switche
   REQUIRE(second.ok());
   CHECK_FALSE(second->value.release);
   CHECK(second->value.press.points_px == traces[1].points_px);
+}
+
+TEST_CASE("A curve whose end another switch's covers is not taken for the whole", "[switches]") {
+  AxesFound axes;
+  axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
+  CurveTrace whole = trace("Switch A", 90, 1, 0), part = trace("Switch B", 20, 2, 1);
+  for (double y = whole.points_px.back().y; y > 0; --y) whole.points_px.push_back({301, y});
+  StrokeHints hints;
+  hints.curve = "Switch B";
+  CHECK(separateStrokes({whole, part}, axes, hints).ok());
+  for (double y = part.points_px.back().y; y > 110; --y)
+    part.points_px.push_back({301, y});  // up the same wall
+  const auto hidden = separateStrokes({whole, part}, axes, hints);
+  REQUIRE_FALSE(hidden.ok());
+  CHECK(hidden.failure().code == FailureCode::notCertain);
+  CHECK_THAT(hidden.failure().sentence(), Catch::Contains("covers it") && Catch::Contains("--press-line"));
+  hints.curve = "Switch A";
+  CHECK(separateStrokes({whole, part}, axes, hints).ok());
 }
