@@ -62,7 +62,7 @@ GivenInks addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const
 /// Cuts a beginning that falls along the force axis: a stroke starts at rest and rises, what falls there is the axis
 /// itself, whose ink a picture turned back smears into the curve's.
 void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
-  constexpr double within_px = 2.5, leastShare = 0.02;  // of the frame's height
+  constexpr double within_px = 4, leastShare = 0.02;  // of the frame's height
   const auto& [topLeft, topRight, bottomRight, bottomLeft] = frame.corners;
   const double height = distance(topLeft, bottomLeft);
   const auto besideAxis = [&](Point p) {

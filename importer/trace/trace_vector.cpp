@@ -101,10 +101,10 @@ std::vector<LegendSample> legendSamples(const PageView& view, const PlotPlane& p
   return samples;
 }
 
-/// The words beside the legend sample drawn in this style; empty if there is none or several.
-std::string legendWords(const std::vector<LegendSample>& samples, const LineStyle& style,
-                        const std::vector<SeenText>& texts) {
-  std::string words;
+/// The words beside the legend sample drawn in this style; null if there are none.
+const SeenText* legendWords(const std::vector<LegendSample>& samples, const LineStyle& style,
+                            const std::vector<SeenText>& texts) {
+  const SeenText* words = nullptr;
   double nearest = std::numeric_limits<double>::infinity();
   for (const LegendSample& sample : samples) {
     if (colorDistance(sample.style.color, style.color) > 6 || sample.style.dashed != style.dashed) continue;
@@ -114,7 +114,7 @@ std::string legendWords(const std::vector<LegendSample>& samples, const LineStyl
       const double gap = std::max(text.box.x0 - sample.box.x1, sample.box.x0 - text.box.x1);
       if (gap < -height || gap > 3 * height || std::abs(gap) >= nearest) continue;
       nearest = std::abs(gap);
-      words = text.utf8;
+      words = &text;
     }
   }
   return words;
@@ -127,12 +127,18 @@ bool wanted(const LineStyle& style, const TraceHints& hints) {
          (hints.releaseColor && colorDistance(style.color, *hints.releaseColor) < sameColor);
 }
 
-/// Two strokes in one ink: the press lies above the release.
+/// Two strokes in one ink, solid and dashed or both alike: the press lies above the release.
 void nameStrokesOfOneInk(std::vector<CurveTrace>& traces, const PlotPlane& plane) {
-  if (traces.size() != 2 || !(traces[0].color == traces[1].color)) return;
-  const bool firstAbove = meanHeightAbove(traces[0].points_px, traces[1].points_px, plane) >= 0;
-  traces[firstAbove ? 0 : 1].stroke = Stroke::press;
-  traces[firstAbove ? 1 : 0].stroke = Stroke::release;
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    std::vector<std::size_t> ofInk;
+    for (std::size_t k = 0; k < traces.size(); ++k)
+      if (traces[k].color == traces[i].color) ofInk.push_back(k);
+    if (ofInk.size() != 2 || ofInk[0] != i) continue;
+    CurveTrace &a = traces[ofInk[0]], &b = traces[ofInk[1]];
+    const bool firstAbove = meanHeightAbove(a.points_px, b.points_px, plane) >= 0;
+    a.stroke = firstAbove ? Stroke::press : Stroke::release;
+    b.stroke = firstAbove ? Stroke::release : Stroke::press;
+  }
 }
 
 void nameStrokesByHints(std::vector<CurveTrace>& traces, const TraceHints& hints) {
@@ -168,10 +174,10 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
     trace.color = stroke.style.color;
     trace.fromVector = true;
     trace.confidence = stroke.confidence;
-    const auto sharers = std::count_if(strokes.begin(), strokes.end(), [&](const StyledStroke& other) {
-      return !(other.style < stroke.style) && !(stroke.style < other.style);
-    });
-    if (sharers == 1) trace.label = legendWords(samples, stroke.style, axes.texts);
+    if (const SeenText* words = legendWords(samples, stroke.style, axes.texts)) {
+      trace.label = words->utf8;
+      trace.labelBox_px = words->box;
+    }
     traces.push_back(std::move(trace));
   }
   nameStrokesOfOneInk(traces, plane);

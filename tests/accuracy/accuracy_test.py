@@ -41,16 +41,15 @@ BOUNDS = {
     "dashed axes": Bounds(0, 0.16, 0.19),
     "dark": Bounds(0, 0.15, 0.17),
     "no grid": Bounds(0, 0.16, 0.18),
-    "rotated": Bounds(0, 1.3, 4.5),
+    "rotated": Bounds(0, 0.16, 0.22),
     "svg": Bounds(0, 0.11, 0.14),
     "pdf": Bounds(0, 0.10, 0.12),
     "jpeg": Bounds(0, 0.20, 0.25),
-    # The fringes of coloured lines in a JPEG are taken for inks of their own, and the page is doubted: a fault to be mended.
-    "coloured jpeg": Bounds(2, 0.30, 0.40),
+    "coloured jpeg": Bounds(0, 0.20, 0.25),
     "page of two": Bounds(0, 0.17, 0.24),
 }
-# Of a plot of several switches each is imported by its name: read right, or refused. Of 12 switches so many may be refused.
-SEVERAL = Bounds(0, 0.25, 0.5)
+# Of a plot of several switches each is imported by its name.
+SEVERAL = Bounds(0, 0.10, 0.16)
 UNDECIDED = (4, 5)  # exit codes of a page that holds no force graph, or none that is certain
 
 
