@@ -31,7 +31,7 @@ double vanishing(double ink, double background) {
 /// Only ink that borders on transparency tells on which background the picture was meant to stand: letters
 /// and axis lines, not the inside of an opaque white plot area.
 bool bordersOnTransparency(const StoredPicture& in, int x, int y) {
-  constexpr int reach = 2;
+  constexpr int reach = 1;  // two would take the ink behind a soft rim for a rim of it
   for (const auto& [dx, dy] : {std::pair{reach, 0}, {-reach, 0}, {0, reach}, {0, -reach}}) {
     const int nx = x + dx, ny = y + dy;
     if (nx >= 0 && ny >= 0 && nx < in.width_px && ny < in.height_px && pixelAt(in, nx, ny).alpha < 32)

@@ -236,6 +236,23 @@ TEST_CASE("transparent plots stand on the background on which their ink shows") 
   CHECK(pixel(firstPage(encoded(".png", lettersIn(white, dark))).overview, 50, 55) == Rgb{0, 0, 0});
 }
 
+TEST_CASE("a cut-out keeps at its rims the shade it stood on") {
+  const auto cutOut = [](int paper, int ink, int grid) {  // every line with half its contrast on both sides
+    cv::Mat mat(60, 60, CV_8UC4, cv::Scalar(0, 0, 0, 0));
+    const auto row = [&](int y, int line) {
+      for (int dy : {-1, 0, 1}) {
+        const int grey = dy == 0 ? line : (line + paper) / 2;
+        mat.row(y + dy) = cv::Scalar(grey, grey, grey, 255);
+      }
+    };
+    for (int y = 5; y < 50; y += 8) row(y, grid);  // so pale that half its contrast hardly shows
+    row(53, ink);
+    return pixel(firstPage(encoded(".png", mat)).overview, 30, 58);
+  };
+  CHECK(cutOut(255, 0, 225) == Rgb{255, 255, 255});
+  CHECK(cutOut(0, 255, 30) == Rgb{0, 0, 0});
+}
+
 TEST_CASE("what cannot be read is refused with name, problem and remedy") {
   const Bytes png = encoded(".png", numberedPixels(30, 30));
   const std::string text = "travel,force\n1,2\n";
