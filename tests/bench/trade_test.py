@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What docs/trade.md recommends is what the programs do by themselves, and every section it should have stands there.
+
+    trade_test.py --bin FOLDER
+"""
+import argparse
+import importlib.machinery
+import importlib.util
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+COMMANDS = {"--quality": ["detent-import"], "--placement": ["detent-play", "render"], "--rate 48000": ["detent-play", "render"],
+            "--rate 1000": None, "--velocity": ["detent-play", "force"]}  # None: 0 stands for the device's own, 1000 Hz of every preset
+
+
+def trade():
+    loader = importlib.machinery.SourceFileLoader("trade", str(ROOT / "tests/bench/trade"))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("trade", loader))
+    sys.modules["trade"] = module
+    loader.exec_module(module)
+    return module
+
+
+def command_of(option, value):
+    return COMMANDS.get(f"{option} {value}", COMMANDS.get(option))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", required=True, type=Path)
+    binaries = parser.parse_args().bin
+    module, wrong = trade(), []
+    page = (ROOT / "docs/trade.md").read_text()
+    for name, (_, section) in module.SECTIONS.items():
+        text = module.kept(name)
+        if not text:
+            wrong.append(f"docs/trade.md has no section {name}: tests/bench/trade --write --only {name}")
+        elif section.advice not in text:
+            wrong.append(f"docs/trade.md, {name}: the advice is not that of tests/bench/trade")
+        if text and not (ROOT / f"docs/trade-{name}.svg").is_file():
+            wrong.append(f"docs/trade-{name}.svg is not there")
+    recommended = re.findall(r"\*\*Recommended: `([^`]+)`", page)
+    pairs = [pair for line in recommended for pair in re.findall(r"(--[a-z-]+) ([\w-]+)", line)]
+    if len(pairs) < 4:
+        wrong.append(f"only {len(pairs)} settings are recommended on the page")
+    for option, value in pairs:
+        command = command_of(option, value)
+        if command is None or not (binaries / command[0]).is_file():
+            continue
+        told = subprocess.run([str(binaries / command[0]), *command[1:], "--help"], capture_output=True, text=True).stdout
+        entry = re.search(rf"^ +{option}\b.*(?:\n(?! +-).*)*", told, re.M)
+        if not entry or not re.search(rf"(?:=|default: ){value}\b", entry[0]):
+            wrong.append(f"{' '.join(command)} {option}: the page recommends {value}, the help has another default")
+    for line in wrong:
+        print(line)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
