@@ -5,24 +5,37 @@
 
 namespace detent::playback {
 
-Result<std::vector<ForetoldPair>> foretold(const Study& study,
-                                           const std::function<std::string(const PredictedPair&)>& reason) {
+namespace {
+
+Result<std::vector<FeltButton>> feltIn(const Study& study, FeedbackMode mode) {
   PerceptionSettings settings;
   if (study.profile) settings.device = *study.profile;
-  settings.playback.mode = study.design.modes.front();
+  settings.playback.mode = mode;
   std::vector<FeltButton> felt;
   for (const StudyButton& button : study.buttons) {
     Result<FeltButton> one = feel(button.button, settings);
     if (!one) return one.failure();
     felt.push_back(*std::move(one));
   }
-  std::vector<ForetoldPair> pairs;
-  const std::vector<PredictedPair> predicted = predictAll(felt);
-  for (const auto& [first, second] : pairsOf(felt.size())) {
-    const PredictedPair& pair = predicted[pairs.size()];
-    pairs.push_back({first, second, pair.dPrime, pair.shareOfErrors, reason(pair)});
+  return felt;
+}
+
+}  // namespace
+
+Result<std::vector<ForetoldPair>> foretold(const Study& study,
+                                           const std::function<std::string(const PredictedPair&)>& reason) {
+  std::vector<ForetoldPair> told;
+  for (const FeedbackMode mode : study.design.modes) {
+    Result<std::vector<FeltButton>> felt = feltIn(study, mode);
+    if (!felt) return felt.failure();
+    const auto pairs = pairsOf(felt->size());
+    const std::vector<PredictedPair> predicted = predictAll(*felt);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      told.push_back({mode, pairs[i].first, pairs[i].second, predicted[i].dPrime, predicted[i].shareOfErrors,
+                      reason(predicted[i])});
+    }
   }
-  return pairs;
+  return told;
 }
 
 }  // namespace detent::playback

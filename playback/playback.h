@@ -181,8 +181,8 @@ class StudyPlayer {
   virtual bool lostSinceAsked() = 0;
 };
 
-/// What the forecast says of a study's buttons, in its first mode and on its device, by pairsOf(); `reason` words what tells a
-/// pair apart. Some 200 ms a button. Failure: as feel(). Any thread.
+/// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(); `reason` words what tells a pair apart. Some
+/// ten milliseconds a button and mode. Failure: as feel(). Any thread.
 Result<std::vector<ForetoldPair>> foretold(const Study& study,
                                            const std::function<std::string(const PredictedPair&)>& reason);
 

@@ -241,7 +241,7 @@ std::string foretoldTable(const StudyResults& results, const GroupResult& group,
   std::string lines;
   for (const ForetoldPair& pair : foretold) {
     const PairResult* seen = pairOf(group, pair.first, pair.second);
-    if (seen == nullptr) continue;
+    if (seen == nullptr || pair.mode != group.mode) continue;
     found.push_back(rateOf(seen->errors));
     told.push_back(pair.errorRate);
     lines += "<tr>" + cell(escaped(results.labels[pair.first] + "–" + results.labels[pair.second])) +

@@ -10,15 +10,16 @@
 
 namespace detent::playback {
 
-/// What was foretold of one pair, to stand beside what was found.
+/// What was foretold of one pair in one mode, to stand beside what was found.
 struct ForetoldPair {
+  FeedbackMode mode = FeedbackMode::full;
   std::size_t first = 0, second = 0;
   double dPrime = 0;
   double errorRate = 0;  ///< [0, 0.5]
   std::string reason;
 };
 
-/// UTF-8. `foretold` may be empty; pairs by pairsOf().
+/// UTF-8. `foretold` may be empty; it stands beside the groups of its mode.
 std::string resultsPage(const StudyResults& results, const std::vector<ForetoldPair>& foretold);
 
 }  // namespace detent::playback

@@ -424,3 +424,13 @@ TEST_CASE("results: of fewer than five trials nobody passes or fails, and it is 
   CHECK(std::any_of(results.warnings.begin(), results.warnings.end(),
                     [](const std::string& w) { return w.find("too few for a test") != std::string::npos; }));
 }
+
+TEST_CASE("page: what was foretold of a mode stands beside what was found in it") {
+  const StudyFolder made;
+  answer(*made.study, "P01", "perfect", 1000);
+  const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
+  ForetoldPair pair{FeedbackMode::full, 0, 1, 2, 0.1, "by its click"};
+  CHECK(resultsPage(results, {pair}).find("by its click") != std::string::npos);
+  pair.mode = FeedbackMode::clickOnly;
+  CHECK(resultsPage(results, {pair}).find("by its click") == std::string::npos);
+}
