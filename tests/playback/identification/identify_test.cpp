@@ -78,6 +78,17 @@ TEST_CASE("identify: at constant speed b is not named, and the reason is") {
   }
 }
 
+TEST_CASE("identify: damping that drowns in the sensor's noise is not named, and how far it drowns is") {
+  test::PressedRecord press;
+  press.presses_s = {0.3};
+  press.noise_N = 1;
+  const Result<Identification> found = identify(test::recordOf(press, 1));
+  REQUIRE(found);
+  CHECK(found->b_Ns_per_mm.empty());
+  CHECK(found->doubt == DampingDoubt::notCertain);
+  CHECK(found->doubtFigure > IdentifySettings{}.largestSpread);
+}
+
 TEST_CASE("identify: records that are none are refused with the line") {
   CHECK(parseForceRecord("", "r.csv").failure().code == FailureCode::unreadableInput);
   CHECK(english(parseForceRecord("a,b\n", "r.csv").failure().place) == "line 1");
