@@ -108,6 +108,7 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   connect(model_, &ValuesModel::refused, this, &ValuesPanel::showRefusal);
   connect(model_, &ValuesModel::accepted, refusal_, &QWidget::hide);
   connect(&document, &ButtonDocument::changed, refusal_, &QWidget::hide);
+  table_->viewport()->installEventFilter(this);
   connect(model_, &QAbstractItemModel::modelReset, this, &ValuesPanel::layOut);
   connect(model_, &QAbstractItemModel::headerDataChanged, this, &ValuesPanel::layOut);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -145,10 +146,10 @@ void ValuesPanel::giveRoomToNames() {
                          std::max(widthOf(ValuesModel::name), table_->viewport()->width() - others));
 }
 
-void ValuesPanel::resizeEvent(QResizeEvent* event) {
-  QWidget::resizeEvent(event);
-  layout()->activate();
-  giveRoomToNames();
+// The viewport has its size only when the table is shown.
+bool ValuesPanel::eventFilter(QObject* object, QEvent* event) {
+  if (object == table_->viewport() && event->type() == QEvent::Resize) giveRoomToNames();
+  return QWidget::eventFilter(object, event);
 }
 
 void ValuesPanel::showRefusal(const QModelIndex& index, const QString& why) {

@@ -33,7 +33,7 @@ class ValuesPanel : public QWidget {
   void markChosen(detent::editor::MarkId mark);
 
  protected:
-  void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* object, QEvent* event) override;
 
  private:
   void showRefusal(const QModelIndex& index, const QString& why);

@@ -71,6 +71,7 @@ class PanelsTest : public QObject {
   void invalidValuesSayWhyAndRestore();
   void sectionEndsAndSlopesAreTyped();
   void nothingInTheTableIsCut();
+  void namesTakeWhatTheNumbersLeave();
   void readValuesHaveTheDigitsTheirErrorLeaves();
   void everyFieldReadsTheSameInEveryLocaleAndUnit();
   void aRefusedTextStaysInItsCell();
@@ -299,6 +300,21 @@ void PanelsTest::sectionEndsAndSlopesAreTyped() {
   QVERIFY(model.setData(cell(model, reset, ValuesModel::displacement), "1.2", Qt::EditRole));
   QCOMPARE(*rig.canvas().state().resetPoint_mm, 1.2);
   QVERIFY(!(model.flags(cell(model, reset, ValuesModel::force)) & Qt::ItemIsEditable));
+}
+
+// Made before it is shown, as a dock's panel is: the names take what the numbers leave, not what a hidden table seemed to have.
+void PanelsTest::namesTakeWhatTheNumbersLeave() {
+  WorkspaceRig rig(require(twoLevelButton()));
+  QWidget dock;
+  auto* panel = new ValuesPanel(rig.document, rig.settings, &dock);
+  dock.resize(520, 400);
+  panel->resize(dock.size());
+  dock.show();
+  QCoreApplication::processEvents();
+  const auto* table = panel->findChild<QTableView*>();
+  int all = 0;
+  for (int column = 0; column < ValuesModel::columns; ++column) all += table->columnWidth(column);
+  QCOMPARE(all, table->viewport()->width());
 }
 
 void PanelsTest::nothingInTheTableIsCut() {
