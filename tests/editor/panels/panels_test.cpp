@@ -314,7 +314,8 @@ void PanelsTest::namesTakeWhatTheNumbersLeave() {
   const auto* table = panel->findChild<QTableView*>();
   int all = 0;
   for (int column = 0; column < ValuesModel::columns; ++column) all += table->columnWidth(column);
-  QCOMPARE(all, table->viewport()->width());
+  constexpr int frame_px = 4;
+  QVERIFY2(std::abs(all - table->viewport()->width()) <= frame_px, qPrintable(QString::number(all)));
 }
 
 void PanelsTest::nothingInTheTableIsCut() {
