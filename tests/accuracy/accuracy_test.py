@@ -41,7 +41,7 @@ BOUNDS = {
     "dashed axes": Bounds(0, 0.16, 0.19),
     "dark": Bounds(0, 0.15, 0.17),
     "no grid": Bounds(0, 0.16, 0.18),
-    "rotated": Bounds(0, 0.16, 0.22),
+    "rotated": Bounds(0, 0.16, 0.30),
     "svg": Bounds(0, 0.11, 0.14),
     "pdf": Bounds(0, 0.10, 0.12),
     "jpeg": Bounds(0, 0.20, 0.25),

@@ -16,6 +16,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 #include <QScopeGuard>
 #include <QScreen>
@@ -956,12 +957,15 @@ class WindowTest : public QObject {
       for (const char* name : {"operationScaleForce", "compare", "forecasts", "study"}) {
         rig.action(name)->trigger();
         int opened = 0;
-        for (QWidget* window : QApplication::topLevelWidgets()) {
-          if (window == rig.window.get() || !window->isVisible() || window->windowType() == Qt::ToolTip)
+        QList<QPointer<QWidget>> windows;  // one that closes may take others with it
+        for (QWidget* window : QApplication::topLevelWidgets()) windows.append(window);
+        for (const QPointer<QWidget>& window : windows) {
+          if (!window || window == rig.window.get() || !window->isVisible() ||
+              window->windowType() == Qt::ToolTip)
             continue;
           ++opened;
           lookAtTexts(*window, QString(appearance) + ' ' + name);
-          window->close();
+          if (window) window->close();
         }
         QVERIFY2(opened == 1, name);
       }
