@@ -161,8 +161,12 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   const AxisHints& axes = request.hints.axes;
   const auto checks = checkAgainst(findings.specs, *button);
   const auto doubts = doubtsOf(findings, checks, request.hints);
-  for (const WeighedDoubt& each : doubts)
+  for (const WeighedDoubt& each : doubts) {
     provenance.confidence = std::min(provenance.confidence, each.confidence);
+    if (each.confidence >= request.sure)
+      remarks.push_back({RemarkCode::doubted, {messageOf(each.doubt)}, each.doubt.remedies});
+  }
+  provenance.warnings = recorded(remarks);
   if (!doubts.empty()) button = Button::fromStates(button->name(), button->states(), provenance);
   if (!button) return button.failure();
   const auto uncertain = doubt(findings, checks, doubts, axes.xMin && axes.yMin, request.sure);

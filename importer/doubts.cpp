@@ -9,9 +9,10 @@
 namespace detent::importer {
 namespace {
 
-// What a doubted import is worth at most. Below `confidenceBar`: refused unless the user lowers the bar.
+// What a doubted import is worth at most. Below `confidenceBar`: refused unless the user lowers the bar; above: remarked.
 constexpr double contradicted = 0.2;  // the page says otherwise
 constexpr double unconfirmed = 0.4;   // the page does not say
+constexpr double inPart = 0.6;        // what is read is right, and is not all: said, not refused
 
 // Sizes beyond which a button has to be said twice: no key, dome or tact switch at hand comes near them.
 constexpr double mostForce_N = 50, leastForce_N = 0.04, mostTravel_mm = 25, leastTravel_mm = 0.04;
@@ -253,7 +254,7 @@ class Doubts {
     const Raster& picture = findings_.graph.view.raster;
     const Rgb color = colorOf(stroke);
     if (line.back().x > std::min(topRight.x, bottomRight.x) - atEdge_px && goesOn(line, color, picture))
-      add(DoubtCode::leavesThePlot, unconfirmed, {{forceAtRight(stroke), Measure::force_N}},
+      add(DoubtCode::leavesThePlot, inPart, {{forceAtRight(stroke), Measure::force_N}},
           {{RemedyKind::giveFrame, "with the whole curve in it"}, {RemedyKind::giveXAxis, {}}});
 
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
@@ -262,7 +263,7 @@ class Doubts {
       return axes.toUnits(p).y < foot_N + atEdge_px * std::abs(axes.newtonPerPx());
     }));
     if (foot_N > noticeable * (top_N - foot_N) && onFoot >= fewest)
-      add(DoubtCode::belowTheAxis, unconfirmed, {{foot_N, Measure::force_N}},
+      add(DoubtCode::belowTheAxis, inPart, {{foot_N, Measure::force_N}},
           {{RemedyKind::giveYAxis, "if the axis was misread"}});
   }
 

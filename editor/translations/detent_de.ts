@@ -5827,6 +5827,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine zweite Skala rechts misst etwas anderes</translation>
     </message>
     <message>
+        <source>not beyond doubt: %1</source>
+        <translation>nicht zweifelsfrei: %1</translation>
+    </message>
+    <message>
         <source>page %1: images of the document that cannot be decoded: %2; the rest was read</source>
         <translation>Seite %1: Bilder des Dokuments, die sich nicht entschlüsseln lassen: %2; der Rest wurde gelesen</translation>
     </message>

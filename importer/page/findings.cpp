@@ -157,6 +157,8 @@ Wording wordingOf(RemarkCode code) {
               words("the same graph is drawn %1 times (%2); the one on page %3 is taken, which reads best")};
     case RemarkCode::severalGraphs:
       return {"several-graphs", words("%1 graphs found; this is the most certain one (page %2, graph %3)")};
+    case RemarkCode::doubted:
+      return {"doubted", words("not beyond doubt: %1")};
     case RemarkCode::printedValueDiffers:
       return {"printed-value-differs", words("%1")};
   }

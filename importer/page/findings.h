@@ -112,6 +112,7 @@ enum class RemarkCode {
   // graphs of a document
   sameGraphSeveralTimes,  ///< how often, where (messages), page taken
   severalGraphs,          ///< how many, page and graph taken
+  doubted,                ///< message of a doubt that is too small to refuse
   printedValueDiffers     ///< message of the comparison
 };
 

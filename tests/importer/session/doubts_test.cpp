@@ -64,7 +64,7 @@ struct Import {
   std::vector<DoubtCode> doubts() const {
     std::vector<DoubtCode> kinds;
     for (const WeighedDoubt& each : doubtsOf(findings(), checks, hints)) {
-      CHECK(each.confidence < confidenceBar);
+      CHECK(each.confidence < 0.9);
       CHECK_FALSE(english(messageOf(each.doubt)).empty());
       CHECK_FALSE(commandLineWords(each.doubt.remedies).empty());
       kinds.push_back(each.doubt.code);
