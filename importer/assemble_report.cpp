@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "importer/doubts.h"
@@ -161,9 +162,10 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   const AxisHints& axes = request.hints.axes;
   const auto checks = checkAgainst(findings.specs, *button);
   const auto doubts = doubtsOf(findings, checks, request.hints);
+  std::set<DoubtCode> said;  // once, though both strokes give cause
   for (const WeighedDoubt& each : doubts) {
     provenance.confidence = std::min(provenance.confidence, each.confidence);
-    if (each.confidence >= request.sure)
+    if (each.confidence >= request.sure && said.insert(each.doubt.code).second)
       remarks.push_back({RemarkCode::doubted, {messageOf(each.doubt)}, each.doubt.remedies});
   }
   provenance.warnings = recorded(remarks);
