@@ -108,11 +108,9 @@ void PageReturn::bringBack(ButtonDocument& document) {
 
 void PageReturn::bringBackFrom(ButtonDocument& document, const QString& path) { ask(document, {path}, true); }
 
-void PageReturn::readAgain(const Button& button, Answer& answer, const std::atomic<bool>& stop) {
+void PageReturn::readAgain(const Button& button, Answer& answer, const importer::Progress& progress) {
   importer::ImportRequest request = requestAgain(*button.provenance());
   request.path = QFile::encodeName(answer.path).toStdString();
-  importer::Progress progress;
-  progress.cancelled = [&stop] { return stop.load(); };
   auto session = importer::ImportSession::open(request.path);
   auto imported = session ? session->importGraph(request, progress) : session.failure();
   if (!imported) answer.failure = imported.failure();
@@ -123,17 +121,17 @@ void PageReturn::readAgain(const Button& button, Answer& answer, const std::atom
 PageReturn::Answer PageReturn::lookAndRead(const Button& button, const QStringList& places, bool traced,
                                            const std::atomic<bool>& stop) {
   Answer answer;
+  importer::Progress progress;
+  progress.cancelled = [&stop] { return stop.load(); };
   for (const QString& place : places)
     if (answer.path.isEmpty() && !stop && isSheet(place, button.provenance()->sourceSha256))
       answer.path = place;
   if (answer.path.isEmpty() || stop) return answer;
   if (!traced) {
-    importer::Progress progress;
-    progress.cancelled = [&stop] { return stop.load(); };
     if (const auto sheet = importer::Document::open(QFile::encodeName(answer.path).toStdString()))
       answer.page = placedPage(button, *sheet, progress);
   }
-  if (!answer.page && !stop) readAgain(button, answer, stop);
+  if (!answer.page && !stop) readAgain(button, answer, progress);
   return answer;
 }
 

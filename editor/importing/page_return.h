@@ -63,7 +63,7 @@ class PageReturn : public QObject {
   /// Looks at the places, lays the page, and reads it again if that cannot be done or `traced` is wanted.
   static Answer lookAndRead(const Button& button, const QStringList& places, bool traced,
                             const std::atomic<bool>& stop);
-  static void readAgain(const Button& button, Answer& answer, const std::atomic<bool>& stop);
+  static void readAgain(const Button& button, Answer& answer, const importer::Progress& progress);
   void ask(ButtonDocument& document, const QStringList& places, bool chosen);
   void trace(ButtonDocument& document);
   void start(ButtonDocument& document, const QStringList& places, bool traced,

@@ -60,7 +60,6 @@ QString freeId(const std::vector<playback::ParticipantRecord>& records) {
   }
 }
 
-/// What is to be expected of the study's buttons on its device, in its first mode.
 }  // namespace
 
 StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), places_(std::move(places)) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "importer/strokes/calmed_points.h"
+
 namespace detent::importer {
 namespace {
 
@@ -31,26 +33,12 @@ Extent extentOf(const std::vector<CurvePoint>& points) {
   return e;
 }
 
-/// Extent of the points when each is the median of itself and its neighbours: single wild ones have no part in it.
-Extent calmExtentOf(const std::vector<CurvePoint>& points) {
-  const auto middle = [](double a, double b, double c) {
-    return std::max(std::min(a, b), std::min(std::max(a, b), c));
-  };
-  std::vector<CurvePoint> calm;
-  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const CurvePoint &a = points[i - 1], &b = points[i], &c = points[i + 1];
-    calm.push_back({middle(a.displacement_mm, b.displacement_mm, c.displacement_mm),
-                    middle(a.force_N, b.force_N, c.force_N)});
-  }
-  return extentOf(calm);
-}
-
 /// Points between the ends that lie farther outside of the others than those reach among themselves are slips of an instrument. Kept,
 /// one would make the resolution, which is a share of the spans, too coarse for all others. An end may be a wall's only sample.
 std::vector<CurvePoint> withoutSlips(const std::vector<CurvePoint>& points) {
   constexpr std::size_t fewest = 8;
   if (points.size() < fewest) return points;
-  const Extent calm = calmExtentOf(points);
+  const Extent calm = extentOf(calmed(points));
   const auto outside = [](double value, double low, double high) {
     return high > low && (value < low - (high - low) || value > high + (high - low));
   };

@@ -3,12 +3,14 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 
 #include "importer/log/force_log.h"
 #include "importer/log/log_columns.h"
 #include "importer/log/split_strokes.h"
 #include "importer/log/text_lines.h"
+#include "importer/strokes/calmed_points.h"
 
 namespace detent::importer {
 namespace {
@@ -242,7 +244,8 @@ class LogReader {
   /// Compression counts up and pushes with positive force, whatever the instrument's signs are. Single wild samples have no say.
   void settleSigns() {
     std::vector<CurvePoint> calm;
-    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release}) appendCalmed(run->samples(), calm);
+    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
+      std::ranges::copy(calmed(run->samples()), std::back_inserter(calm));
     const auto [lowest, highest] = std::ranges::minmax(calm, {}, &CurvePoint::force_N);
     const bool turned = -lowest.force_N > 1.5 * std::max(highest.force_N, 0.0);
     if (turned) log_.remarks.push_back({RemarkCode::forcesTurned});
@@ -260,23 +263,6 @@ class LogReader {
         if (turned) p.force_N = -p.force_N;
         if (reversed) p.displacement_mm = -p.displacement_mm;
       }
-  }
-
-  /// Each sample as the median of it and its two neighbours; at the ends that of the first or last three.
-  static void appendCalmed(const std::vector<CurvePoint>& samples, std::vector<CurvePoint>& calm) {
-    if (samples.size() < 3) {
-      calm.insert(calm.end(), samples.begin(), samples.end());
-      return;
-    }
-    const auto middle = [](double a, double b, double c) {
-      return std::max(std::min(a, b), std::min(std::max(a, b), c));
-    };
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      const std::size_t at = std::clamp<std::size_t>(i, 1, samples.size() - 2);
-      const CurvePoint &a = samples[at - 1], &b = samples[at], &c = samples[at + 1];
-      calm.push_back({middle(a.displacement_mm, b.displacement_mm, c.displacement_mm),
-                      middle(a.force_N, b.force_N, c.force_N)});
-    }
   }
 
   std::optional<Failure> splitRun(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {

@@ -261,7 +261,7 @@ Result<StudyResults> resultsIn(const std::string& folder) {
   return resultsOf(*study, *records);
 }
 
-/// What was to be expected of the study's buttons on its device, in its first mode.
+/// What was to be expected of the study's buttons on its device, mode by mode; nothing for printed counts.
 Result<std::vector<ForetoldPair>> foretoldIn(const std::string& folder) {
   if (holdsPrintedCounts(folder)) return std::vector<ForetoldPair>{};
   Result<Study> study = openStudy(folder);
