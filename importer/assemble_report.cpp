@@ -168,9 +168,11 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
     if (each.confidence >= request.sure && said.insert(each.doubt.code).second)
       remarks.push_back({RemarkCode::doubted, {messageOf(each.doubt)}, each.doubt.remedies});
   }
-  provenance.warnings = recorded(remarks);
-  if (!doubts.empty()) button = Button::fromStates(button->name(), button->states(), provenance);
-  if (!button) return button.failure();
+  if (!doubts.empty()) {
+    provenance.warnings = recorded(remarks);
+    button = Button::fromStates(button->name(), button->states(), provenance);
+    if (!button) return button.failure();
+  }
   const auto uncertain = doubt(findings, checks, doubts, axes.xMin && axes.yMin, request.sure);
   if (uncertain && !request.acceptDoubt) return failureOf(*uncertain);
 

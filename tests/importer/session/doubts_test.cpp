@@ -64,7 +64,10 @@ struct Import {
   std::vector<DoubtCode> doubts() const {
     std::vector<DoubtCode> kinds;
     for (const WeighedDoubt& each : doubtsOf(findings(), checks, hints)) {
+      const bool isPartOnly =
+          each.doubt.code == DoubtCode::belowTheAxis || each.doubt.code == DoubtCode::leavesThePlot;
       CHECK(each.confidence < 0.9);
+      CHECK((each.confidence < confidenceBar) == !isPartOnly);
       CHECK_FALSE(english(messageOf(each.doubt)).empty());
       CHECK_FALSE(commandLineWords(each.doubt.remedies).empty());
       kinds.push_back(each.doubt.code);
@@ -136,6 +139,15 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   CHECK(turns.doubted(DoubtCode::manyTactilePoints));
 }
 
+/// Both strokes run along the foot of an axis that begins at 0.3 N.
+Import cutBelow() {
+  Import below;
+  below.press = {{0, 0.2}, {0.4, 0}, {0.5, 0}, {0.6, 0}, {3, 0.5}, {3.2, 1.3}};
+  below.release = {{3.2, 1.2}, {3, 0.4}, {1.6, 0}, {1.5, 0}, {1.4, 0}, {0, 0.1}};
+  below.graph.axes.calibration.value.viewToUnits = {0.01, 0, -1, 0, -0.01, 5.3, 0, 0, 1};
+  return below;
+}
+
 TEST_CASE("a plot that shows a part of its curves") {
   Import below;
   below.press = {{0, 0.5}, {0.4, 0.3}, {0.5, 0.3}, {0.6, 0.3}, {3, 0.8}, {3.2, 1.6}};
@@ -183,4 +195,22 @@ TEST_CASE("points that make no curve are refused, however sure the steps before 
   INFO(refused.failure().sentence());
   CHECK(refused.failure().code == FailureCode::notCertain);
   CHECK(refused.failure().sentence().find("50") != std::string::npos);
+}
+
+TEST_CASE("a doubt too small to refuse is said once, and kept in the button's file") {
+  const auto taken = assembleReport(cutBelow().findings(), {}, {});
+  REQUIRE(taken.ok());
+  CHECK(taken->confidence == Approx(0.6));
+  const auto said = [](const auto& remarks, auto isIt) {
+    return std::count_if(remarks.begin(), remarks.end(), isIt);
+  };
+  CHECK(said(taken->remarks, [](const Remark& r) { return r.code == RemarkCode::doubted; }) == 1);
+  const auto& kept = taken->button.provenance()->warnings;
+  CHECK(said(kept, [](const RecordedWarning& w) { return w.code == nameOf(RemarkCode::doubted); }) == 1);
+
+  ImportRequest surer;
+  surer.sure = 0.7;
+  const auto refused = assembleReport(cutBelow().findings(), {}, surer);
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.failure().code == FailureCode::notCertain);
 }
