@@ -60,6 +60,8 @@ class Microcontroller {
     firmware::force_N = 0;
   }
   const std::string& port() const { return pty_.port(); }
+  /// The longest it stood still: a board does not, a thread on a machine that has other work does.
+  double longestHalt_s() const { return longestHalt_s_; }
   std::string lastLines() {
     const std::lock_guard lock(mutex_);
     return lines_;
@@ -79,8 +81,12 @@ class Microcontroller {
   void run() {
     const double began_s = now_s();
     firmware::setup();
+    double last_s = began_s;
     while (!stopping_) {
-      firmware::time_us = static_cast<std::uint32_t>((now_s() - began_s) * 1e6);
+      const double at_s = now_s();
+      longestHalt_s_ = std::max(longestHalt_s_.load(), at_s - last_s);
+      last_s = at_s;
+      firmware::time_us = static_cast<std::uint32_t>((at_s - began_s) * 1e6);
       firmware::loop();
       pty_.send(firmware::sent);
       {
@@ -97,6 +103,7 @@ class Microcontroller {
   std::mutex mutex_;
   std::string lines_;
   std::atomic<bool> stopping_{false};
+  std::atomic<double> longestHalt_s_{0};
   std::thread thread_;
 };
 
@@ -108,6 +115,8 @@ class SimulatedTransducer {
     listener_.keepConnected("PortAudio.*:out_0", "PortAudio.*:in_0");
   }
   bool ready() const { return listener_.ready(); }
+  /// Blocks that the sound server itself says it lost.
+  std::uint64_t losses() const { return listener_.xruns(); }
 
  private:
   float move(float x) {
@@ -186,7 +195,8 @@ void calibrate(const std::vector<std::string>& command, const ProgramFolder& fol
   CHECK(profile.sensor.noise_N > 0);
 }
 
-void play(const std::vector<std::string>& command, const ProgramFolder& folder) {
+void play(const std::vector<std::string>& command, const ProgramFolder& folder,
+          const Microcontroller& board) {
   TerminalProgram program(command, folder.path());
   REQUIRE(program.shows("q ends", 10));
   REQUIRE(program.shows("sensor runs", 10));
@@ -197,16 +207,20 @@ void play(const std::vector<std::string>& command, const ProgramFolder& folder) 
   CHECK(program.exitCode(5) == 0);
   INFO(program.screen());
   CHECK(program.screen().find("1 press jumps, 1 release jumps, 1 bottom-outs") != std::string::npos);
-  // One thing is said, which the page foretells: the sweep's equalizer spares the jumps.
+  // One thing is said, which the page foretells: the sweep's equalizer spares the jumps. A board that halts is warned of, too.
   const std::size_t said = program.screen().find("warning:");
   CHECK(said != std::string::npos);
-  CHECK(program.screen().find("warning:", said + 1) == std::string::npos);
+  INFO("the simulated board halted for up to " << board.longestHalt_s() << " s");
+  constexpr double boardsHalt_s = 0.05;
+  if (board.longestHalt_s() < boardsHalt_s)
+    CHECK(program.screen().find("warning:", said + 1) == std::string::npos);
 }
 
 }  // namespace
 
 TEST_CASE("first button: every step of the page does what it says one should see") {
-  JackServer server(256);
+  // A sweep stands at no deadline: blocks of 85 ms play on where a machine shared with others halts for as long.
+  JackServer server(4096);
   if (!server.ready()) {
     std::cout << "SKIPPED the first button's page: " << server.whyNot() << "\n";
     return;
@@ -227,8 +241,14 @@ TEST_CASE("first button: every step of the page does what it says one should see
     const SimulatedTransducer transducer(0);
     REQUIRE(transducer.ready());
     TerminalProgram sweep(commandWith(commands, "sweep"), folder.path());
-    CHECK(sweep.exitCode(100) == 0);
+    const int code = sweep.exitCode(150);
     INFO(sweep.screen());
+    if (code == 5 && transducer.losses() > 1) {
+      std::cout << "SKIPPED the rest of the first button's page: the sound server lost "
+                << transducer.losses() << " blocks of its own, so that no two runs of the sweep are whole\n";
+      return;
+    }
+    CHECK(code == 0);
     const DeviceProfile profile = profileIn(folder);
     CHECK(profile.resonances.size() == 3);
     for (const double frequency_Hz : {260.0, 390.0, 780.0}) CHECK(near(profile, frequency_Hz));
@@ -239,7 +259,7 @@ TEST_CASE("first button: every step of the page does what it says one should see
                                 "transducer.power_W = 3\ntransducer.impedance_ohm = 4\n"
                                 "transducer.full_scale_V = 5\n");
   CHECK(profileIn(folder).transducer.highestLevel() == Approx(std::sqrt(12.0) / 5));
-  play(commandWith(commands, "samples/buttons/B.button.json"), folder);
+  play(commandWith(commands, "samples/buttons/B.button.json"), folder, board);
 }
 
 TEST_CASE("sweep: on a machine too busy to play it writes the truth or nothing") {

@@ -75,6 +75,25 @@ double loudest(const JackListener& listener, std::size_t from = 0) {
   return static_cast<double>(peak);
 }
 
+/// The loudest sample of a press played as drawn, which does not depend on how fast this machine moves a finger. A take of which the
+/// sound server lost something is taken again.
+double drawnPeak(Rig& rig, const JackListener& listener) {
+  auto* play = rig.part<QToolButton>("play");
+  double peak = 0;
+  for (int take = 0; take < 8; ++take) {
+    if (!QTest::qWaitFor([&] { return play->isEnabled() && !rig.finger; }, 5000)) return 0;
+    const std::uint64_t losses = listener.xruns();
+    const std::size_t from = listener.recorded().size();
+    QTest::keyClick(rig.part<QWidget>("pressPad"), Qt::Key_P);
+    if (!QTest::qWaitFor([&] { return !play->isEnabled(); }, 5000)) return 0;
+    if (!QTest::qWaitFor([&] { return play->isEnabled(); }, 10000)) return 0;
+    QTest::qWait(100);
+    peak = loudest(listener, from);
+    if (listener.xruns() == losses) return peak;
+  }
+  return peak;
+}
+
 bool skipped(const JackServer& server, const char* what) {
   if (server.ready()) return false;
   std::cout << "SKIPPED " << what << ": " << server.whyNot() << std::endl;
@@ -104,14 +123,12 @@ class FeelLiveTest : public QObject {
     QTRY_VERIFY(loudest(listener) > 0.05);
     QTRY_VERIFY(rig.meter()->peak_dB() > -30);
     QCOMPARE(rig.deepest_mm, 4.0);
-    const double full = loudest(listener);
 
+    const double full = drawnPeak(rig, listener);
+    QVERIFY(full > 0.05);
     rig.panel.restoreState({{"device", jackDevice}, {"gain_dB", -20}});
     QTest::qWait(400);
-    const std::size_t from = listener.recorded().size();
-    rig.press();
-    QTest::qWait(400);
-    const double tenth = loudest(listener, from);
+    const double tenth = drawnPeak(rig, listener);
     QVERIFY2(std::fabs(tenth / full - 0.1) < 0.02, qPrintable(QString::number(tenth / full)));
 
     // True levels: a linear button has no jump, and nothing makes up for it.
@@ -160,14 +177,9 @@ class FeelLiveTest : public QObject {
     QTRY_VERIFY(!rig.finger);
     JackListener listener;
     QVERIFY(listener.ready() && listener.listenTo("detent:out_1"));
-    auto* play = rig.part<QToolButton>("play");
-    QTRY_VERIFY(play->isEnabled());
-    QTest::keyClick(rig.part<QWidget>("pressPad"), Qt::Key_P);
-    QTRY_VERIFY(loudest(listener) > 0.05);
+    const double heard = drawnPeak(rig, listener);
     const auto drawn = rig.part<SignalView>("signalView")->pressSignal()->peak;
-    QTRY_VERIFY(play->isEnabled());
-    QVERIFY2(std::fabs(loudest(listener) / drawn - 1) < 0.02,
-             qPrintable(QString::number(loudest(listener) / drawn)));
+    QVERIFY2(std::fabs(heard / drawn - 1) < 0.02, qPrintable(QString::number(heard / drawn)));
   }
 
   void aLostDeviceIsSaidAndTakenUpAgain() {
