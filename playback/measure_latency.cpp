@@ -3,6 +3,7 @@
 #include <cmath>
 #include <deque>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <random>
 
@@ -226,19 +227,24 @@ namespace {
 constexpr double waitedInThePort_s = 0.3;
 constexpr double longestWait_s = 10;
 
+/// SD of what changes from one reading to the next (von Neumann 1941): a slow drift has hardly a part in it, as it has in their SD.
+double noiseIn(const std::vector<double>& readings) {
+  double squares = 0;
+  for (std::size_t i = 1; i < readings.size(); ++i)
+    squares += (readings[i] - readings[i - 1]) * (readings[i] - readings[i - 1]);
+  return std::sqrt(squares / (2 * static_cast<double>(readings.size() - 1)));
+}
+
 /// The later half of the readings lies elsewhere than the earlier one, by more than their noise explains.
 bool drifts(const std::vector<double>& readings) {
   const std::size_t half = readings.size() / 2;
   if (half < 4) return false;
-  double early = 0, late = 0, spread = 0;
-  for (std::size_t i = 0; i < half; ++i) {
-    early += readings[i] / static_cast<double>(half);
-    late += readings[readings.size() - 1 - i] / static_cast<double>(half);
-  }
-  for (std::size_t i = 0; i < half; ++i) spread += (readings[i] - early) * (readings[i] - early);
-  const double sd = std::sqrt(spread / static_cast<double>(half - 1));
+  const auto n = static_cast<std::ptrdiff_t>(half);
+  const double early = std::accumulate(readings.begin(), readings.begin() + n, 0.0);
+  const double late = std::accumulate(readings.end() - n, readings.end(), 0.0);
   const double one = 0.5;  // a converter's reading hangs between two counts
-  return std::fabs(late - early) > one + 4 * sd * std::sqrt(2 / static_cast<double>(half));
+  const double apart = std::fabs(late - early) / static_cast<double>(half);
+  return apart > one + 4 * noiseIn(readings) * std::sqrt(2 / static_cast<double>(half));
 }
 
 }  // namespace

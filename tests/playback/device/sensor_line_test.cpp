@@ -92,9 +92,9 @@ TEST_CASE("signal messages: FUDI in and out, limits, rubbish") {
   CHECK(got[1].burst.envelope == Envelope::rising);
   CHECK(got[2].bare);
   CHECK(got[6].value == 0.5);
-  for (const char* bad :
-       {"jump;", "jump 390 20;", "jump 390 20 2;", "jump nan 20 0.5;", "jump 390 20 0.5 1;",
-        "jump 390 5000 0.5;", "force inf;", "gain -1;", "explode 1;", "jump 1e999 1 1;", "\xff\xfe;"}) {
+  for (const char* bad : {"jump;", "jump 390 20;", "jump 390 20 2;", "jump nan 20 0.5;", "jump 390 20 0.5 1;",
+                          "jump 390 5000 0.5;", "force inf;", "gain -1;", "gain 2;", "explode 1;",
+                          "jump 1e999 1 1;", "\xff\xfe;"}) {
     const auto before = counts.malformed;
     parse(bad);
     INFO(bad);
