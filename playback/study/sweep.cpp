@@ -33,24 +33,6 @@ Spectrum spectrumOf(const std::vector<float>& samples, std::size_t size) {
   return s;
 }
 
-/// -3 dB width around a peak; the peak's Q.
-double qualityOf(const FrequencyResponse& r, std::size_t peak) {
-  const double bar = r.gain_dB[peak] - 3.0103;
-  const auto crossing = [&](int step) {
-    auto i = static_cast<std::ptrdiff_t>(peak);
-    const auto last = static_cast<std::ptrdiff_t>(r.gain_dB.size()) - 1;
-    while (i + step >= 0 && i + step <= last && r.gain_dB[static_cast<std::size_t>(i + step)] > bar)
-      i += step;
-    const auto a = static_cast<std::size_t>(i);
-    if (i + step < 0 || i + step > last) return r.frequency_Hz[a];
-    const auto b = static_cast<std::size_t>(i + step);
-    const double share = (r.gain_dB[a] - bar) / (r.gain_dB[a] - r.gain_dB[b]);
-    return r.frequency_Hz[a] * std::pow(r.frequency_Hz[b] / r.frequency_Hz[a], share);
-  };
-  const double width = crossing(1) - crossing(-1);
-  return width > 0 ? std::clamp(r.frequency_Hz[peak] / width, 0.3, 100.0) : 100;
-}
-
 /// Height of a peak over the higher of its two valleys.
 double prominenceOf(const std::vector<double>& gain, std::size_t peak) {
   const auto valley = [&](int step) {
@@ -66,20 +48,48 @@ double prominenceOf(const std::vector<double>& gain, std::size_t peak) {
   return gain[peak] - std::max(valley(-1), valley(1));
 }
 
+/// Width of a peak `depth_dB` below its top, as a share of its frequency.
+double widthOf(const FrequencyResponse& r, std::size_t peak, double depth_dB) {
+  const double bar = r.gain_dB[peak] - depth_dB;
+  const auto crossing = [&](int step) {
+    auto i = static_cast<std::ptrdiff_t>(peak);
+    const auto last = static_cast<std::ptrdiff_t>(r.gain_dB.size()) - 1;
+    while (i + step >= 0 && i + step <= last && r.gain_dB[static_cast<std::size_t>(i + step)] > bar)
+      i += step;
+    const auto a = static_cast<std::size_t>(i);
+    if (i + step < 0 || i + step > last) return r.frequency_Hz[a];
+    const auto b = static_cast<std::size_t>(i + step);
+    const double share = (r.gain_dB[a] - bar) / (r.gain_dB[a] - r.gain_dB[b]);
+    return r.frequency_Hz[a] * std::pow(r.frequency_Hz[b] / r.frequency_Hz[a], share);
+  };
+  return (crossing(1) - crossing(-1)) / r.frequency_Hz[peak];
+}
+
+/// Q of the peaking section (biquad.h) that has this peak's height and, `depth_dB` below its top, its width. At half the height it is
+/// the inverse of the width; nearer to the top a section of 14 dB is less than half as wide as a plain resonance of its Q.
+double qualityOf(double width, double height_dB, double depth_dB) {
+  const double height = std::pow(10, height_dB / 20),
+               share = std::pow(10, -depth_dB / 10);  // amplitude; power
+  const double q = std::sqrt(height * (1 - share) / (height * height * share - 1)) / width;
+  return width > 0 ? std::clamp(q, 0.3, 100.0) : 100;
+}
+
 void findResonances(FrequencyResponse& r, const SweepSettings& settings) {
   std::vector<double> sorted = r.gain_dB;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
   const double median = sorted[sorted.size() / 2];
   for (std::size_t i = 1; i + 1 < r.gain_dB.size(); ++i) {
     if (!(r.gain_dB[i] > r.gain_dB[i - 1] && r.gain_dB[i] >= r.gain_dB[i + 1])) continue;
-    if (prominenceOf(r.gain_dB, i) < settings.resonanceProminence_dB) continue;
+    const double prominence_dB = prominenceOf(r.gain_dB, i);
+    if (prominence_dB < settings.resonanceProminence_dB) continue;
     // Parabola through the three highest points, in log frequency.
     const double a = r.gain_dB[i - 1], b = r.gain_dB[i], c = r.gain_dB[i + 1];
     const double shift = std::clamp(0.5 * (a - c) / (a - 2 * b + c), -0.5, 0.5);
     Resonance found;
     found.frequency_Hz = r.frequency_Hz[i] * std::exp2(shift / stepsPerOctave);
-    found.q = qualityOf(r, i);
     found.gain_dB = b - median;
+    const double depth_dB = prominence_dB / 2;  // above the valleys
+    found.q = qualityOf(widthOf(r, i, depth_dB), std::max(found.gain_dB, prominence_dB), depth_dB);
     r.resonances.push_back(found);
   }
   std::sort(r.resonances.begin(), r.resonances.end(),

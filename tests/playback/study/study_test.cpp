@@ -57,6 +57,7 @@ TEST_CASE("sweep: resonances, gain and delay of a known device are found, with n
                      [&](const Resonance& r) { return std::fabs(r.frequency_Hz / t.f - 1) < 0.02; });
     REQUIRE(near != response->resonances.end());
     CHECK(near->gain_dB == Approx(t.g).margin(2));
+    CHECK(near->q == Approx(t.q).epsilon(0.2));
   }
   const double flat = response->gain_dB[static_cast<std::size_t>(24 * std::log2(50.0 / 10))];
   CHECK(flat == Approx(-20).margin(1));
