@@ -6,6 +6,7 @@
 #include <array>
 #include <optional>
 #include <QString>
+#include <string>
 #include <vector>
 
 #include "importer/importer.h"
@@ -43,6 +44,8 @@ struct Corrections {
   importer::DrawnStrokes drawn;      ///< page units
   std::vector<importer::Box> masks;  ///< page units
   bool swapStrokes = false;
+  std::string
+      curve;  ///< of several switches in the plot the one to take, as StrokeHints::curve; empty: the only one
   std::optional<double> dpi;  ///< (0, 1200]
   friend bool operator==(const Corrections&, const Corrections&) = default;
 

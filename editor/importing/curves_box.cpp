@@ -3,22 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <QPainter>
 #include <QVBoxLayout>
 
 #include "editor/importing/finding_words.h"
+#include "editor/importing/swatch.h"
 
 namespace detent::editor {
 namespace {
-
-QIcon swatch(std::optional<importer::Rgb> color, const QColor& otherwise, const QPalette& palette) {
-  QPixmap pixmap(22, 14);
-  pixmap.fill(color ? QColor(color->r, color->g, color->b) : otherwise);
-  QPainter painter(&pixmap);
-  painter.setPen(palette.color(QPalette::Mid));
-  painter.drawRect(0, 0, 21, 13);
-  return QIcon(pixmap);
-}
 
 /// Ink of the curve that a stroke was traced on; transparent if it is not known.
 QColor colorOfStroke(const std::shared_ptr<const ImportedGraph>& imported, Stroke stroke) {
@@ -34,7 +25,7 @@ QColor colorOfStroke(const std::shared_ptr<const ImportedGraph>& imported, Strok
     const bool on = std::any_of(trace.points_px.begin(), trace.points_px.end(), [&](importer::Point p) {
       return std::hypot(p.x - middle.x, p.y - middle.y) < 1.5;
     });
-    if (on) return {trace.color.r, trace.color.g, trace.color.b};
+    if (on) return colorFrom(trace.color);
   }
   return unknown;
 }
@@ -135,8 +126,10 @@ void CurvesBox::follow(bool ofLog) {
   const Corrections none;
   const Corrections& given = graph ? graph->history.now() : none;
   const auto foundColor = [&](Stroke stroke) { return colorOfStroke(graph ? graph->good : nullptr, stroke); };
-  press_->setIcon(swatch(given.pressColor, foundColor(Stroke::press), palette()));
-  release_->setIcon(swatch(given.releaseColor, foundColor(Stroke::release), palette()));
+  press_->setIcon(
+      swatchOf({given.pressColor ? colorFrom(*given.pressColor) : foundColor(Stroke::press)}, palette()));
+  release_->setIcon(swatchOf(
+      {given.releaseColor ? colorFrom(*given.releaseColor) : foundColor(Stroke::release)}, palette()));
   pressOrigin_->setOrigin(given.pressColor || !given.drawn.press.empty());
   releaseOrigin_->setOrigin(given.releaseColor || !given.drawn.release.empty());
   swap_->setChecked(given.swapStrokes);

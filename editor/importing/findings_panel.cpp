@@ -17,6 +17,7 @@ FindingsPanel::FindingsPanel(ImportState& state, ViewSettings& settings, QWidget
       steps_(wrappedLabel()),
       sure_(new QProgressBar),
       confirmed_(new QCheckBox(tr("I have checked it against the page"))),
+      switches_(new SwitchesBox(state)),
       x_(new AxisBox(state, GraphAxis::x)),
       y_(new AxisBox(state, GraphAxis::y)),
       curves_(new CurvesBox(state, settings)),
@@ -37,6 +38,7 @@ void FindingsPanel::build() {
   column->setContentsMargins(8, 4, 8, 8);
   column->setSizeConstraint(QLayout::SetMinimumSize);
   addConfidence(*column);
+  column->addWidget(switches_);
   column->addWidget(frameBox_ = frameBox());
   for (QWidget* box : std::initializer_list<QWidget*>{x_, y_, curves_, result_}) column->addWidget(box);
   column->addStretch();
@@ -106,6 +108,7 @@ void FindingsPanel::refresh() {
   const auto evidence = shown ? shown->evidence : nullptr;
   showConfidence(*graph);
   showSteps(evidence);
+  switches_->follow();
   frameBox_->setVisible(!log);
   showFrame(*graph, evidence);
   for (AxisBox* box : {x_, y_}) box->follow(log);

@@ -13,6 +13,7 @@
 #include "editor/importing/axis_box.h"
 #include "editor/importing/curves_box.h"
 #include "editor/importing/result_box.h"
+#include "editor/importing/switches_box.h"
 
 namespace detent::editor {
 
@@ -53,6 +54,7 @@ class FindingsPanel : public QScrollArea {
   QGroupBox* frameBox_ = nullptr;
   OriginMark* frameOrigin_ = nullptr;
   QLabel* frameDetails_ = nullptr;
+  SwitchesBox* switches_;
   AxisBox *x_, *y_;
   CurvesBox* curves_;
   ResultBox* result_;

@@ -91,6 +91,21 @@ Advice adviceForDoubt(const ImportGraph& graph, const DisplayUnits& units) {
   return advice;
 }
 
+/// It failed because several switches are drawn in it and none of them, or one that is not there, was chosen.
+bool asksForSwitch(const ImportGraph& graph) {
+  return graph.last->failure->reason == importer::nameOf(importer::DoubtCode::severalSwitches) &&
+         !graph.switches().empty();
+}
+
+Advice adviceForFailure(const ImportGraph& graph, const QString& documentName, const DisplayUnits& units) {
+  Advice advice = adviceFor(*graph.last->failure, documentName, units);
+  if (!asksForSwitch(graph)) return advice;
+  return {QObject::tr("This plot shows %1 switches.").arg(graph.switches().size()),
+          QObject::tr(
+              "Choose one in the list of switches, or tick several there: each becomes a button of its own."),
+          {}};
+}
+
 }  // namespace
 
 struct ImportDialog::Impl {
@@ -437,8 +452,8 @@ void ImportDialog::Impl::showAdvice() {
     return advice->clear();
   }
   if (graph->last && graph->last->failure && graph->pending == 0)
-    return advice->say(AdviceBar::Tone::fault,
-                       adviceFor(*graph->last->failure, state.documentName(), settings.units()));
+    return advice->say(asksForSwitch(*graph) ? AdviceBar::Tone::note : AdviceBar::Tone::fault,
+                       adviceForFailure(*graph, state.documentName(), settings.units()));
   const importer::ImportReport* report = graph->last ? graph->last->report.get() : nullptr;
   if (report && report->doubt) {
     if (graph->confirmed) return advice->clear();

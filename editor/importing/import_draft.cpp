@@ -48,6 +48,7 @@ QJsonObject correctionsOf(const Corrections& c) {
   for (const importer::Box& box : c.masks) masks << QJsonArray{box.x0, box.y0, box.x1, box.y1};
   object["masks"] = masks;
   object["swapStrokes"] = c.swapStrokes;
+  if (!c.curve.empty()) object["curve"] = QString::fromStdString(c.curve);
   if (c.dpi) object["dpi"] = *c.dpi;
   return object;
 }
@@ -127,6 +128,7 @@ class Reader {
       c.masks.push_back({n[0], n[1], n[2], n[3]});
     }
     c.swapStrokes = object["swapStrokes"].toBool();
+    c.curve = object["curve"].toString().toStdString();
     c.dpi = number(object, "dpi");
     return c;
   }

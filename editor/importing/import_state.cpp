@@ -82,6 +82,18 @@ void ImportGraph::letResultGo() {
   if (pending == 0) asked = false;
 }
 
+std::vector<SwitchChoice> ImportGraph::switches() const {
+  if (!last || !last->evidence || last->evidence->switches.size() < 2) return {};
+  const std::vector<importer::PlotSwitch>& all = last->evidence->switches;
+  std::vector<SwitchChoice> choices;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const auto byName = importer::chosenSwitch(all, last->evidence->traces, all[i].name);
+    const bool named = !all[i].name.empty() && byName && *byName == i;
+    choices.push_back({named ? all[i].name : std::to_string(i + 1), &all[i]});
+  }
+  return choices;
+}
+
 bool ImportGraph::upToDate(importer::Quality quality) const {
   return pending == 0 && last && last->report && asked && askedWith == history.now() &&
          askedQuality == quality;
@@ -295,15 +307,22 @@ ImportGraph* ImportState::currentRef() {
   return found == graphs_.end() ? nullptr : &found->second;
 }
 
-int ImportState::tickedCount() const {
-  return static_cast<int>(
-      std::count_if(graphs_.begin(), graphs_.end(), [](const auto& each) { return each.second.ticked; }));
-}
+int ImportState::tickedCount() const { return static_cast<int>(ticked().size()); }
 
 void ImportState::setTicked(GraphId id, bool ticked) {
   const auto found = graphs_.find(id);
   if (found == graphs_.end() || found->second.ticked == ticked) return;
   found->second.ticked = ticked;
+  emit graphsChanged();
+}
+
+void ImportState::setCurveTicked(const std::string& curve, bool ticked) {
+  ImportGraph* graph = currentRef();
+  if (!graph || graph->tickedCurves.contains(curve) == ticked) return;
+  if (ticked)
+    graph->tickedCurves.insert(curve);
+  else
+    graph->tickedCurves.erase(curve);
   emit graphsChanged();
 }
 
@@ -412,7 +431,8 @@ void ImportState::addGraph(const FrameCorners& frame) {
 }
 
 void ImportState::tickAll() {
-  const bool all = tickedCount() == static_cast<int>(graphs_.size());
+  const bool all =
+      std::all_of(graphs_.begin(), graphs_.end(), [](const auto& each) { return each.second.ticked; });
   for (auto& [id, graph] : graphs_) graph.ticked = !all;
   emit graphsChanged();
   emit resultChanged();
@@ -503,43 +523,62 @@ void ImportState::takeImport(ImportDesk::Ticket ticket, const std::shared_ptr<co
   if (accepting()) acceptNext();
 }
 
-void ImportState::acceptAll() {
-  toAccept_.clear();
-  for (const auto& each : graphs_) {
-    if (each.second.ticked) toAccept_.push_back(each.first);
+std::vector<ImportState::Wanted> ImportState::ticked() const {
+  std::vector<Wanted> wanted;
+  for (const auto& [id, graph] : graphs_) {
+    for (const std::string& curve : graph.tickedCurves) wanted.push_back({id, curve});
+    if (graph.ticked && graph.tickedCurves.empty()) wanted.push_back({id, {}});
   }
-  if (toAccept_.empty() && current_) toAccept_.push_back(*current_);
+  return wanted;
+}
+
+void ImportState::acceptAll() {
+  toAccept_ = ticked();
+  if (toAccept_.empty() && current_) toAccept_.push_back({*current_, {}});
   acceptNext();
+}
+
+void ImportState::choose(ImportGraph& graph, const std::string& curve) {
+  Corrections next = graph.history.now();
+  next.curve = curve;
+  if (!graph.history.apply(next, tr("Choose switch"))) return;
+  graph.confirmed = false;
+  if (current_ == graph.id) emit correctionsChanged();
+}
+
+bool ImportState::isUsable(const ImportGraph& graph) const {
+  return graph.upToDate(quality_) && (!graph.last->report->doubt || graph.confirmed);
+}
+
+void ImportState::giveOut(ImportGraph& graph, const std::string& curve) {
+  graph.tickedCurves.erase(curve);
+  if (graph.tickedCurves.empty()) graph.ticked = false;
+  const auto report = graph.last->report;
+  if (current_ != graph.id) graph.letResultGo();  // whoever took it keeps it
+  emit accepted(report);
 }
 
 void ImportState::acceptNext() {
   while (!toAccept_.empty()) {
-    ImportGraph& graph = graphs_.at(toAccept_.front());
+    const Wanted wanted = toAccept_.front();
+    ImportGraph& graph = graphs_.at(wanted.graph);
     if (graph.pending != 0) return;  // goes on with its answer
-    if (!graph.upToDate(quality_)) {
-      const bool failed =
-          graph.asked && graph.askedWith == graph.history.now() && graph.askedQuality == quality_;
-      if (!failed) {
-        askForImport(graph, Urgency::now);
-        if (current_ == graph.id) emit resultChanged();
-        return;
-      }
+    if (!wanted.curve.empty()) choose(graph, wanted.curve);
+    const bool answered =
+        graph.asked && graph.askedWith == graph.history.now() && graph.askedQuality == quality_;
+    if (!graph.upToDate(quality_) && !answered) {
+      askForImport(graph, Urgency::now);
+      if (current_ == graph.id) emit resultChanged();
+      return;
     }
-    const bool usable = graph.upToDate(quality_) && (!graph.last->report->doubt || graph.confirmed);
-    if (!usable) {
-      const GraphId id = graph.id;
+    if (!isUsable(graph)) {
       toAccept_.clear();
-      selectGraph(id);
+      selectGraph(wanted.graph);
       emit acceptStopped();
       return;
     }
-    graph.ticked = false;
     toAccept_.erase(toAccept_.begin());
-    const auto report = graph.last->report;
-    if (current_ != graph.id) {  // whoever took it keeps it
-      graph.letResultGo();
-    }
-    emit accepted(report);
+    giveOut(graph, wanted.curve);
   }
   emit allAccepted();
 }

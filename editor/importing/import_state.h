@@ -8,6 +8,8 @@
 #include <memory>
 #include <optional>
 #include <QObject>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "editor/importing/corrections.h"
@@ -33,12 +35,21 @@ struct ResultBrief {
   std::optional<importer::AxisReading> x, y;
 };
 
+/// One of several switches in a plot.
+struct SwitchChoice {
+  std::string
+      curve;  ///< Corrections::curve that takes it: its name, or its number where names do not tell it
+  const importer::PlotSwitch* itself = nullptr;  ///< lives as long as the result it came with
+};
+
 /// One graph, found or framed by hand, with its corrections and results.
 struct ImportGraph {
   GraphId id;
   std::optional<importer::ListedGraph> listed;  ///< empty if framed by hand, and for a force meter's log
   QImage thumbnail;
-  bool ticked = false;     ///< to be imported with the others
+  bool ticked = false;  ///< to be imported with the others
+  std::set<std::string>
+      tickedCurves;        ///< of several switches in it those to be imported, by Corrections::curve
   bool confirmed = false;  ///< a person has checked the doubtful result against the page
   CorrectionHistory history;
 
@@ -53,6 +64,8 @@ struct ImportGraph {
   importer::Quality askedQuality = importer::Quality::standard;
   bool asked = false;
 
+  /// The switches that the newest reading saw in the plot, if there are several, with what chooses each of them.
+  std::vector<SwitchChoice> switches() const;
   bool framedByHand() const { return history.now().frame.has_value(); }
   /// Corners in force, page units: given, else found; nothing before either is known.
   std::optional<FrameCorners> corners() const;
@@ -93,6 +106,7 @@ class ImportState : public QObject {
   int searchedPages() const;
   std::vector<GraphId> graphs() const;
   const ImportGraph* graph(GraphId id) const;
+  /// How many buttons acceptAll() would give for what is ticked: graphs, and switches of one graph.
   int tickedCount() const;
 
   int currentPage() const { return currentPage_; }
@@ -102,6 +116,8 @@ class ImportState : public QObject {
   void showPage(int number);
   void selectGraph(GraphId id);
   void setTicked(GraphId id, bool ticked);
+  /// One of several switches in the current graph; `curve` as SwitchChoice.
+  void setCurveTicked(const std::string& curve, bool ticked);
   /// All graphs found so far, to be imported together; none of them where all are ticked already.
   void tickAll();
   /// The graph that many further in reading order, over page ends; stops at the first and the last.
@@ -129,7 +145,7 @@ class ImportState : public QObject {
   /// Nothing is worked on any more; what is known stays.
   void stopAll();
 
-  /// Gives out the ticked graphs (without any, the current one), each by `accepted` when its result is there;
+  /// Gives out the ticked graphs and switches (without any, the current graph), each by `accepted` when its result is there;
   /// then `allAccepted`, or `acceptStopped` at the first that failed or is in doubt, which is then the
   /// current one.
   void acceptAll();
@@ -161,6 +177,15 @@ class ImportState : public QObject {
   void askForImport(ImportGraph& graph, Urgency urgency);
   void letOldResultsGo();
   void rememberFound(ImportGraph& graph, const ImportedGraph& imported);
+  /// What is to be given out: a graph, or one of the switches in it.
+  struct Wanted {
+    GraphId graph;
+    std::string curve;  ///< empty: as its corrections say
+  };
+  std::vector<Wanted> ticked() const;
+  bool isUsable(const ImportGraph& graph) const;
+  void choose(ImportGraph& graph, const std::string& curve);
+  void giveOut(ImportGraph& graph, const std::string& curve);
   void acceptNext();
   ImportPage& pageRef(int number) { return pages_[static_cast<std::size_t>(number - 1)]; }
   ImportGraph* currentRef();
@@ -181,7 +206,7 @@ class ImportState : public QObject {
   std::vector<GraphId> lookedAt_;  ///< most recent first
   std::shared_ptr<const PageSheet> sheet_;
   importer::Quality quality_ = importer::Quality::standard;
-  std::vector<GraphId> toAccept_;
+  std::vector<Wanted> toAccept_;
 };
 
 /// A found tick's place on the page.

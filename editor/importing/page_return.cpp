@@ -25,9 +25,13 @@ bool isSheet(const QString& path, const std::string& sha256) {
          hash.addData(&file) && hash.result().toHex().toStdString() == sha256;
 }
 
-bool wasGiven(const Provenance& provenance, const char* option) {
-  return std::any_of(provenance.given.begin(), provenance.given.end(),
-                     [&](const std::string& given) { return given.rfind(option, 0) == 0; });
+/// What was given with an option, empty for a switch; nothing where it was not given.
+std::optional<std::string> given(const Provenance& provenance, const std::string& option) {
+  for (const std::string& each : provenance.given) {
+    if (each == option) return std::string();
+    if (each.starts_with(option + ' ')) return each.substr(option.size() + 1);
+  }
+  return {};
 }
 
 /// Where the curves were drawn or masked by hand they are not traced again, but frame and axes are: the page
@@ -60,21 +64,22 @@ importer::ImportRequest requestAgain(const Provenance& provenance) {
   request.quality = qualityOf(provenance.quality);
   request.acceptDoubt = true;  // a person has accepted it once
   importer::ImportHints& hints = request.hints;
-  if (wasGiven(provenance, "--frame") && provenance.frame.size() == 4)
+  if (given(provenance, "--frame") && provenance.frame.size() == 4)
     hints.frame = {{provenance.frame[0], provenance.frame[1]}, {provenance.frame[2], provenance.frame[3]}};
-  if (wasGiven(provenance, "--x-axis") && provenance.xAxis) {
+  if (given(provenance, "--x-axis") && provenance.xAxis) {
     hints.axes.xMin = provenance.xAxis->min;
     hints.axes.xMax = provenance.xAxis->max;
   }
-  if (wasGiven(provenance, "--y-axis") && provenance.yAxis) {
+  if (given(provenance, "--y-axis") && provenance.yAxis) {
     hints.axes.yMin = provenance.yAxis->min;
     hints.axes.yMax = provenance.yAxis->max;
   }
-  if (wasGiven(provenance, "--x-unit") && provenance.xAxis)
+  if (given(provenance, "--x-unit") && provenance.xAxis)
     hints.axes.xUnit = lengthUnitFrom(provenance.xAxis->unit);
-  if (wasGiven(provenance, "--y-unit") && provenance.yAxis)
+  if (given(provenance, "--y-unit") && provenance.yAxis)
     hints.axes.yUnit = forceUnitFrom(provenance.yAxis->unit);
-  hints.strokes.swap = wasGiven(provenance, "--swap-strokes");
+  hints.strokes.swap = given(provenance, "--swap-strokes").has_value();
+  hints.strokes.curve = given(provenance, "--curve").value_or("");
   return request;
 }
 

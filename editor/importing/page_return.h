@@ -18,8 +18,8 @@
 namespace detent::editor {
 
 /// What the importer is asked so that it finds again what it found then: page, graph, quality, and what was
-/// given by hand as far as the file keeps it (values of the axes, units, a frame, exchanged strokes; not
-/// colours and masks). The path is left empty.
+/// given by hand as far as the file keeps it (values of the axes, units, a frame, exchanged strokes, the
+/// switch chosen of several; not colours and masks). The path is left empty.
 importer::ImportRequest requestAgain(const Provenance& provenance);
 
 /// A file is the sheet only if its contents are: name and place alone prove nothing. One thread of its own

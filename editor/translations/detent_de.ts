@@ -270,6 +270,14 @@
         <source>%1–%2 %3, %4–%5 %6</source>
         <translation>%1–%2 %3, %4–%5 %6</translation>
     </message>
+    <message>
+        <source>This plot shows %1 switches.</source>
+        <translation>Dieses Diagramm zeigt %1 Taster.</translation>
+    </message>
+    <message>
+        <source>Choose one in the list of switches, or tick several there: each becomes a button of its own.</source>
+        <translation>Wählen Sie einen in der Liste der Taster oder kreuzen Sie dort mehrere an: Aus jedem wird ein eigener Taster.</translation>
+    </message>
 </context>
 <context>
     <name>Questions</name>
@@ -3603,6 +3611,10 @@
         <source>Draw plot frame</source>
         <translation>Rahmen zeichnen</translation>
     </message>
+    <message>
+        <source>Choose switch</source>
+        <translation>Taster wählen</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::Keyboard</name>
@@ -5465,6 +5477,33 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
+    <name>detent::editor::SwitchesBox</name>
+    <message>
+        <source>Switch %1</source>
+        <translation>Taster %1</translation>
+    </message>
+    <message>
+        <source>%1: press and release</source>
+        <translation>%1: Drücken und Loslassen</translation>
+    </message>
+    <message>
+        <source>%1: press only</source>
+        <translation>%1: nur Drücken</translation>
+    </message>
+    <message>
+        <source>Switches in this plot</source>
+        <translation>Taster in diesem Diagramm</translation>
+    </message>
+    <message>
+        <source>Choose the one to read. Ticked ones are imported together, each as a button of its own.</source>
+        <translation>Wählen Sie den, der gelesen werden soll. Angekreuzte werden zusammen importiert, jeder als eigener Taster.</translation>
+    </message>
+    <message>
+        <source>Choose switch</source>
+        <translation>Taster wählen</translation>
+    </message>
+</context>
+<context>
     <name>detent::editor::TabArea</name>
     <message>
         <source>Open buttons</source>
@@ -5815,7 +5854,7 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine Kurve endet, wo das Bild endet</translation>
     </message>
     <message>
-        <source>a curve goes on beyond the plot frame's right edge at %1</source>
+        <source>a curve goes on beyond the plot frame&apos;s right edge at %1</source>
         <translation>eine Kurve läuft bei %1 über den rechten Rand des Diagrammrahmens hinaus</translation>
     </message>
     <message>
@@ -5910,6 +5949,22 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>%1</source>
         <translation>%1</translation>
     </message>
+    <message>
+        <source>the curve ends where one of another switch covers it</source>
+        <translation>die Kurve endet, wo eine eines anderen Tasters sie verdeckt</translation>
+    </message>
+    <message>
+        <source>Draw the whole curve by hand: --press-line</source>
+        <translation>Die ganze Kurve von Hand zeichnen: --press-line</translation>
+    </message>
+    <message>
+        <source>Choose one by its name or number: --curve NAME|N</source>
+        <translation>Einen nach Name oder Nummer wählen: --curve NAME|N</translation>
+    </message>
+    <message>
+        <source>no one curve in it is &quot;%1&quot;; it shows %2</source>
+        <translation>keine einzelne Kurve darin ist „%1“; zu sehen: %2</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::ImportSession::Impl</name>
@@ -5924,22 +5979,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>no force graph found</source>
         <translation>kein Kraftgraph gefunden</translation>
-    </message>
-    <message>
-        <source>the curve ends where one of another switch covers it</source>
-        <translation>die Kurve endet, wo eine eines anderen Tasters sie verdeckt</translation>
-    </message>
-    <message>
-        <source>Draw the whole curve by hand: --press-line</source>
-        <translation>Die ganze Kurve von Hand zeichnen: --press-line</translation>
-    </message>
-    <message>
-        <source>Choose one by its name or number: --curve NAME|N</source>
-        <translation>Einen nach Name oder Nummer wählen: --curve NAME|N</translation>
-    </message>
-    <message>
-        <source>no one curve in it is "%1"; it shows %2</source>
-        <translation>keine einzelne Kurve darin ist „%1“; zu sehen: %2</translation>
     </message>
     <message>
         <source>no force graph found (%1)</source>

@@ -198,8 +198,10 @@ Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
         named(switches, traces, asked, [](const std::string& s) { return blurred(s); })})
     if (fitting.size() == 1) return fitting.front();
   if (const auto index = numbered(asked, switches.size())) return *index;
-  return Failure{FailureCode::wrongUsage, kPlace, "",
-                 Message("no one curve in it is \"%1\"; it shows %2", asked, listOf(switches)), choose};
+  Failure notThere{FailureCode::wrongUsage, kPlace, "",
+                   Message("no one curve in it is \"%1\"; it shows %2", asked, listOf(switches)), choose};
+  notThere.reason = nameOf(DoubtCode::severalSwitches);
+  return notThere;
 }
 
 }  // namespace detent::importer

@@ -63,7 +63,7 @@ GivenInks addGivenInks(std::vector<Ink>& palette, const TraceHints& hints, const
 /// itself, whose ink a picture turned back smears into the curve's.
 void cutFallAlongAxis(CurveTrace& trace, const PlotFrame& frame) {
   constexpr double within_px = 4, leastShare = 0.02;  // of the frame's height
-  const auto& [topLeft, topRight, bottomRight, bottomLeft] = frame.corners;
+  const Point topLeft = frame.corners[0], bottomLeft = frame.corners[3];
   const double height = distance(topLeft, bottomLeft);
   const auto besideAxis = [&](Point p) {
     return std::abs(cross(p - topLeft, bottomLeft - topLeft)) / std::max(1.0, height) <= within_px;

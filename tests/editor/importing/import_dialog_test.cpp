@@ -9,6 +9,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListWidget>
 #include <QPainter>
 #include <QPushButton>
 #include <QScopeGuard>
@@ -23,8 +24,10 @@
 #include "editor/importing/import_state.h"
 #include "editor/importing/page_list.h"
 #include "editor/importing/page_list_model.h"
+#include "editor/importing/page_return.h"
 #include "editor/importing/page_view.h"
 #include "tests/editor/importing/stall_probe.h"
+#include "tests/samples/two_switches.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -97,7 +100,14 @@ class ImportDialogTest : public QObject {
     return *state.current()->last->report;
   }
 
+  QTemporaryDir folder_;
+  QString twoSwitches_ = folder_.filePath("two.svg");
+
  private slots:
+  void initTestCase() {
+    QFile file(twoSwitches_);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write(tests::twoSwitchesSvg().c_str()) > 0);
+  }
   void aSampleIsImportedWithoutAWord();
   void anAxisIsCorrectedAndOnlyWhatDependsOnItRuns();
   void oneMisreadTickIsRetyped();
@@ -113,6 +123,8 @@ class ImportDialogTest : public QObject {
   void aFrameDrawnByHandOnAPictureWithoutGraph();
   void theLastGoodResultStays();
   void severalGraphsAtOnce();
+  void ofSeveralSwitchesOneIsChosen();
+  void severalSwitchesOfOnePlotAtOnce();
   void aForceLog();
   void aPastedPicture();
   void theFrameIsDraggedWithTheMouse();
@@ -461,6 +473,56 @@ void ImportDialogTest::severalGraphsAtOnce() {
   QTRY_COMPARE_WITH_TIMEOUT(all.count(), 1, patience_ms);
   QCOMPARE(accepted.count(), 2);
   QVERIFY(accepted[0][0].value<Report>()->graph != accepted[1][0].value<Report>()->graph);
+}
+
+void ImportDialogTest::ofSeveralSwitchesOneIsChosen() {
+  ShownDialog dialog;
+  QSignalSpy imported(&dialog, &ImportDialog::imported);
+  dialog.openFile(twoSwitches_);
+  auto* list = dialog.findChild<QListWidget*>("switches");
+  QTRY_VERIFY_WITH_TIMEOUT(list->isVisible(), patience_ms);
+  QTRY_VERIFY(dialog.banner->isVisible());
+  QVERIFY(dialog.banner->text().contains("2 switches"));
+  QVERIFY(!dialog.banner->text().contains("--"));
+  QVERIFY(!dialog.accept->isEnabled());
+  QCOMPARE(list->count(), 2);
+  QCOMPARE(list->item(0)->text(), QString("Brown"));
+  QCOMPARE(list->item(1)->text(), QString("Red"));
+  const QImage red = list->item(1)->icon().pixmap(22, 14).toImage();
+  QCOMPARE(red.pixelColor(11, 7), QColor("#2e8b37"));
+  keepPicture(dialog, "several-switches");
+
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QVERIFY(!dialog.banner->isVisible());
+  QVERIFY(list->isVisible());  // another one can still be chosen
+  QCOMPARE(list->currentRow(), 1);
+  keepPicture(dialog, "switch-chosen");
+  QCOMPARE(dialog.draft().graphs.front().corrections.curve, std::string("Red"));
+  QCOMPARE(*draftFrom(textOf(dialog.draft())), dialog.draft());
+  QTest::mouseClick(dialog.accept, Qt::LeftButton);
+  QCOMPARE(imported.count(), 1);
+  const Button button = imported.front().front().value<Report>()->button;
+  QCOMPARE(button.name(), std::string("two Red"));
+  QVERIFY(!button.states().front().graph.release());
+  QCOMPARE(requestAgain(*button.provenance()).hints.strokes.curve, std::string("Red"));
+}
+
+void ImportDialogTest::severalSwitchesOfOnePlotAtOnce() {
+  ImportState state;
+  QVERIFY(open(state, twoSwitches_));
+  QVERIFY(state.current()->last->failure);
+  const auto switches = state.current()->switches();
+  QCOMPARE(switches.size(), std::size_t{2});
+  for (const SwitchChoice& each : switches) state.setCurveTicked(each.curve, true);
+  QCOMPARE(state.tickedCount(), 2);
+  QSignalSpy accepted(&state, &ImportState::accepted), all(&state, &ImportState::allAccepted);
+  state.acceptAll();
+  QTRY_COMPARE_WITH_TIMEOUT(all.count(), 1, patience_ms);
+  QCOMPARE(accepted.count(), 2);
+  QCOMPARE(accepted[0][0].value<Report>()->button.name(), std::string("two Brown"));
+  QCOMPARE(accepted[1][0].value<Report>()->button.name(), std::string("two Red"));
+  QCOMPARE(state.tickedCount(), 0);
 }
 
 void ImportDialogTest::aForceLog() {

@@ -151,6 +151,11 @@ TEST_CASE("Several switches and none chosen: a doubt that names them", "[switche
   CHECK_THAT(refused.failure().sentence(), Catch::Contains("1 \"Switch A\" (#142801), 2 \"Switch B\"") &&
                                                Catch::Contains("--curve NAME|N"));
   StrokeHints hints;
+  hints.curve = "Switch C";
+  const auto notThere = separateStrokes(traces, axes, hints);
+  REQUIRE_FALSE(notThere.ok());
+  CHECK(notThere.failure().code == FailureCode::wrongUsage);
+  CHECK(notThere.failure().reason == nameOf(DoubtCode::severalSwitches));  // the editor lists them again
   hints.curve = "Switch B";
   const auto second = separateStrokes(traces, axes, hints);
   REQUIRE(second.ok());

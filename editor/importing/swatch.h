@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Inks of the page as small pictures on buttons and in lists.
+
+#include <QColor>
+#include <QIcon>
+#include <QPalette>
+#include <vector>
+
+#include "importer/importer.h"
+
+namespace detent::editor {
+
+QColor colorFrom(const importer::Rgb& ink);
+/// One or more inks side by side, framed as `palette` frames things; transparent ones stay empty.
+QIcon swatchOf(const std::vector<QColor>& inks, const QPalette& palette);
+
+}  // namespace detent::editor
