@@ -236,6 +236,15 @@ class Preparation {
     if (strongest > largest) remark(ForceRemarkKind::dampingLimited, s, strongest_mm, strongest, largest);
   }
 
+  /// How far behind the last row the wall pushes back as strongly as the curve's end pulls; 0 where it does not pull.
+  static double pulledIntoWall_mm(const ForceStateTable& t, float ForceRow::*force) {
+    return std::max(0.0, -static_cast<double>(t.rows[t.rowCount - 1].*force)) / t.wallSlope_N_per_mm;
+  }
+  static double givenByWall_mJ(const ForceStateTable& t, float ForceRow::*force) {
+    const double pulled_mm = pulledIntoWall_mm(t, force);
+    return 0.5 * t.wallSlope_N_per_mm * pulled_mm * pulled_mm;
+  }
+
   static void setStored(float ForceRow::*force, float ForceRow::*stored, ForceStateTable& to) {
     double stored_mJ = 0, least_mJ = 0;
     std::vector<double> sums_mJ(to.rowCount, 0.0);
@@ -244,6 +253,7 @@ class Preparation {
       sums_mJ[i] = stored_mJ;
       least_mJ = std::min(least_mJ, stored_mJ);
     }
+    least_mJ = std::min(least_mJ, stored_mJ - givenByWall_mJ(to, force));
     for (std::size_t i = 0; i < to.rowCount; ++i)
       to.rows[i].*stored = static_cast<float>(sums_mJ[i] - least_mJ);
   }
@@ -266,10 +276,14 @@ class Preparation {
   void setRest() {
     const ForceStateTable& t = prepared_.program.states[0];
     const auto held = button_.selfLocking() ? &ForceRow::pendingStored_mJ : &ForceRow::stored_mJ;
-    const auto least =
-        std::min_element(t.rows.begin(), t.rows.begin() + t.rowCount,
-                         [held](const ForceRow& a, const ForceRow& b) { return a.*held < b.*held; });
+    const auto force = button_.selfLocking() ? &ForceRow::pending_N : &ForceRow::release_N;
+    const auto end = t.rows.begin() + t.rowCount;
+    const auto least = std::min_element(
+        t.rows.begin(), end, [held](const ForceRow& a, const ForceRow& b) { return a.*held < b.*held; });
     prepared_.summary.rest_mm = placeOf(t, static_cast<std::size_t>(least - t.rows.begin()));
+    const ForceRow& last = t.rows[t.rowCount - 1];
+    if (static_cast<double>(last.*held) - givenByWall_mJ(t, force) < static_cast<double>((*least).*held))
+      prepared_.summary.rest_mm = placeOf(t, t.rowCount - 1) + pulledIntoWall_mm(t, force);
   }
 
   // Inside its band the play is a spring of its own, (press - release) / 2r: with the curve it must fit the slope limit.

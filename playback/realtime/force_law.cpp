@@ -34,22 +34,21 @@ void ForceLaw::restart(double position_mm, double pressShare) {
   pressShare_ = pressShare;
 }
 
-ForceLaw::Strokes ForceLaw::at(double position_mm) const {
+double ForceLaw::Place::between(float ForceRow::*column) const {
+  return playback::between(static_cast<double>(below->*column), static_cast<double>(above->*column), share);
+}
+
+ForceLaw::Place ForceLaw::placeAt(double position_mm) const {
   const ForceStateTable& t = table();
   const double place = (position_mm - t.first_mm) / t.spacing_mm;
   const double last = static_cast<double>(t.rowCount - 1);
-  if (!(place > 0)) return strokesOf(t.rows[0], 0);
-  if (place >= last)
-    return strokesOf(t.rows[t.rowCount - 1], t.wallSlope_N_per_mm * (place - last) * t.spacing_mm);
+  if (!(place > 0)) return {&t.rows[0], &t.rows[0], 0, 0};
+  if (place >= last) {
+    const ForceRow& end = t.rows[t.rowCount - 1];
+    return {&end, &end, 0, t.wallSlope_N_per_mm * (place - last) * t.spacing_mm};
+  }
   const auto i = static_cast<std::uint32_t>(place);
-  const double share = place - i;
-  const ForceRow &a = t.rows[i], &b = t.rows[i + 1];
-  return {between(a.press_N, b.press_N, share), between(a.release_N, b.release_N, share),
-          between(a.pending_N, b.pending_N, share), between(a.damping_Ns_per_mm, b.damping_Ns_per_mm, share)};
-}
-
-ForceLaw::Strokes ForceLaw::strokesOf(const ForceRow& row, double wall_N) {
-  return {row.press_N + wall_N, row.release_N + wall_N, row.pending_N + wall_N, row.damping_Ns_per_mm};
+  return {&t.rows[i], &t.rows[i + 1], place - i, 0};
 }
 
 double ForceLaw::stored_mJ(double position_mm) const {
@@ -60,7 +59,8 @@ double ForceLaw::stored_mJ(double position_mm) const {
   if (place >= last) {
     const double above_mm = (place - last) * t.spacing_mm;
     const ForceRow& end = t.rows[t.rowCount - 1];
-    return end.*held + above_mm * (end.*force + 0.5 * t.wallSlope_N_per_mm * above_mm) +
+    // Where the end pulls, the wall's foot holds least; the table's rounding is no energy.
+    return std::max(0.0, end.*held + above_mm * (end.*force + 0.5 * t.wallSlope_N_per_mm * above_mm)) +
            playStored_mJ(position_mm);
   }
   const auto i = static_cast<std::uint32_t>(std::max(place, 0.0));
@@ -74,31 +74,32 @@ double ForceLaw::playStored_mJ(double position_mm) const {
   const double radius_mm = program_->law.playRadius_mm;
   const double share = std::clamp(play_.pressShare(position_mm, radius_mm), 0.0, 1.0);
   const auto apart_N = [&](double at_mm) {
-    const Strokes s = at(at_mm);
-    return s.press_N - s.release_N;
+    const Place place = placeAt(at_mm);  // interpolated, equal curves differ by rounding
+    return std::max(0.0, place.force_N(&ForceRow::press_N) - place.force_N(&ForceRow::release_N));
   };
   return radius_mm * share * share / 3 *
          (2 * apart_N(position_mm - radius_mm * share) + apart_N(position_mm));
 }
 
-double ForceLaw::curveForce_N(const Strokes& strokes, double pressShare) const {
-  return pending() ? strokes.pending_N : between(strokes.release_N, strokes.press_N, pressShare);
+double ForceLaw::curveForce_N(const Place& place, double pressShare) const {
+  if (pending()) return place.force_N(&ForceRow::pending_N);
+  const double press_N = place.force_N(&ForceRow::press_N);
+  return table().hysteresis ? between(place.force_N(&ForceRow::release_N), press_N, pressShare) : press_N;
 }
 
 // A sampled force acts late. Of the force here and the force where the finger will be when it acts, the one that takes more
 // energy: a spring rendered this way gives back no more than was put in, whatever damping the device lacks.
 double ForceLaw::movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const {
-  const Strokes here = at(position_mm);
+  const Place here = placeAt(position_mm);
   double force_N = curveForce_N(here, pressShare);
   if (velocity_mm_per_s == 0) return force_N;
   const double lead_mm =
       velocity_mm_per_s * program_->law.holdLead_s +
       0.5 * program_->step_mm * std::clamp(velocity_mm_per_s / leadSpeed_mm_per_s_, -1.0, 1.0);
   const double aheadShare = std::clamp(pressShare + 0.5 * lead_mm / program_->law.playRadius_mm, 0.0, 1.0);
-  const double ahead_N =
-      curveForce_N(at(position_mm + lead_mm), table().hysteresis ? aheadShare : pressShare);
+  const double ahead_N = curveForce_N(placeAt(position_mm + lead_mm), aheadShare);
   force_N = velocity_mm_per_s > 0 ? std::max(force_N, ahead_N) : std::min(force_N, ahead_N);
-  return table().damped ? force_N + here.damping_Ns_per_mm * velocity_mm_per_s : force_N;
+  return table().damped ? force_N + here.damping_Ns_per_mm() * velocity_mm_per_s : force_N;
 }
 
 double ForceLaw::step(double position_mm, double velocity_mm_per_s) {
@@ -142,7 +143,8 @@ void ForceLaw::followState(double position_mm, double lead_mm) {
     if (!caught_ || position_mm + lead_mm < table().operating_mm) return;
     const double at_mm = std::max(position_mm, table().operating_mm);
     // A force that rises has to be there when the handle is: late, the actuation would take less than it then holds.
-    if (position_mm < at_mm && at(at_mm).press_N <= at(at_mm).pending_N) return;
+    const Place acts = placeAt(at_mm);
+    if (position_mm < at_mm && acts.force_N(&ForceRow::press_N) <= acts.force_N(&ForceRow::pending_N)) return;
     const double held_mJ = stored_mJ(at_mm);
     actuated_ = true;
     play_.setPressing(at_mm, program_->law.playRadius_mm);
@@ -153,7 +155,7 @@ void ForceLaw::followState(double position_mm, double lead_mm) {
   play_.update(position_mm, program_->law.playRadius_mm);
   const double held_mJ = stored_mJ(position_mm);
   const double before_N =
-      curveForce_N(at(position_mm), play_.pressShare(position_mm, program_->law.playRadius_mm));
+      curveForce_N(placeAt(position_mm), play_.pressShare(position_mm, program_->law.playRadius_mm));
   state_ = (state_ + 1) % program_->stateCount;
   actuated_ = caught_ = false;
   calm_s_ = 0;
@@ -161,7 +163,7 @@ void ForceLaw::followState(double position_mm, double lead_mm) {
   stateEnergy_mJ_ += change_mJ;
   fadeLeft_mJ_ = std::max(0.0, -change_mJ);
   fadedAt_mm_ = position_mm;
-  fading_N_ += before_N - at(position_mm).pending_N;
+  fading_N_ += before_N - placeAt(position_mm).force_N(&ForceRow::pending_N);
 }
 
 }  // namespace detent::playback

@@ -32,12 +32,19 @@ class ForceLaw {
   double stateEnergy_mJ() const { return stateEnergy_mJ_; }
 
  private:
-  struct Strokes {
-    double press_N, release_N, pending_N, damping_Ns_per_mm;
+  /// Between two rows, or in the wall behind the last. What a button does not have is not read from them.
+  struct Place {
+    const ForceRow *below, *above;
+    double share, wall_N;
+
+    double force_N(float ForceRow::*stroke) const { return between(stroke) + wall_N; }
+    double damping_Ns_per_mm() const { return between(&ForceRow::damping_Ns_per_mm); }
+
+   private:
+    double between(float ForceRow::*column) const;
   };
-  Strokes at(double position_mm) const;
-  static Strokes strokesOf(const ForceRow& row, double wall_N);
-  double curveForce_N(const Strokes& strokes, double pressShare) const;
+  Place placeAt(double position_mm) const;
+  double curveForce_N(const Place& place, double pressShare) const;
   bool pending() const { return program_->stateCount > 1 && !actuated_; }
   double movingForce_N(double position_mm, double velocity_mm_per_s, double pressShare) const;
   /// `lead_mm` >= 0: how far on the handle is when the force acts.

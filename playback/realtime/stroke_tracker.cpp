@@ -363,7 +363,7 @@ void StrokeTracker::rearm() {
       if (x >= now.release.jumps[i].rearm_mm) releaseFired_[i] = false;
     }
   }
-  if (x <= now.bottomOutRearm_mm) bottomOutArmed_ = true;
+  if (!bottomOutArmed_ && x <= now.bottomOutRearm_mm) bottomOutArmed_ = true;
 }
 
 // Grains on a flat stretch are all met at one force, hence at one instant; they share the time up to the next

@@ -13,9 +13,15 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROPERTY = re.compile(r'(?:holdsAlways|rc::prop|rc::check)\(\s*"([^"]+)"')
 
 
-def room_of(path):
-    parts = path.relative_to(ROOT / "tests").parts
+def room_of(file):
+    parts = pathlib.Path(file).parts
     return parts[0] if parts[0] != "extremes" else parts[1].replace("_extremes_test.cpp", " at the extremes")
+
+
+def properties_by_file():
+    """Path below tests/ -> the names of its properties, where there are any."""
+    found = {str(path.relative_to(ROOT / "tests")): PROPERTY.findall(path.read_text(encoding="utf-8")) for path in sorted((ROOT / "tests").rglob("*_test.cpp"))}
+    return {file: names for file, names in found.items() if names}
 
 
 def main():
@@ -24,13 +30,10 @@ def main():
     parser.add_argument("--list", action="store_true", help="print every name")
     arguments = parser.parse_args()
     rooms, doubled = {}, []
-    for path in sorted((ROOT / "tests").rglob("*_test.cpp")):
-        names = PROPERTY.findall(path.read_text(encoding="utf-8"))
-        doubled += [f"{path.relative_to(ROOT)}: {name}" for name in set(names) if names.count(name) > 1]
-        rooms.setdefault(room_of(path), []).extend(names)
+    for file, names in properties_by_file().items():
+        doubled += [f"tests/{file}: {name}" for name in set(names) if names.count(name) > 1]
+        rooms.setdefault(room_of(file), []).extend(names)
     for room, names in rooms.items():
-        if not names:
-            continue
         print(f"{len(names):4d}  {room}")
         if arguments.list:
             for name in names:

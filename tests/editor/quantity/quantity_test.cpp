@@ -6,10 +6,13 @@
 #include <cmath>
 #include <QLocale>
 
-#include <rapidcheck/catch.h>
+#include <rapidcheck.h>
+
+#include "tests/model/property.h"
 
 using namespace detent;
 using namespace detent::editor;
+using detent::tests::holdsAlways;
 
 namespace {
 
@@ -57,7 +60,7 @@ std::optional<double> value(const char* text, Quantity quantity, const DisplayUn
 }  // namespace
 
 TEST_CASE("What is shown is read back, whatever the locale, the unit and the quantity") {
-  rc::prop("with and without its unit", [] {
+  holdsAlways("with and without its unit", [] {
     const InLocale here(*rc::gen::elementOf(locales));
     const DisplayUnits units = *anyUnits();
     const Quantity quantity = *rc::gen::elementOf(quantities);
@@ -70,7 +73,7 @@ TEST_CASE("What is shown is read back, whatever the locale, the unit and the qua
       RC_ASSERT(near(reading.shown, shown, 1e-10));
     }
   });
-  rc::prop("numbers have no sign between thousands, and only this locale's or a point before decimals", [] {
+  holdsAlways("numbers have no sign between thousands, and only this locale's or a point before decimals", [] {
     const InLocale here(*rc::gen::elementOf(locales));
     const double shown = *anyValue();
     for (const QString& text : {numberText(shown, 12), fixedText(shown, 3)}) {
@@ -85,7 +88,7 @@ TEST_CASE("What is shown is read back, whatever the locale, the unit and the qua
 }
 
 TEST_CASE("A typed number means the same in every locale") {
-  rc::prop("both decimal signs, any known unit", [] {
+  holdsAlways("both decimal signs, any known unit", [] {
     const DisplayUnits units = *anyUnits();
     const int whole = *rc::gen::inRange(0, 100000), decimals = *rc::gen::inRange(0, 1000);
     const LengthUnit typedUnit = *rc::gen::elementOf(lengths);
@@ -181,7 +184,7 @@ TEST_CASE("What is no quantity of this kind is refused with its reason") {
 }
 
 TEST_CASE("Any text is read or refused, never both, never without a word") {
-  rc::prop("random texts of what people type", [] {
+  holdsAlways("random texts of what people type", [] {
     const std::string text = *rc::gen::container<std::string>(
         rc::gen::elementOf(std::string("0123456789.,+-*/()% mcNgfinµe'=x\"")));
     const QuantityReading reading = readQuantity(QString::fromStdString(text), Quantity::length, {}, 1.5);

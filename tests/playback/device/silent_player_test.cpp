@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <iterator>
 #include <memory>
 
 #include <catch2/catch.hpp>
@@ -33,6 +35,9 @@ bool within(double seconds, Condition condition) {
   }
   return condition();
 }
+
+/// Threads of this program.
+std::ptrdiff_t threads() { return std::distance(std::filesystem::directory_iterator("/proc/self/task"), {}); }
 
 void pressTo(LivePlayer& player, double peak_N) {
   for (int i = 0; i <= 40; ++i) {
@@ -130,4 +135,17 @@ TEST_CASE("silent: a sensor is followed and let go; traces need a device") {
   player->detachSensor();
   CHECK(player->status().sensor == SensorCondition::none);
   player->detachSensor();
+}
+
+TEST_CASE("silent: without a sensor no reader runs, nor any other thread") {
+  const std::ptrdiff_t before = threads();
+  const auto player = silent(tactileButton());
+  pressTo(*player, 1);
+  CHECK(threads() == before);
+  PtySensor pty;
+  if (!pty.ready()) return;
+  REQUIRE(player->attachSensor(pty.port(), 230400, {}));
+  CHECK(threads() == before + 1);
+  player->detachSensor();
+  CHECK(threads() == before);
 }

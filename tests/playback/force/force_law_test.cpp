@@ -11,6 +11,7 @@
 #include "playback/prepare/spring_button.h"
 #include "tests/playback/force/force_run.h"
 #include "tests/playback/force/sample_files.h"
+#include "tests/playback/poisoned.h"
 
 namespace {
 
@@ -93,6 +94,28 @@ TEST_CASE("force law: what a button does not have is not computed") {
   ForceSettings settings;
   settings.law = ForceLawKind::spring;
   CHECK_FALSE(forceOf(sampleButton("A"), simulatedDevice(), settings).program.states[0].hysteresis);
+}
+
+TEST_CASE("force law: no number is read of what a button does not have") {
+  ForceSettings spring;
+  spring.law = ForceLawKind::spring;
+  const auto presses = [](PreparedForce prepared) {
+    ForceRun run(prepared, simulatedDevice(),
+                 FingerPresses{1.05 * prepared.summary.travel_mm, 1, 0.2, 0.2, 0.3});
+    return meetsPoison([&] { run.run(2); });
+  };
+  for (const std::string& name : sampleNames()) {
+    for (const ForceSettings& settings : {ForceSettings{}, spring}) {
+      PreparedForce prepared = forceOf(sampleButton(name), simulatedDevice(), settings);
+      prepared.program = poisoned(prepared.program);
+      INFO(name);
+      CHECK_FALSE(presses(prepared));
+    }
+  }
+  // What it has is read: push has damping.
+  PreparedForce push = forceOf(sampleButton("push"), simulatedDevice());
+  for (ForceRow& row : push.program.states[0].rows) poison({&row.damping_Ns_per_mm});
+  CHECK(presses(push));
 }
 
 TEST_CASE("force law: a resting finger feels nothing move, on every device and sample") {

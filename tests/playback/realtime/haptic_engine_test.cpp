@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/playback/poisoned.h"
 #include "tests/playback/sample_buttons.h"
 
 using namespace detent;
@@ -433,4 +434,32 @@ TEST_CASE("engine: the limiter keeps the form of an attack") {
   CHECK(misshapen(4, 0) < 0.03);
   CHECK(misshapen(1, 0.4) < 0.05);
   CHECK(misshapen(4, 0.1) < 0.05);
+}
+
+TEST_CASE("engine: nothing is evaluated that a button does not have") {
+  const double rate = 48000;
+  const auto play = [&](const HapticProgram& program) {
+    const auto engine = std::make_unique<HapticEngine>(rate);
+    return meetsPoison([&] {
+      engine->use(&program);
+      renderIn(*engine, presses(rate, 2, 0.12, 1.5 * strongestForce_N(program)),
+               [] { return std::size_t{64}; });
+    });
+  };
+  PlaybackSettings noSlopes, noClicks;
+  noSlopes.mode = FeedbackMode::clickOnly;
+  noClicks.mode = FeedbackMode::slopeOnly;
+  for (const Button& button : {linearButton(), tactileButton(), twoLevelButton(), lockingButton()}) {
+    for (const PlaybackSettings& settings : {PlaybackSettings{}, noSlopes, noClicks}) {
+      const auto program = std::make_unique<HapticProgram>(poisoned(programOf(button, settings)));
+      INFO(button.name() << ", mode " << static_cast<int>(settings.mode));
+      CHECK_FALSE(play(*program));
+    }
+  }
+  // What it does have is read: one poisoned jump is met.
+  const auto program = std::make_unique<HapticProgram>(programOf(tactileButton()));
+  REQUIRE(program->states[0].press.jumpCount == 1);
+  poison(program->states[0].press.jumps[0]);
+  CHECK(play(*program));
+  CHECK(programOf(linearButton()).states[0].press.jumpCount == 0);
 }
