@@ -33,9 +33,27 @@ Extent extentOf(const std::vector<CurvePoint>& points) {
   return e;
 }
 
-/// Points between the ends that lie farther outside of the others than those reach among themselves are slips of an instrument. Kept,
-/// one would make the resolution, which is a share of the spans, too coarse for all others. An end may be a wall's only sample.
-std::vector<CurvePoint> withoutSlips(const std::vector<CurvePoint>& points) {
+/// Whether a point stands off by itself: the two on each side follow each other in displacement and lie on one line, and it is far from that. A
+/// peak of one sample is none such: the samples on its flanks lie on no line.
+bool standsAlone(const std::vector<CurvePoint>& points, std::size_t i, double sigma_N) {
+  constexpr double near = 4, far = 20;  // sigmas: 1 in 16,000 by noise alone; five times that
+  if (i < 2 || i + 2 >= points.size()) return false;
+  const CurvePoint &first = points[i - 2], &last = points[i + 2];
+  const double way_mm = last.displacement_mm - first.displacement_mm;
+  const auto off_N = [&](const CurvePoint& p) {
+    return std::abs(p.force_N - std::lerp(first.force_N, last.force_N,
+                                          (p.displacement_mm - first.displacement_mm) / way_mm));
+  };
+  for (std::size_t k = i - 1; k <= i + 2; ++k)
+    if (!((points[k].displacement_mm - points[k - 1].displacement_mm) * way_mm > 0)) return false;
+  return off_N(points[i]) > far * sigma_N && off_N(points[i - 1]) <= near * sigma_N &&
+         off_N(points[i + 1]) <= near * sigma_N;
+}
+
+/// Points between the ends that lie farther outside of the others than those reach among themselves, or that stand alone, are slips of an instrument. Kept,
+/// one of the former would make the resolution, which is a share of the spans, too coarse for all others, and one of the latter may become a spike of its
+/// own, with a tactile point. An end may be a wall's only sample.
+std::vector<CurvePoint> withoutSlips(const std::vector<CurvePoint>& points, const PointNoise& noise) {
   constexpr std::size_t fewest = 8;
   if (points.size() < fewest) return points;
   const Extent calm = extentOf(calmed(points));
@@ -46,8 +64,8 @@ std::vector<CurvePoint> withoutSlips(const std::vector<CurvePoint>& points) {
   kept.reserve(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const CurvePoint& p = points[i];
-    const bool slip =
-        outside(p.displacement_mm, calm.minX, calm.maxX) || outside(p.force_N, calm.minF, calm.maxF);
+    const bool slip = outside(p.displacement_mm, calm.minX, calm.maxX) ||
+                      outside(p.force_N, calm.minF, calm.maxF) || standsAlone(points, i, noise.sigma_N);
     if (!slip || i == 0 || i + 1 == points.size()) kept.push_back(p);
   }
   return kept;
@@ -204,7 +222,7 @@ Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& given, Strok
       return unreadable(stroke, "point " + std::to_string(i + 1),
                         "displacement or force is not a finite number",
                         "Leave such points out before fitting");
-  const std::vector<CurvePoint> points = withoutSlips(given);
+  const std::vector<CurvePoint> points = withoutSlips(given, options.noise);
   if (points.size() < 2)
     return unreadable(stroke, "", "it has " + std::to_string(points.size()) + " point(s)",
                       "Give at least two points with different displacements");

@@ -26,8 +26,9 @@ struct StrokeSamples {
   double force_N(double v) const { return origin.force_N + v * newtonsPerV; }
 };
 
-/// Checks, orders and thins, and leaves out single points far outside of all others. The first and the last point stay as they are; points between are averaged along
-/// equal lengths of arc where there are more than `options.maxPoints`. Failures as fitStroke.
+/// Checks, orders and thins, and leaves out single points far outside of all others, or more than 20 sigmas off the line of their four
+/// neighbours. The first and the last point stay as they are; points between are averaged along equal lengths of arc where there are more than
+/// `options.maxPoints`. Failures as fitStroke.
 Result<StrokeSamples> prepareSamples(const std::vector<CurvePoint>& points, Stroke stroke,
                                      const FitOptions& options);
 
