@@ -73,18 +73,19 @@ TEST_CASE("What is shown is read back, whatever the locale, the unit and the qua
       RC_ASSERT(near(reading.shown, shown, 1e-10));
     }
   });
-  holdsAlways("numbers have no sign between thousands, and only this locale's or a point before decimals", [] {
-    const InLocale here(*rc::gen::elementOf(locales));
-    const double shown = *anyValue();
-    for (const QString& text : {numberText(shown, 12), fixedText(shown, 3)}) {
-      int signs = 0;
-      for (const QChar c : text) {
-        RC_ASSERT(c.isDigit() || c == '-' || c == '+' || c == 'e' || c == '.' || c == ',');
-        signs += c == '.' || c == ',';
-      }
-      RC_ASSERT(signs <= 1);
-    }
-  });
+  holdsAlways("numbers have no sign between thousands, and only this locale's or a point before decimals",
+              [] {
+                const InLocale here(*rc::gen::elementOf(locales));
+                const double shown = *anyValue();
+                for (const QString& text : {numberText(shown, 12), fixedText(shown, 3)}) {
+                  int signs = 0;
+                  for (const QChar c : text) {
+                    RC_ASSERT(c.isDigit() || c == '-' || c == '+' || c == 'e' || c == '.' || c == ',');
+                    signs += c == '.' || c == ',';
+                  }
+                  RC_ASSERT(signs <= 1);
+                }
+              });
 }
 
 TEST_CASE("A typed number means the same in every locale") {
