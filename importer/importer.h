@@ -21,6 +21,7 @@
 #include "importer/fit/fit_stroke.h"
 #include "importer/log/force_log.h"
 #include "importer/page/page.h"
+#include "importer/page/page_class.h"
 #include "importer/quality.h"
 #include "importer/specs/printed_spec.h"
 #include "importer/strokes/stroke_pair.h"
@@ -121,8 +122,9 @@ struct ImportReport {
   std::optional<AxisReading> x, y;   ///< empty for force logs
   StrokeReport press;
   std::optional<StrokeReport> release;
-  std::vector<Callout> callouts;      ///< operating and reset points that the page points at
-  std::vector<SpecCheck> specChecks;  ///< what the page says in words, beside what was read
+  std::vector<Callout> callouts;       ///< operating and reset points that the page points at
+  std::vector<SpecCheck> specChecks;   ///< what the page says in words, beside what was read
+  std::optional<PageClass> pageClass;  ///< empty for force logs
   double confidence = 0;
   std::optional<Doubt> doubt;  ///< only with ImportRequest::acceptDoubt: what is not certain, what to do
   Quality quality = Quality::standard;

@@ -9,6 +9,7 @@
 
 #include "importer/fit/choose_knots.h"
 #include "importer/fit/segment_stroke.h"
+#include "importer/fit/tactile_misfit.h"
 
 namespace detent::importer {
 namespace {
@@ -157,11 +158,14 @@ void addTactilePoints(FitSummary& summary, const StrokeCurve& curve, Stroke stro
   const std::vector<KnotSigma> sigmas = knotSigmas(fit.chain, samples.points, choiceSettings(options).solve);
   // `correlationPoints` residuals share one error.
   const double inflation = std::sqrt(summary.correlationPoints);
+  const double sign = stroke == Stroke::press ? 1 : -1;
   for (const TactilePoint& point : found) {
-    const KnotSigma& sigma =
-        sigmas[nearestKnot(fit.chain, samples.u(point.displacement_mm), samples.v(point.force_N))];
-    summary.tactilePoints.push_back(
-        {point, sigma.u * inflation * samples.mmPerU, sigma.v * inflation * samples.newtonsPerV});
+    const std::size_t knot =
+        nearestKnot(fit.chain, samples.u(point.displacement_mm), samples.v(point.force_N));
+    const TactileMisfit misfit =
+        tactileMisfit(fit.chain, samples.points, fit.chain[knot], sign, summary.correlationPoints);
+    summary.tactilePoints.push_back({point, std::hypot(sigmas[knot].u * inflation, misfit.u) * samples.mmPerU,
+                                     std::hypot(sigmas[knot].v * inflation, misfit.v) * samples.newtonsPerV});
   }
 }
 

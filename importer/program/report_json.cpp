@@ -88,6 +88,7 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   json["travel_mm"] = state.graph.travel_mm();
   json["quality"] = nameOf(report.quality);
   json["confidence"] = report.confidence;
+  if (report.pageClass) json["page_class"] = nameOf(*report.pageClass);
   json["seconds"] = Json::object();
   for (const auto& [step, seconds] : report.seconds) json["seconds"][std::string(nameOf(step))] = seconds;
   addRemarks(json, report.remarks);

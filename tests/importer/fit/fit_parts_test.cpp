@@ -7,6 +7,7 @@
 
 #include "importer/fit/choose_knots.h"
 #include "importer/fit/segment_stroke.h"
+#include "importer/fit/tactile_misfit.h"
 #include "tests/importer/fit/drawn_strokes.h"
 
 using namespace detent;
@@ -146,4 +147,55 @@ TEST_CASE("standard errors shrink with the root of the number of points") {
   CHECK(coarse.v > 0);
   CHECK(fine.v == Approx(coarse.v / std::sqrt(8.0)).epsilon(0.35));
   CHECK(fine.u == Approx(coarse.u / std::sqrt(8.0)).epsilon(0.45));
+}
+
+namespace {
+
+/// A peak (or, upside down, a valley) of two cubics, 100 sigmas high and 200 wide to each side, steeper to the right.
+KnotChain extremum(double sign, double movedBy = 0) {
+  return {{{0, 0, 0, 0}, JointKind::flat},
+          {{200 + movedBy, sign * 100, 0, 0}, JointKind::flat},
+          {{340, sign * 10, 0, 0}, JointKind::flat}};
+}
+
+std::vector<SigmaPoint> pointsOf(const KnotChain& chain, double noise, int count) {
+  std::mt19937 random(5);
+  std::normal_distribution<double> normal(0, 1);
+  const std::vector<ChainPiece> pieces = piecesOf(chain);
+  std::vector<SigmaPoint> points;
+  for (int i = 0; i < count; ++i) {
+    const double u = chain.back().u() * i / (count - 1);
+    const ChainPiece& piece = pieces[u < chain[1].u() ? 0 : 1];
+    points.push_back({u, piece.v((u - piece.u0) / piece.h) + noise * normal(random), 1});
+  }
+  return points;
+}
+
+}  // namespace
+
+TEST_CASE("a tactile point of the right curve is not far from what the points around it say") {
+  for (const double sign : {1.0, -1.0}) {
+    const KnotChain chain = extremum(sign);
+    const TactileMisfit misfit = tactileMisfit(chain, pointsOf(chain, 0.3, 400), chain[1], sign, 1);
+    CHECK(std::abs(misfit.u) < 1.5);
+    CHECK(std::abs(misfit.v) < 0.3);
+  }
+}
+
+TEST_CASE("a tactile point that the curve's few pieces put beside the points' own is told by how much") {
+  for (const double sign : {1.0, -1.0}) {
+    const std::vector<SigmaPoint> points = pointsOf(extremum(sign), 0.3, 400);
+    const KnotChain off = extremum(sign, 8);
+    CHECK(tactileMisfit(off, points, off[1], sign, 1).u == Approx(-8).margin(2));
+    KnotChain high = extremum(sign);
+    high[1].at[1] += sign * 3;
+    CHECK(tactileMisfit(high, points, high[1], sign, 1).v == Approx(-3 * sign).margin(0.5));
+  }
+}
+
+TEST_CASE("around a tactile point of a handful of points nothing is known but the fit's own error") {
+  const KnotChain chain = extremum(1);
+  const TactileMisfit misfit = tactileMisfit(chain, pointsOf(chain, 1, 12), chain[1], 1, 1);
+  CHECK(misfit.u == 0);
+  CHECK(misfit.v == 0);
 }
