@@ -443,33 +443,49 @@ SolveReport reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points,
   return report;
 }
 
+namespace {
+
+struct PlaceOnLine {
+  double u = 0, v = 0, distance = std::numeric_limits<double>::infinity();
+};
+
+/// The place nearest to a knot on the line through the points.
+PlaceOnLine nearestOnLine(const ChainKnot& knot, const std::vector<SigmaPoint>& points) {
+  PlaceOnLine best;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const SigmaPoint &a = points[i], &b = points[i + 1];
+    const double du = b.u - a.u, dv = b.v - a.v, square = du * du + dv * dv;
+    const double t =
+        square > 0 ? std::clamp(((knot.u() - a.u) * du + (knot.v() - a.v) * dv) / square, 0.0, 1.0) : 0;
+    const double distance = std::hypot(knot.u() - a.u - t * du, knot.v() - a.v - t * dv);
+    if (distance < best.distance) best = {a.u + t * du, a.v + t * dv, distance};
+  }
+  return best;
+}
+
+}  // namespace
+
 int returnStrayKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, double reach) {
   int returned = 0;
-  // An end that was taken for a wall's may slide along a flat stretch instead, and the curve lose what lies before it.
-  const auto returnEnd = [&](ChainKnot& knot, const SigmaPoint& end) {
-    if (std::abs(knot.u() - end.u) <= reach) return;
-    knot.at[0] = end.u;
-    knot.at[1] = end.v;
-    ++returned;
-  };
-  returnEnd(chain.front(), points.front());
-  returnEnd(chain.back(), points.back());
-  for (ChainKnot& knot : chain) {
-    double best = std::numeric_limits<double>::infinity(), u = knot.u(), v = knot.v();
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const SigmaPoint &a = points[i], &b = points[i + 1];
-      const double du = b.u - a.u, dv = b.v - a.v, square = du * du + dv * dv;
-      const double t =
-          square > 0 ? std::clamp(((knot.u() - a.u) * du + (knot.v() - a.v) * dv) / square, 0.0, 1.0) : 0;
-      const double distance = std::hypot(knot.u() - a.u - t * du, knot.v() - a.v - t * dv);
-      if (distance < best) best = distance, u = a.u + t * du, v = a.v + t * dv;
-    }
-    if (best <= reach) continue;
+  const auto put = [&returned](ChainKnot& knot, double u, double v) {
     knot.at[0] = u;
     knot.at[1] = v;
     ++returned;
+  };
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    const PlaceOnLine near = nearestOnLine(chain[k], points);
+    if (k > 0 && k + 1 < chain.size()) {
+      if (near.distance > reach) put(chain[k], near.u, near.v);
+      continue;
+    }
+    // An end that was taken for a wall's may slide along a flat stretch instead, and the curve lose what lies before it.
+    const SigmaPoint& end = k == 0 ? points.front() : points.back();
+    if (near.distance > reach || std::abs(chain[k].u() - end.u) > reach) put(chain[k], end.u, end.v);
   }
   if (returned > 0) {
+    // Knots that stand beyond an end would draw it with them when they are put in order.
+    const auto [low, high] = std::minmax({chain.front().u(), chain.back().u()});
+    for (ChainKnot& knot : chain) knot.at[0] = std::clamp(knot.u(), low, high);
     levelDisplacements(chain);
     dropRedundantKnots(chain);
   }

@@ -55,8 +55,10 @@ class MarginOfState {
       const double releaseRise =
           slopeOver(state_.graph.curve(Stroke::release), from_mm, from_mm + spacing_mm);
       const double steepest = std::abs(rise) >= std::abs(releaseRise) ? rise : releaseRise;
-      MarginPoint p = allowedAt(device_, rate_Hz_, dampingAt(state_.damping, from_mm + spacing_mm / 2));
-      p.displacement_mm = from_mm + spacing_mm / 2;
+      const double middle_mm = from_mm + spacing_mm / 2;
+      MarginPoint p =
+          allowedAt(device_, rate_Hz_, state_.damping.empty() ? 0 : dampingAt(state_.damping, middle_mm));
+      p.displacement_mm = middle_mm;
       p.slope_N_per_mm = std::abs(steepest);
       points.push_back(p);
       const bool breaks = p.slope_N_per_mm > p.allowed_N_per_mm * rounding;

@@ -202,6 +202,25 @@ TEST_CASE("a peak that one sample shows is kept") {
   CHECK(fitted->curve.force_N(1.4) == Approx(0.84).margin(0.05));
 }
 
+TEST_CASE("an end that strayed comes back to the end of the points, whatever its neighbours do") {
+  std::vector<SigmaPoint> points;
+  for (int i = 0; i <= 100; ++i) points.push_back({1.0 * i, 3.0 * i, 1});
+  const auto chainWith = [](double u0, double v0, double u1) {
+    KnotChain chain(3);
+    chain[0].at = {u0, v0, 3, 3};
+    chain[1].at = {u1, 0, 3, 3};
+    chain[2].at = {100, 300, 3, 3};
+    return chain;
+  };
+  KnotChain slid = chainWith(12, 36, -3);  // put in order with the knot before it, it stood at -1.5
+  CHECK(returnStrayKnots(slid, points, 5) == 1);
+  CHECK(slid.front().u() == 0);
+  CHECK(slid.front().v() == 0);
+  KnotChain lifted = chainWith(4, 280, 50);  // the nearest place of the line is 90 along it
+  returnStrayKnots(lifted, points, 5);
+  CHECK(lifted.front().u() == 0);
+}
+
 TEST_CASE("pieces and options keep their bounds", "[finite]") {
   holdsAlways("fixed pieces: as many or fewer", [] {
     NoisyStroke stroke = noisyStroke({4, 1});
