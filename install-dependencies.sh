@@ -37,10 +37,11 @@ test_packages=(
   umockdev libumockdev-dev         # a Falcon that is none
   xvfb xauth xdotool openbox imagemagick fonts-dejavu-core
   gnuplot-nox                      # tests/accuracy draws with it
+  valgrind                         # tests/bench: scene, cost, trade
 )
 ci_packages=(
   clang-14 clang-tidy-14 clang-format-14 libclang-rt-14-dev hyperfine
-  lintian debootstrap valgrind     # .ci/nightly package, cost
+  lintian debootstrap              # .ci/nightly package
   fonts-wqy-zenhei                 # samples/plots/draw.sh
 )
 

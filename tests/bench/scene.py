@@ -248,7 +248,7 @@ def main():
     what.add_argument("--check", action="store_true")
     what.add_argument("--write", action="store_true")
     arguments = parser.parse_args()
-    binaries = arguments.bin.resolve()
+    binaries = arguments.bin.absolute()
     if arguments.check:
         wrong = check(binaries)
         for line in wrong:

@@ -137,7 +137,7 @@ TEST_CASE("the force law holds what its header says", "[finite]") {
     for (int i = 1; i <= steps; ++i) many.update(i == steps ? to : to * i / steps, radius);
     RC_ASSERT(one.centre_mm() == many.centre_mm());
   });
-  holdsAlways("24 hours at rest: force and energy as after a second", [] {
+  holdsAlways("ForceLaw: at rest force and energy do not creep", [] {
     const ForceProgram& program = anyProgram();
     ForceLaw law(program);
     const double x = within(0.2, 1.5);

@@ -3,6 +3,7 @@
 #include "playback/realtime/force_law.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
 
@@ -274,4 +275,27 @@ TEST_CASE("prepare force: a travel beyond the device's reach is refused, with th
   CHECK_THAT(tooFar.failure().sentence(),
              Catch::Contains("71 mm") && Catch::Contains("Novint Falcon reaches 70 mm"));
   CHECK(prepareForce(button(71), voiceCoilRig()));
+}
+
+// DETENT_SIMULATED_HOURS=24 for the whole day (.ci/nightly extremes).
+TEST_CASE("force law: a finger that rests for a day drifts by nothing") {
+  const char* asked = std::getenv("DETENT_SIMULATED_HOURS");
+  const double hours = asked != nullptr ? std::atof(asked) : 0.1;
+  REQUIRE(hours > 0.05);
+  const Button button = sampleButton("B");
+  for (const ForceDeviceProfile& device : presets()) {
+    const PreparedForce prepared = forceOf(button, device);
+    ForceRun run(prepared, device,
+                 FingerHold{2, button.states().front().graph.press().force_N(2) + device.friction_N, 0.4});
+    run.run(60);
+    const ForceStep begin = run.engine().last();
+    run.run(3600 * hours - 60);
+    const ForceStep& end = run.engine().last();
+    INFO(device.name << ", " << hours << " h");
+    CHECK(static_cast<double>(end.index) >= 3599 * hours / prepared.program.period_s);
+    CHECK(std::abs(end.position_mm - begin.position_mm) <= 1.0001 * device.step_mm);
+    CHECK(std::abs(end.force_N - begin.force_N) <= 0.005);
+    CHECK(end.energy_mJ == Approx(begin.energy_mJ).margin(1e-3));
+    CHECK(run.engine().counts().frozen == 0);
+  }
 }
