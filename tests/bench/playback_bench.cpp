@@ -396,6 +396,12 @@ int main(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--short") == 0) {
       brief = true;
+    } else if (argv[i][0] == '-' || !file.empty()) {
+      std::fprintf(stderr,
+                   "detent_playback_bench: \"%s\"? It takes --short (20 trials instead of 200) and a file to "
+                   "write to.\n",
+                   argv[i]);
+      return std::strcmp(argv[i], "--help") == 0 ? 0 : 2;
     } else {
       file = argv[i];
     }
