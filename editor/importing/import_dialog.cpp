@@ -256,9 +256,9 @@ void ImportDialog::Impl::build() {
   quality->setCurrentIndex(1);
   quality->setAccessibleName(tr("Quality of the import"));
   quality->setToolTip(
-      tr("How carefully the graph is read: usual time of an import and the usual distance of the curve from "
-         "the printed one, "
-         "as measured on datasheet graphs. Corrections stay when it changes."));
+      tr("How carefully the graph is read: the work of an import and the usual distance of the curve from "
+         "the printed one, as measured on drawn graphs "
+         "(docs/trade.md). Corrections stay when it changes."));
   top->addWidget(open);
   top->addWidget(pasteButton);
   top->addWidget(document, 1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/importing/quality_figures.h"
 
+#include <algorithm>
 #include <QCoreApplication>
 
 #include "editor/quantity/quantity.h"
@@ -25,21 +26,19 @@ QString levelName(importer::Quality quality) {
 }  // namespace
 
 QualityFigures figuresOf(importer::Quality quality) {
-  switch (quality) {
-    case importer::Quality::draft:
-      return {quality, 0.51, 0.091};
-    case importer::Quality::standard:
-      break;
-    case importer::Quality::precise:
-      return {quality, 0.73, 0.044};
-  }
-  return {importer::Quality::standard, 0.61, 0.059};
+  constexpr QualityFigures levels[] = {{importer::Quality::draft, 1, 0.103},
+                                       {importer::Quality::standard, 1.22, 0.0739},
+                                       {importer::Quality::precise, 1.38, 0.0768}};
+  return *std::ranges::find(levels, quality, &QualityFigures::quality);
 }
 
 QString describedQuality(importer::Quality quality) {
   const QualityFigures figures = figuresOf(quality);
-  return tr("%1 – about %2 s, error %3 % of the axis")
-      .arg(levelName(quality), numberText(figures.median_s, 2), numberText(figures.error_percentOfSpan, 2));
+  const QString error = numberText(figures.error_percentOfSpan, 2);
+  if (quality == importer::Quality::draft)
+    return tr("%1 – least work, error %2 % of the axis").arg(levelName(quality), error);
+  return tr("%1 – %2 × the work of a draft, error %3 % of the axis")
+      .arg(levelName(quality), numberText(figures.workOfDraft, 2), error);
 }
 
 }  // namespace detent::editor

@@ -8,16 +8,15 @@
 
 namespace detent::editor {
 
-/// Figures of one level over the corpus' real single graphs: docs/bench-importer.md says how they are
-/// measured, docs/decisions/1022-figures-beside-the-quality.md has all three levels.
+/// Figures of one level: docs/trade.md, "Importer: level of quality"; tests/bench/trade_test.py fails where they differ.
 struct QualityFigures {
   importer::Quality quality = importer::Quality::standard;
-  double median_s = 0;             ///< of one whole import
+  double workOfDraft = 1;          ///< instructions of one whole import, as a multiple of a draft's
   double error_percentOfSpan = 0;  ///< median distance of the fitted graph from the true one
 };
 
 QualityFigures figuresOf(importer::Quality quality);
-/// "Standard – about 0.6 s, error 0.06 % of the axis".
+/// "Standard – 1.2 × the work of a draft, error 0.07 % of the axis".
 QString describedQuality(importer::Quality quality);
 
 }  // namespace detent::editor

@@ -1340,8 +1340,12 @@
         <translation>Genau</translation>
     </message>
     <message>
-        <source>%1 – about %2 s, error %3 % of the axis</source>
-        <translation>%1 – etwa %2 s, Fehler %3 % der Achse</translation>
+        <source>%1 – least work, error %2 % of the axis</source>
+        <translation>%1 – wenigste Arbeit, Fehler %2 % der Achse</translation>
+    </message>
+    <message>
+        <source>%1 – %2 × the work of a draft, error %3 % of the axis</source>
+        <translation>%1 – %2 × die Arbeit eines Entwurfs, Fehler %3 % der Achse</translation>
     </message>
     <message>
         <source>Stroke</source>
@@ -3489,8 +3493,8 @@
         <translation>Qualität des Imports</translation>
     </message>
     <message>
-        <source>How carefully the graph is read: usual time of an import and the usual distance of the curve from the printed one, as measured on datasheet graphs. Corrections stay when it changes.</source>
-        <translation>Wie sorgfältig der Graph gelesen wird: übliche Zeit eines Imports und üblicher Abstand der Kurve von der gedruckten, gemessen an Graphen aus Datenblättern. Berichtigungen bleiben, wenn sie sich ändert.</translation>
+        <source>How carefully the graph is read: the work of an import and the usual distance of the curve from the printed one, as measured on drawn graphs (docs/trade.md). Corrections stay when it changes.</source>
+        <translation>Wie sorgfältig der Graph gelesen wird: die Arbeit eines Imports und der übliche Abstand der Kurve von der gedruckten, gemessen an gezeichneten Graphen (docs/trade.md). Berichtigungen bleiben, wenn sie sich ändert.</translation>
     </message>
     <message>
         <source>Graphs onl&amp;y</source>

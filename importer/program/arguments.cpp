@@ -108,7 +108,7 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   app.add_flag("--list", a.list,
                "only list the graphs found: page, graph, box, axes, units, confidence, switches");
   app.add_option("--quality", a.request.quality,
-                 "draft, standard or precise (default: standard); see docs/bench-importer.md")
+                 "draft, standard or precise (default: standard); what each costs and gives: docs/trade.md")
       ->transform(CLI::CheckedTransformer(qualities, CLI::ignore_case));
   app.add_option(
          "--sure", a.request.sure,

@@ -105,6 +105,26 @@ bool SerialForceDevice::acknowledged(const std::string& line) {
   }
 }
 
+std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint32_t mostRows) {
+  const ForceStateTable& t = program.states[0];
+  const std::uint32_t rows = std::min(mostRows, t.rowCount);
+  const double spacing_mm = t.spacing_mm * (t.rowCount - 1) / (rows - 1);
+  const auto text = [](long long value) { return "," + std::to_string(value); };
+  std::vector<std::string> lines{
+      "T" + text(rows) + text(whole(t.first_mm * nmPerMm)) + text(whole(spacing_mm * nmPerMm)) +
+      text(whole(program.law.playRadius_mm * nmPerMm)) + text(whole(t.wallSlope_N_per_mm / micro))};
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    const auto at =
+        static_cast<std::uint32_t>(std::lround(static_cast<double>(i) * (t.rowCount - 1) / (rows - 1)));
+    const ForceRow& r = t.rows[at];
+    lines.push_back("R" + text(i) + text(whole(static_cast<double>(r.press_N) / micro)) +
+                    text(whole(static_cast<double>(r.release_N) / micro)) +
+                    text(whole(static_cast<double>(r.damping_Ns_per_mm) / micro)));
+  }
+  lines.push_back("G");
+  return lines;
+}
+
 DeviceResult<bool> SerialForceDevice::upload(const ForceProgram& program) {
   const DeviceTrouble refused{info_.name, "does not take the force table",
                               "Check the firmware and the cable; without --upload the host runs the law"};
@@ -113,31 +133,13 @@ DeviceResult<bool> SerialForceDevice::upload(const ForceProgram& program) {
                          "runs one state only, and this button has " + std::to_string(program.stateCount),
                          "Leave --upload out: the host runs self-locking buttons", true};
   }
-  const ForceStateTable& t = program.states[0];
   if (info_.tableRows < 2) {
     return DeviceTrouble{info_.name, "holds no force table", "Leave --upload out: the host runs the law",
                          true};
   }
-  // A shorter table: every so many rows, the last one included.
-  const std::uint32_t rows = std::min(info_.tableRows, t.rowCount);
-  const double spacing_mm = t.spacing_mm * (t.rowCount - 1) / (rows - 1);
-  const auto text = [](long long value) { return "," + std::to_string(value); };
-  if (!acknowledged("T" + text(rows) + text(whole(t.first_mm * nmPerMm)) + text(whole(spacing_mm * nmPerMm)) +
-                    text(whole(program.law.playRadius_mm * nmPerMm)) +
-                    text(whole(t.wallSlope_N_per_mm / micro)))) {
-    return refused;
+  for (const std::string& line : forceTableLines(program, info_.tableRows)) {
+    if (!acknowledged(line)) return refused;
   }
-  for (std::uint32_t i = 0; i < rows; ++i) {
-    const auto at =
-        static_cast<std::uint32_t>(std::lround(static_cast<double>(i) * (t.rowCount - 1) / (rows - 1)));
-    const ForceRow& r = t.rows[at];
-    if (!acknowledged("R" + text(i) + text(whole(static_cast<double>(r.press_N) / micro)) +
-                      text(whole(static_cast<double>(r.release_N) / micro)) +
-                      text(whole(static_cast<double>(r.damping_Ns_per_mm) / micro)))) {
-      return refused;
-    }
-  }
-  if (!acknowledged("G")) return refused;
   ownLaw_ = true;
   return true;
 }

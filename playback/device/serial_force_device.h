@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "playback/device/force_device.h"
 #include "playback/device/serial_link.h"
@@ -52,6 +53,10 @@ class SerialForceDevice : public ForceDevice {
   long long lastTime_us_ = -1;  ///< of the device, at its last answer
   double last_mm_ = 0;
 };
+
+/// The lines, without checksum, that tell a device to run the first state of a program by itself: the table thinned to at most `mostRows` >= 2, its first and
+/// last row included, and the command to begin.
+std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint32_t mostRows);
 
 /// A line of the protocol with its checksum and end: "F,17,120000*5A\n".
 std::string forceLine(const std::string& body);

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What docs/trade.md recommends is what the programs do by themselves, and every section it should have stands there.
+"""What docs/trade.md recommends is what the programs do by themselves, the import dialogue quotes its figures, and every section stands there.
 
     trade_test.py --bin FOLDER
 """
@@ -29,6 +29,15 @@ def command_of(option, value):
     return COMMANDS.get(f"{option} {value}", COMMANDS.get(option))
 
 
+def quality_box(module):
+    """What the import dialogue says of the levels, against the page."""
+    source = ROOT / "editor/importing/quality_figures.cpp"
+    told = {name: (float(work), float(error)) for name, work, error in re.findall(r"\{importer::Quality::(\w+), ([\d.]+), ([\d.]+)\}", source.read_text())}
+    page = {name: (figures[0], figures[1]) for name, figures in module.table_of(module.kept("levels")).items()}
+    return [f"{source.relative_to(ROOT)}: {name} has {told.get(name)}, docs/trade.md {page.get(name)} (work of a draft, error in %)"
+            for name in sorted(told.keys() | page.keys()) if told.get(name) != page.get(name)]
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bin", required=True, type=Path)
@@ -55,6 +64,7 @@ def main():
         entry = re.search(rf"^ +{option}\b.*(?:\n(?! +-).*)*", told, re.M)
         if not entry or not re.search(rf"(?:=|default: ){value}\b", entry[0]):
             wrong.append(f"{' '.join(command)} {option}: the page recommends {value}, the help has another default")
+    wrong += quality_box(module)
     for line in wrong:
         print(line)
     return 1 if wrong else 0

@@ -163,11 +163,11 @@ TEST_CASE("Every finding has words at the editor, and none names an option of a 
   }
 }
 
-TEST_CASE("Every quality level says its time and its error") {
+TEST_CASE("Every quality level says its work and its error") {
   for (const auto quality :
        {importer::Quality::draft, importer::Quality::standard, importer::Quality::precise}) {
     CHECK(figuresOf(quality).quality == quality);
-    CHECK(describedQuality(quality).contains(" s"));
+    CHECK(describedQuality(quality).contains("work"));
     CHECK(describedQuality(quality).contains(" %"));
   }
 }
