@@ -26,9 +26,9 @@ QString levelName(importer::Quality quality) {
 }  // namespace
 
 QualityFigures figuresOf(importer::Quality quality) {
-  constexpr QualityFigures levels[] = {{importer::Quality::draft, 1, 0.103},
-                                       {importer::Quality::standard, 1.22, 0.0739},
-                                       {importer::Quality::precise, 1.38, 0.0768}};
+  constexpr QualityFigures levels[] = {{importer::Quality::draft, 1, 0.112},
+                                       {importer::Quality::standard, 1.24, 0.0835},
+                                       {importer::Quality::precise, 1.4, 0.0595}};
   return *std::ranges::find(levels, quality, &QualityFigures::quality);
 }
 
