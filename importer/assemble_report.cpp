@@ -77,11 +77,6 @@ double worstRms_px(const GraphFindings& findings) {
   return std::max(press_px, findings.fitted.release->summary.rmsSigma * findings.releaseNoise_px);
 }
 
-PageClass classOf(const GraphFindings& findings) {
-  return findings.strokes.value.press.fromVector ? PageClass::vector
-                                                 : classOfPixels(findings.graph.view.raster);
-}
-
 double diagonal_px(const PlotFrame& frame) {
   const Box box = frame.box();
   return std::hypot(box.width(), box.height());
@@ -183,7 +178,7 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
 
   const AxisCalibration& calibration = findings.graph.axes.calibration.value;
   ImportReport report(std::move(button).value());
-  report.pageClass = classOf(findings);
+  report.pageClass = findings.pageClass;
   report.page = source.page, report.graph = source.graph;
   if (curve) report.curve = *curve + 1;
   report.x = calibration.x, report.y = calibration.y;

@@ -21,6 +21,7 @@ struct GraphFindings {
   double pressNoise_px = 0, releaseNoise_px = 0;
   std::vector<Callout> callouts;
   std::vector<PrintedSpec> specs;
+  PageClass pageClass = PageClass::picture;
 };
 
 /// Where the graph stands and where its file came from.

@@ -22,6 +22,10 @@ constexpr double sameLineShare = 0.005, sameLineLength = 0.8;  // of the span, o
 constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;
 constexpr double endFallShare = 0.4;
 constexpr double pictureEdge_px = 2.5;
+constexpr double leastSharedTravel = 0.35;  // a latch's release has half of the press'
+
+// What the steps' confidence is worth on pages from paper: counted, docs/import-confidence.md.
+constexpr double worthOnScans = 0.88, worthOnPhotos = 0.66;
 
 bool confirmedBySpec(const std::vector<SpecCheck>& checks, bool force) {
   return std::any_of(checks.begin(), checks.end(),
@@ -141,6 +145,14 @@ bool touchesPictureEdge(const std::vector<Point>& line, const Raster& picture) {
   return at(line.front()) || at(line.back());
 }
 
+/// Of the travel that either stroke covers, the share that both do.
+double sharedTravel(const StrokePair& strokes) {
+  const Extent press = travelOf(strokes.press), release = travelOf(*strokes.release);
+  const double either = std::max(press.high, release.high) - std::min(press.low, release.low);
+  const double both = std::min(press.high, release.high) - std::max(press.low, release.low);
+  return either > 0 ? std::max(0.0, both / either) : 1;
+}
+
 class Doubts {
  public:
   Doubts(const GraphFindings& findings, const std::vector<SpecCheck>& checks, const ImportHints& hints)
@@ -152,6 +164,7 @@ class Doubts {
     signs();
     shapes();
     place();
+    pageClass();
     return std::move(doubts_);
   }
 
@@ -213,6 +226,8 @@ class Doubts {
       const double within_px = std::max(0.6, sameLineShare * std::min(frame.width(), frame.height()));
       if (coincidingShare(strokes, within_px) > sameLineLength)
         add(DoubtCode::strokesCoincide, unconfirmed, {}, helps);
+      if (const double shared = sharedTravel(strokes); shared < leastSharedTravel)
+        add(DoubtCode::strokeInPart, unconfirmed, {{shared, Measure::share}}, helps);
     }
     double along = shareAlongAnAxis(strokes.press.points_px);
     if (strokes.release) along = std::max(along, shareAlongAnAxis(strokes.release->points_px));
@@ -241,6 +256,21 @@ class Doubts {
       add(DoubtCode::otherScale, unconfirmed, {},
           {{RemedyKind::pickPress, {}},
            {RemedyKind::pickRelease, "with the colours of the left scale's curves"}});
+  }
+
+  /// What the steps are sure of holds less often where the page came from paper, unless a person gave frame and axes.
+  void pageClass() {
+    const bool scan = findings_.pageClass == PageClass::scan;
+    const AxisHints& axes = hints_.axes;
+    const bool given = !hints_.frame.empty() && axes.xMin && axes.xMax && axes.yMin && axes.yMax;
+    if (given || (!scan && findings_.pageClass != PageClass::photo)) return;
+    const double worth = scan ? worthOnScans : worthOnPhotos;
+    for (WeighedDoubt& each : doubts_) each.confidence *= worth;
+    const double steps = std::min(findings_.graph.confidence(), findings_.strokes.confidence);
+    add(scan ? DoubtCode::pageIsScan : DoubtCode::pageIsPhoto, steps * worth, {},
+        {{RemedyKind::giveFrame, "with its four corners"},
+         {RemedyKind::giveXAxis, {}},
+         {RemedyKind::giveYAxis, "(values at the frame's edges)"}});
   }
 
   /// Curves that the plot shows a part of only.

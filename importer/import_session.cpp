@@ -641,9 +641,10 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   }();
   const auto& unread = remarks[choice->page];
   choice->remarks.insert(choice->remarks.end(), unread.begin(), unread.end());
+  const PageClass pageClass = pair.press.fromVector ? PageClass::vector : classOfPixels(graph.view.raster);
   const GraphSource source{name(), stem(), document->sha256(), choice->page, choice->graph, choice->remarks};
   auto report = assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(),
-                                press_px, release_px, std::move(callouts), printedSpecs()},
+                                press_px, release_px, std::move(callouts), printedSpecs(), pageClass},
                                source, request);
   if (!report) {
     keepEvidence(graph, **curves);

@@ -101,6 +101,14 @@ Wording wordingOf(DoubtCode code) {
       return {"below-the-axis", words("the force axis begins at %1 and a curve goes below it")};
     case DoubtCode::otherScale:
       return {"other-scale", words("a second scale on the right measures something else")};
+    case DoubtCode::strokeInPart:
+      return {"stroke-in-part", words("press and release share only %1 of their travel")};
+    case DoubtCode::pageIsScan:
+      return {"page-is-scan",
+              words("the page looks scanned, and scans are read wrong more often than drawings")};
+    case DoubtCode::pageIsPhoto:
+      return {"page-is-photo",
+              words("the page looks photographed, and photographs are read wrong more often than right")};
   }
   return {"", ""};
 }

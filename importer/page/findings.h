@@ -73,7 +73,10 @@ enum class DoubtCode {
   cutAtPictureEdge,
   leavesThePlot,  ///< force at the edge that it goes on beyond, N
   belowTheAxis,   ///< force at which the axis begins, N
-  otherScale
+  otherScale,
+  strokeInPart,  ///< share of the travel that both strokes cover
+  pageIsScan,
+  pageIsPhoto
 };
 
 struct Doubt {

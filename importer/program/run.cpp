@@ -7,6 +7,7 @@
 #include <map>
 #include <new>
 #include <set>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -270,6 +271,46 @@ std::set<std::string> alreadyReported(const std::string& reportPath) {
   return inputs;
 }
 
+/// How many imports of a batch each bar would accept, the batch's own first.
+class AcceptedByBar {
+ public:
+  explicit AcceptedByBar(double sure) {
+    for (const double bar : {sure, 0.5, 0.8, 0.9, 0.95, 0.99})
+      if (bar >= sure) counts_[bar] = 0;
+  }
+
+  /// Lines of the report, one object each.
+  void count(const std::string& lines) {
+    std::istringstream each(lines);
+    for (std::string line; std::getline(each, line);) {
+      const auto json = nlohmann::json::parse(line, nullptr, false);
+      if (!json.is_object() || !json.contains("confidence")) continue;
+      for (auto& [bar, accepted] : counts_)
+        if (json["confidence"] >= bar) ++accepted;
+    }
+  }
+
+  std::string text() const {
+    std::string words;
+    for (const auto& [bar, accepted] : counts_)
+      words += (words.empty() ? "accepted: " : ", ") + std::to_string(accepted) + " at --sure " + number(bar);
+    return words;
+  }
+  nlohmann::json json() const {
+    nlohmann::json object = nlohmann::json::object();
+    for (const auto& [bar, accepted] : counts_) object[number(bar)] = accepted;
+    return object;
+  }
+
+ private:
+  static std::string number(double bar) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%g", bar);
+    return text;
+  }
+  std::map<double, std::size_t> counts_;
+};
+
 /// In the child: a fault that reaches here costs this input only.
 int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths,
                 std::string& reportLines) {
@@ -312,6 +353,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
 
   ProgressLine line;
   std::size_t handled = 0, failed = 0;
+  AcceptedByBar accepted(a.request.sure);
   const auto handle = [&](const std::string& input, std::string& lines) {
     const std::string base = (folder / stems.at(input)).string();
     return handleInput(
@@ -326,6 +368,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
               "\n";
     }
     report << lines << std::flush;
+    accepted.count(lines);
     ++handled;
     if (outcome.exitCode != 0) {
       ++failed;
@@ -341,8 +384,10 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   }
   std::fprintf(a.json ? stderr : stdout, "%zu inputs handled, %zu failed, %zu already done; report: %s\n",
                handled, failed, done.size(), reportPath.c_str());
+  std::fprintf(a.json ? stderr : stdout, "%s\n", accepted.text().c_str());
   if (a.json) {
-    const nlohmann::json summary{{"handled", handled}, {"failed", failed}, {"report", reportPath}};
+    const nlohmann::json summary{
+        {"handled", handled}, {"failed", failed}, {"report", reportPath}, {"accepted", accepted.json()}};
     std::fprintf(stdout, "%s\n", summary.dump().c_str());
   }
   return 0;

@@ -3,22 +3,21 @@
 """What an import's confidence is worth, counted: runs the importer over pages whose right answer is known, and writes docs/import-confidence.md.
 
 promise.py count IMPORT_PROGRAM ROWS.jsonl [--corpus DIR] [--seeds A,B,...] [--fresh FIRST:COUNT] [--source NAME] [--jobs N]
-promise.py write ROWS.jsonl... [--page docs/import-confidence.md]
+promise.py write --calibration ROWS.jsonl... --test ROWS.jsonl...
 
-`count` imports every page with `--sure 0`, so that one run answers for every bar, and appends a row a page (`write` takes several files,
-for runs that were made apart). Pages, by source:
+`count` imports every page with `--sure 0`, so that one run answers for every bar, and appends a row a page. `write` puts the tables of two
+such counts of different seeds into docs/import-confidence.md: one from which confidences may be set, one that was not looked at
+before. Pages, by source:
     real, rendered, ref, web   of the corpus; the importer was built on them
     honesty                    the corpus' drawn plots and charts that are none, of --seeds; nobody built on these
     scanned, photographed      the same of other seeds, printed and laid on a scanner or before a camera by `as_scan` and `as_photo`
     vector                     SVG and PDF pages, --fresh FIRST:COUNT, of tests/accuracy/draw_plots.py, of numbers its gate does not use; one in five
                                measures something that is no force over travel and must be refused
 Wrong: accepted and more than 2 % of the span from the truth (mean of both strokes), a stroke invented, or accepted though it must be
-refused. Accepted without a known answer: not counted. Half of the pages, by a hash of the name, are for calibrating; what is promised
-is counted on the other half alone. Needs Debian's python3-numpy, python3-pil and python3-matplotlib, and gnuplot. Runs for minutes to hours.
+refused. Accepted without a known answer: not counted. Needs Debian's python3-numpy, python3-pil and python3-matplotlib, and gnuplot. Runs for minutes to hours.
 """
 import argparse
 import concurrent.futures
-import hashlib
 import json
 import math
 import os
@@ -77,7 +76,7 @@ def honesty_cases(corpus, folder, seed):
 
 
 def degraded(cases, degrade, drawn_as):
-    """The same pages on paper. What stands on its head on a screen is no scan, so those few are left as they are."""
+    """The same pages on paper."""
     for case in cases:
         source = Path(case["file"])
         file = source.with_name(f"{source.stem}.{drawn_as}.jpg")
@@ -298,7 +297,94 @@ def count(a):
                 rows.flush()
 
 
-def main():
+# -- the document ----------------------------------------------------------------------------------------------------------------
+
+PAGE = ROOT / "docs" / "import-confidence.md"
+BARS = (0.5, 0.8, 0.9, 0.95, 0.99)
+CLASSES = ("vector", "picture", "scan", "photo")
+BUILT_ON = ("real", "rendered", "ref", "web")
+
+
+def upper_bound(wrong, count, sure=0.95):
+    """Clopper and Pearson's one-sided bound: the largest share of wrong ones under which so few would still be seen in 1 - `sure` of all counts."""
+    if wrong >= count:
+        return 1.0
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        share = (low + high) / 2
+        seen = sum(math.comb(count, k) * share**k * (1 - share) ** (count - k) for k in range(wrong + 1))
+        low, high = (share, high) if seen > 1 - sure else (low, share)
+    return high
+
+
+def read_rows(files):
+    return [json.loads(line) for file in files for line in Path(file).read_text().splitlines()]
+
+
+def accepted(rows, bar):
+    """How many are accepted with a known answer, and how many of them wrong."""
+    known = [row for row in rows if row["confidence"] is not None and row["confidence"] >= bar and row["wrong"] is not None]
+    return len(known), sum(row["wrong"] for row in known)
+
+
+def cells(rows, bar):
+    count, wrong = accepted(rows, bar)
+    legible = [row for row in rows if row["may"] == "import"]
+    read = sum(row["confidence"] is not None and row["confidence"] >= bar and not row["wrong"] for row in legible)
+    share = f"{100 * read / len(legible):.0f} %" if legible else "-"
+    return f"{count} | {wrong} | {100 * upper_bound(wrong, count):.1f} % | {share}" if count else f"0 | - | - | {share}"
+
+
+def table(rows, title):
+    lines = [f"### {title}", "", "| class, confidence from | accepted | wrong | at most wrong (95 %) | legible pages read right |", "|---|---|---|---|---|"]
+    for name in CLASSES:
+        of_class = [row for row in rows if row["class"] == name]
+        lines += [f"| {name} ({len(of_class)} pages), {bar:g} | {cells(of_class, bar)} |" for bar in BARS]
+    return "\n".join(lines)
+
+
+def promise(rows, bar=0.9, asked=0.005):
+    """One line a class: what the test pages bear out."""
+    lines = []
+    for name in CLASSES:
+        count, wrong = accepted([row for row in rows if row["class"] == name], bar)
+        if count == 0:
+            lines.append(f"- **{name}**: nothing is accepted from {bar:g} on, so nothing is promised there.")
+            continue
+        needed = next(n for n in range(1, 5000) if upper_bound(wrong, n) <= asked)
+        bound = f"at confidence {bar:g} or more at most {100 * upper_bound(wrong, count):.1f} % are wrong ({wrong} of {count} were)"
+        lines.append(f"- **{name}**: {bound}. " + ("That is the promise asked for." if needed <= count else
+                     f"For 1 in {1 / asked:.0f} it takes {needed} accepted pages with no more wrong: **too few pages**."))
+    return "\n".join(lines)
+
+
+def sigma_lines(rows):
+    """Of all pages read right: how often the truth lies within the tactile points' errors."""
+    lines = ["| class | tactile points | place within 68.3 % | within 95.0 % | force within 68.3 % | within 95.0 % |", "|---|---|---|---|---|---|"]
+    for name in CLASSES:
+        errors = [error for row in rows if row["class"] == name for error in row["tactile"]]
+        if not errors:
+            continue
+
+        def within(off, sigma, times):
+            return 100 * sum(abs(error[off]) <= times * error[sigma] for error in errors) / len(errors)
+        lines.append(f"| {name} | {len(errors)} | {within(0, 1, 1):.0f} | {within(0, 1, 1.96):.0f} | {within(2, 3, 1):.0f} | {within(2, 3, 1.96):.0f} |")
+    return "\n".join(lines)
+
+
+def write(a):
+    calibration, test = read_rows(a.calibration), read_rows(a.test)
+    fresh = [row for row in test if row["source"] not in BUILT_ON]
+    known = [row for row in calibration + test if row["source"] in BUILT_ON]
+    parts = [promise(fresh), table(fresh, "Test: pages that nobody looked at before"),
+             table([row for row in calibration if row["source"] not in BUILT_ON], "Calibration: pages the worth of a class was set on"),
+             table(known, "The corpus, on which the importer was built"),
+             "### Errors of tactile points, all pages read right, in per cent\n\n" + sigma_lines(calibration + test)]
+    from coverage import with_section
+    PAGE.write_text(with_section(PAGE.read_text(encoding="utf-8"), "counted", "\n\n".join(parts)), encoding="utf-8")
+
+
+def main(arguments=None):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     commands = parser.add_subparsers(dest="command", required=True)
     counting = commands.add_parser("count")
@@ -310,8 +396,13 @@ def main():
     counting.add_argument("--source", action="append", choices=SOURCES)
     counting.add_argument("--jobs", type=int, default=os.cpu_count())
     counting.add_argument("--keep", help="draw the pages here and leave them")
-    a = parser.parse_args()
-    count(a)
+    counting.set_defaults(run=count)
+    writing = commands.add_parser("write")
+    writing.add_argument("--calibration", nargs="+", required=True)
+    writing.add_argument("--test", nargs="+", required=True)
+    writing.set_defaults(run=write)
+    a = parser.parse_args(arguments)
+    a.run(a)
 
 
 if __name__ == "__main__":

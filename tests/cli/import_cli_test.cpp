@@ -353,6 +353,10 @@ TEST_CASE("A batch handles every input, whatever happens to one, and resumes") {
   CHECK(json::parse(first)["status"] == "ok");
   CHECK(json::parse(second)["exit_code"] == 3);
   CHECK(folder.read("out/two-level-legend.button.json").size() > 100);
+  CHECK_THAT(run.out, Catch::Contains("accepted: 1 at --sure 0.5, 1 at --sure 0.8"));
+  const double sure = json::parse(first)["confidence"];
+  CHECK_THAT(run.out, Catch::Contains(sure < 0.99 ? "0 at --sure 0.99" : "1 at --sure 0.99"));
+  CHECK(json::parse(first)["page_class"] == "picture");
 
   const ProgramResult again = import(folder, {"--batch", plot, "broken.png", "--out-dir", "out", "--resume"});
   CHECK(again.exitCode == 0);

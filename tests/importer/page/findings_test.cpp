@@ -33,7 +33,7 @@ TEST_CASE("every finding has a name for scripts and words for people") {
   everyCodeHasItsOwnNameAndWords(EvidenceCode::widenedToNumbers, [&](EvidenceCode c) {
     return messageOf(EvidenceItem{c, values});
   });
-  everyCodeHasItsOwnNameAndWords(DoubtCode::otherScale, [&](DoubtCode c) {
+  everyCodeHasItsOwnNameAndWords(DoubtCode::pageIsPhoto, [&](DoubtCode c) {
     return messageOf(Doubt{c, values, {}});
   });
   everyCodeHasItsOwnNameAndWords(RemarkCode::printedValueDiffers, [&](RemarkCode c) {

@@ -34,6 +34,7 @@ struct Import {
   std::vector<SpecCheck> checks;
   ImportHints hints;
   std::size_t tactilePoints = 1;
+  PageClass pageClass = PageClass::picture;
 
   Import() {
     graph.view.raster.width_px = 700, graph.view.raster.height_px = 600;
@@ -59,7 +60,13 @@ struct Import {
     Found<StrokePair> found;
     found.value = pair;
     found.confidence = 1;
-    return {graph, traces, found, strokes, rms_px, rms_px, {}, {}};
+    return {graph, traces, found, strokes, rms_px, rms_px, {}, {}, pageClass};
+  }
+  /// What an import with this doubt is worth; empty without it.
+  std::optional<double> weighed(DoubtCode kind) const {
+    for (const WeighedDoubt& each : doubtsOf(findings(), checks, hints))
+      if (each.doubt.code == kind) return each.confidence;
+    return {};
   }
   std::vector<DoubtCode> doubts() const {
     std::vector<DoubtCode> kinds;
@@ -137,6 +144,28 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   Import turns;
   turns.tactilePoints = 7;
   CHECK(turns.doubted(DoubtCode::manyTactilePoints));
+}
+
+TEST_CASE("a release that covers a part of the press is a piece of something else") {
+  Import import;
+  import.release = {{2.6, 0.4}, { 1.9, 0.2 }};
+  CHECK(import.doubted(DoubtCode::strokeInPart));
+  import.release = {{3.2, 1.4}, { 1.6, 0.3 }};  // a key that stays down
+  CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
+}
+
+TEST_CASE("what came from paper is worth less, unless frame and axes were given") {
+  Import import;
+  import.pageClass = PageClass::scan;
+  CHECK(import.weighed(DoubtCode::pageIsScan) == Approx(0.88));
+  import.pageClass = PageClass::photo;
+  CHECK(import.weighed(DoubtCode::pageIsPhoto) == Approx(0.66));
+  for (CurvePoint& p : import.press) p.force_N *= 1000;  // doubted beside: both count
+  CHECK(import.weighed(DoubtCode::implausibleForce) == Approx(0.66 * 0.4));
+  import.hints.frame = {{100, 100}, { 500, 500 }};
+  import.hints.axes.xMin = import.hints.axes.yMin = 0;
+  import.hints.axes.xMax = 4, import.hints.axes.yMax = 4;
+  CHECK_FALSE(import.weighed(DoubtCode::pageIsPhoto).has_value());
 }
 
 /// Both strokes run along the foot of an axis that begins at 0.3 N.
