@@ -77,6 +77,28 @@ double worstRms_px(const GraphFindings& findings) {
   return std::max(press_px, findings.fitted.release->summary.rmsSigma * findings.releaseNoise_px);
 }
 
+/// Errors of a graph's axes, mm and N, that all its points share.
+PointNoise axisError(const GraphFindings& findings) {
+  // A drawing program puts lines on whole pixels and leaves curves where they belong; which way it rounded is not known
+  // unless the frame shows it (docs/decisions/0402-lines-on-whole-pixels.md).
+  constexpr double roundedLine_px = 0.5;
+  const bool exact =
+      findings.pageClass == PageClass::vector || findings.graph.frame.value.drawnOffset_px != Point{};
+  const AxisCalibration& axes = findings.graph.axes.calibration.value;
+  const auto error_px = [&](const AxisReading& axis) {
+    return std::hypot(exact ? 0 : roundedLine_px, axis.residual_px);
+  };
+  return {error_px(axes.x) * std::abs(axes.mmPerPx()), error_px(axes.y) * std::abs(axes.newtonPerPx())};
+}
+
+StrokeReport strokeReport(FitSummary fit, double rms_px, const PointNoise& axes) {
+  for (FittedTactilePoint& point : fit.tactilePoints) {
+    point.sigma_mm = std::hypot(point.sigma_mm, axes.sigma_mm);
+    point.sigma_N = std::hypot(point.sigma_N, axes.sigma_N);
+  }
+  return {std::move(fit), rms_px};
+}
+
 double diagonal_px(const PlotFrame& frame) {
   const Box box = frame.box();
   return std::hypot(box.width(), box.height());
@@ -182,8 +204,10 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   report.page = source.page, report.graph = source.graph;
   if (curve) report.curve = *curve + 1;
   report.x = calibration.x, report.y = calibration.y;
-  report.press = {findings.fitted.press.summary, provenance.pressRms_px};
-  if (findings.fitted.release) report.release = {findings.fitted.release->summary, provenance.releaseRms_px};
+  const PointNoise axesOff = axisError(findings);
+  report.press = strokeReport(findings.fitted.press.summary, provenance.pressRms_px, axesOff);
+  if (findings.fitted.release)
+    report.release = strokeReport(findings.fitted.release->summary, provenance.releaseRms_px, axesOff);
   report.callouts = std::move(findings.callouts);
   report.confidence = provenance.confidence;
   report.doubt = uncertain;
