@@ -7,6 +7,7 @@
 #include "importer/assemble_report.h"
 #include "importer/drawn_strokes.h"
 #include "importer/graph_copies.h"
+#include "importer/graph_title.h"
 #include "importer/importer.h"
 #include "importer/locate_graphs.h"
 #include "importer/rest_position.h"
@@ -362,6 +363,13 @@ struct ImportSession::Impl {
     LocatedGraph& located() const { return onPage->located.graphs[index]; }
   };
 
+  /// Of a document that may hold several graphs the file's name and the graph's title, so that their buttons differ.
+  std::string buttonName(const Choice& choice) const {
+    const bool alone = document->pageCount() == 1 && choice.onPage->located.graphs.size() == 1;
+    const std::string title = alone ? std::string() : titleAbove(choice.located());
+    return title.empty() ? stem() : stem() + " " + title;
+  }
+
   /// Legend, callouts and titles of the chosen graph, read once; listing does without them.
   void readAllTexts(LocatedGraph& graph, const Progress& progress) {
     if (graph.textsComplete) return;
@@ -642,7 +650,8 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   const auto& unread = remarks[choice->page];
   choice->remarks.insert(choice->remarks.end(), unread.begin(), unread.end());
   const PageClass pageClass = pair.press.fromVector ? PageClass::vector : classOfPixels(graph.view.raster);
-  const GraphSource source{name(), stem(), document->sha256(), choice->page, choice->graph, choice->remarks};
+  const GraphSource source{name(),       buttonName(*choice), document->sha256(),
+                           choice->page, choice->graph,       choice->remarks};
   auto report = assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(),
                                 press_px, release_px, std::move(callouts), printedSpecs(), pageClass},
                                source, request);

@@ -36,18 +36,22 @@ StrokeCurve withExtremumKnotAt(const StrokeCurve& curve, double displacement_mm)
 struct AffineMap {
   CurvePoint anchor;
   double scale_mm, scale_N;
+  double scaleOfSlopes;  // N/mm to N/mm
 
   double mapped_mm(double x) const {
     return anchor.displacement_mm + (x - anchor.displacement_mm) * scale_mm;
   }
   double mapped_N(double force) const { return anchor.force_N + (force - anchor.force_N) * scale_N; }
-  double mappedSlope(double slope) const { return slope * (scale_N / scale_mm); }
+  double mappedSlope(double slope) const { return slope * scaleOfSlopes; }
 };
 
+// A wall's inner slopes mean nothing and a level flank has none: both are drawn out between level ends.
 AffineMap flankMap(CurvePoint anchor, CurvePoint apex, CurvePoint to) {
-  return {anchor,
-          (to.displacement_mm - anchor.displacement_mm) / (apex.displacement_mm - anchor.displacement_mm),
-          (to.force_N - anchor.force_N) / (apex.force_N - anchor.force_N)};
+  const double width_mm = apex.displacement_mm - anchor.displacement_mm,
+               height_N = apex.force_N - anchor.force_N;
+  const double scale_mm = width_mm == 0 ? 1 : (to.displacement_mm - anchor.displacement_mm) / width_mm;
+  const double scale_N = height_N == 0 ? 1 : (to.force_N - anchor.force_N) / height_N;
+  return {anchor, scale_mm, scale_N, width_mm == 0 ? 0 : scale_N / scale_mm};
 }
 
 // An extremum and the ends of its two flanks.

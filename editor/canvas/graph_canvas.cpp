@@ -11,17 +11,6 @@ namespace {
 
 constexpr double lens_px = 190, lensTimes = 5;
 
-QImage imageOf(const importer::Raster& raster) {
-  const QImage view(raster.rgb.data(), raster.width_px, raster.height_px, 3 * qsizetype(raster.width_px),
-                    QImage::Format_RGB888);
-  return view.copy();
-}
-
-// The importer writes column vectors, Qt row vectors.
-QTransform transformOf(const std::array<double, 9>& h) {
-  return {h[0], h[3], h[6], h[1], h[4], h[7], h[2], h[5], h[8]};
-}
-
 }  // namespace
 
 GraphCanvas::GraphCanvas(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
@@ -91,12 +80,8 @@ void GraphCanvas::takeOrigin() {
   if (const auto& origin = document_.origin()) {
     traced_->setPoints(origin->strokes.press.points,
                        origin->strokes.release ? origin->strokes.release->points : std::vector<CurvePoint>{});
-    if (origin->evidence && !origin->evidence->view.raster.empty())
-      underlay_->setPage(imageOf(origin->evidence->view.raster),
-                         transformOf(origin->evidence->axes.calibration.value.viewToUnits.m));
-  } else if (const auto& sheet = document_.sheet()) {
-    underlay_->setPage(sheet->picture, sheet->pixelToAxes);
   }
+  if (const auto page = document_.page()) underlay_->setPage(page->picture, page->pixelToAxes);
   takeSettings();
 }
 
@@ -133,6 +118,7 @@ void GraphCanvas::setSelected(const std::optional<MarkId>& selected) {
 }
 
 void GraphCanvas::setSelection(std::vector<MarkId> marks) {
+  std::erase_if(marks, [this](const MarkId& mark) { return !placeOf(mark, state(), values()); });
   const bool changes = marks != selection_;
   selection_ = std::move(marks);
   rememberSelection();

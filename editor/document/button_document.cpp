@@ -7,6 +7,19 @@
 #include "model/check.h"
 
 namespace detent::editor {
+namespace {
+
+QImage imageOf(const importer::Raster& raster) {
+  const QImage view(raster.rgb.data(), raster.width_px, raster.height_px, 3 * qsizetype(raster.width_px),
+                    QImage::Format_RGB888);
+  return view.copy();
+}
+
+}  // namespace
+
+QTransform transformOf(const std::array<double, 9>& rows) {
+  return {rows[0], rows[3], rows[6], rows[1], rows[4], rows[7], rows[2], rows[5], rows[8]};
+}
 
 ButtonDocument::ButtonDocument(Button button, QObject* parent)
     : QObject(parent), history_(std::move(button)) {
@@ -53,6 +66,19 @@ void ButtonDocument::setOrigin(std::shared_ptr<const importer::ImportReport> ori
 void ButtonDocument::setSheet(std::optional<PlacedPage> sheet) {
   sheet_ = std::move(sheet);
   emit originChanged();
+}
+
+std::optional<PlacedPage> ButtonDocument::page() const {
+  if (!origin_ || !origin_->evidence || origin_->evidence->view.raster.empty()) return sheet_;
+  const importer::GraphEvidence& evidence = *origin_->evidence;
+  return PlacedPage{imageOf(evidence.view.raster),
+                    transformOf(evidence.axes.calibration.value.viewToUnits.m)};
+}
+
+void ButtonDocument::setCutout(std::optional<PageCutout> cutout) {
+  if (cutout == cutout_) return;
+  cutout_ = std::move(cutout);
+  emit cutoutChanged();
 }
 
 void ButtonDocument::wantOrigin() {

@@ -2,6 +2,7 @@
 #pragma once
 // One open button: its history, its file, the page it came from, and which of its states is worked on.
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <QByteArray>
@@ -12,6 +13,7 @@
 
 #include "editor/document/edit_history.h"
 #include "importer/importer.h"
+#include "model/file/page_cutout.h"
 
 namespace detent::editor {
 
@@ -21,6 +23,9 @@ struct PlacedPage {
   QTransform pixelToAxes;  ///< from pixel centres (0,0 top left) to mm and N; may be projective
   bool readable = true;    ///< reading it again may give traced points; false once that has failed
 };
+
+/// Of a projective map written row by row for column vectors, as the importer and button files have it.
+QTransform transformOf(const std::array<double, 9>& rows);
 
 /// What a tab shows. Views draw its values and listen to its signals; only tools and operations call
 /// `history()`. GUI thread.
@@ -57,6 +62,11 @@ class ButtonDocument : public QObject {
   /// The page alone, of a button opened from a file whose sheet was found; nothing was traced on it yet.
   const std::optional<PlacedPage>& sheet() const { return sheet_; }
   void setSheet(std::optional<PlacedPage> sheet);
+  /// What lies behind the curves, of the import or of the sheet; nothing where there is neither.
+  std::optional<PlacedPage> page() const;
+  /// The page as the file keeps it, or will when it is saved; empty unless a person chose that.
+  const std::optional<PageCutout>& cutout() const { return cutout_; }
+  void setCutout(std::optional<PageCutout> cutout);
   /// There is no origin, but reading the sheet again would give one.
   bool originOnDemand() const { return sheet_ && sheet_->readable && !origin_; }
   /// Whoever needs traced points or printed values says so; they come as `originChanged`, if they can be had.
@@ -67,7 +77,8 @@ class ButtonDocument : public QObject {
   void changed();
   void activeStateChanged();
   void originChanged();  ///< origin or sheet
-  void originWanted();   ///< by wantOrigin, where it is on demand
+  void cutoutChanged();
+  void originWanted();  ///< by wantOrigin, where it is on demand
   /// Path, name or unsaved mark.
   void titleChanged();
 
@@ -78,6 +89,7 @@ class ButtonDocument : public QObject {
   QByteArray knownContent_;
   std::shared_ptr<const importer::ImportReport> origin_;
   std::optional<PlacedPage> sheet_;
+  std::optional<PageCutout> cutout_;
 };
 
 }  // namespace detent::editor

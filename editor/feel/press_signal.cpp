@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/feel/press_signal.h"
 
-#include <algorithm>
 #include <chrono>
+
+#include "editor/document/begun_in.h"
 
 namespace detent::editor {
 namespace {
@@ -11,14 +12,6 @@ PressSignal failed(const Failure& failure) {
   PressSignal signal;
   signal.failure = failure;
   return signal;
-}
-
-/// With the state first in which the press begins, as programs do.
-Button begunIn(const Button& button, std::size_t state) {
-  std::vector<ButtonState> states = button.states();
-  if (state == 0 || state >= states.size()) return button;
-  std::rotate(states.begin(), states.begin() + static_cast<std::ptrdiff_t>(state), states.end());
-  return Button::fromStates(button.name(), std::move(states), button.provenance()).value();
 }
 
 PressSignal computed(const PressSignalRequest& request) {

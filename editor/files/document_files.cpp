@@ -40,9 +40,10 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
     return std::make_unique<ButtonDocument>(*std::move(button));
   }
   const QByteArray hash = contentHash(path);
-  auto button = readButtonFile(bytesOf(path));
-  if (!button) return button.failure();
-  auto document = std::make_unique<ButtonDocument>(*std::move(button));
+  auto file = readWholeButtonFile(bytesOf(path));
+  if (!file) return file.failure();
+  auto document = std::make_unique<ButtonDocument>(std::move(file->button));
+  document->setCutout(std::move(file->cutout));
   document->setPath(QFileInfo(path).absoluteFilePath());
   document->setKnownContent(hash);
   return document;
@@ -57,10 +58,10 @@ std::unique_ptr<ButtonDocument> importedDocument(std::shared_ptr<const importer:
 
 Result<Done> saveDocument(ButtonDocument& document, const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
-  if (auto written = writeButtonFile(bytesOf(absolute), document.history().committed()); !written)
-    return written.failure();
+  const std::string text = jsonFrom(document.history().committed(), document.cutout());
+  if (auto written = writeTextFileAtomically(bytesOf(absolute), text); !written) return written.failure();
   // Of what was written, not of what is read back: between the two somebody else may write.
-  document.setKnownContent(contentHash(QByteArray::fromStdString(jsonFrom(document.history().committed()))));
+  document.setKnownContent(contentHash(QByteArray::fromStdString(text)));
   document.setPath(absolute);
   document.history().markSaved();
   return Done{};
@@ -75,11 +76,12 @@ DiskState diskStateOf(const ButtonDocument& document) {
 Result<Done> reloadDocument(ButtonDocument& document) {
   // Before the file is read: what another program writes in between is then a change again.
   const QByteArray hash = contentHash(document.path());
-  auto button = readButtonFile(bytesOf(document.path()));
-  if (!button) return button.failure();
+  auto file = readWholeButtonFile(bytesOf(document.path()));
+  if (!file) return file.failure();
   document.setKnownContent(hash);
+  document.setCutout(std::move(file->cutout));
   if (document.history().dragging()) document.history().cancelDrag();
-  document.history().apply(*button, ButtonDocument::tr("Reload from disk"));
+  document.history().apply(file->button, ButtonDocument::tr("Reload from disk"));
   document.history().markSaved();
   return Done{};
 }

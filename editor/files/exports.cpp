@@ -2,10 +2,11 @@
 #include "editor/files/exports.h"
 
 #include <filesystem>
+#include <QBuffer>
 #include <QCoreApplication>
 #include <QFile>
-#include <QSaveFile>
 
+#include "editor/document/begun_in.h"
 #include "model/check.h"
 #include "model/file/curve_csv.h"
 #include "model/file/svg_plot.h"
@@ -36,15 +37,16 @@ Result<Done> exportSvg(const Button& button, const DisplayUnits& units, const QS
 }
 
 Result<Done> exportPng(const QImage& picture, const QString& path) {
-  QSaveFile file(path);
-  if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.commit()) return Done{};
-  return Failure{FailureCode::internalFault, path.toStdString(), "",
-                 "cannot be written: " + file.errorString().toStdString(),
-                 "Check the folder's permissions and free space"};
+  QByteArray png;
+  QBuffer buffer(&png);
+  if (!buffer.open(QIODevice::WriteOnly) || !picture.save(&buffer, "PNG"))
+    return Failure{FailureCode::internalFault, path.toStdString(), "", "is no picture that a PNG can hold",
+                   "Export it smaller"};
+  return writeTextFileAtomically(bytesOf(path), png.toStdString());
 }
 
-Result<Done> exportWav(const Button& button, const QString& path) {
-  const auto prepared = playback::prepareProgram(button, {}, {});
+Result<Done> exportWav(const Button& button, std::size_t state, const QString& path) {
+  const auto prepared = playback::prepareProgram(begunIn(button, state), {}, {});
   if (!prepared) return prepared.failure();
   const auto written =
       playback::renderPressToFile(prepared->program, playback::standardPress(prepared->program), {},

@@ -20,7 +20,8 @@ Result<Done> exportSvg(const Button& button, const DisplayUnits& units, const QS
 
 Result<Done> exportPng(const QImage& picture, const QString& path);
 
-/// The vibration of a standard press (playback/playback.h) on a perfect device: mono float WAV, 48 kHz.
-Result<Done> exportWav(const Button& button, const QString& path);
+/// The vibration of a standard press (playback/playback.h) that begins in that state, on a perfect device: mono float
+/// WAV, 48 kHz.
+Result<Done> exportWav(const Button& button, std::size_t state, const QString& path);
 
 }  // namespace detent::editor

@@ -4,8 +4,6 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "model/file/button_file.h"
-
 namespace detent::editor {
 namespace {
 
@@ -25,7 +23,7 @@ std::string recoveryText(const RecoveryRecord& record) {
                            {"title", record.title},
                            {"known_content", QString::fromLatin1(record.knownContent.toHex())},
                            {"written", record.written.toUTC().toString(Qt::ISODateWithMs)},
-                           {"button", QString::fromStdString(jsonFrom(record.button))}};
+                           {"button", QString::fromStdString(jsonFrom(record.button, record.cutout))}};
   return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
 
@@ -39,11 +37,14 @@ Result<RecoveryRecord> recoveryFromText(const std::string& text, const QString& 
     return broken(subject, "is not a recovery file: its format is not detent-recovery");
   if (object["version"].toInt() != recoveryVersion)
     return broken(subject, "has version " + std::to_string(object["version"].toInt()) + ", not 1");
-  auto button = buttonFromJson(object["button"].toString().toStdString(), subject.toStdString());
-  if (!button) return button.failure();
-  return RecoveryRecord{*std::move(button), object["path"].toString(), object["title"].toString(),
+  auto file = buttonFileFromJson(object["button"].toString().toStdString(), subject.toStdString());
+  if (!file) return file.failure();
+  return RecoveryRecord{std::move(file->button),
+                        object["path"].toString(),
+                        object["title"].toString(),
                         QDateTime::fromString(object["written"].toString(), Qt::ISODateWithMs),
-                        QByteArray::fromHex(object["known_content"].toString().toLatin1())};
+                        QByteArray::fromHex(object["known_content"].toString().toLatin1()),
+                        std::move(file->cutout)};
 }
 
 }  // namespace detent::editor

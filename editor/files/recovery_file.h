@@ -5,7 +5,7 @@
 #include <QDateTime>
 #include <QString>
 
-#include "model/button.h"
+#include "model/file/button_file.h"
 
 namespace detent::editor {
 
@@ -17,6 +17,7 @@ struct RecoveryRecord {
   QDateTime written;  ///< UTC
   /// ButtonDocument::knownContent(), so that the guard against writing over somebody's change outlives the editor.
   QByteArray knownContent = {};
+  std::optional<PageCutout> cutout = {};
 };
 
 /// One JSON object: format, version, path, title, time, and the text of the button file.

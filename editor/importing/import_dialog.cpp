@@ -91,19 +91,17 @@ Advice adviceForDoubt(const ImportGraph& graph, const DisplayUnits& units) {
   return advice;
 }
 
-/// It failed because several switches are drawn in it and none of them, or one that is not there, was chosen.
-bool asksForSwitch(const ImportGraph& graph) {
-  return graph.last->failure->reason == importer::nameOf(importer::DoubtCode::severalSwitches) &&
-         !graph.switches().empty();
-}
-
-Advice adviceForFailure(const ImportGraph& graph, const QString& documentName, const DisplayUnits& units) {
-  Advice advice = adviceFor(*graph.last->failure, documentName, units);
-  if (!asksForSwitch(graph)) return advice;
+/// Where a plot shows several switches. It stays when one of them was chosen: others may be wanted too, and the list does not move away
+/// under the hand.
+Advice adviceOnSwitches(const ImportGraph& graph) {
   return {QObject::tr("This plot shows %1 switches.").arg(graph.switches().size()),
           QObject::tr(
               "Choose one in the list of switches, or tick several there: each becomes a button of its own."),
           {}};
+}
+
+bool isAboutSwitches(const Failure& failure) {
+  return failure.reason == importer::nameOf(importer::DoubtCode::severalSwitches);
 }
 
 }  // namespace
@@ -451,14 +449,17 @@ void ImportDialog::Impl::showAdvice() {
     }
     return advice->clear();
   }
-  if (graph->last && graph->last->failure && graph->pending == 0)
-    return advice->say(asksForSwitch(*graph) ? AdviceBar::Tone::note : AdviceBar::Tone::fault,
-                       adviceForFailure(*graph, state.documentName(), settings.units()));
+  const bool several = !graph->switches().empty();
+  const bool failed = graph->last && graph->last->failure && graph->pending == 0;
+  if (failed && !(several && isAboutSwitches(*graph->last->failure)))
+    return advice->say(AdviceBar::Tone::fault,
+                       adviceFor(*graph->last->failure, state.documentName(), settings.units()));
   const importer::ImportReport* report = graph->last ? graph->last->report.get() : nullptr;
   if (report && report->doubt) {
     if (graph->confirmed) return advice->clear();
     return advice->say(AdviceBar::Tone::doubt, adviceForDoubt(*graph, settings.units()));
   }
+  if (several) return advice->say(AdviceBar::Tone::note, adviceOnSwitches(*graph));
   // While a graph is read again, what was said of it stands; what was said before it was there does not.
   if (graph->pending == 0 || !graph->last) advice->clear();
 }

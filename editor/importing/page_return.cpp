@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QFileInfo>
 
+#include "editor/document/kept_page.h"
 #include "editor/document/message_words.h"
 
 namespace detent::editor {
@@ -103,7 +104,8 @@ QString PageReturn::lastPlaceOf(const Button& button) const {
 
 void PageReturn::bringBack(ButtonDocument& document) {
   const auto& provenance = document.button().provenance();
-  if (!provenance || provenance->sourceSha256.empty() || document.origin() || document.sheet()) return;
+  if (document.origin() || document.sheet()) return;
+  if (!provenance || provenance->sourceSha256.empty()) return showKept(document);
   QStringList places;
   if (!document.path().isEmpty())
     places << QFileInfo(document.path()).dir().filePath(QString::fromStdString(provenance->sourceFile));
@@ -180,6 +182,11 @@ void PageReturn::attend(ButtonDocument& document) {
   connect(&document, &QObject::destroyed, this, [this, gone = &document] { tracing_.erase(gone); });
 }
 
+void PageReturn::showKept(ButtonDocument& document) {
+  if (document.sheet() || !document.cutout()) return;
+  if (auto page = placedFrom(*document.cutout())) document.setSheet(std::move(page));
+}
+
 void PageReturn::take(ButtonDocument& document, const Answer& answer, bool chosen) {
   const auto& provenance = document.button().provenance();
   if (!provenance || document.origin()) return;
@@ -187,11 +194,14 @@ void PageReturn::take(ButtonDocument& document, const Answer& answer, bool chose
   if (answer.path.isEmpty()) {
     if (chosen)
       return emit refused(&document, tr("This is not the sheet the button was read from, %1.").arg(name));
+    showKept(document);
     return emit missing(&document, name);
   }
   remember(*provenance, answer.path);
-  if (!answer.page && !answer.report)
+  if (!answer.page && !answer.report) {
+    showKept(document);
     return emit refused(&document, notReadAgain(document.button(), answer.failure));
+  }
   if (answer.page)
     document.setSheet(answer.page);
   else

@@ -38,8 +38,8 @@ class PageReturn : public QObject {
   void attend(ButtonDocument& document);
   /// Where a sheet was imported from.
   void remember(const Provenance& provenance, const QString& path);
-  /// Looks beside the button's file and where the sheet was last; nothing for buttons that came from no sheet,
-  /// and for those that have their page.
+  /// Looks beside the button's file and where the sheet was last; else shows the page that the file keeps. Nothing for
+  /// buttons that came from no sheet, and for those that have their page.
   void bringBack(ButtonDocument& document);
   /// From a file that a person chose.
   void bringBackFrom(ButtonDocument& document, const QString& path);
@@ -69,6 +69,8 @@ class PageReturn : public QObject {
   void start(ButtonDocument& document, const QStringList& places, bool traced,
              std::function<void(ButtonDocument&, const Answer&)> take);
   QString lastPlaceOf(const Button& button) const;
+  /// Where the sheet is not: the page that the button's file keeps, if it keeps one.
+  static void showKept(ButtonDocument& document);
   void take(ButtonDocument& document, const Answer& answer, bool chosen);
 
   QSettings& places_;

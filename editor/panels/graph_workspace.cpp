@@ -20,6 +20,7 @@
 #include "editor/canvas/displacement_force_view.h"
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/message_words.h"
+#include "editor/panels/grid_dialog.h"
 #include "editor/panels/operation_menu.h"
 #include "editor/tools/damping_view.h"
 #include "editor/tools/mark_edits.h"
@@ -337,6 +338,13 @@ void GraphWorkspace::addSnapActions() {
   snapOther_ =
       addViewSwitch("snapOther", tr("Snap to the other &stroke"),
                     tr("Points of the press cling to the release curve, and the other way round"), false);
+  connect(addViewAction("snapGridSteps", tr("Grid ste&ps…"),
+                        tr("How far apart the lines of the snap grid lie"), QKeySequence("Alt+G")),
+          &QAction::triggered, this, [this] {
+            auto* dialog = new GridDialog(settings_, this);
+            dialog->setAttribute(Qt::WA_DeleteOnClose);
+            dialog->show();
+          });
   connectSnap(snapGrid_, &SnapSettings::toGrid);
   connectSnap(snapTraced_, &SnapSettings::toTracedPoints);
   connectSnap(snapOther_, &SnapSettings::toOtherStroke);

@@ -66,8 +66,10 @@ std::optional<ReadingError> readingErrorOf(const Button& button) {
   const bool rendered = file.endsWith(QLatin1String(".pdf")) || file.endsWith(QLatin1String(".svg"));
   const double pxPerUnit = rendered ? std::max(1.0, renderedFrame_px / width) : 1;
   const double fit_px = std::max(from->pressRms_px, from->releaseRms_px);
+  constexpr double leastShare = 1e-4;  // of the axis: no drawing is more exact, though its file may be
   const auto error = [&](const AxisProvenance& axis, double unit, double size) {
-    return std::hypot(fit_px, axis.residual_px) / (size * pxPerUnit) * std::abs(axis.max - axis.min) * unit;
+    const double share = std::max(leastShare, std::hypot(fit_px, axis.residual_px) / (size * pxPerUnit));
+    return share * std::abs(axis.max - axis.min) * unit;
   };
   return ReadingError{error(*from->xAxis, millimetresPer(*length), width),
                       error(*from->yAxis, newtonsPer(*force), height)};

@@ -81,6 +81,7 @@ bool SelectTool::pressed(const PointerInput& input) {
   wasSelected_ = held_ && context_.canvas.isSelected(held_->id);
   adding_ = input.modifiers & Qt::ShiftModifier;
   selectedBefore_ = adding_ ? context_.canvas.selection() : std::vector<MarkId>{};
+  pressedOn_ = MarkedState{context_.canvas.state(), context_.canvas.values()};
   holding_ = held_ ? Holding::mark : Holding::ground;
   if (!held_) return true;
   if (adding_) {
@@ -121,7 +122,10 @@ void SelectTool::bandTo(const PointerInput& input) {
   GraphCanvas& canvas = context_.canvas;
   const QRectF band = QRectF(pressed_px_, input.at_px).normalized();
   const PlotMapping map = canvas.mapping();
-  std::vector<MarkId> now = selectedBefore_;
+  std::vector<MarkId> now;
+  const MarkedState shown{canvas.state(), canvas.values()};  // keys may have changed it meanwhile
+  for (const MarkId& mark : selectedBefore_)
+    if (const auto same = sameMark(mark, *pressedOn_, shown)) now.push_back(*same);
   for (const MarkId& mark : allPoints(canvas.state())) {
     const auto at = placeOf(mark, canvas.state(), canvas.values());
     if (!at || !band.contains(map.toPixel(at->displacement_mm, at->force_N))) continue;

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "editor/canvas/graph_marks.h"
+#include "editor/canvas/mark_identity.h"
 #include "editor/tools/tool.h"
 
 namespace detent::editor {
@@ -37,7 +37,8 @@ class SelectTool : public Tool {
   std::optional<Mark> held_;
   bool wasSelected_ = false;
   bool adding_ = false;                 ///< Shift was down when the button went down
-  std::vector<MarkId> selectedBefore_;  ///< what a rectangle adds to
+  std::vector<MarkId> selectedBefore_;  ///< what a rectangle adds to, as named on
+  std::optional<MarkedState> pressedOn_;
   QPointF pressed_px_;
   CurvePoint pressedAt_;
   bool travelled_ = false;

@@ -25,6 +25,13 @@ std::vector<std::size_t> knotsOf(const std::vector<MarkId>& marks, Stroke stroke
 
 using KnotsEdit = std::function<Result<StrokeCurve>(const StrokeCurve&, const std::vector<std::size_t>&)>;
 
+Result<StrokeCurve> editThese(const StrokeCurve& curve, const std::vector<std::size_t>& knots,
+                              const KnotsEdit& edit) {
+  if (knots.back() >= curve.knots().size())
+    return refusal("names a knot that is not there", "Select the points again");
+  return edit(curve, knots);
+}
+
 // Both strokes together: half of an edit could be against the rules of a graph.
 Result<Button> editKnots(const Button& button, std::size_t state, const std::vector<MarkId>& marks,
                          const KnotsEdit& edit) {
@@ -32,12 +39,12 @@ Result<Button> editKnots(const Button& button, std::size_t state, const std::vec
     StrokeCurve press = graph.press();
     std::optional<StrokeCurve> release = graph.release();
     if (const auto knots = knotsOf(marks, Stroke::press); !knots.empty()) {
-      auto edited = edit(press, knots);
+      auto edited = editThese(press, knots, edit);
       if (!edited) return edited.failure();
       press = *std::move(edited);
     }
     if (const auto knots = knotsOf(marks, Stroke::release); release && !knots.empty()) {
-      auto edited = edit(*release, knots);
+      auto edited = editThese(*release, knots, edit);
       if (!edited) return edited.failure();
       release = *std::move(edited);
     }

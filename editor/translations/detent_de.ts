@@ -813,6 +813,14 @@
         <source>Name one of its pieces</source>
         <translation>Nennen Sie eines ihrer Stücke</translation>
     </message>
+    <message>
+        <source>has %1 bytes, more than %2</source>
+        <translation>hat %1 Bytes, mehr als %2</translation>
+    </message>
+    <message>
+        <source>has %1 numbers, not nine</source>
+        <translation>hat %1 Zahlen, nicht neun</translation>
+    </message>
 </context>
 <context>
     <name>detent::Button</name>
@@ -2288,7 +2296,7 @@
     </message>
     <message>
         <source>One press at a time</source>
-        <translation>Ein Druck zur Zeit</translation>
+        <translation>Immer nur ein Druck auf einmal</translation>
     </message>
     <message>
         <source>Switch the sound on to play a press</source>
@@ -2647,10 +2655,6 @@
     <message>
         <source>sample-datasheet</source>
         <translation>Beispiel-Datenblatt</translation>
-    </message>
-    <message>
-        <source>The sample cannot be written to %1: %2</source>
-        <translation>Das Beispiel lässt sich nicht nach %1 schreiben: %2</translation>
     </message>
 </context>
 <context>
@@ -3302,6 +3306,37 @@
         <source>Drag a rectangle to see it enlarged; a click comes nearer</source>
         <translation>Ein Rechteck aufziehen, um es vergrößert zu sehen; ein Klick kommt näher</translation>
     </message>
+    <message>
+        <source>Grid ste&amp;ps…</source>
+        <translation>S&amp;chrittweiten des Rasters …</translation>
+    </message>
+    <message>
+        <source>How far apart the lines of the snap grid lie</source>
+        <translation>Wie weit die Linien des Fangrasters auseinanderliegen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::GridDialog</name>
+    <message>
+        <source>Steps of the snap grid</source>
+        <translation>Schrittweiten des Fangrasters</translation>
+    </message>
+    <message>
+        <source>&amp;Displacement:</source>
+        <translation>&amp;Weg:</translation>
+    </message>
+    <message>
+        <source>&amp;Force:</source>
+        <translation>&amp;Kraft:</translation>
+    </message>
+    <message>
+        <source>Step of the grid along the displacement</source>
+        <translation>Schrittweite des Rasters entlang des Wegs</translation>
+    </message>
+    <message>
+        <source>Step of the grid along the force</source>
+        <translation>Schrittweite des Rasters entlang der Kraft</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::HistoryPanel</name>
@@ -3330,7 +3365,7 @@
     </message>
     <message>
         <source>Adjust</source>
-        <translation>Ausrichten</translation>
+        <translation>Justieren</translation>
     </message>
     <message>
         <source>Drag corners, edges and ticks</source>
@@ -3968,10 +4003,6 @@
         <translation>&amp;Schwingung eines Drucks (WAV) …</translation>
     </message>
     <message>
-        <source>Write what a standard press feels like: mono, 48 kHz</source>
-        <translation>Schreiben, wie sich ein Normdruck anfühlt: mono, 48 kHz</translation>
-    </message>
-    <message>
         <source>&amp;Print…</source>
         <translation>&amp;Drucken …</translation>
     </message>
@@ -4234,6 +4265,18 @@
     <message>
         <source>Import a sheet that comes with Detent, to see how it goes</source>
         <translation>Ein mitgeliefertes Datenblatt importieren, um zu sehen, wie es geht</translation>
+    </message>
+    <message>
+        <source>&amp;Keep the page in the file</source>
+        <translation>Seite in der Datei &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Save the part of the page around the graph with the button, for where the sheet is not at hand</source>
+        <translation>Den Teil der Seite um den Graphen mit dem Taster speichern, falls das Datenblatt einmal nicht zur Hand ist</translation>
+    </message>
+    <message>
+        <source>Write what a standard press feels like that begins in the state shown: mono, 48 kHz</source>
+        <translation>Schreiben, wie sich ein Normdruck anfühlt, der im gezeigten Zustand beginnt: mono, 48 kHz</translation>
     </message>
 </context>
 <context>
@@ -4733,7 +4776,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     <name>detent::editor::RecoveryStore</name>
     <message>
         <source>Autosave is off: the folder %1 cannot be written. Save your work yourself.</source>
-        <translation>Das selbsttätige Sichern ist aus: In den Ordner %1 lässt sich nicht schreiben. Speichern Sie Ihre Arbeit selbst.</translation>
+        <translation>Das automatische Sichern ist aus: In den Ordner %1 lässt sich nicht schreiben. Speichern Sie Ihre Arbeit selbst.</translation>
     </message>
 </context>
 <context>
@@ -4888,6 +4931,18 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>The sheet this button was read from, %1, is neither beside its file nor where it was last.</source>
         <translation>Das Blatt, von dem dieser Taster gelesen wurde, %1, ist weder neben seiner Datei noch dort, wo es zuletzt war.</translation>
+    </message>
+    <message>
+        <source>This page is too large to be kept in a button&apos;s file.</source>
+        <translation>Diese Seite ist zu groß, um in der Datei eines Tasters behalten zu werden.</translation>
+    </message>
+    <message>
+        <source>The page will be saved with the button: %1 more.</source>
+        <translation>Die Seite wird mit dem Taster gespeichert: %1 mehr.</translation>
+    </message>
+    <message>
+        <source>The page shown is the one kept in the button&apos;s file.</source>
+        <translation>Gezeigt wird die Seite, die in der Datei des Tasters behalten wurde.</translation>
     </message>
 </context>
 <context>
@@ -5488,7 +5543,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>%1: press and release</source>
-        <translation>%1: Drücken und Loslassen</translation>
+        <translation>%1: Drücken und Rückweg</translation>
     </message>
     <message>
         <source>%1: press only</source>

@@ -51,7 +51,9 @@ void ExportDesk::png(DocumentTab& tab) {
 
 void ExportDesk::wav(DocumentTab& tab) {
   write(tab, tr("Export the vibration of a press"), tr("WAV sound") + " (*.wav)", ".wav",
-        [&](const QString& path) { return exportWav(tab.document().button(), path); });
+        [&](const QString& path) {
+          return exportWav(tab.document().button(), tab.document().activeState(), path);
+        });
 }
 
 }  // namespace detent::editor

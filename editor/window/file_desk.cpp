@@ -4,12 +4,13 @@
 #include <QDir>
 #include <QFileInfo>
 #include <QMimeData>
-#include <QSaveFile>
 #include <QUrl>
 
 #include "editor/document/message_words.h"
 #include "editor/files/document_files.h"
 #include "editor/files/input_kind.h"
+#include "model/check.h"
+#include "model/file/text_file.h"
 
 namespace detent::editor {
 namespace {
@@ -85,11 +86,11 @@ void FileDesk::importSample() {
   const QString path =
       QFileInfo(at_.recovery.folder()).dir().filePath(tr("sample-datasheet") + QStringLiteral(".pdf"));
   QFile inside(QStringLiteral(":/samples/white-vector.pdf"));
-  QSaveFile file(path);
-  if (!inside.open(QIODevice::ReadOnly) || !QDir().mkpath(QFileInfo(path).path()) ||
-      !file.open(QIODevice::WriteOnly) || file.write(inside.readAll()) != inside.size() || !file.commit())
-    return trouble("sample",
-                   tr("The sample cannot be written to %1: %2").arg(shownPath(path), file.errorString()));
+  DETENT_CHECK(inside.open(QIODevice::ReadOnly), "the sample is in the program");
+  QDir().mkpath(QFileInfo(path).path());
+  const auto written =
+      writeTextFileAtomically(QFile::encodeName(path).toStdString(), inside.readAll().toStdString());
+  if (!written) return trouble("sample", sentenceOf(written.failure()));
   at_.notices.dismiss("sample");
   sheets_.importFiles({path});
 }

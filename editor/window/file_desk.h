@@ -24,6 +24,7 @@ class FileDesk : public QObject {
 
   RecentFiles& recent() { return recent_; }
   ExportDesk& exports() { return exports_; }
+  SheetDesk& sheets() { return sheets_; }
 
   void newButton();
   void openByDialog();

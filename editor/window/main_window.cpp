@@ -52,8 +52,13 @@ void bringUp(QWidget& window) {
 
 }  // namespace
 
+QPalette currentDesktopPalette() {
+  QApplication::setPalette(QPalette());
+  return QApplication::palette();
+}
+
 MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
-    : QMainWindow(parent), at_(places), systemPalette_(QApplication::palette()) {
+    : QMainWindow(parent), at_(places), systemPalette_(places.desktopPalette()) {
   setObjectName("mainWindow");
   setAcceptDrops(true);
   setDockNestingEnabled(true);
@@ -277,6 +282,8 @@ void MainWindow::adopt(DocumentTab& tab) {
           [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::updateTitle);
   connect(&tab.document().history().stack(), &QUndoStack::indexChanged, this, &MainWindow::updateUndo);
+  connect(&tab.document(), &ButtonDocument::originChanged, this, &MainWindow::updateKeepPage);
+  connect(&tab.document(), &ButtonDocument::cutoutChanged, this, &MainWindow::updateKeepPage);
 }
 
 void MainWindow::letGo(DocumentTab& tab) {
@@ -313,8 +320,16 @@ void MainWindow::showTab(DocumentTab* tab) {
   updateFeel();
   showCursor({});
   updateUndo();
+  updateKeepPage();
   updateDocuments();
   updateTitle();
+}
+
+void MainWindow::updateKeepPage() {
+  DocumentTab* tab = tabs_->current();
+  const bool kept = tab && tab->document().cutout();
+  keepPage_->setChecked(kept);
+  keepPage_->setEnabled(kept || (tab && tab->workspace().canvas().hasUnderlay()));
 }
 
 void MainWindow::updateDocuments() {
@@ -459,8 +474,7 @@ void MainWindow::restoreSession() {
 void MainWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
   if (event->type() != QEvent::ThemeChange) return;
-  QApplication::setPalette(QPalette());
-  systemPalette_ = QApplication::palette();
+  systemPalette_ = at_.desktopPalette();
   applyAppearance();
 }
 
@@ -513,6 +527,7 @@ void MainWindow::duplicateButton(DocumentTab& tab) {
   auto copy = std::make_unique<ButtonDocument>(tab.document().history().committed());
   copy->setOrigin(tab.document().origin());
   copy->setSheet(tab.document().sheet());
+  copy->setCutout(tab.document().cutout());
   copy->history().stack().resetClean();
   tabs_->add(std::move(copy));
 }

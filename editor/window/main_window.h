@@ -25,12 +25,16 @@ class FeelSession;
 class LibraryPanel;
 class MarginOverlay;
 
+QPalette currentDesktopPalette();
+
 /// What a window works with; all of it outlives the window.
 struct WindowPlaces {
   ViewSettings& view;
   QSettings& settings;
   Prompts& prompts;
   RecoveryStore& recovery;
+  /// The desktop's colours as they are now; the program's own are given up for it.
+  std::function<QPalette()> desktopPalette = &currentDesktopPalette;
 };
 
 /// GUI thread. Nothing heavy is made before it is seen: no sound, no import, no comparison.
@@ -103,6 +107,7 @@ class MainWindow : public QMainWindow {
   void updateDocuments();
   void comparePair(ButtonDocument* a, ButtonDocument* b);
   void updateTitle();
+  void updateKeepPage();
   void updateUnits();
   void showCursor(std::optional<CurvePoint> at);
   void turn(QDockWidget& dock);
@@ -154,7 +159,7 @@ class MainWindow : public QMainWindow {
   QMenu* unitMenu_ = nullptr;
   QMenu* buttonMenu_ = nullptr;
   TabMenu editMenu_, toolMenu_, viewMenu_;
-  QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr, *keepPage_ = nullptr;
   QList<QAction*> ownActions_, needTab_;
 };
 

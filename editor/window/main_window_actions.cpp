@@ -76,6 +76,15 @@ void MainWindow::makeFileActions() {
                             QKeySequence("Ctrl+Shift+S"), [this](DocumentTab& tab) { files_->saveAs(tab); }));
   menu->addAction(tabAction("saveAll", tr("Save a&ll"), tr("Save every button with unsaved changes"),
                             QKeySequence("Ctrl+Alt+S"), [this](DocumentTab&) { files_->saveAll(); }));
+  keepPage_ = tabAction("keepPage", tr("&Keep the page in the file"),
+                        tr("Save the part of the page around the graph with the button, for where the sheet "
+                           "is not at hand"),
+                        QKeySequence("Ctrl+Alt+P"), [this](DocumentTab& tab) {
+                          files_->sheets().keepPage(tab.document(), keepPage_->isChecked());
+                          updateKeepPage();
+                        });
+  keepPage_->setCheckable(true);
+  menu->addAction(keepPage_);
   QMenu* exports = menu->addMenu(tr("&Export"));
   exports->setObjectName("exportMenu");
   exports->setToolTipsVisible(true);
@@ -88,10 +97,10 @@ void MainWindow::makeFileActions() {
   exports->addAction(
       tabAction("exportCsv", tr("&Samples (CSV)…"), tr("Write samples of the state shown, in mm and N"),
                 QKeySequence("Ctrl+Alt+E"), [this](DocumentTab& tab) { files_->exports().csv(tab); }));
-  exports->addAction(tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
-                               tr("Write what a standard press feels like: mono, 48 kHz"),
-                               QKeySequence("Ctrl+Alt+W"),
-                               [this](DocumentTab& tab) { files_->exports().wav(tab); }));
+  exports->addAction(
+      tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
+                tr("Write what a standard press feels like that begins in the state shown: mono, 48 kHz"),
+                QKeySequence("Ctrl+Alt+W"), [this](DocumentTab& tab) { files_->exports().wav(tab); }));
   menu->addSeparator();
   menu->addAction(tabAction("print", tr("&Print…"), tr("Print the graph with its values"),
                             QKeySequence("Ctrl+P"), [this](DocumentTab& tab) { print(tab); }));

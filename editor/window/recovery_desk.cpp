@@ -44,6 +44,10 @@ void RecoveryDesk::recover(const QList<LeftBehind>& left) {
 // What somebody else wrote since is not what these changes were made on: saving asks.
 void RecoveryDesk::recoverInto(ButtonDocument& document, const RecoveryRecord& record) {
   document.history().apply(record.button, tr("Recover unsaved changes"));
+  if (record.cutout != document.cutout()) {
+    document.setCutout(record.cutout);
+    document.history().stack().resetClean();  // it may be all that was not saved
+  }
   if (!record.knownContent.isEmpty()) document.setKnownContent(record.knownContent);
 }
 
@@ -63,6 +67,7 @@ DocumentTab& RecoveryDesk::recoverOne(const RecoveryRecord& record) {
     }
   }
   auto document = std::make_unique<ButtonDocument>(record.button);
+  document->setCutout(record.cutout);
   if (!open) document->setPath(record.path);
   document->history().stack().resetClean();
   return at_.tabs.add(std::move(document));

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/sheet_desk.h"
 
+#include <QLocale>
+
+#include "editor/document/kept_page.h"
 #include "editor/files/document_files.h"
 #include "editor/files/input_kind.h"
 #include "editor/importing/import_dialog.h"
@@ -111,6 +114,18 @@ void SheetDesk::attend(ButtonDocument& document) { pages_.attend(document); }
 
 void SheetDesk::bringPageBack(ButtonDocument& document) { pages_.bringBack(document); }
 
+void SheetDesk::keepPage(ButtonDocument& document, bool keep) {
+  const auto page = document.page();
+  if (keep && !page) return;
+  auto cutout = keep ? cutoutOf(*page) : std::nullopt;
+  if (keep && !cutout) return emit done(tr("This page is too large to be kept in a button's file."));
+  if (cutout)
+    emit done(tr("The page will be saved with the button: %1 more.")
+                  .arg(QLocale().formattedDataSize(static_cast<qint64>(cutout->png.size() * 4 / 3))));
+  document.setCutout(std::move(cutout));
+  document.history().stack().resetClean();
+}
+
 NoticeBar::Choice SheetDesk::findSheetChoice(ButtonDocument& document) {
   return {"findSheet", tr("Find the sheet…"), [this, known = QPointer<ButtonDocument>(&document)] {
             const QStringList chosen =
@@ -129,9 +144,11 @@ void SheetDesk::connectPages() {
     emit done(tr("The page of %1 is behind the curves again.").arg(document->title()));
   });
   connect(&pages_, &PageReturn::missing, this, [say](ButtonDocument* document, const QString& name) {
-    say(document, NoticeBar::Kind::information,
+    QString sentence =
         tr("The sheet this button was read from, %1, is neither beside its file nor where it was last.")
-            .arg(name));
+            .arg(name);
+    if (document->sheet()) sentence += ' ' + tr("The page shown is the one kept in the button's file.");
+    say(document, NoticeBar::Kind::information, sentence);
   });
   connect(&pages_, &PageReturn::refused, this, [say](ButtonDocument* document, const QString& sentence) {
     say(document, NoticeBar::Kind::trouble, sentence);

@@ -29,6 +29,8 @@ class SheetDesk : public QObject {
   void attend(ButtonDocument& document);
   /// The page that the button was read from, behind its curves; where it cannot be found the tab says so.
   void bringPageBack(ButtonDocument& document);
+  /// Whether the button's file holds the page too, from the next save on.
+  void keepPage(ButtonDocument& document, bool keep);
   /// Says which imports a dead editor left unfinished, with a choice. After the recovery store was searched.
   void offerInterrupted();
 

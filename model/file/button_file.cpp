@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/file/base64.h"
 #include "model/file/migrations.h"
 #include "model/file/text_file.h"
 
@@ -285,22 +286,43 @@ Provenance provenanceFrom(const Reader& in, const json& value) {
   return p;
 }
 
-Button buttonFrom(const Reader& in, std::string_view text, const std::string& subject) {
+std::optional<PageCutout> cutoutFrom(const Reader& in, const json& document) {
+  if (!document.contains("cutout")) return {};
+  const json& value = document.at("cutout");
+  in.requireObject(value, "cutout");
+  in.refuseUnknownKeys(value, "cutout", {"png", "pixelToAxes"});
+  const auto png = bytesFromBase64(in.text(in.required(value, "cutout", "png"), "cutout.png"));
+  const Message without = "Remove the cut-out: the button does not need it";
+  if (!png || !png->starts_with("\x89PNG\r\n\x1a\n"))
+    in.refuse("cutout.png", "is no PNG picture written in base64", without);
+  if (png->size() > largestCutout_bytes)
+    in.refuse("cutout.png", Message("has %1 bytes, more than %2", png->size(), largestCutout_bytes), without);
+  PageCutout cutout{*png, {}};
+  const json& numbers = in.array(in.required(value, "cutout", "pixelToAxes"), "cutout.pixelToAxes");
+  if (numbers.size() != cutout.pixelToAxes.size())
+    in.refuse("cutout.pixelToAxes", Message("has %1 numbers, not nine", numbers.size()), without);
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    cutout.pixelToAxes[i] = in.number(numbers[i], Reader::at("cutout.pixelToAxes", i));
+  return cutout;
+}
+
+ButtonFile fileFrom(const Reader& in, std::string_view text, const std::string& subject) {
   json document = parsedJson(text, in);
   in.requireObject(document, "");
   const json& format = in.required(document, "", "format");
   if (format != "detent-button")
     in.refuse("format", "is not \"detent-button\"", "Give a *.button.json written by Detent");
   document = in.accepted(migrated(std::move(document), buttonMigrations(), subject), "");
-  in.refuseUnknownKeys(document, "", {"format", "version", "name", "states", "provenance"});
+  in.refuseUnknownKeys(document, "", {"format", "version", "name", "states", "provenance", "cutout"});
   const json& list = in.array(in.required(document, "", "states"), "states");
   std::vector<ButtonState> states;
   for (std::size_t i = 0; i < list.size(); ++i)
     states.push_back(stateFrom(in, list[i], Reader::at("states", i)));
   std::optional<Provenance> provenance;
   if (document.contains("provenance")) provenance = provenanceFrom(in, document.at("provenance"));
-  return in.accepted(
+  Button button = in.accepted(
       Button::fromStates(in.textOr(document, "", "name", ""), std::move(states), std::move(provenance)), "");
+  return {std::move(button), cutoutFrom(in, document)};
 }
 
 // ---- writing
@@ -393,11 +415,16 @@ void print(std::string& out, const ordered_json& value, const std::string& inden
   out += object ? '}' : ']';
 }
 
+Result<Button> buttonOf(Result<ButtonFile> file) {
+  if (!file) return file.failure();
+  return std::move(file->button);
+}
+
 }  // namespace
 
-Result<Button> buttonFromJson(std::string_view text, const std::string& subject) {
+Result<ButtonFile> buttonFileFromJson(std::string_view text, const std::string& subject) {
   try {
-    return buttonFrom(Reader(subject), text, subject);
+    return fileFrom(Reader(subject), text, subject);
   } catch (const Refusal& refusal) {
     return refusal.failure;
   } catch (const json::exception& error) {
@@ -406,24 +433,31 @@ Result<Button> buttonFromJson(std::string_view text, const std::string& subject)
   }
 }
 
-std::string jsonFrom(const Button& button) {
+Result<Button> buttonFromJson(std::string_view text, const std::string& subject) {
+  return buttonOf(buttonFileFromJson(text, subject));
+}
+
+std::string jsonFrom(const Button& button, const std::optional<PageCutout>& cutout) {
   ordered_json document;
   document["format"] = "detent-button";
-  document["version"] = buttonFileVersion;
+  document["version"] = cutout ? buttonFileVersion : 2;
   document["name"] = button.name();
   document["states"] = ordered_json::array();
   for (const ButtonState& state : button.states()) document["states"].push_back(jsonOf(state));
   if (button.provenance()) document["provenance"] = jsonOf(*button.provenance());
+  if (cutout) document["cutout"] = {{"png", base64From(cutout->png)}, {"pixelToAxes", cutout->pixelToAxes}};
   std::string text;
   print(text, document, "");
   return text + "\n";
 }
 
-Result<Button> readButtonFile(const std::string& path) {
+Result<ButtonFile> readWholeButtonFile(const std::string& path) {
   auto text = readTextFile(path);
   if (!text) return text.failure();
-  return buttonFromJson(*text, path);
+  return buttonFileFromJson(*text, path);
 }
+
+Result<Button> readButtonFile(const std::string& path) { return buttonOf(readWholeButtonFile(path)); }
 
 Result<Done> writeButtonFile(const std::string& path, const Button& button) {
   return writeTextFileAtomically(path, jsonFrom(button));

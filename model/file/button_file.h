@@ -6,23 +6,37 @@
 // bit. Unknown keys are refused, because a misspelt key would silently lose a value; keys that begin with
 // "x-" are free for other programs, are ignored here, and are not written back. Keys given twice are refused.
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 #include "model/button.h"
+#include "model/file/page_cutout.h"
 
 namespace detent {
 
-constexpr int buttonFileVersion = 2;
+/// The newest that is read. Written is the oldest that can hold the content: what has no cut-out stays readable for
+/// programs that know version 2.
+constexpr int buttonFileVersion = 3;
+
+/// Everything a file holds.
+struct ButtonFile {
+  Button button;
+  std::optional<PageCutout> cutout = {};
+};
 
 /// `subject` names the text in Failures (a file name). Failures: unreadableInput with line and column for
 /// malformed JSON, with the path of the value ("states[0].press[3].force_N") for everything else.
+Result<ButtonFile> buttonFileFromJson(std::string_view text, const std::string& subject);
+/// The button alone.
 Result<Button> buttonFromJson(std::string_view text, const std::string& subject);
 
 /// Deterministic text, one knot per line, ending in a newline. Bytes of names that are no UTF-8 become
 /// U+FFFD.
-std::string jsonFrom(const Button& button);
+std::string jsonFrom(const Button& button, const std::optional<PageCutout>& cutout = {});
 
+Result<ButtonFile> readWholeButtonFile(const std::string& path);
+/// The button alone.
 Result<Button> readButtonFile(const std::string& path);
 /// Atomic: see writeTextFileAtomically.
 Result<Done> writeButtonFile(const std::string& path, const Button& button);

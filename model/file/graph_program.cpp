@@ -63,15 +63,32 @@ std::string stemOf(const std::string& path) {
   return stem.substr(0, stem.find('.', 1));
 }
 
-Result<std::string> contentsFor(const Button& button, const std::string& in, const std::string& out,
+Result<std::string> contentsFor(const ButtonFile& read, const std::string& in, const std::string& out,
                                 const ConvertOptions& options) {
+  const Button& button = read.button;
   auto kind = kindOfFile(out);
   if (!kind) return kind.failure();
-  if (*kind == GraphFileKind::button) return jsonFrom(button);
+  if (*kind == GraphFileKind::button) return jsonFrom(button, read.cutout);
   if (*kind == GraphFileKind::svg) return svgFrom(button, options.svg);
   auto state = chosenState(button, options.state, in, "--state");
   if (!state) return state.failure();
   return csvFrom(state->graph);
+}
+
+Result<ButtonFile> readFile(const std::string& path) {
+  auto kind = kindOfFile(path);
+  if (!kind) return kind.failure();
+  if (*kind == GraphFileKind::svg)
+    return usage(path, "is a picture, which this program only writes",
+                 "Use detent-import to read a force graph from it");
+  if (*kind == GraphFileKind::button) return readWholeButtonFile(path);
+  auto text = readTextFile(path);
+  if (!text) return text.failure();
+  auto graph = graphFromCsv(*text, path);
+  if (!graph) return graph.failure();
+  auto button = Button::fromStates(stemOf(path), {ButtonState{"", *std::move(graph), {}, {}, {}}});
+  if (!button) return button.failure();
+  return ButtonFile{*std::move(button)};
 }
 
 }  // namespace
@@ -84,17 +101,9 @@ Result<GraphFileKind> kindOfFile(const std::string& path) {
 }
 
 Result<Button> readButton(const std::string& path) {
-  auto kind = kindOfFile(path);
-  if (!kind) return kind.failure();
-  if (*kind == GraphFileKind::svg)
-    return usage(path, "is a picture, which this program only writes",
-                 "Use detent-import to read a force graph from it");
-  if (*kind == GraphFileKind::button) return readButtonFile(path);
-  auto text = readTextFile(path);
-  if (!text) return text.failure();
-  auto graph = graphFromCsv(*text, path);
-  if (!graph) return graph.failure();
-  return Button::fromStates(stemOf(path), {ButtonState{"", *std::move(graph), {}, {}, {}}});
+  auto file = readFile(path);
+  if (!file) return file.failure();
+  return std::move(file->button);
 }
 
 Result<Report> showGraph(const std::string& path) {
@@ -114,12 +123,12 @@ Result<Report> convertGraph(const std::string& in, const std::string& out, const
   if (!(options.svg.width_px > 200 && options.svg.height_px > 200 && options.svg.width_px <= 20000 &&
         options.svg.height_px <= 20000))
     return usage("plot size", "is not between 200 and 20000 px", "Choose a size such as 640 by 460");
-  auto button = readButton(in);
-  if (!button) return button.failure();
-  auto contents = contentsFor(*button, in, out, options);
+  auto file = readFile(in);
+  if (!file) return file.failure();
+  auto contents = contentsFor(*file, in, out, options);
   if (!contents) return contents.failure();
   if (auto written = writeTextFileAtomically(out, *contents); !written) return written.failure();
-  return convertReport(*button, in, out);
+  return convertReport(file->button, in, out);
 }
 
 Result<Report> compareGraphs(const std::string& a, const std::string& b, const CompareOptions& options) {

@@ -6,6 +6,7 @@ namespace detent {
 const std::vector<Migration>& buttonMigrations() {
   static const std::vector<Migration> steps{
       [](nlohmann::json&) {},  // 2 adds provenance.warningCodes, which may be missing
+      [](nlohmann::json&) {},  // 3 adds cutout, which may be missing
   };
   return steps;
 }

@@ -2,15 +2,21 @@
 // Ten thousand seeded random actions with mouse, keys, menus, dialogs and undo. After each the button is
 // valid; at the end undoing all gives the first button exactly, redoing all the last.
 //
+// A tenth as many corrections of an import are made, undone and given out at random, mostly while their answers are still awaited: at
+// the end undoing all gives the first result exactly.
+//
 // DETENT_MONKEY_ACTIONS and DETENT_MONKEY_SEED change how many and which (defaults: 10000, 5).
 #include <algorithm>
 #include <QApplication>
 #include <QClipboard>
 #include <QDialog>
+#include <QFile>
 #include <QKeyEvent>
+#include <QTemporaryDir>
 #include <QWheelEvent>
 #include <random>
 
+#include "editor/importing/import_state.h"
 #include "editor/panels/operation_dialog.h"
 #include "editor/panels/values_model.h"
 #include "editor/panels/values_panel.h"
@@ -18,6 +24,7 @@
 #include "editor/tools/knot_text.h"
 #include "model/edits.h"
 #include "tests/editor/workspace_rig.h"
+#include "tests/samples/two_switches.h"
 
 using namespace detent;
 using namespace detent::editor;
@@ -244,6 +251,82 @@ class Monkey {
   QPointF at_{100, 100};
 };
 
+/// Corrects, undoes, chooses, stops and imports without waiting for answers.
+class ImportMonkey {
+ public:
+  ImportMonkey(ImportState& state, unsigned seed) : state_(state), random_(seed) {}
+
+  void act() {
+    switch (upTo(12)) {
+      case 0:
+      case 1:
+      case 2:
+        return state_.undo();
+      case 3:
+        return state_.redo();
+      case 4:
+        return upTo(4) == 0 ? state_.cancel() : state_.retry();
+      case 5:
+        return state_.setConfirmed(upTo(2) == 0);
+      case 6:
+        return tick();
+      case 7:
+        if (upTo(8) == 0) state_.acceptAll();
+        return;
+      default:
+        return state_.correct("Monkey", [this](Corrections& c) { change(c); });
+    }
+  }
+
+ private:
+  int upTo(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
+  double share() { return double(random_()) / double(random_.max()); }
+  importer::Point anyPoint() { return {800 * share(), 470 * share()}; }
+  importer::Rgb anyInk() {
+    const auto part = [this] { return static_cast<std::uint8_t>(upTo(256)); };
+    return {part(), part(), part()};
+  }
+
+  void tick() {
+    const char* const names[] = {"Brown", "Red", "3"};
+    state_.setCurveTicked(names[upTo(3)], upTo(2) == 0);
+  }
+  void change(Corrections& c) {
+    const char* const curves[] = {"Brown", "Red", "1", "2", "7", "nobody's", ""};
+    switch (upTo(9)) {
+      case 0:
+        c.frame = FrameCorners{anyPoint(), anyPoint(), anyPoint(), anyPoint()};
+        break;
+      case 1:
+        c.x.min = 4 * share() - 1, c.x.max = 10 * share() - 2;
+        break;
+      case 2:
+        c.y.ticks.push_back({anyPoint(), 2 * share()});
+        break;
+      case 3:
+        c.xUnit = LengthUnit::inch, c.yUnit = ForceUnit::gramForce;
+        break;
+      case 4:
+        (upTo(2) == 0 ? c.pressColor : c.releaseColor) = anyInk();
+        break;
+      case 5:
+        c.masks.push_back({100, 40, 100 + 480 * share(), 40 + 360 * share()});
+        break;
+      case 6:
+        c.swapStrokes = !c.swapStrokes;
+        break;
+      case 7:
+        (upTo(2) == 0 ? c.drawn.press : c.drawn.release) = {anyPoint(), anyPoint(), anyPoint()};
+        break;
+      default:
+        c.curve = curves[upTo(7)];
+    }
+  }
+
+  ImportState& state_;
+  std::mt19937 random_;
+};
+
 int numberFrom(const char* variable, int otherwise) {
   bool ok = false;
   const int number = qEnvironmentVariableIntValue(variable, &ok);
@@ -257,6 +340,7 @@ class MonkeyTest : public QObject {
 
  private slots:
   void randomActionsKeepTheGraphValid();
+  void randomCorrectionsOfAnImportAreUndone();
 };
 
 void MonkeyTest::randomActionsKeepTheGraphValid() {
@@ -294,6 +378,48 @@ void MonkeyTest::randomActionsKeepTheGraphValid() {
   QVERIFY(rig.button() == newest);
   stack.setIndex(endIndex);
   QVERIFY(rig.button() == end);
+}
+
+void MonkeyTest::randomCorrectionsOfAnImportAreUndone() {
+  const int actions = numberFrom("DETENT_MONKEY_ACTIONS", 10000) / 10;
+  const QTemporaryDir folder;
+  QFile sheet(folder.filePath("two.svg"));
+  QVERIFY(sheet.open(QIODevice::WriteOnly) && sheet.write(detent::tests::twoSwitchesSvg().c_str()) > 0);
+  sheet.close();
+  ImportState state;
+  int imported = 0;
+  QObject::connect(&state, &ImportState::accepted, &state, [&](const auto& report) {
+    verifyValid(report->button);
+    ++imported;
+  });
+  const auto settled = [&] {
+    constexpr int patience_ms = 120000;  // sanitizers on a busy machine
+    return QTest::qWaitFor([&] { return state.current() && !state.working() && state.current()->last; },
+                           patience_ms);
+  };
+  state.openFile(sheet.fileName());
+  QVERIFY(settled());
+  const auto afterUndoingAll = [&]() -> std::optional<Button> {
+    state.cancel();
+    while (state.current()->history.canUndo()) state.undo();
+    state.correct("Choose switch", [](Corrections& c) { c.curve = "Brown"; });
+    if (!settled() || !state.current()->last->report) return {};
+    return state.current()->last->report->button;
+  };
+  const auto first = afterUndoingAll();
+  QVERIFY(first.has_value());
+
+  ImportMonkey monkey(state, static_cast<unsigned>(numberFrom("DETENT_MONKEY_SEED", 5)));
+  for (int i = 1; i <= actions; ++i) {
+    monkey.act();
+    if (i % 7 == 0) QTest::qWait(1);
+    if (i % 100 != 0) continue;
+    QVERIFY(afterUndoingAll() == first);
+    state.acceptAll();  // what is ticked among it, with the monkey's next steps in between
+  }
+  QVERIFY(afterUndoingAll() == first);
+  qInfo("%d corrections, %d buttons imported", actions, imported);
+  QVERIFY(imported > 0);
 }
 
 QTEST_MAIN(MonkeyTest)

@@ -189,6 +189,18 @@ TEST_CASE("a tactile point between knots is moved as well, and of a release too"
   CHECK(tactilePoints(release, Stroke::release)[0].displacement_mm == 1.9);
 }
 
+TEST_CASE("a tactile point on top of a wall is drawn away from it, whatever the wall's inner slopes") {
+  const auto wall = StrokeCurve::fromKnots({{0, 0, 7, 9}, {0, 0.6, -5, 0}, {2, 0.4, 0, 0.3}, {3, 1, 0.3, 0}});
+  REQUIRE(wall.ok());
+  REQUIRE(tactilePoints(*wall, Stroke::press).size() == 1);
+  const StrokeCurve moved = require(moveTactilePoint(*wall, Stroke::press, 0, {0.5, 0.8}));
+  CHECK(moved.force_N(0) == 0);
+  const auto points = tactilePoints(moved, Stroke::press);
+  REQUIRE(points.size() == 1);
+  CHECK(points[0].displacement_mm == 0.5);
+  CHECK(points[0].force_N == 0.8);
+}
+
 TEST_CASE("any tactile point of any curve can be moved a little") {
   holdsAlways("moveTactilePoint", [] {
     const StrokeCurve curve = anyCurve();

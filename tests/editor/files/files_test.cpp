@@ -250,12 +250,24 @@ class FilesTest : public QObject {
     picture.fill(Qt::red);
     QVERIFY(exportPng(picture, at("a.png")).ok());
     QCOMPARE(QImage(at("a.png")).size(), QSize(20, 10));
-    QVERIFY(exportWav(button, at("a.wav")).ok());
+    QVERIFY(exportWav(button, 0, at("a.wav")).ok());
     const QByteArray sound = contentsOf(at("a.wav"));
     QVERIFY(sound.startsWith("RIFF"));
     QVERIFY(sound.size() > 48000 / 4 * 4);  // a quarter of a second of floats at least
-    QVERIFY(!exportWav(button, at("no/folder/a.wav")).ok());
+    QVERIFY(!exportWav(button, 0, at("no/folder/a.wav")).ok());
     QVERIFY(!exportPng(picture, at("no/folder/a.png")).ok());
+  }
+
+  // Of a latch the press is that of the state shown.
+  void aPressIsExportedInItsState() {
+    const Button latch = *selfLockingButton();
+    const Button locked = *Button::fromStates("", {latch.states()[1], latch.states()[0]});
+    for (const auto& [button, state, name] : {std::tuple(latch, std::size_t{0}, "unlocked.wav"),
+                                              {latch, std::size_t{1}, "locked.wav"},
+                                              {locked, std::size_t{0}, "lockedFirst.wav"}})
+      QVERIFY(exportWav(button, state, at(name)).ok());
+    QCOMPARE(contentsOf(at("locked.wav")), contentsOf(at("lockedFirst.wav")));
+    QVERIFY(contentsOf(at("locked.wav")) != contentsOf(at("unlocked.wav")));
   }
 
  private:

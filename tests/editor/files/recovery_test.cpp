@@ -67,8 +67,12 @@ class RecoveryTest : public QObject {
   void init() { folder_ = std::make_unique<QTemporaryDir>(); }
 
   void recordsSurviveTheirText() {
-    const RecoveryRecord record{*clickyButton(), "/a/ü.button.json", "ü", QDateTime::currentDateTimeUtc(),
-                                "a hash"};
+    const RecoveryRecord record{*clickyButton(),
+                                "/a/ü.button.json",
+                                "ü",
+                                QDateTime::currentDateTimeUtc(),
+                                "a hash",
+                                PageCutout{"\x89PNG\r\n\x1a\n", {1, 2, 3, 4, 5, 6, 7, 8, 9}}};
     const auto read = recoveryFromText(recoveryText(record), "x");
     QVERIFY(read.ok());
     QVERIFY(read->button == record.button);
@@ -76,6 +80,7 @@ class RecoveryTest : public QObject {
     QCOMPARE(read->title, record.title);
     QCOMPARE(read->written, record.written);
     QCOMPARE(read->knownContent, record.knownContent);
+    QVERIFY(read->cutout == record.cutout);
     QVERIFY(!recoveryFromText("{}", "x").ok());
     QVERIFY(!recoveryFromText("{\"format\":\"detent-recovery\",\"version\":2}", "x").ok());
     QVERIFY(!recoveryFromText("no json", "x").ok());

@@ -494,8 +494,8 @@ void ImportDialogTest::ofSeveralSwitchesOneIsChosen() {
 
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(list->item(1)).center());
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
-  QVERIFY(!dialog.banner->isVisible());
-  QVERIFY(list->isVisible());  // another one can still be chosen
+  QVERIFY(dialog.banner->isVisible() && list->isVisible());  // another one can still be chosen
+  QVERIFY(dialog.banner->text().contains("2 switches"));
   QCOMPARE(list->currentRow(), 1);
   keepPicture(dialog, "switch-chosen");
   QCOMPARE(dialog.draft().graphs.front().corrections.curve, std::string("Red"));

@@ -61,6 +61,7 @@ class ToolsTest : public QObject {
   void aJumpAddedElsewhereLeavesTheSelectionAlone();
   void undoKeepsTheSelectionOnItsKnot();
   void shiftAddsAndTakesAway();
+  void undoUnderARectangleKeepsTheSelectionTrue();
   void manyMoveAsOneStep();
   void manyAreNudgedAndRemovedAsOneStep();
   void alignAndDistribute();
@@ -522,6 +523,31 @@ void ToolsTest::shiftAddsAndTakesAway() {
   QCOMPARE(rig.canvas().selection(), std::vector{first});
   rig.key(Qt::Key_Escape);
   QVERIFY(rig.canvas().selection().empty());
+}
+
+// With the mouse held on empty ground the keys still work: what the rectangle adds to are the same knots afterwards.
+void ToolsTest::undoUnderARectangleKeepsTheSelectionTrue() {
+  WorkspaceRig rig(require(tactileButton()));
+  const std::size_t knots = rig.press().knots().size();
+  const Button more = require(editGraph(rig.button(), 0, [](const ForceGraph& graph) {
+    return editStroke(graph, Stroke::press, [](const StrokeCurve& curve) { return insertKnot(curve, 0.05); });
+  }));
+  rig.document.history().apply(more, "Add knot");
+  const MarkId added{MarkKind::knot, Stroke::press, 1}, last{MarkKind::knot, Stroke::press, knots};
+  rig.canvas().setSelection({added, last});
+  const QPointF ground(60, 60);
+  rig.press(ground, Qt::ShiftModifier);
+  rig.document.history().stack().undo();
+  rig.move(ground + QPointF(12, 9), Qt::ShiftModifier);
+  QCOMPARE(rig.canvas().selection(), (std::vector{MarkId{MarkKind::knot, Stroke::press, knots - 1}}));
+  rig.release(ground + QPointF(12, 9));
+  // Marks that name nothing are not selected, and no edit takes them for something.
+  rig.canvas().setSelection({last, {MarkKind::knot, Stroke::press, 0}});
+  QCOMPARE(rig.canvas().selection().size(), std::size_t{1});
+  for (const auto& refused :
+       {moveSelection(rig.button(), 0, {last}, 0.1, 0.1), removeSelection(rig.button(), 0, {last}),
+        alignSelection(rig.button(), 0, {last, last}, GraphDirection::force)})
+    QVERIFY(!refused.ok());
 }
 
 void ToolsTest::manyMoveAsOneStep() {

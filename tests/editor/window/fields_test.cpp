@@ -12,6 +12,7 @@
 #include <random>
 
 #include "editor/importing/import_dialog.h"
+#include "editor/panels/grid_dialog.h"
 #include "editor/panels/operation_dialog.h"
 #include "editor/quantity/quantity_field.h"
 #include "editor/study/study_maker.h"
@@ -193,6 +194,21 @@ class FieldsTest : public QObject {
     auto* dock = window_->findChild<QDockWidget*>("feelDock");
     QVERIFY(dock->widget()->findChildren<QuantityField*>().size() >= 3);
     check(*dock->widget(), "the feel panel");
+  }
+
+  void grid() {
+    GridDialog dialog(view_);
+    QCOMPARE(dialog.findChildren<QuantityField*>().size(), 2);
+    check(dialog, "the grid's steps");
+    auto* length = dialog.findChild<QuantityField*>("gridLength");
+    view_.setUnits({LengthUnit::micrometre, ForceUnit::gramForce});
+    type(*length, "20");
+    QCOMPARE(view_.snap().gridLength_mm, 0.02);
+    type(*length, "0");  // no grid has such a step
+    QVERIFY(view_.snap().gridLength_mm > 0);
+    type(*dialog.findChild<QuantityField*>("gridForce"), "0.05 N");
+    QCOMPARE(view_.snap().gridForce_N, 0.05);
+    view_.setUnits({});
   }
 
   void importing() {

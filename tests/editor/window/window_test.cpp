@@ -27,9 +27,13 @@
 #include <QToolBar>
 #include <QTranslator>
 #include <QUrl>
+#include <random>
 
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/graph_colors.h"
+#include "editor/document/kept_page.h"
+#include "editor/feel/feel_setup.h"
+#include "editor/feel/force_setup.h"
 #include "editor/files/document_files.h"
 #include "editor/importing/import_dialog.h"
 #include "editor/importing/import_state.h"
@@ -77,10 +81,11 @@ QStringList cutTexts(const QWidget& window) {
 
 /// A window with a settings file and a recovery folder of its own.
 struct Rig {
-  explicit Rig(const QString& folder)
+  explicit Rig(const QString& folder, std::function<QPalette()> desktop = &currentDesktopPalette)
       : settings(folder + "/settings.ini", QSettings::IniFormat), recovery(folder + "/recovery") {
     restoreView(view, settings);
-    window = std::make_unique<MainWindow>(WindowPlaces{view, settings, prompts, recovery});
+    window =
+        std::make_unique<MainWindow>(WindowPlaces{view, settings, prompts, recovery, std::move(desktop)});
     window->show();
   }
   ButtonDocument& document() { return window->tabs().current()->document(); }
@@ -129,6 +134,15 @@ QString textSeen(const QWidget& widget) {
   return {};
 }
 
+/// Those that are seen besides the main window. One that closes may take others with it.
+QList<QPointer<QWidget>> windowsBeside(const Rig& rig) {
+  QList<QPointer<QWidget>> windows;
+  for (QWidget* window : QApplication::topLevelWidgets())
+    if (window != rig.window.get() && window->isVisible() && window->windowType() != Qt::ToolTip)
+      windows.append(window);
+  return windows;
+}
+
 /// The highest contrast that a pixel has to the colour there is most of.
 double contrastIn(const QImage& picture) {
   QHash<QRgb, int> counts;
@@ -141,6 +155,7 @@ double contrastIn(const QImage& picture) {
   return best;
 }
 
+/// Of a window what is seen of it, of a page in a scroll area the whole.
 void lookAtTexts(QWidget& window, const QString& where) {
   QTest::qWait(50);
   const QImage seen = window.grab().toImage();
@@ -148,9 +163,10 @@ void lookAtTexts(QWidget& window, const QString& where) {
     seen.save(QString("%1/texts-%2.png").arg(folder, QString(where).replace(' ', '-')));
   for (const auto* widget : window.findChildren<QWidget*>()) {
     const QRect place(widget->mapTo(&window, QPoint()), widget->size());
-    if (widget->window() != &window || !widget->isEnabled() || textSeen(*widget).trimmed().isEmpty() ||
-        !seen.rect().contains(place) || widget->visibleRegion().boundingRect() != widget->rect())
+    if (widget->window() != window.window() || !widget->isVisibleTo(&window) || !widget->isEnabled() ||
+        textSeen(*widget).trimmed().isEmpty() || !seen.rect().contains(place))
       continue;
+    if (window.isWindow() && widget->visibleRegion().boundingRect() != widget->rect()) continue;
     const double found = contrastIn(seen.copy(place));
     if (found < 4.5)
       qWarning("%s: %s \"%s\" has %.2f", qPrintable(where), qPrintable(widget->objectName()),
@@ -207,6 +223,12 @@ class WindowTest : public QObject {
     rig.action("feelDockToggle")->trigger();
     QTest::qWait(100);
     QStringList cut = cutTexts(*rig.window);
+    for (const char* name : {"operationScaleForce", "operationDamping", "forecasts", "study"}) {
+      rig.action(name)->trigger();
+      QTest::qWait(50);
+      for (const QPointer<QWidget>& window : windowsBeside(rig))
+        if (window) cut << cutTexts(*window), window->close();
+    }
     rig.action("compare")->trigger();
     rig.window->files().open({sample("plots/two-level-legend.png")});
     auto* import = rig.window->findChild<ImportDialog*>();
@@ -709,6 +731,71 @@ class WindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
   }
 
+  // By choice the button's file holds the page: where the sheet is gone, it lies behind the curves where it lay.
+  void thePageIsKeptInTheFile() {
+    const QString sheet = at("sheet.pdf"), button = at("b.button.json");
+    QVERIFY(QFile::copy(sample("plots/white-vector.pdf"), sheet));
+    importer::ImportRequest request;
+    request.path = sheet.toStdString();
+    auto report = importer::ImportSession::open(request.path)->importGraph(request);
+    QVERIFY(report.ok());
+    QVERIFY(saveDocument(*importedDocument(std::make_shared<importer::ImportReport>(*report)), button).ok());
+    const qint64 without_bytes = QFileInfo(button).size();
+    Rig rig(folder_->path());
+    QAction& keep = *rig.action("keepPage");
+    QVERIFY(!keep.isEnabled());
+    rig.window->files().open({button});
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
+    const PlacedPage shown = *rig.document().sheet();
+    QVERIFY(keep.isEnabled() && !keep.isChecked());
+    keep.trigger();
+    QVERIFY(keep.isChecked() && rig.document().history().modified());
+    rig.action("save")->trigger();
+    QVERIFY(!rig.document().history().modified());
+    QVERIFY(QFileInfo(button).size() > without_bytes + 10000);
+    QVERIFY(QFileInfo(button).size() < without_bytes + (3 << 19));
+    rig.window->tabs().remove(*rig.window->tabs().current());
+
+    QVERIFY(QFile::remove(sheet));
+    rig.window->files().open({button});
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
+    QTRY_VERIFY(rig.notices().join(' ').contains("kept in the button's file"));
+    QVERIFY(keep.isEnabled() && keep.isChecked());
+    const PlacedPage kept = *rig.document().sheet();
+    QVERIFY(!kept.readable && !rig.document().originOnDemand());
+    QCOMPARE(kept.picture.size(), shown.picture.size());
+    const QPointF middle(0.5 * shown.picture.width(), 0.5 * shown.picture.height());
+    const QPointF off = kept.pixelToAxes.map(middle) - shown.pixelToAxes.map(middle);
+    QVERIFY(std::abs(off.x()) < 1e-9 && std::abs(off.y()) < 1e-9);
+    QCOMPARE(kept.picture.convertToFormat(QImage::Format_RGB32),
+             shown.picture.convertToFormat(QImage::Format_RGB32));
+    QVERIFY(!rig.document().history().modified());
+    // Taken out again.
+    keep.trigger();
+    QVERIFY(!keep.isChecked() && rig.document().history().modified());
+    rig.action("save")->trigger();
+    QCOMPARE(QFileInfo(button).size(), without_bytes);
+  }
+
+  // A large page is kept smaller, and lies where it lay.
+  void aLargePageIsKeptSmaller() {
+    QImage noise(3000, 1500, QImage::Format_RGB32);
+    std::mt19937 random(7);
+    for (int y = 0; y < noise.height(); ++y)
+      for (int x = 0; x < noise.width(); ++x) noise.setPixel(x, y, QRgb(random()));
+    const PlacedPage page{noise, QTransform(0.001, 0, 0, 0, -0.0005, 0, -0.5, 1.5, 1)};
+    const auto cutout = cutoutOf(page);
+    QVERIFY(cutout && cutout->png.size() <= largestCutout_bytes);
+    const auto kept = placedFrom(*cutout);
+    QVERIFY(kept && kept->picture.width() >= 320 && kept->picture.width() < 1000);
+    const QRectF all(-0.5, -0.5, kept->picture.width(), kept->picture.height());
+    const QRectF there = kept->pixelToAxes.mapRect(all),
+                 before = page.pixelToAxes.mapRect(QRectF(-0.5, -0.5, 3000, 1500));
+    QVERIFY(std::abs(there.left() - before.left()) < 1e-9 && std::abs(there.right() - before.right()) < 1e-9);
+    QVERIFY(std::abs(there.top() - before.top()) < 1e-9 && std::abs(there.bottom() - before.bottom()) < 1e-9);
+    QVERIFY(!placedFrom({"\x89PNG\r\n\x1a\nbroken", cutout->pixelToAxes}));
+  }
+
   // A button that was reshaped so far that its page does not prove itself is read again at once, as is a page on its side
   // that nothing says is on its side.
   void aPageThatDoesNotProveItselfIsReadAgain() {
@@ -951,23 +1038,19 @@ class WindowTest : public QObject {
     for (const char* name : {"buttons/B.button.json", "buttons/E.button.json"})
       rig.window->files().open({sample(name)});
     rig.action("feelDockToggle")->trigger();
+    rig.window->findChild<QToolButton*>("setupToggle")->click();
     for (const char* appearance : {"appearanceLight", "appearanceDark"}) {
       rig.action(appearance)->trigger();
       lookAtTexts(*rig.window, appearance);
+      for (QWidget* setup : {static_cast<QWidget*>(rig.window->findChild<FeelSetup*>()),
+                             static_cast<QWidget*>(rig.window->findChild<ForceSetup*>())})
+        lookAtTexts(*setup, QString(appearance) + ' ' + setup->metaObject()->className());
       for (const char* name : {"operationScaleForce", "compare", "forecasts", "study"}) {
         rig.action(name)->trigger();
-        int opened = 0;
-        QList<QPointer<QWidget>> windows;  // one that closes may take others with it
-        for (QWidget* window : QApplication::topLevelWidgets()) windows.append(window);
-        for (const QPointer<QWidget>& window : windows) {
-          if (!window || window == rig.window.get() || !window->isVisible() ||
-              window->windowType() == Qt::ToolTip)
-            continue;
-          ++opened;
-          lookAtTexts(*window, QString(appearance) + ' ' + name);
-          if (window) window->close();
-        }
-        QVERIFY2(opened == 1, name);
+        const auto opened = windowsBeside(rig);
+        QVERIFY2(opened.size() == 1, name);
+        lookAtTexts(*opened.front(), QString(appearance) + ' ' + name);
+        opened.front()->close();
       }
       ImportDialog import(rig.view);
       import.show();
@@ -975,6 +1058,40 @@ class WindowTest : public QObject {
       QTRY_VERIFY_WITH_TIMEOUT(import.findChild<QPushButton*>("import")->isEnabled(), 60000);
       lookAtTexts(import, QString(appearance) + " import");
     }
+  }
+
+  // The desktop turns dark and light again while the editor runs: every open window follows, and what it says can be read.
+  void theDesktopsChangeOfThemeIsFollowed() {
+    bool dark = false;
+    Rig rig(folder_->path(), [&dark] { return dark ? darkPalette() : lightPalette(); });
+    rig.action("appearanceSystem")->trigger();
+    rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/E.button.json")});
+    rig.action("feelDockToggle")->trigger();
+    rig.action("compare")->trigger();
+    rig.action("study")->trigger();
+    const GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    for (const bool now : {true, false, true}) {
+      dark = now;
+      QEvent change(QEvent::ThemeChange);
+      QApplication::sendEvent(rig.window.get(), &change);
+      QCoreApplication::processEvents();
+      QCOMPARE(isDark(QApplication::palette()), dark);
+      QCOMPARE(isDark(canvas.palette()), dark);
+      const auto groundIsDark = [&rig] {  // beside all axes and their names
+        const QImage picture = rig.window->tabs().current()->workspace().canvas().grab().toImage();
+        return picture.pixelColor(2, 2).lightness() < 128;
+      };
+      QTRY_COMPARE(groundIsDark(), dark);
+      lookAtTexts(*rig.window, dark ? "desktop turned dark" : "desktop turned light");
+      for (const QPointer<QWidget>& window : windowsBeside(rig))
+        lookAtTexts(*window,
+                    (dark ? "desktop turned dark " : "desktop turned light ") + window->objectName());
+    }
+    // What was chosen by hand is not taken back by the desktop.
+    rig.action("appearanceLight")->trigger();
+    QEvent change(QEvent::ThemeChange);
+    QApplication::sendEvent(rig.window.get(), &change);
+    QVERIFY(!isDark(QApplication::palette()));
   }
 
   void noticesCanBeReadOnTheirGround() {

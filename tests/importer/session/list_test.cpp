@@ -8,6 +8,7 @@
 #include <catch2/catch.hpp>
 
 #include "importer/importer.h"
+#include "tests/samples/two_switches.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -96,4 +97,30 @@ TEST_CASE("A page that cannot be read costs only itself and is named") {
   const auto alone = session->list(2);
   REQUIRE_FALSE(alone);
   CHECK(alone.failure().code == FailureCode::unreadableInput);
+}
+
+TEST_CASE("Graphs of one document are named by the titles above them") {
+  const std::string plot = tests::twoSwitchesSvg();
+  const std::size_t begin = plot.find('>') + 1;
+  const auto titled = [&](int y, const std::string& title) {
+    return "<g transform='translate(0," + std::to_string(y) +
+           ")'><text font-family='sans-serif' font-size='15' x='340' y='28' text-anchor='middle'>" + title +
+           "</text>" + plot.substr(begin, plot.rfind("</svg>") - begin) + "</g>";
+  };
+  const std::string sheet = "<svg xmlns='http://www.w3.org/2000/svg' width='800' height='1000'>" +
+                            titled(0, "Quiet model") + titled(500, "Loud model") + "</svg>";
+  const auto nameOf = [](const std::string& svg, int graph) {
+    auto session = ImportSession::fromBytes({svg.begin(), svg.end()}, "sheet.svg");
+    REQUIRE(session.ok());
+    ImportRequest request;
+    request.page = 1, request.graph = graph;
+    request.hints.strokes.curve = "Red";
+    const auto report = session->importGraph(request);
+    INFO((report.ok() ? "" : report.failure().sentence()));
+    REQUIRE(report.ok());
+    return report->button.name();
+  };
+  CHECK(nameOf(sheet, 1) == "sheet Quiet model Red");
+  CHECK(nameOf(sheet, 2) == "sheet Loud model Red");
+  CHECK(nameOf(plot, 1) == "sheet Red");  // alone on its page: the file's name says enough
 }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/edits.h"
+#include "model/file/base64.h"
 #include "model/file/migrations.h"
 #include "model/file/text_file.h"
 #include "model/templates.h"
@@ -126,6 +127,51 @@ TEST_CASE("the fixture of version 2 differs from version 1 by what the version b
   CHECK(p.warnings[1].text == old.provenance()->warnings[0].text);
   p.warnings = old.provenance()->warnings;
   CHECK(p == *old.provenance());
+}
+
+TEST_CASE("the fixture of version 3 is version 2 with a cut-out of the page") {
+  const auto file = readWholeButtonFile(fixtures + "version-3.button.json");
+  REQUIRE(file.ok());
+  CHECK(file->button.name() == "fixture of version 3, kept for ever");
+  CHECK(file->button.states() == fixtureButton().states());
+  REQUIRE(file->cutout);
+  CHECK(file->cutout->png.size() == 68);
+  CHECK(file->cutout->png.substr(1, 3) == "PNG");
+  CHECK(file->cutout->pixelToAxes == std::array<double, 9>{0.0125, 0, -1.25, 0, -0.0025, 1.5, 0, 0.0001, 1});
+}
+
+TEST_CASE("a cut-out survives the file, and only then is the version 3") {
+  const Button button = *tactileButton();
+  PageCutout cutout{"\x89PNG\r\n\x1a\n", {0.1, 0, -0.3, 0, -1.0 / 3, 7, 1e-9, 0, 1}};
+  CHECK(nlohmann::json::parse(jsonFrom(button))["version"] == 2);
+  for (int extra = 0; extra < 4; ++extra) {  // each length of the last group of base64
+    const std::string text = jsonFrom(button, cutout);
+    CHECK(nlohmann::json::parse(text)["version"] == 3);
+    const auto back = buttonFileFromJson(text, "b");
+    REQUIRE(back.ok());
+    CHECK(back->cutout == cutout);
+    CHECK(back->button == button);
+    cutout.png += static_cast<char>(0xf9 + extra);
+  }
+}
+
+TEST_CASE("a cut-out that is none is refused with its place") {
+  const PageCutout cutout{"\x89PNG\r\n\x1a\nrest", {1, 0, 0, 0, 1, 0, 0, 0, 1}};
+  const auto good = nlohmann::json::parse(jsonFrom(*tactileButton(), cutout));
+  const auto with = [&](const char* key, const nlohmann::json& value) {
+    auto changed = good;
+    changed["cutout"][key] = value;
+    return changed.dump();
+  };
+  const std::string text = good["cutout"]["png"];
+  for (const std::string& wrong : {text.substr(1), text + "=", "!" + text.substr(1), std::string("AAAA"),
+                                   text.substr(0, text.size() - 1) + "\n", std::string()})
+    requireRefusal(with("png", wrong), "cutout.png");
+  requireRefusal(with("png", base64From(cutout.png + std::string(largestCutout_bytes, 'x'))),
+                 "more than 1048576");
+  requireRefusal(with("pixelToAxes", {1, 0, 0, 0, 1, 0, 0, 0}), "cutout.pixelToAxes: has 8 numbers");
+  requireRefusal(with("pixelToAxes", {1, 0, 0, 0, "1", 0, 0, 0, 1}), "cutout.pixelToAxes[4]");
+  requireRefusal(with("picture", ""), "cutout.picture");
 }
 
 TEST_CASE("buttons survive the file whole") {
@@ -245,8 +291,8 @@ TEST_CASE("warnings keep their codes, from version 2 on") {
 }
 
 TEST_CASE("newer versions are refused, wrong ones named") {
-  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 3"),
-                 "version: is 3, newer than this program reads");
+  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 4"),
+                 "version: is 4, newer than this program reads");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 18446744073709551615"),
                  "newer than");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 0"), "versions count from 1");

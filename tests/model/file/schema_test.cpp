@@ -117,18 +117,21 @@ class SchemaChecker {
 
 TEST_CASE("what the writer writes obeys the schema, and so does the fixture") {
   SchemaChecker checker(readJson("model/file/button.schema.json"));
-  const json fixture = readJson("tests/model/file/fixtures/version-1.button.json");
-  CHECK(checker.check(fixture) == std::vector<std::string>{});
-  const auto button = buttonFromJson(fixture.dump(), "fixture");
-  REQUIRE(button.ok());
-  CHECK(checker.check(json::parse(jsonFrom(*button))) == std::vector<std::string>{});
+  for (const char* version : {"1", "2", "3"}) {
+    const json fixture =
+        readJson(std::string("tests/model/file/fixtures/version-") + version + ".button.json");
+    CHECK(checker.check(fixture) == std::vector<std::string>{});
+    const auto file = buttonFileFromJson(fixture.dump(), "fixture");
+    REQUIRE(file.ok());
+    CHECK(checker.check(json::parse(jsonFrom(file->button, file->cutout))) == std::vector<std::string>{});
+  }
   for (const auto& made : {linearButton(), tactileButton(), selfLockingButton()})
     CHECK(checker.check(json::parse(jsonFrom(*made))) == std::vector<std::string>{});
 }
 
 TEST_CASE("the schema names every key the writer writes: reader and schema refuse the same faults") {
   SchemaChecker checker(readJson("model/file/button.schema.json"));
-  const json good = readJson("tests/model/file/fixtures/version-1.button.json");
+  const json good = readJson("tests/model/file/fixtures/version-3.button.json");
   const std::vector<std::string> pointers = {"/format",
                                              "/version",
                                              "/states",
@@ -137,7 +140,9 @@ TEST_CASE("the schema names every key the writer writes: reader and schema refus
                                              "/states/0/press/1/slopeAfter_N_per_mm",
                                              "/states/0/damping/1/damping_Ns_per_mm",
                                              "/provenance/xAxis/min",
-                                             "/provenance/yAxis/max"};
+                                             "/provenance/yAxis/max",
+                                             "/cutout/png",
+                                             "/cutout/pixelToAxes"};
   for (const std::string& text : pointers) {
     const json::json_pointer pointer(text);
     INFO(text);
