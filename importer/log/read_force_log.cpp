@@ -314,8 +314,9 @@ class LogReader {
     // A log without visible noise (computed, or flat) still needs a yardstick; a millionth of the span is far
     // below any.
     const double travel = std::abs(press.back().displacement_mm - press.front().displacement_mm);
-    log_.noise_mm = std::max(log_.noise_mm, 1e-6 * travel);
-    log_.noise_N = std::max({log_.noise_N, 1e-6 * greatest, std::numeric_limits<double>::min()});
+    constexpr double least = std::numeric_limits<double>::min();
+    log_.noise_mm = std::max({log_.noise_mm, 1e-6 * travel, least});
+    log_.noise_N = std::max({log_.noise_N, 1e-6 * greatest, least});
   }
 
   void startAtZero(std::vector<CurvePoint>& press, std::vector<CurvePoint>& release) {

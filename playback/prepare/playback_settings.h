@@ -62,7 +62,7 @@ struct PlaybackSettings {
   double releaseJumpFrequency_Hz = 410;  ///< "a slightly higher frequency (410Hz)"; (0, 2000]
 
   // Bottom-out. K&L, "Bottom-out Feedback Generation".
-  double bottomOutFrequency_Hz = 200;  ///< "a 200Hz sinusoidal burst"; (0, 2000]
+  double bottomOutFrequency_Hz = 200;  ///< "a 200Hz sinusoidal burst"; [1, 2000]
   double bottomOutDuration_s =
       0.030;  ///< "with an increasing 30ms saw-tooth envelope"; rounded to half cycles; (0, 1]
   double bottomOutAmplitude = 0.7;  ///< not given by K&L; [0, 1]

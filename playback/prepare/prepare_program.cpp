@@ -14,6 +14,8 @@ namespace detent::playback {
 namespace {
 
 constexpr double highestFrequency_Hz = 2000;
+constexpr double lowestBottomOut_Hz = 1;  // it lasts half a wave at least
+constexpr double faintestCeiling = 1e-6;  // -120 dB: below it a profile's transducer bears nothing at all
 
 // Following the finger (docs/decisions/0906). What reaches the tracker is steadied already (force_steadier.h);
 // these keep the strokes apart where a sensor's steps or a tremor remain.
@@ -400,34 +402,34 @@ std::string PrepareSummary::line() const {
 }
 
 Result<Done> checkSettings(const PlaybackSettings& s) {
-  const Result<Done> bounds =
-      checkBounds("playback setting",
-                  {{"grainsPerMm", s.grainsPerMm, 0, 1000, true},
-                   {"grainFrequency_Hz", s.grainFrequency_Hz, 0, highestFrequency_Hz, false},
-                   {"grainDuration_s", s.grainDuration_s, 0, 1, false},
-                   {"grainAmplitude", s.grainAmplitude, 0, 1, true},
-                   {"lowPassCutoff_Hz", s.lowPassCutoff_Hz, 0, 20000, false},
-                   {"lowPassOrder", static_cast<double>(s.lowPassOrder), 1, 2, true},
-                   {"jumpDurationPerTravel_s_per_mm", s.jumpDurationPerTravel_s_per_mm, 0, 1000, false},
-                   {"longestJump_s", s.longestJump_s, 0, 1, false},
-                   {"shortestJump_s", s.shortestJump_s, 0, s.longestJump_s, false},
-                   {"jumpAmplitudePerArea_per_mJ", s.jumpAmplitudePerArea_per_mJ, 0, 1e9, false},
-                   {"faintestJump", s.faintestJump, 0, 1, true},
-                   {"pressJumpFrequency_Hz", s.pressJumpFrequency_Hz, 0, highestFrequency_Hz, false},
-                   {"releaseJumpFrequency_Hz", s.releaseJumpFrequency_Hz, 0, highestFrequency_Hz, false},
-                   {"bottomOutFrequency_Hz", s.bottomOutFrequency_Hz, 0, highestFrequency_Hz, false},
-                   {"bottomOutDuration_s", s.bottomOutDuration_s, 0, 1, false},
-                   {"bottomOutAmplitude", s.bottomOutAmplitude, 0, 1, true},
-                   {"highPass_Hz", s.highPass_Hz, 0, 100, true},
-                   {"hysteresis_N", s.hysteresis_N, 0, 10, true},
-                   {"hysteresis_mm", s.hysteresis_mm, 0, 1, false},
-                   {"rearm_N", s.rearm_N, 0, 10, true},
-                   {"sensorPeriod_s", s.sensorPeriod_s, 1e-5, 0.25, true},
-                   {"burstSpacing_s", s.burstSpacing_s, 0, 0.1, true},
-                   {"limiterCeiling", s.limiterCeiling, 0, 1, false},
-                   {"sections.minProminence_N", s.sections.minProminence_N, 0, 1e7, true},
-                   {"sections.minProminenceOfSpan", s.sections.minProminenceOfSpan, 0, 0.999999, true},
-                   {"sections.bottomOutSlopeRatio", s.sections.bottomOutSlopeRatio, 1, 1e12, false}});
+  const Result<Done> bounds = checkBounds(
+      "playback setting",
+      {{"grainsPerMm", s.grainsPerMm, 0, 1000, true},
+       {"grainFrequency_Hz", s.grainFrequency_Hz, 0, highestFrequency_Hz, false},
+       {"grainDuration_s", s.grainDuration_s, 0, 1, false},
+       {"grainAmplitude", s.grainAmplitude, 0, 1, true},
+       {"lowPassCutoff_Hz", s.lowPassCutoff_Hz, 0, 20000, false},
+       {"lowPassOrder", static_cast<double>(s.lowPassOrder), 1, 2, true},
+       {"jumpDurationPerTravel_s_per_mm", s.jumpDurationPerTravel_s_per_mm, 0, 1000, false},
+       {"longestJump_s", s.longestJump_s, 0, 1, false},
+       {"shortestJump_s", s.shortestJump_s, 0, s.longestJump_s, false},
+       {"jumpAmplitudePerArea_per_mJ", s.jumpAmplitudePerArea_per_mJ, 0, 1e9, false},
+       {"faintestJump", s.faintestJump, 0, 1, true},
+       {"pressJumpFrequency_Hz", s.pressJumpFrequency_Hz, 0, highestFrequency_Hz, false},
+       {"releaseJumpFrequency_Hz", s.releaseJumpFrequency_Hz, 0, highestFrequency_Hz, false},
+       {"bottomOutFrequency_Hz", s.bottomOutFrequency_Hz, lowestBottomOut_Hz, highestFrequency_Hz, true},
+       {"bottomOutDuration_s", s.bottomOutDuration_s, 0, 1, false},
+       {"bottomOutAmplitude", s.bottomOutAmplitude, 0, 1, true},
+       {"highPass_Hz", s.highPass_Hz, 0, 100, true},
+       {"hysteresis_N", s.hysteresis_N, 0, 10, true},
+       {"hysteresis_mm", s.hysteresis_mm, 0, 1, false},
+       {"rearm_N", s.rearm_N, 0, 10, true},
+       {"sensorPeriod_s", s.sensorPeriod_s, 1e-5, 0.25, true},
+       {"burstSpacing_s", s.burstSpacing_s, 0, 0.1, true},
+       {"limiterCeiling", s.limiterCeiling, 0, 1, false},
+       {"sections.minProminence_N", s.sections.minProminence_N, 0, 1e7, true},
+       {"sections.minProminenceOfSpan", s.sections.minProminenceOfSpan, 0, 0.999999, true},
+       {"sections.bottomOutSlopeRatio", s.sections.bottomOutSlopeRatio, 1, 1e12, false}});
   return bounds;
 }
 
@@ -472,7 +474,9 @@ Result<Done> checkProfile(const DeviceProfile& profile) {
   const Transducer& t = profile.transducer;
   return checkBounds("device profile", {{"transducer power_W", t.power_W, 0, 1000, true},
                                         {"transducer impedance_ohm", t.impedance_ohm, 0, 1e5, false},
-                                        {"transducer full_scale_V", t.fullScale_V, 0, 1000, true}});
+                                        {"transducer full_scale_V", t.fullScale_V, 0, 1000, true},
+                                        {"share of full scale that the transducer's power_W allows",
+                                         t.highestLevel(), faintestCeiling, 1, true}});
 }
 
 Result<PreparedProgram> prepareProgram(const Button& button, const DeviceProfile& profile,

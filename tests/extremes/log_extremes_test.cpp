@@ -178,6 +178,14 @@ TEST_CASE("any text is a log or a failure that says what is missing") {
   });
 }
 
+TEST_CASE("a log whose travel is a denormal number has a yardstick, or is refused") {
+  const auto log = readText("displacement_mm,force_N\n0,0\n5e-324,0\n0,0\n");
+  if (log) CHECK(log->noise_mm > 0);
+  const auto longer = readText("displacement_mm,force_N\n0,0\n5e-324,1\n1e-323,2\n1.5e-323,3\n");
+  if (longer) CHECK(longer->noise_mm > 0);
+  CHECK((log.ok() || longer.ok()));  // else nothing was looked at
+}
+
 TEST_CASE("runs and their noise", "[finite]") {
   holdsAlways("spansOf: in order, the next begins where the one before ends", [] {
     std::vector<CurvePoint> run;

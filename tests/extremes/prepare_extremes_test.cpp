@@ -14,6 +14,7 @@
 #include "playback/prepare/stroke_table.h"
 #include "playback/realtime/force_conditioner.h"
 #include "tests/extremes/extreme_values.h"
+#include "tests/playback/sample_buttons.h"
 
 using namespace detent;
 using namespace detent::playback;
@@ -240,4 +241,21 @@ TEST_CASE("a force program holds what its header says", "[finite]") {
     RC_ASSERT(leastDamping(points) >= least * (1 - 1e-12));
     RC_ASSERT(dampingAt(points, travel * share()) >= least * (1 - 1e-12));
   });
+}
+
+TEST_CASE("a bottom-out of no frequency and a transducer that bears nothing are refused by name") {
+  PlaybackSettings slow;
+  slow.bottomOutFrequency_Hz = 5e-324;  // half a wave of it lasts for ever
+  const auto endless =
+      std::make_unique<Result<PreparedProgram>>(prepareProgram(test::linearButton(), {}, slow));
+  REQUIRE_FALSE(*endless);
+  CHECK(english(endless->failure().place) == "bottomOutFrequency_Hz");
+  DeviceProfile weak;
+  weak.transducer.power_W = 5e-324;
+  weak.transducer.impedance_ohm = 8;
+  weak.transducer.fullScale_V = 1000;
+  const auto silent =
+      std::make_unique<Result<PreparedProgram>>(prepareProgram(test::linearButton(), weak, {}));
+  REQUIRE_FALSE(*silent);
+  CHECK(silent->failure().sentence().find("power_W") != std::string::npos);
 }
