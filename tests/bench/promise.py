@@ -208,6 +208,16 @@ def distance(truth, result):
     return float(sum(parts) / len(parts))
 
 
+def vertex(a, b, c):
+    """Of the parabola through three points whose middle one is the highest or lowest."""
+    left, right = (b[1] - a[1]) / (b[0] - a[0]), (c[1] - b[1]) / (c[0] - b[0])
+    bend = (right - left) / (c[0] - a[0])
+    if bend == 0:
+        return b[0], b[1]
+    x = (a[0] + b[0]) / 2 - left / (2 * bend)
+    return x, a[1] + left * (x - a[0]) + bend * (x - a[0]) * (x - b[0])
+
+
 def tactile_errors(truth, answer):
     """(mm off, sigma_mm, N off, sigma_N) of every tactile point reported that the truth has too: its extremum within 0.2 mm."""
     import score
@@ -218,7 +228,8 @@ def tactile_errors(truth, answer):
             near = sorted((p for p in points if abs(p[0] - found["displacement_mm"]) < 0.2), key=lambda p: p[0])
             best = max(range(len(near)), key=lambda i: sign * near[i][1], default=0)
             if 3 <= best < len(near) - 3:
-                rows.append((found["displacement_mm"] - near[best][0], found["sigma_mm"], found["force_N"] - near[best][1] / score.GF_PER_N, found["sigma_N"]))
+                x_mm, force_gf = vertex(near[best - 1], near[best], near[best + 1])
+                rows.append((found["displacement_mm"] - x_mm, found["sigma_mm"], found["force_N"] - force_gf / score.GF_PER_N, found["sigma_N"]))
     return rows
 
 

@@ -47,6 +47,14 @@ class Counting(unittest.TestCase):
         self.assertIn("| scan | 2 | 100 | 100 | 0 | 0 |", text)
 
 
+class Tactile(unittest.TestCase):
+    def test_the_vertex_stands_between_the_points_a_truth_is_drawn_with(self):
+        x, force = promise.vertex(*((x, 5 - (x - 0.3) ** 2) for x in (-1, 0.5, 1)))
+        self.assertAlmostEqual(x, 0.3)
+        self.assertAlmostEqual(force, 5)
+        self.assertEqual(promise.vertex((0, 1), (1, 1), (2, 1)), (1, 1))
+
+
 class Degrading(unittest.TestCase):
     def test_paper_from_a_scanner_is_even_and_from_a_camera_it_is_not(self):
         try:
