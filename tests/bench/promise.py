@@ -350,7 +350,7 @@ def table(rows, title):
     lines = [f"### {title}", "", "| class, confidence from | accepted | wrong | at most wrong (95 %) | legible pages read right |", "|---|---|---|---|---|"]
     for name in CLASSES:
         of_class = [row for row in rows if row["class"] == name]
-        lines += [f"| {name} ({len(of_class)} pages), {bar:g} | {cells(of_class, bar)} |" for bar in BARS]
+        lines += [f"| {name} ({len(of_class)} pages), {bar:g} | {cells(of_class, bar)} |" for bar in BARS if of_class]
     return "\n".join(lines)
 
 
