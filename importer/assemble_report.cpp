@@ -86,7 +86,10 @@ PointNoise axisError(const GraphFindings& findings) {
       findings.pageClass == PageClass::vector || findings.graph.frame.value.drawnOffset_px != Point{};
   const AxisCalibration& axes = findings.graph.axes.calibration.value;
   const auto error_px = [&](const AxisReading& axis) {
-    return std::hypot(exact ? 0 : roundedLine_px, axis.residual_px);
+    const auto used =
+        std::count_if(axis.ticks.begin(), axis.ticks.end(), [](const TickLabel& tick) { return tick.used; });
+    const double ofTicks_px = axis.residual_px / std::sqrt(std::max<double>(1, static_cast<double>(used)));
+    return std::hypot(exact ? 0 : roundedLine_px, ofTicks_px);
   };
   return {error_px(axes.x) * std::abs(axes.mmPerPx()), error_px(axes.y) * std::abs(axes.newtonPerPx())};
 }
