@@ -5925,6 +5925,22 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine zweite Skala rechts misst etwas anderes</translation>
     </message>
     <message>
+        <source>press and release share only %1 of their travel</source>
+        <translation>Drücken und Rückweg haben nur %1 ihres Weges gemeinsam</translation>
+    </message>
+    <message>
+        <source>the page looks scanned, and scans are read wrong more often than drawings</source>
+        <translation>die Seite sieht gescannt aus, und Scans werden öfter falsch gelesen als Zeichnungen</translation>
+    </message>
+    <message>
+        <source>the page looks photographed, and photographs are read wrong more often than right</source>
+        <translation>die Seite sieht fotografiert aus, und Fotos werden öfter falsch als richtig gelesen</translation>
+    </message>
+    <message>
+        <source>with its four corners</source>
+        <translation>mit seinen vier Ecken</translation>
+    </message>
+    <message>
         <source>not beyond doubt: %1</source>
         <translation>nicht zweifelsfrei: %1</translation>
     </message>
