@@ -28,7 +28,7 @@ void add(StrokePoints& to, const StrokePoints& from, std::size_t i) {
 
 StrokePoints strokeFromDrawn(const std::vector<Point>& drawn, Stroke stroke, const PageView& view,
                              const PlotFrame& frame, const AxisCalibration& calibration) {
-  const Affine toView = view.viewToPage.inverse();
+  const Homography toView = view.viewToPage.inverse();
   std::vector<Point> drawn_px;
   for (const Point& p : drawn) drawn_px.push_back(toView(p));
   const Box box = frame.box();

@@ -67,7 +67,7 @@ LocateKey locateKeyOf(const ImportRequest& request) {
 
 /// Masks are given on the page; tracing works in the view.
 TraceHints inView(TraceHints hints, const PageView& view) {
-  const Affine toView = view.viewToPage.inverse();
+  const Homography toView = view.viewToPage.inverse();
   for (Box& mask : hints.masks_px) mask = toView.boxOf(mask);
   return hints;
 }
@@ -305,7 +305,7 @@ struct ImportSession::Impl {
     if (!itsPage) return itsPage.failure();
     const FrameCandidate& candidate = graph.candidate.value;
     auto view = document->view(**itsPage, candidate.regionBox, candidate.quarterTurns, onPage.key.view,
-                               candidate.lean_deg);
+                               candidate.levelToPage);
     if (!view) return view.failure();
     graph.view = std::move(view).value();
     return Done{};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "importer/axes/frame_by_numbers.h"
 
@@ -19,9 +20,9 @@ std::optional<LocatedGraph> readWider(const LocatedGraph& graph, const Page& pag
   const auto wide = frameByNumbers(graph.view, graph.frame.value, graph.axes.calibration.value);
   if (!wide) return {};
   LocatedGraph wider = graph;
-  const Affine turn = turnedToPage(page, graph.candidate.value.lean_deg);
-  wider.candidate.value.uprightBox = turn.inverse().after(graph.view.viewToPage).boxOf(*wide);
-  wider.candidate.value.pageBox = turn.boxOf(wider.candidate.value.uprightBox);
+  const Homography& levelToPage = graph.candidate.value.levelToPage;
+  wider.candidate.value.uprightBox = levelToPage.inverse().after(graph.view.viewToPage).boxOf(*wide);
+  wider.candidate.value.pageBox = levelToPage.boxOf(wider.candidate.value.uprightBox);
   wider.candidate.value.byNumbers = true;
   wider.candidate.evidence.push_back({EvidenceCode::widenedToNumbers});
   auto frame = locatePlotFrame(wider.view, page, wider.candidate.value, progress);
@@ -44,7 +45,7 @@ std::optional<LocatedGraph> readWider(const LocatedGraph& graph, const Page& pag
 }
 
 /// The same frame in another upright view of its page.
-PlotFrame inView(const PlotFrame& frame, const Affine& toView) {
+PlotFrame inView(const PlotFrame& frame, const Homography& toView) {
   PlotFrame moved = frame;
   const Box box = frame.box();
   for (Point& corner : moved.corners) corner = toView(corner);
@@ -62,13 +63,12 @@ void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Pa
   if (cal.x.unitFound && cal.y.unitFound) return;
   const Box region = candidate.regionBox.grown(farther * candidate.regionBox.width(),
                                                farther * candidate.regionBox.height());
-  const Box whole =
-      turnedToPage(page, candidate.lean_deg).inverse().boxOf({-0.5, -0.5, page.width, page.height});
+  const Box whole = candidate.levelToPage.inverse().boxOf({-0.5, -0.5, page.width, page.height});
   if (candidate.regionBox.contains(region.common(whole))) return;
   const auto wide =
-      document.view(page, region.common(whole), candidate.quarterTurns, options.view, candidate.lean_deg);
+      document.view(page, region.common(whole), candidate.quarterTurns, options.view, candidate.levelToPage);
   if (!wide) return;
-  const Affine toWide = wide->viewToPage.inverse().after(graph.view.viewToPage);
+  const Homography toWide = wide->viewToPage.inverse().after(graph.view.viewToPage);
   readMissingUnits(graph.axes, *wide, inView(graph.frame.value, toWide), toWide);
 }
 
@@ -76,7 +76,7 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
                                    Found<FrameCandidate> candidate, const LocateOptions& options,
                                    const Progress& progress) {
   auto view = document.view(page, candidate.value.regionBox, candidate.value.quarterTurns, options.view,
-                            candidate.value.lean_deg);
+                            candidate.value.levelToPage);
   if (!view) return view.failure();
   auto frame = locatePlotFrame(*view, page, candidate.value, progress);
   if (!frame) return frame.failure();
@@ -117,6 +117,17 @@ bool readsBefore(const LocatedGraph& a, const LocatedGraph& b) {
   return p.y1 <= q.y0 || (q.y1 > p.y0 && p.x0 < q.x0);
 }
 
+/// Opposite edges that lean apart: the sheet was photographed.
+bool anyKeystoned(const std::vector<LocatedGraph>& graphs) {
+  constexpr double leastApart = 0.006;  // of a slope; scanners and rounding stay below
+  return std::any_of(graphs.begin(), graphs.end(), [](const LocatedGraph& graph) {
+    const auto& c = graph.frame.value.corners;
+    const Box box = graph.frame.value.box();
+    const double plumb = (c[0].x - c[3].x) - (c[1].x - c[2].x), level = (c[1].y - c[0].y) - (c[2].y - c[3].y);
+    return std::abs(plumb) > leastApart * box.height() || std::abs(level) > leastApart * box.width();
+  });
+}
+
 /// Of two rejections the more telling one: doubt about numbers that were read beats "no numbers".
 bool moreTelling(const Failure& a, const std::optional<Failure>& b) {
   return !b || (a.code == FailureCode::notCertain && b->code != FailureCode::notCertain);
@@ -142,7 +153,7 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
     if (!given) return given.failure();
     candidates.push_back(std::move(given).value());
   } else {
-    candidates = findPlotFrames(page, PaperBy::page, progress);
+    candidates = findPlotFrames(page, {}, progress);
   }
 
   LocatedPage located;
@@ -160,14 +171,22 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
     }
   };
   readAll(candidates);
+  const auto readByRegion = [&](const std::optional<Homography>& levelToPage) {
+    readAll(findPlotFrames(page, {PaperBy::region, levelToPage}, progress));
+    // Where lines are as faint as to get here, those of a second graph may be lost.
+    readAll(besideLocated(findPlotsByNumbers(page, levelToPage, progress), located.graphs));
+    std::stable_sort(located.graphs.begin(), located.graphs.end(), readsBefore);
+  };
   // A document's junk pages are many, and none of the vendors' at hand has papers of two colours.
   const bool picture = page.unit == PageUnit::pixel;
-  if (located.graphs.empty() && picture) {
+  if (located.graphs.empty() && picture && frameGiven) {
     for (auto& candidate : candidates) candidate.value.paper = PaperBy::region;
-    readAll(frameGiven ? candidates : findPlotFrames(page, PaperBy::region, progress));
-    // Where lines are as faint as to get here, those of a second graph may be lost.
-    if (!frameGiven) readAll(besideLocated(findPlotsByNumbers(page, progress), located.graphs));
-    std::stable_sort(located.graphs.begin(), located.graphs.end(), readsBefore);
+    readAll(candidates);
+  } else if (picture && (located.graphs.empty() || anyKeystoned(located.graphs))) {
+    const std::vector<LocatedGraph> askew = std::exchange(located.graphs, {});
+    if (const auto sheet = photographedSheet(page)) readByRegion(sheet);
+    if (located.graphs.empty()) located.graphs = askew;
+    if (located.graphs.empty()) readByRegion({});
   }
   if (progress.isCancelled()) return Failure::cancelled(page.source);
   return located;

@@ -19,7 +19,7 @@ class OnPage {
 
  private:
   const importer::AxisCalibration& calibration_;
-  const importer::Affine& toPage_;
+  const importer::Homography& toPage_;
 };
 
 QPolygonF fitOnPage(const StrokeCurve& curve, const OnPage& onPage) {

@@ -28,7 +28,8 @@ QRectF boundsOf(const importer::Page& page) {
   return {-margin, -margin, page.width, page.height};
 }
 
-PagePicture::PagePicture(const importer::Raster& raster, const importer::Affine& toPage, int largestSide_px) {
+PagePicture::PagePicture(const importer::Raster& raster, const importer::Homography& toPage,
+                         int largestSide_px) {
   if (raster.empty()) return;
   levels_.push_back(imageFrom(raster, largestSide_px));
   while (std::min(levels_.back().width(), levels_.back().height()) >= 2 * smallestSide_px) {
@@ -38,8 +39,9 @@ PagePicture::PagePicture(const importer::Raster& raster, const importer::Affine&
   }
   const double shrinkX = double(raster.width_px) / levels_.front().width(),
                shrinkY = double(raster.height_px) / levels_.front().height();
-  const QTransform affine(toPage.a, toPage.b, toPage.c, toPage.d, toPage.e, toPage.f);
-  toPage_ = QTransform::fromScale(shrinkX, shrinkY) * QTransform::fromTranslate(-0.5, -0.5) * affine;
+  const auto& m = toPage.m;  // Qt multiplies rows from the left
+  const QTransform fromCentres(m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]);
+  toPage_ = QTransform::fromScale(shrinkX, shrinkY) * QTransform::fromTranslate(-0.5, -0.5) * fromCentres;
 }
 
 std::size_t PagePicture::bytes() const {

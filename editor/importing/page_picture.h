@@ -19,7 +19,7 @@ class PagePicture {
   PagePicture() = default;
   /// `toPage` maps pixel centres (0,0 top left) to page units. Pictures with a side above `largestSide_px`
   /// are scaled down to it.
-  PagePicture(const importer::Raster& raster, const importer::Affine& toPage, int largestSide_px);
+  PagePicture(const importer::Raster& raster, const importer::Homography& toPage, int largestSide_px);
 
   bool empty() const { return levels_.empty(); }
   QSize size_px() const { return empty() ? QSize() : levels_.front().size(); }

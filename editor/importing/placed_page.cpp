@@ -38,7 +38,7 @@ importer::Box around(const importer::Box& frame, const importer::Page& page) {
 }
 
 /// Corners of the frame in the picture, from the one at the start of the press and full force, clockwise on the graph.
-QPolygonF cornersOf(const importer::Box& frame, const importer::Affine& pageToPicture, int quarterTurns) {
+QPolygonF cornersOf(const importer::Box& frame, const importer::Homography& pageToPicture, int quarterTurns) {
   std::array<importer::Point, 4> corners{
       {{frame.x0, frame.y0}, {frame.x1, frame.y0}, {frame.x1, frame.y1}, {frame.x0, frame.y1}}};
   std::rotate(corners.begin(), corners.begin() + (4 - quarterTurns) % 4, corners.end());
@@ -109,8 +109,9 @@ std::optional<PlacedPage> placedPage(const Button& button, const importer::Docum
   if (!view || view->raster.empty()) return {};
   PlacedPage placed{imageFrom(view->raster, largestSide_px), {}};
   const double shrink = double(placed.picture.width()) / view->raster.width_px;
-  const importer::Affine smaller{shrink, 0, 0, shrink, 0.5 * (shrink - 1), 0.5 * (shrink - 1)};
-  const importer::Affine pageToPicture = smaller.after(view->viewToPage.inverse());
+  const importer::Homography smaller =
+      importer::Affine{shrink, 0, 0, shrink, 0.5 * (shrink - 1), 0.5 * (shrink - 1)};
+  const importer::Homography pageToPicture = smaller.after(view->viewToPage.inverse());
   const QPolygonF onGraph{{span->left(), span->bottom()},
                           {span->right(), span->bottom()},
                           {span->right(), span->top()},

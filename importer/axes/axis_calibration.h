@@ -79,7 +79,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
 /// Looks for titles of units that were not found, in a view that shows more of the page around the same frame: titles stand
 /// farther out than labels, and a view made for a plot cuts them. `frame` in that view's pixels, `toWide` from the pixels
 /// that `axes` were read in. What is found takes the stated default's place, in the scale as well.
-void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame, const Affine& toWide);
+void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame,
+                      const Homography& toWide);
 
 /// Adds to `axes.texts` what else is written in and beside the frame: callouts, legend, titles over the plot.
 /// Only lines of at least three letters that were read with some certainty, so their boxes may be masked.

@@ -50,6 +50,14 @@ std::string otherQuantity(const std::vector<SeenText>& lines, Point towards, Ali
   return unit && unit->sure >= surePlace ? std::string(symbolOf(unit->unit)) : std::string();
 }
 
+/// Reads the other axis' unit out of a line, but not out of the one that gave this axis its own: "mn" may be either.
+template <class Unit, class Parse>
+auto besides(const AxisTitle<Unit>& best, Parse parse) {
+  return [&best, parse](const std::string& line) {
+    return best.unit && line == best.text ? decltype(parse(line)){} : parse(line);
+  };
+}
+
 /// Titles in small print are read once more at other sizes, the nearest first, until one names a unit.
 template <class Unit, class Parse>
 void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<SeenText>& lines, Parse parse) {
@@ -79,7 +87,8 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
   }
   if (!best.unit) consider(best, r.readLines(beside, 0, {b.x1, b.y1}, 4), lengthUnitIn);
   if (!best.unit) considerAgain(best, r, read, lengthUnitIn);
-  if (!best.unit || best.unit->sure < surePlace) best.other = otherQuantity(nearby, towards, forceUnitIn);
+  if (!best.unit || best.unit->sure < surePlace)
+    best.other = otherQuantity(nearby, towards, besides(best, forceUnitIn));
   return best;
 }
 
@@ -112,7 +121,8 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
     if (downwards.unit && downwards.unit->sure >= surePlace) best = std::move(downwards);
   }
   if (!best.unit) considerAgain(best, r, read, forceUnitIn);
-  if (!best.unit || best.unit->sure < surePlace) best.other = otherQuantity(upwards, towards, lengthUnitIn);
+  if (!best.unit || best.unit->sure < surePlace)
+    best.other = otherQuantity(upwards, towards, besides(best, lengthUnitIn));
   return best;
 }
 

@@ -330,7 +330,7 @@ std::vector<SeenText> allTexts(const GraphReading& r, const std::optional<AxisLa
 }
 
 /// The used labels of an axis in another view; the frame's edge if there are none.
-Box labelsIn(const AxisReading& axis, const Affine& toView, const Box& edge, GraphReading& r) {
+Box labelsIn(const AxisReading& axis, const Homography& toView, const Box& edge, GraphReading& r) {
   std::vector<Box> boxes;
   for (const TickLabel& tick : axis.ticks)
     if (tick.used && !tick.box.empty()) boxes.push_back(toView.boxOf(tick.box));
@@ -359,7 +359,8 @@ void scaleRow(Homography& map, std::size_t row, double factor) {
 
 }  // namespace
 
-void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame, const Affine& toWide) {
+void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame,
+                      const Homography& toWide) {
   AxisCalibration& cal = axes.calibration.value;
   const double before = sureOfUnits(cal, axes.texts);
   GraphReading r(wide, frame);

@@ -8,14 +8,14 @@
 #include <opencv2/imgproc.hpp>
 
 namespace detent::importer {
-namespace {
-
 cv::Mat luminanceOf(const Raster& raster) {
   const cv::Mat rgb(raster.height_px, raster.width_px, CV_8UC3, const_cast<std::uint8_t*>(raster.rgb.data()));
   cv::Mat grey;
   cv::cvtColor(rgb, grey, cv::COLOR_RGB2GRAY);
   return grey;
 }
+
+namespace {
 
 /// Most frequent luminance, over bins of four so that scanner noise does not split the peak.
 int paperLuminance(const cv::Mat& grey) {

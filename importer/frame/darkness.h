@@ -13,4 +13,7 @@ namespace detent::importer {
 /// region: the median around each pixel, which keeps its step where one paper meets the next; about 40 ms per megapixel.
 cv::Mat darknessOf(const Raster& raster, PaperBy paper = PaperBy::page);
 
+/// As it is, 0..255, 8-bit.
+cv::Mat luminanceOf(const Raster& raster);
+
 }  // namespace detent::importer

@@ -20,12 +20,12 @@ namespace {
 /// Everything seen on the overview that a decision needs.
 struct Overview {
   cv::Mat darkness;
-  double shrink = 1;    ///< overview pixels per pixel of this plane
-  double lean_deg = 0;  ///< the plane shows the page turned by so much
-  Point origin;         ///< of the turned page, in this plane's pixels
+  double shrink = 1;       ///< overview pixels per pixel of this plane
+  Homography levelToPage;  ///< the plane shows the page stood level
+  Point origin;            ///< of the level page, in this plane's pixels
 
-  /// On the page turned.
-  Box onTurned(const Box& b, const Affine& overviewToPage) const {
+  /// On the level page.
+  Box onLevel(const Box& b, const Affine& overviewToPage) const {
     const double shift = 0.5 * (shrink - 1);
     const auto along = [&](double plane, double from) { return (plane + from) * shrink + shift; };
     return overviewToPage.boxOf(
@@ -33,39 +33,38 @@ struct Overview {
   }
 };
 
-/// Turns the plane so that its lines run level and plumb; nothing shows where no page was.
+/// Stands the plane so that its lines run level and plumb; nothing shows where no page was.
 void standUpright(Overview& o, const Page& page) {
-  o.lean_deg = leanOf(o.darkness);
-  if (o.lean_deg == 0) return;
-  const Affine turn = turnedToPage(page, o.lean_deg);
+  if (o.levelToPage == Homography{}) return;
   const double s = o.shrink, shift = 0.5 * (s - 1);
-  const Affine toPage{s, 0, 0, s, shift, shift}, toPlane = toPage.inverse();
-  Affine planeTurn = toPlane.after(turn.after(toPage));
-  const Box all = planeTurn.inverse().boxOf({0, 0, o.darkness.cols - 1.0, o.darkness.rows - 1.0});
+  const Affine toPage = page.overviewToPage.after({s, 0, 0, s, shift, shift});
+  Homography toPlane = Homography(toPage.inverse()).after(o.levelToPage.after(toPage));
+  const Box all = toPlane.inverse().boxOf({0, 0, o.darkness.cols - 1.0, o.darkness.rows - 1.0});
   o.origin = {std::floor(all.x0), std::floor(all.y0)};
-  planeTurn = planeTurn.after({1, 0, 0, 1, o.origin.x, o.origin.y});
-  const cv::Matx23d map(planeTurn.a, planeTurn.c, planeTurn.e, planeTurn.b, planeTurn.d, planeTurn.f);
-  cv::Mat turned;
-  cv::warpAffine(o.darkness, turned, map,
-                 {static_cast<int>(std::ceil(all.x1) - o.origin.x) + 1,
-                  static_cast<int>(std::ceil(all.y1) - o.origin.y) + 1},
-                 cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, cv::Scalar(0));
-  o.darkness = turned;
+  toPlane = toPlane.after(Affine{1, 0, 0, 1, o.origin.x, o.origin.y});
+  cv::Mat level;
+  cv::warpPerspective(o.darkness, level, cv::Matx33d(toPlane.m.data()),
+                      {static_cast<int>(std::ceil(all.x1) - o.origin.x) + 1,
+                       static_cast<int>(std::ceil(all.y1) - o.origin.y) + 1},
+                      cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, cv::Scalar(0));
+  o.darkness = level;
 }
 
 constexpr int maxSide_px =
     2600;  // larger pictures are searched at half or quarter size; locating is done in full
 
-Overview seen(const Page& page, PaperBy paper) {
+Overview seen(const Page& page, const FrameSearch& search) {
   Overview o;
-  o.darkness = darknessOf(page.overview, paper);
+  o.darkness = darknessOf(page.overview, search.paper);
   while (std::max(o.darkness.cols, o.darkness.rows) > maxSide_px) {
     cv::Mat even = o.darkness(cv::Rect(0, 0, o.darkness.cols / 2 * 2, o.darkness.rows / 2 * 2)), half;
     cv::resize(even, half, cv::Size(even.cols / 2, even.rows / 2), 0, 0, cv::INTER_AREA);
     o.darkness = half;
     o.shrink *= 2;
   }
-  if (page.unit == PageUnit::pixel) standUpright(o, page);
+  if (page.unit != PageUnit::pixel) return o;
+  o.levelToPage = search.levelToPage.value_or(turnedToPage(page, leanOf(o.darkness)));
+  standUpright(o, page);
   return o;
 }
 
@@ -165,19 +164,19 @@ std::vector<Orientation> orientationsOf(const PlotRectangle& r, const cv::Mat& i
   return ways;
 }
 
-/// Around the whole page, turned.
-Box pageBounds(const Page& page, double lean_deg) {
+/// Around the whole page, stood level.
+Box pageBounds(const Page& page, const Homography& levelToPage) {
   const Box bounds = page.unit == PageUnit::pixel ? Box{-0.5, -0.5, page.width - 0.5, page.height - 0.5}
                                                   : Box{0, 0, page.width, page.height};
-  return turnedToPage(page, lean_deg).inverse().boxOf(bounds);
+  return levelToPage.inverse().boxOf(bounds);
 }
 
 /// A candidate at a place of the plane.
 FrameCandidate candidateAt(const Box& place, const Overview& o, const Page& page, int turns, PaperBy paper) {
   FrameCandidate c;
-  c.lean_deg = o.lean_deg;
-  c.uprightBox = o.onTurned(place, page.overviewToPage);
-  c.pageBox = turnedToPage(page, o.lean_deg).boxOf(c.uprightBox);
+  c.levelToPage = o.levelToPage;
+  c.uprightBox = o.onLevel(place, page.overviewToPage);
+  c.pageBox = o.levelToPage.boxOf(c.uprightBox);
   c.quarterTurns = turns;
   c.paper = paper;
   return c;
@@ -250,9 +249,10 @@ Box PlotFrame::box() const {
   return b;
 }
 
-std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, PaperBy paper, const Progress& progress) {
+std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const FrameSearch& search,
+                                                  const Progress& progress) {
   if (page.overview.width_px < 32 || page.overview.height_px < 32) return {};
-  Overview o = seen(page, paper);
+  const Overview o = seen(page, search);
   const bool picture = page.unit == PageUnit::pixel;
   const double side = std::max(o.darkness.cols, o.darkness.rows);
   const double minSide = std::max(36.0, (picture ? 0.1 : 0.04) * side);
@@ -267,8 +267,8 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, PaperBy pape
     for (const auto& way : orientationsOf(r, ink)) {
       Scored s;
       auto& c = s.candidate.value;
-      c = candidateAt(r.box, o, page, way.quarterTurns, paper);
-      c.regionBox = regionAround(c.uprightBox, way.quarterTurns, pageBounds(page, o.lean_deg));
+      c = candidateAt(r.box, o, page, way.quarterTurns, search.paper);
+      c.regionBox = regionAround(c.uprightBox, way.quarterTurns, pageBounds(page, o.levelToPage));
       s.rectangleScore = r.score;
       s.score = r.score + 0.5 * std::min(12, way.below + way.left);
       s.candidate.confidence =
@@ -277,16 +277,18 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, PaperBy pape
       all.push_back(std::move(s));
     }
   all = withoutOverlaps(std::move(all));
-  if (picture && all.size() == 1) all.front().candidate.value.regionBox = pageBounds(page, o.lean_deg);
+  if (picture && all.size() == 1) all.front().candidate.value.regionBox = pageBounds(page, o.levelToPage);
   std::sort(all.begin(), all.end(), readsBefore);
   std::vector<Found<FrameCandidate>> found;
   for (auto& s : all) found.push_back(std::move(s.candidate));
   return found;
 }
 
-std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const Progress& progress) {
+std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page,
+                                                      const std::optional<Homography>& levelToPage,
+                                                      const Progress& progress) {
   if (page.overview.width_px < 32 || page.overview.height_px < 32) return {};
-  Overview o = seen(page, PaperBy::region);
+  const Overview o = seen(page, {PaperBy::region, levelToPage});
   if (progress.isCancelled()) return {};
   const double minSide = std::max(36.0, 0.1 * std::max(o.darkness.cols, o.darkness.rows));
   const auto plots = findLabelledPlots(inkOf(o.darkness), minSide, 0.7 * minSide);
@@ -295,7 +297,7 @@ std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const Pr
     Found<FrameCandidate> candidate;
     auto& c = candidate.value;
     c = candidateAt(plot.box, o, page, 0, PaperBy::region);
-    const Box bounds = pageBounds(page, o.lean_deg);
+    const Box bounds = pageBounds(page, o.levelToPage);
     c.regionBox =
         plots.size() == 1 && page.unit == PageUnit::pixel ? bounds : regionAround(c.uprightBox, 0, bounds);
     c.byNumbers = true;

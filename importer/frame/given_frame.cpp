@@ -50,16 +50,18 @@ Result<Found<FrameCandidate>> frameFromCorners(const std::vector<Point>& given, 
   found.by = DecidedBy::given;
   found.evidence = {{EvidenceCode::frameGiven}};
   auto& c = found.value;
-  c.pageBox = {corners[0].x, corners[0].y, corners[0].x, corners[0].y};
-  for (const auto& p : corners)
-    c.pageBox = {std::min(c.pageBox.x0, p.x), std::min(c.pageBox.y0, p.y), std::max(c.pageBox.x1, p.x),
-                 std::max(c.pageBox.y1, p.y)};
-  c.uprightBox = c.pageBox;
-  const double w = c.pageBox.width(), h = c.pageBox.height();
-  const Box bounds{-margin, -margin, page.width - margin, page.height - margin};
-  c.regionBox = {std::max(bounds.x0, c.pageBox.x0 - 0.45 * w), std::max(bounds.y0, c.pageBox.y0 - 0.4 * h),
-                 std::min(bounds.x1, c.pageBox.x1 + 0.5 * w), std::min(bounds.y1, c.pageBox.y1 + 0.45 * h)};
+  c.pageBox = boundsOf(corners);
   c.quarterTurns = quarterTurnsOf(corners);
+  if (c.quarterTurns == 0) c.levelToPage = sheetOfCorners(corners, page).value_or(Homography{});
+  const Homography toLevel = c.levelToPage.inverse();
+  std::vector<Point> level;
+  for (const Point& corner : corners) level.push_back(toLevel(corner));
+  c.uprightBox = boundsOf(level);
+  const double w = c.uprightBox.width(), h = c.uprightBox.height();
+  const Box bounds = toLevel.boxOf({-margin, -margin, page.width - margin, page.height - margin});
+  c.regionBox = Box{c.uprightBox.x0 - 0.45 * w, c.uprightBox.y0 - 0.4 * h, c.uprightBox.x1 + 0.5 * w,
+                    c.uprightBox.y1 + 0.45 * h}
+                    .common(bounds);
   if (c.quarterTurns != 0) {  // its labels may stand on any side of the page's box
     const double room = 0.5 * std::max(w, h);
     c.regionBox = {std::max(bounds.x0, c.pageBox.x0 - room), std::max(bounds.y0, c.pageBox.y0 - room),

@@ -85,4 +85,11 @@ double leanOf(const cv::Mat& darkness) {
   return lean;
 }
 
+Affine turnedToPage(const Page& page, double lean_deg) {
+  if (lean_deg == 0) return {};
+  const double angle = lean_deg * CV_PI / 180, c = std::cos(angle), s = std::sin(angle);
+  const Point middle{0.5 * (page.width - 1), 0.5 * (page.height - 1)};
+  return {c, s, -s, c, middle.x - c * middle.x + s * middle.y, middle.y - s * middle.x - c * middle.y};
+}
+
 }  // namespace detent::importer

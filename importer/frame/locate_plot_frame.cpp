@@ -15,9 +15,8 @@ constexpr double alignedWithin_px = 0.6;  // a frame that leans less over its wh
 
 /// View pixels per pixel of the overview the candidate was found in.
 double viewPerOverview(const PageView& view, const Page& page) {
-  const Affine& v = view.viewToPage;
-  const Affine& o = page.overviewToPage;
-  return std::sqrt(std::abs(o.a * o.d - o.b * o.c) / std::max(1e-12, std::abs(v.a * v.d - v.b * v.c)));
+  const Point middle{0.5 * view.raster.width_px, 0.5 * view.raster.height_px};
+  return Homography(page.overviewToPage).scaleAt({}) / std::max(1e-6, view.viewToPage.scaleAt(middle));
 }
 
 struct Edges {
@@ -178,7 +177,7 @@ bool isUpright(const PlotFrame& f) {
 
 /// Corners given by hand stay where they were put; only the thickness of what is drawn there is looked up.
 PlotFrame givenFrame(const PageView& view, const std::vector<Point>& corners) {
-  const Affine toView = view.viewToPage.inverse();
+  const Homography toView = view.viewToPage.inverse();
   PlotFrame frame;
   for (std::size_t k = 0; k < 4; ++k) frame.corners[k] = toView(corners[k]);
   return frame;
@@ -195,7 +194,7 @@ PlotFrame foundFrame(const Edges& e) {
 
 Result<Found<PlotFrame>> locatePlotFrame(const PageView& view, const Page& page,
                                          const FrameCandidate& candidate, const Progress& progress) {
-  const Affine toView = view.viewToPage.inverse().after(turnedToPage(page, candidate.lean_deg));
+  const Homography toView = view.viewToPage.inverse().after(candidate.levelToPage);
   const Box box = toView.boxOf(candidate.uprightBox);
   if (view.raster.empty() || box.width() < 16 || box.height() < 16)
     return Failure{FailureCode::noForceGraph,

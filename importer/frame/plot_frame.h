@@ -38,24 +38,43 @@ struct PlotFrame {
 
 /// A graph found on a page: where, which way up. The view that later steps use is made from it.
 struct FrameCandidate {
-  Box pageBox;           ///< around the frame, in page units
-  double lean_deg = 0;   ///< of a picture askew: turned by so much the frame stands upright (turnedToPage)
-  Box uprightBox;        ///< the frame itself on the page so turned; pageBox where nothing leans
-  Box regionBox;         ///< frame with tick labels, titles and legend, on the page so turned
-  int quarterTurns = 0;  ///< clockwise turns that make it upright
+  Box pageBox;  ///< around the frame, in page units
+  Homography
+      levelToPage;  ///< of a picture askew: the page stood level, where the frame is upright, to the page
+  Box uprightBox;   ///< the frame itself on the level page; pageBox where nothing leans
+  Box regionBox;    ///< frame with tick labels, titles and legend, on the level page
+  int quarterTurns = 0;             ///< clockwise turns that make it upright
   std::vector<Point> givenCorners;  ///< tl, tr, br, bl in page units if the user gave the frame, else empty
   PaperBy paper = PaperBy::page;    ///< what its lines and numbers stand out of
   bool byNumbers = false;           ///< found without lines: edges that are not drawn speak against nothing
 };
 
+/// How a page is looked at.
+struct FrameSearch {
+  PaperBy paper = PaperBy::page;
+  std::optional<Homography>
+      levelToPage;  ///< how a photograph shows its sheet; empty: a lean of the page's own lines is
+                    ///< looked for
+};
+
 /// All frames that could hold a force graph, reading order (top to bottom, left to right). Empty is an
 /// answer, not an error.
-std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, PaperBy paper = PaperBy::page,
+std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const FrameSearch& search = {},
                                                   const Progress& progress = {});
 
 /// Places between a row and a column of evenly spaced numbers, whatever lines stand there. Upright plots only; boxes end
-/// at the outermost numbers. Asked where no rectangle of lines holds a graph.
-std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const Progress& progress = {});
+/// at the outermost numbers. Asked where no rectangle of lines holds a graph; paper is told by region.
+std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page,
+                                                      const std::optional<Homography>& levelToPage = {},
+                                                      const Progress& progress = {});
+
+/// From the level sheet to the picture that a camera took of it: lines of the page run towards two vanishing points. Empty
+/// for documents, and where too few lines agree. The middle of the page stays where it is, at its size.
+std::optional<Homography> photographedSheet(const Page& page);
+
+/// The same from the corners of an upright frame on the sheet (tl, tr, br, bl, page units). Empty where they stand level
+/// already, and where no camera shows a frame so.
+std::optional<Homography> sheetOfCorners(const std::vector<Point>& corners, const Page& page);
 
 /// The frame a user gave: 2 opposite corners or 4 (tl, tr, br, bl), page units. Confidence 1, decided by
 /// `given`. Failure wrongUsage: other counts, corners outside the page, no area.

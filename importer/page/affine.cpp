@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include "importer/page/polyline.h"
 #include "importer/page/raster.h"
 #include "model/check.h"
@@ -22,8 +24,27 @@ Box Affine::boxOf(const Box& box) const {
   return boundsOf({(*this)(Point{box.x0, box.y0}), (*this)(Point{box.x1, box.y1})});
 }
 
+Affine::operator Homography() const { return {{a, c, e, b, d, f, 0, 0, 1}}; }
+
+Homography Homography::after(const Homography& first) const {
+  Homography both;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 3; ++column)
+      both.m[3 * row + column] = m[3 * row] * first.m[column] + m[3 * row + 1] * first.m[3 + column] +
+                                 m[3 * row + 2] * first.m[6 + column];
+  return both;
+}
+
 Box Homography::boxOf(const Box& box) const {
-  return boundsOf({(*this)(Point{box.x0, box.y0}), (*this)(Point{box.x1, box.y1})});
+  return boundsOf({(*this)(Point{box.x0, box.y0}), (*this)(Point{box.x1, box.y0}),
+                   (*this)(Point{box.x1, box.y1}), (*this)(Point{box.x0, box.y1})});
+}
+
+double Homography::scaleAt(Point p) const {
+  const double w = m[6] * p.x + m[7] * p.y + m[8];
+  const double determinant = m[0] * (m[4] * m[8] - m[5] * m[7]) - m[1] * (m[3] * m[8] - m[5] * m[6]) +
+                             m[2] * (m[3] * m[7] - m[4] * m[6]);
+  return std::sqrt(std::abs(determinant / (w * w * w)));
 }
 
 Homography Homography::inverse() const {

@@ -57,7 +57,7 @@ void sampleCubic(const Raster& source, Point at, std::uint8_t* out) {
 
 }  // namespace
 
-Raster resampled(const Raster& source, const Affine& toSource, int width_px, int height_px) {
+Raster resampled(const Raster& source, const Homography& toSource, int width_px, int height_px) {
   DETENT_CHECK(!source.empty() && width_px > 0 && height_px > 0, "there are pixels to take and to fill");
   const Rgb around = rimColor(source);
   Raster out;

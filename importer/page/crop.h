@@ -22,7 +22,7 @@ Raster turnedCrop(const Raster& raster, const PixelRect& rect, int quarterTurns)
 
 /// A raster of the given size whose pixels lie at `toSource` of another's, bicubic (Catmull-Rom); where that has none, in
 /// the commonest colour of its rim.
-Raster resampled(const Raster& source, const Affine& toSource, int width_px, int height_px);
+Raster resampled(const Raster& source, const Homography& toSource, int width_px, int height_px);
 
 /// Map from the turned crop's pixels back to the raster's.
 Affine turnedCropToRaster(const PixelRect& rect, int quarterTurns);

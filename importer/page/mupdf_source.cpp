@@ -62,7 +62,7 @@ class MupdfSource : public PageSource {
   int pageCount() const override { return pageCount_; }
   Result<Page> page(int number, const Progress& progress) override;
   Result<PageView> view(const Page& page, const Box& region, int quarterTurns, const ViewOptions& options,
-                        double) override;
+                        const Homography&) override;
 
  private:
   std::string kind() const { return magic_ == std::string_view("application/pdf") ? "PDF" : "SVG"; }
@@ -361,7 +361,7 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
 }
 
 Result<PageView> MupdfSource::view(const Page& page, const Box& region, int quarterTurns,
-                                   const ViewOptions& options, double) {
+                                   const ViewOptions& options, const Homography&) {
   auto found = recorded(page.number, {});
   if (!found) return found.failure();
   const RecordedPage& source = **found;
@@ -378,9 +378,10 @@ Result<PageView> MupdfSource::view(const Page& page, const Box& region, int quar
   view.raster = quarterTurns == 0
                     ? std::move(upright.value())
                     : turnedCrop(*upright, {0, 0, grid->rect.width, grid->rect.height}, quarterTurns);
-  view.viewToPage = grid->viewToPage(quarterTurns);
+  const Affine viewToPage = grid->viewToPage(quarterTurns);
+  view.viewToPage = viewToPage;
   view.nativePixels = grid->nativePixels;
-  carryContent(page, region, quarterTurns, view);
+  carryContent(page, region, quarterTurns, viewToPage.inverse(), view);
   return view;
 }
 

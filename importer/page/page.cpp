@@ -165,8 +165,8 @@ Result<Page> Document::page(int number, const Progress& progress) const {
 }
 
 Result<PageView> Document::view(const Page& page, const Box& region, int quarterTurns,
-                                const ViewOptions& options, double lean_deg) const {
-  DETENT_CHECK(lean_deg == 0 || page.unit == PageUnit::pixel, "only pictures stand askew");
+                                const ViewOptions& options, const Homography& levelToPage) const {
+  DETENT_CHECK(levelToPage == Homography{} || page.unit == PageUnit::pixel, "only pictures stand askew");
   DETENT_CHECK(quarterTurns >= 0 && quarterTurns <= 3, "quarter turns are 0 to 3");
   DETENT_CHECK(page.number >= 1 && page.number <= pageCount(),
                "a view is made of a page of its own document");
@@ -174,17 +174,10 @@ Result<PageView> Document::view(const Page& page, const Box& region, int quarter
     return Failure{FailureCode::wrongUsage, name(), "", "the region is not a box",
                    "Give left, top, right, bottom"};
   try {
-    return impl_->source->view(page, region, quarterTurns, options, lean_deg);
+    return impl_->source->view(page, region, quarterTurns, options, levelToPage);
   } catch (const std::bad_alloc&) {
     return outOfMemory(name());
   }
-}
-
-Affine turnedToPage(const Page& page, double lean_deg) {
-  if (lean_deg == 0) return {};
-  const double angle = lean_deg * std::acos(-1.0) / 180, c = std::cos(angle), s = std::sin(angle);
-  const Point middle{0.5 * (page.width - 1), 0.5 * (page.height - 1)};
-  return {c, s, -s, c, middle.x - c * middle.x + s * middle.y, middle.y - s * middle.x - c * middle.y};
 }
 
 const std::string& Document::name() const { return impl_->file.name; }

@@ -65,15 +65,12 @@ struct Page {
   Affine overviewToPage;
 };
 
-/// From the page turned about its middle, so that lines which ran down to the right by `lean_deg` run level, to the page.
-Affine turnedToPage(const Page& page, double lean_deg);
-
 /// A region of the page, turned upright, at the best resolution available: the native pixels of the picture
 /// or of the one embedded image that fills the region, else a render. Coordinates of texts and paths in view
 /// pixels.
 struct PageView {
   Raster raster;
-  Affine viewToPage;
+  Homography viewToPage;  ///< affine but for photographs
   std::vector<TextBox> texts;
   std::vector<VectorPath> paths;
   bool nativePixels = false;  ///< raster is what the document stores, not a render
@@ -109,10 +106,11 @@ class Document {
   /// Page numbers count from 1.
   Result<Page> page(int number, const Progress& progress = {}) const;
   /// Region in page units. `quarterTurns`: how many times the region is turned clockwise by 90° to stand
-  /// upright (0..3). `lean_deg` (pictures only): the region is a box on the page turned by so much, see turnedToPage;
-  /// the view's pixels are then interpolated.
+  /// upright (0..3). `levelToPage` (pictures only): the region is a box on the sheet that stands level, of which the
+  /// page shows that image; the view's pixels are then interpolated, and of a photograph (a map that is not affine) uneven
+  /// light is divided away.
   Result<PageView> view(const Page& page, const Box& region, int quarterTurns = 0,
-                        const ViewOptions& options = {}, double lean_deg = 0) const;
+                        const ViewOptions& options = {}, const Homography& levelToPage = {}) const;
 
   const std::string& name() const;
   std::string sha256() const;

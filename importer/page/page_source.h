@@ -21,7 +21,7 @@ class PageSource {
   virtual int pageCount() const = 0;
   virtual Result<Page> page(int number, const Progress& progress) = 0;
   virtual Result<PageView> view(const Page& page, const Box& region, int quarterTurns,
-                                const ViewOptions& options, double lean_deg) = 0;
+                                const ViewOptions& options, const Homography& levelToPage) = 0;
 };
 
 /// What openers are given.

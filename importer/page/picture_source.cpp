@@ -7,6 +7,7 @@
 
 #include "importer/page/crop.h"
 #include "importer/page/decode_picture.h"
+#include "importer/page/even_light.h"
 #include "importer/page/page_source.h"
 
 namespace detent::importer {
@@ -56,8 +57,8 @@ class PictureSource : public PageSource {
   }
 
   Result<PageView> view(const Page& page, const Box& region, int quarterTurns, const ViewOptions&,
-                        double lean_deg) override {
-    if (lean_deg != 0) return levelView(page, region, quarterTurns, lean_deg);
+                        const Homography& levelToPage) override {
+    if (levelToPage != Homography{}) return levelView(page, region, quarterTurns, levelToPage);
     const Result<const Raster*> pixels = pixelsOf(page);
     if (!pixels) return pixels.failure();
     const Raster& picture = **pixels;
@@ -83,22 +84,23 @@ class PictureSource : public PageSource {
   }
 
  private:
-  /// A region of the page turned level, interpolated between the pixels of its overview.
-  static PageView levelView(const Page& page, const Box& region, int quarterTurns, double lean_deg) {
-    const Affine turn = turnedToPage(page, lean_deg);
-    const Box whole = turn.inverse().boxOf({0, 0, page.width - 1, page.height - 1}),
+  /// A region of the page stood level, interpolated between the pixels of its overview.
+  static PageView levelView(const Page& page, const Box& region, int quarterTurns,
+                            const Homography& levelToPage) {
+    const Box whole = levelToPage.inverse().boxOf({0, 0, page.width - 1, page.height - 1}),
               seen = region.common(whole);
     const double left = std::floor(seen.x0), top = std::floor(seen.y0);
     const int width = static_cast<int>(std::ceil(seen.x1) - left) + 1,
               height = static_cast<int>(std::ceil(seen.y1) - top) + 1;
     const int factor = reductionOf(width, height);
     const PixelRect all{0, 0, (width + factor - 1) / factor, (height + factor - 1) / factor};
-    const Affine toPage = turn.after(reducedCropToRaster({0, 0, width, height}, factor))
-                              .after({1, 0, 0, 1, left / factor, top / factor});
+    const Homography toPage = levelToPage.after(reducedCropToRaster({0, 0, width, height}, factor))
+                                  .after(Affine{1, 0, 0, 1, left / factor, top / factor});
     PageView view;
-    view.raster = turnedCrop(
-        resampled(page.overview, page.overviewToPage.inverse().after(toPage), all.width, all.height), all,
-        quarterTurns);
+    view.raster = turnedCrop(resampled(page.overview, Homography(page.overviewToPage.inverse()).after(toPage),
+                                       all.width, all.height),
+                             all, quarterTurns);
+    if (!levelToPage.isAffine()) view.raster = evenlyLit(std::move(view.raster));
     view.viewToPage = toPage.after(turnedCropToRaster(all, quarterTurns));
     return view;
   }

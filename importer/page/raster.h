@@ -61,6 +61,8 @@ struct Raster {
   }
 };
 
+struct Homography;
+
 /// p' = (a·x + c·y + e, b·x + d·y + f), as in PDF and SVG.
 struct Affine {
   double a = 1, b = 0, c = 0, d = 1, e = 0, f = 0;
@@ -71,6 +73,7 @@ struct Affine {
   Affine inverse() const;
   /// The upright box around a box under this map.
   Box boxOf(const Box& box) const;
+  operator Homography() const;
   friend bool operator==(const Affine&, const Affine&) = default;
 };
 
@@ -81,10 +84,16 @@ struct Homography {
     const double w = m[6] * p.x + m[7] * p.y + m[8];
     return {(m[0] * p.x + m[1] * p.y + m[2]) / w, (m[3] * p.x + m[4] * p.y + m[5]) / w};
   }
+  /// The map that first applies `first`, then this.
+  Homography after(const Homography& first) const;
   /// Must be invertible (checked).
   Homography inverse() const;
-  /// The upright box around two opposite corners of a box under this map.
+  /// The upright box around a box under this map.
   Box boxOf(const Box& box) const;
+  bool isAffine() const { return m[6] == 0 && m[7] == 0; }
+  /// How many times longer a step from `p` becomes, mean of all directions.
+  double scaleAt(Point p) const;
+  friend bool operator==(const Homography&, const Homography&) = default;
 };
 
 struct Rgb {

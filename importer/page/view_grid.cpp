@@ -175,8 +175,8 @@ std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, const Pa
   return rendered(seen, quarterTurns, images, options, maxPixels);
 }
 
-void carryContent(const Page& page, const Box& region, int quarterTurns, PageView& view) {
-  const Affine pageToView = view.viewToPage.inverse();
+void carryContent(const Page& page, const Box& region, int quarterTurns, const Affine& pageToView,
+                  PageView& view) {
   for (const TextBox& text : page.texts)
     if (text.box.touches(region))
       view.texts.push_back(

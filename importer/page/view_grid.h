@@ -33,7 +33,8 @@ std::optional<ViewGrid> chooseGrid(const Box& region, int quarterTurns, const Pa
                                    const std::vector<ImagePlacement>& images, const ViewOptions& options,
                                    double maxPixels);
 
-/// Texts and paths of the page that touch the region, in view pixels. `view.viewToPage` is set.
-void carryContent(const Page& page, const Box& region, int quarterTurns, PageView& view);
+/// Adds the texts and paths of the page that touch the region to its view, in view pixels.
+void carryContent(const Page& page, const Box& region, int quarterTurns, const Affine& pageToView,
+                  PageView& view);
 
 }  // namespace detent::importer

@@ -98,13 +98,15 @@ CurveField pooledField(const CurveField& field, int factor) {
   return out;
 }
 
-/// Whether a line found in an ink is long, inked and curved enough to be a force curve.
-bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool neutral,
+/// Whether a line found in an ink is long, inked and curved enough to be a force curve. `explained`: share of the ink that
+/// is the line's; the ink of text and frame draws other things as well, often dashed, unless most of it is this line.
+bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool neutral, double explained,
              const CurveChoiceOptions& options) {
   if (!course.found() || course.span_px < options.minSpan * frame.width() ||
       course.gain_px < options.minSpan * frame.width())
     return false;
-  if (course.inkShare < (neutral ? options.minInkShareNeutral : options.minInkShare)) return false;
+  const bool drawsOthers = neutral && explained < options.ownInk;
+  if (course.inkShare < (drawsOthers ? options.minInkShareNeutral : options.minInkShare)) return false;
   if (course.inkColumns_px < options.minOwnColumns * course.span_px) return false;
   return !isAxisParallel(course, thickness) && !(neutral && isStraight(course, thickness));
 }
@@ -162,7 +164,7 @@ std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
   double explained = 0;
   CurveInk curve = bestLine(plot, index, neutral, explained);
   const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
-  if (!isCurve(curve.course, frame, pooledThickness(curve), neutral, plot.options) ||
+  if (!isCurve(curve.course, frame, pooledThickness(curve), neutral, explained, plot.options) ||
       explained < plot.options.minExplained)
     return {};
   return curve;
@@ -172,14 +174,17 @@ std::optional<CurveInk> curveOf(const PlotInks& plot, int index, bool neutral) {
 /// that half-resolution colour leaves around a line is as long as the line itself, but paler.
 bool isSeam(const PlotInks& plot, const CurveInk& curve, const std::vector<CurveInk>& stronger,
             const Plane& size) {
-  const auto strength = [&](const CurveInk& c) {
-    return plot.palette[static_cast<std::size_t>(c.ink)].strength;
+  constexpr float sameHue = 0.95F;  // cosine between differences to the paper
+  const auto inkOf = [&](const CurveInk& c) -> const Ink& {
+    return plot.palette[static_cast<std::size_t>(c.ink)];
   };
   return std::any_of(stronger.begin(), stronger.end(), [&](const CurveInk& other) {
     const double along = shareAlong(curve.course, other.course, other.thickness_px / other.pooling + 2, size);
     const bool shorter = curve.course.gain_px < 0.6 * other.course.gain_px;
+    const bool tint = dot(inkOf(curve).direction, inkOf(other).direction) > sameHue;
+    const double paler = tint ? plot.options.tintStrength : plot.options.haloStrength;
     return (shorter && along > 0.75) ||
-           (strength(curve) < static_cast<float>(plot.options.haloStrength) * strength(other) &&
+           (static_cast<double>(inkOf(curve).strength) < paler * static_cast<double>(inkOf(other).strength) &&
             along > plot.options.haloAlong);
   });
 }

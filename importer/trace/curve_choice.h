@@ -27,6 +27,8 @@ struct CurveChoiceOptions {
       tuned("choice.minInkShare", 0.5);  ///< of its visible course: dashes have about this much
   double minInkShareNeutral =
       tuned("choice.minInkShareNeutral", 0.85);  ///< the same in the ink of text and frame
+  double ownInk =
+      tuned("choice.ownInk", 0.6);  ///< of that ink's mass: a line with more of it has the ink for its own
   double minOwnColumns =
       tuned("choice.minOwnColumns", 0.4);  ///< of the columns spanned; the rest may be bridged
   double minExplained = tuned("choice.minExplained", 0.3);  ///< of the ink's mass outside text and legend
@@ -40,6 +42,7 @@ struct CurveChoiceOptions {
   double secondStrand = tuned("choice.secondStrand", 0.18);
   double haloStrength =
       tuned("choice.haloStrength", 0.6);  ///< of the line's contrast: a paler one along it is its halo
+  double tintStrength = tuned("choice.tintStrength", 0.8);  ///< the same for a halo of the line's own hue
   double fillWidth =
       tuned("choice.fillWidth", 0.02);  ///< of the frame's smaller side: what is wider all along is no line
   double fillShare =

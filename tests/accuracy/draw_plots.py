@@ -4,7 +4,7 @@
 
     draw_plots.py FOLDER        draws everything and writes FOLDER/truth.json; look at the pictures when a style is changed
 
-The curves are made here, from a fixed seed; gnuplot, which knows nothing of Detent, draws them; ImageMagick turns some of them.
+The curves are made here, from a fixed seed; gnuplot, which knows nothing of Detent, draws them; ImageMagick turns some of them, and photograph.py makes photographs.
 The same pictures come out each time on one machine. Lengths in mm, forces in N.
 """
 
@@ -15,6 +15,10 @@ import subprocess
 import sys
 from dataclasses import dataclass, field
 from pathlib import Path
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import photograph  # noqa: E402
 
 NEWTONS = {"N": 1.0, "cN": 0.01, "gf": 0.00980665}
 
@@ -31,9 +35,12 @@ class Style:
     width: float = 2.2
     turn_deg: float = 0
     quality: int = 0  # of a JPEG; 0: as gnuplot wrote it
+    photographed: bool = False  # as a sheet before a camera
+    widths_px: tuple = ()  # scaled down, by the plot's number
     lines: list = field(default_factory=list)
 
 
+PRINTED = "pngcairo size 1520,1080 enhanced font 'DejaVu Sans,12' fontscale 2 linewidth 2"
 STYLES = {
     "one ink": Style(),
     "two inks": Style(inks=("#c8102e", "#0b5cad")),
@@ -50,9 +57,14 @@ STYLES = {
     "jpeg": Style(ending="jpg", quality=85),
     "coloured jpeg": Style(inks=("#c8102e", "#0b5cad"), ending="jpg", quality=82),
     "page of two": Style(inks=("#c8102e", "#0b5cad"), terminal="pngcairo size 820,1100 enhanced font 'DejaVu Sans,12'"),
+    "photo": Style(terminal=PRINTED, photographed=True),
+    "coloured photo": Style(terminal=PRINTED, inks=("#c8102e", "#0b5cad"), photographed=True),
+    "scaled down": Style(inks=("#c8102e", "#0b5cad"), widths_px=(300, 360, 430, 500)),
+    "drawn small": Style(terminal="pngcairo size 280,210 enhanced font 'DejaVu Sans,6.5'", width=1.0),
 }
 PER_CLASS = {"one ink": 8, "two inks": 8, "dashed grid": 3, "dashed axes": 3, "dark": 4, "no grid": 4, "rotated": 4, "svg": 4,
-             "pdf": 4, "jpeg": 4, "coloured jpeg": 2, "page of two": 3}
+             "pdf": 4, "jpeg": 4, "coloured jpeg": 2, "page of two": 3, "photo": 4, "coloured photo": 4, "scaled down": 4,
+             "drawn small": 4}
 
 
 def smooth(points, x):
@@ -147,6 +159,13 @@ def draw(folder, kind, number):
             file = target
         else:
             file = converted(file, *afterwards)
+    if style.photographed or style.widths_px:
+        drawn, file = file, folder / f"{name}-seen.{'jpg' if style.photographed else 'png'}"
+        if style.photographed:
+            photograph.photographed(drawn, file, number)
+        else:
+            photograph.lowered(drawn, file, style.widths_px[number % len(style.widths_px)])
+        drawn.unlink()
     return {"file": file.name, "kind": kind, "graphs": graphs}
 
 

@@ -26,7 +26,7 @@ Looked look(const cv::Mat& grey) {
   const auto candidates = findPlotFrames(page);
   REQUIRE_FALSE(candidates.empty());
   const FrameCandidate& found = candidates[0].value;
-  Looked looked{document.view(page, found.regionBox, found.quarterTurns, {}, found.lean_deg).value(), {}};
+  Looked looked{document.view(page, found.regionBox, found.quarterTurns, {}, found.levelToPage).value(), {}};
   looked.frame = locatePlotFrame(looked.view, page, candidates[0].value)->value;
   return looked;
 }

@@ -26,7 +26,7 @@ Seen lookAt(const cv::Mat& grey) {
   seen.candidates = findPlotFrames(page);
   for (const auto& c : seen.candidates) {
     const auto view =
-        document.view(page, c.value.regionBox, c.value.quarterTurns, {}, c.value.lean_deg).value();
+        document.view(page, c.value.regionBox, c.value.quarterTurns, {}, c.value.levelToPage).value();
     auto frame = locatePlotFrame(view, page, c.value);
     REQUIRE(frame.ok());
     // Back to page pixels, so that they can be compared with what was drawn.
@@ -171,6 +171,71 @@ TEST_CASE("a scan a degree askew keeps its four corners") {
   expect(s.right, s.top, seen.frames[0].corners[1]);
   expect(s.right, s.bottom, seen.frames[0].corners[2]);
   expect(s.left, s.bottom, seen.frames[0].corners[3]);
+}
+
+namespace {
+
+/// The plot as a camera sees its sheet: `map` from the drawn plot to the picture; a light falls off to the right.
+cv::Mat photographOf(const PlotStyle& s, const cv::Matx33d& map) {
+  cv::Mat seen;
+  cv::warpPerspective(drawn(s), seen, map, {s.width, s.height}, cv::INTER_CUBIC, cv::BORDER_CONSTANT,
+                      cv::Scalar(60));
+  for (int y = 0; y < seen.rows; ++y)
+    for (int x = 0; x < seen.cols; ++x) {
+      std::uint8_t& value = seen.at<std::uint8_t>(y, x);
+      value = static_cast<std::uint8_t>(value * (1 - 0.35 * x / seen.cols));
+    }
+  return seen;
+}
+
+}  // namespace
+
+TEST_CASE("a photographed sheet stands level again, and its frame is found there") {
+  PlotStyle s;
+  s.lineWidth = 2;
+  const cv::Matx33d map = GENERATE(cv::Matx33d(0.88, 0.05, 25, -0.06, 0.9, 60, -0.00015, 0.00008, 1),
+                                   cv::Matx33d(0.85, -0.06, 70, 0.05, 0.85, 20, 0.0001, -0.0002, 1));
+  const auto document = documentOf(photographOf(s, map));
+  const auto page = document.page(1).value();
+  const auto sheet = photographedSheet(page);
+  REQUIRE(sheet);
+  const auto candidates = findPlotFrames(page, {PaperBy::region, sheet});
+  REQUIRE(candidates.size() == 1);
+  const FrameCandidate& c = candidates[0].value;
+  const auto view = document.view(page, c.regionBox, c.quarterTurns, {}, c.levelToPage).value();
+  const auto frame = locatePlotFrame(view, page, c);
+  REQUIRE(frame.ok());
+  const std::array<Point, 4> meant{
+      {{s.left, s.top}, {s.right, s.top}, {s.right, s.bottom}, {s.left, s.bottom}}};
+  for (std::size_t k = 0; k < 4; ++k) {
+    const cv::Vec3d at = map * cv::Vec3d(meant[k].x, meant[k].y, 1);
+    const Point found = view.viewToPage(frame->value.corners[k]);
+    CHECK(found.x == Approx(at[0] / at[2]).margin(0.8));
+    CHECK(found.y == Approx(at[1] / at[2]).margin(0.8));
+  }
+}
+
+TEST_CASE("corners given on a photograph make the same sheet; upright ones none") {
+  PlotStyle s;
+  const auto page = documentOf(drawn(s)).page(1).value();
+  const std::vector<Point> askew{{120, 60}, {800, 90}, {780, 520}, {90, 480}};
+  const auto sheet = sheetOfCorners(askew, page);
+  REQUIRE(sheet);
+  const Homography toLevel = sheet->inverse();
+  CHECK(toLevel(askew[0]).x == Approx(toLevel(askew[3]).x).margin(1e-3));
+  CHECK(toLevel(askew[1]).x == Approx(toLevel(askew[2]).x).margin(1e-3));
+  CHECK(toLevel(askew[0]).y == Approx(toLevel(askew[1]).y).margin(1e-3));
+  CHECK(toLevel(askew[3]).y == Approx(toLevel(askew[2]).y).margin(1e-3));
+  CHECK_FALSE(sheetOfCorners({{100, 50}, {800, 50}, {800, 500}, {100, 500}}, page));
+}
+
+TEST_CASE("a picture without two directions of lines shows no photographed sheet") {
+  cv::Mat grey(600, 900, CV_8U, cv::Scalar(255));
+  SECTION("blank") {}
+  SECTION("level lines alone") {
+    for (int y = 60; y < 600; y += 60) cv::line(grey, {40, y}, {860, y}, cv::Scalar(0), 2);
+  }
+  CHECK_FALSE(photographedSheet(documentOf(grey).page(1).value()));
 }
 
 TEST_CASE("lines rounded by Agg are known by their rims") {

@@ -9,6 +9,7 @@
 #include <catch2/catch.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "importer/page/even_light.h"
 #include "importer/page/page.h"
 #include "importer/page/picture_header.h"
 #include "model/sha256.h"
@@ -144,6 +145,48 @@ TEST_CASE("a turned view shows the same pixels, and its map leads back to them")
   }
   // One clockwise turn brings the region's bottom left pixel to the top left.
   CHECK(document->view(*page, {2, 1, 6, 3}, 1)->viewToPage({0, 0}) == Point{2, 3});
+}
+
+TEST_CASE("uneven light is divided away, ink keeps its share of it, dark ground stays") {
+  Raster shaded;
+  shaded.width_px = 640, shaded.height_px = 480;
+  const auto lightAt = [](int x) { return 1 - 0.5 * x / 640; };
+  const bool dark = GENERATE(false, true);
+  for (int y = 0; y < 480; ++y)
+    for (int x = 0; x < 640; ++x) {
+      const bool ink = y % 60 == 30;
+      const double value = dark ? (ink ? 230 : 40) : (ink ? 110 : 220);
+      for (const double tint : {1.0, 0.96, 0.85})
+        shaded.rgb.push_back(static_cast<std::uint8_t>(value * tint * (dark ? 1 : lightAt(x))));
+    }
+  const Raster even = evenlyLit(shaded);
+  if (dark) {
+    CHECK(even.rgb == shaded.rgb);
+    return;
+  }
+  for (const int x : {5, 320, 630}) {
+    INFO(x);
+    const Rgb paper = pixel(even, x, 100), ink = pixel(even, x, 150);
+    for (const int channel : {int(paper.r), int(paper.g), int(paper.b)}) CHECK(std::abs(channel - 240) <= 6);
+    for (const int channel : {int(ink.r), int(ink.g), int(ink.b)}) CHECK(std::abs(channel - 120) <= 6);
+  }
+}
+
+TEST_CASE("a projective map and its inverse lead there and back, its boxes hold all four corners") {
+  const Homography map{{0.9, 0.1, 20, -0.05, 1.1, 4, 0.0002, -0.0001, 1}};
+  const Point p{120, 340}, back = map.inverse()(map(p));
+  CHECK(back.x == Approx(p.x));
+  CHECK(back.y == Approx(p.y));
+  const Homography twice = map.after(map);
+  CHECK(twice(p).x == Approx(map(map(p)).x));
+  CHECK(twice(p).y == Approx(map(map(p)).y));
+  const Box box{0, 0, 400, 300}, around = map.boxOf(box);
+  for (const Point corner : {Point{0, 0}, Point{400, 0}, Point{400, 300}, Point{0, 300}})
+    CHECK(around.grown(1e-9, 1e-9).contains(map(corner)));
+  const Affine doubled{2, 0, 0, 2, 5, 7};
+  CHECK(Homography(doubled).scaleAt(p) == Approx(2));
+  CHECK(Homography(doubled).isAffine());
+  CHECK_FALSE(map.isAffine());
 }
 
 TEST_CASE("a large picture is seen reduced, a part of it in its own pixels") {

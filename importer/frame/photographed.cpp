@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sheet before a camera: what is parallel on it runs towards one point in the picture. Two such points, that of the
+// lines along a plot and that of the lines up it, give the map back to the level sheet but for its two scales, which
+// axes carry themselves.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+#include "importer/frame/darkness.h"
+#include "importer/frame/plot_frame.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr int largestSide_px = 1400;
+constexpr double detectorScale = 0.5;      // noise no longer breaks long edges
+constexpr double shortest_share = 0.035;   // of the larger side: letters stay below
+constexpr double farthestLean_deg = 32;    // tilt and turn together
+constexpr double agrees_deg = 0.8;         // a sagging sheet bends its lines by as much
+constexpr std::size_t mostSeeds = 70;      // the longest segments; each pair of them proposes a point
+constexpr double leastSupport = 1.5;       // of the larger side, in all segments that agree
+constexpr double mostForeshortened = 1.8;  // largest to smallest scale over the page
+
+/// A straight piece of an edge. Coordinates: the middle of the picture is 0, half its larger side 1.
+struct Segment {
+  cv::Vec3d line;  ///< a x + b y + c = 0, (a, b) of length 1
+  Point middle, along;
+  double length = 0;
+};
+
+struct Segments {
+  std::vector<Segment> level, plumb;  ///< longest first
+};
+
+Segments segmentsOf(const cv::Mat& grey) {
+  std::vector<cv::Vec4f> found;
+  cv::createLineSegmentDetector(cv::LSD_REFINE_NONE, detectorScale)->detect(grey, found);
+  const double half = 0.5 * std::max(grey.cols, grey.rows);
+  const Point middle{0.5 * (grey.cols - 1), 0.5 * (grey.rows - 1)};
+  Segments segments;
+  for (const cv::Vec4f& s : found) {
+    const Point a = (1 / half) * (Point{s[0], s[1]} - middle), b = (1 / half) * (Point{s[2], s[3]} - middle);
+    Segment segment;
+    segment.length = distance(a, b);
+    if (segment.length < 2 * shortest_share) continue;
+    segment.along = (1 / segment.length) * (b - a);
+    segment.middle = 0.5 * (a + b);
+    segment.line = {-segment.along.y, segment.along.x, cross(a, b) / segment.length};
+    const double steep_deg = std::atan2(std::abs(segment.along.y), std::abs(segment.along.x)) * 180 / CV_PI;
+    if (steep_deg <= farthestLean_deg) segments.level.push_back(segment);
+    if (steep_deg >= 90 - farthestLean_deg) segments.plumb.push_back(segment);
+  }
+  const auto longer = [](const Segment& a, const Segment& b) { return a.length > b.length; };
+  std::sort(segments.level.begin(), segments.level.end(), longer);
+  std::sort(segments.plumb.begin(), segments.plumb.end(), longer);
+  return segments;
+}
+
+/// How well a segment points to a vanishing point: 1 exactly, 0 from `agrees_deg` on.
+double agreement(const Segment& segment, const cv::Vec3d& point) {
+  const Point towards{point[0] - point[2] * segment.middle.x, point[1] - point[2] * segment.middle.y};
+  const double off_deg =
+      std::asin(std::min(1.0, std::abs(cross(segment.along, towards)) / norm(towards))) * 180 / CV_PI;
+  return std::max(0.0, 1 - off_deg / agrees_deg);
+}
+
+double supportOf(const std::vector<Segment>& segments, const cv::Vec3d& point) {
+  double sum = 0;
+  for (const Segment& segment : segments) sum += segment.length * agreement(segment, point);
+  return sum;
+}
+
+/// The point nearest to all lines that agree with a first one.
+cv::Vec3d refined(const std::vector<Segment>& segments, cv::Vec3d point) {
+  constexpr int rounds = 5;
+  for (int round = 0; round < rounds; ++round) {
+    cv::Matx33d scatter = cv::Matx33d::zeros();
+    for (const Segment& segment : segments)
+      scatter += segment.length * agreement(segment, point) * segment.line * segment.line.t();
+    cv::Matx31d values;
+    cv::Matx33d vectors;
+    cv::eigen(scatter, values, vectors);  // largest first
+    point = {vectors(2, 0), vectors(2, 1), vectors(2, 2)};
+  }
+  return point;
+}
+
+/// Where most lines run to; homogeneous. Empty if too few agree.
+std::optional<cv::Vec3d> vanishingPoint(const std::vector<Segment>& segments) {
+  constexpr double nearest = 2;  // half sides from the middle: nearer only under 45 degrees of tilt
+  const std::size_t seeds = std::min(segments.size(), mostSeeds);
+  cv::Vec3d best;
+  double most = 0;
+  for (std::size_t i = 0; i < seeds; ++i)
+    for (std::size_t j = i + 1; j < seeds; ++j) {
+      const cv::Vec3d point = segments[i].line.cross(segments[j].line);
+      const double away = std::hypot(point[0], point[1]);
+      if (away == 0 || away < nearest * std::abs(point[2])) continue;
+      if (const double support = supportOf(segments, point); support > most) most = support, best = point;
+    }
+  if (most < 2 * leastSupport) return {};
+  return refined(segments, best);
+}
+
+/// The map whose axes run to the two points, with the middle and its scale kept.
+std::optional<Homography> mapTowards(cv::Vec3d level, cv::Vec3d plumb) {
+  const double across = std::hypot(level[0], level[1]), up = std::hypot(plumb[0], plumb[1]);
+  if (across == 0 || up == 0) return {};
+  level *= (level[0] < 0 ? -1 : 1) / across;
+  plumb *= (plumb[1] < 0 ? -1 : 1) / up;
+  return Homography{{level[0], plumb[0], 0, level[1], plumb[1], 0, level[2], plumb[2], 1}};
+}
+
+/// Whether a camera could have seen the page so: everything before it, nothing far smaller than the rest.
+bool isPlausible(const Homography& levelToPage, const Page& page) {
+  const Homography toLevel = levelToPage.inverse();
+  double least = 1e9, largest = 0;
+  for (const Point corner :
+       {Point{}, Point{page.width, 0}, Point{page.width, page.height}, Point{0, page.height}}) {
+    const double w = toLevel.m[6] * corner.x + toLevel.m[7] * corner.y + toLevel.m[8];
+    if (w <= 0) return false;
+    least = std::min(least, w), largest = std::max(largest, w);
+  }
+  return largest <= mostForeshortened * least;
+}
+
+}  // namespace
+
+std::optional<Homography> photographedSheet(const Page& page) {
+  if (page.unit != PageUnit::pixel || page.overview.width_px < 64 || page.overview.height_px < 64) return {};
+  cv::Mat grey = luminanceOf(page.overview);
+  const double shrink = std::max(1.0, double(std::max(grey.cols, grey.rows)) / largestSide_px);
+  if (shrink > 1) cv::resize(grey, grey, {}, 1 / shrink, 1 / shrink, cv::INTER_AREA);
+  const Segments segments = segmentsOf(grey);
+  const auto level = vanishingPoint(segments.level), plumb = vanishingPoint(segments.plumb);
+  if (!level || !plumb) return {};
+  const auto map = mapTowards(*level, *plumb);
+  if (!map) return {};
+  const double half = 0.5 * std::max(page.width, page.height);
+  const Affine toPage{half, 0, 0, half, 0.5 * (page.width - 1), 0.5 * (page.height - 1)};
+  const Homography levelToPage = Homography(toPage).after(map->after(toPage.inverse()));
+  return isPlausible(levelToPage, page) ? std::optional(levelToPage) : std::nullopt;
+}
+
+std::optional<Homography> sheetOfCorners(const std::vector<Point>& corners, const Page& page) {
+  constexpr double leastLean = 0.01;  // of a slope: what leans less is read as it stands
+  if (page.unit != PageUnit::pixel) return {};
+  const double width = 0.5 * (distance(corners[0], corners[1]) + distance(corners[3], corners[2])),
+               height = 0.5 * (distance(corners[0], corners[3]) + distance(corners[1], corners[2]));
+  const double off = std::max(
+      {std::abs(corners[1].y - corners[0].y) / width, std::abs(corners[2].y - corners[3].y) / width,
+       std::abs(corners[3].x - corners[0].x) / height, std::abs(corners[2].x - corners[1].x) / height});
+  if (off < leastLean) return {};
+  const Point middle = 0.25 * (corners[0] + corners[1] + corners[2] + corners[3]);
+  std::vector<cv::Point2f> level, onPage;
+  for (const Point& sign : {Point{-1, -1}, Point{1, -1}, Point{1, 1}, Point{-1, 1}})
+    level.emplace_back(static_cast<float>(middle.x + 0.5 * sign.x * width),
+                       static_cast<float>(middle.y + 0.5 * sign.y * height));
+  for (const Point& corner : corners)
+    onPage.emplace_back(static_cast<float>(corner.x), static_cast<float>(corner.y));
+  const cv::Matx33d map = cv::getPerspectiveTransform(level, onPage);
+  Homography levelToPage;
+  std::copy(map.val, map.val + 9, levelToPage.m.begin());
+  return isPlausible(levelToPage, page) ? std::optional(levelToPage) : std::nullopt;
+}
+
+}  // namespace detent::importer
