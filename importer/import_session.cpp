@@ -72,6 +72,12 @@ TraceHints inView(TraceHints hints, const PageView& view) {
   return hints;
 }
 
+/// A view that stands a photographed sheet level has had its light evened: its pixels no longer show a camera.
+PageClass classOf(const LocatedGraph& graph, const StrokePair& strokes) {
+  if (strokes.press.fromVector) return PageClass::vector;
+  return graph.view.viewToPage.isAffine() ? classOfPixels(graph.view.raster) : PageClass::photo;
+}
+
 /// Expected noise of a stroke's points across the curve.
 double noisePx(const StrokePoints& stroke, const LocatedGraph& graph, const QualitySettings& settings) {
   if (!stroke.fromVector) return settings.traceNoise_px;
@@ -649,7 +655,7 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   }();
   const auto& unread = remarks[choice->page];
   choice->remarks.insert(choice->remarks.end(), unread.begin(), unread.end());
-  const PageClass pageClass = pair.press.fromVector ? PageClass::vector : classOfPixels(graph.view.raster);
+  const PageClass pageClass = classOf(graph, pair);
   const GraphSource source{name(),       buttonName(*choice), document->sha256(),
                            choice->page, choice->graph,       choice->remarks};
   auto report = assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(),

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,13 +19,14 @@ namespace detent::importer {
 namespace {
 
 constexpr int largestSide_px = 1400;
-constexpr double detectorScale = 0.5;      // noise no longer breaks long edges
-constexpr double shortest_share = 0.035;   // of the larger side: letters stay below
-constexpr double farthestLean_deg = 32;    // tilt and turn together
-constexpr double agrees_deg = 0.8;         // a sagging sheet bends its lines by as much
-constexpr std::size_t mostSeeds = 70;      // the longest segments; each pair of them proposes a point
-constexpr double leastSupport = 1.5;       // of the larger side, in all segments that agree
-constexpr double mostForeshortened = 1.8;  // largest to smallest scale over the page
+constexpr double detectorScale = 0.5;     // noise no longer breaks long edges
+constexpr double shortest_share = 0.035;  // of the larger side: letters stay below
+constexpr double farthestLean_deg = 32;   // tilt and turn together
+constexpr double agrees_deg = 0.8;        // a sagging sheet bends its lines by as much
+constexpr std::size_t mostSeeds = 70;     // the longest segments; each pair of them proposes a point
+constexpr double leastSupport = 1.5;      // of the larger side, in all segments that agree
+// Largest to smallest scale over the page: of a picture that stands level or is turned it is 1.
+constexpr double leastForeshortened = 1.015, mostForeshortened = 1.8;
 
 /// A straight piece of an edge. Coordinates: the middle of the picture is 0, half its larger side 1.
 struct Segment {
@@ -116,17 +118,17 @@ std::optional<Homography> mapTowards(cv::Vec3d level, cv::Vec3d plumb) {
   return Homography{{level[0], plumb[0], 0, level[1], plumb[1], 0, level[2], plumb[2], 1}};
 }
 
-/// Whether a camera could have seen the page so: everything before it, nothing far smaller than the rest.
-bool isPlausible(const Homography& levelToPage, const Page& page) {
+/// Largest to smallest scale over the page; infinite where a part of it lies behind the camera.
+double foreshortening(const Homography& levelToPage, const Page& page) {
   const Homography toLevel = levelToPage.inverse();
-  double least = 1e9, largest = 0;
+  double least = std::numeric_limits<double>::infinity(), largest = 0;
   for (const Point corner :
        {Point{}, Point{page.width, 0}, Point{page.width, page.height}, Point{0, page.height}}) {
     const double w = toLevel.m[6] * corner.x + toLevel.m[7] * corner.y + toLevel.m[8];
-    if (w <= 0) return false;
+    if (w <= 0) return std::numeric_limits<double>::infinity();
     least = std::min(least, w), largest = std::max(largest, w);
   }
-  return largest <= mostForeshortened * least;
+  return largest / least;
 }
 
 }  // namespace
@@ -144,7 +146,8 @@ std::optional<Homography> photographedSheet(const Page& page) {
   const double half = 0.5 * std::max(page.width, page.height);
   const Affine toPage{half, 0, 0, half, 0.5 * (page.width - 1), 0.5 * (page.height - 1)};
   const Homography levelToPage = Homography(toPage).after(map->after(toPage.inverse()));
-  return isPlausible(levelToPage, page) ? std::optional(levelToPage) : std::nullopt;
+  const double seen = foreshortening(levelToPage, page);
+  return seen >= leastForeshortened && seen <= mostForeshortened ? std::optional(levelToPage) : std::nullopt;
 }
 
 std::optional<Homography> sheetOfCorners(const std::vector<Point>& corners, const Page& page) {
@@ -166,7 +169,7 @@ std::optional<Homography> sheetOfCorners(const std::vector<Point>& corners, cons
   const cv::Matx33d map = cv::getPerspectiveTransform(level, onPage);
   Homography levelToPage;
   std::copy(map.val, map.val + 9, levelToPage.m.begin());
-  return isPlausible(levelToPage, page) ? std::optional(levelToPage) : std::nullopt;
+  return foreshortening(levelToPage, page) <= mostForeshortened ? std::optional(levelToPage) : std::nullopt;
 }
 
 }  // namespace detent::importer

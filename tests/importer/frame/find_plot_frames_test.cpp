@@ -238,6 +238,10 @@ TEST_CASE("a picture without two directions of lines shows no photographed sheet
   CHECK_FALSE(photographedSheet(documentOf(grey).page(1).value()));
 }
 
+TEST_CASE("a picture that stands level is no photograph") {
+  CHECK_FALSE(photographedSheet(documentOf(drawn(PlotStyle{})).page(1).value()));
+}
+
 TEST_CASE("lines rounded by Agg are known by their rims") {
   PlotStyle s;
   s.grid = false;
