@@ -47,10 +47,10 @@ BOUNDS = {
     "jpeg": Bounds(0, 0.20, 0.25),
     "coloured jpeg": Bounds(0, 0.20, 0.25),
     "page of two": Bounds(0, 0.17, 0.24),
-    "photo": Bounds(0, 0.25, 0.60),
-    "coloured photo": Bounds(0, 0.25, 0.60),
-    "scaled down": Bounds(0, 0.50, 1.20),
-    "drawn small": Bounds(0, 0.50, 1.20),
+    "photo": Bounds(0, 0.12, 0.16),
+    "coloured photo": Bounds(1, 0.16, 0.20),
+    "scaled down": Bounds(0, 0.24, 0.36),
+    "drawn small": Bounds(0, 0.19, 0.26),
 }
 # Of a plot of several switches each is imported by its name.
 SEVERAL = Bounds(0, 0.10, 0.16)
