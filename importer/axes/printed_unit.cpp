@@ -33,8 +33,6 @@ constexpr std::array forceMisreadings{Misreading<ForceUnit>{"eN", ForceUnit::cen
                                       Misreading<ForceUnit>{"sf", ForceUnit::gramForce, 0.6, true},
                                       Misreading<ForceUnit>{"0zf", ForceUnit::ounceForce, 0.8, false},
                                       Misreading<ForceUnit>{"02f", ForceUnit::ounceForce, 0.6, true},
-                                      Misreading<ForceUnit>{"02", ForceUnit::ounceForce, 0.6, true},
-                                      Misreading<ForceUnit>{"0z", ForceUnit::ounceForce, 0.6, true},
                                       Misreading<ForceUnit>{"Ibf", ForceUnit::poundForce, 0.8, false},
                                       Misreading<ForceUnit>{"1bf", ForceUnit::poundForce, 0.8, false},
                                       Misreading<ForceUnit>{"Ib", ForceUnit::poundForce, 0.8, false},
