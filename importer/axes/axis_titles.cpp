@@ -27,10 +27,23 @@ void consider(AxisTitle<Unit>& best, const std::vector<SeenText>& lines, Parse p
 /// From here on a unit stands where only units stand: in brackets, after a slash.
 constexpr double surePlace = 0.9;
 
-bool hasLetters(const SeenText& line) {
+std::ptrdiff_t lettersIn(const SeenText& line) {
   return std::count_if(line.utf8.begin(), line.utf8.end(), [](char c) {
-           return static_cast<unsigned char>(c) >= 0x80 || std::isalpha(static_cast<unsigned char>(c)) != 0;
-         }) >= 2;
+    return static_cast<unsigned char>(c) >= 0x80 || std::isalpha(static_cast<unsigned char>(c)) != 0;
+  });
+}
+
+bool hasLetters(const SeenText& line) { return lettersIn(line) >= 2; }
+
+/// Without the lines that are a part of a longer one read the other way: the z of "[oz]", lying on its side, is an N.
+std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::vector<SeenText> lines) {
+  std::erase_if(lines, [&](const SeenText& line) {
+    const Point middle{0.5 * (line.box.x0 + line.box.x1), 0.5 * (line.box.y0 + line.box.y1)};
+    return std::ranges::any_of(others, [&](const SeenText& other) {
+      return other.box.contains(middle) && lettersIn(other) > lettersIn(line);
+    });
+  });
+  return lines;
 }
 
 /// What the line nearest to the axis measures, if it says so and it is not what the axis must measure. `alien`: the unit
@@ -114,7 +127,8 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
   }
   if (!best.unit) consider(best, r.readLines(above, 0, {b.x0, b.y0}, 6), forceUnitIn);
   if (!best.unit) consider(best, r.readLines(corner, 90, {b.x0, b.y0}, 5), forceUnitIn);
-  if (!best.unit) consider(best, r.readLines(left, 0, {labels.x0, b.y0}, 2), forceUnitIn);
+  if (!best.unit)
+    consider(best, withoutPartsOf(upwards, r.readLines(left, 0, {labels.x0, b.y0}, 2)), forceUnitIn);
   if (!best.unit) {  // downwards, as in Chinese sheets; other writing read so makes units of single letters
     AxisTitle<ForceUnit> downwards;
     consider(downwards, r.readLines(left, -90, towards, 1), forceUnitIn);

@@ -31,6 +31,7 @@ constexpr std::array forceMisreadings{Misreading<ForceUnit>{"eN", ForceUnit::cen
                                       Misreading<ForceUnit>{"af", ForceUnit::gramForce, 0.6, true},
                                       Misreading<ForceUnit>{"ef", ForceUnit::gramForce, 0.6, true},
                                       Misreading<ForceUnit>{"sf", ForceUnit::gramForce, 0.6, true},
+                                      Misreading<ForceUnit>{"0z", ForceUnit::ounceForce, 0.8, false},
                                       Misreading<ForceUnit>{"0zf", ForceUnit::ounceForce, 0.8, false},
                                       Misreading<ForceUnit>{"02f", ForceUnit::ounceForce, 0.6, true},
                                       Misreading<ForceUnit>{"Ibf", ForceUnit::poundForce, 0.8, false},
