@@ -176,11 +176,9 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven) {
   }
   const double many = p.labels >= 4 ? 1.0 : p.labels == 3 ? 0.9 : 0.5;
   const double sharp = p.fromTicks ? std::clamp(1.15 - 0.25 * p.residual_px, 0.3, 1.0) : 0.6;
-  // One label that was read with certainty may be a misprint; two or more make a scale that is not even, and so does one beside no
-  // more than three that agree.
+  // One label that was read with certainty may be a misprint; two or more make a scale that is not even.
   constexpr double uneven = 0.4;
-  const int borne = contradicting >= 2 ? 5 : 3;  // labels that must agree for each that does not
-  const double even = contradicting > 0 && borne * contradicting >= p.labels ? uneven : 1;
+  const double even = contradicting >= 2 && 5 * contradicting >= p.labels ? uneven : 1;
   return std::sqrt(agreed / std::max(1.0, all)) * many * sharp * even;
 }
 

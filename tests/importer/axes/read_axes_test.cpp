@@ -143,16 +143,6 @@ TEST_CASE("a label that contradicts the grid is left out, and said") {
   CHECK(axes.calibration.confidence < 1);
 }
 
-TEST_CASE("one label against three makes no even scale") {
-  if (skipWithoutEngine()) return;
-  PlotStyle s;
-  s.xSteps = 3, s.xStep = 1;
-  const double even = read(drawn(s)).calibration.confidence;
-  s.oddLabel = 3, s.oddText = "6";  // stands at 3
-  CHECK(even > 0.8);
-  CHECK(read(drawn(s)).calibration.confidence < 0.5);
-}
-
 TEST_CASE("a zero beside its corner contradicts nothing") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
