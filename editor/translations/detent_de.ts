@@ -5933,8 +5933,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Seite sieht gescannt aus, und Scans werden öfter falsch gelesen als Zeichnungen</translation>
     </message>
     <message>
-        <source>the page looks photographed, and photographs are read wrong more often than right</source>
-        <translation>die Seite sieht fotografiert aus, und Fotos werden öfter falsch als richtig gelesen</translation>
+        <source>the page looks photographed, and photographs are read wrong more often than other pages</source>
+        <translation>die Seite sieht fotografiert aus, und Fotos werden öfter falsch gelesen als andere Seiten</translation>
     </message>
     <message>
         <source>with its four corners</source>

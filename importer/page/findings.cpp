@@ -108,7 +108,7 @@ Wording wordingOf(DoubtCode code) {
               words("the page looks scanned, and scans are read wrong more often than drawings")};
     case DoubtCode::pageIsPhoto:
       return {"page-is-photo",
-              words("the page looks photographed, and photographs are read wrong more often than right")};
+              words("the page looks photographed, and photographs are read wrong more often than other pages")};
   }
   return {"", ""};
 }
