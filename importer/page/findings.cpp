@@ -107,8 +107,9 @@ Wording wordingOf(DoubtCode code) {
       return {"page-is-scan",
               words("the page looks scanned, and scans are read wrong more often than drawings")};
     case DoubtCode::pageIsPhoto:
-      return {"page-is-photo",
-              words("the page looks photographed, and photographs are read wrong more often than other pages")};
+      return {
+          "page-is-photo",
+          words("the page looks photographed, and photographs are read wrong more often than other pages")};
   }
   return {"", ""};
 }
