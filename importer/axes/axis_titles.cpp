@@ -38,9 +38,8 @@ bool hasLetters(const SeenText& line) { return lettersIn(line) >= 2; }
 /// Without the lines that are a part of a longer one read the other way: the z of "[oz]", lying on its side, is an N.
 std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::vector<SeenText> lines) {
   std::erase_if(lines, [&](const SeenText& line) {
-    const Point middle{0.5 * (line.box.x0 + line.box.x1), 0.5 * (line.box.y0 + line.box.y1)};
     return std::ranges::any_of(others, [&](const SeenText& other) {
-      return other.box.contains(middle) && lettersIn(other) > lettersIn(line);
+      return other.box.contains(line.box.middle()) && lettersIn(other) > lettersIn(line);
     });
   });
   return lines;

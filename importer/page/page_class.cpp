@@ -60,9 +60,10 @@ bool isBilevel(const Raster& raster) {
       ink += high <= 16;
     }
   }
-  const auto count = static_cast<double>(all);
-  return static_cast<double>(between)<mostBetween_share * count&& static_cast<double>(ink)> leastInk_share *
-         count;
+  const auto shareOf = [all](std::size_t pixels) {
+    return static_cast<double>(pixels) / static_cast<double>(all);
+  };
+  return all > 0 && shareOf(between) < mostBetween_share && shareOf(ink) > leastInk_share;
 }
 
 }  // namespace
