@@ -100,7 +100,8 @@ bool goesOn(const std::vector<Point>& curve, Rgb color, const Raster& picture) {
     const int x = static_cast<int>(std::lround(end.x + beyond_px * (end.x - before.x) / run));
     const int y = static_cast<int>(std::lround(end.y + beyond_px * (end.y - before.y) / run));
     bool seen = false;
-    for (int v = y - reach; v <= y + reach; ++v) seen = seen || isInk(x, v);
+    for (int v = y - reach; v <= y + reach; ++v)
+      for (int u = x - reach; u <= x + reach; ++u) seen = seen || isInk(u, v);
     if (!seen) return false;
   }
   return true;
@@ -283,8 +284,12 @@ class Doubts {
     const auto& [topLeft, topRight, bottomRight, bottomLeft] = findings_.graph.frame.value.corners;
     const Raster& picture = findings_.graph.view.raster;
     const Rgb color = colorOf(stroke);
-    if (line.back().x > std::min(topRight.x, bottomRight.x) - atEdge_px && goesOn(line, color, picture))
-      add(DoubtCode::leavesThePlot, inPart, {{forceAtRight(stroke), Measure::force_N}},
+    const bool atEdge = line.back().x > std::min(topRight.x, bottomRight.x) - atEdge_px ||
+                        line.back().y < std::max(topLeft.y, topRight.y) + atEdge_px;
+    // A frame that cuts its curves, on a scale that a label contradicts, is a part of another frame.
+    if (atEdge && goesOn(line, color, picture))
+      add(DoubtCode::leavesThePlot, labelContradicts() ? unconfirmed : inPart,
+          {{forceAtRight(stroke), Measure::force_N}},
           {{RemedyKind::giveFrame, "with the whole curve in it"}, {RemedyKind::giveXAxis, {}}});
 
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
@@ -295,6 +300,12 @@ class Doubts {
     if (foot_N > noticeable * (top_N - foot_N) && onFoot >= fewest)
       add(DoubtCode::belowTheAxis, inPart, {{foot_N, Measure::force_N}},
           {{RemedyKind::giveYAxis, "if the axis was misread"}});
+  }
+
+  bool labelContradicts() const {
+    return std::ranges::any_of(findings_.graph.axes.remarks, [](const Remark& remark) {
+      return remark.code == RemarkCode::labelContradicts;
+    });
   }
 
   double forceAtRight(const StrokePoints& stroke) const {

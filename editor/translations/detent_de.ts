@@ -5913,8 +5913,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine Kurve endet, wo das Bild endet</translation>
     </message>
     <message>
-        <source>a curve goes on beyond the plot frame&apos;s right edge at %1</source>
-        <translation>eine Kurve läuft bei %1 über den rechten Rand des Diagrammrahmens hinaus</translation>
+        <source>a curve goes on beyond the plot frame at %1</source>
+        <translation>eine Kurve läuft bei %1 über den Diagrammrahmen hinaus</translation>
     </message>
     <message>
         <source>the force axis begins at %1 and a curve goes below it</source>

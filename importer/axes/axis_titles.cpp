@@ -35,6 +35,8 @@ std::ptrdiff_t lettersIn(const SeenText& line) {
 
 bool hasLetters(const SeenText& line) { return lettersIn(line) >= 2; }
 
+bool hasBracket(const SeenText& line) { return line.utf8.find_first_of("([") != std::string::npos; }
+
 /// Without the lines that are a part of a longer one read the other way: the z of "[oz]", lying on its side, is an N.
 std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::vector<SeenText> lines) {
   std::erase_if(lines, [&](const SeenText& line) {
@@ -75,8 +77,14 @@ template <class Unit, class Parse>
 void considerAgain(AxisTitle<Unit>& best, GraphReading& r, const std::vector<SeenText>& lines, Parse parse) {
   constexpr std::size_t nearest = 2;
   for (std::size_t i = 0; i < std::min(nearest, lines.size()) && !best.unit; ++i)
-    if (hasLetters(lines[i]))
+    if (hasLetters(lines[i]) || hasBracket(lines[i]))
       consider(best, r.reader.readLineOtherwise(lines[i].box, lines[i].angle_deg), parse);
+}
+
+/// Those that have a bracket: of what stands beside a plot little is its title.
+std::vector<SeenText> withBracket(std::vector<SeenText> lines) {
+  std::erase_if(lines, [](const SeenText& line) { return !hasBracket(line); });
+  return lines;
 }
 
 }  // namespace
@@ -97,8 +105,13 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
     consider(best, read, lengthUnitIn);
     nearby.insert(nearby.end(), read.begin(), read.end());
   }
-  if (!best.unit) consider(best, r.readLines(beside, 0, {b.x1, b.y1}, 4), lengthUnitIn);
+  std::vector<SeenText> readBeside;
+  if (!best.unit) {
+    readBeside = r.readLines(beside, 0, {b.x1, b.y1}, 4);
+    consider(best, readBeside, lengthUnitIn);
+  }
   if (!best.unit) considerAgain(best, r, read, lengthUnitIn);
+  if (!best.unit) considerAgain(best, r, withBracket(readBeside), lengthUnitIn);
   if (!best.unit || best.unit->sure < surePlace)
     best.other = otherQuantity(nearby, towards, besides(best, forceUnitIn));
   return best;
@@ -125,7 +138,9 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
     upwards.insert(upwards.end(), read.begin(), read.end());
   }
   if (!best.unit) consider(best, r.readLines(above, 0, {b.x0, b.y0}, 6), forceUnitIn);
-  if (!best.unit) consider(best, r.readLines(corner, 90, {b.x0, b.y0}, 5), forceUnitIn);
+  // Read level, a title that runs upwards makes units of single letters.
+  if (!best.unit || best.unit->sure < surePlace)
+    consider(best, r.readLines(corner, 90, {b.x0, b.y0}, 5), forceUnitIn);
   if (!best.unit)
     consider(best, withoutPartsOf(upwards, r.readLines(left, 0, {labels.x0, b.y0}, 2)), forceUnitIn);
   if (!best.unit) {  // downwards, as in Chinese sheets; other writing read so makes units of single letters

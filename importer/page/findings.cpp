@@ -96,7 +96,7 @@ Wording wordingOf(DoubtCode code) {
     case DoubtCode::cutAtPictureEdge:
       return {"cut-at-picture-edge", words("a curve ends where the picture does")};
     case DoubtCode::leavesThePlot:
-      return {"leaves-the-plot", words("a curve goes on beyond the plot frame's right edge at %1")};
+      return {"leaves-the-plot", words("a curve goes on beyond the plot frame at %1")};
     case DoubtCode::belowTheAxis:
       return {"below-the-axis", words("the force axis begins at %1 and a curve goes below it")};
     case DoubtCode::otherScale:

@@ -235,6 +235,69 @@ void cutLevelTail(std::vector<Point>& path, const Structure& s, double strokeWid
   if (steep && path.back().x - end.x >= 2 * strokeWidth) path.resize(from + 1);
 }
 
+/// Lengths of the dashes that go on from `end` along `ahead`, unit length; straight lines of the plot across them hide
+/// ink and paper alike. The first dash shows the direction better than a short tail does.
+std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, double strokeWidth) {
+  constexpr double kFirstSpread = 0.06, kSpread = 0.03;  // of the way, to either side
+  constexpr int kLeastGap = 2;
+  std::vector<double> dashes;
+  std::vector<Point> dash;
+  double gap = 0, longest = 20 * strokeWidth;
+  for (double t = 1; gap <= 2 * longest; t += 1) {
+    const Point p = end + t * ahead, across{-ahead.y, ahead.x};
+    if (!s.curveInk.inside(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)))) break;
+    const double reach = 1 + (dashes.empty() ? kFirstSpread : kSpread) * t;
+    std::optional<Point> inked;
+    bool hidden = false;
+    for (double off = -reach; off <= reach; off += 1) {
+      const Point q = p + off * across;
+      const int x = static_cast<int>(std::lround(q.x)), y = static_cast<int>(std::lround(q.y));
+      if (!s.curveInk.inside(x, y)) continue;
+      if (s.curveInk.at(x, y) > 0.5F) inked = q;
+      hidden = hidden || s.explained.at(x, y) > 0.3F * s.curveLevel;
+    }
+    if (hidden && !inked) continue;
+    const bool ownEnd = dashes.empty() && dash.empty() && gap < kLeastGap;
+    if (inked && ownEnd && t > 2 * strokeWidth + 2) return {};  // the stroke goes on
+    if (inked) {
+      if (!ownEnd) dash.push_back(*inked);
+      gap = 0;
+      continue;
+    }
+    gap += 1;
+    if (dash.empty() || gap < kLeastGap) continue;
+    const double length = distance(dash.front(), dash.back()) + 1;
+    const Point middle = dash[dash.size() / 2];
+    if (dashes.empty()) ahead = (1 / distance(middle, end)) * (middle - end);
+    longest = dashes.empty() ? length : std::max(longest, length);
+    dashes.push_back(length);
+    dash.clear();
+  }
+  return dashes;
+}
+
+/// A wall that goes on in dashes is no measured curve there. The first dash hangs on the drawn wall: as much as a dash is
+/// long goes, as far as it is straight. Lettering and leaders make no row of dashes in line with a wall.
+void cutHangingDash(std::vector<Point>& path, const Structure& s, double strokeWidth) {
+  constexpr std::size_t kLeastDashes = 2;
+  constexpr double kAlike = 3;  // times the shortest
+  const auto tail = static_cast<std::size_t>(8 * strokeWidth + 6);
+  if (path.size() < 3 * tail) return;
+  const Point end = path.back(), before = path[path.size() - 1 - tail];
+  const double run = distance(end, before);
+  if (!(run > 0) || before.y - end.y < 0.9 * run) return;  // no wall
+  const Point ahead = (1 / run) * (end - before);
+  std::vector<double> dashes = dashesBeyond(end, ahead, s, strokeWidth);
+  if (dashes.size() < kLeastDashes) return;
+  const auto [shortest, longest] = std::minmax_element(dashes.begin(), dashes.end());
+  if (*shortest < 2 * strokeWidth || *longest > kAlike * *shortest) return;
+  std::size_t kept = path.size();
+  while (kept > tail && distance(path[kept - 1], end) < *longest &&
+         std::abs(cross(path[kept - 1] - end, ahead)) <= strokeWidth + 1)
+    --kept;
+  path.resize(kept);
+}
+
 struct Contact {
   std::size_t a, b;
 };
@@ -259,27 +322,8 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
   return contacts;
 }
 
-/// All of a path within `off_px` of the chord between its ends.
-bool isStraight(const std::vector<Point>& path, double off_px) {
-  const Point a = path.front(), b = path.back();
-  const double length = std::max(1.0, distance(a, b));
-  return std::all_of(path.begin(), path.end(),
-                     [&](Point p) { return std::abs(cross(p - a, b - a)) / length <= off_px; });
-}
-
-/// One or two straight lines: two leaders one after the other, with what is crossed between them.
-bool isBracket(const std::vector<Point>& path, double off_px) {
-  if (isStraight(path, off_px)) return true;
-  const Point a = path.front(), b = path.back();
-  const auto corner = std::max_element(path.begin(), path.end(), [&](Point p, Point q) {
-    return std::abs(cross(p - a, b - a)) < std::abs(cross(q - a, b - a));
-  });
-  const std::vector<Point> first(path.begin(), corner + 1), second(corner, path.end());
-  return isStraight(first, off_px) && isStraight(second, off_px);
-}
-
-constexpr double kMuch = 0.3;       // of the frame's width: ink left over that may be a curve
-constexpr double kCrossing = 0.08;  // of it: where two curves run together at a crossing
+constexpr double kMuch = 0.3;    // of the frame's width: ink left over that may be a curve
+constexpr double kPiece = 0.04;  // of it: a piece of a curve between two crossings; less is lettering
 
 /// One joint search for both strokes at one price of gaps.
 class PairSearch {
@@ -324,39 +368,33 @@ class PairSearch {
     return strongPixels(rewardBeside(reward_, both(), stroke_ + 1)) / std::max(1.0, stroke_);
   }
 
-  /// Length of ink along the best unbroken line through what both leave over, if it bends as curves do and leaders do
-  /// not. It may cross both strokes, but not go along with them.
+  /// Travel that the best way through what both leave over runs on ink of its own, crossings and dashes' gaps apart. It
+  /// may cross both strokes, but not go along with them, on their rims either. Leaders and hatching are short or steep.
   double furtherCurve_px() {
     if (leftOver_px() < kMuch * plane_.frame.width()) return 0;
     const int lastColumn = reward_.width - 1;
-    const std::vector<Point> way = follow(both(), {0, lastColumn, 0, lastColumn});
-    const Plane own = rewardBeside(reward_, both(), stroke_ + 1);
-    const double crossing_px = kCrossing * plane_.frame.width(), hole_px = 2 * stroke_ + 2;
-    double best = 0;
-    std::vector<Point> run;
-    double length = 0, since = 0;
-    bool onPaper = false;
-    const auto close = [&] {
-      if (run.size() > 1 && !isBracket(run, stroke_ + 2)) best = std::max(best, length);
-      run.clear();
-      length = since = 0;
-      onPaper = false;
+    const double beside = stroke_ + 1, hole_px = 2 * stroke_ + 2;
+    const std::vector<Point> way = directPath(search_, reward_, both(), beside, {0, lastColumn, 0, lastColumn},
+                                              stroke_, 0, plane_.frame);
+    const Plane own = rewardBeside(reward_, both(), beside);
+    double travel = 0, length = 0, since = 0, first = 0, last = 0;
+    const auto endPiece = [&] {
+      if (length >= kPiece * plane_.frame.width()) travel += last - first;
+      length = 0;
     };
     for (const Point& p : way) {
-      const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
-      if (own.at(x, y) > 0.3F) {
-        run.push_back(p);
-        length += 1;
-        since = 0;
-        onPaper = false;
+      if (own.at(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))) <= 0.3F) {
+        since += 1;
         continue;
       }
-      onPaper = onPaper || reward_.at(x, y) < 0;
-      since += 1;
-      if (since > (onPaper ? hole_px : crossing_px)) close();
+      if (since > hole_px) endPiece();
+      if (length == 0) first = p.x;
+      last = p.x;
+      length += 1;
+      since = 0;
     }
-    close();
-    return best;
+    endPiece();
+    return travel;
   }
 
   /// The second stroke's own stretch is broken often and evenly, as no way over leaders and words is.
@@ -383,6 +421,8 @@ class PairSearch {
     PlanePair pair;
     cutLevelTail(a_, structure_, stroke_);
     cutLevelTail(b_, structure_, stroke_);
+    cutHangingDash(a_, structure_, stroke_);
+    cutHangingDash(b_, structure_, stroke_);
     pair.ownRelease_px = ownOfSecond();
     if (pair.ownRelease_px < 0.05 * plane_.frame.width()) {
       pair.press = a_;

@@ -37,8 +37,8 @@ Failure doubtfulFailure(double confidence) {
                    "curves");
 }
 
-/// A third curve this long, as a share of the frame's width, is another switch's.
-constexpr double kAnotherCurve = 0.3;
+/// A third curve over this share of the frame's width is another switch's (docs/decisions/0809-ink-left-over.md).
+constexpr double kAnotherCurve = 0.38;
 
 Failure severalLoopsFailure(Rgb color) {
   return failureOf({DoubtCode::tooManyCurves,

@@ -73,6 +73,7 @@ TEST_CASE("units in titles") {
   CHECK(force("\xE5\x8A\x9B(gf)") == gf);
   CHECK(force("Force\xE5\x8A\x9B\xEF\xBC\x88gf\xEF\xBC\x89") == gf);
   CHECK(force("Force (g)") == gf);
+  CHECK(force("~ Fi (ef)") == gf);  // a g in small print, its word set apart from it
   CHECK(force("Force [N]") == N);
   CHECK(force("Kraft [mN]") == mN);
   CHECK(force("Force [ozf]") == ozf);
@@ -87,6 +88,7 @@ TEST_CASE("units in titles") {
   CHECK(length("Position (mm)") == mm);
   CHECK(length("\xE8\xA1\x8C\xE7\xA8\x8B(mm)") == mm);
   CHECK(length("Displacement [inch]") == in);
+  CHECK(length("5 +T#E (1mm)") == mm);  // as misread, in small print
   CHECK(length("Travel") == "none");
 }
 

@@ -377,6 +377,43 @@ TEST_CASE("loop: two switches in one ink are refused, whatever two of their stro
   CHECK(result.failure().reason == nameOf(DoubtCode::tooManyCurves));
 }
 
+TEST_CASE("loop: two switches whose straight strokes cross are refused in one ink", "[trace_loop]") {
+  Plot plot(800, 500, 2);
+  plot.grid(9, 6, 0.6);
+  for (const double lower : {0.0, 0.09}) {
+    plot.curve(plot.at({{0.02, 0.02},
+                        {0.04, 0.16 - lower},
+                        {0.23, 0.42 - lower},
+                        {0.39, 0.30 - lower},
+                        {0.76, 0.43 - lower},
+                        {0.80, 0.56 - lower}}));
+    plot.curve(plot.at({{0.04, 0.16 - lower},
+                        {0.29, 0.38 - lower},
+                        {0.35, 0.345 - lower},
+                        {0.60, 0.40 - lower},
+                        {0.64, 0.57 - lower}}));
+  }
+  const auto result = plot.trace();
+  REQUIRE_FALSE(result.ok());
+  CHECK(result.failure().reason == nameOf(DoubtCode::tooManyCurves));
+}
+
+TEST_CASE("loop: a wall that goes on in dashes ends before the first of them", "[trace_loop]") {
+  constexpr double dash = 0.1, gap = 0.06, knee = 0.5;  // of the frame's height
+  Plot plot(800, 600, 2);
+  plot.grid(4, 6, 1);
+  const Loop loop{{{0.0, 0.35}, {0.80, knee}}, {{0.0, 0.2}, {0.45, 0.25}, {0.5, 0.37}, {0.84, knee - 0.06}}};
+  draw(plot, loop);
+  for (const Point foot : {loop.press.back(), loop.release.back()})
+    for (double y = foot.y; y < 0.95; y += dash + gap)
+      plot.curve(plot.at({{foot.x + 0.1 * (y - foot.y), y}, {foot.x + 0.1 * (y + dash - foot.y), y + dash}}));
+  const auto result = plot.trace();
+  REQUIRE(result.ok());
+  REQUIRE(result->size() == 2);
+  CHECK(result->front().points_px.back().y > plot.at(0, knee + 0.25 * dash).y);
+  CHECK(result->back().points_px.front().y > plot.at(0, knee - 0.06 + 0.25 * dash).y);
+}
+
 TEST_CASE("loop: gaps in a stroke are bridged", "[trace_loop]") {
   Plot plot(640, 480, 2);
   const Loop loop = tactileLoop();
