@@ -374,8 +374,8 @@ class PairSearch {
     if (leftOver_px() < kMuch * plane_.frame.width()) return 0;
     const int lastColumn = reward_.width - 1;
     const double beside = stroke_ + 1, hole_px = 2 * stroke_ + 2;
-    const std::vector<Point> way = directPath(search_, reward_, both(), beside, {0, lastColumn, 0, lastColumn},
-                                              stroke_, 0, plane_.frame);
+    const std::vector<Point> way = directPath(search_, reward_, both(), beside,
+                                              {0, lastColumn, 0, lastColumn}, stroke_, 0, plane_.frame);
     const Plane own = rewardBeside(reward_, both(), beside);
     double travel = 0, length = 0, since = 0, first = 0, last = 0;
     const auto endPiece = [&] {

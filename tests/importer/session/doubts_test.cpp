@@ -207,7 +207,8 @@ TEST_CASE("a plot that shows a part of its curves") {
   upwards.graph.view.raster = leaves.graph.view.raster;
   Raster& above = upwards.graph.view.raster;
   upwards.press = {{0, 0.2}};
-  for (int i = 0; i <= 100; ++i) upwards.press.push_back({3 + 0.001 * i, 1 + 0.03 * i});  // a wall up to the frame's top
+  for (int i = 0; i <= 100; ++i)
+    upwards.press.push_back({3 + 0.001 * i, 1 + 0.03 * i});  // a wall up to the frame's top
   upwards.traces[0].points_px.clear();
   for (const CurvePoint& p : upwards.press) upwards.traces[0].points_px.push_back(inView(p));
   CHECK(upwards.doubts().empty());
@@ -218,7 +219,7 @@ TEST_CASE("a plot that shows a part of its curves") {
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
   upwards.graph.axes.remarks.push_back({RemarkCode::labelContradicts, {"60", "y", "40"}});
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) < confidenceBar);  // a part of another frame
-  leaves.hints.frame = {{100, 100}, {500, 500}};  // a person says so
+  leaves.hints.frame = {{100, 100}, {500, 500}};                     // a person says so
   CHECK(leaves.doubts().empty());
 }
 
