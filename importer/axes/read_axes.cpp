@@ -160,8 +160,15 @@ LabelVerdict verdictOn(const AxisLabels& labels, std::size_t i) {
                                                                : LabelVerdict::contradicts;
 }
 
+/// A residual as on an axis no longer than a plot needs: scaled up, a plot's lines are off by more pixels and not by more.
+double residualAtUsualSize_px(double residual_px, double length_px) {
+  constexpr double longestNeeded_px = 1500;
+  return residual_px / std::max(1.0, length_px / longestNeeded_px);
+}
+
 /// 1 if everything agrees; falls with labels that do not fit or cannot be read, few labels, a large residual.
-double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven) {
+/// `length_px` of the axis.
+double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double length_px) {
   if (rangeGiven) return 1;
   const auto& p = *labels->progression;
   double agreed = 0, all = 0;
@@ -175,7 +182,8 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven) {
     agreed += verdict == LabelVerdict::fits ? 1 : verdict == LabelVerdict::rest ? 0.5 : 0;
   }
   const double many = p.labels >= 4 ? 1.0 : p.labels == 3 ? 0.9 : 0.5;
-  const double sharp = p.fromTicks ? std::clamp(1.15 - 0.25 * p.residual_px, 0.3, 1.0) : 0.6;
+  const double residual_px = residualAtUsualSize_px(p.residual_px, length_px);
+  const double sharp = p.fromTicks ? std::clamp(1.15 - 0.25 * residual_px, 0.3, 1.0) : 0.6;
   // One label that was read with certainty may be a misprint; two or more make a scale that is not even.
   constexpr double uneven = 0.4;
   const double even = contradicting >= 2 && 5 * contradicting >= p.labels ? uneven : 1;
@@ -418,8 +426,9 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
 
   found.otherRightScale = hasOtherRightScale(r, yLabels);
   found.texts = allTexts(r, xLabels, yLabels);
-  found.calibration.confidence =
-      sureOf(xLabels, xGiven.range()) * sureOf(yLabels, yGiven.range()) * sureOfUnits(cal, found.texts);
+  found.calibration.confidence = sureOf(xLabels, xGiven.range(), r.box.width()) *
+                                 sureOf(yLabels, yGiven.range(), r.box.height()) *
+                                 sureOfUnits(cal, found.texts);
   found.calibration.by = xGiven.range() && yGiven.range() ? DecidedBy::given : DecidedBy::found;
   found.calibration.evidence = {evidenceOf(Axis::x, xLabels, xGiven.range()),
                                 evidenceOf(Axis::y, yLabels, yGiven.range())};

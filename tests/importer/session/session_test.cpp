@@ -3,6 +3,8 @@
 #include <iterator>
 
 #include <catch2/catch.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "importer/importer.h"
 
@@ -146,6 +148,22 @@ TEST_CASE("A document from memory is imported as one from a file") {
   CHECK(pasted.button.provenance()->sourceFile == "Pasted picture");
   CHECK(pasted.button.provenance()->sourceSha256 == filed.button.provenance()->sourceSha256);
   CHECK_FALSE(ImportSession::fromBytes({}, "nothing"));
+}
+
+// Lines scaled up are off by more pixels: that alone is no doubt.
+TEST_CASE("A plot that imports at its own size imports scaled up to the most pixels that are read") {
+  const cv::Mat plot = cv::imread(plots + "black-red-curves.png");
+  REQUIRE(!plot.empty());
+  constexpr double times = 6.8;  // 14 megapixels
+  cv::Mat large;
+  cv::resize(plot, large, {}, times, times, cv::INTER_CUBIC);
+  std::vector<unsigned char> bytes;
+  REQUIRE(cv::imencode(".png", large, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1}));
+  auto session = ImportSession::fromBytes(std::move(bytes), "large.png");
+  REQUIRE(session);
+  auto fromFile = opened("black-red-curves.png");
+  const ImportReport scaled = imported(*session, firstGraph()), usual = imported(fromFile, firstGraph());
+  CHECK(travel_mm(scaled) == Approx(travel_mm(usual)).margin(0.02));
 }
 
 TEST_CASE("A cancelled import leaves nothing half done behind") {
