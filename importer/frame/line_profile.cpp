@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 
 #include "importer/page/quantile.h"
 
@@ -145,6 +146,19 @@ std::optional<Peak> cleanPeak(const cv::Mat& d, int l, int r, int y0, int y1) {
   return Peak{medianOf(at), width / n, contrast / n};
 }
 
+/// Enlarging by a filter with lobes, sharpening and JPEG leave pale copies beside a line: they are none.
+std::vector<Peak> withoutRinging(const std::vector<Peak>& lines) {
+  constexpr double paler = 0.15, withinWidths = 4;
+  std::vector<Peak> kept;
+  std::copy_if(lines.begin(), lines.end(), std::back_inserter(kept), [&](const Peak& line) {
+    return std::none_of(lines.begin(), lines.end(), [&](const Peak& other) {
+      return line.contrast < paler * other.contrast &&
+             std::abs(line.at - other.at) < withinWidths * other.width;
+    });
+  });
+  return kept;
+}
+
 int clampedInt(double v, int lo, int hi) { return std::clamp(static_cast<int>(std::lround(v)), lo, hi); }
 
 }  // namespace
@@ -194,8 +208,7 @@ std::vector<GridLine> columnLines(const cv::Mat& d, double left, double right, d
   const int x0 = clampedInt(left - 4, 0, d.cols), x1 = clampedInt(right + 5, 0, d.cols);
   const int y0 = clampedInt(top + 2, 0, d.rows), y1 = clampedInt(bottom - 1, 0, d.rows);
   constexpr int bands = 8;
-  std::vector<GridLine> lines;
-  if (x1 - x0 < 9 || y1 - y0 < 3 * bands) return lines;
+  if (x1 - x0 < 9 || y1 - y0 < 3 * bands) return {};
   const auto width = static_cast<std::size_t>(x1 - x0);
   // A pixel votes for a line if it is darker than both sides; three distances, for thin, middling and thick
   // lines.
@@ -221,6 +234,7 @@ std::vector<GridLine> columnLines(const cv::Mat& d, double left, double right, d
     // Text may hide a line in two of its eight parts; a curve's wall is seen in few of them.
     share[k] = v[2] >= 0.12 * rows ? sum / (rows * bands) : 0;
   }
+  std::vector<Peak> peaks;
   for (int k = 2; k + 2 < static_cast<int>(width); ++k) {
     const auto i = static_cast<std::size_t>(k);
     if (share[i] < 0.16 || share[i] < share[i - 1] || share[i] <= share[i + 1]) continue;
@@ -229,11 +243,13 @@ std::vector<GridLine> columnLines(const cv::Mat& d, double left, double right, d
     while (r + 1 < static_cast<int>(width) && share[static_cast<std::size_t>(r + 1)] > 0.5 * share[i]) ++r;
     if (const auto peak = cleanPeak(d, x0 + l, x0 + r, y0, y1)) {
       if (peak->at >= left - 2.5 && peak->at <= right + 2.5 &&
-          (lines.empty() || peak->at - lines.back().position_px > 1.6))
-        lines.push_back({peak->at, peak->width, true});
+          (peaks.empty() || peak->at - peaks.back().at > 1.6))
+        peaks.push_back(*peak);
     }
     k = r;
   }
+  std::vector<GridLine> lines;
+  for (const Peak& peak : withoutRinging(peaks)) lines.push_back({peak.at, peak.width, true});
   return lines;
 }
 
