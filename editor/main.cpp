@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include "editor/document/large_blocks.h"
+#include "editor/window/appearance.h"
 #include "editor/window/arguments.h"
 #include "editor/window/geometry_report.h"
 #include "editor/window/main_window.h"
@@ -83,7 +84,7 @@ int main(int argc, char** argv) {
           "detent-edit: there is no screen to open a window on. Start it on a desktop, or set DISPLAY.",
           FailureCode::deviceTrouble);
     QGuiApplication::setHighDpiScaleFactorRoundingPolicy(Qt::HighDpiScaleFactorRoundingPolicy::PassThrough);
-    QApplication::setStyle("Fusion");
+    QApplication::setStyle(outlinedStyle());
     QApplication app(argc, argv);
     QCoreApplication::setOrganizationName("Detent");
     QCoreApplication::setApplicationName("detent-edit");

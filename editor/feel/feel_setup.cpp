@@ -112,7 +112,7 @@ void FeelSetup::addFeeling(QFormLayout& form) {
 }
 
 void FeelSetup::addSound(QFormLayout& form) {
-  device_ = comboBox("soundDevice", tr("Sound device that drives the transducer"));
+  device_ = comboBoxOfNames("soundDevice", tr("Sound device that drives the transducer"));
   connect(device_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   refresh_ = new QPushButton(tr("Look again"));
   refresh_->setObjectName("refreshDevices");
@@ -138,9 +138,9 @@ void FeelSetup::addSound(QFormLayout& form) {
 }
 
 void FeelSetup::addSensor(QFormLayout& form) {
-  port_ = comboBox("sensorPort", tr("Serial port of the force sensor, for example /dev/ttyACM0"));
+  port_ = comboBoxOfNames("sensorPort", tr("Serial port of the force sensor, for example /dev/ttyACM0"));
   port_->setEditable(true);
-  baud_ = comboBox("sensorBaud", tr("Bits per second; USB sensors ignore it"));
+  baud_ = comboBoxOfNames("sensorBaud", tr("Bits per second; USB sensors ignore it"));
   baud_->setEditable(true);
   for (const int baud : {9600, 57600, 115200, 230400, 460800, 921600}) baud_->addItem(QString::number(baud));
   connect_ = new QPushButton(tr("Connect"));

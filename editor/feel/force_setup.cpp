@@ -48,7 +48,7 @@ void ForceSetup::addDevice(QFormLayout& form) {
   note_ = noteLabel("forceNote");
   form.addRow(QString(), note_);
 
-  port_ = comboBox("forcePort", tr("Serial port of the force device, for example /dev/ttyACM0"));
+  port_ = comboBoxOfNames("forcePort", tr("Serial port of the force device, for example /dev/ttyACM0"));
   port_->setEditable(true);
   port_->addItems(serialPorts());
   connect(port_, &QComboBox::currentTextChanged, this, &ForceSetup::take);

@@ -58,8 +58,14 @@ QComboBox* comboBox(const QString& name, const QString& tip) {
   auto* box = new QComboBox;
   box->setObjectName(name);
   box->setToolTip(tip);
+  return box;
+}
+
+QComboBox* comboBoxOfNames(const QString& name, const QString& tip) {
+  constexpr int leastCharacters = 12;
+  QComboBox* box = comboBox(name, tip);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  box->setMinimumContentsLength(12);
+  box->setMinimumContentsLength(leastCharacters);
   return box;
 }
 

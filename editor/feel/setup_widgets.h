@@ -13,7 +13,10 @@ namespace detent::editor {
 
 /// The layout of a form on `page`: fields as wide as there is room, long rows wrapped.
 QFormLayout* setupForm(QWidget* page);
+/// For choices that are ours to word: as wide as the longest.
 QComboBox* comboBox(const QString& name, const QString& tip);
+/// For names of devices and ports, which may be of any length.
+QComboBox* comboBoxOfNames(const QString& name, const QString& tip);
 /// A small grey line below a field.
 QLabel* noteLabel(const QString& name);
 /// Side by side; the first one takes the room.

@@ -3,18 +3,15 @@
 
 #include <algorithm>
 #include <QActionGroup>
-#include <QBuffer>
 #include <QClipboard>
 #include <QComboBox>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QSaveFile>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSplitter>
-#include <QSvgGenerator>
 #include <QVBoxLayout>
 
 #include "editor/canvas/displacement_force_view.h"
@@ -410,23 +407,6 @@ void GraphWorkspace::showFinger(std::optional<FingerPosition> finger) {
 
 QImage GraphWorkspace::renderImage(QSize size_px, double devicePixelRatio) const {
   return canvas_->renderImage(size_px, devicePixelRatio);
-}
-
-Result<Done> GraphWorkspace::renderSvg(const QString& path, QSize size) const {
-  QBuffer buffer;
-  buffer.open(QIODevice::WriteOnly);
-  QSvgGenerator generator;
-  generator.setOutputDevice(&buffer);
-  generator.setSize(size);
-  generator.setViewBox(QRect(QPoint(0, 0), size));
-  generator.setTitle(document_.title());
-  canvas_->renderTo(generator, size);
-  QSaveFile file(path);
-  if (file.open(QIODevice::WriteOnly) && file.write(buffer.data()) == buffer.data().size() && file.commit())
-    return Done{};
-  return Failure{FailureCode::unreadableInput, path.toStdString(), "",
-                 "cannot be written: " + file.errorString().toStdString(),
-                 "Choose another folder, or check free space and permissions"};
 }
 
 }  // namespace detent::editor

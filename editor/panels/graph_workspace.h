@@ -15,7 +15,6 @@
 #include "editor/document/finger_position.h"
 #include "editor/document/view_settings.h"
 #include "editor/tools/knot_text.h"
-#include "model/result.h"
 
 class QComboBox;
 class QLabel;
@@ -55,8 +54,6 @@ class GraphWorkspace : public QWidget {
 
   /// The force graph as it is shown, without handles, for copy and export.
   QImage renderImage(QSize size_px, double devicePixelRatio) const;
-  /// Failure unreadableInput if the file cannot be written; then there is none.
-  Result<Done> renderSvg(const QString& path, QSize size) const;
 
   GraphCanvas& canvas() { return *canvas_; }
   ToolBox& tools() { return *tools_; }

@@ -18,7 +18,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int measuredRows = 200;      // of a long table: the first ones tell how wide its columns are
-constexpr int leastNumber = 8;         // characters that a column of numbers has room for
+constexpr int leastNumber = 6;         // characters that a column of numbers has room for
 constexpr int roomBesideText_px = 12;  // of a cell
 
 /// Keeps a cell open, marked, with the reason beside it, as long as what is typed there is refused.

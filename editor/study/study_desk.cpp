@@ -141,9 +141,9 @@ QLayout* StudyDesk::nextForm() {
   headphones_->setToolTip(
       tr("Sound device on which rain is played for the ears; turn it up until the vibration cannot "
          "be heard"));
-  sensor_ =
-      comboBox("studySensor", tr("Serial port of a force sensor under the finger, calibrated by the study's "
-                                 "device profile; empty: keys and large buttons press"));
+  sensor_ = comboBoxOfNames("studySensor",
+                            tr("Serial port of a force sensor under the finger, calibrated by the study's "
+                               "device profile; empty: keys and large buttons press"));
   sensor_->setEditable(true);
   sensor_->addItem(QString());
   sensor_->addItems(serialPorts());

@@ -6,11 +6,17 @@
 
 #include "editor/document/view_settings.h"
 
+class QStyle;
+
 namespace detent::editor {
 
 /// Palettes for Qt's Fusion style; text on every ground has a contrast of 4.5 : 1 or more.
 QPalette lightPalette();
 QPalette darkPalette();
+
+/// Qt's Fusion style with outlines of fields, boxes and buttons that have a contrast of 3 : 1 or more to every ground
+/// (Fusion derives them from the window's colour: on dark ground they cannot be seen). The caller owns it.
+QStyle* outlinedStyle();
 
 /// The palette for a choice; `system` is what the desktop gave the program at its start: whether it is dark
 /// decides, its colours are not taken over.

@@ -40,8 +40,8 @@ namespace {
 constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 2;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
-constexpr int firstLibrary_px = 230, firstValues_px = 430;
-constexpr double mostForValues = 0.36;  // of the window
+constexpr int firstLibrary_px = 230, firstValues_px = 480;
+constexpr double mostForValues = 0.38;  // of the window
 constexpr QSize copiedPicture_px{1800, 1200};
 
 void bringUp(QWidget& window) {

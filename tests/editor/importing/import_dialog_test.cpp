@@ -5,6 +5,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QLabel>
@@ -19,6 +20,7 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include "editor/files/input_kind.h"
 #include "editor/importing/advice_bar.h"
 #include "editor/importing/findings_panel.h"
 #include "editor/importing/import_state.h"
@@ -73,6 +75,31 @@ class ShownView : private OwnState, public PageView {
   }
 };
 
+/// Axes and a curve, but no numbers and no box: the importer cannot know.
+QImage pictureWithoutNumbers() {
+  QImage picture(800, 600, QImage::Format_RGB32);
+  picture.fill(Qt::white);
+  QPainter painter(&picture);
+  painter.setPen(QPen(Qt::black, 2));
+  painter.drawLine(100, 500, 700, 500);
+  painter.drawLine(100, 500, 100, 100);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(QPen(QColor(200, 0, 0), 3));
+  QPolygonF curve;
+  for (int x = 100; x <= 690; ++x)
+    curve << QPointF(x, 500 - 0.5 * (x - 100) - (x > 650 ? 2.0 * (x - 650) : 0));
+  painter.drawPolyline(curve);
+  return picture;
+}
+
+void drawFrame(PageView& view, importer::Point topLeft, importer::Point bottomRight) {
+  view.setTool(ToolKind::drawFrame);
+  const QPoint from = view.toWidget(topLeft).toPoint(), to = view.toWidget(bottomRight).toPoint();
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  QTest::mouseMove(&view, to);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+}
+
 bool settled(const ImportState& state) {
   const ImportGraph* graph = state.current();
   return !state.opening() && graph && graph->pending == 0 && graph->last;
@@ -121,6 +148,8 @@ class ImportDialogTest : public QObject {
   void brokenFilesSayWhatToDo_data();
   void brokenFilesSayWhatToDo();
   void aFrameDrawnByHandOnAPictureWithoutGraph();
+  void whileAGraphIsReadNothingSaysThereIsNone();
+  void theImportsFilterShowsWhatItPromises();
   void theLastGoodResultStays();
   void severalGraphsAtOnce();
   void ofSeveralSwitchesOneIsChosen();
@@ -380,35 +409,15 @@ void ImportDialogTest::brokenFilesSayWhatToDo() {
 }
 
 void ImportDialogTest::aFrameDrawnByHandOnAPictureWithoutGraph() {
-  // Axes and a curve, but no numbers and no box: the importer cannot know.
-  QImage picture(800, 600, QImage::Format_RGB32);
-  picture.fill(Qt::white);
-  {
-    QPainter painter(&picture);
-    painter.setPen(QPen(Qt::black, 2));
-    painter.drawLine(100, 500, 700, 500);
-    painter.drawLine(100, 500, 100, 100);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(QColor(200, 0, 0), 3));
-    QPolygonF curve;
-    for (int x = 100; x <= 690; ++x)
-      curve << QPointF(x, 500 - 0.5 * (x - 100) - (x > 650 ? 2.0 * (x - 650) : 0));
-    painter.drawPolyline(curve);
-  }
   ShownDialog dialog;
-  dialog.openPicture(picture);
+  dialog.openPicture(pictureWithoutNumbers());
   QTRY_VERIFY_WITH_TIMEOUT(dialog.banner->isVisible(), patience_ms);
   ImportState& state = dialog.view->state();
   QTRY_VERIFY_WITH_TIMEOUT(state.sheet(), patience_ms);
   QVERIFY(!state.current());
   QTest::qWait(20);
   keepPicture(dialog, "no-graph");
-  dialog.view->setTool(ToolKind::drawFrame);
-  const QPoint from = dialog.view->toWidget({100, 100}).toPoint(),
-               to = dialog.view->toWidget({700, 500}).toPoint();
-  QTest::mousePress(dialog.view, Qt::LeftButton, {}, from);
-  QTest::mouseMove(dialog.view, to);
-  QTest::mouseRelease(dialog.view, Qt::LeftButton, {}, to);
+  drawFrame(*dialog.view, {100, 100}, {700, 500});
   QVERIFY(state.current());
   QVERIFY(again(state));
   QVERIFY(state.current()->last->failure);  // numbers are missing, and that is said
@@ -426,6 +435,59 @@ void ImportDialogTest::aFrameDrawnByHandOnAPictureWithoutGraph() {
   const auto& graph = report(state).button.states().front().graph;
   QVERIFY(std::abs(graph.travel_mm() - 4 * 590 / 600.0) < 0.06);
   keepPicture(dialog, "by-hand");
+}
+
+void ImportDialogTest::whileAGraphIsReadNothingSaysThereIsNone() {
+  ShownDialog dialog;
+  ImportState& state = dialog.view->state();
+  const auto saysNone = [&] {
+    const auto labels = dialog.banner->findChildren<QLabel*>();
+    return dialog.banner->isVisible() && std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+             return label->text().contains("No force graph");
+           });
+  };
+  bool saidWhileRead = false;
+  const auto readToItsEnd = [&] {
+    return QTest::qWaitFor(
+        [&] {
+          saidWhileRead = saidWhileRead || saysNone();
+          return settled(state);
+        },
+        patience_ms);
+  };
+  dialog.openPicture(pictureWithoutNumbers());
+  QTRY_VERIFY_WITH_TIMEOUT(saysNone() && state.sheet(), patience_ms);
+  QTest::qWait(20);
+  drawFrame(*dialog.view, {100, 100}, {700, 500});
+  QVERIFY(!saysNone());
+  QVERIFY(readToItsEnd());
+  state.correct("Axes", [](Corrections& c) { c.x.min = 0, c.x.max = 4, c.y.min = 0, c.y.max = 120; });
+  QVERIFY(readToItsEnd());
+  for (const char* name : {"two-level-legend.png", "white-vector.pdf"}) {
+    dialog.openFile(sample(name));
+    QVERIFY(readToItsEnd());
+  }
+  QVERIFY(!saidWhileRead);
+}
+
+// Every sheet that comes with Detent is shown, whatever the case of its ending; buttons, which the text does not name, are not.
+void ImportDialogTest::theImportsFilterShowsWhatItPromises() {
+  const QString filter = importFilters().front();
+  const QString patterns = filter.section('(', -1).section(')', 0, 0);
+  const auto isShown = [&](const QString& name) { return QDir::match(patterns.split(' '), name); };
+  for (const char* kind : {"pictures", "logs", "atasheets"}) QVERIFY2(filter.contains(kind), kind);
+  int sheets = 0;
+  for (const QFileInfo& file : QDir(sample("")).entryInfoList({"*"}, QDir::Files)) {
+    if (QStringList{"md", "sh", "py", "tsv"}.contains(file.suffix())) continue;
+    const Result<InputKind> kind = inputKindOf(file.filePath());
+    QVERIFY(kind && *kind == InputKind::page);
+    QVERIFY2(isShown(file.fileName()) && isShown(file.fileName().toUpper()), qPrintable(file.fileName()));
+    ++sheets;
+  }
+  QVERIFY(sheets >= 10);
+  for (const char* ending : {"png", "jpg", "jpeg", "bmp", "tif", "tiff", "webp", "pdf", "svg", "csv"})
+    QVERIFY2(isShown(QString("sheet.") + ending), ending);
+  QVERIFY(!isShown("B.button.json"));
 }
 
 void ImportDialogTest::theLastGoodResultStays() {

@@ -78,7 +78,6 @@ class PanelsTest : public QObject {
   void historyListJumps();
   void contextMenuOffersWhatIsThere();
   void picturesAreDrawn();
-  void svgIsWrittenOrRefused();
   void actionsAreNamedAndExplained();
   void aClosedWorkspaceLeavesTheDocumentClean();
 };
@@ -473,20 +472,6 @@ void PanelsTest::picturesAreDrawn() {
   for (int y = 0; y < 600; ++y)
     for (int x = 0; x < 800; ++x) found += plain.pixelColor(x, y) == ink;
   QVERIFY(found > 200);
-}
-
-void PanelsTest::svgIsWrittenOrRefused() {
-  WorkspaceRig rig(require(tactileButton()));
-  QTemporaryDir folder;
-  const QString path = folder.filePath("graph.svg");
-  QVERIFY(rig.workspace.renderSvg(path, {800, 600}).ok());
-  QFile file(path);
-  QVERIFY(file.open(QIODevice::ReadOnly));
-  const QByteArray text = file.readAll();
-  QVERIFY(text.contains("<svg") && text.contains("polyline"));
-  const auto refused = rig.workspace.renderSvg(folder.filePath("no/such/folder.svg"), {800, 600});
-  QVERIFY(!refused.ok());
-  QVERIFY(!refused.failure().remedies.empty());
 }
 
 void PanelsTest::actionsAreNamedAndExplained() {

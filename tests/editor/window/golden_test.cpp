@@ -158,7 +158,7 @@ class GoldenTest : public QObject {
 };
 
 int main(int argc, char** argv) {
-  QApplication::setStyle("Fusion");
+  QApplication::setStyle(outlinedStyle());
   QApplication app(argc, argv);
   if (!QFontDatabase::families().contains("DejaVu Sans")) {
     std::puts("SKIPPED golden pictures of the editor: the font DejaVu Sans is not installed");

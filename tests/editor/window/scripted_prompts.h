@@ -19,6 +19,7 @@ class ScriptedPrompts : public Prompts {
   std::deque<bool> confirmAnswers;
   std::deque<QString> textAnswers;
   QString printedTo;  ///< a PDF; empty: printing is cancelled
+  bool takesSuggestions = false;  ///< files are saved where the editor proposes
   int unexpected = 0;
   QStringList lastUnsaved;
   QString lastSuggested;
@@ -32,7 +33,7 @@ class ScriptedPrompts : public Prompts {
   }
   QString fileToSave(QWidget*, const QString&, const QString& suggested, const QString&) override {
     lastSuggested = suggested;
-    return next(saveAnswers, {});
+    return takesSuggestions ? suggested : next(saveAnswers, {});
   }
   bool confirm(QWidget*, const QString&, const QString&) override { return next(confirmAnswers, false); }
   std::optional<Button> newButton(QWidget*) override { return *tactileButton(); }

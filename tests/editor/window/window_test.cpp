@@ -4,10 +4,12 @@
 #include <QAbstractButton>
 #include <QAccessible>
 #include <QApplication>
+#include <QCheckBox>
 #include <QClipboard>
 #include <QCloseEvent>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -18,16 +20,23 @@
 #include <QMimeData>
 #include <QPointer>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QScopeGuard>
 #include <QScreen>
 #include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QStyleOptionComboBox>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolBar>
 #include <QTranslator>
 #include <QUrl>
+#include <QVBoxLayout>
 #include <random>
+
+#include <qcustomplot.h>
 
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/graph_colors.h"
@@ -61,7 +70,36 @@ namespace {
 
 QString sample(const char* name) { return QStringLiteral(DETENT_SOURCE_DIR "/samples/") + name; }
 
-/// Texts of buttons, labels and boxes of this window that are wider than their room.
+/// Choices that are ours to word; names of devices and files may be of any length.
+void lookAtChoices(const QComboBox& box, QStringList& cut) {
+  if (!box.isVisible() || box.isEditable() ||
+      box.sizeAdjustPolicy() == QComboBox::AdjustToMinimumContentsLengthWithIcon)
+    return;
+  QStyleOptionComboBox option;
+  option.initFrom(&box);
+  const int room_px =
+      box.style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box).width();
+  for (int i = 0; i < box.count(); ++i)
+    if (box.fontMetrics().horizontalAdvance(box.itemText(i)) > room_px)
+      cut << QString("%1: \"%2\" has %3").arg(box.objectName(), box.itemText(i)).arg(room_px);
+}
+
+/// Headings of tables, and columns that lie beyond the right edge.
+void lookAtHeadings(const QHeaderView& header, QStringList& cut) {
+  if (!header.isVisible() || header.orientation() != Qt::Horizontal) return;
+  const QString table = header.parentWidget()->objectName();
+  for (int i = 0; i < header.count(); ++i)
+    if (header.sectionSizeHint(i) > header.sectionSize(i) + 1 && !header.isSectionHidden(i))
+      cut << QString("%1: heading \"%2\"")
+                 .arg(table, header.model()->headerData(i, Qt::Horizontal).toString());
+  if (header.length() > header.viewport()->width())
+    cut << QString("%1: %2 px of columns in %3")
+               .arg(table)
+               .arg(header.length())
+               .arg(header.viewport()->width());
+}
+
+/// Texts of buttons, labels, boxes and tables of this window that are wider than their room.
 QStringList cutTexts(const QWidget& window) {
   QStringList cut;
   const auto look = [&cut](const QWidget& widget, const QString& text) {
@@ -76,6 +114,8 @@ QStringList cutTexts(const QWidget& window) {
   for (const auto* label : window.findChildren<QLabel*>())
     if (!label->wordWrap() && label->sizePolicy().horizontalPolicy() != QSizePolicy::Ignored)
       look(*label, label->text());
+  for (const auto* box : window.findChildren<QComboBox*>()) lookAtChoices(*box, cut);
+  for (const auto* header : window.findChildren<QHeaderView*>()) lookAtHeadings(*header, cut);
   return cut;
 }
 
@@ -155,6 +195,14 @@ double contrastIn(const QImage& picture) {
   return best;
 }
 
+/// The highest contrast to the ground on the way into a control, from its left edge at half height.
+double outlineContrast(const QImage& picture, const QRect& control, const QColor& ground) {
+  double best = 0;
+  for (int x = control.left(); x < control.center().x(); ++x)
+    best = std::max(best, contrast(picture.pixelColor(x, control.center().y()), ground));
+  return best;
+}
+
 /// Of a window what is seen of it, of a page in a scroll area the whole.
 void lookAtTexts(QWidget& window, const QString& where) {
   QTest::qWait(50);
@@ -222,8 +270,14 @@ class WindowTest : public QObject {
     rig.action("checksDockToggle")->trigger();
     rig.action("feelDockToggle")->trigger();
     QTest::qWait(100);
+    rig.window->findChild<QToolButton*>("setupToggle")->click();
+    rig.action("valuesDockToggle")->trigger();
+    rig.window->resizeDocks({rig.window->findChild<QDockWidget*>("valuesDock")}, {480}, Qt::Horizontal);
+    rig.view.setUnits({LengthUnit::micrometre, ForceUnit::centinewton});
+    QTest::qWait(50);
     QStringList cut = cutTexts(*rig.window);
-    for (const char* name : {"operationScaleForce", "operationDamping", "forecasts", "study"}) {
+    for (const char* name : {"operationScaleForce", "operationDamping", "operationTwoLevel", "snapGridSteps",
+                             "forecasts", "study"}) {
       rig.action(name)->trigger();
       QTest::qWait(50);
       for (const QPointer<QWidget>& window : windowsBeside(rig))
@@ -614,6 +668,23 @@ class WindowTest : public QObject {
     QVERIFY(!rig.notices().join(' ').contains("Not saved"));
   }
 
+  // Three unsaved buttons of one name: each is proposed a file of its own, none that was just written.
+  void saveAllNeverProposesAFileItJustWrote() {
+    Rig rig(folder_->path());
+    rig.settings.setValue("files/folder", folder_->path());
+    rig.prompts.takesSuggestions = true;
+    for (int i = 0; i < 3; ++i) rig.action("new")->trigger(), rig.scale(1.1 + i);
+    rig.action("saveAll")->trigger();
+    QSet<QString> paths;
+    for (DocumentTab* tab : rig.window->tabs().all()) {
+      QVERIFY(!tab->document().history().modified());
+      QVERIFY(QFile::exists(tab->document().path()));
+      paths << tab->document().path();
+    }
+    QCOMPARE(paths.size(), 3);
+    QCOMPARE(rig.prompts.unexpected, 0);
+  }
+
   // Whatever has the focus: a key that the list of shortcuts names does what the list says.
   void listedKeysWorkWhereverTheFocusIs() {
     Rig rig(folder_->path());
@@ -621,7 +692,11 @@ class WindowTest : public QObject {
     rig.window->activateWindow();
     QCoreApplication::processEvents();
     QVERIFY(QTest::qWaitForWindowActive(rig.window.get()));
-    for (const char* place : {"graphCanvas", "valuesTable", "libraryOpenButtons", "tabBar"}) {
+    rig.action("feelDockToggle")->trigger();
+    rig.action("historyDockToggle")->trigger();
+    rig.action("checksDockToggle")->trigger();
+    for (const char* place : {"graphCanvas", "valuesTable", "libraryOpenButtons", "tabBar", "historyView",
+                              "checksList", "pressPad", "gain", "modeChoice", "libraryFilter"}) {
       auto* focus = rig.window->findChild<QWidget*>(place);
       QVERIFY2(focus, place);
       for (const char* name : {"rename", "valuesDockToggle", "historyDockToggle", "libraryDockToggle",
@@ -1060,6 +1135,53 @@ class WindowTest : public QObject {
     }
   }
 
+  // Fields, boxes and buttons are seen by their outlines, light and dark, with and without the focus.
+  void outlinesCanBeSeen() {
+    for (const QPalette& palette : {lightPalette(), darkPalette()}) {
+      QApplication::setPalette(palette);
+      QWidget window;
+      auto* column = new QVBoxLayout(&window);
+      const std::initializer_list<QWidget*> controls = {
+          new QLineEdit, new QCheckBox,        new QRadioButton,           new QComboBox,
+          new QSpinBox,  new QPushButton("x"), new QSlider(Qt::Horizontal)};
+      for (QWidget* control : controls) column->addWidget(control);
+      window.show();
+      for (QWidget* focused : controls) {
+        focused->setFocus();
+        const QImage seen = window.grab().toImage();
+        for (QWidget* control : controls) {
+          const QRect place(control->mapTo(&window, QPoint()), control->size());
+          const double found = outlineContrast(seen, place, palette.color(QPalette::Window));
+          QVERIFY2(found >= 3,
+                   qPrintable(QString("%1 %2: %3")
+                                  .arg(isDark(palette) ? "dark" : "light", control->metaObject()->className())
+                                  .arg(found)));
+        }
+      }
+    }
+  }
+
+  // The same stroke has the same colour in the window, in its SVG and in a comparison.
+  void oneColourCodeInWindowSvgAndComparison() {
+    Rig rig(folder_->path());
+    rig.action("appearanceLight")->trigger();
+    rig.window->files().open({sample("buttons/C.button.json"), sample("buttons/B.button.json")});
+    const GraphColors colors = graphColors(false);
+    QCOMPARE(rig.window->tabs().current()->workspace().canvas().colors().press, colors.press);
+    rig.prompts.saveAnswers.push_back(at("b.svg"));
+    rig.action("exportSvg")->trigger();
+    QFile file(at("b.svg"));
+    QVERIFY(file.open(QIODevice::ReadOnly));
+    const QByteArray svg = file.readAll();
+    for (const QColor& color : {colors.press, colors.release}) QVERIFY(svg.contains(color.name().toUtf8()));
+    rig.action("compare")->trigger();
+    auto* plot = rig.window->findChild<CompareDialog*>()->findChild<QCustomPlot*>("comparePlot");
+    QVERIFY(plot);
+    QCOMPARE(plot->plottable(0)->pen().color(), colors.press);
+    for (int i = 0; i < plot->plottableCount(); ++i)
+      QVERIFY(plot->plottable(i)->pen().color() != colors.release);  // that colour means a stroke
+  }
+
   // The desktop turns dark and light again while the editor runs: every open window follows, and what it says can be read.
   void theDesktopsChangeOfThemeIsFollowed() {
     bool dark = false;
@@ -1153,7 +1275,7 @@ class WindowTest : public QObject {
 };
 
 int main(int argc, char** argv) {
-  QApplication::setStyle("Fusion");
+  QApplication::setStyle(outlinedStyle());
   QApplication app(argc, argv);
   WindowTest test;
   return QTest::qExec(&test, argc, argv);
