@@ -1138,8 +1138,8 @@ class WindowTest : public QObject {
   // Fields, boxes and buttons are seen by their outlines, light and dark, with and without the focus.
   void outlinesCanBeSeen() {
     for (const QPalette& palette : {lightPalette(), darkPalette()}) {
-      QApplication::setPalette(palette);
       QWidget window;
+      window.setPalette(palette);
       auto* column = new QVBoxLayout(&window);
       const std::initializer_list<QWidget*> controls = {
           new QLineEdit, new QCheckBox,        new QRadioButton,           new QComboBox,
