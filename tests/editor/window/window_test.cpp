@@ -1167,7 +1167,7 @@ class WindowTest : public QObject {
     rig.action("appearanceLight")->trigger();
     rig.window->files().open({sample("buttons/C.button.json"), sample("buttons/B.button.json")});
     const GraphColors colors = graphColors(false);
-    QCOMPARE(rig.window->tabs().current()->workspace().canvas().colors().press, colors.press);
+    QTRY_COMPARE(rig.window->tabs().current()->workspace().canvas().colors().press, colors.press);
     rig.prompts.saveAnswers.push_back(at("b.svg"));
     rig.action("exportSvg")->trigger();
     QFile file(at("b.svg"));
