@@ -18,7 +18,7 @@ class ScriptedPrompts : public Prompts {
   std::deque<QString> saveAnswers;
   std::deque<bool> confirmAnswers;
   std::deque<QString> textAnswers;
-  QString printedTo;  ///< a PDF; empty: printing is cancelled
+  QString printedTo;              ///< a PDF; empty: printing is cancelled
   bool takesSuggestions = false;  ///< files are saved where the editor proposes
   int unexpected = 0;
   QStringList lastUnsaved;
