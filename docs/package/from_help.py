@@ -2,7 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes the man pages and the shell completion of the programs from what they answer to --help and --version.
 
-A man page in another language is made from PROGRAM.LANGUAGE.txt beside this script, which must name the options that --help names.
+A man page in another language is made from PROGRAM.LANGUAGE.txt beside this script, which must name the options that --help names, or, where there is none, from
+the same --help with every sentence in the words of help.LANGUAGE.txt: English, below it the translation, then an empty line. One that is missing there is named and
+stays English: what a build without some of its parts says needs no translation.
 
     from_help.py --bin FOLDER --out FOLDER
 
@@ -67,8 +69,8 @@ def escaped(text):
     return "\n".join("\\&" + line if line[:1] in (".", "'") else line for line in text.split("\n"))
 
 
-def body(text):
-    """A help text as roff: sections, options as tagged paragraphs, anything else filled."""
+def body(text, say):
+    """A help text as roff: sections, options as tagged paragraphs, anything else filled; each sentence as `say` has it."""
     lines, out = text.split("\n"), []
     at = 0
     while at < len(lines):
@@ -76,7 +78,7 @@ def body(text):
         at += 1
         section, option = SECTION.match(line), OPTION.match(line)
         if section:
-            out.append(f".SS {escaped(section['group'] or section['title'])}")
+            out.append(f".SS {escaped(say(section['group'] or section['title']))}")
         elif option and not line.startswith("       "):
             words = option.group(1) + option.group(2)
             tag, _, meaning = words.strip().partition("  ")
@@ -84,25 +86,27 @@ def body(text):
             while at < len(lines) and len(lines[at]) - len(lines[at].lstrip()) >= deeper and lines[at].strip():
                 meaning += " " + lines[at].strip()
                 at += 1
-            out += [".TP", f".B {escaped(tag)}", escaped(meaning.strip() or tag)]
+            out += [".TP", f".B {escaped(tag)}", escaped(say(meaning.strip()) if meaning.strip() else tag)]
         elif re.match(r"^ {2,}\S", line):
             tag, _, meaning = line.strip().partition("  ")
-            out += [".TP", f".B {escaped(tag)}", escaped(meaning.strip())] if meaning else [escaped(line.strip())]
+            out += [".TP", f".B {escaped(tag)}", escaped(say(meaning.strip()))] if meaning else [escaped(say(line.strip()))]
         elif not line:
             out.append(".PP")
+        elif line.startswith("Usage: "):
+            out.append(escaped(f"{say('Usage')}: {line.removeprefix('Usage: ')}"))
         elif not line.strip() in ("Options:",):
-            out.append(escaped(line))
+            out.append(escaped(say(line)))
     return "\n".join(entry for i, entry in enumerate(out) if entry != ".PP" or (i and out[i - 1] not in (".PP",)))
 
 
-def man_page(helps, version, language=""):
+def man_page(helps, version, language="", say=lambda text: text):
     program = helps[0].words[0]
     section, name, description, see_also = HEADINGS[language]
     first = next(line for line in helps[0].text.split("\n") if line and not line.startswith("Usage:"))
     pages = [f'.TH {program.upper()} 1 "" "Detent {version}" "{section}"', f".SH {name}",
-             f"{program} \\- {escaped(first.split('. ')[0].rstrip('.'))}", f".SH {description}", body(helps[0].text)]
+             f"{program} \\- {escaped(say(first).split('. ')[0].rstrip('.'))}", f".SH {description}", body(helps[0].text, say)]
     for sub in helps[1:]:
-        pages += [f".SH {escaped(' '.join(sub.words[1:]).upper())}", body(sub.text)]
+        pages += [f".SH {escaped(' '.join(sub.words[1:]).upper())}", body(sub.text, say)]
     others = ", ".join(f".BR {escaped(name)} (1)" for name in PROGRAMS if name != program).replace(", ", " ,\n")
     return "\n".join(pages + [f".SH {see_also}", others, ""])
 
@@ -113,6 +117,23 @@ def translated(english, text, source):
     if found.options != english.options:
         sys.exit(f"from_help.py: {source.name} names {found.options}, --help names {english.options}")
     return found
+
+
+class Dictionary:
+    """Sentences of --help in another language."""
+
+    def __init__(self, source):
+        self.source = source
+        entries = [block.split("\n") for block in source.read_text(encoding="utf-8").strip().split("\n\n")]
+        wrong = [block for block in entries if len(block) != 2]
+        if wrong:
+            sys.exit(f"from_help.py: {source.name}: not two lines: {wrong[0]}")
+        self.words = dict(entries)
+
+    def __call__(self, english):
+        if english not in self.words:
+            print(f"from_help.py: {self.source.name} has no words for \"{english}\"", file=sys.stderr)
+        return self.words.get(english, english)
 
 
 def write_page(folder, name, page):
@@ -156,6 +177,7 @@ def main():
     parser.add_argument("--out", type=Path, required=True)
     arguments = parser.parse_args()
     (arguments.out / "completions").mkdir(parents=True, exist_ok=True)
+    dictionaries = [Dictionary(source) for source in sorted(Path(__file__).parent.glob("help.*.txt"))]
     written = 0
     for name in PROGRAMS:
         binary = (arguments.bin / name).resolve()
@@ -164,10 +186,12 @@ def main():
         helps = all_helps(binary)
         version = answer(binary, "--version").split()[-1]
         write_page(arguments.out / "man1", name, man_page(helps, version))
-        for source in sorted(Path(__file__).parent.glob(f"{name}.*.txt")):
-            language = source.suffixes[-2].lstrip(".")
-            other = translated(helps[0], source.read_text(encoding="utf-8"), source)
-            write_page(arguments.out / language / "man1", name, man_page([other], version, language))
+        for dictionary in dictionaries:
+            language = dictionary.source.suffixes[-2].lstrip(".")
+            whole = Path(__file__).with_name(f"{name}.{language}.txt")
+            page = man_page([translated(helps[0], whole.read_text(encoding="utf-8"), whole)], version, language) if whole.is_file() \
+                else man_page(helps, version, language, dictionary)
+            write_page(arguments.out / language / "man1", name, page)
         (arguments.out / "completions" / name).write_text(completion(helps))
         written += 1
     if not written:
