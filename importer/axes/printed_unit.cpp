@@ -31,6 +31,7 @@ constexpr std::array forceMisreadings{Misreading<ForceUnit>{"eN", ForceUnit::cen
                                       Misreading<ForceUnit>{"af", ForceUnit::gramForce, 0.6, false},
                                       Misreading<ForceUnit>{"ef", ForceUnit::gramForce, 0.6, false},
                                       Misreading<ForceUnit>{"sf", ForceUnit::gramForce, 0.6, false},
+                                      Misreading<ForceUnit>{"mMN", ForceUnit::millinewton, 0.7, false},
                                       Misreading<ForceUnit>{"0z", ForceUnit::ounceForce, 0.8, false},
                                       Misreading<ForceUnit>{"0zf", ForceUnit::ounceForce, 0.8, false},
                                       Misreading<ForceUnit>{"02f", ForceUnit::ounceForce, 0.6, true},

@@ -166,6 +166,19 @@ double residualAtUsualSize_px(double residual_px, double length_px) {
   return residual_px / std::max(1.0, length_px / longestNeeded_px);
 }
 
+/// Of the values that a scale counts through between its outermost labels, the share that is printed.
+double printedShare(const AxisLabels& labels) {
+  const Progression& p = *labels.progression;
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (std::size_t i = 0; i < p.reading.size(); ++i) {
+    if (p.reading[i] < 0) continue;
+    const double value = labels.readings[i][static_cast<std::size_t>(p.reading[i])].value;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return p.labels / ((high - low) / p.step + 1);
+}
+
 /// 1 if everything agrees; falls with labels that do not fit or cannot be read, few labels, a large residual.
 /// `length_px` of the axis.
 double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double length_px) {
@@ -186,7 +199,10 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double l
   const double sharp = p.fromTicks ? std::clamp(1.15 - 0.25 * residual_px, 0.3, 1.0) : 0.6;
   // One label that was read with certainty may be a misprint; two or more make a scale that is not even.
   constexpr double uneven = 0.4;
-  const double even = contradicting >= 2 && 5 * contradicting >= p.labels ? uneven : 1;
+  const bool contradicted = contradicting >= 2 && 5 * contradicting >= p.labels;
+  // 0, 102 and 1017 count by threes: powers of ten, read as one number each, lie on a line by chance.
+  constexpr double leastPrinted = 0.1;
+  const double even = contradicted || printedShare(*labels) < leastPrinted ? uneven : 1;
   return std::sqrt(agreed / std::max(1.0, all)) * many * sharp * even;
 }
 

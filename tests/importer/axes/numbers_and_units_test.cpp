@@ -79,6 +79,7 @@ TEST_CASE("units in titles") {
   CHECK(force("Force [ozf]") == ozf);
   CHECK(force("Force [eN]") == cN);  // as misread
   CHECK(force("Operating force [0z]") == ozf);
+  CHECK(force("Force [mMN]") == mN);
   CHECK(force("Force") == "none");
   CHECK(force("Release of the force") == "none");
   CHECK(force("Force-Travel-Diagram") == "none");
