@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "importer/axes/small_labels.h"
 #include "importer/axes/text_lines.h"
 #include "importer/frame/glyph_marks.h"
 #include "importer/frame/label_rows.h"
@@ -13,6 +14,7 @@ namespace detent::importer {
 namespace {
 
 constexpr int rowAttempts = 3;
+constexpr double sureReading = 0.9;  // of the engine's
 
 /// One number without a blank in it: lines of several numbers do not say where each stands.
 bool isNumberText(const TextBox& t) {
@@ -75,6 +77,33 @@ void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places) {
   }
 }
 
+int agreed(const AxisLabels& a) { return a.progression ? a.progression->labels : 0; }
+
+/// Small labels that the engine leaves in doubt are read together; what comes out stands for what it read.
+void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPlace>& places,
+                  const std::vector<GridLine>& ticks, Axis axis) {
+  std::vector<Box> words;
+  std::vector<double> centers;
+  for (std::size_t i = 0; i < found.words.size(); ++i) {
+    words.push_back(found.words[i].box);
+    centers.push_back(places[i].center_px);
+  }
+  const auto read = readSmallLabels(r.darkness, words, centers, axis == Axis::x);
+  if (!read) return;
+  // The engine drops points and digits of small print, but what it reads whole and with certainty stands there.
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string engine = digitsOf(found.words[i].utf8), together = digitsOf(read->texts[i]);
+    if (found.words[i].confidence >= sureReading && engine.size() == together.size() && engine != together)
+      return;
+  }
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    found.words[i].utf8 = read->texts[i];
+    found.words[i].confidence = read->likeness;
+    found.readings[i] = places[i].readings = numberReadings(read->texts[i], 1);
+  }
+  found.progression = fitProgression(places, ticks, axis == Axis::x);
+}
+
 AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLine>& ticks, Axis axis,
                   TextKind kind) {
   AxisLabels found;
@@ -97,10 +126,11 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   }
   if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places);
   found.progression = fitProgression(places, ticks, axis == Axis::x);
+  const bool settled = agreed(found) == static_cast<int>(found.words.size());
+  if (kind == TextKind::number && height <= smallDigits_px && !settled)
+    readTogether(r, found, places, ticks, axis);
   return found;
 }
-
-int agreed(const AxisLabels& a) { return a.progression ? a.progression->labels : 0; }
 
 bool settles(const AxisLabels& a) {
   return agreed(a) >= 3 && 2 * agreed(a) > static_cast<int>(a.words.size());

@@ -5,12 +5,16 @@
 #include <cctype>
 #include <cmath>
 
+#include "importer/axes/small_units.h"
 #include "importer/axes/text_lines.h"
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
 
 namespace detent::importer {
 namespace {
+
+constexpr double smallPrint_px =
+    9;  // height of a line, brackets and all; the engine reads larger ones as well
 
 std::vector<double> positions(const std::vector<GridLine>& lines) {
   std::vector<double> out;
@@ -27,8 +31,8 @@ bool ofUse(const SeenText& t) {
 }  // namespace
 
 GraphReading::GraphReading(const PageView& v, const PlotFrame& f)
-    : view(v), frame(f), box(f.box()), reader(v) {
-  const cv::Mat ink = inkOf(darknessOf(view.raster, frame.paper));
+    : view(v), frame(f), box(f.box()), darkness(darknessOf(v.raster, f.paper)), reader(v) {
+  const cv::Mat ink = inkOf(darkness);
   glyphs = glyphBoxes(withoutFrameInk(ink, box, positions(frame.xLines), positions(frame.yLines)), 1,
                       largestGlyph_px());
 }
@@ -50,6 +54,8 @@ std::vector<SeenText> GraphReading::readLines(const Box& region, double angle_de
   for (const auto& line : lines) {
     auto seen = reader.readLine(line, TextKind::words, angle_deg);
     if (seen.utf8.empty()) continue;
+    if (std::min(line.width(), line.height()) <= smallPrint_px)
+      if (const auto unit = bracketedUnit(darkness, line, turns)) seen.utf8 = withUnit(seen.utf8, *unit);
     if (ofUse(seen)) texts.push_back(seen);
     read.push_back(std::move(seen));
   }

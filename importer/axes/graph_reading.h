@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include <opencv2/core/mat.hpp>
+
 #include "importer/axes/axis_calibration.h"
 #include "importer/axes/read_text.h"
 
@@ -16,7 +18,8 @@ class GraphReading {
 
   const PageView& view;
   const PlotFrame& frame;
-  Box box;  ///< of the frame
+  Box box;           ///< of the frame
+  cv::Mat darkness;  ///< of the view
   std::vector<Box>
       glyphs;  ///< blobs outside the frame, up to the size of large letters; ticks are no part of them
   TextReader reader;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 namespace detent::importer {
@@ -77,6 +78,13 @@ std::vector<NumberReading> numberReadings(std::string_view utf8, double confiden
                                                                           : repair});
   }
   return readings;
+}
+
+std::string digitsOf(std::string_view text) {
+  std::string digits;
+  std::copy_if(text.begin(), text.end(), std::back_inserter(digits),
+               [](char c) { return c >= '0' && c <= '9'; });
+  return digits;
 }
 
 }  // namespace detent::importer

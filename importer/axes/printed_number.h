@@ -3,6 +3,7 @@
 // Numbers as plots print them, and as recognisers misread them.
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,5 +21,8 @@ std::optional<double> printedNumber(std::string_view utf8);
 /// All readings of a label: as it stands, and with the decimal point that small print loses put back, which weighs less
 /// where the label was read with certainty. `confidence` 0..1 of the reading.
 std::vector<NumberReading> numberReadings(std::string_view utf8, double confidence = 0);
+
+/// A text's digits alone, in their order.
+std::string digitsOf(std::string_view text);
 
 }  // namespace detent::importer

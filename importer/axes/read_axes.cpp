@@ -118,13 +118,6 @@ Homography homographyOf(const std::array<Point, 4>& corners, const EndValues& x,
            h(6) / size, h(7) / size, 1}};
 }
 
-std::string digitsOf(const std::string& text) {
-  std::string digits;
-  std::copy_if(text.begin(), text.end(), std::back_inserter(digits),
-               [](char c) { return c >= '0' && c <= '9'; });
-  return digits;
-}
-
 /// The value of the nearest line at a label's place, as the labels that agree have it.
 double lineValue(const Progression& p, double position_px) {
   return std::round(p.value(position_px) / p.substep) * p.substep + 0.0;

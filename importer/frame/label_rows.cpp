@@ -34,9 +34,11 @@ int atLines(const std::vector<double>& places, const std::vector<double>& lines,
   return n;
 }
 
-/// Up to six characters, and high enough to be read: what is lower is a rest of a tick.
-bool couldBeNumber(const Box& word) {
-  return word.height() >= 4.5 && word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
+/// Up to six characters, and high enough to be read: what is lower is a rest of a tick. In small pictures so are letters.
+bool couldBeNumber(const Box& word, double frameHeight_px) {
+  constexpr double lowest_px = 4.5, lowestOfFrame = 0.025;
+  return word.height() >= std::min(lowest_px, lowestOfFrame * frameHeight_px) &&
+         word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
 }
 
 /// Labels stand next to their axis: gap in front of them.
@@ -54,7 +56,7 @@ int regularity(const std::vector<double>& places, const std::vector<double>& lin
 LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
   std::vector<Box> band;
   for (const auto& w : words)
-    if (couldBeNumber(w) && w.middle().x >= r.x0 - 0.1 * r.width() &&
+    if (couldBeNumber(w, r.height()) && w.middle().x >= r.x0 - 0.1 * r.width() &&
         w.middle().x <= r.x1 + 0.1 * r.width() && w.y0 >= r.y1 - 0.02 * r.height() &&
         w.y1 <= r.y1 + 0.3 * r.height() && w.y0 <= r.y1 + farthest(w) + 0.03 * r.height() &&
         w.height() <= 0.12 * r.height() + 6)
@@ -80,7 +82,7 @@ LabelRow labelsBelow(const std::vector<Box>& words, const Box& r, const std::vec
 LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vector<double>& lines) {
   std::vector<Box> band;
   for (const auto& w : words)
-    if (couldBeNumber(w) && w.x1 <= r.x0 + 0.02 * r.width() && w.x0 >= r.x0 - 0.35 * r.width() &&
+    if (couldBeNumber(w, r.height()) && w.x1 <= r.x0 + 0.02 * r.width() && w.x0 >= r.x0 - 0.35 * r.width() &&
         w.middle().y >= r.y0 - 0.12 * r.height() && w.middle().y <= r.y1 + 0.06 * r.height() &&
         w.x1 >= r.x0 - farthest(w) - 0.03 * r.width() && w.height() <= 0.12 * r.height() + 6)
       band.push_back(w);

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
+#include <optional>
 #include <set>
 
 #include "importer/trace/centre_line.h"
@@ -291,28 +293,100 @@ std::vector<CurveInk> findCurves(const PlotInks& plot, const GivenInks& given) {
 std::vector<CurveTrace> withLoopsParted(const std::vector<CurveTrace>& traces,
                                         const std::vector<CurveInk>& curves, const PlotInks& plot,
                                         const TraceOptions& options, const Progress& progress) {
+  const auto mayBeLoop = [&](const CurveInk& curve) {
+    return curve.secondStrand > plot.options.secondStrand;
+  };
+  const bool allOrNone = traces.size() <= 2;
+  if (allOrNone && !std::ranges::all_of(curves, mayBeLoop)) return traces;
   std::vector<CurveTrace> all;
-  std::size_t loops = 0;
   for (std::size_t i = 0; i < traces.size() && !progress.isCancelled(); ++i) {
     const Ink& ink = plot.palette[static_cast<std::size_t>(curves[i].ink)];
     const auto loop = [&]() -> Result<std::vector<CurveTrace>> {
-      if (curves[i].secondStrand <= plot.options.secondStrand) return std::vector<CurveTrace>{};
+      if (!mayBeLoop(curves[i])) return std::vector<CurveTrace>{};
       return traceLoop(plot.area, coverageBy(ink, false, plot.area, plot.backdrop, plot.palette),
                        traces[i].color, options, progress);
     }();
     if (!loop || loop->size() < 2 || loop->front().confidence < kCredibleLoop) {
+      if (allOrNone) return traces;
       all.push_back(traces[i]);
       continue;
     }
-    ++loops;
     for (CurveTrace stroke : *loop) {
       stroke.label = traces[i].label;
       stroke.labelBox_px = traces[i].labelBox_px;
       all.push_back(std::move(stroke));
     }
   }
-  const bool believed = traces.size() > 2 || loops == traces.size();
-  return believed ? all : traces;
+  return all;
+}
+
+/// Share of a trace's points that lie on another one.
+double shareOn(const CurveTrace& trace, const CurveTrace& other) {
+  constexpr double within_px = 1.5;
+  const auto lies = [&](Point p) {
+    return std::ranges::any_of(other.points_px, [&](Point q) { return distance(p, q) <= within_px; });
+  };
+  const auto on = std::ranges::count_if(trace.points_px, lies);
+  return static_cast<double>(on) / static_cast<double>(std::max<std::size_t>(1, trace.points_px.size()));
+}
+
+/// Whether a trace begins later or ends earlier than the others, or lies on another one: its colour was lost on the way.
+bool anyLost(const std::vector<CurveTrace>& traces) {
+  constexpr double mostOf = 0.93, same = 0.8;
+  double from = std::numeric_limits<double>::max(), to = std::numeric_limits<double>::lowest();
+  const auto extent = [](const CurveTrace& t) {
+    const auto [left, right] = std::ranges::minmax(t.points_px, {}, &Point::x);
+    return std::pair(left.x, right.x);
+  };
+  for (const CurveTrace& trace : traces) {
+    if (trace.points_px.empty()) return true;
+    from = std::min(from, extent(trace).first);
+    to = std::max(to, extent(trace).second);
+  }
+  return std::ranges::any_of(traces, [&](const CurveTrace& trace) {
+    const auto [left, right] = extent(trace);
+    const bool onAnother = std::ranges::any_of(
+        traces, [&](const CurveTrace& other) { return &other != &trace && shareOn(trace, other) > same; });
+    return right - left < mostOf * (to - from) || onAnother;
+  });
+}
+
+/// Whether a stroke reaches the frame's top before its end: the frame is a part of the plot's.
+bool leavesByTheTop(const CurveTrace& stroke, const PlotArea& area) {
+  constexpr double touching_px = 2, endsWithin = 0.15;  // the last of the stroke's width
+  const Box& frame = area.frame;
+  const double top = area.toView({frame.x0, frame.y0}).y;
+  const auto [left, right] = std::ranges::minmax(stroke.points_px, {}, &Point::x);
+  const double before = right.x - endsWithin * (right.x - left.x);
+  return std::ranges::any_of(stroke.points_px,
+                             [&](Point p) { return p.x < before && p.y < top + touching_px; });
+}
+
+/// In a small picture colours run into each other, and strokes that lie close have none of their own. Where one was lost
+/// by its colour both are followed in one ink, provided that what the colours told lies on them
+/// (docs/decisions/0408-small-labels-together.md). Not where a legend names the colours.
+std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTrace>& traces,
+                                                      const PlotInks& plot, const TraceOptions& options,
+                                                      const Progress& progress) {
+  constexpr double smallFrame_px = 360, agreeing = 0.9;
+  const bool named = std::ranges::any_of(traces, [](const CurveTrace& t) { return !t.label.empty(); });
+  if (plot.area.frame.width() > smallFrame_px || traces.size() < 2 || named || !anyLost(traces)) return {};
+  auto loop = traceLoop(plot.area, coverageBy(darkness(plot), true, plot.area, plot.backdrop, plot.palette),
+                        traces.front().color, options, progress);
+  if (!loop || loop->size() != 2 || loop->front().confidence < kCredibleLoop) return {};
+  std::vector<CurveTrace> strokes = std::move(loop).value();
+  for (const CurveTrace& stroke : strokes)
+    if (leavesByTheTop(stroke, plot.area)) return {};
+  for (const CurveTrace& trace : traces)
+    if (std::max(shareOn(trace, strokes[0]), shareOn(trace, strokes[1])) < agreeing) return {};
+  for (CurveTrace& stroke : strokes) {
+    const auto nearer = [&](const CurveTrace& a, const CurveTrace& b) {
+      return shareOn(stroke, a) < shareOn(stroke, b);
+    };
+    stroke.color = std::ranges::max_element(traces, nearer)->color;
+    stroke.stroke.reset();  // which is which their places tell, as with colours
+  }
+  return strokes;
 }
 
 Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView& view, const AxesFound& axes,
@@ -357,7 +431,9 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
   std::vector<CurveTrace> traces = ColouredCurves(finalPlot, options).trace(curves);
   nameGivenStrokes(traces, chosen, given);
   labelTraces(traces, axes, view.raster, backdrop);
-  return given.any() ? traces : withLoopsParted(traces, curves, finalPlot, options, progress);
+  if (given.any()) return traces;
+  if (auto strokes = withoutColours(traces, finalPlot, options, progress)) return std::move(*strokes);
+  return withLoopsParted(traces, curves, finalPlot, options, progress);
 }
 
 }  // namespace

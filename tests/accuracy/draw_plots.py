@@ -60,10 +60,11 @@ STYLES = {
     "photo": Style(terminal=PRINTED, photographed=True),
     "coloured photo": Style(terminal=PRINTED, inks=("#c8102e", "#0b5cad"), photographed=True),
     "scaled down": Style(inks=("#c8102e", "#0b5cad"), widths_px=(300, 360, 430, 500)),
+    "scaled far down": Style(inks=("#c8102e", "#0b5cad"), widths_px=(250, 270, 290, 310)),
     "drawn small": Style(terminal="pngcairo size 280,210 enhanced font 'DejaVu Sans,6.5'", width=1.0),
 }
 PER_CLASS = {"one ink": 8, "two inks": 8, "dashed grid": 3, "dashed axes": 3, "dark": 4, "no grid": 4, "rotated": 4, "svg": 4,
-             "pdf": 4, "jpeg": 4, "coloured jpeg": 2, "page of two": 3, "photo": 4, "coloured photo": 4, "scaled down": 4,
+             "pdf": 4, "jpeg": 4, "coloured jpeg": 2, "page of two": 3, "photo": 4, "coloured photo": 4, "scaled down": 4, "scaled far down": 4,
              "drawn small": 4}
 
 

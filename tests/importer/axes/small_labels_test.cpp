@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Print of four by five pixels, typed here pixel by pixel, so that it is drawn by another hand than the reader's.
+
+#include "importer/axes/small_labels.h"
+
+#include <array>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "importer/axes/small_units.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+using Rows = std::array<std::string, 7>;  // two above and below are the brackets'
+
+const std::map<char, Rows> kLetters{
+    {'0', {"", " ## ", "#  #", "#  #", "#  #", " ## ", ""}},
+    {'1', {"", " #  ", "##  ", " #  ", " #  ", "### ", ""}},
+    {'2', {"", "### ", "   #", "  # ", " #  ", "####", ""}},
+    {'4', {"", "  # ", " ## ", "# # ", "####", "  # ", ""}},
+    {'5', {"", "### ", "#   ", "### ", "   #", "### ", ""}},
+    {'6', {"", " ## ", "#   ", "### ", "#  #", " ## ", ""}},
+    {'7', {"", "####", "   #", "  # ", "  # ", " #  ", ""}},
+    {'8', {"", " ## ", "#  #", " ## ", "#  #", " ## ", ""}},
+    {'.', {"", " ", " ", " ", " ", "#", ""}},
+    {'(', {" #", "# ", "# ", "# ", "# ", "# ", " #"}},
+    {')', {"# ", " #", " #", " #", " #", " #", "# "}},
+    {'N', {"", "#   #", "##  #", "# # #", "#  ##", "#   #", ""}},
+    {'c', {"", "", " ##", "#  ", "#  ", " ##", ""}},
+    {'m', {"", "", "######", "#  # #", "#  # #", "#  # #", ""}},
+    {'F', {"", "####", "#   ", "### ", "#   ", "#   ", ""}},
+};
+
+/// Writes a text with its top left corner here; its ink's box.
+Box write(cv::Mat& darkness, const std::string& text, int x, int y) {
+  const int from = x;
+  int top = 7, foot = 0;
+  for (const char c : text) {
+    const Rows& rows = kLetters.at(c);
+    std::size_t width = 0;
+    for (std::size_t v = 0; v < rows.size(); ++v) {
+      width = std::max(width, rows[v].size());
+      for (std::size_t u = 0; u < rows[v].size(); ++u) {
+        if (rows[v][u] != '#') continue;
+        darkness.at<std::uint8_t>(y + static_cast<int>(v), x + static_cast<int>(u)) = 200;
+        top = std::min(top, static_cast<int>(v));
+        foot = std::max(foot, static_cast<int>(v));
+      }
+    }
+    x += static_cast<int>(width) + 1;
+  }
+  return {from - 0.5, y + top - 0.5, x - 1.5, y + foot + 0.5};
+}
+
+struct Column {
+  cv::Mat darkness = cv::Mat::zeros(220, 60, CV_8U);
+  std::vector<Box> words;
+  std::vector<double> centers_px;
+
+  explicit Column(const std::vector<std::string>& texts, const std::vector<int>& rows) {
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      words.push_back(write(darkness, texts[i], 20, rows[i]));
+      centers_px.push_back(words.back().middle().y);
+    }
+  }
+
+  std::vector<std::string> read() const {
+    const auto labels = readSmallLabels(darkness, words, centers_px, false);
+    return labels ? labels->texts : std::vector<std::string>{};
+  }
+};
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("small labels are read together") {
+  const auto texts = GENERATE(Texts{"80", "60", "40", "20", "0"}, Texts{"125", "100", "75", "50", "25"},
+                              Texts{"2.0", "1.5", "1.0", "0.5", "0.0"}, Texts{"400", "200", "0"});
+  std::vector<int> rows;
+  for (std::size_t i = 0; i < texts.size(); ++i) rows.push_back(10 + 40 * static_cast<int>(i));
+  const Column column(texts, rows);
+  // "0.0" may come out as "0": the same number.
+  const Texts read = column.read();
+  REQUIRE(read.size() == texts.size());
+  for (std::size_t i = 0; i < texts.size(); ++i) CHECK(std::stod(read[i]) == std::stod(texts[i]));
+}
+
+TEST_CASE("a label that was not found leaves a gap in their steps") {
+  CHECK(Column({"80", "60", "20", "0"}, {10, 50, 130, 170}).read() == Texts{"80", "60", "20", "0"});
+}
+
+TEST_CASE("small marks that are no numbers in even steps are not read") {
+  SECTION("numbers out of order") {
+    CHECK(Column({"80", "20", "40", "60"}, {10, 50, 90, 130}).read().empty());
+  }
+  SECTION("places that are not even") {
+    CHECK(Column({"80", "60", "40", "20"}, {10, 63, 90, 130}).read().empty());
+  }
+  SECTION("letters") { CHECK(Column({"NN", "Fc", "cN", "F"}, {10, 50, 90, 130}).read().empty()); }
+  SECTION("two labels") { CHECK(Column({"80", "60"}, {10, 50}).read().empty()); }
+  SECTION("blots") {
+    Column column({"80", "60", "40", "20"}, {10, 50, 90, 130});
+    for (const Box& word : column.words)
+      column
+          .darkness(cv::Rect(static_cast<int>(word.x0 + 0.5), static_cast<int>(word.y0 + 0.5),
+                             static_cast<int>(word.width()), static_cast<int>(word.height())))
+          .setTo(200);
+    CHECK(column.read().empty());
+  }
+}
+
+TEST_CASE("the unit in a small title's brackets") {
+  cv::Mat darkness = cv::Mat::zeros(40, 120, CV_8U);
+  const auto unit = GENERATE(as<std::string>{}, "mm", "N", "cN");
+  const Box upright = write(darkness, "F.(" + unit + ")", 10, 12);
+  CHECK(bracketedUnit(darkness, upright, 0) == unit);
+  // Upwards, as beside a y axis.
+  cv::Mat upwards;
+  cv::rotate(darkness, upwards, cv::ROTATE_90_COUNTERCLOCKWISE);
+  const double last = darkness.cols - 1;
+  CHECK(bracketedUnit(upwards, {upright.y0, last - upright.x1, upright.y1, last - upright.x0}, 1) == unit);
+}
+
+TEST_CASE("a small line that ends in no unit has none") {
+  cv::Mat darkness = cv::Mat::zeros(40, 120, CV_8U);
+  const Box line = write(darkness, "F(408)", 10, 12);
+  CHECK_FALSE(bracketedUnit(darkness, line, 0));
+}
+
+TEST_CASE("a unit takes the place of what was read in the brackets") {
+  CHECK(withUnit("Travel (rnre)", "mm") == "Travel (mm)");
+  CHECK(withUnit("Fore (cNI", "cN") == "Fore (cN)");
+  CHECK(withUnit("Travvel prmt)", "mm") == "Travvel (mm)");
+  CHECK(withUnit("", "N") == "(N)");
+}
