@@ -50,7 +50,7 @@ BOUNDS = {
     "photo": Bounds(0, 0.12, 0.16),
     "coloured photo": Bounds(1, 0.16, 0.20),
     "scaled down": Bounds(0, 0.24, 0.36),
-    "scaled far down": Bounds(1, 0.18, 0.22),
+    "scaled far down": Bounds(1, 0.34, 0.46),
     "drawn small": Bounds(0, 0.19, 0.26),
 }
 # Of a plot of several switches each is imported by its name.
