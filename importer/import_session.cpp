@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <list>
 
 #include "importer/assemble_report.h"
 #include "importer/drawn_strokes.h"
@@ -218,9 +219,9 @@ struct ImportSession::Impl {
   using GraphsKey = std::pair<int, bool>;  // page, and whether its plot frame is given
   std::map<GraphsKey, PageGraphs> graphs;  // their views within a bound
   std::uint64_t clock = 0;
-  std::map<int, std::vector<RejectedFrame>> rejected;  // of every page searched so far
 
-  // The last graph's tracing, kept while only later hints change.
+  // Tracings of a graph and of the copies it is held against, kept while only later hints change.
+  static constexpr std::size_t mostRivals = 4, keptTracings = 1 + mostRivals;
   struct Traced {
     std::uint64_t locatedAs = 0;
     int graph = 0;
@@ -228,9 +229,8 @@ struct ImportSession::Impl {
     double spacing_px = 0;
     std::vector<CurveTrace> traces;
   };
-  std::optional<Traced> traced;
-  std::shared_ptr<const GraphEvidence> failed;  // how far the last import came
-  std::map<ImportStep, double> seconds;         // of the steps that ran since the last import began
+  std::list<Traced> traced;              // the latest last
+  std::map<ImportStep, double> seconds;  // of the steps that ran since the last import began
 
   const std::string& name() const { return fileName; }
   std::string stem() const { return std::filesystem::path(fileName).stem().string(); }
@@ -332,9 +332,7 @@ struct ImportSession::Impl {
     if (progress.isCancelled()) return cancelled();  // half a search must not be kept for the whole
     PageGraphs fresh{key, std::move(found).value(), {}, (*onPage)->unit, ++clock, clock};
     for (std::size_t i = 0; i < fresh.located.graphs.size(); ++i) fresh.axes.push_back({key.axes, {}});
-    if (key.frame.empty()) rejected[number] = fresh.located.rejected;
-    PageGraphs* kept = &graphs.insert_or_assign(at, std::move(fresh)).first->second;
-    return kept;
+    return &graphs.insert_or_assign(at, std::move(fresh)).first->second;
   }
 
   /// Reads the axes of one graph again if its hints changed; its frame and texts stay as they are.
@@ -478,22 +476,22 @@ struct ImportSession::Impl {
                     {RemedyKind::choosePage, "if the document has several"}});
   }
 
-  bool isTraced(const Choice& choice, const TraceHints& hints, const TraceOptions& options) const {
-    return traced && traced->locatedAs == choice.onPage->serial && traced->graph == choice.graph &&
-           traced->hints == hints && traced->spacing_px == options.pointSpacing_px;
-  }
-
   Result<const std::vector<CurveTrace>*> traces(const Choice& choice, const TraceHints& hints,
                                                 const TraceOptions& options, const Progress& progress) {
-    if (isTraced(choice, hints, options)) return &traced->traces;
+    const auto kept = std::find_if(traced.begin(), traced.end(), [&](const Traced& each) {
+      return each.locatedAs == choice.onPage->serial && each.graph == choice.graph && each.hints == hints &&
+             each.spacing_px == options.pointSpacing_px;
+    });
+    if (kept != traced.end()) return &kept->traces;
     const LocatedGraph& graph = choice.located();
     StepClock time(seconds, ImportStep::trace);
     auto found =
         traceCurves(graph.view, graph.frame.value, graph.axes, inView(hints, graph.view), options, progress);
     if (!found) return found.failure();
-    traced =
-        Traced{choice.onPage->serial, choice.graph, hints, options.pointSpacing_px, std::move(found).value()};
-    return &traced->traces;
+    if (traced.size() == keptTracings) traced.pop_front();
+    traced.push_back(
+        {choice.onPage->serial, choice.graph, hints, options.pointSpacing_px, std::move(found).value()});
+    return &traced.back().traces;
   }
 
   /// A graph read up to its strokes, for holding copies against each other.
@@ -507,11 +505,10 @@ struct ImportSession::Impl {
                                       const TraceOptions& options, const Progress& progress) {
     LocatedGraph& graph = choice.located();
     readAllTexts(graph, progress);
-    StepClock time(seconds, ImportStep::copies);
-    const auto curves = traceCurves(graph.view, graph.frame.value, graph.axes,
-                                    inView(request.hints.trace, graph.view), options, progress);
+    const auto curves = traces(choice, request.hints.trace, options, progress);
     if (!curves) return {};
-    auto strokes = separateStrokes(*curves, graph.axes, request.hints.strokes);
+    StepClock time(seconds, ImportStep::copies);
+    auto strokes = separateStrokes(**curves, graph.axes, request.hints.strokes);
     if (!strokes) return {};
     const Box frame = graph.frame.value.box();
     const CopyRank rank{std::min(graph.confidence(), strokes->confidence), strokes->value.press.fromVector,
@@ -522,7 +519,6 @@ struct ImportSession::Impl {
   /// Graphs on equal axes that show the same curves are copies: the better one is chosen, and it is said.
   void preferBetterCopy(Choice& choice, const ImportRequest& request, const LocateKey& key,
                         const TraceOptions& options, const Progress& progress) {
-    constexpr std::size_t mostRivals = 4;
     if (choice.rivals.empty()) return;
     const auto first = readCopy(choice, request, options, progress);
     if (!first) return;
@@ -562,10 +558,12 @@ struct ImportSession::Impl {
                                {RemedyKind::importAll, "for each"}}});
   }
 
-  /// What a person needs to see where it went wrong.
-  void keepEvidence(const LocatedGraph& graph, const std::vector<CurveTrace>& curves) {
-    failed = std::make_shared<const GraphEvidence>(GraphEvidence{
-        graph.view, graph.frame.value, graph.axes, curves, switchesAmong(curves), graph.findings()});
+  /// How far an import came that stops here: what a person needs to see where it went wrong.
+  ImportAttempt stopped(Failure why, const Choice& choice, const std::vector<CurveTrace>& curves) const {
+    const LocatedGraph& graph = choice.located();
+    return {placed(std::move(why), choice),
+            std::make_shared<const GraphEvidence>(GraphEvidence{
+                graph.view, graph.frame.value, graph.axes, curves, switchesAmong(curves), graph.findings()})};
   }
 
   Failure placed(Failure f, const Choice& choice) const {
@@ -578,7 +576,7 @@ struct ImportSession::Impl {
   }
 
   Result<std::vector<PlotSwitch>> switches(const ImportRequest& request, const Progress& progress);
-  Result<ImportReport> importPlot(const ImportRequest& request, const Progress& progress);
+  ImportAttempt importPlot(const ImportRequest& request, const Progress& progress);
   Result<ImportReport> importLog(const ImportRequest& request, const Progress& progress);
 };
 
@@ -595,18 +593,17 @@ Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportReques
   return switchesAmong(**curves);
 }
 
-Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& request, const Progress& progress) {
+ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, const Progress& progress) {
   const QualitySettings settings = settingsFor(request.quality);
   const LocateKey key = locateKeyOf(request);
   seconds.clear();
-  failed.reset();
   const auto step = [&](double fraction, ImportStep what) {
     if (progress.report) progress.report(fraction, what);
   };
 
   step(0.05, ImportStep::locate);
   auto choice = choose(request, key, progress);
-  if (!choice) return choice.failure();
+  if (!choice) return {choice.failure(), {}};
   preferBetterCopy(*choice, request, key, settings.trace, progress);
   sayWhichOfSeveral(*choice);
   LocatedGraph& graph = choice->located();
@@ -616,10 +613,7 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   step(0.5, ImportStep::trace);
   const std::vector<CurveTrace> none;
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
-  if (!curves && request.hints.drawn.press.empty()) {
-    keepEvidence(graph, {});
-    return placed(curves.failure(), *choice);
-  }
+  if (!curves && request.hints.drawn.press.empty()) return stopped(curves.failure(), *choice, none);
   if (!curves) curves = &none;  // the person drew what could not be traced
 
   step(0.7, ImportStep::strokes);
@@ -628,10 +622,7 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
     return withDrawn(separateStrokes(**curves, graph.axes, request.hints.strokes), request.hints.drawn,
                      graph);
   }();
-  if (!strokes) {
-    keepEvidence(graph, **curves);
-    return placed(strokes.failure(), *choice);
-  }
+  if (!strokes) return stopped(strokes.failure(), *choice, **curves);
 
   step(0.8, ImportStep::fit);
   const StrokePair& pair = strokes->value;
@@ -643,11 +634,8 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
     return fitBoth(pair, fitOptionsFor(press_px, calibration, settings),
                    fitOptionsFor(release_px, calibration, settings));
   }();
-  if (!fitted) {
-    keepEvidence(graph, **curves);
-    return placed(fitted.failure(), *choice);
-  }
-  if (progress.isCancelled()) return cancelled();
+  if (!fitted) return stopped(fitted.failure(), *choice, **curves);
+  if (progress.isCancelled()) return {cancelled(), {}};
 
   auto callouts = [&] {
     StepClock time(seconds, ImportStep::callouts);
@@ -661,13 +649,11 @@ Result<ImportReport> ImportSession::Impl::importPlot(const ImportRequest& reques
   auto report = assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(),
                                 press_px, release_px, std::move(callouts), printedSpecs(), pageClass},
                                source, request);
-  if (!report) {
-    keepEvidence(graph, **curves);
-    return placed(report.failure(), *choice);
-  }
+  if (!report) return stopped(report.failure(), *choice, **curves);
   report->seconds = seconds;
   step(1, ImportStep::fit);
-  return report;
+  std::shared_ptr<const GraphEvidence> evidence = report->evidence;
+  return {std::move(report), std::move(evidence)};
 }
 
 Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request, const Progress& progress) {
@@ -748,29 +734,33 @@ Result<const Page*> ImportSession::page(int number, const Progress& progress) {
   return impl_->page(number, progress);
 }
 
-Result<std::vector<ListedGraph>> ImportSession::list(std::optional<int> page, Quality quality,
-                                                     const ImportHints& hints, const Progress& progress) {
+Result<GraphList> ImportSession::list(std::optional<int> page, Quality quality, const ImportHints& hints,
+                                      const Progress& progress) {
   if (isForceLog()) {
     return impl_->failure(FailureCode::wrongUsage, "", "a force log has no pages to list",
                           "Import it without listing");
   }
   const LocateKey key{viewOptionsFor(settingsFor(quality), hints), hints.axes, hints.frame};
-  std::vector<ListedGraph> listed;
+  GraphList listed;
   const int first = page.value_or(1), last = page.value_or(pageCount());
   std::optional<Failure> firstFault;
   int unreadable = 0;
   for (int number = first; number <= last; ++number) {
     if (progress.report) progress.report(double(number - first) / (last - first + 1), ImportStep::locate);
     auto located = impl_->located(number, key, progress);
+    const auto& unread = impl_->remarks[number];
+    listed.remarks.insert(listed.remarks.end(), unread.begin(), unread.end());
     if (!located) {
       const bool onlyThisPage = located.failure().code == FailureCode::unreadableInput && first < last;
       if (!onlyThisPage || progress.isCancelled()) return located.failure();
       if (!firstFault) firstFault = located.failure();
       ++unreadable;
-      continue;  // one broken page costs that page only; remarks() names it
+      continue;  // one broken page costs that page only, and is named
     }
-    for (std::size_t i = 0; i < (*located)->located.graphs.size(); ++i)
-      listed.push_back((*located)->listed(number, i));
+    const LocatedPage& onPage = (*located)->located;
+    for (std::size_t i = 0; i < onPage.graphs.size(); ++i)
+      listed.graphs.push_back((*located)->listed(number, i));
+    listed.rejected.insert(listed.rejected.end(), onPage.rejected.begin(), onPage.rejected.end());
     impl_->letViewsGo(nullptr);
   }
   if (unreadable == last - first + 1) return *firstFault;
@@ -787,17 +777,13 @@ Result<std::vector<PlotSwitch>> ImportSession::switches(const ListedGraph& graph
   return impl_->switches(request, progress);
 }
 
-std::vector<Remark> ImportSession::remarks() const { return impl_->allRemarks(); }
-
-std::vector<RejectedFrame> ImportSession::rejected(int page) const {
-  const auto kept = impl_->rejected.find(page);
-  return kept == impl_->rejected.end() ? std::vector<RejectedFrame>{} : kept->second;
+ImportAttempt ImportSession::attempt(const ImportRequest& request, const Progress& progress) {
+  if (isForceLog()) return {impl_->importLog(request, progress), {}};
+  return impl_->importPlot(request, progress);
 }
 
-std::shared_ptr<const GraphEvidence> ImportSession::evidenceOfFailure() const { return impl_->failed; }
-
 Result<ImportReport> ImportSession::importGraph(const ImportRequest& request, const Progress& progress) {
-  return isForceLog() ? impl_->importLog(request, progress) : impl_->importPlot(request, progress);
+  return attempt(request, progress).report;
 }
 
 }  // namespace detent::importer

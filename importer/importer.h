@@ -86,6 +86,13 @@ struct RejectedFrame {
   Failure why;
 };
 
+/// What pages show. Where several were asked for, one that cannot be read costs only itself, unless it is the only one.
+struct GraphList {
+  std::vector<ListedGraph> graphs;      ///< reading order
+  std::vector<RejectedFrame> rejected;  ///< looked at and not listed
+  std::vector<Remark> remarks;          ///< what could not be read: broken images, broken pages
+};
+
 /// How sure one step was, and of what.
 struct StepFinding {
   ImportStep step = ImportStep::locate;  ///< locate, axes or strokes
@@ -134,6 +141,14 @@ struct ImportReport {
   std::string brief() const;                      ///< one line for people
 };
 
+/// An import, and what it looked at even where it failed.
+struct ImportAttempt {
+  Result<ImportReport> report;
+  /// The report's own; of a failure how far it came: frame and axes, curves if they were traced. Null if no frame
+  /// was found and for force logs.
+  std::shared_ptr<const GraphEvidence> evidence;
+};
+
 /// An open input that is imported again and again while hints change: a step is recomputed only if something
 /// it depends on changed. What was found is kept; pages and pixels are kept within a bound on
 /// memory (docs/decisions/1020-what-an-open-document-keeps.md). One thread at a time; `Progress::cancelled`
@@ -149,25 +164,19 @@ class ImportSession {
   bool isForceLog() const;
   /// Valid until the next call of any function: the pages used last are kept.
   Result<const Page*> page(int number, const Progress& progress = {});
-  /// Graphs of one page (or of all, without a number), reading order. A page that cannot be read costs only
-  /// itself, unless it is the only one; remarks() names it.
-  Result<std::vector<ListedGraph>> list(std::optional<int> page = {}, Quality quality = Quality::standard,
-                                        const ImportHints& hints = {}, const Progress& progress = {});
+  /// Graphs of one page, or of all without a number.
+  Result<GraphList> list(std::optional<int> page = {}, Quality quality = Quality::standard,
+                         const ImportHints& hints = {}, const Progress& progress = {});
   /// The switches that a listed graph shows (one, as a rule), for choosing one by StrokeHints::curve; empty where it is
   /// not clear which curves belong together. Traces the graph; what a later import needs of that is kept.
   Result<std::vector<PlotSwitch>> switches(const ListedGraph& graph, Quality quality = Quality::standard,
                                            const ImportHints& hints = {}, const Progress& progress = {});
-  /// What could not be read of the pages seen so far: broken images, broken pages.
-  std::vector<Remark> remarks() const;
-  /// What was looked at on a page and not listed, as the last `list` of that page found it.
-  std::vector<RejectedFrame> rejected(int page) const;
   /// `path` and `limits` of the request are those of the session. With `page` and `graph`, the axis hints
   /// belong to that graph alone and numbers count as `list` without hints does; with a given frame `graph`
   /// only names it.
   Result<ImportReport> importGraph(const ImportRequest& request, const Progress& progress = {});
-  /// How far the last `importGraph` came if it failed: frame and axes, curves if they were traced. Null if it
-  /// succeeded or found no frame.
-  std::shared_ptr<const GraphEvidence> evidenceOfFailure() const;
+  /// The same, for who shows people where it went wrong.
+  ImportAttempt attempt(const ImportRequest& request, const Progress& progress = {});
 
   ImportSession(ImportSession&&) noexcept;
   ImportSession& operator=(ImportSession&&) noexcept;

@@ -94,8 +94,8 @@ Answer ImportAnswers::graphs(const FindGraphs& query, const importer::Progress& 
   if (!listed) return listed.failure();
   const auto page = session_->page(query.page, progress);
   if (!page) return page.failure();
-  FoundGraphs found{thumbnailOf(**page), {}, session_->rejected(query.page)};
-  for (auto& graph : *listed) {
+  FoundGraphs found{thumbnailOf(**page), {}, std::move(listed->rejected)};
+  for (auto& graph : listed->graphs) {
     QImage thumbnail = graphThumbnail(**page, graph);
     found.graphs.push_back({std::move(graph), std::move(thumbnail)});
   }
@@ -109,14 +109,12 @@ Answer ImportAnswers::imported(const ImportOne& query, const importer::Progress&
   request.hints = query.hints;
   request.acceptDoubt = true;
   ImportedGraph answer{query.graph, {}, {}, {}, {}};
-  auto report = session_->importGraph(request, progress);
-  if (report) {
-    answer.evidence = report->evidence;
+  auto [report, evidence] = session_->attempt(request, progress);
+  answer.evidence = std::move(evidence);
+  if (report)
     answer.report = std::make_shared<const importer::ImportReport>(std::move(report).value());
-  } else {
+  else
     answer.failure = report.failure();
-    answer.evidence = session_->evidenceOfFailure();
-  }
   if (answer.evidence) {
     const importer::PageView& view = answer.evidence->view;
     answer.view = PagePicture(view.raster, view.viewToPage, viewSide_px);

@@ -119,9 +119,12 @@ void PageReturn::readAgain(const Button& button, Answer& answer, const importer:
   importer::ImportRequest request = requestAgain(*button.provenance());
   request.path = QFile::encodeName(answer.path).toStdString();
   auto session = importer::ImportSession::open(request.path);
-  auto imported = session ? session->importGraph(request, progress) : session.failure();
-  if (!imported) answer.failure = imported.failure();
-  if (!imported && session) imported = pageAlone(button, session->evidenceOfFailure(), imported.failure());
+  auto [imported, evidence] =
+      session ? session->attempt(request, progress) : importer::ImportAttempt{session.failure(), {}};
+  if (!imported) {
+    answer.failure = imported.failure();
+    imported = pageAlone(button, evidence, *answer.failure);
+  }
   if (imported) answer.report = std::make_shared<const importer::ImportReport>(*std::move(imported));
 }
 

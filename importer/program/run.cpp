@@ -74,12 +74,11 @@ std::string warningLines(const std::vector<Remark>& remarks) {
 /// One graph of an open input: import, write, say so. `objects` gets one JSON object.
 int importOne(ImportSession& session, const ImportRequest& request, const OutputPaths& paths,
               const Progress& progress, std::vector<std::string>& objects, std::string& text) {
-  auto report = session.importGraph(request, progress);
+  const auto [report, evidence] = session.attempt(request, progress);
   Result<std::vector<std::string>> written = std::vector<std::string>{};
   if (report) written = writeOutputs(*report, paths);
   if (!report || !written) {
     const Failure& failure = report ? written.failure() : report.failure();
-    const auto evidence = session.evidenceOfFailure();
     objects.push_back(
         failureJson(failure, request.path, evidence ? evidence->switches : std::vector<PlotSwitch>{}));
     text += failure.sentence() + "\n";
@@ -106,14 +105,15 @@ int importAll(const ImportRequest& request, const OutputPaths& paths, const Prog
 
   auto listed = session->list(request.page, request.quality, request.hints, progress);
   if (!listed) return refused(listed.failure());
-  text += warningLines(session->remarks());
-  if (listed->empty())
+  text += warningLines(listed->remarks);
+  if (listed->graphs.empty())
     return importOne(*session, request, paths, progress, objects, text);  // says why there is none
   int exitCode = 0;
-  for (const ListedGraph& graph : *listed) {
+  for (const ListedGraph& graph : listed->graphs) {
     ImportRequest one = request;
     one.page = graph.page, one.graph = graph.graph;
-    const OutputPaths onePaths = listed->size() == 1 ? paths : numbered(paths, graph.page, graph.graph);
+    const OutputPaths onePaths =
+        listed->graphs.size() == 1 ? paths : numbered(paths, graph.page, graph.graph);
     const int code = importOne(*session, one, onePaths, progress, objects, text);
     if (exitCode == 0) exitCode = code;
   }
@@ -199,13 +199,11 @@ std::string listText(const std::vector<ListedPlot>& plots) {
   return text;
 }
 
-/// The graphs of an input with the switches each of them shows.
-Result<std::vector<ListedPlot>> listedPlots(ImportSession& session, const ImportRequest& request,
-                                            const Progress& progress) {
-  auto graphs = session.list(request.page, request.quality, request.hints, progress);
-  if (!graphs) return graphs.failure();
+/// The switches each listed graph shows.
+Result<std::vector<ListedPlot>> listedPlots(ImportSession& session, std::vector<ListedGraph> graphs,
+                                            const ImportRequest& request, const Progress& progress) {
   std::vector<ListedPlot> plots;
-  for (ListedGraph& graph : *graphs) {
+  for (ListedGraph& graph : graphs) {
     auto switches = session.switches(graph, request.quality, request.hints, progress);
     if (!switches && switches.failure().code == FailureCode::cancelled) return switches.failure();
     plots.push_back({std::move(graph), switches ? std::move(*switches) : std::vector<PlotSwitch>{}});
@@ -222,11 +220,12 @@ int runList(const Arguments& a, const Progress& progress) {
   };
   auto session = ImportSession::open(input, request.limits);
   if (!session) return refused(session.failure());
-  const auto plots = listedPlots(*session, request, progress);
+  auto listed = session->list(request.page, request.quality, request.hints, progress);
+  if (!listed) return refused(listed.failure());
+  const auto plots = listedPlots(*session, std::move(listed->graphs), request, progress);
   if (!plots) return refused(plots.failure());
 
-  const std::vector<Remark> remarks = session->remarks();
-  std::fputs(warningLines(remarks).c_str(), stderr);
+  std::fputs(warningLines(listed->remarks).c_str(), stderr);
   const int exitCode = plots->empty() ? static_cast<int>(FailureCode::noForceGraph) : 0;
   const std::string text = plots->empty() ? Failure{FailureCode::noForceGraph,
                                                     input,
@@ -236,7 +235,7 @@ int runList(const Arguments& a, const Progress& progress) {
                                                     .sentence() +
                                                 "\n"
                                           : listText(*plots);
-  print(a, listJson(*plots, remarks) + "\n", a.json && exitCode == 0 ? "" : text, exitCode);
+  print(a, listJson(*plots, listed->remarks) + "\n", a.json && exitCode == 0 ? "" : text, exitCode);
   return exitCode;
 }
 

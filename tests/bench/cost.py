@@ -8,8 +8,8 @@ Without an option: prints the table. --accept: writes tests/bench/cost.json and 
 fails where a job costs more than 5 % beyond it, unless CHANGELOG.md names the job under "Unreleased" as `cost: JOB`. --only: jobs whose
 name contains one of these words, separated by commas. --bin: default build/release/bin.
 
-Instructions do not depend on how loaded a machine is; they depend a little on the processor's instruction sets (libraries choose their
-code by them) and on the versions of the libraries, so a count is compared where it was made or on the same Debian and a similar machine.
+Instructions do not depend on how loaded a machine is; they depend on the processor's instruction sets (libraries choose their code by them),
+so a count is compared only with one of the same sets (cost.json says which), and a little on the versions of the libraries.
 A job whose program is not there (built without devices or editor) is said to be skipped.
 """
 
@@ -28,6 +28,7 @@ BASELINE = ROOT / "tests/bench/cost.json"
 TABLE = ROOT / "docs/bench-cost.md"
 CHANGELOG = ROOT / "CHANGELOG.md"
 ALLOWED_RISE = 0.05
+INSTRUCTION_SETS = ("sse4_2", "avx", "avx2", "fma")  # what libraries choose by, as far as valgrind passes it on
 
 SAMPLES = ROOT / "samples"
 PICTURE, PAGE, LOG = (str(SAMPLES / "plots" / name) for name in ("two-level-legend.png", "white-vector.pdf", "force-meter-log.csv"))
@@ -91,6 +92,12 @@ def row(name, cost):
     return f"| {name} | {cost.instructions / 1e6:.0f} | {cost.libraries} | {cost.memory_MB:.0f} |"
 
 
+def instruction_sets():
+    """Those of this processor, in a word."""
+    flags = re.search(r"^flags\s*:(.*)$", Path("/proc/cpuinfo").read_text(), re.M)
+    return " ".join(name for name in INSTRUCTION_SETS if flags and name in flags[1].split())
+
+
 def excused():
     """What the changelog says costs more, on purpose, since the last release."""
     unreleased = CHANGELOG.read_text().split("## Unreleased", 1)[-1].split("\n## ", 1)[0]
@@ -99,7 +106,11 @@ def excused():
 
 def check(costs):
     """Lines about every change; True if none is a rise that nobody announced."""
-    before, allowed, fine = json.loads(BASELINE.read_text()), excused(), True
+    kept = json.loads(BASELINE.read_text())
+    if kept["instruction_sets"] != instruction_sets():
+        print(f"SKIPPED: cost.json was counted with {kept['instruction_sets']}, this processor has {instruction_sets() or 'none of these'}")
+        return True
+    before, allowed, fine = kept["jobs"], excused(), True
     for name, cost in costs.items():
         if name not in before:
             print(f"NEW      {name}: accept it with tests/bench/cost.py --accept")
@@ -115,15 +126,15 @@ def check(costs):
 
 
 def accept(costs):
-    kept = json.loads(BASELINE.read_text()) if BASELINE.is_file() else {}
+    kept = json.loads(BASELINE.read_text())["jobs"] if BASELINE.is_file() else {}
     kept.update({name: asdict(cost) for name, cost in costs.items()})
     kept = {name: kept[name] for name in JOBS if name in kept}
-    BASELINE.write_text(json.dumps(kept, indent=1) + "\n")
+    BASELINE.write_text(json.dumps({"instruction_sets": instruction_sets(), "jobs": kept}, indent=1) + "\n")
     rows = [row(name, Cost(**cost)) for name, cost in kept.items()]
     TABLE.write_text("\n".join([
         "# What fixed jobs cost", "",
         "Made by `tests/bench/cost.py --accept`: instructions of the whole process (callgrind), shared libraries that are loaded, peak memory.",
-        "`.ci/nightly` compares with `tests/bench/cost.json` and fails beyond +5 % that no line of the changelog announces.", "",
+        "`.ci/run cost` compares with `tests/bench/cost.json` and fails beyond +5 % that no line of the changelog announces.", "",
         "| job | million instructions | libraries | MB |", "|---|---|---|---|", *rows, ""]))
 
 

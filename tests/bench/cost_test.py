@@ -17,8 +17,12 @@ class Check(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         cost.BASELINE, cost.CHANGELOG = Path(folder.name, "cost.json"), Path(folder.name, "CHANGELOG.md")
-        cost.BASELINE.write_text(json.dumps({"list of a page": {"instructions": 1000, "libraries": 5, "memory_MB": 4}}))
+        self.keep(cost.instruction_sets())
         cost.CHANGELOG.write_text("# Changelog\n\n## Unreleased\n\n## 0.1.0\n\n- `cost: list of a page`\n")
+
+    def keep(self, instruction_sets):
+        kept = {"list of a page": {"instructions": 1000, "libraries": 5, "memory_MB": 4}}
+        cost.BASELINE.write_text(json.dumps({"instruction_sets": instruction_sets, "jobs": kept}))
 
     def check(self, instructions, name="list of a page"):
         with contextlib.redirect_stdout(io.StringIO()) as said:
@@ -37,6 +41,12 @@ class Check(unittest.TestCase):
     def test_an_announced_rise_passes_and_only_since_the_last_release(self):
         cost.CHANGELOG.write_text("# Changelog\n\n## Unreleased\n\n- Doubts are data (`cost: list of a page`).\n\n## 0.1.0\n")
         self.assertTrue(self.check(2000)[0])
+
+    def test_counts_of_another_processor_are_not_compared(self):
+        self.keep("sse9")
+        fine, said = self.check(2000)
+        self.assertTrue(fine)
+        self.assertTrue(said.startswith("SKIPPED"))
 
     def test_a_job_without_a_count_fails(self):
         self.assertFalse(self.check(1, "import of a log")[0])

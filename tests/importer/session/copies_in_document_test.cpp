@@ -108,6 +108,20 @@ TEST_CASE("One graph on two pages is one graph", "[copies]") {
   CHECK(report.button.states().front().graph.travel_mm() == Approx(3.8).margin(0.02));
 }
 
+TEST_CASE("A curve that was held against its copies is not traced again", "[copies]") {
+  auto session =
+      ImportSession::fromBytes(documentOf(graph(100, 100, 560, 25), graph(150, 200, 320, 25)), "two.pdf");
+  REQUIRE(session);
+  REQUIRE(session->importGraph({}));
+  for (const int page : {1, 2}) {
+    ImportRequest request;
+    request.page = page, request.graph = 1;
+    const auto report = session->importGraph(request);
+    REQUIRE(report);
+    CHECK(report->seconds.count(ImportStep::trace) == 0);
+  }
+}
+
 TEST_CASE("Two switches on equal axes stay two graphs", "[copies]") {
   const auto report = importedFrom(documentOf(graph(100, 100, 560, 25), graph(150, 200, 320, 5)));
   CHECK_FALSE(says(report, RemarkCode::sameGraphSeveralTimes));

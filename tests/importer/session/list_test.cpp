@@ -66,10 +66,10 @@ TEST_CASE("A list may be asked for again, and an import after it") {
   const auto again = session->list();
   REQUIRE(first);
   REQUIRE(again);
-  REQUIRE(first->size() == 1);
-  REQUIRE(again->size() == 1);
-  CHECK(again->front().unit == PageUnit::point);
-  CHECK(session->remarks().empty());
+  REQUIRE(first->graphs.size() == 1);
+  REQUIRE(again->graphs.size() == 1);
+  CHECK(again->graphs.front().unit == PageUnit::point);
+  CHECK(again->remarks.empty());
   const auto report = session->importGraph({});
   INFO((report ? "" : report.failure().sentence()));
   CHECK(report.ok());
@@ -84,10 +84,10 @@ TEST_CASE("A page that cannot be read costs only itself and is named") {
   const auto listed = session->list();
   INFO((listed ? "" : listed.failure().sentence()));
   REQUIRE(listed);
-  CHECK(listed->empty());
-  REQUIRE(session->remarks().size() == 1);
-  CHECK(session->remarks().front().code == RemarkCode::pageUnreadable);
-  CHECK(session->remarks().front().values.at(0).number == 2);
+  CHECK(listed->graphs.empty());
+  REQUIRE(listed->remarks.size() == 1);
+  CHECK(listed->remarks.front().code == RemarkCode::pageUnreadable);
+  CHECK(listed->remarks.front().values.at(0).number == 2);
 
   const auto report = session->importGraph({});
   REQUIRE_FALSE(report);

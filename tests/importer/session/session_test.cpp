@@ -76,16 +76,16 @@ TEST_CASE("Hints of a numbered graph do not change which graphs the page has") {
   CHECK(imported(session, request).confidence > confidenceBar);
   const auto after = session.list(1);
   REQUIRE(after);
-  REQUIRE(after->size() == before->size());
-  CHECK(after->front().x.max == Approx(3.5));  // a list without hints says what the page says
-  CHECK(after->front().confidence == before->front().confidence);
+  REQUIRE(after->graphs.size() == before->graphs.size());
+  CHECK(after->graphs.front().x.max == Approx(3.5));  // a list without hints says what the page says
+  CHECK(after->graphs.front().confidence == before->front().confidence);
 }
 
 TEST_CASE("A given frame keeps the graph's number and its axes follow their own hints") {
   auto session = opened("brown-one-ink.png");
   const auto listed = session.list(1);
   REQUIRE(listed);
-  const Box box = listed->front().frame;
+  const Box box = listed->graphs.front().frame;
   ImportRequest request = firstGraph();
   request.graph = 3;
   request.hints.frame = {{box.x0, box.y0}, {box.x1, box.y1}};
@@ -102,13 +102,13 @@ TEST_CASE("A doubt is a failure, or comes with the result where a person will lo
   ImportRequest request = firstGraph();
   const auto listed = session.list(1);
   REQUIRE(listed);
-  const Box box = listed->front().frame;
+  const Box box = listed->graphs.front().frame;
   // The lower left quarter of the plot: the curves are cut off and the numbers belong elsewhere.
   request.hints.frame = {{box.x0, 0.5 * (box.y0 + box.y1)}, {0.5 * (box.x0 + box.x1), box.y1}};
   request.hints.axes = {0, 2, 0, 900, {}, {}};
   const auto strict = session.importGraph(request);
   request.acceptDoubt = true;
-  const auto lenient = session.importGraph(request);
+  const auto [lenient, evidence] = session.attempt(request);
   if (strict) {
     CHECK(lenient);
     CHECK_FALSE(lenient->doubt);
@@ -118,22 +118,23 @@ TEST_CASE("A doubt is a failure, or comes with the result where a person will lo
     CHECK_FALSE(lenient->doubt->remedies.empty());
     CHECK(lenient->evidence->steps.size() == 3);
   } else {
-    CHECK(session.evidenceOfFailure());
+    CHECK(evidence);
   }
 }
 
-TEST_CASE("A failed import leaves what was found so far; a good one leaves nothing") {
+TEST_CASE("A failed import gives what was found so far; a good one what its report holds") {
   auto session = opened("two-level-legend.png");
   ImportRequest request = firstGraph();
   request.hints.trace.masks_px = {{-1, -1, 1e5, 1e5}};  // no ink is left
-  CHECK_FALSE(session.importGraph(request));
-  const auto evidence = session.evidenceOfFailure();
+  const auto [failed, evidence] = session.attempt(request);
+  CHECK_FALSE(failed);
   REQUIRE(evidence);
   CHECK(evidence->axes.calibration.value.x.max == Approx(3.5));
   CHECK(evidence->steps.front().step == ImportStep::locate);
   request.hints = {};
-  CHECK(session.importGraph(request));
-  CHECK_FALSE(session.evidenceOfFailure());
+  const auto good = session.attempt(request);
+  REQUIRE(good.report);
+  CHECK(good.evidence == good.report->evidence);
 }
 
 TEST_CASE("A document from memory is imported as one from a file") {
@@ -189,7 +190,7 @@ TEST_CASE("A view that was let go is made again, and gives the same result") {
   auto session = opened("white-vector.pdf");
   const auto listed = session.list(1);
   REQUIRE(listed);
-  const Box box = listed->front().frame;
+  const Box box = listed->graphs.front().frame;
   ImportRequest request = firstGraph();
   const ImportReport first = imported(session, request);
   ImportRequest large = request;  // its view alone is more than what is kept
