@@ -151,21 +151,21 @@ std::size_t nearestKnot(const KnotChain& chain, double u, double v) {
   return static_cast<std::size_t>(best - chain.begin());
 }
 
-void addTactilePoints(FitSummary& summary, const StrokeCurve& curve, Stroke stroke, const ChosenChain& fit,
-                      const StrokeSamples& samples, const FitOptions& options) {
-  const std::vector<TactilePoint> found = tactilePoints(curve, stroke);
-  if (found.empty()) return;
-  const std::vector<KnotSigma> sigmas = knotSigmas(fit.chain, samples.points, choiceSettings(options).solve);
+void addErrors(FitSummary& summary, const StrokeCurve& curve, Stroke stroke, const ChosenChain& fit,
+               const StrokeSamples& samples, const FitOptions& options) {
+  const KnotErrors errors = knotErrors(fit.chain, samples.points, choiceSettings(options).solve);
+  if (fit.outcome != FitOutcome::tooFewPoints) summary.condition = errors.condition;
   // `correlationPoints` residuals share one error.
   const double inflation = std::sqrt(summary.correlationPoints);
   const double sign = stroke == Stroke::press ? 1 : -1;
-  for (const TactilePoint& point : found) {
+  for (const TactilePoint& point : tactilePoints(curve, stroke)) {
     const std::size_t knot =
         nearestKnot(fit.chain, samples.u(point.displacement_mm), samples.v(point.force_N));
     const TactileMisfit misfit =
         tactileMisfit(fit.chain, samples.points, fit.chain[knot], sign, summary.correlationPoints);
-    summary.tactilePoints.push_back({point, std::hypot(sigmas[knot].u * inflation, misfit.u) * samples.mmPerU,
-                                     std::hypot(sigmas[knot].v * inflation, misfit.v) * samples.newtonsPerV});
+    summary.tactilePoints.push_back(
+        {point, std::hypot(errors.sigmas[knot].u * inflation, misfit.u) * samples.mmPerU,
+         std::hypot(errors.sigmas[knot].v * inflation, misfit.v) * samples.newtonsPerV});
   }
 }
 
@@ -229,7 +229,7 @@ Result<FittedStroke> fitStroke(const std::vector<CurvePoint>& points, Stroke str
   summary.bic = fit.evidence.score(chiSquareOf(fit.chain, samples.points, options.robustScale),
                                    parametersOf(fit.chain));
   addDistances(summary, fit, samples, options.noise);
-  addTactilePoints(summary, *curve, stroke, fit, samples, options);
+  addErrors(summary, *curve, stroke, fit, samples, options);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return FittedStroke{std::move(*curve), std::move(summary)};
 }

@@ -75,6 +75,7 @@ struct FitSummary {
   double rmsSigma = 0;  ///< rms orthogonal distance of the points, in sigmas of the given noise
   double maxSigma = 0;
   double correlationPoints = 1;  ///< points that share one error, >= 1; standard errors take it into account
+  double condition = 1;          ///< of the fit (KnotErrors), 1 to 1e8; 1 where points were only joined
   double bic = 0;
   double seconds = 0;
   std::vector<FittedTactilePoint> tactilePoints;

@@ -296,6 +296,18 @@ class ChainProblem {
   std::unique_ptr<ceres::Problem> problem_;
 };
 
+/// The condition number of a Jacobian, from J'J.
+double conditionOf(const Eigen::MatrixXd& information) {
+  constexpr double beyondRounding = 1e-16;
+  const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::VectorXd eigenvalues =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * information * scale.asDiagonal(),
+                                                     Eigen::EigenvaluesOnly)
+          .eigenvalues();
+  const double greatest = eigenvalues[eigenvalues.size() - 1];
+  return std::sqrt(greatest / std::max(eigenvalues[0], beyondRounding * greatest));
+}
+
 }  // namespace
 
 double chiSquareOf(const KnotChain& chain, const std::vector<SigmaPoint>& points, double robustScale) {
@@ -331,8 +343,8 @@ SolveReport solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, 
   return report;
 }
 
-std::vector<KnotSigma> knotSigmas(const KnotChain& chain, const std::vector<SigmaPoint>& points,
-                                  const SolveSettings& settings) {
+KnotErrors knotErrors(const KnotChain& chain, const std::vector<SigmaPoint>& points,
+                      const SolveSettings& settings) {
   KnotChain copy = chain;
   ChainProblem problem(copy, points, {0, copy.size()}, settings);
   ceres::Problem::EvaluateOptions evaluation;
@@ -345,8 +357,8 @@ std::vector<KnotSigma> knotSigmas(const KnotChain& chain, const std::vector<Sigm
   }
   ceres::CRSMatrix jacobian;
   std::vector<double> residuals;
-  std::vector<KnotSigma> sigmas(copy.size());
-  if (!problem.problem().Evaluate(evaluation, nullptr, &residuals, nullptr, &jacobian)) return sigmas;
+  KnotErrors errors{std::vector<KnotSigma>(copy.size())};
+  if (!problem.problem().Evaluate(evaluation, nullptr, &residuals, nullptr, &jacobian)) return errors;
   DETENT_CHECK(static_cast<std::size_t>(jacobian.num_cols) == columns,
                "free parameters as the solver counts them");
 
@@ -366,6 +378,7 @@ std::vector<KnotSigma> knotSigmas(const KnotChain& chain, const std::vector<Sigm
   // A slope that a limit holds has no influence and an empty row: it counts as fixed.
   for (Eigen::Index c = 0; c < information.cols(); ++c)
     if (information(c, c) <= 1e-12 * information.trace()) information(c, c) += 1;
+  errors.condition = conditionOf(information);
   const Eigen::MatrixXd inverse =
       information.ldlt().solve(Eigen::MatrixXd::Identity(information.rows(), information.cols()));
   const double n = static_cast<double>(points.size()),
@@ -378,10 +391,10 @@ std::vector<KnotSigma> knotSigmas(const KnotChain& chain, const std::vector<Sigm
     };
     auto column = static_cast<Eigen::Index>(firstColumn[k]);
     const auto sigmaAt = [&](Eigen::Index c) { return std::sqrt(std::max(0.0, covariance(c, c))); };
-    if (!isHeld(0)) sigmas[k].u = sigmaAt(column++);
-    if (!isHeld(1)) sigmas[k].v = sigmaAt(column);
+    if (!isHeld(0)) errors.sigmas[k].u = sigmaAt(column++);
+    if (!isHeld(1)) errors.sigmas[k].v = sigmaAt(column);
   }
-  return sigmas;
+  return errors;
 }
 
 }  // namespace detent::importer

@@ -36,11 +36,19 @@ struct KnotSigma {
   double u = 0, v = 0;  ///< standard errors; 0 where a coordinate is held
 };
 
+struct KnotErrors {
+  std::vector<KnotSigma> sigmas;  ///< per knot
+  /// Of the whole fit's Jacobian, its columns scaled to length 1, which no scaling betters by more than the root of
+  /// their number (van der Sluis 1969): how much less is known of the worst combination of knots than of the
+  /// best. 1 to 1e8: it is taken from J'J, whose least eigenvalue is rounding beyond.
+  double condition = 1;
+};
+
 /// Standard errors of all knots' places from the covariance of the whole fit, all knots free. Weights differ
 /// from the scatter of the points (resolution, averaging), so the covariance takes the residuals as they are
 /// (White 1980); residuals that share one error are not its business: the caller multiplies by the root of
 /// their number.
-std::vector<KnotSigma> knotSigmas(const KnotChain& chain, const std::vector<SigmaPoint>& points,
-                                  const SolveSettings& settings);
+KnotErrors knotErrors(const KnotChain& chain, const std::vector<SigmaPoint>& points,
+                      const SolveSettings& settings);
 
 }  // namespace detent::importer

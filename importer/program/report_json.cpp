@@ -22,7 +22,10 @@ Json strokeJson(const StrokeReport& stroke) {
                       {"sigma_mm", p.sigma_mm},
                       {"sigma_N", p.sigma_N}});
   }
-  return {{"pieces", stroke.fit.pieces}, {"rms_px", stroke.rms_px}, {"tactile_points", std::move(points)}};
+  return {{"pieces", stroke.fit.pieces},
+          {"rms_px", stroke.rms_px},
+          {"condition", stroke.fit.condition},
+          {"tactile_points", std::move(points)}};
 }
 
 Json checksJson(const std::vector<SpecCheck>& checks) {

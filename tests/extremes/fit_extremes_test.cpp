@@ -63,6 +63,55 @@ std::vector<SigmaPoint> pointsNear(const KnotChain& chain) {
   return points;
 }
 
+/// Squared distance of a point from a place of a piece, in long double.
+long double squaredDistance(const ChainPiece& piece, long double t, const SigmaPoint& point) {
+  const long double d = piece.d, a = piece.a, b = piece.b;
+  const long double du = piece.u0 + piece.h * t - point.u;
+  const long double dv = piece.v0 + t * (a + t * ((3 * d - 2 * a - b) + t * (a + b - 2 * d))) - point.v;
+  return du * du + dv * dv;
+}
+
+/// The same from the piece's nearest place, by looking everywhere, then closer.
+long double leastSquaredDistance(const ChainPiece& piece, const SigmaPoint& point) {
+  constexpr int places = 48;
+  int nearest = 0;
+  const auto at = [&](long double t) { return squaredDistance(piece, t, point); };
+  for (int i = 1; i <= places; ++i)
+    if (at(i / static_cast<long double>(places)) < at(nearest / static_cast<long double>(places)))
+      nearest = i;
+  long double low = std::max(nearest - 1, 0) / static_cast<long double>(places),
+              high = std::min(nearest + 1, places) / static_cast<long double>(places);
+  for (int i = 0; i < 80; ++i) {  // golden section
+    const long double part = 0.381966011250105L * (high - low);
+    if (at(low + part) > at(high - part))
+      low += part;
+    else
+      high -= part;
+  }
+  return std::min({at(0), at(0.5L * (low + high)), at(1)});
+}
+
+long double leastSquaredDistance(const std::vector<ChainPiece>& pieces, const SigmaPoint& point) {
+  long double least = std::numeric_limits<long double>::infinity();
+  for (const ChainPiece& piece : pieces) {
+    const double beside = std::max({piece.u0 - point.u, point.u - piece.u0 - piece.h, 0.0});
+    if (beside * beside < least) least = std::min(least, leastSquaredDistance(piece, point));
+  }
+  return least;
+}
+
+/// chiSquareOf, in long double.
+long double chiSquareReference(const KnotChain& chain, const std::vector<SigmaPoint>& points,
+                               long double scale) {
+  const std::vector<ChainPiece> pieces = piecesOf(chain);
+  long double sum = 0;
+  for (const SigmaPoint& point : points) {
+    const long double r = point.weight * std::sqrt(leastSquaredDistance(pieces, point));
+    sum += r <= scale ? r * r : scale * (2 * r - scale);
+  }
+  return sum;
+}
+
 bool piecesAreMonotone(const StrokeCurve& curve) {
   for (const MonotoneStretch& s : curve.monotoneStretches()) {
     bool atKnot = false;
@@ -84,6 +133,7 @@ TEST_CASE("points of any size give a finite fit", "[finite]") {
     const FitSummary& summary = fitted->summary;
     RC_ASSERT(std::isfinite(summary.rmsSigma) && std::isfinite(summary.maxSigma) &&
               std::isfinite(summary.bic));
+    RC_ASSERT(summary.condition >= 1 && summary.condition <= 1.0001e8);
     RC_ASSERT(summary.correlationPoints >= 1);
     RC_ASSERT(summary.pieces == static_cast<int>(fitted->curve.knots().size()) - 1);
     RC_ASSERT(summary.pieces <= stroke.options.maxPieces);
@@ -251,6 +301,21 @@ TEST_CASE("pieces and options keep their bounds", "[finite]") {
   });
 }
 
+TEST_CASE("the fit against long double", "[finite]") {
+  holdsAlways("chiSquareOf: never below, and at most a hundredth above where a piece bends back from a point",
+              [] {
+                const NoisyStroke stroke = noisyStroke({4, 1}, 10, 60);
+                const auto samples = prepareSamples(stroke.points, Stroke::press, stroke.options);
+                RC_PRE(samples.ok());
+                KnotChain chain = segmentStroke(samples->points, 20, 20).chain;
+                solveChain(chain, samples->points, {0, chain.size()}, {});
+                const double own = chiSquareOf(chain, samples->points, 3);
+                const auto reference = static_cast<double>(chiSquareReference(chain, samples->points, 3));
+                RC_LOG() << own << ", in long double " << reference << '\n';
+                RC_ASSERT(own >= reference * (1 - 1e-6) - 1e-9 && own <= reference * 1.01 + 1e-2);
+              });
+}
+
 TEST_CASE("parts of the fit", "[finite]") {
   holdsAlways("a piece is monotone for any knots", [] {
     const KnotChain chain = anyChain();
@@ -301,14 +366,15 @@ TEST_CASE("parts of the fit", "[finite]") {
     RC_ASSERT(std::isfinite(report.chiSquare));
     for (std::size_t k = 1; k < chain.size(); ++k) RC_ASSERT(chain[k].u() >= chain[k - 1].u());
   });
-  holdsAlways("knotSigmas are finite and never below 0", [] {
+  holdsAlways("knotErrors are finite, never below 0, and the condition is 1 to 1e8", [] {
     KnotChain chain = anyChain();
     const auto points = pointsNear(chain);
     SolveSettings settings;
     solveChain(chain, points, {0, chain.size()}, settings);
-    const auto sigmas = knotSigmas(chain, points, settings);
-    RC_ASSERT(sigmas.size() == chain.size());
-    for (const KnotSigma& s : sigmas)
+    const KnotErrors errors = knotErrors(chain, points, settings);
+    RC_ASSERT(errors.condition >= 1 && errors.condition <= 1.0001e8);
+    RC_ASSERT(errors.sigmas.size() == chain.size());
+    for (const KnotSigma& s : errors.sigmas)
       RC_ASSERT(std::isfinite(s.u) && std::isfinite(s.v) && s.u >= 0 && s.v >= 0);
   });
   holdsAlways("correlationOf is at least 1", [] {

@@ -138,7 +138,7 @@ TEST_CASE("standard errors shrink with the root of the number of points") {
     const auto points = wave(count, 1);
     KnotChain chain = cut;
     solveChain(chain, points, {0, chain.size()}, {});
-    const auto sigmas = knotSigmas(chain, points, {});
+    const auto sigmas = knotErrors(chain, points, {}).sigmas;
     for (std::size_t k = 1; k + 1 < chain.size(); ++k)
       if (chain[k].joint == JointKind::flat) return sigmas[k];
     return KnotSigma{};
@@ -147,6 +147,18 @@ TEST_CASE("standard errors shrink with the root of the number of points") {
   CHECK(coarse.v > 0);
   CHECK(fine.v == Approx(coarse.v / std::sqrt(8.0)).epsilon(0.35));
   CHECK(fine.u == Approx(coarse.u / std::sqrt(8.0)).epsilon(0.45));
+}
+
+TEST_CASE("a fit whose knot could stand anywhere is ill conditioned, and says so") {
+  const auto points = wave(800, 1);
+  const double told = knotErrors(segmentStroke(points, 200, 30).chain, points, {}).condition;
+  std::vector<SigmaPoint> line;
+  for (int i = 0; i <= 100; ++i) line.push_back({1.0 * i, 0.5 * i, 1});
+  const KnotChain chain{{{0, 0, 0.5, 0.5}, JointKind::smooth},
+                        {{50, 25, 0.5, 0.5}, JointKind::smooth},
+                        {{100, 50, 0.5, 0.5}, JointKind::smooth}};
+  CHECK(told >= 1);
+  CHECK(knotErrors(chain, line, {}).condition > 3 * told);
 }
 
 namespace {

@@ -78,7 +78,7 @@ TEST_CASE("Hints of a numbered graph do not change which graphs the page has") {
   REQUIRE(after);
   REQUIRE(after->graphs.size() == before->graphs.size());
   CHECK(after->graphs.front().x.max == Approx(3.5));  // a list without hints says what the page says
-  CHECK(after->graphs.front().confidence == before->front().confidence);
+  CHECK(after->graphs.front().confidence == before->graphs.front().confidence);
 }
 
 TEST_CASE("A given frame keeps the graph's number and its axes follow their own hints") {
