@@ -5909,6 +5909,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Drücken fällt am Ende seines Wegs ab, wie eine Kante des Rahmens es tut</translation>
     </message>
     <message>
+        <source>the release lies above the press over %1 of their travel</source>
+        <translation>das Loslassen liegt auf %1 des gemeinsamen Wegs über dem Drücken</translation>
+    </message>
+    <message>
         <source>a curve ends where the picture does</source>
         <translation>eine Kurve endet, wo das Bild endet</translation>
     </message>

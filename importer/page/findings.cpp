@@ -72,6 +72,8 @@ Wording wordingOf(DoubtCode code) {
     case DoubtCode::strokesAlike:
       return {"strokes-alike", words("press and release cannot be told apart: neither legend nor hysteresis "
                                      "says which is which (%1, %2)")};
+    case DoubtCode::releaseAbovePress:
+      return {"release-above-press", words("the release lies above the press over %1 of their travel")};
     case DoubtCode::unitMissing:
       return {"unit-missing", words("the %1 axis names no unit; %2 would be a guess")};
     case DoubtCode::otherQuantity:

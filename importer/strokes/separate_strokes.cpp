@@ -181,6 +181,23 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibrat
   return found;
 }
 
+/// A key gives no more than was put into it: what lies above the press over a noticeable share of the travel is a callout's
+/// box or another switch's curve. The user's own colours are believed.
+std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoints& release) {
+  constexpr double clearShare = 0.05, leastTravel = 0.15;  // of the press' force, of the shared travel
+  const auto [low, high] =
+      std::minmax_element(press.points.begin(), press.points.end(),
+                          [](CurvePoint p, CurvePoint q) { return p.force_N < q.force_N; });
+  const double share = compare(press, release, clearShare * (high->force_N - low->force_N)).below;
+  if (share < leastTravel) return {};
+  return failureOf({DoubtCode::releaseAbovePress,
+                    {{share, Measure::share}},
+                    {{RemedyKind::addMask, "over what is not a curve"},
+                     {RemedyKind::pickPress, {}},
+                     {RemedyKind::pickRelease, {}}}},
+                   "plot frame");
+}
+
 /// Press and release of one switch.
 Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& second,
                                  const AxisCalibration& calibration, bool swap) {
@@ -209,6 +226,9 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
                       {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}}},
                      "plot frame");
   }
+  const bool byHand = swap || (first.stroke && second.stroke);
+  if (!byHand)
+    if (auto above = releaseAbove(firstIsPress ? a : b, firstIsPress ? b : a)) return std::move(*above);
   found.value.press = firstIsPress ? std::move(a) : b;
   found.value.release = travelledBack(firstIsPress ? std::move(b) : std::move(a));
   return found;

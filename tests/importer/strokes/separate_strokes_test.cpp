@@ -107,6 +107,16 @@ TEST_CASE("Traces drawn backwards come out in the order travelled", "[strokes]")
   CHECK(found->value.press.points[200].force_N > found->value.release->points[300].force_N);
 }
 
+TEST_CASE("A release that lies above the press is none", "[strokes]") {
+  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05, {255, 0, 0})};
+  for (std::size_t i = 0; i < 100; ++i) traces[1].points_px[i].y -= 60;  // along a callout's box
+  const auto found = separate(traces);
+  REQUIRE_FALSE(found.ok());
+  CHECK(found.failure().reason == nameOf(DoubtCode::releaseAbovePress));
+  traces[0].stroke = Stroke::press, traces[1].stroke = Stroke::release;  // a person says so
+  CHECK(separate(traces).ok());
+}
+
 TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
   const auto found = separate({trace(0.05), trace(0.05, {255, 0, 0})});
   REQUIRE_FALSE(found.ok());
