@@ -302,10 +302,18 @@ class Doubts {
           {{RemedyKind::giveYAxis, "if the axis was misread"}});
   }
 
+  /// A label read with certainty stands elsewhere on the scale, which rests on few others.
   bool labelContradicts() const {
-    return std::ranges::any_of(findings_.graph.axes.remarks, [](const Remark& remark) {
-      return remark.code == RemarkCode::labelContradicts;
-    });
+    constexpr auto borne = 5;  // labels that agree, for each that does not
+    const auto few = [](const AxisReading& axis) {
+      const auto used = std::ranges::count_if(axis.ticks, [](const TickLabel& tick) { return tick.used; });
+      return borne * (std::ssize(axis.ticks) - used) >= used;
+    };
+    const AxisCalibration& axes = findings_.graph.axes.calibration.value;
+    return (few(axes.x) || few(axes.y)) &&
+           std::ranges::any_of(findings_.graph.axes.remarks, [](const Remark& remark) {
+             return remark.code == RemarkCode::labelContradicts;
+           });
   }
 
   double forceAtRight(const StrokePoints& stroke) const {

@@ -218,8 +218,14 @@ TEST_CASE("a plot that shows a part of its curves") {
   }
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
   upwards.graph.axes.remarks.push_back({RemarkCode::labelContradicts, {"60", "y", "40"}});
+  std::vector<TickLabel>& labels = upwards.graph.axes.calibration.value.y.ticks;
+  upwards.graph.axes.calibration.value.x.ticks.assign(8, {});
+  labels.assign(4, {});
+  labels.back().used = false;
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) < confidenceBar);  // a part of another frame
-  leaves.hints.frame = {{100, 100}, {500, 500}};                     // a person says so
+  labels.insert(labels.end(), 20, labels.front());
+  CHECK(upwards.weighed(DoubtCode::leavesThePlot) >= confidenceBar);  // one misprint among many
+  leaves.hints.frame = {{100, 100}, {500, 500}};                      // a person says so
   CHECK(leaves.doubts().empty());
 }
 
