@@ -113,29 +113,34 @@ class InkTest {
   Rgb paper_;
 };
 
-/// Share of the straight line between two points that is a thin stroke of ink: ink on it, none beside it.
-/// 0..1.
+constexpr double leastShare = 0.8;  // of a leader that is a thin stroke
+
+/// Share of the straight line between two points that is a thin stroke of ink: ink on it, none beside it. 0..1; 0 as
+/// soon as it cannot reach `leastShare` any more, as nearly all lines from a word to a curve cross blank paper.
 double leaderShare(const InkTest& ink, Point from, Point to) {
   const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
-  constexpr double arrowhead_px = 8, side_px = 4.5;
+  constexpr double arrowhead_px = 8, side_px = 4.5, mostGaps = 0.1;
   const double start =
       std::min(arrowhead_px, length / 3);  // dots and arrowheads sit where the leader meets the curve
-  int on = 0, clean = 0, samples = 0;
-  for (double s = start; s <= length - 1; s += 1) {
+  const int samples = static_cast<int>(std::floor(length - 1 - start)) + 1;
+  int gaps = 0, thick = 0;
+  for (int k = 0; k < samples; ++k) {
+    const double s = start + k;
     const Point p{from.x + s * along.x, from.y + s * along.y};
-    ++samples;
-    if (!ink.near(p)) continue;
-    ++on;
     const Point left{p.x - side_px * along.y, p.y + side_px * along.x};
     const Point right{p.x + side_px * along.y, p.y - side_px * along.x};
     const auto hit = [&](Point q) {
       return ink.at(static_cast<int>(std::lround(q.x)), static_cast<int>(std::lround(q.y)));
     };
-    clean += !hit(left) || !hit(right);
+    if (!ink.near(p)) {
+      ++gaps;
+    } else if (hit(left) && hit(right)) {
+      ++thick;
+    }
+    if (gaps > mostGaps * samples || gaps + thick > (1 - leastShare) * samples) return 0;
   }
-  if (samples == 0 || on < 0.9 * samples) return 0;  // leaders have no gaps
-  return double(clean) / samples;
+  return samples > 0 ? double(samples - gaps - thick) / samples : 0;
 }
 
 /// Points around a text from which a leader may start.
@@ -168,7 +173,7 @@ std::optional<Callout> follow(const Phrase& phrase, const InkTest& ink, const St
       const double share = leaderShare(ink, target, anchor);
       const double score =
           share + 0.002 * length / height;  // of equals the longest: the whole leader, not its end
-      if (share < 0.8 || score <= bestScore) continue;
+      if (share < leastShare || score <= bestScore) continue;
       bestScore = score;
       best = Callout{phrase.kind, stroke.points[i], target, share, phrase.text};
     }
