@@ -12,7 +12,7 @@ namespace {
 
 using Kind = PageHandle::Kind;
 
-QString tr(const char* text) { return QCoreApplication::translate("detent::editor::PageTool", text); }
+QString tr(const char* text) { return QCoreApplication::translate("detent::editor::AdjustTool", text); }
 
 double distanceTo(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 

@@ -188,7 +188,9 @@ void AxisBox::showEnds(const AxisCorrection& given, const importer::AxisReading*
                         double foundEnd) {
     now = givenEnd ? givenEnd : found ? std::optional(foundEnd) : std::nullopt;
     if (edit.isModified()) return;
-    const QString text = givenEnd ? numberText(*givenEnd, 5) : found ? numberText(foundEnd, 4) : QString();
+    const QString text = givenEnd ? numberText(*givenEnd, 5)
+                         : found  ? endText(foundEnd, found->max - found->min)
+                                  : QString();
     if (text == edit.text()) return;  // what is selected there stays selected
     edit.setText(text);
     if (edit.hasFocus()) edit.selectAll();  // what is typed next takes its place, not a place behind it

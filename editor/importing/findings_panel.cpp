@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QPushButton>
+#include <QScrollBar>
 
 #include "editor/importing/finding_words.h"
 
@@ -26,7 +27,7 @@ FindingsPanel::FindingsPanel(ImportState& state, ViewSettings& settings, QWidget
   setAccessibleName(tr("Findings and corrections"));
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
-  setMinimumWidth(270);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   build();
   connectState();
   refresh();
@@ -46,6 +47,14 @@ void FindingsPanel::build() {
   connect(curves_, &CurvesBox::toolAsked, this, &FindingsPanel::toolAsked);
   for (AxisBox* box : {x_, y_})
     connect(box, &AxisBox::ticksAsked, this, [this] { emit toolAsked(ToolKind::scale); });
+}
+
+// As wide as what is said needs, in any language; it scrolls upwards alone.
+bool FindingsPanel::eventFilter(QObject* object, QEvent* event) {
+  const bool handled = QScrollArea::eventFilter(object, event);
+  if (object == widget() && event->type() == QEvent::LayoutRequest)
+    setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+  return handled;
 }
 
 void FindingsPanel::addConfidence(QVBoxLayout& column) {

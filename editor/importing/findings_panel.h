@@ -34,6 +34,9 @@ class FindingsPanel : public QScrollArea {
  signals:
   void toolAsked(ToolKind kind);
 
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
  private:
   void build();
   void addConfidence(QVBoxLayout& column);

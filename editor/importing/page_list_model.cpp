@@ -4,15 +4,19 @@
 #include <algorithm>
 #include <QPainter>
 
+#include "editor/importing/axis_quantity.h"
 #include "editor/importing/finding_words.h"
-#include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
 
 constexpr QSize pageIcon(150, 190), graphIcon(150, 104);
 
-QString number(double value) { return numberText(value, 4); }
+QString rangeOf(const importer::AxisReading& axis) {
+  const double span = axis.max - axis.min;
+  return QObject::tr("%1–%2 %3")
+      .arg(endText(axis.min, span), endText(axis.max, span), QString::fromStdString(axis.unit));
+}
 
 QImage blank(QSize size) {
   QImage image(size, QImage::Format_ARGB32_Premultiplied);
@@ -41,9 +45,7 @@ QString rangesOf(const ImportGraph& graph) {
     x = graph.listed->x, y = graph.listed->y;
   }
   if (!x || !y) return {};
-  return QObject::tr("%1–%2 %3, %4–%5 %6")
-      .arg(number(x->min), number(x->max), QString::fromStdString(x->unit), number(y->min), number(y->max),
-           QString::fromStdString(y->unit));
+  return rangeOf(*x) + QStringLiteral(", ") + rangeOf(*y);
 }
 
 PageListModel::PageListModel(ImportState& state, QObject* parent)

@@ -7,6 +7,7 @@
 #include <QFileDialog>
 #include <QMenu>
 #include <QSplitter>
+#include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
 namespace detent::editor {
@@ -14,11 +15,27 @@ namespace {
 
 constexpr int forecastDelay_ms = 250;
 
+/// No item is wider than the list: long names are broken or get an ellipsis.
+class PictureDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override {
+    const auto* list = qobject_cast<const QListView*>(parent());
+    QSize size = QStyledItemDelegate::sizeHint(option, index);
+    if (list) size.setWidth(std::min(size.width(), list->viewport()->width() - 2 * list->spacing()));
+    return size;
+  }
+};
+
 QListView* pictureList(QAbstractItemModel* model, const QString& objectName, const QString& accessibleName) {
   auto* list = new QListView;
   list->setObjectName(objectName);
   list->setAccessibleName(accessibleName);
   list->setModel(model);
+  list->setItemDelegate(new PictureDelegate(list));
+  list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list->setResizeMode(QListView::Adjust);
+  list->setTextElideMode(Qt::ElideMiddle);
   list->setIconSize(LibraryPanel::pictureSize_px);
   list->setUniformItemSizes(true);  // pictures are asked for only where they are seen
   list->setEditTriggers(QAbstractItemView::NoEditTriggers);

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QPicture>
 #include <QPrinter>
+#include <QScopeGuard>
 
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/button_document.h"
@@ -25,12 +26,20 @@ QStringList valueLines(GraphWorkspace& workspace, const DisplayUnits& units) {
   return lines;
 }
 
+/// Paper is white, whatever the window is.
+QPicture onPaper(GraphCanvas& canvas) {
+  canvas.setPalette(QPalette(Qt::white));
+  const auto asTheWindow = qScopeGuard([&] { canvas.setPalette(QPalette()); });
+  QPicture graph;
+  canvas.renderTo(graph, graph_px);
+  return graph;
+}
+
 }  // namespace
 
 bool printGraph(QPrinter& printer, const ButtonDocument& document, GraphWorkspace& workspace,
                 const ViewSettings& settings) {
-  QPicture graph;
-  workspace.canvas().renderTo(graph, graph_px);
+  const QPicture graph = onPaper(workspace.canvas());
   QPainter painter;
   if (!painter.begin(&printer)) return false;
   const QRectF page = printer.pageRect(QPrinter::DevicePixel);

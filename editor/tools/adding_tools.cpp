@@ -15,7 +15,7 @@ constexpr double reach_px = 24;  // adding aims at a curve, not at a point: a wi
 // A jump by a click: an eighth of the travel wide, a fifth of its tactile force deep.
 constexpr double usualWidthOfTravel = 0.125, usualDropOfForce = 0.2;
 
-QString tr(const char* text) { return QCoreApplication::translate("AddingTools", text); }
+QString tr(const char* text) { return QCoreApplication::translate("detent::editor::AddKnotTool", text); }
 
 void propose(ToolContext& context, const PointerInput& input) {
   CanvasFeedback feedback;

@@ -11,7 +11,7 @@ namespace detent::editor {
 namespace {
 
 QString tr(const char* text, const char* note = nullptr, int n = -1) {
-  return QCoreApplication::translate("Keyboard", text, note, n);
+  return QCoreApplication::translate("detent::editor::Keyboard", text, note, n);
 }
 
 // Nobody presses Tab a thousand times to leave a graph.

@@ -17,7 +17,7 @@ namespace {
 constexpr double dragThreshold_px = 3;
 
 QString tr(const char* text, const char* note = nullptr, int n = -1) {
-  return QCoreApplication::translate("SelectTool", text, note, n);
+  return QCoreApplication::translate("detent::editor::SelectTool", text, note, n);
 }
 
 // What a press at a place takes: a mark, else the section under it.

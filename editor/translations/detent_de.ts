@@ -267,8 +267,8 @@
         <translation>von Hand gerahmt</translation>
     </message>
     <message>
-        <source>%1–%2 %3, %4–%5 %6</source>
-        <translation>%1–%2 %3, %4–%5 %6</translation>
+        <source>%1–%2 %3</source>
+        <translation>%1–%2 %3</translation>
     </message>
     <message>
         <source>This plot shows %1 switches.</source>

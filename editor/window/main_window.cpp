@@ -198,6 +198,7 @@ void MainWindow::makeFeelPanel() {
   label->setBuddy(other_);
   auto* row = new QHBoxLayout;
   row->setContentsMargins(8, 4, 8, 0);
+  row->setSpacing(6);
   row->addWidget(label);
   row->addWidget(other_);
   row->addStretch();

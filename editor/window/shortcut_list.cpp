@@ -4,6 +4,7 @@
 #include <QDialogButtonBox>
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QScrollBar>
 #include <QSortFilterProxyModel>
 #include <QStandardItemModel>
 #include <QTreeView>
@@ -62,15 +63,19 @@ ShortcutDialog::ShortcutDialog(const std::vector<ShortcutRow>& rows, QWidget* pa
   list->setRootIsDecorated(false);
   list->setAlternatingRowColors(true);
   list->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-  list->header()->setSectionResizeMode(1, QHeaderView::ResizeToContents);
+  list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(search);
   layout->addWidget(list);
   layout->addWidget(buttons);
-  resize(560, 560);
+  constexpr int height_px = 560;
+  list->header()->resizeSections(QHeaderView::ResizeToContents);
+  const QMargins margins = layout->contentsMargins();
+  const int beside_px = list->verticalScrollBar()->sizeHint().width() + 2 * list->frameWidth() +
+                        margins.left() + margins.right();
+  resize(list->header()->length() + beside_px, height_px);
 }
 
 }  // namespace detent::editor

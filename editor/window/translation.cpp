@@ -1,30 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/translation.h"
 
+#include <QFile>
 #include <QLibraryInfo>
 #include <QTranslator>
 
 namespace detent::editor {
 namespace {
 
-/// lupdate files texts of functions that belong to no class under their namespace, whatever context they ask
-/// with: those of the editor, and the patterns of messages of importer and model.
+/// lupdate files texts under the class or namespace whose function asks; where that is no QObject, they are asked for under another
+/// name. So a text that its name does not have is looked for under the others.
 class Translator : public QTranslator {
  public:
-  using QTranslator::QTranslator;
+  Translator(const QStringList& contexts, QObject* parent) : QTranslator(parent) {
+    for (const QString& context : contexts) contexts_ << context.toUtf8();
+  }
   QString translate(const char* context, const char* source, const char* disambiguation,
                     int n) const override {
     QString text = QTranslator::translate(context, source, disambiguation, n);
-    for (const char* space : {"detent::editor", "detent::importer", "detent"})
-      if (text.isNull()) text = QTranslator::translate(space, source, disambiguation, n);
+    for (auto other = contexts_.begin(); text.isNull() && other != contexts_.end(); ++other)
+      text = QTranslator::translate(*other, source, disambiguation, n);
     return text;
   }
+
+ private:
+  QByteArrayList contexts_;
 };
+
+QStringList linesOf(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  return QString::fromUtf8(file.readAll()).split('\n', Qt::SkipEmptyParts);
+}
 
 }  // namespace
 
 bool installTranslation(QCoreApplication& application, const QLocale& locale, const QString& folder) {
-  auto* own = new Translator(&application);
+  auto* own = new Translator(linesOf(folder + QStringLiteral("/contexts.txt")), &application);
   if (!own->load(locale, QStringLiteral("detent"), QStringLiteral("_"), folder)) {
     delete own;
     return false;  // Qt's texts in another language than ours would be half a translation

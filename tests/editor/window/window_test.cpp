@@ -41,6 +41,7 @@
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/graph_colors.h"
 #include "editor/document/kept_page.h"
+#include "editor/document/message_words.h"
 #include "editor/feel/feel_setup.h"
 #include "editor/feel/force_setup.h"
 #include "editor/files/document_files.h"
@@ -163,6 +164,16 @@ double luminance(const QColor& color) {
 double contrast(const QColor& a, const QColor& b) {
   const double x = luminance(a), y = luminance(b);
   return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+/// A PDF without what differs each time: its dates and names.
+QByteArray undated(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) return {};
+  QByteArrayList kept;
+  for (const QByteArray& line : file.readAll().split('\n'))
+    if (!line.contains("Date") && !line.contains("uuid") && !line.contains("/ID")) kept << line;
+  return kept.join('\n');
 }
 
 /// Text of a widget that stands on a ground of its own.
@@ -1018,6 +1029,42 @@ class WindowTest : public QObject {
     rig.prompts.printedTo = at("paper.pdf");
     rig.action("print")->trigger();
     QVERIFY(QFileInfo(at("paper.pdf")).size() > 5000);
+    rig.action("appearanceDark")->trigger();
+    const GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    QTRY_VERIFY(isDark(canvas.palette()));
+    rig.prompts.printedTo = at("dark.pdf");
+    rig.action("print")->trigger();
+    QCOMPARE(undated(at("dark.pdf")), undated(at("paper.pdf")));  // paper is white
+    QTRY_VERIFY(isDark(canvas.palette()));
+  }
+
+  // Sentences of classes that are no QObject too: the hints of all tools of the import, a refusal of the model.
+  void everySentenceIsFoundInGerman() {
+    ViewSettings settings;
+    ImportDialog dialog(settings);
+    auto* view = dialog.findChild<PageView*>();
+    QSignalSpy hints(view, &PageView::hint);
+    const auto allHints = [&] {
+      QStringList all;
+      hints.clear();
+      for (int kind = static_cast<int>(ToolKind::pan); kind >= 0; --kind)
+        view->setTool(static_cast<ToolKind>(kind));
+      for (const auto& hint : hints) all << hint.front().toString();
+      return all;
+    };
+    const QStringList english = allHints();
+    QVERIFY(english.size() >= 10);
+    QVERIFY(installTranslation(*qApp, QLocale("de_DE"), DETENT_TRANSLATIONS));
+    const auto ended = qScopeGuard([] { qDeleteAll(qApp->findChildren<QTranslator*>()); });
+    const QStringList german = allHints();
+    QCOMPARE(german.size(), english.size());
+    for (int i = 0; i < german.size(); ++i) QVERIFY2(german[i] != english[i], qPrintable(english[i]));
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    for (const QAction* action : rig.window->allActions())
+      if (action->objectName().startsWith("tool")) QVERIFY(!action->toolTip().contains("Click"));
+    QCOMPARE(inWords(Message("cannot be written: %1", "x"), settings.units()),
+             QString("lässt sich nicht schreiben: x"));
   }
 
   // Corrections in the import dialogue survive a kill; Escape asks before it throws them away.
