@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFormLayout>
 #include <QLabel>
+#include <QScreen>
 
 namespace detent::editor {
 
@@ -43,6 +44,11 @@ QWidget* rowOf(std::initializer_list<QWidget*> widgets) {
     first = false;
   }
   return row;
+}
+
+QSize onScreen(const QWidget& window, QSize wanted) {
+  constexpr QSize frame_px{8, 40};
+  return wanted.boundedTo(window.screen()->availableSize() - frame_px);
 }
 
 QStringList serialPorts() {

@@ -13,6 +13,8 @@ namespace detent::editor {
 
 /// The layout of a form on `page`: fields as wide as there is room, long rows wrapped.
 QFormLayout* setupForm(QWidget* page);
+/// What a window wants to be at first, no larger than its screen has room for with a frame.
+QSize onScreen(const QWidget& window, QSize wanted);
 /// For choices that are ours to word: as wide as the longest.
 QComboBox* comboBox(const QString& name, const QString& tip);
 /// For names of devices and ports, which may be of any length.

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <QPushButton>
 #include <QScrollBar>
+#include <utility>
 
 #include "editor/importing/finding_words.h"
 
@@ -27,7 +28,7 @@ FindingsPanel::FindingsPanel(ImportState& state, ViewSettings& settings, QWidget
   setAccessibleName(tr("Findings and corrections"));
   setWidgetResizable(true);
   setFrameShape(QFrame::NoFrame);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setMinimumWidth(270);
   build();
   connectState();
   refresh();
@@ -49,11 +50,12 @@ void FindingsPanel::build() {
     connect(box, &AxisBox::ticksAsked, this, [this] { emit toolAsked(ToolKind::scale); });
 }
 
-// As wide as what is said needs, in any language; it scrolls upwards alone.
+// What is said decides how wide it would be, in any language.
 bool FindingsPanel::eventFilter(QObject* object, QEvent* event) {
   const bool handled = QScrollArea::eventFilter(object, event);
-  if (object == widget() && event->type() == QEvent::LayoutRequest)
-    setMinimumWidth(widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width());
+  if (object != widget() || event->type() != QEvent::LayoutRequest) return handled;
+  const int now_px = widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
+  if (now_px > std::exchange(wanted_px_, now_px)) emit widthWanted(now_px);
   return handled;
 }
 

@@ -33,6 +33,8 @@ class FindingsPanel : public QScrollArea {
 
  signals:
   void toolAsked(ToolKind kind);
+  /// What is said now needs more room than before to be seen without scrolling sideways.
+  void widthWanted(int width_px);
 
  protected:
   bool eventFilter(QObject* object, QEvent* event) override;
@@ -61,6 +63,7 @@ class FindingsPanel : public QScrollArea {
   AxisBox *x_, *y_;
   CurvesBox* curves_;
   ResultBox* result_;
+  int wanted_px_ = 0;  ///< widthWanted() last said
   QTimer soon_;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <numeric>
 #include <QAction>
 #include <QActionGroup>
 #include <QApplication>
@@ -288,6 +289,15 @@ void ImportDialog::Impl::build() {
   splitter->setStretchFactor(1, 1);
   splitter->setCollapsible(1, false);  // on a small screen the lists at the sides can be put away
   splitter->setSizes({220, 720, 330});
+  QObject::connect(findings, &FindingsPanel::widthWanted, splitter, [splitter](int width_px) {
+    constexpr double leastForPage = 0.4;  // of the dialogue
+    QList<int> sizes = splitter->sizes();
+    const int all = std::accumulate(sizes.begin(), sizes.end(), 0);
+    const int taken = std::min(width_px - sizes[2], sizes[1] - static_cast<int>(leastForPage * all));
+    if (taken <= 0) return;
+    sizes[1] -= taken, sizes[2] += taken;
+    splitter->setSizes(sizes);
+  });
   column->addWidget(splitter, 1);
 
   hint = new QLabel;

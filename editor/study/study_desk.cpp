@@ -65,7 +65,7 @@ QString freeId(const std::vector<playback::ParticipantRecord>& records) {
 StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), places_(std::move(places)) {
   setObjectName("studyDesk");
   setWindowTitle(tr("Study: experimenter"));
-  resize(760, 560);
+  resize(onScreen(*this, {760, 560}));
   title_ = new QLabel;
   title_->setObjectName("studyTitle");
   title_->setWordWrap(true);

@@ -57,7 +57,7 @@ StudyMaker::StudyMaker(const std::vector<ButtonDocument*>& documents, const QStr
     : QDialog(parent), profileFile_(profileFile) {
   setObjectName("studyMaker");
   setWindowTitle(tr("New study"));
-  resize(520, 560);
+  resize(onScreen(*this, {520, 560}));
   list_ = new QListWidget;
   list_->setObjectName("makerButtons");
   list_->setAccessibleName(tr("Buttons of the study"));

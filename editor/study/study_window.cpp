@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "editor/document/message_words.h"
+#include "editor/feel/setup_widgets.h"
 
 namespace detent::editor {
 
@@ -96,7 +97,7 @@ StudyWindow::StudyWindow(StudyWork work, QWidget* parent)
   setObjectName("studyWindow");
   setWindowTitle(tr("Study"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(960, 680);
+  resize(onScreen(*this, {960, 680}));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   if (rehearsal()) layout->addWidget(banner(tr("REHEARSAL: there is no sound device, nothing is felt")));

@@ -90,6 +90,7 @@ class GoldenTest : public QObject {
     QTest::qWait(100);
     auto* forecast = dialog->findChild<QLabel*>("forecastWords");
     QTRY_VERIFY_WITH_TIMEOUT(!forecast->text().isEmpty(), patience_ms);
+    QTest::qWait(100);  // the words have their lines
     check("compare-light", dialog->grab().toImage());
   }
 
