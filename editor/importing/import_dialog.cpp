@@ -288,10 +288,12 @@ void ImportDialog::Impl::build() {
   splitter->addWidget(findings);
   splitter->setStretchFactor(1, 1);
   splitter->setCollapsible(1, false);  // on a small screen the lists at the sides can be put away
-  splitter->setSizes({220, 720, 330});
-  QObject::connect(findings, &FindingsPanel::widthWanted, splitter, [splitter](int width_px) {
+  constexpr int firstSide_px = 220;
+  splitter->setSizes({firstSide_px, 720, 330});
+  QObject::connect(findings, &FindingsPanel::widthWanted, splitter, [this, splitter](int width_px) {
     constexpr double leastForPage = 0.4;  // of the dialogue
     QList<int> sizes = splitter->sizes();
+    if (!side->isVisible()) sizes[0] = firstSide_px;  // hidden, it is told as 0, which would put it away
     const int all = std::accumulate(sizes.begin(), sizes.end(), 0);
     const int taken = std::min(width_px - sizes[2], sizes[1] - static_cast<int>(leastForPage * all));
     if (taken <= 0) return;

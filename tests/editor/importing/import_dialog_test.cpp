@@ -182,6 +182,7 @@ void ImportDialogTest::aSampleIsImportedWithoutAWord() {
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
   QVERIFY(!dialog.findChild<AdviceBar*>()->isVisible());
   QTest::qWait(50);
+  QVERIFY(dialog.findChild<PageList*>()->width() > 100);
   keepPicture(dialog, "two-level");
   QTest::mouseClick(dialog.accept, Qt::LeftButton);
   QCOMPARE(imported.count(), 1);
