@@ -20,14 +20,27 @@ StrokeCurve withKnotAt(const StrokeCurve& curve, double displacement_mm) {
   return inserted ? *std::move(inserted) : curve;
 }
 
+// The knot at a place of the curve (of a wall's two, the one with that force).
+std::size_t knotAt(const std::vector<Knot>& knots, CurvePoint place) {
+  std::size_t best = knots.size();
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    if (knots[i].displacement_mm != place.displacement_mm) continue;
+    if (best == knots.size() ||
+        std::abs(knots[i].force_N - place.force_N) < std::abs(knots[best].force_N - place.force_N))
+      best = i;
+  }
+  DETENT_CHECK(best < knots.size(), "a knot was inserted at this place");
+  return best;
+}
+
 // The same at an extremum: its slope is exactly 0 there, so that the knot stays the extremum under affine
 // maps.
-StrokeCurve withExtremumKnotAt(const StrokeCurve& curve, double displacement_mm) {
-  auto inserted = insertKnot(curve, displacement_mm);
+StrokeCurve withExtremumKnotAt(const StrokeCurve& curve, CurvePoint extremum) {
+  auto inserted = insertKnot(curve, extremum.displacement_mm);
   if (!inserted) return curve;
   std::vector<Knot> knots = inserted->knots();
-  for (Knot& k : knots)
-    if (k.displacement_mm == displacement_mm) k.slopeBefore_N_per_mm = k.slopeAfter_N_per_mm = 0;
+  Knot& knot = knots[knotAt(knots, extremum)];
+  knot.slopeBefore_N_per_mm = knot.slopeAfter_N_per_mm = 0;
   auto exact = StrokeCurve::fromKnots(std::move(knots));
   return exact ? *std::move(exact) : *std::move(inserted);
 }
@@ -59,6 +72,13 @@ struct Hill {
   CurvePoint before, apex, after;
 };
 
+// Along the curve: a wall's foot and top share a displacement.
+bool isBefore(const StrokeCurve& curve, CurvePoint a, CurvePoint b) {
+  if (a.displacement_mm != b.displacement_mm) return a.displacement_mm < b.displacement_mm;
+  const bool rising = curve.forceBefore_N(a.displacement_mm) < curve.force_N(a.displacement_mm);
+  return rising ? a.force_N < b.force_N : a.force_N > b.force_N;
+}
+
 // The neighbours of an extremum: the nearest turns on both sides, or the ends of the reach.
 Hill hillAt(const StrokeCurve& curve, CurvePoint apex, double reachEnd_mm) {
   std::vector<CurvePoint> turns = curve.localMaxima();
@@ -68,17 +88,20 @@ Hill hillAt(const StrokeCurve& curve, CurvePoint apex, double reachEnd_mm) {
   if (reachEnd_mm > apex.displacement_mm && reachEnd_mm < curve.end_mm())
     hill.after = {reachEnd_mm, curve.forceBefore_N(reachEnd_mm)};
   for (const CurvePoint& p : turns) {
-    if (p.displacement_mm < apex.displacement_mm && p.displacement_mm > hill.before.displacement_mm)
-      hill.before = p;
-    if (p.displacement_mm > apex.displacement_mm && p.displacement_mm < hill.after.displacement_mm)
-      hill.after = p;
+    if (isBefore(curve, p, apex) && isBefore(curve, hill.before, p)) hill.before = p;
+    if (isBefore(curve, apex, p) && isBefore(curve, p, hill.after)) hill.after = p;
   }
   return hill;
 }
 
 std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Message& place) {
   const auto [before, apex, after] = hill;
-  if (!(to.displacement_mm > before.displacement_mm && to.displacement_mm < after.displacement_mm))
+  const bool upWall = to.displacement_mm == apex.displacement_mm;  // an end of a wall may go along it
+  const bool between = (to.displacement_mm > before.displacement_mm ||
+                        (upWall && before.displacement_mm == apex.displacement_mm)) &&
+                       (to.displacement_mm < after.displacement_mm ||
+                        (upWall && after.displacement_mm == apex.displacement_mm));
+  if (!between)
     return refusal(
         place,
         Message("cannot move to %1, outside its flanks from %2 to %3", millimetres(to.displacement_mm),
@@ -92,19 +115,6 @@ std::optional<Failure> hillProblem(const Hill& hill, CurvePoint to, const Messag
   return refusal(
       place, Message("would be no extremum at %1: its flanks end at %2", newtons(to.force_N), newtons(bound)),
       top ? Message("Keep its force above that") : Message("Keep its force below that"));
-}
-
-// The knot at a place of the curve (of a wall's two, the one with that force).
-std::size_t knotAt(const std::vector<Knot>& knots, CurvePoint place) {
-  std::size_t best = knots.size();
-  for (std::size_t i = 0; i < knots.size(); ++i) {
-    if (knots[i].displacement_mm != place.displacement_mm) continue;
-    if (best == knots.size() ||
-        std::abs(knots[i].force_N - place.force_N) < std::abs(knots[best].force_N - place.force_N))
-      best = i;
-  }
-  DETENT_CHECK(best < knots.size(), "a knot was inserted at this place");
-  return best;
 }
 
 CurvePoint pointOf(const Knot& k) { return {k.displacement_mm, k.force_N}; }
@@ -127,7 +137,7 @@ void stretchFlank(std::vector<Knot>& knots, std::size_t first, std::size_t last,
 Result<StrokeCurve> moveApex(const StrokeCurve& original, const Hill& hill, CurvePoint to,
                              const Message& place) {
   if (auto problem = hillProblem(hill, to, place)) return *problem;
-  StrokeCurve curve = withExtremumKnotAt(original, hill.apex.displacement_mm);
+  StrokeCurve curve = withExtremumKnotAt(original, hill.apex);
   curve = withKnotAt(withKnotAt(curve, hill.before.displacement_mm), hill.after.displacement_mm);
   std::vector<Knot> knots = curve.knots();
   const std::size_t before = knotAt(knots, hill.before), apex = knotAt(knots, hill.apex);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 
 #include "model/check.h"
@@ -140,7 +141,7 @@ std::vector<Turn> turnsOf(const std::vector<MonotoneStretch>& stretches) {
     while (next < stretches.size() && stretches[next].direction == 0) ++next;
     if (next == stretches.size() || stretches[next].direction != -1) continue;
     const double from = stretches[i].to_mm, to = stretches[next].from_mm;
-    turns.push_back({from + 0.5 * (to - from), stretches[i].toForce_N, i, next});
+    turns.push_back({std::midpoint(from, to), stretches[i].toForce_N, i, next});
   }
   return turns;
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 
@@ -258,7 +259,7 @@ std::vector<CurvePoint> turnsInto(const std::vector<MonotoneStretch>& stretches,
     while (next < stretches.size() && stretches[next].direction == 0) ++next;
     if (next == stretches.size() || stretches[next].direction != -direction) continue;
     const double from = stretches[i].to_mm, to = stretches[next].from_mm;
-    points.push_back({from + 0.5 * (to - from), stretches[i].toForce_N});
+    points.push_back({std::midpoint(from, to), stretches[i].toForce_N});
   }
   return points;
 }

@@ -201,6 +201,23 @@ TEST_CASE("a tactile point on top of a wall is drawn away from it, whatever the 
   CHECK(points[0].force_N == 0.8);
 }
 
+TEST_CASE("a wall's foot ends the flanks beside it") {
+  // A wall up to almost the height of the tactile point before it: stretched from top to top, its foot would fly 13 N away.
+  const auto curve = StrokeCurve::fromKnots(
+      {{0, 0, 4, 4}, {1, 0.41, 0, 0}, {2, 0.3, -0.2, 0}, {2, 0.40999, 0, -0.3}, {3, 0, -0.4, -0.4}});
+  REQUIRE(curve.ok());
+  const auto points = tactilePoints(*curve, Stroke::press);
+  REQUIRE(points.size() == 2);
+  const StrokeCurve first = require(moveTactilePoint(*curve, Stroke::press, 0, {1, 0.45}));
+  CHECK(first.forceBefore_N(2) == 0.3);
+  CHECK(first.force_N(2) == 0.40999);
+  const StrokeCurve second = require(moveTactilePoint(*curve, Stroke::press, 1, {2, 0.5}));
+  CHECK(second.forceBefore_N(2) == 0.3);
+  CHECK(second.force_N(2) == 0.5);
+  CHECK(second.slopeBefore_N_per_mm(2) == curve->slopeBefore_N_per_mm(2));
+  CHECK(second.force_N(1.5) == curve->force_N(1.5));
+}
+
 TEST_CASE("any tactile point of any curve can be moved a little") {
   holdsAlways("moveTactilePoint", [] {
     const StrokeCurve curve = anyCurve();
@@ -211,11 +228,13 @@ TEST_CASE("any tactile point of any curve can be moved a little") {
         const CurvePoint to{points[i].displacement_mm, points[i].force_N + outwards};
         const auto moved = moveTactilePoint(curve, stroke, i, to);
         if (!moved) continue;  // a neighbouring turn of the same height, refused by name
-        const auto now = tactilePoints(*moved, stroke);
-        RC_ASSERT(std::any_of(now.begin(), now.end(), [&](const TactilePoint& p) {
-          return std::abs(p.displacement_mm - to.displacement_mm) < 1e-9 &&
-                 std::abs(p.force_N - to.force_N) < 1e-12;
-        }));
+        // A turn stands there, or a level top of which half was held goes on from there. What is a tactile point, and where
+        // the wall begins, is told by the whole curve.
+        RC_ASSERT(std::abs(moved->force_N(to.displacement_mm) - to.force_N) < 1e-12 ||
+                  std::abs(moved->forceBefore_N(to.displacement_mm) - to.force_N) < 1e-12);
+        const auto turns = stroke == Stroke::press ? moved->localMaxima() : moved->localMinima();
+        RC_ASSERT(std::any_of(turns.begin(), turns.end(),
+                              [&](CurvePoint p) { return std::abs(p.force_N - to.force_N) < 1e-12; }));
       }
     }
   });
