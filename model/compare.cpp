@@ -11,6 +11,7 @@ namespace detent {
 namespace {
 
 constexpr double sampleStep = 0.002;  // normalised units of arc length
+constexpr double mostSamples = 1e5;   // of a stroke that is thousands of times larger than the other's spans
 constexpr std::size_t runsPerLine = 256;
 
 struct Spot {
@@ -34,7 +35,8 @@ Line sampled(const Line& line) {
   for (std::size_t i = 1; i < line.size(); ++i)
     along.push_back(along.back() + std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y));
   if (!(along.back() > 0)) return {line.front()};
-  const auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(along.back() / sampleStep)));
+  const auto count =
+      static_cast<std::size_t>(std::clamp(std::ceil(along.back() / sampleStep), 1.0, mostSamples));
   Line samples;
   std::size_t segment = 0;
   for (std::size_t k = 0; k <= count; ++k) {

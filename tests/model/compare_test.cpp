@@ -58,6 +58,13 @@ TEST_CASE("the mean is symmetric and the order of a stroke's points does not mat
   CHECK(between(a, b).meanOfSpan == Approx(between(a, reversed).meanOfSpan).epsilon(1e-6));
 }
 
+TEST_CASE("a stroke a million million times as high as the first graph's span is compared as well") {
+  const auto d =
+      between(pressOnly({{0, 0}, {4, 1e-6}}), pressOnly({{0, 0}, {4, 1e6}}));  // 5e14 samples of 0.002
+  CHECK(d.press->max_N == Approx(1e6).epsilon(1e-3));
+  CHECK(d.press->meanOfSpan > 1e11);
+}
+
 TEST_CASE("single points and empty strokes") {
   const auto d = between(pressOnly({{0, 0}, {4, 2}}), pressOnly({{0, 0}}));
   CHECK(d.press->maxOfSpan == Approx(std::sqrt(2.0)));
