@@ -204,7 +204,7 @@ void sharpenTactilePoints(std::vector<SigmaPoint>& points, Stroke stroke, double
   const auto [lowest, highest] = std::minmax_element(heights.begin(), heights.end());
   const double span = *highest - *lowest;
   if (!(span > 0)) return;
-  const double gain = std::min(greatestGain, 1 / ownNoise);
+  const double gain = greatestGain * ownNoise > 1 ? 1 / ownNoise : greatestGain;
   for (const Peak& peak : peaksOf(heights, standsOut * span)) {
     std::size_t from = peak.at, to = peak.at;
     while (from > 0 && heights[from - 1] > peak.height - flatTop * span) --from;

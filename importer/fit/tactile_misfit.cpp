@@ -66,6 +66,7 @@ Window windowAround(const std::vector<SigmaPoint>& points, const ChainKnot& at, 
 
   Window window;
   window.halfWidth_u = std::max(at.u() - points[from].u, points[to].u - at.u());
+  if (!(window.halfWidth_u > 0)) return window;
   const auto count = static_cast<Eigen::Index>(to - from + 1);
   window.t.resize(count), window.v.resize(count);
   window.weight = Eigen::VectorXd::Ones(count);
@@ -174,7 +175,7 @@ TactileMisfit tactileMisfit(const KnotChain& chain, const std::vector<SigmaPoint
                             const ChainKnot& at, double sign, double correlationPoints) {
   Window window = windowAround(points, at, sign);
   const auto count = static_cast<std::size_t>(window.t.size());
-  if (count < fewestPoints || !(window.halfWidth_u > 0)) return {};
+  if (count < fewestPoints) return {};
   const Eigen::VectorXd own = chainHeights(chain, at, sign, window);
   std::vector<LocalModel> models{{0, 0, squaresOf(window.v - own, window.weight), chainParameters}};
   for (const int degree : {4, 5, 6})

@@ -27,14 +27,14 @@ class GrainVoice {
     if (!runsOn) {
       carrierAge_ = 0;
       firstPhase_ = 0;
-    } else if (cyclesPerSample_ != burst.frequency_Hz / sampleRate_Hz) {
+    } else if (cyclesPerSample_ != cyclesPerSample(burst.frequency_Hz, sampleRate_Hz)) {
       firstPhase_ = phase();
       carrierAge_ = 0;
     }
-    cyclesPerSample_ = burst.frequency_Hz / sampleRate_Hz;
+    cyclesPerSample_ = cyclesPerSample(burst.frequency_Hz, sampleRate_Hz);
     amplitude_ = burst.amplitude;
     envelope_ = burst.envelope;
-    const double exactLength = burst.duration_s * sampleRate_Hz;
+    const double exactLength = samplesIn(burst.duration_s, sampleRate_Hz);
     perLength_ = exactLength > 0 ? 1 / exactLength : 0;
     envelopeLength_ = exactLength > 0 ? static_cast<std::int64_t>(std::ceil(exactLength - 1e-9)) : 0;
     envelopeAge_ = 0;

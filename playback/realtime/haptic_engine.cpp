@@ -359,7 +359,8 @@ void HapticEngine::lookAhead() {
   const double wanted = peak > limiter_.ceiling() ? limiter_.ceiling() / peak : 1;
   // As soon as what sounds now lets it: out of silence at once.
   const double step = first * std::fmax(0.0, limiter_.gain() - wanted);
-  limiter_.expect(wanted, static_cast<std::size_t>(step / steepestTurn_per_s * sampleRate_Hz_));
+  const double wait_s = std::fmin(step / steepestTurn_per_s, 1);  // of a level beyond all numbers too
+  limiter_.expect(wanted, static_cast<std::size_t>(wait_s * sampleRate_Hz_));
 }
 
 // By a copy of all that sounds. `first`: the level of the very next sample.

@@ -3,7 +3,19 @@
 // Portable sine for the callback: the same bits on every machine (libm picks code by processor), no call, no
 // table.
 
+#include <cmath>
+
 namespace detent::playback {
+
+/// Cycles from one sample to the next: whole ones between samples cannot be told from none; 0, silence, for no number.
+inline double cyclesPerSample(double frequency_Hz, double sampleRate_Hz) {
+  return std::isfinite(frequency_Hz) ? std::fmod(frequency_Hz, sampleRate_Hz) / sampleRate_Hz : 0;
+}
+
+/// How long a burst sounds, at most as many samples as are counted one by one.
+inline double samplesIn(double duration_s, double sampleRate_Hz) {
+  return std::fmin(duration_s * sampleRate_Hz, 0x1p53);
+}
 
 /// sin(2*pi*phase), phase in cycles within [0, 1]. Absolute error < 1e-12.
 inline double sineOfCycles(double phase) {

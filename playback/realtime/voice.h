@@ -27,10 +27,10 @@ class Voice {
   }
 
   void start(const Burst& burst, double sampleRate_Hz) {
-    cyclesPerSample_ = burst.frequency_Hz / sampleRate_Hz;
+    cyclesPerSample_ = cyclesPerSample(burst.frequency_Hz, sampleRate_Hz);
     amplitude_ = burst.amplitude;
     envelope_ = burst.envelope;
-    const double exactLength = burst.duration_s * sampleRate_Hz;
+    const double exactLength = samplesIn(burst.duration_s, sampleRate_Hz);
     perLength_ = exactLength > 0 ? 1 / exactLength : 0;
     length_ = exactLength > 0 ? static_cast<std::int64_t>(std::ceil(exactLength - 1e-9)) : 0;
     position_ = 0;
