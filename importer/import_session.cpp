@@ -488,6 +488,7 @@ struct ImportSession::Impl {
     auto found =
         traceCurves(graph.view, graph.frame.value, graph.axes, inView(hints, graph.view), options, progress);
     if (!found) return found.failure();
+    if (progress.isCancelled()) return cancelled();  // half a tracing must not be kept for the whole
     if (traced.size() == keptTracings) traced.pop_front();
     traced.push_back(
         {choice.onPage->serial, choice.graph, hints, options.pointSpacing_px, std::move(found).value()});
