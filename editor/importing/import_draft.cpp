@@ -168,9 +168,11 @@ std::optional<ImportDraft> draftFrom(const QByteArray& text) {
   if (quality < 0 || quality > static_cast<int>(importer::Quality::precise)) return {};
   draft.quality = static_cast<importer::Quality>(quality);
   if (object.contains("current")) draft.current = read.id(object["current"]);
-  for (const auto& graph : object["graphs"].toArray())
+  for (const auto& each : object["graphs"].toArray()) {
+    const QJsonObject graph = each.toObject();
     draft.graphs.push_back({read.id(graph["id"]), read.corrections(graph["corrections"].toObject()),
                             graph["framedByHand"].toBool()});
+  }
   if (!read.ok || (draft.path.isEmpty() && draft.picture.isEmpty())) return {};
   return draft;
 }
