@@ -560,7 +560,7 @@ void ToolsTest::manyMoveAsOneStep() {
   rig.drag(from, to, Qt::ShiftModifier);
   QCOMPARE(rig.steps(), 1);
   QCOMPARE(rig.canvas().selection().size(), std::size_t(2));
-  for (const std::size_t i : {1, 2}) {
+  for (const std::size_t i : {1u, 2u}) {
     QVERIFY(near(rig.press().knots()[i].force_N, knots[i].force_N + by_N, 1e-9));
     QCOMPARE(rig.press().knots()[i].displacement_mm, knots[i].displacement_mm);
   }
@@ -575,7 +575,7 @@ void ToolsTest::manyAreNudgedAndRemovedAsOneStep() {
   rig.canvas().setSelection({{MarkKind::knot, Stroke::press, 1}, {MarkKind::knot, Stroke::press, 2}});
   for (int i = 0; i < 3; ++i) rig.key(Qt::Key_Up);
   QCOMPARE(rig.steps(), 1);
-  for (const std::size_t i : {1, 2})
+  for (const std::size_t i : {1u, 2u})
     QVERIFY(near(rig.press().knots()[i].force_N, knots[i].force_N + 0.003, 1e-9));
   rig.key(Qt::Key_Delete);
   QCOMPARE(rig.steps(), 2);
