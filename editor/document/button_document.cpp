@@ -30,6 +30,9 @@ ButtonDocument::ButtonDocument(Button button, QObject* parent)
   connect(&history_.stack(), &QUndoStack::cleanChanged, this, &ButtonDocument::titleChanged);
 }
 
+// An undo stack that goes says that it is clean now; nobody may ask half a document for its title then.
+ButtonDocument::~ButtonDocument() { history_.stack().disconnect(this); }
+
 // Undo can take the second state away while it is the active one.
 std::size_t ButtonDocument::activeState() const {
   return std::min(activeState_, button().states().size() - 1);

@@ -34,6 +34,7 @@ class ButtonDocument : public QObject {
 
  public:
   explicit ButtonDocument(Button button, QObject* parent = nullptr);
+  ~ButtonDocument() override;
 
   EditHistory& history() { return history_; }
   const EditHistory& history() const { return history_; }

@@ -76,6 +76,7 @@ class Reader {
       const bool times = next(isTimes);
       if (!times && !next(isOver)) return left;
       const Amount right = factor(depth);
+      if (!times && right.amount == 0) fail(QuantityTrouble::notFinite, text_);
       if (trouble_) return left;
       if (!times && left.dimension.none() && !right.dimension.none())
         left = fractionOf(left, right);

@@ -95,3 +95,14 @@ TEST_CASE("Settings of the view tell of a change once, and only of a change") {
   CHECK(settings.units().length == LengthUnit::inch);
   CHECK(settings.snap().toGrid);
 }
+
+TEST_CASE("A document that goes with unsaved changes tells nobody, as it has no title any more") {
+  int titles = 0;
+  QObject listener;
+  {
+    ButtonDocument document(latch());
+    document.history().apply(rename(document.button(), "Blue").value(), "Rename");
+    QObject::connect(&document, &ButtonDocument::titleChanged, &listener, [&] { ++titles; });
+  }
+  CHECK(titles == 0);
+}

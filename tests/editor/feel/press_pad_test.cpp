@@ -3,6 +3,7 @@
 
 #include "editor/feel/press_pad.h"
 
+#include <memory>
 #include <QPointingDevice>
 #include <QSignalSpy>
 #include <QTabletEvent>
@@ -161,19 +162,23 @@ class PressPadTest : public QObject {
 
   void touchPresses() {
     Rig rig;
-    QPointingDevice* screen = QTest::createTouchDevice();
-    QTest::touchEvent(&rig.pad, screen).press(1, rig.at(0.3), &rig.pad);
+    const std::unique_ptr<QPointingDevice> screen(QTest::createTouchDevice());
+    QTest::touchEvent(&rig.pad, screen.get()).press(1, rig.at(0.3), &rig.pad);
     QCOMPARE(rig.down.count(), 1);
-    QTest::touchEvent(&rig.pad, screen).stationary(1).press(2, rig.at(0.6), &rig.pad);  // a second finger
+    QTest::touchEvent(&rig.pad, screen.get())
+        .stationary(1)
+        .press(2, rig.at(0.6), &rig.pad);  // a second finger
     QCOMPARE(rig.down.count(), 1);
-    QTest::touchEvent(&rig.pad, screen).release(1, rig.at(0.3), &rig.pad).release(2, rig.at(0.6), &rig.pad);
+    QTest::touchEvent(&rig.pad, screen.get())
+        .release(1, rig.at(0.3), &rig.pad)
+        .release(2, rig.at(0.6), &rig.pad);
     QCOMPARE(rig.up.count(), 1);
 
     rig.pad.setDrive(Drive::depth);
-    QTest::touchEvent(&rig.pad, screen).press(1, rig.at(0.2), &rig.pad);
-    QTest::touchEvent(&rig.pad, screen).move(1, rig.at(0.5), &rig.pad);
+    QTest::touchEvent(&rig.pad, screen.get()).press(1, rig.at(0.2), &rig.pad);
+    QTest::touchEvent(&rig.pad, screen.get()).move(1, rig.at(0.5), &rig.pad);
     QVERIFY(Rig::last(rig.depth) > 0.4);
-    QTest::touchEvent(&rig.pad, screen).release(1, rig.at(0.5), &rig.pad);
+    QTest::touchEvent(&rig.pad, screen.get()).release(1, rig.at(0.5), &rig.pad);
     QCOMPARE(rig.lifted.count(), 1);
   }
 

@@ -177,6 +177,8 @@ TEST_CASE("What is no quantity of this kind is refused with its reason") {
   CHECK(trouble("+10 %", Quantity::length) == nothingToChange);
   CHECK(trouble("1.5", Quantity::count) == notWhole);
   CHECK(trouble("1/0", Quantity::length) == notFinite);
+  CHECK(trouble("1/0 mm", Quantity::slope) == notFinite);
+  CHECK(trouble("1/(0/0)", Quantity::length) == notFinite);
   CHECK(trouble("1e400", Quantity::length) == notFinite);
   CHECK(trouble("nan", Quantity::length) == unknownUnit);
   CHECK(trouble("inf", Quantity::length) == unknownUnit);
