@@ -165,8 +165,7 @@ GraphScene GraphCanvas::scene() const {
                    nullptr,
                    {},
                    {},
-                   handlesShown_ && !exporting(),
-                   readingErrorOf(document_.button())};
+                   handlesShown_ && !exporting()};
   if (!exporting()) {
     scene.selection = selection_;
     scene.finger = finger_;

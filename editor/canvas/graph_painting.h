@@ -12,7 +12,6 @@
 #include "editor/document/display_units.h"
 #include "editor/document/finger_position.h"
 #include "editor/document/graph_colors.h"
-#include "editor/quantity/reading_error.h"
 
 namespace detent::editor {
 
@@ -27,8 +26,7 @@ struct GraphScene {
   std::optional<FingerPosition> finger;
   const ButtonState* otherState = nullptr;                 ///< of a self-locking button: drawn as a ghost
   std::span<const CurvePoint> tracedPress, tracedRelease;  ///< residuals are drawn to these; empty: none
-  bool handlesShown = true;                  ///< knots and handles; pictures for others go without
-  std::optional<ReadingError> readingError;  ///< of a graph read off a page: decides the digits of its forces
+  bool handlesShown = true;  ///< knots and handles; pictures for others go without
 };
 
 /// Sections, wall, curves, points, handles and feedback, clipped to the map.

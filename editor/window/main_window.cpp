@@ -13,7 +13,6 @@
 #include <QMimeData>
 #include <QPrinter>
 #include <QScreen>
-#include <QScrollArea>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
@@ -41,10 +40,8 @@ namespace {
 constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 2;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
-constexpr QSize roomForFrame_px{8, 40};  // of the window, around what is ours
 constexpr int firstLibrary_px = 230, firstValues_px = 480;
-constexpr double mostForLibrary = 0.18, mostForValues = 0.42, mostForFeel = 0.45;  // of the window
-constexpr int leastForLibrary_px = 760;  // of the window: in a narrower one it is put away
+constexpr double mostForValues = 0.38;  // of the window
 constexpr QSize copiedPicture_px{1800, 1200};
 
 void bringUp(QWidget& window) {
@@ -159,12 +156,7 @@ void MainWindow::makeDocks() {
   valuesDock_->raise();
   feelDock_->hide();
   connect(feelDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
-    if (!visible || feel_) return;
-    makeFeelPanel();
-    QTimer::singleShot(0, this, [this] {
-      const int wanted_px = feelDock_->findChild<QScrollArea*>()->widget()->sizeHint().height();
-      resizeDocks({feelDock_}, {std::min(wanted_px, static_cast<int>(mostForFeel * height()))}, Qt::Vertical);
-    });
+    if (visible && !feel_) makeFeelPanel();
   });
   connect(library_, &LibraryPanel::documentChosen, this, [this](ButtonDocument* d) { tabs_->show(*d); });
   connect(library_, &LibraryPanel::fileChosen, this,
@@ -216,13 +208,7 @@ void MainWindow::makeFeelPanel() {
   layout->setSpacing(0);
   layout->addLayout(row);
   layout->addWidget(feel_, 1);
-  auto* scrolled = new QScrollArea;  // below the graph of a low window there is not room for all of it
-  scrolled->setWidget(panel);
-  scrolled->setWidgetResizable(true);
-  scrolled->setFrameShape(QFrame::NoFrame);
-  scrolled->setFocusPolicy(Qt::NoFocus);
-  scrolled->setAccessibleName(feelDock_->windowTitle());
-  feelDock_->setWidget(scrolled);
+  feelDock_->setWidget(panel);
   updateDocuments();
 }
 
@@ -446,7 +432,7 @@ void MainWindow::applyAppearance() {
 
 void MainWindow::restoreWindow() {
   if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray()))
-    resize(firstSize_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+    resize(firstSize_px.boundedTo(screen()->availableSize()));
   docksAreNew_ = !restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
   if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
     library_->setFolder(folder);
@@ -457,10 +443,8 @@ void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (!std::exchange(docksAreNew_, false)) return;
   QTimer::singleShot(0, this, [this] {
-    libraryDock_->setVisible(width() >= leastForLibrary_px);
-    const int library_px = std::min(firstLibrary_px, static_cast<int>(mostForLibrary * width()));
     const int values_px = std::min(firstValues_px, static_cast<int>(mostForValues * width()));
-    resizeDocks({libraryDock_, valuesDock_}, {library_px, values_px}, Qt::Horizontal);
+    resizeDocks({libraryDock_, valuesDock_}, {firstLibrary_px, values_px}, Qt::Horizontal);
   });
 }
 

@@ -6,6 +6,8 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "importer/trace/dashes.h"
+
 namespace detent::importer::trace {
 
 namespace {
@@ -111,8 +113,28 @@ bool isCurve(const CoarseCurve& course, const Box& frame, double thickness, bool
   return !isAxisParallel(course, thickness) && !(neutral && isStraight(course, thickness));
 }
 
-/// The best line in an ink, its second strand measured; `explained`: share of the ink's mass that these
-/// account for.
+/// The best line on `search`, its second strand measured on the ink of `full`; `explained`: share of the ink's mass that
+/// these account for.
+void followInk(CurveInk& curve, const CurveField& search, const CurveField& full, const PlotInks& plot,
+               double& explained) {
+  const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
+  FollowOptions options;
+  options.thickness_px = curve.thickness_px;  // pooling by maxima keeps a full ridge full
+  curve.course = followCurve(pooledField(search, curve.pooling), frame, options);
+  Plane own = pooled(full.own, curve.pooling);
+  const double thickness = pooledThickness(curve), mass = massOf(own);
+  double accounted = eraseAlong(own, curve.course.points, thickness + 2);
+  // What is left close to the line is markers, spikes and its own edges; what is left far from it is another
+  // line.
+  Plane rest = own;
+  clearLetters(rest, plot.text.mask, full.own.width, curve.pooling);
+  eraseAlong(rest, curve.course.points, std::max(thickness + 2, plot.options.strandsApart * frame.height()));
+  curve.secondStrand = inkedColumns(rest) / std::max(1.0, curve.course.inkColumns_px);
+  if (curve.secondStrand > plot.options.secondStrand) accounted += massOf(own);
+  explained = mass > 0 ? accounted / mass : 0;
+}
+
+/// The best line in an ink. Pieces are taken for one line's dashes where that line then holds most of the ink.
 CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explained) {
   std::vector<int> others;
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k)
@@ -123,22 +145,17 @@ CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explain
   curve.pooling = std::max(1, static_cast<int>(plot.area.frame.width() / 260));
   const CurveField full = fieldOf(plot, index, others);
   curve.thickness_px = lineThickness(full.own);
-  CurveField field = pooledField(full, curve.pooling);
-  const Box frame = scaled(plot.area.frame, 1.0 / curve.pooling);
-  FollowOptions options;
-  options.thickness_px = curve.thickness_px;  // pooling by maxima keeps a full ridge full
-  curve.course = followCurve(field, frame, options);
-  const double thickness = pooledThickness(curve), mass = massOf(field.own);
-  double accounted = eraseAlong(field.own, curve.course.points, thickness + 2);
-  // What is left close to the line is markers, spikes and its own edges; what is left far from it is another
-  // line.
-  Plane rest = field.own;
-  clearLetters(rest, plot.text.mask, full.own.width, curve.pooling);
-  eraseAlong(rest, curve.course.points, std::max(thickness + 2, plot.options.strandsApart * frame.height()));
-  curve.secondStrand = inkedColumns(rest) / std::max(1.0, curve.course.inkColumns_px);
-  if (curve.secondStrand > plot.options.secondStrand) accounted += massOf(field.own);
-  explained = mass > 0 ? accounted / mass : 0;
-  return curve;
+  followInk(curve, full, full, plot, explained);
+  if (curve.course.inkShare >= plot.options.solidInk) return curve;
+  const std::optional<CurveField> joined = dashesJoined(full);
+  if (!joined) return curve;
+  CurveInk dashed = curve;
+  double ofDashes = 0;
+  followInk(dashed, *joined, full, plot, ofDashes);
+  if (ofDashes < plot.options.ownInk || dashed.secondStrand > plot.options.secondStrand) return curve;
+  dashed.dashed = true;
+  explained = ofDashes;
+  return dashed;
 }
 
 /// Ink that lies in places no line is wide enough for: a tolerance band, the area under a curve.
@@ -244,6 +261,14 @@ CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curv
   for (std::size_t i = 0; i < plot.area.masked.size(); ++i)
     if (plot.area.masked[i]) field.own.values[i] = field.otherCurves.values[i] = 0;
   return field;
+}
+
+std::optional<CurveField> dashesJoined(const CurveField& field) {
+  std::optional<Plane> own = withDashesJoined(field.own);
+  if (!own) return {};
+  CurveField joined = field;
+  joined.own = std::move(*own);
+  return joined;
 }
 
 bool isNeutral(const PlotInks& plot, int index) {

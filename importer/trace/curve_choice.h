@@ -18,6 +18,7 @@ struct CurveInk {
   CoarseCurve course;    ///< on planes pooled by `pooling`
   int pooling = 1;
   double thickness_px = 1;
+  bool dashed = false;      ///< found with its dashes joined, see dashesJoined
   double secondStrand = 0;  ///< columns with ink far from the course, as a share of the course's own
 };
 
@@ -29,6 +30,8 @@ struct CurveChoiceOptions {
       tuned("choice.minInkShareNeutral", 0.85);  ///< the same in the ink of text and frame
   double ownInk =
       tuned("choice.ownInk", 0.6);  ///< of that ink's mass: a line with more of it has the ink for its own
+  /// Of its visible course: with more a line is solid, whatever compression makes of it; dotted ones have 0.83 at most.
+  double solidInk = tuned("choice.solidInk", 0.9);
   double minOwnColumns =
       tuned("choice.minOwnColumns", 0.4);  ///< of the columns spanned; the rest may be bridged
   double minExplained = tuned("choice.minExplained", 0.3);  ///< of the ink's mass outside text and legend
@@ -64,6 +67,9 @@ struct PlotInks {
 /// What ink `index` looks like to the follower. `curveInks`: inks that may lie over it as curves; other inks
 /// are clutter.
 CurveField fieldOf(const PlotInks& plot, int index, const std::vector<int>& curveInks);
+
+/// The field to look for a dashed line's course on; nothing where the ink is not drawn in dashes.
+std::optional<CurveField> dashesJoined(const CurveField& field);
 
 /// Ink of text, frame and grid: its direction is theirs, or its colour is grey.
 bool isNeutral(const PlotInks& plot, int index);

@@ -99,7 +99,8 @@ class ColouredCurves {
     const CurveField field = fieldOf(plot_, curve.ink, curveInks);
     FollowOptions follow;
     follow.thickness_px = curve.thickness_px;
-    const CoarseCurve course = followCurve(field, plot_.area.frame, follow);
+    const std::optional<CurveField> joined = curve.dashed ? dashesJoined(field) : std::nullopt;
+    const CoarseCurve course = followCurve(joined ? *joined : field, plot_.area.frame, follow);
     CentreLine line = centreLine(field, course, curve.thickness_px);
     finishEnds(line, field, plot_.area.frame);
     CurveTrace trace;

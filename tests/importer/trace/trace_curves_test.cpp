@@ -437,6 +437,36 @@ TEST_CASE("Dashes of an ink of their own are linked", "[trace]") {
   CHECK(apart(ofColor(*traces, kRed).points_px, up) < 0.5);
 }
 
+TEST_CASE("A dotted curve is followed from end to end, however steep and however wide its gaps", "[trace]") {
+  const auto [drawn, period] =
+      GENERATE(table<std::size_t, std::size_t>({{4, 16}, {2, 20}, {30, 60}}));  // half pixels
+  CAPTURE(drawn, period);
+  Plot plot(800, 500);
+  const Curve down = plot.at(press()), up = plot.at(release());
+  plot.grid(1, 1, kBlack);
+  plot.line(down, 2, kBlue, true);
+  const Curve points = dense(up);
+  for (std::size_t i = 0; i + drawn < points.size(); i += period)
+    plot.line(Curve(points.begin() + static_cast<std::ptrdiff_t>(i),
+                    points.begin() + static_cast<std::ptrdiff_t>(i + drawn)),
+              2, kRed, true);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  CHECK(apart(ofColor(*traces, kRed).points_px, up) < 0.5);
+}
+
+TEST_CASE("Dots scattered over the plot are no curve", "[trace]") {
+  Plot plot(800, 500);
+  plot.grid(1, 1, kBlack);
+  plot.line(plot.at(press()), 2, kBlue, true);
+  for (int i = 0; i < 60; ++i)
+    plot.disc(0.03 + 0.9 * ((i * 37) % 60) / 60, 0.05 + 0.9 * ((i * 23) % 61) / 61, 3, kRed);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  CHECK(traces->size() == 1);
+}
+
 TEST_CASE("One curve alone is one trace; more than two are all given", "[trace]") {
   Plot one(700, 450);
   one.grid(5, 5, kGrey);

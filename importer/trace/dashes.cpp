@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/trace/dashes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include <opencv2/imgproc.hpp>
+
+#include "importer/page/quantile.h"
+
+namespace detent::importer::trace {
+
+namespace {
+
+constexpr double kInked = 0.25;
+constexpr std::size_t kFewest = 8, kMost = 1500;  // pieces of a dashed line, and of one that is no noise
+constexpr double kLargestShare = 0.25;            // of the ink, in one dash
+constexpr double kDustShare = 0.2;                // of the usual dash's area
+constexpr double kLongestGap = 2.5;               // in usual gaps: one dash may be missing under other ink
+// Gaps that are as long as the usual one, within 0.4 of it or a pixel and a half: of dashes 0.81 at least, of letters'
+// coloured rims 0.32 at most.
+constexpr double kRegularShare = 0.75, kRegularWithin = 0.4, kRegularWithin_px = 1.5;
+
+/// A connected piece of ink, known by the pixels that lie farthest out in eight directions.
+struct Piece {
+  std::array<Point, 8> rim;
+  double area_px = 0;
+};
+
+/// The two pixels by which two pieces come nearest to each other.
+struct Gap {
+  Point from, to;
+  double length_px = std::numeric_limits<double>::max();
+};
+
+std::vector<Piece> piecesOf(const Plane& own) {
+  const cv::Mat inked =
+      cv::Mat(own.height, own.width, CV_32F, const_cast<float*>(own.values.data())) > kInked;
+  cv::Mat labels;
+  std::vector<Piece> pieces(static_cast<std::size_t>(cv::connectedComponents(inked, labels, 8, CV_32S) - 1));
+  constexpr std::array<Point, 8> outward{
+      {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+  for (int y = 0; y < own.height; ++y)
+    for (int x = 0; x < own.width; ++x) {
+      const int label = labels.at<int>(y, x);
+      if (label == 0) continue;
+      Piece& piece = pieces[static_cast<std::size_t>(label - 1)];
+      const Point p{static_cast<double>(x), static_cast<double>(y)};
+      for (std::size_t k = 0; k < outward.size(); ++k)
+        if (piece.area_px == 0 || dot(p, outward[k]) > dot(piece.rim[k], outward[k])) piece.rim[k] = p;
+      ++piece.area_px;
+    }
+  return pieces;
+}
+
+/// Whether the pieces are dashes; dust is taken from among them.
+bool keepDashes(std::vector<Piece>& pieces) {
+  if (pieces.size() < kFewest || pieces.size() > kMost) return false;
+  std::vector<double> areas;
+  double all_px = 0;
+  for (const Piece& piece : pieces) {
+    areas.push_back(piece.area_px);
+    all_px += piece.area_px;
+  }
+  if (*std::ranges::max_element(areas) > kLargestShare * all_px) return false;
+  const double dust_px = kDustShare * medianOf(areas);
+  std::erase_if(pieces, [&](const Piece& piece) { return piece.area_px < dust_px; });
+  return pieces.size() >= kFewest;
+}
+
+Gap gapBetween(const Piece& a, const Piece& b) {
+  Gap nearest;
+  for (Point p : a.rim)
+    for (Point q : b.rim)
+      if (const double length_px = distance(p, q); length_px < nearest.length_px) nearest = {p, q, length_px};
+  return nearest;
+}
+
+/// The shortest tree that joins all pieces (Prim 1957).
+std::vector<Gap> shortestTree(const std::vector<Piece>& pieces) {
+  std::vector<Gap> tree, toTree(pieces.size());
+  std::vector<char> joined(pieces.size(), 0);
+  for (std::size_t newest = 0; tree.size() + 1 < pieces.size();) {
+    joined[newest] = 1;
+    std::size_t next = newest;
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+      if (joined[k]) continue;
+      const Gap gap = gapBetween(pieces[newest], pieces[k]);
+      if (gap.length_px < toTree[k].length_px) toTree[k] = gap;
+      if (next == newest || toTree[k].length_px < toTree[next].length_px) next = k;
+    }
+    tree.push_back(toTree[next]);
+    newest = next;
+  }
+  return tree;
+}
+
+void fill(Plane& plane, const Gap& gap) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(2 * gap.length_px)));
+  for (int i = 0; i <= steps; ++i) {
+    const Point p = gap.from + (static_cast<double>(i) / steps) * (gap.to - gap.from);
+    plane.at(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))) = 1;
+  }
+}
+
+}  // namespace
+
+std::optional<Plane> withDashesJoined(const Plane& own) {
+  std::vector<Piece> pieces = piecesOf(own);
+  if (!keepDashes(pieces)) return {};
+  const std::vector<Gap> gaps = shortestTree(pieces);
+  std::vector<double> lengths;
+  for (const Gap& gap : gaps) lengths.push_back(gap.length_px);
+  const double usual_px = medianOf(std::move(lengths));
+  const auto regular = std::ranges::count_if(gaps, [&](const Gap& gap) {
+    return std::abs(gap.length_px - usual_px) <= std::max(kRegularWithin_px, kRegularWithin * usual_px);
+  });
+  if (static_cast<double>(regular) < kRegularShare * static_cast<double>(gaps.size())) return {};
+  Plane joined = own;
+  for (const Gap& gap : gaps)
+    if (gap.length_px <= kLongestGap * usual_px) fill(joined, gap);
+  return joined;
+}
+
+}  // namespace detent::importer::trace
