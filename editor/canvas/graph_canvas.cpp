@@ -165,7 +165,8 @@ GraphScene GraphCanvas::scene() const {
                    nullptr,
                    {},
                    {},
-                   handlesShown_ && !exporting()};
+                   handlesShown_ && !exporting(),
+                   readingErrorOf(document_.button())};
   if (!exporting()) {
     scene.selection = selection_;
     scene.finger = finger_;

@@ -7,7 +7,7 @@
 #include <QFontMetricsF>
 
 #include "editor/canvas/curve_path.h"
-#include "editor/quantity/quantity.h"
+#include "editor/quantity/reading_error.h"
 
 namespace detent::editor {
 namespace {
@@ -208,9 +208,82 @@ void paintTurns(QPainter& painter, const PlotMapping& map, const GraphScene& sce
   }
 }
 
-QString shortForce(double force_N, const DisplayUnits& units) {
-  return numberText(units.forceFrom(force_N), 4) + QStringLiteral("\u2009") + units.forceSymbol();
+QString shortForce(double force_N, const GraphScene& scene) {
+  return readText(force_N, Quantity::force, scene.units, scene.readingError, 4) + QStringLiteral("\u2009") +
+         scene.units.forceSymbol();
 }
+
+QRectF tagBox(const QPainter& painter, QPointF at_px, const QString& text, const QRectF& bounds_px) {
+  const QFontMetricsF metrics(painter.font());
+  const double width = std::min(metrics.boundingRect(text).width() + 10, 0.8 * bounds_px.width());
+  QRectF box = metrics.boundingRect(QRectF(0, 0, width, 1000), Qt::AlignCenter | Qt::TextWordWrap, text)
+                   .adjusted(-5, -2, 5, 2);
+  box.moveCenter(at_px);
+  const QRectF inside = bounds_px.adjusted(3, 3, -3, -3);
+  if (box.right() > inside.right()) box.moveRight(inside.right());
+  if (box.left() < inside.left()) box.moveLeft(inside.left());
+  if (box.bottom() > inside.bottom()) box.moveBottom(inside.bottom());
+  if (box.top() < inside.top()) box.moveTop(inside.top());
+  return box;
+}
+
+void paintTagIn(QPainter& painter, const QRectF& box, const QString& text, const QColor& ink,
+                const QColor& ground) {
+  painter.save();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(withAlpha(ground, 0.85));
+  painter.drawRoundedRect(box, 3, 3);
+  painter.setPen(ink);
+  painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, text);
+  painter.restore();
+}
+
+constexpr double tactileMark_px = 6.5, contactMark_px = 6;  // half their size
+constexpr double tagAway_px = 20;                           // of a tactile point's force, from the point
+
+/// Texts beside marks. None covers a mark or another text: what comes later goes to the next free place, and where there
+/// is none near stays where it belongs.
+class Tags {
+ public:
+  Tags(QPainter& painter, const PlotMapping& map, const GraphScene& scene)
+      : painter_(painter), map_(map), scene_(scene) {}
+
+  void keepClear(QPointF mark_px, double half_px) {
+    taken_.push_back(QRectF(mark_px - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px)));
+  }
+
+  void put(QPointF at_px, const QString& text, const QColor& ink) {
+    QRectF box = tagBox(painter_, at_px, text, map_.clip_px);
+    for (const QPointF& away : placesAround(box.size())) {
+      const QRectF moved = tagBox(painter_, box.center() + away, text, map_.clip_px);
+      if (!free(moved)) continue;
+      box = moved;
+      break;
+    }
+    taken_.push_back(box);
+    paintTagIn(painter_, box, text, ink, scene_.colors.background);
+  }
+
+ private:
+  /// Nearest first, from where it stands.
+  static std::vector<QPointF> placesAround(QSizeF size) {
+    std::vector<QPointF> places;
+    for (const double lines : {0, 1, -1, 2, -2, 3, -3})
+      for (const double sideways : {0, 1, -1})
+        places.emplace_back(sideways * (size.width() / 2 + 2 * tactileMark_px), lines * size.height());
+    std::ranges::stable_sort(places, {}, [](QPointF away) { return std::hypot(away.x(), away.y()); });
+    return places;
+  }
+  bool free(const QRectF& box) const {
+    return std::none_of(taken_.begin(), taken_.end(),
+                        [&](const QRectF& other) { return other.intersects(box); });
+  }
+
+  QPainter& painter_;
+  const PlotMapping& map_;
+  const GraphScene& scene_;
+  std::vector<QRectF> taken_;
+};
 
 void paintTactilePoints(QPainter& painter, const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
   for (const TactilePoint& point : scene.values.of(stroke).tactile) {
@@ -218,34 +291,88 @@ void paintTactilePoints(QPainter& painter, const PlotMapping& map, const GraphSc
     if (!map.clip_px.contains(at)) continue;
     painter.setPen(QPen(scene.colors.background, 1.5));
     painter.setBrush(scene.colors.tactilePoint);
-    const double r = 6.5;
+    const double r = tactileMark_px;
     painter.drawPolygon(
         QPolygonF({{at.x(), at.y() - r}, {at.x() + r, at.y()}, {at.x(), at.y() + r}, {at.x() - r, at.y()}}));
-    // While it is dragged its place is written beside it anyway.
-    const auto& dragged = scene.feedback.dragged;
-    if (dragged && *dragged == CurvePoint{point.displacement_mm, point.force_N}) continue;
-    const double away = stroke == Stroke::press ? -20 : 20;
-    paintTag(painter, at + QPointF(0, away), shortForce(point.force_N, scene.units), scene.colors.text,
-             scene.colors.background, map.clip_px);
   }
 }
 
-// A contact's place: a thin line through the plot and a marker on its stroke.
-void paintContact(QPainter& painter, const PlotMapping& map, const GraphScene& scene, double at_mm,
-                  Stroke stroke) {
-  const bool operating = stroke == Stroke::press;
-  const QPointF at = map.toPixel(at_mm, scene.state.graph.curve(stroke).force_N(at_mm));
-  if (at.x() < map.clip_px.left() || at.x() > map.clip_px.right()) return;
-  const QColor ink = operating ? scene.colors.operatingPoint : scene.colors.resetPoint;
+// Without those that are dragged: their place is written beside them anyway.
+void tagTactilePoints(Tags& tags, const PlotMapping& map, const GraphScene& scene, Stroke stroke,
+                      std::span<const TactilePoint> seen) {
+  const auto& dragged = scene.feedback.dragged;
+  for (const TactilePoint& point : seen) {
+    if (dragged && *dragged == CurvePoint{point.displacement_mm, point.force_N}) continue;
+    const QPointF at = map.toPixel(point.displacement_mm, point.force_N);
+    tags.put(at + QPointF(0, stroke == Stroke::press ? -tagAway_px : tagAway_px),
+             shortForce(point.force_N, scene), scene.colors.text);
+  }
+}
+
+/// Where a contact closes (press) or opens (release).
+struct Contact {
+  Stroke stroke;
+  QPointF at_px;
+  QColor ink;
+  bool operating() const { return stroke == Stroke::press; }
+};
+
+std::vector<Contact> contactsIn(const PlotMapping& map, const GraphScene& scene) {
+  std::vector<Contact> contacts;
+  const auto add = [&](const std::optional<double>& at_mm, Stroke stroke, const QColor& ink) {
+    if (!at_mm) return;
+    const QPointF at = map.toPixel(*at_mm, scene.state.graph.curve(stroke).force_N(*at_mm));
+    if (at.x() >= map.clip_px.left() && at.x() <= map.clip_px.right()) contacts.push_back({stroke, at, ink});
+  };
+  add(scene.state.operatingPoint_mm, Stroke::press, scene.colors.operatingPoint);
+  add(scene.state.resetPoint_mm, Stroke::release, scene.colors.resetPoint);
+  return contacts;
+}
+
+// A thin line through the plot and a marker on its stroke.
+void paintContact(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
+                  const Contact& contact) {
+  const auto& [stroke, at, ink] = contact;
   painter.setPen(QPen(withAlpha(ink, 0.75), 1, Qt::DashDotLine));
   painter.drawLine(QPointF(at.x(), map.clip_px.bottom()), at);
   painter.setPen(QPen(scene.colors.background, 1.5));
   painter.setBrush(ink);
-  const double r = 6, up = operating ? 1 : -1;  // points down where the contact closes, up where it opens
+  const double r = contactMark_px;
+  const double up = contact.operating() ? 1 : -1;  // points down where the contact closes, up where it opens
   painter.drawPolygon(QPolygonF(
       {{at.x() - r, at.y() - up * r}, {at.x() + r, at.y() - up * r}, {at.x(), at.y() + up * 0.9 * r}}));
-  paintTag(painter, QPointF(at.x(), map.clip_px.bottom() - (operating ? 12 : 30)),
-           operating ? tr("operating") : tr("reset"), ink, scene.colors.background, map.clip_px);
+}
+
+std::vector<TactilePoint> tactilePointsIn(const PlotMapping& map, const GraphScene& scene, Stroke stroke) {
+  std::vector<TactilePoint> seen;
+  if (stroke == Stroke::press || scene.state.graph.release())
+    std::ranges::copy_if(scene.values.of(stroke).tactile, std::back_inserter(seen),
+                         [&](const TactilePoint& p) {
+                           return map.clip_px.contains(map.toPixel(p.displacement_mm, p.force_N));
+                         });
+  return seen;
+}
+
+// First the forces, which belong beside their points; a contact's name may stand anywhere on its line.
+void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
+               const std::vector<Contact>& contacts) {
+  Tags tags(painter, map, scene);
+  const auto press = tactilePointsIn(map, scene, Stroke::press);
+  const auto release = tactilePointsIn(map, scene, Stroke::release);
+  const bool legible = press.size() + release.size() <= fewKnots;
+  if (legible)
+    for (const auto* points : {&press, &release})
+      for (const TactilePoint& point : *points)
+        tags.keepClear(map.toPixel(point.displacement_mm, point.force_N), tactileMark_px);
+  for (const Contact& contact : contacts) tags.keepClear(contact.at_px, contactMark_px);
+  if (legible) {
+    tagTactilePoints(tags, map, scene, Stroke::release, release);
+    tagTactilePoints(tags, map, scene, Stroke::press, press);
+  }
+  constexpr double aboveAxis_px = 12, lineAbove_px = 30;
+  for (const Contact& contact : contacts)
+    tags.put({contact.at_px.x(), map.clip_px.bottom() - (contact.operating() ? aboveAxis_px : lineAbove_px)},
+             contact.operating() ? tr("operating") : tr("reset"), contact.ink);
 }
 
 void paintSlopeHandles(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
@@ -303,10 +430,11 @@ void paintMarks(QPainter& painter, const PlotMapping& map, const GraphScene& sce
       if (scene.values.of(stroke).turns.size() <= fewKnots) paintTurns(painter, map, scene, stroke);
     }
   }
-  if (state.operatingPoint_mm) paintContact(painter, map, scene, *state.operatingPoint_mm, Stroke::press);
-  if (state.resetPoint_mm) paintContact(painter, map, scene, *state.resetPoint_mm, Stroke::release);
+  const std::vector<Contact> contacts = contactsIn(map, scene);
+  for (const Contact& contact : contacts) paintContact(painter, map, scene, contact);
   for (const Stroke stroke : {Stroke::release, Stroke::press})
     if (stroke == Stroke::press || state.graph.release()) paintTactilePoints(painter, map, scene, stroke);
+  paintTags(painter, map, scene, contacts);
 }
 
 // ---- feedback
@@ -421,23 +549,7 @@ void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& sc
 
 void paintTag(QPainter& painter, QPointF at_px, const QString& text, const QColor& ink, const QColor& ground,
               const QRectF& bounds_px) {
-  const QFontMetricsF metrics(painter.font());
-  const double width = std::min(metrics.boundingRect(text).width() + 10, 0.8 * bounds_px.width());
-  QRectF box = metrics.boundingRect(QRectF(0, 0, width, 1000), Qt::AlignCenter | Qt::TextWordWrap, text)
-                   .adjusted(-5, -2, 5, 2);
-  box.moveCenter(at_px);
-  const QRectF inside = bounds_px.adjusted(3, 3, -3, -3);
-  if (box.right() > inside.right()) box.moveRight(inside.right());
-  if (box.left() < inside.left()) box.moveLeft(inside.left());
-  if (box.bottom() > inside.bottom()) box.moveBottom(inside.bottom());
-  if (box.top() < inside.top()) box.moveTop(inside.top());
-  painter.save();
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(withAlpha(ground, 0.85));
-  painter.drawRoundedRect(box, 3, 3);
-  painter.setPen(ink);
-  painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, text);
-  painter.restore();
+  paintTagIn(painter, tagBox(painter, at_px, text, bounds_px), text, ink, ground);
 }
 
 void paintRefusalReason(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {

@@ -12,6 +12,7 @@
 #include "editor/document/display_units.h"
 #include "editor/document/finger_position.h"
 #include "editor/document/graph_colors.h"
+#include "editor/quantity/reading_error.h"
 
 namespace detent::editor {
 
@@ -26,7 +27,8 @@ struct GraphScene {
   std::optional<FingerPosition> finger;
   const ButtonState* otherState = nullptr;                 ///< of a self-locking button: drawn as a ghost
   std::span<const CurvePoint> tracedPress, tracedRelease;  ///< residuals are drawn to these; empty: none
-  bool handlesShown = true;  ///< knots and handles; pictures for others go without
+  bool handlesShown = true;                  ///< knots and handles; pictures for others go without
+  std::optional<ReadingError> readingError;  ///< of a graph read off a page: decides the digits of its forces
 };
 
 /// Sections, wall, curves, points, handles and feedback, clipped to the map.

@@ -69,7 +69,7 @@ UnitPlot::UnitPlot(ViewSettings& settings, PlotQuantity x, PlotQuantity y, QWidg
   axisRect()->setMinimumMargins(QMargins(8, 10, 14, 8));
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  setMinimumSize(160, 120);
+  setMinimumSize(160, 90);
   connect(&settings_, &ViewSettings::changed, this, &UnitPlot::applySettings);
   connect(this, &QCustomPlot::beforeReplot, this, [this] { groundStale_ = true; });
   connect(this, &QCustomPlot::afterLayout, this, [this] {

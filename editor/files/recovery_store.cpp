@@ -159,7 +159,7 @@ QList<LeftBehind> RecoveryStore::leftBehind(QStringList* unreadable) {
 
 QString RecoveryStore::keepPicture(const QImage& picture) {
   if (picture.isNull() || !openSession()) return {};
-  const QString file = QDir(session_).filePath(importPicture);
+  QString file = QDir(session_).filePath(importPicture);
   writer_.start([file, picture] { picture.save(file); });
   return file;
 }

@@ -253,6 +253,7 @@ void ImportDialog::Impl::build() {
   qualityLabel->setBuddy(quality);
   for (const importer::Quality each : qualities) quality->addItem(describedQuality(each));
   quality->setCurrentIndex(1);
+  quality->setMinimumContentsLength(12);  // on a narrow screen its words are cut before the dialogue is
   quality->setAccessibleName(tr("Quality of the import"));
   quality->setToolTip(
       tr("How carefully the graph is read: the work of an import and the usual distance of the curve from "
@@ -295,9 +296,11 @@ void ImportDialog::Impl::build() {
     QList<int> sizes = splitter->sizes();
     if (!side->isVisible()) sizes[0] = firstSide_px;  // hidden, it is told as 0, which would put it away
     const int all = std::accumulate(sizes.begin(), sizes.end(), 0);
-    const int taken = std::min(width_px - sizes[2], sizes[1] - static_cast<int>(leastForPage * all));
-    if (taken <= 0) return;
-    sizes[1] -= taken, sizes[2] += taken;
+    const int least_px[] = {pages->minimumWidth(), static_cast<int>(leastForPage * all)};
+    for (const int giver : {1, 0}) {
+      const int taken = std::max(0, std::min(width_px - sizes[2], sizes[giver] - least_px[giver]));
+      sizes[giver] -= taken, sizes[2] += taken;
+    }
     splitter->setSizes(sizes);
   });
   column->addWidget(splitter, 1);
@@ -321,6 +324,7 @@ void ImportDialog::Impl::build() {
   accept->setObjectName(QStringLiteral("import"));
   accept->setDefault(true);
   auto* close = new QPushButton(tr("Close"));
+  close->setObjectName(QStringLiteral("close"));
   close->setAutoDefault(false);
   for (QPushButton* button : {open, pasteButton, stop}) button->setAutoDefault(false);
   bottom->addWidget(progress);
@@ -340,7 +344,10 @@ void ImportDialog::Impl::build() {
   QObject::connect(accept, &QPushButton::clicked, &state, &ImportState::acceptAll);
   QObject::connect(quality, &QComboBox::activated, &state,
                    [this](int index) { state.setQuality(qualities[static_cast<std::size_t>(index)]); });
-  QObject::connect(view, &PageView::hint, hint, &QLabel::setText);
+  QObject::connect(view, &PageView::hint, hint, [this](const QString& text) {
+    hint->setText(text);
+    hint->setToolTip(text);  // a narrow dialogue cuts it
+  });
   QObject::connect(findings, &FindingsPanel::toolAsked, view, [this](ToolKind kind) {
     view->setTool(kind);
     view->setFocus();

@@ -61,7 +61,7 @@ class Reader {
   std::vector<double> numbers(const QJsonValue& value) {
     std::vector<double> read;
     if (!value.isArray()) return fail(), read;
-    for (const QJsonValue& each : value.toArray()) {
+    for (const auto& each : value.toArray()) {
       if (!each.isDouble() || !std::isfinite(each.toDouble())) return fail(), read;
       read.push_back(each.toDouble());
     }
@@ -91,7 +91,7 @@ class Reader {
     const QJsonObject object = value.toObject();
     axis.min = number(object, "min");
     axis.max = number(object, "max");
-    for (const QJsonValue& tick : object["ticks"].toArray()) {
+    for (const auto& tick : object["ticks"].toArray()) {
       const auto n = numbers(tick, 3);
       axis.ticks.push_back({{n[0], n[1]}, n[2]});
     }
@@ -123,7 +123,7 @@ class Reader {
     c.pressColor = color(object["pressColor"]);
     c.releaseColor = color(object["releaseColor"]);
     c.drawn = {points(object["drawnPress"]), points(object["drawnRelease"])};
-    for (const QJsonValue& mask : object["masks"].toArray()) {
+    for (const auto& mask : object["masks"].toArray()) {
       const auto n = numbers(mask, 4);
       c.masks.push_back({n[0], n[1], n[2], n[3]});
     }
@@ -168,9 +168,11 @@ std::optional<ImportDraft> draftFrom(const QByteArray& text) {
   if (quality < 0 || quality > static_cast<int>(importer::Quality::precise)) return {};
   draft.quality = static_cast<importer::Quality>(quality);
   if (object.contains("current")) draft.current = read.id(object["current"]);
-  for (const QJsonValue& graph : object["graphs"].toArray())
+  for (const auto& each : object["graphs"].toArray()) {
+    const QJsonObject graph = each.toObject();
     draft.graphs.push_back({read.id(graph["id"]), read.corrections(graph["corrections"].toObject()),
                             graph["framedByHand"].toBool()});
+  }
   if (!read.ok || (draft.path.isEmpty() && draft.picture.isEmpty())) return {};
   return draft;
 }

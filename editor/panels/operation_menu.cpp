@@ -116,7 +116,7 @@ void OperationMenu::open(Operation (*make)(const OperationTarget&)) {
 void OperationMenu::placeBeside(QWidget& dialog) const {
   const QRect screen = dialog.screen()->availableGeometry();
   QPoint at = window_.mapToGlobal(QPoint(window_.width() + gapBeside_px, 0));
-  at.setX(std::min(at.x(), screen.right() - dialog.frameGeometry().width()));
+  at.setX(std::min(at.x(), screen.right() + 1 - dialog.frameGeometry().width()));
   dialog.move(at);
 }
 

@@ -1,20 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/panels/values_model.h"
 
-#include <algorithm>
-#include <cmath>
 #include <QFont>
 
 #include "editor/document/message_words.h"
+#include "editor/quantity/reading_error.h"
 #include "editor/tools/mark_edits.h"
-#include "model/units.h"
 
 namespace detent::editor {
 namespace {
 
 constexpr int dragPause_ms = 80;
-constexpr int editedDigits = 12;      // what is typed comes back as typed
-constexpr int digitsOfReadSlope = 3;  // of a slope read off a page: its error is some percent
+constexpr int editedDigits = 12;  // what is typed comes back as typed
 
 bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
 
@@ -45,34 +42,6 @@ QString sectionName(SectionKind kind) {
       return ValuesModel::tr("bottom-out");
   }
   return {};
-}
-
-/// Standard error of what was read off a page, as far as the button's file tells: the rest of the fit and of the axes'
-/// ticks, together, over the size of the plot frame. Empty for buttons that were not read off one.
-struct ReadingError {
-  double mm, N;
-};
-
-std::optional<ReadingError> readingErrorOf(const Button& button) {
-  const auto& from = button.provenance();
-  if (!from || from->frame.size() != 4 || !from->xAxis || !from->yAxis) return {};
-  const auto length = lengthUnitFrom(from->xAxis->unit);
-  const auto force = forceUnitFrom(from->yAxis->unit);
-  const double width = from->frame[2] - from->frame[0], height = from->frame[3] - from->frame[1];
-  if (!length || !force || !(width > 0 && height > 0)) return {};
-  // Documents are rendered so that the frame is about so wide; of pictures the unit of the frame is the pixel.
-  constexpr double renderedFrame_px = 1000;
-  const QString file = QString::fromStdString(from->sourceFile).toLower();
-  const bool rendered = file.endsWith(QLatin1String(".pdf")) || file.endsWith(QLatin1String(".svg"));
-  const double pxPerUnit = rendered ? std::max(1.0, renderedFrame_px / width) : 1;
-  const double fit_px = std::max(from->pressRms_px, from->releaseRms_px);
-  constexpr double leastShare = 1e-4;  // of the axis: no drawing is more exact, though its file may be
-  const auto error = [&](const AxisProvenance& axis, double unit, double size) {
-    const double share = std::max(leastShare, std::hypot(fit_px, axis.residual_px) / (size * pxPerUnit));
-    return share * std::abs(axis.max - axis.min) * unit;
-  };
-  return ReadingError{error(*from->xAxis, millimetresPer(*length), width),
-                      error(*from->yAxis, newtonsPer(*force), height)};
 }
 
 }  // namespace
@@ -224,27 +193,12 @@ QVariant ValuesModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
   const auto value = valueAt(*row.mark, index.column());
   if (!value) return {};
-  if (role == Qt::DisplayRole) return shownText(*value, quantityOf(index.column()));
+  if (role == Qt::DisplayRole)
+    return readText(*value, quantityOf(index.column()), settings_.units(),
+                    readingErrorOf(document_.button()));
   if (role == Qt::EditRole)
     return quantityText(*value, quantityOf(index.column()), settings_.units(), editedDigits);
   return {};
-}
-
-// What was read off a page has the digits that its error leaves; what was typed since, those that were typed.
-QString ValuesModel::shownText(double value, Quantity quantity) const {
-  const DisplayUnits& units = settings_.units();
-  const auto error = readingErrorOf(document_.button());
-  const double shown = value / shownUnitOf(quantity, units);
-  const QString plain = quantityText(value, quantity, units);
-  constexpr int mostTyped = 8;  // digits; what was read off a page has sixteen
-  const auto rounded = readQuantity(quantityText(value, quantity, units, mostTyped), quantity, units).value;
-  const bool asTyped = rounded && std::abs(*rounded - value) <= 1e-12 * std::abs(value);
-  if (!error || asTyped) return plain;
-  if (quantity == Quantity::slope) return quantityText(value, quantity, units, digitsOfReadSlope);
-  const double sigma = (quantity == Quantity::length ? error->mm : error->N) / shownUnitOf(quantity, units);
-  if (!(sigma > 0)) return plain;
-  constexpr int most = 6;
-  return fixedText(shown, std::clamp(static_cast<int>(std::ceil(-std::log10(sigma))), 0, most));
 }
 
 QVariant ValuesModel::headerData(int section, Qt::Orientation orientation, int role) const {

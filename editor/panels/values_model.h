@@ -61,7 +61,6 @@ class ValuesModel : public QAbstractTableModel {
   void followSoon();
   const ButtonState& state() const;
   std::optional<double> valueAt(const MarkId& mark, int column) const;
-  QString shownText(double value, Quantity quantity) const;
   Result<Button> edited(const MarkId& mark, int column, double value) const;
   static Quantity quantityOf(int column);
   bool editable(const MarkId& mark, int column) const;

@@ -13,6 +13,7 @@
 #include <QMimeData>
 #include <QPrinter>
 #include <QScreen>
+#include <QScrollArea>
 #include <QStatusBar>
 #include <QTimer>
 #include <QToolBar>
@@ -40,8 +41,10 @@ namespace {
 constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 2;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
+constexpr QSize roomForFrame_px{8, 40};  // of the window, around what is ours
 constexpr int firstLibrary_px = 230, firstValues_px = 480;
-constexpr double mostForValues = 0.38;  // of the window
+constexpr double mostForLibrary = 0.18, mostForValues = 0.42, mostForFeel = 0.45;  // of the window
+constexpr int leastForLibrary_px = 760;  // of the window: in a narrower one it is put away
 constexpr QSize copiedPicture_px{1800, 1200};
 
 void bringUp(QWidget& window) {
@@ -156,7 +159,12 @@ void MainWindow::makeDocks() {
   valuesDock_->raise();
   feelDock_->hide();
   connect(feelDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
-    if (visible && !feel_) makeFeelPanel();
+    if (!visible || feel_) return;
+    makeFeelPanel();
+    QTimer::singleShot(0, this, [this] {
+      const int wanted_px = feelDock_->findChild<QScrollArea*>()->widget()->sizeHint().height();
+      resizeDocks({feelDock_}, {std::min(wanted_px, static_cast<int>(mostForFeel * height()))}, Qt::Vertical);
+    });
   });
   connect(library_, &LibraryPanel::documentChosen, this, [this](ButtonDocument* d) { tabs_->show(*d); });
   connect(library_, &LibraryPanel::fileChosen, this,
@@ -208,7 +216,13 @@ void MainWindow::makeFeelPanel() {
   layout->setSpacing(0);
   layout->addLayout(row);
   layout->addWidget(feel_, 1);
-  feelDock_->setWidget(panel);
+  auto* scrolled = new QScrollArea;  // below the graph of a low window there is not room for all of it
+  scrolled->setWidget(panel);
+  scrolled->setWidgetResizable(true);
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setFocusPolicy(Qt::NoFocus);
+  scrolled->setAccessibleName(feelDock_->windowTitle());
+  feelDock_->setWidget(scrolled);
   updateDocuments();
 }
 
@@ -432,7 +446,7 @@ void MainWindow::applyAppearance() {
 
 void MainWindow::restoreWindow() {
   if (!restoreGeometry(at_.settings.value("window/geometry").toByteArray()))
-    resize(firstSize_px.boundedTo(screen()->availableSize()));
+    resize(firstSize_px.boundedTo(screen()->availableSize() - roomForFrame_px));
   docksAreNew_ = !restoreState(at_.settings.value("window/state").toByteArray(), stateVersion);
   if (const QString folder = at_.settings.value("library/folder").toString(); QFileInfo(folder).isDir())
     library_->setFolder(folder);
@@ -443,8 +457,10 @@ void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
   if (!std::exchange(docksAreNew_, false)) return;
   QTimer::singleShot(0, this, [this] {
+    libraryDock_->setVisible(width() >= leastForLibrary_px);
+    const int library_px = std::min(firstLibrary_px, static_cast<int>(mostForLibrary * width()));
     const int values_px = std::min(firstValues_px, static_cast<int>(mostForValues * width()));
-    resizeDocks({libraryDock_, valuesDock_}, {firstLibrary_px, values_px}, Qt::Horizontal);
+    resizeDocks({libraryDock_, valuesDock_}, {library_px, values_px}, Qt::Horizontal);
   });
 }
 

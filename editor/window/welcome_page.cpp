@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace detent::editor {
@@ -28,7 +29,7 @@ QLabel* line(const QString& text, double sizeFactor, bool bold) {
 WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget(parent) {
   setObjectName("welcomePage");
   auto* column = new QWidget;
-  column->setFixedWidth(column_px);
+  column->setMaximumWidth(column_px);
   auto* layout = new QVBoxLayout(column);
   layout->setSpacing(10);
   layout->addStretch(2);
@@ -62,10 +63,20 @@ WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget
   connect(recent_, &QListWidget::itemActivated, this, choose);
   layout->addWidget(recentSection_);
   layout->addStretch(3);
-  auto* outer = new QHBoxLayout(this);
-  outer->addStretch();
-  outer->addWidget(column);
-  outer->addStretch();
+  auto* inside = new QWidget;
+  auto* middle = new QHBoxLayout(inside);
+  middle->setContentsMargins(0, 0, 0, 0);
+  middle->addStretch();
+  middle->addWidget(column, column_px);
+  middle->addStretch();
+  auto* scrolled = new QScrollArea;  // on a small screen; a window is no larger for what it does not show
+  scrolled->setWidget(inside);
+  scrolled->setWidgetResizable(true);
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setFocusPolicy(Qt::NoFocus);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->addWidget(scrolled);
   setRecent({});
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "importer/page/luma.h"
 #include "importer/page/stored_picture.h"
 
 namespace detent::importer {
@@ -19,9 +20,9 @@ Pixel pixelAt(const StoredPicture& picture, int x, int y) {
   return {p[0], p[1], p[2], p[3]};
 }
 
-double luminance(const Pixel& p) { return 0.2126 * p.r + 0.7152 * p.g + 0.0722 * p.b; }
+double luma(const Pixel& p) { return importer::luma(p.r, p.g, p.b); }
 
-/// How much of an ink of this luminance vanishes on a background of that luminance, 0..1.
+/// How much of an ink as bright as this vanishes on a background as bright as that, 0..1.
 double vanishing(double ink, double background) {
   constexpr double justVisible = 16;  // grey levels
   const double contrast = (ink - background) / justVisible;
@@ -43,12 +44,12 @@ bool bordersOnTransparency(const StoredPicture& in, int x, int y) {
 /// The ink that a pixel at a rim belongs to: the shade near it that differs most from its own.
 double inkBehindRim(const StoredPicture& in, int x, int y) {
   constexpr int reach = 2;
-  const double own = luminance(pixelAt(in, x, y));
+  const double own = luma(pixelAt(in, x, y));
   double behind = own;
   for (int ny = std::max(0, y - reach); ny <= std::min(in.height_px - 1, y + reach); ++ny)
     for (int nx = std::max(0, x - reach); nx <= std::min(in.width_px - 1, x + reach); ++nx) {
       const Pixel p = pixelAt(in, nx, ny);
-      if (p.alpha >= 128 && std::abs(luminance(p) - own) > std::abs(behind - own)) behind = luminance(p);
+      if (p.alpha >= 128 && std::abs(luma(p) - own) > std::abs(behind - own)) behind = luma(p);
     }
   return behind;
 }
@@ -63,7 +64,7 @@ std::uint8_t backgroundFor(const StoredPicture& in) {
     for (int x = 0; x < in.width_px; x += step) {
       const Pixel p = pixelAt(in, x, y);
       if (p.alpha < 128 || !bordersOnTransparency(in, x, y)) continue;
-      const double own = luminance(p), ink = inkBehindRim(in, x, y);
+      const double own = luma(p), ink = inkBehindRim(in, x, y);
       if (std::abs(own - ink) > softRim) {
         // Smoothed against a background that was cut away later: its shade is left at the rims of every line.
         (own > ink ? lostOnBlack : lostOnWhite) += 1;

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "importer/page/luma.h"
 #include "importer/page/quantile.h"
 
 namespace detent::importer {
@@ -22,7 +23,7 @@ constexpr double sheetShare = 0.25;  // of the picture, at least
 
 using Color = std::array<double, 3>;
 
-double brightness(const Color& c) { return 0.299 * c[0] + 0.587 * c[1] + 0.114 * c[2]; }
+double brightness(const Color& c) { return luma(c[0], c[1], c[2]); }
 
 /// Colours of the paper at the middles of square blocks.
 struct Light {

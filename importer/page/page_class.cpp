@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "importer/page/luma.h"
 #include "importer/page/quantile.h"
 
 namespace detent::importer {
@@ -23,7 +24,7 @@ struct Tile {
 
 int lumaAt(const Raster& raster, int x, int y) {
   const std::uint8_t* p = raster.at(x, y);
-  return (77 * p[0] + 150 * p[1] + 29 * p[2]) >> 8;
+  return static_cast<int>(luma(p[0], p[1], p[2]) + 0.5);
 }
 
 Tile tileAt(const Raster& raster, int x0, int y0) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "importer/page/luma.h"
+
 namespace detent::importer::trace {
 
 namespace {
@@ -15,7 +17,7 @@ struct Tone {
 };
 
 Tone toneOf(double r, double g, double b) {
-  const double y = 0.299 * r + 0.587 * g + 0.114 * b;
+  const double y = luma(r, g, b);
   return {y, {0.564 * (b - y), 0.713 * (r - y)}};
 }
 
@@ -96,7 +98,7 @@ class ChromaSettler {
     const double bright = paper_.bright + tone.bright;
     const Point colour = paper_.colour + tone.colour;
     const double r = bright + colour.y / 0.713, b = bright + colour.x / 0.564;
-    const double g = (bright - 0.299 * r - 0.114 * b) / 0.587;
+    const double g = (bright - lumaOfRed * r - lumaOfBlue * b) / lumaOfGreen;
     std::uint8_t* p = raster_.rgb.data() + (raster_.at(x, y) - raster_.rgb.data());
     const auto level = [](double v) { return static_cast<std::uint8_t>(std::clamp(v + 0.5, 0.0, 255.0)); };
     p[0] = level(r), p[1] = level(g), p[2] = level(b);

@@ -6,7 +6,7 @@
 
 Walks: sheets that import (those named, else a sample and six vendors' sheets of the corpus), where a click, a drag or a key is an action; by hand, a page of which
 nothing is read, neither frame nor numbers nor curves, where clicks and drags count; and the windows on small screens and at twice
-the size. What is typed into a field belongs to the click on it.
+the size, in both languages. What is typed into a field belongs to the click on it.
 """
 
 import argparse
@@ -28,7 +28,8 @@ MOST_ACTIONS_THAT_IMPORT, MOST_CLICKS_BY_HAND = 5, 15
 # Of the corpus that DETENT_CORPUS names, or that lies beside the checkout: four vendors, traces and pictures, first and later pages.
 VENDOR_SHEETS = ["Cherry/EN_CHERRY_MX1A-1xxA_B.pdf", "Cherry/EN_CHERRY_MX3A-1xxA_B.pdf", "Gateron/Gateron ks-27 datasheet.pdf",
                  "Kailh/CPG151001D02-Brown-Sun.pdf", "Kailh/CPG1353S01D01-01.pdf", "Greetech/SPEC_GT02A1BFN_Rev_A.pdf"]
-SCREENS = [("1024x700", 1), ("1366x768", 1), ("1366x768", 2)]
+SCREENS = [("1024x700", 1, "en"), ("1024x700", 1, "de"), ("1366x768", 1, "en"), ("1366x768", 2, "en"), ("1366x768", 2, "de")]
+LEAST_FOR_ALL_COLUMNS = 1000  # of a screen, in the editor's pixels: from here on the table of values does not scroll sideways
 
 
 def write_png(path, width, height, ink):
@@ -150,19 +151,49 @@ def check_curve(page, saved):
             raise AssertionError(f"drawn by hand: {force:.3f} N at {x:.2f} mm, not {page.force_N(x):.3f} N")
 
 
-def fits(programs, root, folder, size, scale):
-    width, height = (int(part) / scale for part in size.split("x"))
-    with Desktop(folder, size, scale) as desktop:
+class Fitting:
+    """All that is seen lies on a small screen."""
+
+    def __init__(self, editor, desktop):
+        self.editor, self.desktop = editor, desktop
+        self.width, self.height = (int(part) / desktop.scale for part in desktop.size.split("x"))
+
+    def check(self, *names):
+        """Widgets and windows, once they lie still."""
+        for name in names:
+            widget = self.editor.at_rest(name)
+            window = next(w for w in self.editor.report()["windows"] if w["name"] == widget["window"])
+            for what, (x, y, width, height) in ((name, widget["rect"]), (f"the window of {name}", window["rect"])):
+                if x < 0 or y < 0 or x + width > self.width or y + height > self.height:
+                    raise AssertionError(f"{what} is at {(x, y, width, height)}, the screen has {self.width:g} x {self.height:g}")
+
+    def check_columns(self):
+        cells = self.editor.at_rest("valuesTable")["cells"]
+        widths = {cell["column"]: cell["rect"][2] for cell in cells if cell["column"] > 0 and cell["text"]}
+        if len(widths) < 4 or widths[4] < widths[1]:
+            raise AssertionError(f"the table of values shows columns of {widths} px: the last one is cut")
+
+    def look(self, what):
+        self.desktop.screenshot(self.desktop.folder / f"{what}.png")
+
+
+def fits(programs, root, folder, size, scale, language):
+    with Desktop(folder, size, scale, language) as desktop:
         editor = Editor(desktop, programs / "detent-edit", [root / "samples/plots/two-level-legend.png"])
-        accept = editor.widget("import", "importDialog", enabled=True)
-        desktop.screenshot(folder / f"import-{size}-{scale}.png")
-        for name, rect in (("the import dialogue", next(w["rect"] for w in editor.report()["windows"] if w["name"] == "importDialog")),
-                           ("its Import button", accept["rect"])):
-            if rect[0] < 0 or rect[1] < 0 or rect[0] + rect[2] > width or rect[1] + rect[3] > height:
-                raise AssertionError(f"on a screen of {size} at scale {scale}, {name} is at {rect}")
+        screen = Fitting(editor, desktop)
+        editor.widget("import", "importDialog", enabled=True)
+        screen.look("import")
+        screen.check("import", "close", "pageView", "findingsPanel")
         editor.click("import", "importDialog")
-        editor.widget("graphCanvas")
-        desktop.screenshot(folder / f"window-{size}-{scale}.png")
+        editor.gone("import")
+        screen.check("graphCanvas", "valuesDock", "unitButton", "tabBar")
+        screen.look("window")
+        if screen.width >= LEAST_FOR_ALL_COLUMNS:
+            screen.check_columns()
+        for keys, dock in (("alt+5", "checksDock"), ("alt+4", "feelDock")):
+            desktop.key(keys)
+            screen.check(dock, "graphCanvas")
+            screen.look(dock)
 
 
 def vendor_sheets(root):
@@ -207,8 +238,8 @@ def main():
             walk(sheet.name, lambda folder: from_a_sheet_that_imports(programs, sheet, folder), MOST_ACTIONS_THAT_IMPORT)
         for time_walked in range(arguments.times if "by-hand" in asked else 0):
             walk(f"by hand {time_walked + 1}", lambda folder: by_hand(programs, folder), MOST_CLICKS_BY_HAND)
-        for size, scale in SCREENS if "screens" in asked else []:
-            walk(f"screen {size} at {scale}", lambda folder: fits(programs, root, folder, size, scale))
+        for size, scale, language in SCREENS if "screens" in asked else []:
+            walk(f"screen {size} at {scale}, {language}", lambda folder: fits(programs, root, folder, size, scale, language))
         if arguments.keep:
             shutil.copytree(name, arguments.keep, dirs_exist_ok=True, ignore_dangling_symlinks=True)
     return 1 if failed else 0

@@ -12,6 +12,7 @@ import time
 from pathlib import Path
 
 PATIENCE_S = 60.0
+LOCALES = {"en": "C.UTF-8", "de": "de_DE.UTF-8"}
 REST_S = 0.35  # what has not moved for so long lies still; the report is written every 0.1 s
 
 
@@ -43,8 +44,8 @@ def end(process):
 class Desktop:
     """Xvfb on a display that is free, with openbox. Use with `with`. Places are in the editor's pixels, `scale` screen pixels each."""
 
-    def __init__(self, folder, size="1500x950", scale=1):
-        self.folder, self.size, self.scale = Path(folder), size, scale
+    def __init__(self, folder, size="1500x950", scale=1, language="en"):
+        self.folder, self.size, self.scale, self.language = Path(folder), size, scale, language
         self.started = []
         self.actions = 0  # clicks, drags and keys of a person; what is typed into a field belongs to its click
         self.clicks = 0  # clicks and drags alone
@@ -59,7 +60,7 @@ class Desktop:
             self.display = ":" + number.readline().strip()
         if self.display == ":":
             raise NotThere(f"Xvfb did not start; its words are in {log.name}")
-        self.environment = dict(os.environ, DISPLAY=self.display, QT_QPA_PLATFORM="xcb", LC_ALL="C.UTF-8",
+        self.environment = dict(os.environ, DISPLAY=self.display, QT_QPA_PLATFORM="xcb", LC_ALL=LOCALES[self.language],
                                 XDG_CONFIG_HOME=str(self.folder / "config"), XDG_DATA_HOME=str(self.folder / "data"),
                                 XDG_RUNTIME_DIR=str(self.folder), HOME=str(self.folder), QT_SCALE_FACTOR=str(self.scale))
         self.environment.pop("WAYLAND_DISPLAY", None)

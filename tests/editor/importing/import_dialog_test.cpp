@@ -639,7 +639,7 @@ void ImportDialogTest::theFrameIsDraggedWithTheMouse() {
   QVERIFY(frame);
   const double scale = std::abs(view.pageToWidget().m11());
   QVERIFY(std::abs((*frame)[1].x - (corners[1].x - 30 / scale)) < 2 / scale);
-  for (const std::size_t other : {0, 2, 3}) QCOMPARE((*frame)[other], corners[other]);  // it goes freely
+  for (const std::size_t other : {0u, 2u, 3u}) QCOMPARE((*frame)[other], corners[other]);  // it goes freely
   keepPicture(view, "implied-grid");
   state.undo();
   QVERIFY(again(state));

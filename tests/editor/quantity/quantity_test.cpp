@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every quantity x locale x unit: what is shown can be typed back, and no text means two numbers.
-#include "editor/quantity/quantity.h"
-
 #include <array>
 #include <cmath>
 #include <QLocale>
 
 #include <rapidcheck.h>
 
+#include "editor/quantity/reading_error.h"
 #include "tests/model/property.h"
 
 using namespace detent;
@@ -184,6 +183,19 @@ TEST_CASE("What is no quantity of this kind is refused with its reason") {
   CHECK(trouble("nan", Quantity::length) == unknownUnit);
   CHECK(trouble("inf", Quantity::length) == unknownUnit);
   CHECK(trouble(std::string(500, '(').c_str(), Quantity::length) == noNumber);
+}
+
+TEST_CASE("What was read off a page has the digits its error leaves, what was typed its own") {
+  const ReadingError error{0.002, 0.003};
+  DisplayUnits units{LengthUnit::millimetre, ForceUnit::centinewton};
+  CHECK(readText(0.7997213456, Quantity::force, units, error) == "80.0");
+  CHECK(readText(0.7997213456, Quantity::force, units, {}) == "79.972");
+  CHECK(readText(0.7997213456, Quantity::force, units, {}, 4) == "79.97");
+  CHECK(readText(0.56123, Quantity::force, units, error) == "56.123");
+  CHECK(readText(1.2504567891, Quantity::length, units, error) == "1.250");
+  CHECK(readText(1.2345678912, Quantity::slope, units, error) == "123");
+  units.length = LengthUnit::micrometre;
+  CHECK(readText(1.2504567891, Quantity::length, units, error) == "1250");
 }
 
 TEST_CASE("Any text is read or refused, never both, never without a word") {

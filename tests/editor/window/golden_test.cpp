@@ -81,6 +81,13 @@ class GoldenTest : public QObject {
     check("notices-light", window->grab().toImage());
   }
 
+  /// Forces and contacts are named beside each other, not over each other.
+  void lowGraph() {
+    auto window = makeWindow(Appearance::light);
+    window->files().open({sample("buttons/B.button.json")});
+    check("low-graph", window->tabs().current()->workspace().renderImage({420, 150}, 1));
+  }
+
   void comparison() {
     auto window = makeWindow(Appearance::light);
     window->files().open({sample("buttons/C.button.json"), sample("buttons/B.button.json")});

@@ -976,7 +976,8 @@ class WindowTest : public QObject {
     const QWidget& canvas = rig.window->tabs().current()->workspace().canvas();
     const QRect graph(canvas.mapToGlobal(QPoint()), canvas.size());
     const int room = dialog->screen()->availableGeometry().right() - graph.right();
-    QVERIFY2(room < dialog->width() || !graph.intersects(dialog->frameGeometry()), "it covers the graph");
+    QVERIFY2(room < dialog->frameGeometry().width() || !graph.intersects(dialog->frameGeometry()),
+             "it covers the graph");
     dialog->reject();
   }
 

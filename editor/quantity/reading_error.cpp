@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/quantity/reading_error.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "model/units.h"
+
+namespace detent::editor {
+
+std::optional<ReadingError> readingErrorOf(const Button& button) {
+  const auto& from = button.provenance();
+  if (!from || from->frame.size() != 4 || !from->xAxis || !from->yAxis) return {};
+  const auto length = lengthUnitFrom(from->xAxis->unit);
+  const auto force = forceUnitFrom(from->yAxis->unit);
+  const double width = from->frame[2] - from->frame[0], height = from->frame[3] - from->frame[1];
+  if (!length || !force || !(width > 0 && height > 0)) return {};
+  // Documents are rendered so that the frame is about so wide; of pictures the unit of the frame is the pixel.
+  constexpr double renderedFrame_px = 1000;
+  const QString file = QString::fromStdString(from->sourceFile).toLower();
+  const bool rendered = file.endsWith(QLatin1String(".pdf")) || file.endsWith(QLatin1String(".svg"));
+  const double pxPerUnit = rendered ? std::max(1.0, renderedFrame_px / width) : 1;
+  const double fit_px = std::max(from->pressRms_px, from->releaseRms_px);
+  constexpr double leastShare = 1e-4;  // of the axis: no drawing is more exact, though its file may be
+  const auto error = [&](const AxisProvenance& axis, double unit, double size) {
+    const double share = std::max(leastShare, std::hypot(fit_px, axis.residual_px) / (size * pxPerUnit));
+    return share * std::abs(axis.max - axis.min) * unit;
+  };
+  return ReadingError{error(*from->xAxis, millimetresPer(*length), width),
+                      error(*from->yAxis, newtonsPer(*force), height)};
+}
+
+QString readText(double value, Quantity quantity, const DisplayUnits& units,
+                 const std::optional<ReadingError>& error, int significant) {
+  constexpr int mostTyped = 8;          // digits; what was read off a page has sixteen
+  constexpr int digitsOfReadSlope = 3;  // its error is some percent
+  constexpr int mostDecimals = 6;
+  const auto rounded = readQuantity(quantityText(value, quantity, units, mostTyped), quantity, units).value;
+  const bool asTyped = rounded && std::abs(*rounded - value) <= 1e-12 * std::abs(value);
+  if (!error || asTyped) return quantityText(value, quantity, units, significant);
+  if (quantity == Quantity::slope) return quantityText(value, quantity, units, digitsOfReadSlope);
+  const double unit = shownUnitOf(quantity, units);
+  const double sigma = (quantity == Quantity::length ? error->mm : error->N) / unit;
+  if (!(sigma > 0)) return quantityText(value, quantity, units, significant);
+  return fixedText(value / unit,
+                   std::clamp(static_cast<int>(std::ceil(-std::log10(sigma))), 0, mostDecimals));
+}
+
+}  // namespace detent::editor

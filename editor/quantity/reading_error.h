@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// How many digits of a value mean something: what was read off a page has an error, what was typed has none.
+
+#include <optional>
+#include <QString>
+
+#include "editor/quantity/quantity.h"
+#include "model/button.h"
+
+namespace detent::editor {
+
+/// Standard error of what was read off a page.
+struct ReadingError {
+  double mm, N;  ///< > 0
+};
+
+/// As far as the button's file tells: the rest of the fit and of the axes' ticks, together, over the size of the plot
+/// frame. Empty for buttons that were not read off a page.
+std::optional<ReadingError> readingErrorOf(const Button& button);
+
+/// A value (mm, N, N/mm) in the shown unit, without the unit: with the digits that the error leaves, or those that
+/// were typed since; without an error `significant` ones at most.
+QString readText(double value, Quantity quantity, const DisplayUnits& units,
+                 const std::optional<ReadingError>& error, int significant = 5);
+
+}  // namespace detent::editor
