@@ -108,6 +108,7 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
                   TextKind kind) {
   AxisLabels found;
   std::vector<LabelPlace> places;
+  std::vector<std::string> texts;
   double height = 0;
   for (const auto& w : row.words) height = std::max(height, w.height());
   for (const auto& w : row.words) {
@@ -118,12 +119,14 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
     LabelPlace place;
     place.center_px = axis == Axis::x ? w.middle().x : w.middle().y;
     place.reach_px = 0.45 * height + 1.5;
-    place.readings = numberReadings(kind == TextKind::words ? number : seen.utf8, seen.confidence);
-    found.readings.push_back(place.readings);
+    texts.push_back(kind == TextKind::words ? number : seen.utf8);
+    found.readings.push_back(numberReadings(texts.back(), seen.confidence));
     found.extent = found.words.empty() ? w : found.extent.joined(w);
     found.words.push_back(std::move(seen));
     places.push_back(std::move(place));
   }
+  expectLostPoints(texts, found.readings);
+  for (std::size_t i = 0; i < places.size(); ++i) places[i].readings = found.readings[i];
   if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places);
   found.progression = fitProgression(places, ticks, axis == Axis::x);
   const bool settled = agreed(found) == static_cast<int>(found.words.size());

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int finer = 3;                     // pixels are compared so much finer than the page's
 constexpr double blur_px = 0.45;             // of the page's own pixels: their size, and what scaling spread
+constexpr int room_px = 3;                   // around a word, for trying places
 constexpr double below = 0.3, above = 0.15;  // of a digit's height: reach of a g and of brackets
 
 int fine(double px) { return std::max(1, static_cast<int>(std::lround(px * finer))); }
@@ -49,6 +50,16 @@ double advanceOf(char c) {
   }
 }
 
+/// Correlation at the text's best place; -1 where it has no room.
+double likenessOf(const cv::Mat& patch, const cv::Mat& text) {
+  if (text.cols > patch.cols || text.rows > patch.rows) return -1;
+  cv::Mat alike;
+  cv::matchTemplate(patch, text, alike, cv::TM_CCOEFF_NORMED);
+  double best = 0;
+  cv::minMaxLoc(alike, nullptr, &best);
+  return best;
+}
+
 }  // namespace
 
 double advancesOf(const std::string& ascii) {
@@ -58,8 +69,7 @@ double advancesOf(const std::string& ascii) {
 }
 
 cv::Mat finePatch(const cv::Mat& darkness, const Box& word, int quarterTurns) {
-  constexpr int room_px = 3,
-                rim_px = 1;  // what stands farther off than the rim, a tick or a neighbour, is none of it
+  constexpr int rim_px = 1;  // what stands farther off than the rim, a tick or a neighbour, is none of it
   const cv::Rect ink(
       static_cast<int>(std::lround(word.x0 + 0.5)), static_cast<int>(std::lround(word.y0 + 0.5)),
       static_cast<int>(std::lround(word.width())), static_cast<int>(std::lround(word.height())));
@@ -117,13 +127,13 @@ cv::Mat DrawnText::drawn(const std::string& ascii) {
 }
 
 double DrawnText::likeness(const cv::Mat& patch, const std::string& ascii) {
+  return likenessOf(patch, drawn(ascii));
+}
+
+double DrawnText::likenessAtEnd(const cv::Mat& patch, const std::string& ascii, double within_px) {
   const cv::Mat text = drawn(ascii);
-  if (text.cols > patch.cols || text.rows > patch.rows) return -1;
-  cv::Mat alike;
-  cv::matchTemplate(patch, text, alike, cv::TM_CCOEFF_NORMED);
-  double best = 0;
-  cv::minMaxLoc(alike, nullptr, &best);
-  return best;
+  const int columns = std::min(patch.cols, text.cols + fine(room_px + within_px));
+  return likenessOf(patch.colRange(patch.cols - columns, patch.cols), text);
 }
 
 }  // namespace detent::importer

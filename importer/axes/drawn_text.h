@@ -34,6 +34,9 @@ class DrawnText {
   /// Correlation of a patch's pixels with the text at its best place, -1 to 1; -1 where it has no room.
   double likeness(const cv::Mat& patch, const std::string& ascii);
 
+  /// The same with a text that the patch's word ends with, give or take so many pixels of the page.
+  double likenessAtEnd(const cv::Mat& patch, const std::string& ascii, double within_px);
+
  private:
   const cv::Mat& glyph(char c);
   cv::Mat drawn(const std::string& ascii);

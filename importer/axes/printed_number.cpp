@@ -80,6 +80,20 @@ std::vector<NumberReading> numberReadings(std::string_view utf8, double confiden
   return readings;
 }
 
+void expectLostPoints(const std::vector<std::string>& texts,
+                      std::vector<std::vector<NumberReading>>& readings) {
+  const auto lost = [](const std::string& text) {
+    const std::string digits = digitsOf(text);
+    return digits.size() > 1 && digits.front() == '0' && text.find_first_of(".,") == std::string::npos;
+  };
+  if (std::ranges::none_of(texts, lost)) return;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (readings[i].empty()) continue;
+    for (NumberReading& reading : readings[i]) reading.weight = 1;
+    if (lost(texts[i])) readings[i].erase(readings[i].begin());
+  }
+}
+
 std::string digitsOf(std::string_view text) {
   std::string digits;
   std::copy_if(text.begin(), text.end(), std::back_inserter(digits),

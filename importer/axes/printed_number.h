@@ -22,6 +22,11 @@ std::optional<double> printedNumber(std::string_view utf8);
 /// where the label was read with certainty. `confidence` 0..1 of the reading.
 std::vector<NumberReading> numberReadings(std::string_view utf8, double confidence = 0);
 
+/// Readings of numbers in one print, `texts` as they were read: where one has lost its point ("08" can only be 0.8) it counts
+/// as read, and all others may have lost theirs as well as not.
+void expectLostPoints(const std::vector<std::string>& texts,
+                      std::vector<std::vector<NumberReading>>& readings);
+
 /// A text's digits alone, in their order.
 std::string digitsOf(std::string_view text);
 

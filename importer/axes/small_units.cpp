@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <string_view>
+#include <vector>
 
 #include <opencv2/imgproc.hpp>
 
@@ -23,12 +25,45 @@ constexpr std::array units{Unit{"mm"},       Unit{"cm"},  Unit{"in"}, Unit{"inch
                            Unit{"lb"},       Unit{"lbf"}, Unit{"s"},  Unit{"ms"},   Unit{"min"}, Unit{"V"},
                            Unit{"mV"},       Unit{"A"},   Unit{"mA"}};
 
-double likenessOf(const Unit& unit, const cv::Mat& patch, std::vector<DrawnText>& hands) {
+/// Of the unit in brackets of either kind, in the hand that suits it best.
+double likenessOf(const Unit& unit, const cv::Mat& patch, double height, std::vector<DrawnText>& hands) {
+  constexpr double blank =
+      0.75;  // of a line's height, between the bracket and what ends the line: dust, a full stop
   double best = -1;
   for (DrawnText& hand : hands)
     for (const auto& [open, shut] : {std::pair('(', ')'), std::pair('[', ']')})
-      best = std::max(best, hand.likeness(patch, open + std::string(unit.ascii) + shut));
+      best = std::max(best, hand.likenessAtEnd(patch, open + std::string(unit.ascii) + shut, blank * height));
   return best - unit.rare;
+}
+
+/// Hands of these fonts whose digits, lower than brackets, are so high and wide, in shares of the line's height.
+std::vector<DrawnText> handsOf(double height, std::initializer_list<int> fonts,
+                               std::initializer_list<double> digits, std::initializer_list<double> advances) {
+  std::vector<DrawnText> hands;
+  for (const int font : fonts)
+    for (const double digit : digits)
+      for (const double advance : advances)
+        hands.emplace_back(Hand{font, digit * height, advance * digit * height});
+  return hands;
+}
+
+struct Judged {
+  const Unit* unit = nullptr;
+  double likeness = -1;
+};
+
+/// The units that two common hands leave in the running; none where nothing like a unit in brackets stands there.
+std::vector<Judged> likelyUnits(const cv::Mat& patch, double height) {
+  constexpr double leastLike = 0.4, behind = 0.2;
+  std::vector<DrawnText> common = handsOf(height, {cv::FONT_HERSHEY_SIMPLEX}, {0.71, 0.83}, {0.82});
+  std::vector<Judged> likely;
+  double best = leastLike;
+  for (const Unit& unit : units) {
+    likely.push_back({&unit, likenessOf(unit, patch, height, common)});
+    best = std::max(best, likely.back().likeness);
+  }
+  std::erase_if(likely, [&](const Judged& j) { return j.likeness < best - behind; });
+  return likely;
 }
 
 }  // namespace
@@ -44,19 +79,16 @@ std::optional<std::string> bracketedUnit(const cv::Mat& darkness, const Box& lin
     end.x0 = line.x1 - std::min(width, longest * height);
   const cv::Mat patch = finePatch(darkness, end, quarterTurns);
   if (patch.empty()) return {};
-  std::vector<DrawnText> hands;
-  for (const int font : {cv::FONT_HERSHEY_SIMPLEX, cv::FONT_HERSHEY_COMPLEX})
-    for (const double digit : {0.68, 0.75, 0.83, 0.9})  // brackets reach above and below
-      for (const double advance : {0.76, 0.88})
-        hands.emplace_back(Hand{font, digit * height, advance * digit * height});
-  std::array<double, units.size()> like{};
-  std::transform(units.begin(), units.end(), like.begin(),
-                 [&](const Unit& unit) { return likenessOf(unit, patch, hands); });
-  const auto best = std::max_element(like.begin(), like.end());
-  const bool alone =
-      std::count_if(like.begin(), like.end(), [&](double l) { return l > *best - ahead; }) == 1;
-  if (*best < leastLike || !alone) return {};
-  return units[static_cast<std::size_t>(best - like.begin())].ascii;
+  std::vector<Judged> likely = likelyUnits(patch, height);
+  if (likely.empty()) return {};
+  std::vector<DrawnText> hands = handsOf(height, {cv::FONT_HERSHEY_SIMPLEX, cv::FONT_HERSHEY_COMPLEX},
+                                         {0.68, 0.75, 0.83, 0.9}, {0.76, 0.88});
+  for (Judged& each : likely) each.likeness = likenessOf(*each.unit, patch, height, hands);
+  const auto best = std::ranges::max_element(likely, {}, &Judged::likeness);
+  const auto rivals =
+      std::ranges::count_if(likely, [&](const Judged& j) { return j.likeness > best->likeness - ahead; });
+  if (best->likeness < leastLike || rivals > 1) return {};
+  return best->unit->ascii;
 }
 
 std::string withUnit(const std::string& utf8, const std::string& unit) {

@@ -13,6 +13,27 @@
 using namespace detent;
 using namespace detent::importer;
 
+TEST_CASE("A number that begins with a zero has lost its point, and its neighbours may have", "[axes]") {
+  const std::vector<std::string> texts{"28", "20", "16", "08"};
+  std::vector<std::vector<NumberReading>> readings;
+  for (const std::string& text : texts) readings.push_back(numberReadings(text, 0.95));
+  const auto weightOf = [&](std::size_t i, double value) {
+    for (const NumberReading& r : readings[i])
+      if (std::abs(r.value - value) < 1e-9) return r.weight;
+    return 0.0;
+  };
+  CHECK(weightOf(0, 2.8) < weightOf(0, 28));
+  expectLostPoints(texts, readings);
+  CHECK(weightOf(0, 2.8) == weightOf(0, 28));
+  CHECK(weightOf(3, 0.8) == 1);
+  CHECK(weightOf(3, 8) == 0);
+
+  std::vector<std::vector<NumberReading>> whole{numberReadings("20", 0.95), numberReadings("0", 0.95)};
+  expectLostPoints({"20", "0"}, whole);
+  CHECK(whole[0].size() == 2);
+  CHECK(whole[0][1].weight < 0.5);
+}
+
 TEST_CASE("numbers as plots print them") {
   CHECK(printedNumber("120") == 120);
   CHECK(printedNumber("0.5") == 0.5);
