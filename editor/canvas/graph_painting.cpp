@@ -248,8 +248,9 @@ class Tags {
   Tags(QPainter& painter, const PlotMapping& map, const GraphScene& scene)
       : painter_(painter), map_(map), scene_(scene) {}
 
+  void keepClear(const QRectF& box) { taken_.push_back(box); }
   void keepClear(QPointF mark_px, double half_px) {
-    taken_.push_back(QRectF(mark_px - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px)));
+    keepClear(QRectF(mark_px - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px)));
   }
 
   void put(QPointF at_px, const QString& text, const QColor& ink) {
@@ -269,7 +270,7 @@ class Tags {
   static std::vector<QPointF> placesAround(QSizeF size) {
     std::vector<QPointF> places;
     for (const double lines : {0, 1, -1, 2, -2, 3, -3})
-      for (const double sideways : {0, 1, -1})
+      for (const double sideways : {0, 1, -1, 2, -2})
         places.emplace_back(sideways * (size.width() / 2 + 2 * tactileMark_px), lines * size.height());
     std::ranges::stable_sort(places, {}, [](QPointF away) { return std::hypot(away.x(), away.y()); });
     return places;
@@ -353,6 +354,18 @@ std::vector<TactilePoint> tactilePointsIn(const PlotMapping& map, const GraphSce
   return seen;
 }
 
+constexpr QPointF legendAt_px{14, 16};  // from the plot's corner: the middle of its first line
+constexpr double legendText_px = 35;    // from there
+
+QRectF legendBox(const QPainter& painter, const PlotMapping& map) {
+  const QFontMetricsF metrics(painter.font());
+  const double text_px =
+      std::max(metrics.horizontalAdvance(tr("press")), metrics.horizontalAdvance(tr("release")));
+  const double line_px = metrics.height() + 2;
+  return {map.clip_px.topLeft() + legendAt_px - QPointF(0, line_px / 2),
+          QSizeF(legendText_px + text_px, 2 * line_px)};
+}
+
 // First the forces, which belong beside their points; a contact's name may stand anywhere on its line.
 void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scene,
                const std::vector<Contact>& contacts) {
@@ -365,6 +378,7 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
       for (const TactilePoint& point : *points)
         tags.keepClear(map.toPixel(point.displacement_mm, point.force_N), tactileMark_px);
   for (const Contact& contact : contacts) tags.keepClear(contact.at_px, contactMark_px);
+  if (scene.state.graph.release()) tags.keepClear(legendBox(painter, map));
   if (legible) {
     tagTactilePoints(tags, map, scene, Stroke::release, release);
     tagTactilePoints(tags, map, scene, Stroke::press, press);
@@ -534,13 +548,13 @@ void paintFeedback(QPainter& painter, const PlotMapping& map, const GraphScene& 
 void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   if (!scene.state.graph.release()) return;
   const QFontMetricsF metrics(painter.font());
-  QPointF at = map.clip_px.topLeft() + QPointF(14, 16);
+  QPointF at = map.clip_px.topLeft() + legendAt_px;
   for (const Stroke stroke : {Stroke::press, Stroke::release}) {
     const QString name = stroke == Stroke::press ? tr("press") : tr("release");
     painter.setPen(strokePen(stroke, scene.colors, 2));
     painter.drawLine(at, at + QPointF(28, 0));
     painter.setPen(scene.colors.text);
-    painter.drawText(at + QPointF(35, metrics.ascent() / 2 - 1), name);
+    painter.drawText(at + QPointF(legendText_px, metrics.ascent() / 2 - 1), name);
     at += QPointF(0, metrics.height() + 2);
   }
 }

@@ -73,6 +73,12 @@ importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double s
   return {p.x(), p.y()};
 }
 
+void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<FrameCorners>& corners) {
+  if (corners && axis.min) axis.ticks.push_back({placeAlong(which, *corners, 0), *axis.min});
+  if (corners && axis.max) axis.ticks.push_back({placeAlong(which, *corners, 1), *axis.max});
+  axis.min.reset(), axis.max.reset();
+}
+
 std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,
                                       const std::vector<AxisTick>& given,
                                       const std::vector<AxisTick>& found) {

@@ -64,6 +64,10 @@ std::optional<double> shareAlong(GraphAxis axis, const FrameCorners& corners, im
 /// The place on the axis' edge with this share.
 importer::Point placeAlong(GraphAxis axis, const FrameCorners& corners, double share);
 
+/// Ends that were given become ticks at the ends of the axis, so that another tick can stand beside them. Without corners
+/// they are lost.
+void endsToTicks(AxisCorrection& axis, GraphAxis which, const std::optional<FrameCorners>& corners);
+
 /// The ends that given ticks define: the line through them, by least squares. A single given tick is joined
 /// with the farthest found one. Nothing if that leaves fewer than two places or two equal ones.
 std::optional<AxisEnds> endsFromTicks(GraphAxis axis, const FrameCorners& corners,

@@ -24,7 +24,7 @@ importer::Box boxOf(importer::Point a, importer::Point b) {
   return {std::min(a.x, b.x), std::min(a.y, b.y), std::max(a.x, b.x), std::max(a.y, b.y)};
 }
 
-/// Click a place of an axis, type the value that stands there. Clings to ticks and gridlines.
+/// Click a place of an axis, type the value that stands there. Clings to ticks, gridlines and the ends of the axis.
 class ScaleTool : public PageTool {
  public:
   using PageTool::PageTool;
@@ -91,20 +91,24 @@ class ScaleTool : public PageTool {
     if (!corners) return {};
     if (distance(widget, view_.toWidget((*corners)[3])) <= clings_px)
       return Target{GraphAxis::x, (*corners)[3], true};
-    const auto foot = [&](GraphAxis axis) -> std::optional<importer::Point> {
+    const auto footOn = [&](GraphAxis axis) -> std::optional<importer::Point> {
       const auto share = shareAlong(axis, *corners, view_.toPage(widget));
       if (!share) return {};
       return placeAlong(axis, *corners, *share);
     };
-    const auto x = foot(GraphAxis::x), y = foot(GraphAxis::y);
+    const auto x = footOn(GraphAxis::x), y = footOn(GraphAxis::y);
     if (!x || !y) return {};
     const bool nearX = distance(widget, view_.toWidget(*x)) <= distance(widget, view_.toWidget(*y));
-    Target target{nearX ? GraphAxis::x : GraphAxis::y, nearX ? *x : *y};
+    const Target foot{nearX ? GraphAxis::x : GraphAxis::y, nearX ? *x : *y};
+    Target target = foot;
     double best = clings_px;
-    for (const QPointF& line : nearX ? view_.drawn().xLines : view_.drawn().yLines) {
-      const double d = distance(view_.toWidget(target.at), view_.pageToWidget().map(line));
-      if (d < best) best = d, target.at = {line.x(), line.y()};
-    }
+    const auto cling = [&](importer::Point place) {
+      const double d = distance(view_.toWidget(foot.at), view_.toWidget(place));
+      if (d < best) best = d, target.at = place;
+    };
+    for (const QPointF& line : nearX ? view_.drawn().xLines : view_.drawn().yLines)
+      cling({line.x(), line.y()});
+    for (const double end : {0.0, 1.0}) cling(placeAlong(foot.axis, *corners, end));
     return target;
   }
 

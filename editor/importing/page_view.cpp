@@ -22,9 +22,8 @@ constexpr double leastZoom = 0.02, mostZoom = 200;  // widget pixels per page un
 
 constexpr int valueField_px = 96;
 
-// A tick says it all: ends that were typed go. Where one was set at this place already it is that one's value.
+// Where one was set at this place already it is that one's value.
 void setTick(AxisCorrection& axis, const AxisTick& tick, std::optional<std::size_t> replaces = {}) {
-  axis.min.reset(), axis.max.reset();
   auto same = std::find_if(axis.ticks.begin(), axis.ticks.end(),
                            [&](const AxisTick& other) { return other.at == tick.at; });
   if (replaces && *replaces < axis.ticks.size())
@@ -287,6 +286,7 @@ void PageView::askValue(GraphAxis axis, importer::Point at, std::optional<std::s
   asked.axis = axisQuantity(axis, unit.toStdString());
   asked.take = [this, axis, at, replaces, isX](double value) {
     Corrections next = shown();
+    endsToTicks(next.axis(axis), axis, shownCorners());
     setTick(next.axis(axis), {at, value}, replaces);
     state_.apply(next, isX ? tr("Set displacement tick") : tr("Set force tick"));
   };
@@ -302,7 +302,10 @@ void PageView::askOrigin(importer::Point at) {
   asked.placeholder = tr("value of both axes");
   asked.take = [this, at](double value) {
     Corrections next = shown();
-    for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y}) setTick(next.axis(axis), {at, value});
+    for (const GraphAxis axis : {GraphAxis::x, GraphAxis::y}) {
+      endsToTicks(next.axis(axis), axis, shownCorners());
+      setTick(next.axis(axis), {at, value});
+    }
     state_.apply(next, tr("Set the origin"));
   };
   ask(asked);
@@ -453,6 +456,7 @@ void PageView::drawMagnifier(QPainter& painter) const {
     QPolygonF outline;
     for (const auto& c : *corners) outline << enlarged.map(QPointF(c.x, c.y));
     painter.setPen(QPen(QColor("#00805c"), 1));
+    painter.setBrush(Qt::NoBrush);
     painter.drawPolygon(outline);
   }
   painter.setPen(QPen(QColor(200, 16, 46, 200), 1));

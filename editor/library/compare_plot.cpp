@@ -10,7 +10,6 @@
 namespace detent::editor {
 namespace {
 
-constexpr double roomForLegend = 0.2;  // of the force range
 constexpr int digits = 4;
 
 /// Empty beyond the curve's ends, and where a graph has no such stroke.
@@ -29,8 +28,11 @@ ComparePlot::ComparePlot(QWidget* parent)
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   legend->setVisible(true);
-  legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // one line, in the room above the curves
-  axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignHCenter);
+  legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // one line above the curves
+  plotLayout()->insertRow(0);
+  plotLayout()->addElement(0, 0, legend);
+  constexpr double noMoreThanNeeded = 1e-3;
+  plotLayout()->setRowStretchFactor(0, noMoreThanNeeded);
   setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   for (QCPItemStraightLine* line : {cursor_, pinned_}) line->setVisible(false);
 }
@@ -84,7 +86,6 @@ void ComparePlot::drawCurves() {
   if (graphs_.empty()) return;
   rescaleAxes();
   yAxis->scaleRange(1.1);
-  yAxis->setRangeUpper(yAxis->range().upper + roomForLegend * yAxis->range().size());
 }
 
 // ---- cursors

@@ -22,7 +22,7 @@ import time
 import zlib
 from pathlib import Path
 
-from desktop import PATIENCE_S, Desktop, Editor, wait_for
+from desktop import Desktop, Editor, read_to_its_end, wait_for
 
 MOST_ACTIONS_THAT_IMPORT, MOST_CLICKS_BY_HAND = 5, 15
 # Of the corpus that DETENT_CORPUS names, or that lies beside the checkout: four vendors, traces and pictures, first and later pages.
@@ -126,12 +126,6 @@ def walk_by_hand(page, editor, desktop, folder):
     save(editor, desktop, saved)
     check_curve(page, saved)
     return desktop.clicks
-
-
-def read_to_its_end(editor, dialog):
-    """Until what was given is read: the button that stops it stands there meanwhile."""
-    wait_for("the page to be read", lambda: not editor.find("stop", dialog), 2 * PATIENCE_S)
-    editor.at_rest("pageView", dialog)
 
 
 def settle_doubts(editor, dialog):

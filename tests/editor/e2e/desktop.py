@@ -113,6 +113,13 @@ class Desktop:
             time.sleep(pause_s)
         self.xdotool("mouseup", 1)
 
+    def darkest_near(self, place):
+        """Red, green, blue of the darkest of 3 x 3 screen pixels."""
+        x, y = (round(self.scale * part) - 1 for part in place)
+        pixels = subprocess.run(["import", "-window", "root", "-crop", f"3x3+{x}+{y}", "-depth", "8", "rgb:-"], env=self.environment,
+                                check=True, capture_output=True, timeout=30).stdout
+        return min((pixels[i:i + 3] for i in range(0, len(pixels), 3)), key=sum)
+
     def screenshot(self, file):
         subprocess.run(["import", "-window", "root", str(file)], env=self.environment, check=False, timeout=30)
 
@@ -202,6 +209,21 @@ class Editor:
     def kill(self):
         self.process.send_signal(signal.SIGKILL)
         self.process.wait(20)
+
+
+def read_to_its_end(editor, dialog):
+    """Until what was given to the import is read: the button that stops it stands there meanwhile."""
+    time.sleep(0.2)  # it comes after 0.15 s
+    wait_for("the page to be read", lambda: not editor.find("stop", dialog), 2 * PATIENCE_S)
+    editor.at_rest("pageView", dialog)
+
+
+def saved_press(programs, file):
+    """The press curve of a saved button: mm, N."""
+    samples = file.with_suffix(".csv")
+    subprocess.run([programs / "detent-graph", "convert", file, samples], check=True, capture_output=True, timeout=60)
+    rows = (line.split(",") for line in samples.read_text().splitlines())
+    return [(float(x), float(y)) for stroke, x, y in rows if stroke == "press"]
 
 
 def centre(widget):

@@ -36,6 +36,18 @@ TEST_CASE("In a leaning frame the middle of an axis is where the perspective has
   CHECK(share > 0.3);
 }
 
+TEST_CASE("Ends that were typed stay as ticks when another tick is set") {
+  AxisCorrection axis;
+  axis.min = 0, axis.max = 6;
+  endsToTicks(axis, GraphAxis::x, upright);
+  CHECK_FALSE(axis.min);
+  CHECK_FALSE(axis.max);
+  const auto ends = endsFromTicks(GraphAxis::x, upright, axis.ticks, {});
+  REQUIRE(ends);
+  CHECK(ends->min == Approx(0));
+  CHECK(ends->max == Approx(6));
+}
+
 TEST_CASE("Two ticks with values define the ends of an axis") {
   const auto ends = endsFromTicks(GraphAxis::x, upright, {{{140, 250}, 1}, {{260, 250}, 4}}, {});
   REQUIRE(ends);
