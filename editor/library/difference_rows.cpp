@@ -165,7 +165,7 @@ QString shownDifference(const DifferenceRow& row, std::size_t other, const Displ
   const Value &first = row.values.front(), &second = row.values[other];
   if (!first || !second) return nothing;
   const double difference = *second - *first;
-  const QString shown = shownValue(std::abs(difference), row.measure, units);
+  QString shown = shownValue(std::abs(difference), row.measure, units);
   if (difference == 0) return shown;
   return (difference > 0 ? QStringLiteral("+") : QStringLiteral("\u2212")) + shown;
 }

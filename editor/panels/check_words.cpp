@@ -91,7 +91,7 @@ QString nameOf(importer::SpecQuantity quantity) {
 }  // namespace
 
 QString wordsOf(const Warning& warning, const Button& button, const DisplayUnits& units) {
-  const QString sentence = sentenceOf(warning, Words(warning, units));
+  QString sentence = sentenceOf(warning, Words(warning, units));
   const auto state = warning.spot.state;
   if (!state || button.states().size() < 2) return sentence;
   return Checks::tr("State %1: %2").arg(QString::fromStdString(button.states()[*state].name), sentence);

@@ -53,7 +53,7 @@ QString kindWords(const playback::ParticipantRecord& record) {
 /// "P01", "P02", ...: the first that nobody has.
 QString freeId(const std::vector<playback::ParticipantRecord>& records) {
   for (int i = 1;; ++i) {
-    const QString id = QStringLiteral("P%1").arg(i, 2, 10, QChar('0'));
+    QString id = QStringLiteral("P%1").arg(i, 2, 10, QChar('0'));
     if (std::none_of(records.begin(), records.end(),
                      [&](const auto& r) { return r.participant == id.toStdString(); }))
       return id;

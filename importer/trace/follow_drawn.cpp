@@ -193,7 +193,7 @@ std::vector<Point> followDrawn(const Raster& raster, const std::vector<Point>& d
                                const DrawnOptions& options) {
   const std::vector<Point> drawn = withoutRepeats(drawn_px);
   if (drawn.size() < 2) return {};
-  const std::vector<Point> line = smoothLine(drawn, options.spacing_px);
+  std::vector<Point> line = smoothLine(drawn, options.spacing_px);
   if (raster.empty()) return line;
   const Band band = bandAlong(raster, line, options.reach_px);
   const std::vector<double> ink = inkOf(band);

@@ -30,7 +30,7 @@ std::string writeAll(const fs::path& path, std::string_view text) {
   if (!file) return systemReason();
   const bool written = std::fwrite(text.data(), 1, text.size(), file.get()) == text.size();
   const bool flushed = std::fflush(file.get()) == 0 && std::ferror(file.get()) == 0;
-  const std::string reason = written && flushed ? "" : systemReason();
+  std::string reason = written && flushed ? "" : systemReason();
   const bool closed = std::fclose(file.release()) == 0;
   if (!reason.empty()) return reason;
   return closed ? "" : systemReason();

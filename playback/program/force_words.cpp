@@ -17,7 +17,7 @@ std::string worded(const char* format, Values... values) {
 }  // namespace
 
 std::string sentenceOf(const ForceRemark& r, const Button& button) {
-  const std::string where =
+  std::string where =
       button.selfLocking() ? "state " + stateName(button, static_cast<std::uint32_t>(r.state)) + ": " : "";
   switch (r.kind) {
     case ForceRemarkKind::wallSoftened:
