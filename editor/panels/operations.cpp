@@ -372,7 +372,7 @@ namespace {
 
 /// A template with its travel multiplied, and the highest force of its first state brought to `highest_N`.
 Result<Button> stretched(const Button& plain, double travelFactor, double highest_N) {
-  const auto longer = scaleTravel(plain, travelFactor);
+  auto longer = scaleTravel(plain, travelFactor);
   if (!longer) return longer;
   return scaleForce(*longer, highest_N / longer->states()[0].graph.press().forceRange_N().second);
 }
@@ -389,9 +389,9 @@ Operation twoLevelOperation(const OperationTarget& target) {
        {tr("Highest force"), FieldKind::force, high, 1e-3, 100 * high, {}, {}}},
       {}};
   op.edit = [state = target.state](const Button& start, const Values& v) -> Result<Button> {
-    const auto plain = twoLevelButton();
+    auto plain = twoLevelButton();
     if (!plain) return plain;
-    const auto scaled = stretched(*plain, v[0] / plain->states()[0].graph.travel_mm(), v[1]);
+    auto scaled = stretched(*plain, v[0] / plain->states()[0].graph.travel_mm(), v[1]);
     if (!scaled) return scaled;
     // Contact and damping of the old curves mean nothing on the new ones.
     auto bare = setOperatingPoint(start, state, {});
@@ -422,9 +422,9 @@ Operation selfLockingOperation(const OperationTarget& target) {
                 const Button&, const Values& v) -> Result<Button> {
     SelfLockingTemplate values;
     values.lock_mm = v[1] * values.travel_mm / v[0];
-    const auto plain = selfLockingButton(values);
+    auto plain = selfLockingButton(values);
     if (!plain) return plain;
-    const auto scaled = stretched(*plain, v[0] / values.travel_mm, v[2]);
+    auto scaled = stretched(*plain, v[0] / values.travel_mm, v[2]);
     if (!scaled) return scaled;
     return Button::fromStates(name, scaled->states(), provenance);
   };

@@ -24,7 +24,6 @@ class ValuesPanel : public QWidget {
   ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
   ValuesModel& model() { return *model_; }
 
- public slots:
   /// Brings a mark's row into view.
   void showMark(std::optional<detent::editor::MarkId> mark);
 

@@ -149,7 +149,7 @@ void Keyboard::distribute(GraphDirection direction) {
 }
 
 std::optional<MarkId> Keyboard::selectedKnot() const {
-  const auto selected = context_.canvas.selected();
+  auto selected = context_.canvas.selected();
   if (!selected) return {};
   if (selected->kind == MarkKind::knot) return selected;
   if (isSlope(selected->kind)) return MarkId{MarkKind::knot, selected->stroke, selected->index};

@@ -9,8 +9,8 @@
 namespace detent::editor {
 namespace {
 
-Failure refusal(std::string problem, std::string remedy) {
-  return {FailureCode::wrongUsage, "selection", "", std::move(problem), std::move(remedy)};
+Failure refusal(std::string problem, const std::string& remedy) {
+  return {FailureCode::wrongUsage, "selection", "", std::move(problem), remedy};
 }
 
 bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
@@ -147,7 +147,7 @@ Result<Button> moveSelection(const Button& button, std::size_t state, const std:
 }
 
 Result<Button> removeSelection(const Button& button, std::size_t state, const std::vector<MarkId>& marks) {
-  const auto bare = editContacts(button, state, marks, [](double) { return std::optional<double>(); });
+  auto bare = editContacts(button, state, marks, [](double) { return std::optional<double>(); });
   if (!bare) return bare;
   return editKnots(*bare, state, marks, [](const StrokeCurve& curve, const std::vector<std::size_t>& knots) {
     return removeKnots(curve, knots);

@@ -359,7 +359,7 @@ std::optional<FoundStroke> PieceNetwork::nextStroke() {
   std::reverse(steps.begin(), steps.end());
   extend(steps, false);
   extend(steps, true);
-  const FoundStroke stroke = strokeAlong(steps, bestCost);
+  FoundStroke stroke = strokeAlong(steps, bestCost);
   for (const Step& step : steps) ++used_[step.piece];
   if (stroke.to - stroke.from < leastCover || stroke.ownLength < leastOwn || stroke.slanted < leastOwn)
     return std::nullopt;

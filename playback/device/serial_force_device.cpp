@@ -126,8 +126,8 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
 }
 
 DeviceResult<bool> SerialForceDevice::upload(const ForceProgram& program) {
-  const DeviceTrouble refused{info_.name, "does not take the force table",
-                              "Check the firmware and the cable; without --upload the host runs the law"};
+  DeviceTrouble refused{info_.name, "does not take the force table",
+                        "Check the firmware and the cable; without --upload the host runs the law"};
   if (program.stateCount != 1) {
     return DeviceTrouble{info_.name,
                          "runs one state only, and this button has " + std::to_string(program.stateCount),

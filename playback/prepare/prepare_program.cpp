@@ -402,7 +402,7 @@ std::string PrepareSummary::line() const {
 }
 
 Result<Done> checkSettings(const PlaybackSettings& s) {
-  const Result<Done> bounds = checkBounds(
+  Result<Done> bounds = checkBounds(
       "playback setting",
       {{"grainsPerMm", s.grainsPerMm, 0, 1000, true},
        {"grainFrequency_Hz", s.grainFrequency_Hz, 0, highestFrequency_Hz, false},

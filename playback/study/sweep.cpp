@@ -154,9 +154,8 @@ std::vector<float> sweepSignal(const SweepSettings& s) {
 
 Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const std::vector<float>& recorded,
                                        const SweepSettings& settings) {
-  const Failure nothing{
-      FailureCode::notCertain, "sweep", "", "nothing of the sweep is in the recording",
-      "Check that the accelerometer or microphone is on the input channel, and raise the level"};
+  Failure nothing{FailureCode::notCertain, "sweep", "", "nothing of the sweep is in the recording",
+                  "Check that the accelerometer or microphone is on the input channel, and raise the level"};
   if (recorded.size() != played.size() || played.empty()) return nothing;
   for (float v : recorded) {
     if (!std::isfinite(v)) return nothing;
