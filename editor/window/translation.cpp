@@ -44,8 +44,8 @@ bool installTranslation(QCoreApplication& application, const QLocale& locale, co
   auto* qt = new QTranslator(&application);
   if (qt->load(locale, QStringLiteral("qtbase"), QStringLiteral("_"),
                QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
-    application.installTranslator(qt);
-  application.installTranslator(own);
+    QCoreApplication::installTranslator(qt);
+  QCoreApplication::installTranslator(own);
   return true;
 }
 

@@ -82,7 +82,11 @@ std::string renamedList(std::string_view list, std::vector<std::string>& letters
       continue;
     }
     const std::string name = utf8Of(firstPrivate + static_cast<unsigned>(letters.size() - 1));
-    out += name + properties.substr(letterEnd, normalAt - letterEnd) + " " + name + "\n";
+    out.append(name)
+        .append(properties, letterEnd, normalAt - letterEnd)
+        .append(" ")
+        .append(name)
+        .append("\n");
   }
   return letters.size() > reserved ? out : std::string();
 }

@@ -24,7 +24,7 @@ struct Tile {
 
 int lumaAt(const Raster& raster, int x, int y) {
   const std::uint8_t* p = raster.at(x, y);
-  return static_cast<int>(luma(p[0], p[1], p[2]) + 0.5);
+  return static_cast<int>(std::lround(luma(p[0], p[1], p[2])));
 }
 
 Tile tileAt(const Raster& raster, int x0, int y0) {

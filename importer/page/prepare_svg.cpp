@@ -509,7 +509,7 @@ class Preparer {
     std::string style;
     for (const auto& [property, value] : merged) {
       if (!style.empty()) style += ';';
-      style += property + ':' + value;
+      style.append(property).append(":").append(value);
       if (property == "text-anchor" || tag.find(property)) tag.set(property, value);
     }
     std::replace(style.begin(), style.end(), '"', '\'');

@@ -253,7 +253,8 @@ std::map<std::string, std::string> uniqueStems(const std::vector<std::string>& i
     std::string stem = path.stem().string();
     if (clashes(stem)) stem = path.parent_path().filename().string() + "-" + stem;
     std::string unique = stem;
-    for (int n = 2; !taken.insert(unique).second; ++n) unique = stem + "-" + std::to_string(n);
+    for (int n = 2; !taken.insert(unique).second; ++n)
+      unique = std::string(stem).append("-").append(std::to_string(n));
     stems[input] = unique;
   }
   return stems;

@@ -227,10 +227,11 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
                      "plot frame");
   }
   const bool byHand = swap || (first.stroke && second.stroke);
+  if (!firstIsPress) std::swap(a, b);
   if (!byHand)
-    if (auto above = releaseAbove(firstIsPress ? a : b, firstIsPress ? b : a)) return std::move(*above);
-  found.value.press = firstIsPress ? std::move(a) : b;
-  found.value.release = travelledBack(firstIsPress ? std::move(b) : std::move(a));
+    if (auto above = releaseAbove(a, b)) return std::move(*above);
+  found.value.press = std::move(a);
+  found.value.release = travelledBack(std::move(b));
   return found;
 }
 
