@@ -51,6 +51,14 @@ class Desktop:
         self.clicks = 0  # clicks and drags alone
 
     def __enter__(self):
+        try:
+            self.open()
+        except BaseException:
+            self.__exit__()
+            raise
+        return self
+
+    def open(self):
         reading, writing = os.pipe()
         log = (self.folder / "xvfb.log").open("w")
         self.start(["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{self.size}x24", "-nolisten", "tcp", "-dpi", "96"],
@@ -67,7 +75,6 @@ class Desktop:
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
         self.start(["openbox"], env=self.environment, **quiet)
         wait_for("a window manager", lambda: self.xdotool("get_desktop", check=False).returncode == 0)
-        return self
 
     def __exit__(self, *_):
         for process in reversed(self.started):
