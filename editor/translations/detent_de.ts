@@ -821,6 +821,46 @@
         <source>has %1 numbers, not nine</source>
         <translation>hat %1 Zahlen, nicht neun</translation>
     </message>
+    <message>
+        <source>line %1, column %2</source>
+        <translation>Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>is not valid JSON: %1</source>
+        <translation>ist kein gültiges JSON: %1</translation>
+    </message>
+    <message>
+        <source>Correct it there, or export the button again</source>
+        <translation>Berichtigen Sie es dort, oder exportieren Sie den Taster noch einmal</translation>
+    </message>
+    <message>
+        <source>is not &quot;detent-button&quot;</source>
+        <translation>ist nicht „detent-button“</translation>
+    </message>
+    <message>
+        <source>Give a *.button.json written by Detent</source>
+        <translation>Geben Sie eine *.button.json an, die Detent geschrieben hat</translation>
+    </message>
+    <message>
+        <source>version</source>
+        <translation>Version</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>Add &quot;version&quot;: %1</source>
+        <translation>Ergänzen Sie &quot;version&quot;: %1</translation>
+    </message>
+    <message>
+        <source>is %1, newer than this program reads (%2)</source>
+        <translation>ist %1, neuer als dieses Programm liest (%2)</translation>
+    </message>
+    <message>
+        <source>Update Detent to open this file</source>
+        <translation>Aktualisieren Sie Detent, um diese Datei zu öffnen</translation>
+    </message>
 </context>
 <context>
     <name>detent::Button</name>
@@ -846,6 +886,21 @@
     <message>
         <source>Move the curve so that it starts at 0 mm or later</source>
         <translation>Verschieben Sie die Kurve so, dass sie bei 0 mm oder später beginnt</translation>
+    </message>
+</context>
+<context>
+    <name>detent::Reader</name>
+    <message>
+        <source>is not a key of this format</source>
+        <translation>ist kein Schlüssel dieses Formats</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>Add it, see docs/file-format.md</source>
+        <translation>Ergänzen Sie ihn, siehe docs/file-format.md</translation>
     </message>
 </context>
 <context>
@@ -5941,10 +5996,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>die Seite sieht fotografiert aus, und Fotos werden öfter falsch gelesen als andere Seiten</translation>
     </message>
     <message>
-        <source>with its four corners</source>
-        <translation>mit seinen vier Ecken</translation>
-    </message>
-    <message>
         <source>not beyond doubt: %1</source>
         <translation>nicht zweifelsfrei: %1</translation>
     </message>
@@ -6044,6 +6095,178 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>no one curve in it is &quot;%1&quot;; it shows %2</source>
         <translation>keine einzelne Kurve darin ist „%1“; zu sehen: %2</translation>
     </message>
+    <message>
+        <source>the SVG cannot be drawn: %1</source>
+        <translation>die SVG-Datei lässt sich nicht zeichnen: %1</translation>
+    </message>
+    <message>
+        <source>Export the drawing as a PDF or as a picture of at least 300 dpi and import that</source>
+        <translation>Exportieren Sie die Zeichnung als PDF oder als Bild mit mindestens 300 dpi, und importieren Sie das</translation>
+    </message>
+    <message>
+        <source>the file has %1, more than the limit of %2</source>
+        <translation>die Datei hat %1, mehr als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>Give a smaller file</source>
+        <translation>Geben Sie eine kleinere Datei an</translation>
+    </message>
+    <message>
+        <source>there is no such file</source>
+        <translation>diese Datei gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Check the path %1</source>
+        <translation>Prüfen Sie den Pfad %1</translation>
+    </message>
+    <message>
+        <source>this is a folder, not a file</source>
+        <translation>das ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>Choose one of the files in it</source>
+        <translation>Wählen Sie eine der Dateien darin</translation>
+    </message>
+    <message>
+        <source>this is not a regular file</source>
+        <translation>das ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>Save its content to a file and import that</source>
+        <translation>Speichern Sie den Inhalt in einer Datei, und importieren Sie diese</translation>
+    </message>
+    <message>
+        <source>the file cannot be opened</source>
+        <translation>die Datei lässt sich nicht öffnen</translation>
+    </message>
+    <message>
+        <source>Check that you may read %1</source>
+        <translation>Prüfen Sie, ob Sie %1 lesen dürfen</translation>
+    </message>
+    <message>
+        <source>the file&apos;s size cannot be read</source>
+        <translation>die Größe der Datei lässt sich nicht feststellen</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>Byte %1</translation>
+    </message>
+    <message>
+        <source>the file could not be read to its end</source>
+        <translation>die Datei ließ sich nicht bis zu ihrem Ende lesen</translation>
+    </message>
+    <message>
+        <source>Copy the file to a local disk and import the copy</source>
+        <translation>Kopieren Sie die Datei auf einen lokalen Datenträger, und importieren Sie die Kopie</translation>
+    </message>
+    <message>
+        <source>the content is plain text</source>
+        <translation>der Inhalt ist reiner Text</translation>
+    </message>
+    <message>
+        <source>the content is of no known type</source>
+        <translation>der Inhalt ist von keiner bekannten Art</translation>
+    </message>
+    <message>
+        <source>first bytes</source>
+        <translation>erste Bytes</translation>
+    </message>
+    <message>
+        <source>%1, although the name promises a %2</source>
+        <translation>%1, obwohl der Name etwas anderes verspricht (%2)</translation>
+    </message>
+    <message>
+        <source>Give a PNG, JPEG, BMP, TIFF, WebP, PDF, SVG or CSV file</source>
+        <translation>Geben Sie eine PNG-, JPEG-, BMP-, TIFF-, WebP-, PDF-, SVG- oder CSV-Datei an</translation>
+    </message>
+    <message>
+        <source>the content is a %1, although the name promises a %2</source>
+        <translation>der Inhalt (%1) ist ein anderer, als der Name verspricht (%2)</translation>
+    </message>
+    <message>
+        <source>Check that this is the file you mean, and give it the name that fits its content</source>
+        <translation>Prüfen Sie, ob das die gemeinte Datei ist, und geben Sie ihr den Namen, der zu ihrem Inhalt passt</translation>
+    </message>
+    <message>
+        <source>the file is empty (0 bytes)</source>
+        <translation>die Datei ist leer (0 Bytes)</translation>
+    </message>
+    <message>
+        <source>Copy or download the file again</source>
+        <translation>Kopieren oder laden Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>reading it needs more memory than there is</source>
+        <translation>das Lesen braucht mehr Speicher, als da ist</translation>
+    </message>
+    <message>
+        <source>Scale the picture down or crop it to the graph</source>
+        <translation>Verkleinern Sie das Bild, oder schneiden Sie es auf den Graphen zu</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-Bild</translation>
+    </message>
+    <message>
+        <source>JPEG picture</source>
+        <translation>JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>BMP picture</source>
+        <translation>BMP-Bild</translation>
+    </message>
+    <message>
+        <source>TIFF picture</source>
+        <translation>TIFF-Bild</translation>
+    </message>
+    <message>
+        <source>WebP picture</source>
+        <translation>WebP-Bild</translation>
+    </message>
+    <message>
+        <source>PDF document</source>
+        <translation>PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>file of unknown type</source>
+        <translation>Datei unbekannter Art</translation>
+    </message>
+    <message>
+        <source>header</source>
+        <translation>Dateikopf</translation>
+    </message>
+    <message>
+        <source>the %1 states no size or is cut off before it</source>
+        <translation>%1: es ist keine Größe angegeben, oder die Datei bricht vorher ab</translation>
+    </message>
+    <message>
+        <source>Save or export the picture again and import the new file</source>
+        <translation>Speichern oder exportieren Sie das Bild noch einmal, und importieren Sie die neue Datei</translation>
+    </message>
+    <message>
+        <source>the picture claims %1 x %2 pixels, which is more than the limit of %3 megapixels</source>
+        <translation>das Bild gibt %1 × %2 Pixel an, mehr als die Grenze von %3 Megapixeln</translation>
+    </message>
+    <message>
+        <source>end of file</source>
+        <translation>Dateiende</translation>
+    </message>
+    <message>
+        <source>the %1 is truncated</source>
+        <translation>%1: die Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>this build reads no %1 files (it was made without MuPDF)</source>
+        <translation>diese Fassung liest keine %1-Dateien (sie wurde ohne MuPDF gebaut)</translation>
+    </message>
+    <message>
+        <source>Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 dpi and import that</source>
+        <translation>Bauen Sie mit DETENT_WITH_MUPDF=ON, oder exportieren Sie die Seite als PNG mit mindestens 300 dpi, und importieren Sie das</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::ImportSession::Impl</name>
@@ -6062,6 +6285,127 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>no force graph found (%1)</source>
         <translation>kein Kraftgraph gefunden (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::LineReader</name>
+    <message>
+        <source>is a folder</source>
+        <translation>ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>Give a force meter&apos;s CSV file</source>
+        <translation>Geben Sie die CSV-Datei eines Kraftmessgeräts an</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>lässt sich nicht öffnen: %1</translation>
+    </message>
+    <message>
+        <source>Check the path and its rights</source>
+        <translation>Prüfen Sie den Pfad und seine Zugriffsrechte</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>Export the measurement again</source>
+        <translation>Exportieren Sie die Messung noch einmal</translation>
+    </message>
+    <message>
+        <source>is not a text file</source>
+        <translation>ist keine Textdatei</translation>
+    </message>
+    <message>
+        <source>Give a force meter&apos;s CSV file, or a picture or PDF by its right name</source>
+        <translation>Geben Sie die CSV-Datei eines Kraftmessgeräts an, oder ein Bild oder PDF unter seinem richtigen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::MupdfSource</name>
+    <message>
+        <source>the %1 is damaged (%2)</source>
+        <translation>%1: die Datei ist beschädigt (%2)</translation>
+    </message>
+    <message>
+        <source>no reason given</source>
+        <translation>ohne Angabe eines Grundes</translation>
+    </message>
+    <message>
+        <source>Open it in a viewer and print or export it again, or import a picture of the page</source>
+        <translation>Öffnen Sie sie in einem Betrachter, und drucken oder exportieren Sie sie noch einmal, oder importieren Sie ein Bild der Seite</translation>
+    </message>
+    <message>
+        <source>there is no memory to open it</source>
+        <translation>es ist kein Speicher da, sie zu öffnen</translation>
+    </message>
+    <message>
+        <source>Close other programs and try again</source>
+        <translation>Schließen Sie andere Programme, und versuchen Sie es noch einmal</translation>
+    </message>
+    <message>
+        <source>end of file</source>
+        <translation>Dateiende</translation>
+    </message>
+    <message>
+        <source>the PDF is truncated (its end mark is missing)</source>
+        <translation>die PDF-Datei ist abgeschnitten (ihr Ende fehlt)</translation>
+    </message>
+    <message>
+        <source>Copy or download the file again</source>
+        <translation>Kopieren oder laden Sie die Datei noch einmal</translation>
+    </message>
+    <message>
+        <source>the PDF is encrypted with a password</source>
+        <translation>die PDF-Datei ist mit einem Passwort verschlüsselt</translation>
+    </message>
+    <message>
+        <source>Save a copy without the password and import that</source>
+        <translation>Speichern Sie eine Kopie ohne Passwort, und importieren Sie diese</translation>
+    </message>
+    <message>
+        <source>the document claims %1 pages, more than the limit of %2</source>
+        <translation>das Dokument gibt %1 Seiten an, mehr als die Grenze von %2</translation>
+    </message>
+    <message>
+        <source>Split out the pages with the graphs</source>
+        <translation>Entnehmen Sie ihm die Seiten mit den Graphen</translation>
+    </message>
+    <message>
+        <source>Export the page as a picture of at least 300 dpi and import that</source>
+        <translation>Exportieren Sie die Seite als Bild mit mindestens 300 dpi, und importieren Sie das</translation>
+    </message>
+    <message>
+        <source>its drawing has more than the limit of %1 points</source>
+        <translation>die Zeichnung hat mehr Punkte als die Grenze von %1</translation>
+    </message>
+    <message>
+        <source>it draws more objects than any real page does</source>
+        <translation>sie zeichnet mehr Objekte als jede wirkliche Seite</translation>
+    </message>
+    <message>
+        <source>it takes too long to interpret</source>
+        <translation>es dauert zu lange, sie zu lesen</translation>
+    </message>
+    <message>
+        <source>an image on it claims %1 x %2 pixels, which is more than the limit</source>
+        <translation>ein Bild darauf gibt %1 × %2 Pixel an, mehr als die Grenze</translation>
+    </message>
+    <message>
+        <source>it needs more memory than allowed</source>
+        <translation>sie braucht mehr Speicher als erlaubt</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::PictureSource</name>
+    <message>
+        <source>the %1 is damaged and cannot be decoded</source>
+        <translation>%1: die Datei ist beschädigt und lässt sich nicht lesen</translation>
+    </message>
+    <message>
+        <source>Save or export the picture again and import the new file</source>
+        <translation>Speichern oder exportieren Sie das Bild noch einmal, und importieren Sie die neue Datei</translation>
     </message>
 </context>
 <context>

@@ -37,18 +37,18 @@ void appendUtf8(std::string& text, char32_t c) {
 Result<LineReader> LineReader::open(const std::string& path) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error))
-    return unreadable(path, "is a folder", "Give a force meter's CSV file");
+    return unreadable(path, Message("is a folder"), Message("Give a force meter's CSV file"));
   LineReader reader;
   reader.file_.reset(std::fopen(path.c_str(), "rb"));
   if (!reader.file_)
-    return unreadable(path, std::string("cannot be opened: ") + std::strerror(errno),
-                      "Check the path and its rights");
+    return unreadable(path, Message("cannot be opened: %1", std::strerror(errno)),
+                      Message("Check the path and its rights"));
   const auto size = std::filesystem::file_size(path, error);
   reader.size_ = error ? 0 : static_cast<double>(size);
 
   reader.raw_.resize(chunk);
   const std::size_t count = std::fread(reader.raw_.data(), 1, chunk, reader.file_.get());
-  if (count == 0) return unreadable(path, "is empty", "Export the measurement again");
+  if (count == 0) return unreadable(path, Message("is empty"), Message("Export the measurement again"));
   reader.read_ = static_cast<double>(count);
   const std::string_view start(reader.raw_.data(), count);
   const std::size_t probe = std::min<std::size_t>(count, 4096);
@@ -65,8 +65,8 @@ Result<LineReader> LineReader::open(const std::string& path) {
     reader.encoding_ = Encoding::utf16BigEndian;
     skip = start.starts_with("\xFE\xFF") ? 2 : 0;
   } else if (zerosAtEven + zerosAtOdd > 0) {
-    return unreadable(path, "is not a text file",
-                      "Give a force meter's CSV file, or a picture or PDF by its right name");
+    return unreadable(path, Message("is not a text file"),
+                      Message("Give a force meter's CSV file, or a picture or PDF by its right name"));
   }
   reader.append(reader.raw_.data() + skip, count - skip);
   return reader;

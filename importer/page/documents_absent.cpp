@@ -7,9 +7,9 @@ namespace detent::importer {
 namespace {
 
 Failure absent(const SourceFile& file, const std::string& kind) {
-  return unreadable(
-      file.name, "", "this build reads no " + kind + " files (it was made without MuPDF)",
-      "Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 dpi and import that");
+  return unreadable(file.name, "", Message("this build reads no %1 files (it was made without MuPDF)", kind),
+                    Message("Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 "
+                            "dpi and import that"));
 }
 
 }  // namespace

@@ -88,9 +88,10 @@ class MupdfSource : public PageSource {
 };
 
 Failure MupdfSource::damaged(const std::string& place, const std::string& error) const {
-  return unreadable(file_.name, place,
-                    "the " + kind() + " is damaged (" + (error.empty() ? "no reason given" : error) + ")",
-                    "Open it in a viewer and print or export it again, or import a picture of the page");
+  return unreadable(
+      file_.name, place,
+      Message("the %1 is damaged (%2)", kind(), error.empty() ? Message("no reason given") : Message(error)),
+      Message("Open it in a viewer and print or export it again, or import a picture of the page"));
 }
 
 bool endsWithMark(const Bytes& bytes) {
@@ -103,10 +104,12 @@ bool endsWithMark(const Bytes& bytes) {
 std::optional<Failure> MupdfSource::open() {
   fz_context* context = context_.get();
   if (!context)
-    return unreadable(file_.name, "", "there is no memory to open it", "Close other programs and try again");
+    return unreadable(file_.name, "", Message("there is no memory to open it"),
+                      Message("Close other programs and try again"));
   if (kind() == "PDF" && !endsWithMark(*file_.bytes))
-    return unreadable(file_.name, "end of file", "the PDF is truncated (its end mark is missing)",
-                      "Copy or download the file again");
+    return unreadable(file_.name, Message("end of file"),
+                      Message("the PDF is truncated (its end mark is missing)"),
+                      Message("Copy or download the file again"));
   std::string error;
   bool locked = false;
   const bool opened = guarded(context, error, [&] {
@@ -119,21 +122,21 @@ std::optional<Failure> MupdfSource::open() {
   });
   if (!opened) return damaged("", error);
   if (locked)
-    return unreadable(file_.name, "", "the PDF is encrypted with a password",
-                      "Save a copy without the password and import that");
+    return unreadable(file_.name, "", Message("the PDF is encrypted with a password"),
+                      Message("Save a copy without the password and import that"));
   if (pageCount_ <= 0) return damaged("", "it has no pages");
   if (pageCount_ > file_.limits.maxPages)
     return unreadable(
         file_.name, "",
-        "the document claims " + std::to_string(pageCount_) + " pages, more than the limit of " +
-            std::to_string(file_.limits.maxPages),
-        {{RemedyKind::advice, "Split out the pages with the graphs"}, {RemedyKind::raiseLimit, {}}});
+        Message("the document claims %1 pages, more than the limit of %2", std::to_string(pageCount_),
+                std::to_string(file_.limits.maxPages)),
+        {{RemedyKind::advice, Message("Split out the pages with the graphs")}, {RemedyKind::raiseLimit, {}}});
   return std::nullopt;
 }
 
 std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int number) const {
   const Remedies simplify{
-      {RemedyKind::advice, "Export the page as a picture of at least 300 dpi and import that"},
+      {RemedyKind::advice, Message("Export the page as a picture of at least 300 dpi and import that")},
       {RemedyKind::raiseLimit, {}}};
   switch (control.stop) {
     case CollectStop::none:
@@ -141,22 +144,23 @@ std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int n
     case CollectStop::cancelled:
       return Failure::cancelled(file_.name);
     case CollectStop::tooManyPoints:
-      return unreadable(
-          file_.name, placeOf(number),
-          "its drawing has more than the limit of " + std::to_string(file_.limits.maxPathPoints) + " points",
-          simplify);
+      return unreadable(file_.name, placeOf(number),
+                        Message("its drawing has more than the limit of %1 points",
+                                std::to_string(file_.limits.maxPathPoints)),
+                        simplify);
     case CollectStop::tooManyOperations:
-      return unreadable(file_.name, placeOf(number), "it draws more objects than any real page does",
+      return unreadable(file_.name, placeOf(number), Message("it draws more objects than any real page does"),
                         simplify);
     case CollectStop::tooSlow:
-      return unreadable(file_.name, placeOf(number), "it takes too long to interpret", simplify);
+      return unreadable(file_.name, placeOf(number), Message("it takes too long to interpret"), simplify);
     case CollectStop::imageTooLarge:
-      return unreadable(file_.name, placeOf(number),
-                        "an image on it claims " + std::to_string(control.imageWidth_px) + " x " +
-                            std::to_string(control.imageHeight_px) + " pixels, which is more than the limit",
-                        simplify);
+      return unreadable(
+          file_.name, placeOf(number),
+          Message("an image on it claims %1 x %2 pixels, which is more than the limit",
+                  std::to_string(control.imageWidth_px), std::to_string(control.imageHeight_px)),
+          simplify);
     case CollectStop::outOfMemory:
-      return unreadable(file_.name, placeOf(number), "it needs more memory than allowed", simplify);
+      return unreadable(file_.name, placeOf(number), Message("it needs more memory than allowed"), simplify);
   }
   return std::nullopt;
 }
@@ -399,8 +403,9 @@ OpenedSource openSvgSource(const SourceFile& file) {
   const std::string_view svg(reinterpret_cast<const char*>(file.bytes->data()), file.bytes->size());
   const PreparedSvg prepared = prepareSvg(svg, file.limits.maxPathPoints);
   if (!prepared.problem.empty())
-    return unreadable(file.name, "", "the SVG cannot be drawn: " + prepared.problem,
-                      "Export the drawing as a PDF or as a picture of at least 300 dpi and import that");
+    return unreadable(
+        file.name, "", Message("the SVG cannot be drawn: %1", prepared.problem),
+        Message("Export the drawing as a PDF or as a picture of at least 300 dpi and import that"));
   SourceFile changed = file;
   changed.bytes = std::make_shared<const Bytes>(prepared.text.begin(), prepared.text.end());
   return openWith(changed, "image/svg+xml");

@@ -26,8 +26,6 @@ Failure unreadable(const std::string& name, Message place, Message problem, Reme
 
 namespace {
 
-constexpr char knownTypes[] = "Give a PNG, JPEG, BMP, TIFF, WebP, PDF, SVG or CSV file";
-
 std::string megabytes(double bytes) {
   const std::string text = std::to_string(bytes / (1024 * 1024));
   return text.substr(0, text.find('.') + 2) + " MB";
@@ -36,9 +34,9 @@ std::string megabytes(double bytes) {
 std::optional<Failure> tooLarge(const std::string& name, double bytes, const PageLimits& limits) {
   if (bytes <= limits.maxFileMegabytes * 1024 * 1024) return std::nullopt;
   return unreadable(name, "",
-                    "the file has " + megabytes(bytes) + ", more than the limit of " +
-                        megabytes(limits.maxFileMegabytes * 1024 * 1024),
-                    {{RemedyKind::advice, "Give a smaller file"}, {RemedyKind::raiseLimit, {}}});
+                    Message("the file has %1, more than the limit of %2", megabytes(bytes),
+                            megabytes(limits.maxFileMegabytes * 1024 * 1024)),
+                    {{RemedyKind::advice, Message("Give a smaller file")}, {RemedyKind::raiseLimit, {}}});
 }
 
 Result<std::shared_ptr<const Bytes>> readFile(const std::string& path, const std::string& name,
@@ -46,21 +44,28 @@ Result<std::shared_ptr<const Bytes>> readFile(const std::string& path, const std
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
-    return unreadable(name, "", "there is no such file", "Check the path " + path);
+    return unreadable(name, "", Message("there is no such file"), Message("Check the path %1", path));
   if (std::filesystem::is_directory(status))
-    return unreadable(name, "", "this is a folder, not a file", "Choose one of the files in it");
+    return unreadable(name, "", Message("this is a folder, not a file"),
+                      Message("Choose one of the files in it"));
   if (!std::filesystem::is_regular_file(status))
-    return unreadable(name, "", "this is not a regular file", "Save its content to a file and import that");
+    return unreadable(name, "", Message("this is not a regular file"),
+                      Message("Save its content to a file and import that"));
   std::ifstream in(path, std::ios::binary);
-  if (!in) return unreadable(name, "", "the file cannot be opened", "Check that you may read " + path);
+  if (!in)
+    return unreadable(name, "", Message("the file cannot be opened"),
+                      Message("Check that you may read %1", path));
   const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) return unreadable(name, "", "the file's size cannot be read", "Check that you may read " + path);
+  if (error)
+    return unreadable(name, "", Message("the file's size cannot be read"),
+                      Message("Check that you may read %1", path));
   if (auto failure = tooLarge(name, static_cast<double>(size), limits)) return *failure;
   auto bytes = std::make_shared<Bytes>(static_cast<std::size_t>(size));
   in.read(reinterpret_cast<char*>(bytes->data()), static_cast<std::streamsize>(size));
   if (in.gcount() != static_cast<std::streamsize>(size))
-    return unreadable(name, "byte " + std::to_string(in.gcount()), "the file could not be read to its end",
-                      "Copy the file to a local disk and import the copy");
+    return unreadable(name, Message("byte %1", std::to_string(in.gcount())),
+                      Message("the file could not be read to its end"),
+                      Message("Copy the file to a local disk and import the copy"));
   return std::shared_ptr<const Bytes>(std::move(bytes));
 }
 
@@ -81,23 +86,26 @@ bool contradicts(FileKind promised, FileKind actual) {
 std::optional<Failure> wrongKind(const SourceFile& file, FileKind actual) {
   const FileKind promised = kindOfName(file.name);
   if (actual == FileKind::unknown) {
-    const std::string content =
-        looksLikeText(*file.bytes) ? "the content is plain text" : "the content is of no known type";
-    const std::string name =
-        promised == FileKind::unknown ? "" : ", although the name promises a " + kindName(promised);
-    return unreadable(file.name, "first bytes", content + name, knownTypes);
+    const Message content = looksLikeText(*file.bytes) ? Message("the content is plain text")
+                                                       : Message("the content is of no known type");
+    return unreadable(file.name, Message("first bytes"),
+                      promised == FileKind::unknown
+                          ? content
+                          : Message("%1, although the name promises a %2", content, kindName(promised)),
+                      Message("Give a PNG, JPEG, BMP, TIFF, WebP, PDF, SVG or CSV file"));
   }
   if (contradicts(promised, actual))
     return unreadable(
-        file.name, "first bytes",
-        "the content is a " + kindName(actual) + ", although the name promises a " + kindName(promised),
-        "Check that this is the file you mean, and give it the name that fits its content");
+        file.name, Message("first bytes"),
+        Message("the content is a %1, although the name promises a %2", kindName(actual), kindName(promised)),
+        Message("Check that this is the file you mean, and give it the name that fits its content"));
   return std::nullopt;
 }
 
 OpenedSource openSource(const SourceFile& file) {
   if (file.bytes->empty())
-    return unreadable(file.name, "", "the file is empty (0 bytes)", "Copy or download the file again");
+    return unreadable(file.name, "", Message("the file is empty (0 bytes)"),
+                      Message("Copy or download the file again"));
   const FileKind kind = sniffFileKind(*file.bytes);
   if (auto failure = wrongKind(file, kind)) return *failure;
   if (kind == FileKind::pdf) return openPdfSource(file);
@@ -106,8 +114,8 @@ OpenedSource openSource(const SourceFile& file) {
 }
 
 Failure outOfMemory(const std::string& name) {
-  return unreadable(name, "", "reading it needs more memory than there is",
-                    "Scale the picture down or crop it to the graph");
+  return unreadable(name, "", Message("reading it needs more memory than there is"),
+                    Message("Scale the picture down or crop it to the graph"));
 }
 
 bool finite(const Box& box) {

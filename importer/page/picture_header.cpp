@@ -322,26 +322,26 @@ FileKind sniffFileKind(std::span<const unsigned char> bytes) {
   return FileKind::unknown;
 }
 
-std::string kindName(FileKind kind) {
+Message kindName(FileKind kind) {
   switch (kind) {
     case FileKind::png:
-      return "PNG picture";
+      return Message("PNG picture");
     case FileKind::jpeg:
-      return "JPEG picture";
+      return Message("JPEG picture");
     case FileKind::bmp:
-      return "BMP picture";
+      return Message("BMP picture");
     case FileKind::tiff:
-      return "TIFF picture";
+      return Message("TIFF picture");
     case FileKind::webp:
-      return "WebP picture";
+      return Message("WebP picture");
     case FileKind::pdf:
-      return "PDF document";
+      return Message("PDF document");
     case FileKind::svg:
-      return "SVG drawing";
+      return Message("SVG drawing");
     case FileKind::unknown:
       break;
   }
-  return "file of unknown type";
+  return Message("file of unknown type");
 }
 
 FileKind kindOfName(const std::string& name) {

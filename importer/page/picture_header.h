@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "importer/page/raster.h"
+#include "model/message.h"
 
 namespace detent::importer {
 
@@ -18,7 +19,7 @@ enum class FileKind { unknown, png, jpeg, bmp, tiff, webp, pdf, svg };
 FileKind sniffFileKind(std::span<const unsigned char> bytes);
 
 /// "PNG picture", "PDF document", ...
-std::string kindName(FileKind kind);
+Message kindName(FileKind kind);
 
 /// The kind that a file name's extension promises; unknown if it promises nothing we know.
 FileKind kindOfName(const std::string& name);

@@ -34,8 +34,8 @@ class PictureSource : public PageSource {
     std::optional<Raster> raster = decodePicture(*file_.bytes, kind_, header);
     if (!raster)
       return unreadable(file_.name, placeOf(number),
-                        "the " + kindName(kind_) + " is damaged and cannot be decoded",
-                        "Save or export the picture again and import the new file");
+                        Message("the %1 is damaged and cannot be decoded", kindName(kind_)),
+                        Message("Save or export the picture again and import the new file"));
     Page page;
     page.source = file_.name;
     page.number = number;
@@ -136,20 +136,21 @@ std::string megapixels(double pixels) {
 
 std::optional<Failure> refusal(const SourceFile& file, FileKind kind, const PictureHeader& header) {
   if (header.width_px <= 0 || header.height_px <= 0)
-    return unreadable(file.name, "header",
-                      "the " + kindName(kind) + " states no size or is cut off before it",
-                      "Save or export the picture again and import the new file");
+    return unreadable(file.name, Message("header"),
+                      Message("the %1 states no size or is cut off before it", kindName(kind)),
+                      Message("Save or export the picture again and import the new file"));
   const double pixels = static_cast<double>(header.width_px) * static_cast<double>(header.height_px);
   if (pixels > file.limits.maxMegapixels * 1e6)
-    return unreadable(file.name, "header",
-                      "the picture claims " + std::to_string(header.width_px) + " x " +
-                          std::to_string(header.height_px) + " pixels, which is more than the limit of " +
-                          megapixels(file.limits.maxMegapixels * 1e6) + " megapixels",
-                      {{RemedyKind::advice, "Scale the picture down or crop it to the graph"},
-                       {RemedyKind::raiseLimit, {}}});
+    return unreadable(
+        file.name, Message("header"),
+        Message("the picture claims %1 x %2 pixels, which is more than the limit of %3 megapixels",
+                std::to_string(header.width_px), std::to_string(header.height_px),
+                megapixels(file.limits.maxMegapixels * 1e6)),
+        {{RemedyKind::advice, Message("Scale the picture down or crop it to the graph")},
+         {RemedyKind::raiseLimit, {}}});
   if (!header.complete)
-    return unreadable(file.name, "end of file", "the " + kindName(kind) + " is truncated",
-                      "Copy or download the file again");
+    return unreadable(file.name, Message("end of file"), Message("the %1 is truncated", kindName(kind)),
+                      Message("Copy or download the file again"));
   return std::nullopt;
 }
 

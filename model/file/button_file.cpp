@@ -48,14 +48,15 @@ class Reader {
     for (const auto& [key, value] : object.items()) {
       if (key.rfind("x-", 0) == 0) continue;
       if (std::find(known.begin(), known.end(), key) == known.end())
-        refuse(join(place, key.substr(0, 60)), "is not a key of this format",
+        refuse(join(place, key.substr(0, 60)), Message("is not a key of this format"),
                "Remove it, correct its spelling, or begin its name with \"x-\"");
     }
   }
 
   const json& required(const json& object, const std::string& place, const char* key) const {
     const auto found = object.find(key);
-    if (found == object.end()) refuse(join(place, key), "is missing", "Add it, see docs/file-format.md");
+    if (found == object.end())
+      refuse(join(place, key), Message("is missing"), Message("Add it, see docs/file-format.md"));
     return *found;
   }
 
@@ -141,12 +142,12 @@ class Reader {
 };
 
 // "line 3, column 7" of a byte offset (1-based offset of the last read byte, as nlohmann counts).
-std::string placeOfByte(std::string_view text, std::size_t byte) {
+Message placeOfByte(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
   const auto lines = std::count(before.begin(), before.end(), '\n');
   const auto lineStart = before.rfind('\n');
   const std::size_t column = before.size() - (lineStart == std::string_view::npos ? 0 : lineStart + 1);
-  return "line " + std::to_string(lines + 1) + ", column " + std::to_string(column + 1);
+  return Message("line %1, column %2", std::to_string(lines + 1), std::to_string(column + 1));
 }
 
 // What nlohmann says after the position: "syntax error while parsing value - invalid literal; last read:
@@ -177,8 +178,8 @@ json parsedJson(std::string_view text, const Reader& reader) {
   try {
     return json::parse(text.begin(), text.end(), watch);
   } catch (const json::parse_error& error) {
-    reader.refuse(placeOfByte(text, error.byte), "is not valid JSON: " + plainReason(error.what()),
-                  "Correct it there, or export the button again");
+    reader.refuse(placeOfByte(text, error.byte), Message("is not valid JSON: %1", plainReason(error.what())),
+                  Message("Correct it there, or export the button again"));
   } catch (const json::out_of_range& error) {
     reader.refuse("", "holds a number no double can hold: " + plainReason(error.what()),
                   "Correct the number");
@@ -311,7 +312,8 @@ ButtonFile fileFrom(const Reader& in, std::string_view text, const std::string& 
   in.requireObject(document, "");
   const json& format = in.required(document, "", "format");
   if (format != "detent-button")
-    in.refuse("format", "is not \"detent-button\"", "Give a *.button.json written by Detent");
+    in.refuse("format", Message("is not \"detent-button\""),
+              Message("Give a *.button.json written by Detent"));
   document = in.accepted(migrated(std::move(document), buttonMigrations(), subject), "");
   in.refuseUnknownKeys(document, "", {"format", "version", "name", "states", "provenance", "cutout"});
   const json& list = in.array(in.required(document, "", "states"), "states");

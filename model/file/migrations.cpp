@@ -15,10 +15,12 @@ Result<nlohmann::json> migrated(nlohmann::json document, const std::vector<Migra
                                 const std::string& subject) {
   const auto newest = static_cast<long long>(steps.size()) + 1;
   const auto refuse = [&](Message problem, Remedies remedies) -> Failure {
-    return {FailureCode::unreadableInput, subject, "version", std::move(problem), std::move(remedies)};
+    return {FailureCode::unreadableInput, subject, Message("version"), std::move(problem),
+            std::move(remedies)};
   };
   const auto found = document.find("version");
-  if (found == document.end()) return refuse("is missing", "Add \"version\": " + std::to_string(newest));
+  if (found == document.end())
+    return refuse(Message("is missing"), Message("Add \"version\": %1", std::to_string(newest)));
   if (!found->is_number_integer())
     return refuse("is " +
                       found->dump(-1, ' ', false, nlohmann::json::error_handler_t::replace).substr(0, 40) +
@@ -27,8 +29,8 @@ Result<nlohmann::json> migrated(nlohmann::json document, const std::vector<Migra
   const bool tooLarge = found->is_number_unsigned() && found->get<unsigned long long>() > 1000000;
   const long long version = tooLarge ? 1000000 : found->get<long long>();
   if (version > newest)
-    return refuse("is " + found->dump() + ", newer than this program reads (" + std::to_string(newest) + ")",
-                  "Update Detent to open this file");
+    return refuse(Message("is %1, newer than this program reads (%2)", found->dump(), std::to_string(newest)),
+                  Message("Update Detent to open this file"));
   if (version < 1) return refuse("is " + found->dump() + ", but versions count from 1", "Correct the number");
   for (auto step = static_cast<std::size_t>(version - 1); step < steps.size(); ++step) {
     steps[step](document);
