@@ -322,7 +322,9 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
   return contacts;
 }
 
-constexpr double kMuch = 0.3;    // of the frame's width: ink left over that may be a curve
+constexpr double kMuch = 0.2;  // of the frame's width: ink left over that may be a curve, or a wall
+/// Of the frame's height, below the strokes' tops: other switches' walls have 0.23 at least, leaders 0.15 at most.
+constexpr double kWallBelow = 0.2;
 constexpr double kPiece = 0.04;  // of it: a piece of a curve between two crossings; less is lettering
 
 /// One joint search for both strokes at one price of gaps.
@@ -368,33 +370,39 @@ class PairSearch {
     return strongPixels(rewardBeside(reward_, both(), stroke_ + 1)) / std::max(1.0, stroke_);
   }
 
-  /// Travel that the best way through what both leave over runs on ink of its own, crossings and dashes' gaps apart. It
-  /// may cross both strokes, but not go along with them, on their rims either. Leaders and hatching are short or steep.
-  double furtherCurve_px() {
-    if (leftOver_px() < kMuch * plane_.frame.width()) return 0;
+  /// Unbroken pieces of the best way through what both leave over, crossings and dashes' gaps apart. It may cross both
+  /// strokes, but not go along with them, on their rims either.
+  std::vector<std::vector<Point>> furtherPieces() {
+    if (leftOver_px() < kMuch * plane_.frame.width()) return {};
     const int lastColumn = reward_.width - 1;
     const double beside = stroke_ + 1, hole_px = 2 * stroke_ + 2;
     const std::vector<Point> way = directPath(search_, reward_, both(), beside,
                                               {0, lastColumn, 0, lastColumn}, stroke_, 0, plane_.frame);
     const Plane own = rewardBeside(reward_, both(), beside);
-    double travel = 0, length = 0, since = 0, first = 0, last = 0;
-    const auto endPiece = [&] {
-      if (length >= kPiece * plane_.frame.width()) travel += last - first;
-      length = 0;
-    };
+    std::vector<std::vector<Point>> pieces(1);
+    double since = 0;
     for (const Point& p : way) {
       if (own.at(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y))) <= 0.3F) {
         since += 1;
         continue;
       }
-      if (since > hole_px) endPiece();
-      if (length == 0) first = p.x;
-      last = p.x;
-      length += 1;
+      if (since > hole_px) pieces.emplace_back();
+      pieces.back().push_back(p);
       since = 0;
     }
-    endPiece();
-    return travel;
+    std::erase_if(pieces, [&](const std::vector<Point>& piece) {
+      return static_cast<double>(piece.size()) < kPiece * plane_.frame.width();
+    });
+    return pieces;
+  }
+
+  /// Whether such a piece climbs past the tops of both strokes as a wall does, from far below them: what begins at their
+  /// tops is drawn on from them.
+  bool climbsPast(const std::vector<Point>& piece) const {
+    const std::vector<Point> strokes = both();
+    const double top = std::ranges::min_element(strokes, {}, &Point::y)->y;
+    const auto [highest, foot] = std::ranges::minmax(piece, {}, &Point::y);
+    return foot.y - top >= kWallBelow * plane_.frame.height() && highest.y < top - stroke_;
   }
 
   /// The second stroke's own stretch is broken often and evenly, as no way over leaders and words is.
@@ -431,7 +439,10 @@ class PairSearch {
     shareEnds(a_, b_, stroke_, plane_.frame);
     std::tie(pair.press, pair.release) = partUpperLower(a_, b_, std::max(0.75, 0.35 * stroke_));
     startOnAxis(pair.press, pair.release, plane_.frame.x0, std::max(1.0, 0.6 * stroke_));
-    pair.further_px = furtherCurve_px();
+    for (const std::vector<Point>& piece : furtherPieces()) {
+      pair.further_px += piece.back().x - piece.front().x;
+      pair.wallLeftOver = pair.wallLeftOver || climbsPast(piece);
+    }
     return pair;
   }
 

@@ -16,8 +16,9 @@ struct PlanePair {
   std::vector<Point> release;  ///< the same order as press (not yet the order travelled); empty: press only
   bool dashed = false;         ///< gaps were taken as part of a stroke
   double ownRelease_px = 0;    ///< length of ink that only the second stroke explains
-  double further_px =
-      0;  ///< length of the best curve in the ink that both leave over; straight lines are none
+  double further_px = 0;       ///< travel of the best curve in the ink that both leave over
+  bool wallLeftOver =
+      false;  ///< that curve climbs past the tops of both: another switch's wall, or their own
 };
 
 PlanePair findPair(const Structure& structure, const WorkPlane& plane);

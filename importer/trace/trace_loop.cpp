@@ -98,6 +98,19 @@ void showPlane(const Progress& progress, const Plane& grid, std::string_view lab
   progress.picture(label, raster);
 }
 
+/// Whether the ink that both strokes leave over is a curve of another switch.
+bool showsAnother(const PlanePair& pair, const WorkPlane& plane) {
+  return pair.further_px > kAnotherCurve * plane.frame.width() || pair.wallLeftOver;
+}
+
+/// No switch comes back from farther than it was pressed: two presses end where their own walls do.
+bool comesFromFarther(const RefinedPair& strokes) {
+  constexpr double within = 0.06;  // of the press' travel; where dashes go on from slanting walls 0.05
+  const auto &press = strokes.press.points, &release = strokes.release.points;
+  if (press.empty() || release.empty()) return false;
+  return release.back().x - press.back().x > within * (press.back().x - press.front().x);
+}
+
 }  // namespace
 
 Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink, Rgb color,
@@ -117,7 +130,7 @@ Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink
   const RefinedPair refined = refinePair(pair, plane, ink, lines, structure);
   const double confidence = judge(pair, refined, structure, plane).confidence();
   if (confidence < kNotACurve) return doubtfulFailure(confidence);
-  if (pair.further_px > kAnotherCurve * plane.frame.width()) return severalLoopsFailure(color);
+  if (showsAnother(pair, plane) || comesFromFarther(refined)) return severalLoopsFailure(color);
 
   std::vector<CurveTrace> traces{traceOf(refined.press, Stroke::press, area, options.pointSpacing_px)};
   if (!refined.release.points.empty())

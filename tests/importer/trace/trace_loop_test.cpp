@@ -398,6 +398,19 @@ TEST_CASE("loop: two switches whose straight strokes cross are refused in one in
   CHECK(result.failure().reason == nameOf(DoubtCode::tooManyCurves));
 }
 
+TEST_CASE("loop: presses of two switches without their releases are refused in one ink", "[trace_loop]") {
+  // Of two walls at different travels one is left over, or the lower press goes on farther than the upper.
+  const auto [end, top] = GENERATE(table<double, double>({{0.62, 0.92}, {0.72, 0.9}}));
+  CAPTURE(end, top);
+  Plot plot(800, 600, 2);
+  plot.grid(4, 6, 1);
+  plot.curve(
+      plot.at(Curve{{0.0, 0.05}, {0.05, 0.25}, {0.3, 0.5}, {0.4, 0.4}, {end - 0.05, 0.52}, {end, top}}));
+  plot.curve(plot.at(Curve{{0.0, 0.02}, {0.05, 0.15}, {0.3, 0.38}, {0.4, 0.28}, {0.78, 0.36}, {0.84, 0.8}}));
+  const auto result = plot.trace();
+  CHECK_FALSE(result.ok());
+}
+
 TEST_CASE("loop: a wall that goes on in dashes ends before the first of them", "[trace_loop]") {
   constexpr double dash = 0.1, gap = 0.06, knee = 0.5;  // of the frame's height
   Plot plot(800, 600, 2);
