@@ -37,8 +37,9 @@ FileDesk::FileDesk(const DeskPlaces& places, QObject* parent)
     if (const QString path = tab->document().path(); !path.isEmpty()) watch_.watch(path);
     sheets_.bringPageBack(tab->document());
   });
-  connect(&marks_, &OpenMarks::otherEditorChanged, this,
-          [this](ButtonDocument* document) { sayOtherEditor(*document); });
+  connect(&marks_, &OpenMarks::otherEditorChanged, this, [this](ButtonDocument* document) {
+    if (DocumentTab* tab = at_.tabs.tabOf(document)) sayOtherEditor(*tab);
+  });
   connect(&watch_, &FileWatch::changedOutside, this, &FileDesk::changedOutside);
   connect(&watch_, &FileWatch::vanished, this, &FileDesk::vanished);
   connect(&at_.recovery, &RecoveryStore::failed, this,
@@ -50,6 +51,7 @@ void FileDesk::connectTabs() {
   connect(&at_.tabs, &TabArea::tabAdded, this, [this](DocumentTab* tab) {
     at_.recovery.watch(tab->document());
     marks_.watch(tab->document());
+    sayOtherEditor(*tab);  // it is no tab of the area yet when the mark is found
     sheets_.attend(tab->document());
   });
   connect(&at_.tabs, &TabArea::tabClosing, this, [this](DocumentTab* tab) {
@@ -154,16 +156,13 @@ void FileDesk::sayNotSaved(DocumentTab& tab, const QString& why) {
   tab.notices().say("save", NoticeBar::Kind::trouble, tr("Not saved: %1").arg(why), {saveAsChoice(tab)});
 }
 
-void FileDesk::sayOtherEditor(ButtonDocument& document) {
-  DocumentTab* tab = at_.tabs.tabOf(&document);
-  if (!tab) return;
-  const auto other = marks_.otherEditor(document);
-  if (!other) return tab->notices().dismiss("otherEditor");
-  tab->notices().say(
-      "otherEditor", NoticeBar::Kind::information,
-      tr("Another Detent window (process %1) has this file open. Whoever saves second is asked "
-         "before the first one's changes are overwritten.")
-          .arg(*other));
+void FileDesk::sayOtherEditor(DocumentTab& tab) {
+  const auto other = marks_.otherEditor(tab.document());
+  if (!other) return tab.notices().dismiss("otherEditor");
+  tab.notices().say("otherEditor", NoticeBar::Kind::information,
+                    tr("Another Detent window (process %1) has this file open. Whoever saves second is asked "
+                       "before the first one's changes are overwritten.")
+                        .arg(*other));
 }
 
 // Nothing is written over what somebody else has saved since: the person decides.

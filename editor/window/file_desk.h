@@ -62,7 +62,7 @@ class FileDesk : public QObject {
   void vanished(const QString& path);
   void sayChangedOnDisk(DocumentTab& tab, const QString& sentence);
   void sayNotSaved(DocumentTab& tab, const QString& why);
-  void sayOtherEditor(ButtonDocument& document);
+  void sayOtherEditor(DocumentTab& tab);
   NoticeBar::Choice saveAsChoice(DocumentTab& tab);
   void trouble(const QString& id, const QString& sentence);
 

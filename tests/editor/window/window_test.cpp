@@ -963,6 +963,17 @@ class WindowTest : public QObject {
     QCOMPARE(static_cast<int>(checks->texts().size()), before);
   }
 
+  void aFileThatAnotherWindowHasSaysSo() {
+    const QString file = folder_->filePath("shared.button.json");
+    QVERIFY(QFile::copy(sample("buttons/B.button.json"), file));
+    Rig here(folder_->path());
+    here.window->files().open({file});
+    QVERIFY(here.notices().isEmpty());
+    Rig there(folder_->path());
+    there.window->files().open({file});
+    QVERIFY(there.notices().join(' ').contains("has this file open"));
+  }
+
   void aDialogueLeavesItsPreviewInSight() {
     Rig rig(folder_->path());
     rig.window->resize(700, 500);
