@@ -107,7 +107,7 @@ Result<Report> run(const CLI::App& app, Arguments& arguments) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   CLI::App app{"Force graphs of buttons: displacement in mm, force in N.", "detent-graph"};
   app.footer(
       "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph in it,\n"
@@ -120,10 +120,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(FailureCode::wrongUsage);
   }
-  try {
-    return print(run(app, arguments), arguments.json);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "internal fault: %s. Please report it with the input.\n", error.what());
-    return static_cast<int>(FailureCode::internalFault);
-  }
+  return print(run(app, arguments), arguments.json);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "internal fault: %s. Please report it with the input.\n", error.what());
+  return static_cast<int>(FailureCode::internalFault);
 }

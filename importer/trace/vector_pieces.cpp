@@ -132,7 +132,7 @@ class PieceMaker {
     for (const Polyline& part : parts)
       for (Polyline& run : cutAtTurns(part, turnRound * plane_.box.width()))
         for (Polyline& arm : cutAtFolds(run, shortestFoldArm * plane_.diagonal()))
-          store(std::move(arm), path, width_px, color);
+          store(arm, path, width_px, color);
   }
 
   std::vector<LinePiece> take() { return std::move(pieces_); }
@@ -143,7 +143,7 @@ class PieceMaker {
     return std::min(bounds.width(), bounds.height()) <= tolerance;
   }
 
-  void store(Polyline line, const VectorPath& path, double width_px, Rgb color) {
+  void store(const Polyline& line, const VectorPath& path, double width_px, Rgb color) {
     LinePiece piece;
     piece.points = withoutRepeats(line);
     if (piece.points.size() < 2) return;

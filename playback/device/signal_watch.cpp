@@ -36,7 +36,8 @@ class SignalWatch::Listener {
   }
   ~Listener() {
     ended_ = true;
-    ::pthread_kill(thread_.native_handle(), SIGTERM);
+    // Blocked there: `sigwait` takes it.
+    ::pthread_kill(thread_.native_handle(), SIGTERM);  // NOLINT(bugprone-bad-signal-to-kill-thread)
     thread_.join();
     ::pthread_sigmask(SIG_SETMASK, &before_, nullptr);
   }
