@@ -407,8 +407,8 @@ double valueAt(const std::vector<double>& knots_mm, const std::vector<Estimate>&
   return value;
 }
 
-Failure unusable(Message problem, std::string remedy) {
-  return {FailureCode::unreadableInput, "record", "", std::move(problem), std::move(remedy)};
+Failure unusable(Message problem, const std::string& remedy) {
+  return {FailureCode::unreadableInput, "record", "", std::move(problem), remedy};
 }
 
 /// The first sample that no button gives.
