@@ -43,7 +43,7 @@ constexpr int stateVersion = 2;  // of the docks' arrangement; changes when dock
 constexpr QSize firstSize_px{1280, 820};
 constexpr QSize roomForFrame_px{8, 40};  // of the window, around what is ours
 constexpr int firstLibrary_px = 230, firstValues_px = 480;
-constexpr double mostForLibrary = 0.18, mostForValues = 0.42, mostForFeel = 0.45;  // of the window
+constexpr double mostForLibrary = 0.18, mostForValues = 0.42, mostForFeel = 0.5;  // of the window
 constexpr int leastForLibrary_px = 760;  // of the window: in a narrower one it is put away
 constexpr QSize copiedPicture_px{1800, 1200};
 

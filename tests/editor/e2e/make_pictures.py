@@ -80,12 +80,12 @@ class Camera:
         self.desktop.key("alt+4")
         pad = self.editor.widget("pressPad")
         time.sleep(1)
+        window = self.active_window()
         x, y, width, height = pad["rect"]
         self.desktop.xdotool("mousemove", x + width // 2, y + height // 4)
         self.desktop.xdotool("mousedown", 1)
         self.desktop.xdotool("mousemove", x + width // 2, y + height // 2)
         time.sleep(0.6)
-        window = self.active_window()
         file = self.out / "feel-panel.png"
         subprocess.run(["import", "-window", window, "-strip", str(file)], env=self.desktop.environment, check=True, timeout=60)
         self.desktop.xdotool("mouseup", 1)
