@@ -203,7 +203,7 @@ class LiveView {
   }
 
   void draw(const PlayerStatus& s) {
-    const std::size_t bars = static_cast<std::size_t>(std::clamp(s.level, 0.0, 1.0) * 10 + 0.5);
+    const std::size_t bars = static_cast<std::size_t>(std::lround(std::clamp(s.level, 0.0, 1.0) * 10));
     char text[400];
     std::snprintf(text, sizeof text,
                   "%s%s%s%s %5.2f N %6.3f mm %s%s |%-10s| gain %+.0f dB %s %s grains %llu jumps %llu %s load "

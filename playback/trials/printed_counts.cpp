@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/trials/printed_counts.h"
 
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 #include <vector>
@@ -78,7 +79,8 @@ GroupResult matchingFrom(const Json& json, std::vector<std::string>& wrong) {
   group.clopperPearson = clopperPearson(group.errors);
   const Count printedRight{right, printed};
   if (trials != printed) {
-    const auto same = static_cast<std::size_t>(rateOf(printedRight) * static_cast<double>(trials) + 0.5);
+    const auto same =
+        static_cast<std::size_t>(std::lround(rateOf(printedRight) * static_cast<double>(trials)));
     wrong.push_back(group.condition + ": \"" + fraction(right, printed) + "\" is printed (" +
                     percent(printedRight) + "), but " + std::to_string(group.participantCount) +
                     " participants x " + std::to_string(buttons) + " buttons are " + std::to_string(trials) +
