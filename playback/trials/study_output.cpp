@@ -232,9 +232,9 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
   std::string list = "participant_id\tstudy_id\n";
   for (const std::string& id : participants) {
     const std::string sub = "sub-" + bidsId(id);
-    list += sub + "\t" + id + "\n";
+    list.append(sub).append("\t").append(id).append("\n");
     if (Result<Done> ok = makeFolder(folder / sub / "beh"); !ok) return ok;
-    const std::string name = sub + "_task-" + task + "_events.tsv";
+    const std::string name = std::string(sub).append("_task-").append(task).append("_events.tsv");
     if (Result<Done> ok =
             writeTextFileAtomically((folder / sub / "beh" / name).string(), eventsOf(results, id));
         !ok)
