@@ -52,7 +52,9 @@ bool printGraph(QPrinter& printer, const ButtonDocument& document, GraphWorkspac
                    document.title());
   painter.save();
   painter.translate(0, titleHeight_mm * mm);
-  painter.scale(scale, scale);
+  // A picture is played as large on paper as on the screen, which is another scale already.
+  const double played = painter.device()->logicalDpiX() / static_cast<double>(graph.logicalDpiX());
+  painter.scale(scale / played, scale / played);
   painter.drawPicture(0, 0, graph);
   painter.restore();
   font.setPointSizeF(9);

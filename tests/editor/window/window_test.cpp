@@ -1040,7 +1040,12 @@ class WindowTest : public QObject {
     rig.action("print")->trigger();  // cancelled
     rig.prompts.printedTo = at("paper.pdf");
     rig.action("print")->trigger();
-    QVERIFY(QFileInfo(at("paper.pdf")).size() > 5000);
+    // The graph lies whole on the paper: it is read from there again.
+    importer::ImportRequest request;
+    request.path = at("paper.pdf").toStdString();
+    auto report = importer::ImportSession::open(request.path)->importGraph(request);
+    QVERIFY2(report.ok(), report.ok() ? "" : "the printed graph is not found on its paper");
+    QVERIFY(std::abs(report->button.states()[0].graph.travel_mm() - 4) < 0.02);
     rig.action("appearanceDark")->trigger();
     const GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
     QTRY_VERIFY(isDark(canvas.palette()));
