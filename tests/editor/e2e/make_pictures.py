@@ -78,8 +78,8 @@ class Camera:
     def feel_panel(self):
         self.start("dark", "buttons/C.button.json", "buttons/B.button.json")
         self.desktop.key("alt+4")
-        pad = self.editor.widget("pressPad")
-        time.sleep(1)
+        time.sleep(2)  # until the panel stands where it will stay
+        pad = self.editor.at_rest("pressPad")
         window = self.active_window()
         x, y, width, height = pad["rect"]
         self.desktop.xdotool("mousemove", x + width // 2, y + height // 4)
@@ -95,9 +95,11 @@ class Camera:
         """A simulated finger on a simulated Falcon, caught on its way."""
         self.start("light", "buttons/C.button.json")
         self.desktop.key("alt+4")
+        self.editor.widget("pressPad")
+        time.sleep(1)  # until the panel stands where it will stay
         self.editor.click("setupToggle")
-        x, y, _, height = self.editor.widget("driveChoice")["rect"]
-        place = (x - 40, y + height // 2)  # beside the fields: a wheel on one would change it
+        x, y, width, height = self.editor.widget("driveChoice")["rect"]
+        place = (x + width + 8, y + height // 2)  # the scroll bar: a wheel on a field would change it
         self.wheel(place, 5)
         self.choose("forceDevice", 2)
         self.wheel(place, 4)
