@@ -251,10 +251,9 @@ std::map<std::string, std::string> uniqueStems(const std::vector<std::string>& i
   for (const std::string& input : inputs) {
     const fs::path path = fs::absolute(input).lexically_normal();
     std::string stem = path.stem().string();
-    if (clashes(stem)) stem = path.parent_path().filename().string() + "-" + stem;
+    if (clashes(stem)) stem.insert(0, path.parent_path().filename().string().append("-"));
     std::string unique = stem;
-    for (int n = 2; !taken.insert(unique).second; ++n)
-      unique = std::string(stem).append("-").append(std::to_string(n));
+    for (int n = 2; !taken.insert(unique).second; ++n) unique = stem + "-" + std::to_string(n);
     stems[input] = unique;
   }
   return stems;

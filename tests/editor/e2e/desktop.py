@@ -47,6 +47,7 @@ class Desktop:
     def __init__(self, folder, size="1500x950", scale=1, language="en"):
         self.folder, self.size, self.scale, self.language = Path(folder), size, scale, language
         self.started = []
+        self.manager = None
         self.actions = 0  # clicks, drags and keys of a person; what is typed into a field belongs to its click
         self.clicks = 0  # clicks and drags alone
 
@@ -72,9 +73,14 @@ class Desktop:
                                 XDG_CONFIG_HOME=str(self.folder / "config"), XDG_DATA_HOME=str(self.folder / "data"),
                                 XDG_RUNTIME_DIR=str(self.folder), HOME=str(self.folder), QT_SCALE_FACTOR=str(self.scale))
         self.environment.pop("WAYLAND_DISPLAY", None)
-        quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        self.start(["openbox"], env=self.environment, **quiet)
-        wait_for("a window manager", lambda: self.xdotool("get_desktop", check=False).returncode == 0)
+        wait_for("a window manager", self.is_managed)
+
+    def is_managed(self):
+        """Whether windows are managed; on a busy machine openbox may end before the screen answers it, and is started again."""
+        if self.manager is None or self.manager.poll() is not None:
+            log = (self.folder / "openbox.log").open("a")
+            self.manager = self.start(["openbox"], env=self.environment, stdout=log, stderr=log)
+        return self.xdotool("get_desktop", check=False).returncode == 0
 
     def __exit__(self, *_):
         for process in reversed(self.started):
