@@ -18,9 +18,9 @@ constexpr double inPart = 0.6;        // what is read is right, and is not all: 
 constexpr double mostForce_N = 50, leastForce_N = 0.04, mostTravel_mm = 25, leastTravel_mm = 0.04;
 constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke, noise makes dozens
 constexpr double negativeShare = 0.05;  // of the stroke's span: a trace's start is noisier than its middle
-constexpr double sameLineShare = 0.005, sameLineLength = 0.8;  // of the span, of the release
-constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;
-constexpr double endFallShare = 0.4;
+constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // of the span, of the release
+constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;  // of the stroke's length
+constexpr double endFallShare = 0.4;                            // of the force span
 constexpr double pictureEdge_px = 2.5;
 constexpr double leastSharedTravel = 0.35;  // a latch's release has half of the press'
 
@@ -53,17 +53,15 @@ Extent forceOf(const StrokePoints& s) {
   return extentOf(s.points, [](const CurvePoint& p) { return p.force_N; });
 }
 
-/// Distance of a point from a polyline.
-double distanceTo(const std::vector<Point>& line, Point p) {
-  double best = HUGE_VAL;
+/// Whether a point lies on a polyline, or this near to it.
+bool liesOn(const std::vector<Point>& line, Point p, double within_px) {
   for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-    const double dx = line[i + 1].x - line[i].x, dy = line[i + 1].y - line[i].y;
-    const double length2 = dx * dx + dy * dy;
-    const double t =
-        length2 > 0 ? std::clamp(((p.x - line[i].x) * dx + (p.y - line[i].y) * dy) / length2, 0.0, 1.0) : 0;
-    best = std::min(best, std::hypot(line[i].x + t * dx - p.x, line[i].y + t * dy - p.y));
+    const Point along = line[i + 1] - line[i], to = p - line[i];
+    const double length2 = dot(along, along);
+    const Point off = to - (length2 > 0 ? std::clamp(dot(to, along) / length2, 0.0, 1.0) : 0) * along;
+    if (dot(off, off) <= within_px * within_px) return true;
   }
-  return best;
+  return false;
 }
 
 /// Share of a line that runs on another, judged at a few hundred places.
@@ -71,8 +69,7 @@ double shareOn(const std::vector<Point>& other, const std::vector<Point>& line, 
   if (other.size() < 2 || line.empty()) return 0;
   const std::size_t step = std::max<std::size_t>(1, line.size() / 300);
   double near = 0, all = 0;
-  for (std::size_t i = 0; i < line.size(); i += step, all += 1)
-    near += distanceTo(other, line[i]) <= within_px;
+  for (std::size_t i = 0; i < line.size(); i += step, all += 1) near += liesOn(other, line[i], within_px);
   return near / all;
 }
 
@@ -129,7 +126,7 @@ double shareAlongAnAxis(const std::vector<Point>& line) {
 
 /// How far the force drops over the last stretch of travel, as a share of the stroke's span.
 double fallAtEnd(const StrokePoints& press) {
-  constexpr double lastShare = 0.03;
+  constexpr double lastShare = 0.03;  // of the travel
   const Extent travel = travelOf(press), force = forceOf(press);
   double highest = press.points.back().force_N;
   for (const CurvePoint& p : press.points)

@@ -73,12 +73,6 @@ TraceHints inView(TraceHints hints, const PageView& view) {
   return hints;
 }
 
-/// A view that stands a photographed sheet level has had its light evened: its pixels no longer show a camera.
-PageClass classOf(const LocatedGraph& graph, const StrokePair& strokes) {
-  if (strokes.press.fromVector) return PageClass::vector;
-  return graph.view.viewToPage.isAffine() ? classOfPixels(graph.view.raster) : PageClass::photo;
-}
-
 /// Expected noise of a stroke's points across the curve.
 double noisePx(const StrokePoints& stroke, const LocatedGraph& graph, const QualitySettings& settings) {
   if (!stroke.fromVector) return settings.traceNoise_px;
@@ -309,9 +303,7 @@ struct ImportSession::Impl {
     StepClock time(seconds, ImportStep::view);
     auto itsPage = page(number, progress);
     if (!itsPage) return itsPage.failure();
-    const FrameCandidate& candidate = graph.candidate.value;
-    auto view = document->view(**itsPage, candidate.regionBox, candidate.quarterTurns, onPage.key.view,
-                               candidate.levelToPage);
+    auto view = viewOf(*document, **itsPage, graph.candidate.value, onPage.key.view);
     if (!view) return view.failure();
     graph.view = std::move(view).value();
     return Done{};
@@ -576,6 +568,17 @@ struct ImportSession::Impl {
     return f;
   }
 
+  /// A view that stands a photographed sheet level has had its light evened: its pixels no longer show a camera. One whose
+  /// pixels were averaged shows no grain, the page's own still do.
+  PageClass classOf(const Choice& choice, const StrokePair& strokes, const Progress& progress) {
+    const PageView& view = choice.located().view;
+    if (strokes.press.fromVector) return PageClass::vector;
+    if (!view.viewToPage.isAffine()) return PageClass::photo;
+    const bool averaged = choice.onPage->unit == PageUnit::pixel && view.viewToPage.scaleAt({}) > 1.5;
+    const auto itsPage = averaged ? page(choice.page, progress) : Result<const Page*>(nullptr);
+    return classOfPixels(itsPage && *itsPage ? (*itsPage)->overview : view.raster);
+  }
+
   Result<std::vector<PlotSwitch>> switches(const ImportRequest& request, const Progress& progress);
   ImportAttempt importPlot(const ImportRequest& request, const Progress& progress);
   Result<ImportReport> importLog(const ImportRequest& request, const Progress& progress);
@@ -644,7 +647,7 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
   }();
   const auto& unread = remarks[choice->page];
   choice->remarks.insert(choice->remarks.end(), unread.begin(), unread.end());
-  const PageClass pageClass = classOf(graph, pair);
+  const PageClass pageClass = classOf(*choice, pair, progress);
   const GraphSource source{name(),       buttonName(*choice), document->sha256(),
                            choice->page, choice->graph,       choice->remarks};
   auto report = assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(),

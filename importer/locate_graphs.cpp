@@ -2,10 +2,12 @@
 #include "importer/locate_graphs.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "importer/axes/frame_by_numbers.h"
+#include "importer/page/crop.h"
 
 namespace detent::importer {
 namespace {
@@ -54,6 +56,24 @@ PlotFrame inView(const PlotFrame& frame, const Homography& toView) {
   return moved;
 }
 
+/// A frame of a picture keeps as many: with 1000 x 700 its lines and numbers are as sharp as in most pictures of plots.
+constexpr double leastFramePixels = 7e5;
+
+/// A region around the candidate. Of a picture that shows the frame larger than any plot needs pixels are averaged.
+Result<PageView> viewOf(const Document& document, const Page& page, const Box& region,
+                        const FrameCandidate& candidate, const ViewOptions& options) {
+  auto view = document.view(page, region, candidate.quarterTurns, options, candidate.levelToPage);
+  if (!view || page.unit != PageUnit::pixel) return view;
+  const double scale = view->viewToPage.scaleAt({0.5 * view->raster.width_px, 0.5 * view->raster.height_px});
+  const int factor = static_cast<int>(std::sqrt(candidate.uprightBox.area() / leastFramePixels) / scale);
+  if (factor < 2) return view;
+  const PixelRect all{0, 0, view->raster.width_px, view->raster.height_px};
+  view->raster = reducedCrop(view->raster, all, factor);
+  view->viewToPage = view->viewToPage.after(reducedCropToRaster(all, factor));
+  view->nativePixels = false;
+  return view;
+}
+
 /// Titles that the plot's own view cuts: units that were not found are looked for farther out.
 void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Page& page,
                          const LocateOptions& options) {
@@ -65,8 +85,7 @@ void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Pa
                                                farther * candidate.regionBox.height());
   const Box whole = candidate.levelToPage.inverse().boxOf({-0.5, -0.5, page.width, page.height});
   if (candidate.regionBox.contains(region.common(whole))) return;
-  const auto wide =
-      document.view(page, region.common(whole), candidate.quarterTurns, options.view, candidate.levelToPage);
+  const auto wide = viewOf(document, page, region.common(whole), candidate, options.view);
   if (!wide) return;
   const Homography toWide = wide->viewToPage.inverse().after(graph.view.viewToPage);
   readMissingUnits(graph.axes, *wide, inView(graph.frame.value, toWide), toWide);
@@ -75,8 +94,7 @@ void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Pa
 Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
                                    Found<FrameCandidate> candidate, const LocateOptions& options,
                                    const Progress& progress) {
-  auto view = document.view(page, candidate.value.regionBox, candidate.value.quarterTurns, options.view,
-                            candidate.value.levelToPage);
+  auto view = viewOf(document, page, candidate.value, options.view);
   if (!view) return view.failure();
   auto frame = locatePlotFrame(*view, page, candidate.value, progress);
   if (!frame) return frame.failure();
@@ -134,6 +152,11 @@ bool moreTelling(const Failure& a, const std::optional<Failure>& b) {
 }
 
 }  // namespace
+
+Result<PageView> viewOf(const Document& document, const Page& page, const FrameCandidate& candidate,
+                        const ViewOptions& options) {
+  return viewOf(document, page, candidate.regionBox, candidate, options);
+}
 
 double LocatedGraph::confidence() const {
   return std::min({candidate.confidence, frame.confidence, axes.calibration.confidence});

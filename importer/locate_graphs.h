@@ -24,6 +24,10 @@ struct LocatedGraph {
   std::vector<StepFinding> findings() const;
 };
 
+/// The region of a candidate, as it is read.
+Result<PageView> viewOf(const Document& document, const Page& page, const FrameCandidate& candidate,
+                        const ViewOptions& options);
+
 /// What came of one page: graphs in reading order, what was rejected, and why the best of those was.
 struct LocatedPage {
   std::vector<LocatedGraph> graphs;

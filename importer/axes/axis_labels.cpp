@@ -60,7 +60,7 @@ double digitsWide(const std::string& text) {
 /// Takes back readings that leave room for more digits than were read: "2" of "20" counts on as nicely as the
 /// whole number, and makes a scale ten times too small.
 void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places) {
-  constexpr double roomForMore = 1.7;
+  constexpr double roomForMore = 1.7;  // times the usual width of a digit
   std::vector<double> perDigit(found.words.size(), 0), known;
   for (std::size_t i = 0; i < found.words.size(); ++i) {
     const double n = digitsWide(found.words[i].utf8);

@@ -89,7 +89,7 @@ cv::Mat finePatch(const cv::Mat& darkness, const Box& word, int quarterTurns) {
 const cv::Mat& DrawnText::glyph(char c) {
   const auto [at, fresh] = glyphs_.try_emplace(c);
   if (!fresh) return at->second;
-  constexpr double scale = 3;
+  constexpr double scale = 3;  // of OpenCV's Hershey fonts: large, and reduced to the label's size
   constexpr int pen = 8;
   int ignored = 0;
   const int height = cv::getTextSize("0", hand_.font, scale, pen, &ignored).height;

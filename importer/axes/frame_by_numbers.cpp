@@ -86,7 +86,7 @@ double lineContrast(const cv::Mat& darkness, double at, double from, double to, 
 /// Whether an edge is drawn where the numbers want one, if with gaps: a last number may stand off the last line, and the
 /// frame ends at that line.
 bool isDrawn(const cv::Mat& darkness, double edge, double from, double to, bool upright) {
-  constexpr double seen = 6, enough = 0.3;
+  constexpr double seen = 6, enough = 0.3;  // grey levels; of the pieces
   constexpr int reach_px = 4, pieces = 20;
   int drawn = 0;
   for (int k = 0; k < pieces; ++k) {

@@ -56,7 +56,7 @@ std::optional<double> printedNumber(std::string_view utf8) {
 }
 
 std::vector<NumberReading> numberReadings(std::string_view utf8, double confidence) {
-  constexpr double readWithCertainty = 0.9, repair = 0.45, repairOfSure = 0.3;
+  constexpr double repair = 0.45, repairOfSure = 0.3;  // weights of readings; what is printed has 1
   std::vector<NumberReading> readings;
   const auto first = printedNumber(utf8);
   if (!first) return readings;

@@ -9,6 +9,9 @@
 
 namespace detent::importer {
 
+/// Confidence of the text engine from which a label counts as read, 0..1.
+inline constexpr double readWithCertainty = 0.9;
+
 /// A number a label could mean. The first reading weighs 1, repairs (a lost decimal point) less.
 struct NumberReading {
   double value = 0;

@@ -135,7 +135,7 @@ std::optional<Trial> bestTrial(const std::vector<LabelPlace>& labels, const Plac
 /// A repaired reading ("198" as 19.8 near 20) that alone needs a much finer step than all the others is a
 /// misreading that happens to lie close.
 void dropStrayRepairs(const std::vector<LabelPlace>& labels, Trial& t) {
-  constexpr double muchFiner = 4;
+  constexpr double muchFiner = 4;  // times
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (t.reading[i] < 0 || labels[i].readings[static_cast<std::size_t>(t.reading[i])].weight >= 1) continue;
     Trial others = t;

@@ -14,6 +14,7 @@
 #include "importer/axes/axis_labels.h"
 #include "importer/axes/axis_titles.h"
 #include "importer/axes/graph_reading.h"
+#include "importer/axes/printed_number.h"
 #include "importer/axes/word_match.h"
 
 namespace detent::importer {
@@ -21,8 +22,6 @@ namespace {
 
 constexpr double newtonAtMost =
     5;  // an unnamed force axis that ends at or below this is in newton: no button needs 5 gf
-
-constexpr double readWithCertainty = 0.9;
 
 /// What the user said about one axis.
 struct AxisGiven {
@@ -314,7 +313,7 @@ ForceUnit yUnitOf(AxisReading& y, const AxisHints& hints, GraphReading& r,
 
 /// Whether one scale is the other in another unit of force: zero at the same place, a known factor between them.
 bool sameForces(const Progression& a, const Progression& b, double frameHeight_px) {
-  constexpr double sameFactor = 0.015, samePlace = 0.02;
+  constexpr double sameFactor = 0.015, samePlace = 0.02;  // relative; of the frame's height
   constexpr std::array units{ForceUnit::newton,       ForceUnit::centinewton, ForceUnit::gramForce,
                              ForceUnit::ounceForce,   ForceUnit::poundForce,  ForceUnit::millinewton,
                              ForceUnit::kilogramForce};

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -40,9 +39,11 @@ std::optional<LightModel> installedModel() {
   folders.insert(folders.end(), {"/usr/share/tesseract-ocr/5/tessdata", "/usr/share/tessdata",
                                  "/usr/local/share/tessdata", "/opt/homebrew/share/tessdata"});
   for (const std::string& folder : folders) {
-    std::ifstream file(folder + "/eng.traineddata", std::ios::binary);
+    std::ifstream file(folder + "/eng.traineddata", std::ios::binary | std::ios::ate);
     if (!file) continue;
-    return LightModel::from(std::string(std::istreambuf_iterator<char>(file), {}));
+    std::string bytes(static_cast<std::size_t>(std::max<std::streamoff>(0, file.tellg())), '\0');
+    file.seekg(0).read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    return LightModel::from(bytes);
   }
   return {};
 }

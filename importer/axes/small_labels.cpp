@@ -46,7 +46,7 @@ std::string shortened(std::string text) {
 
 /// Places as whole steps from the first; empty if they are not even.
 std::vector<int> evenSteps(const std::vector<double>& centers_px) {
-  constexpr double evenWithin = 0.15;
+  constexpr double evenWithin = 0.15;  // of a step
   double pitch = std::numeric_limits<double>::max();
   for (std::size_t i = 1; i < centers_px.size(); ++i)
     pitch = std::min(pitch, centers_px[i] - centers_px[i - 1]);
@@ -73,7 +73,8 @@ std::vector<Scale> scalesOf(std::vector<int> steps, bool rising) {
                                  Mantissa{2.5, -1, 1}, Mantissa{4, -2, 0},   Mantissa{3, -2, 0},
                                  Mantissa{1.5, -2, 1}, Mantissa{6, -3, 0},   Mantissa{8, -3, 0},
                                  Mantissa{1.2, -3, 1}, Mantissa{1.25, -3, 2}};
-  constexpr double notFromZero = -2, zerosBehind = -0.5;
+  constexpr double notFromZero = -2,
+                   zerosBehind = -0.5;  // nats: axes begin at 0, and no two zeros follow a point
   constexpr int furthestStart = 12;
   if (!rising)
     for (int& k : steps) k = -k;
@@ -131,7 +132,8 @@ class Comparison {
  private:
   /// Ink ends short of its advance, by more where a one stands; smoothing makes it wider.
   bool fits(double width_px, const std::string& text) const {
-    constexpr double bearing = 0.15, besideOne = 0.35, halo_px = 1.5, hands_share = 0.07;
+    constexpr double bearing = 0.15, besideOne = 0.35, halo_px = 1.5,
+                     hands_share = 0.07;  // both of a digit's advance: white beside it, and more beside a 1
     const double wide_px = advancesOf(text) * hand_.advance_px;
     const double ones = (text.front() == '1') + (text.back() == '1');
     const double least = wide_px * (1 - hands_share) - (bearing + besideOne * ones) * hand_.advance_px - 1;
@@ -155,7 +157,7 @@ struct Judged {
 /// Nats of a label's pixels, noise and the difference of typefaces not known beforehand; what scaling and blur join is
 /// counted once.
 double natsOf(double likeness, const Box& word) {
-  constexpr double independent = 0.25, most = 0.99;
+  constexpr double independent = 0.25, most = 0.99;  // of the pixels; highest correlation that is believed
   const double pixels = independent * (word.width() + 2) * (word.height() + 2);
   const double r = std::clamp(likeness, 0.0, most);
   return -0.5 * pixels * std::log(1 - r * r);

@@ -54,7 +54,7 @@ struct Judged {
 
 /// The units that two common hands leave in the running; none where nothing like a unit in brackets stands there.
 std::vector<Judged> likelyUnits(const cv::Mat& patch, double height) {
-  constexpr double leastLike = 0.4, behind = 0.2;
+  constexpr double leastLike = 0.4, behind = 0.2;  // correlations: of a unit at all, and below the best
   std::vector<DrawnText> common = handsOf(height, {cv::FONT_HERSHEY_SIMPLEX}, {0.71, 0.83}, {0.82});
   std::vector<Judged> likely;
   double best = leastLike;

@@ -120,7 +120,7 @@ constexpr double leastShare = 0.8;  // of a leader that is a thin stroke
 double leaderShare(const InkTest& ink, Point from, Point to) {
   const double length = distance(from, to);
   const Point along{(to.x - from.x) / length, (to.y - from.y) / length};
-  constexpr double arrowhead_px = 8, side_px = 4.5, mostGaps = 0.1;
+  constexpr double arrowhead_px = 8, side_px = 4.5, mostGaps = 0.1;  // of the samples
   const double start =
       std::min(arrowhead_px, length / 3);  // dots and arrowheads sit where the leader meets the curve
   const int samples = static_cast<int>(std::floor(length - 1 - start)) + 1;

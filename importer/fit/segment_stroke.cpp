@@ -247,7 +247,7 @@ std::vector<Stretch> cutRun(const std::vector<RunPoint>& points, double blocks, 
   return stretches;
 }
 
-constexpr double steepest = 1e6;
+constexpr double steepest = 1e6;  // of the scaled axes: steeper is a wall
 
 double slopeOf(const Stretch& stretch, double z, bool steep) {
   const double slope = stretch.cubic.slopeAt(z);

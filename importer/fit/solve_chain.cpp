@@ -203,7 +203,7 @@ class StayWithPoints final : public ceres::SizedCostFunction<1, 4> {
 class KeepOrder final : public ceres::SizedCostFunction<1, 4, 4> {
  public:
   bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    constexpr double perSigma = 30;
+    constexpr double perSigma = 30;  // residuals (sigmas) per unit of a piece's length turned round
     const double h = parameters[1][0] - parameters[0][0];
     residuals[0] = h < 0 ? perSigma * h : 0;
     for (int side = 0; jacobians && side < 2; ++side) {
@@ -298,7 +298,7 @@ class ChainProblem {
 
 /// The condition number of a Jacobian, from J'J.
 double conditionOf(const Eigen::MatrixXd& information) {
-  constexpr double beyondRounding = 1e-16;
+  constexpr double beyondRounding = 1e-16;  // of the greatest eigenvalue
   const Eigen::VectorXd scale = information.diagonal().cwiseSqrt().cwiseInverse();
   const Eigen::VectorXd eigenvalues =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scale.asDiagonal() * information * scale.asDiagonal(),

@@ -10,6 +10,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "importer/page/ink_pieces.h"
 #include "importer/page/quantile.h"
 
 namespace detent::importer {
@@ -169,14 +170,12 @@ cv::Mat inkAbove(const cv::Mat& darkness, int threshold) {
 }
 
 std::vector<Box> glyphBoxes(const cv::Mat& ink, double minSize_px, double maxSize_px) {
-  cv::Mat labels, stats, centroids;
-  const int n = cv::connectedComponentsWithStats(ink, labels, stats, centroids, 8, CV_32S);
   std::vector<Box> boxes;
-  for (int k = 1; k < n; ++k) {
-    const double x = stats.at<int>(k, cv::CC_STAT_LEFT), y = stats.at<int>(k, cv::CC_STAT_TOP);
-    const double w = stats.at<int>(k, cv::CC_STAT_WIDTH), h = stats.at<int>(k, cv::CC_STAT_HEIGHT);
-    if (std::max(w, h) < minSize_px || std::max(w, h) > maxSize_px) continue;
-    boxes.push_back({x - 0.5, y - 0.5, x + w - 0.5, y + h - 0.5});
+  for (const InkPiece& piece : inkPiecesOf(ink.data, ink.cols, ink.rows, ink.step).all) {
+    const Box& b = piece.box;
+    const double size = std::max(b.width(), b.height());
+    if (size >= minSize_px && size <= maxSize_px)
+      boxes.push_back({b.x0 - 0.5, b.y0 - 0.5, b.x1 - 0.5, b.y1 - 0.5});
   }
   return boxes;
 }

@@ -36,7 +36,7 @@ int atLines(const std::vector<double>& places, const std::vector<double>& lines,
 
 /// Up to six characters, and high enough to be read: what is lower is a rest of a tick. In small pictures so are letters.
 bool couldBeNumber(const Box& word, double frameHeight_px) {
-  constexpr double lowest_px = 4.5, lowestOfFrame = 0.025;
+  constexpr double lowest_px = 4.5, lowestOfFrame = 0.025;  // height of a digit, px and of the frame's height
   return word.height() >= std::min(lowest_px, lowestOfFrame * frameHeight_px) &&
          word.width() <= 5.5 * word.height() && word.height() <= 3.5 * word.width();
 }

@@ -35,8 +35,8 @@ std::vector<cv::Point> levelCrests(const cv::Mat& darkness) {
 double rowScore(const std::vector<cv::Point>& points, double slope, int size, std::vector<int>& rows) {
   const int room = static_cast<int>(std::abs(slope) * size) + 2;
   rows.assign(static_cast<std::size_t>(size + 2 * room + 2), 0);
-  for (const cv::Point& p : points)
-    ++rows[static_cast<std::size_t>(static_cast<int>(std::lround(p.y - slope * p.x)) + room)];
+  const double nearest = room + 0.5;  // all rows are above zero, so the fraction that is cut off rounds
+  for (const cv::Point& p : points) ++rows[static_cast<std::size_t>(p.y - slope * p.x + nearest)];
   double sum = 0;
   for (const int n : rows) sum += static_cast<double>(n) * n;
   return sum;

@@ -148,7 +148,7 @@ std::optional<Peak> cleanPeak(const cv::Mat& d, int l, int r, int y0, int y1) {
 
 /// Enlarging by a filter with lobes, sharpening and JPEG leave pale copies beside a line: they are none.
 std::vector<Peak> withoutRinging(const std::vector<Peak>& lines) {
-  constexpr double paler = 0.15, withinWidths = 4;
+  constexpr double paler = 0.15, withinWidths = 4;  // of the other line's contrast; in its widths
   std::vector<Peak> kept;
   std::copy_if(lines.begin(), lines.end(), std::back_inserter(kept), [&](const Peak& line) {
     return std::none_of(lines.begin(), lines.end(), [&](const Peak& other) {

@@ -162,7 +162,7 @@ bool roundedByAgg(const cv::Mat& d, const cv::Mat& turnedD, const Edges& e, cons
   add(turnedD, e.top, box.x0, box.x1);
   add(turnedD, e.bottom, box.x0, box.x1);
   if (rims.size() < 2) return false;
-  constexpr double same = 0.012;
+  constexpr double same = 0.012;  // of the picture's width
   const double rim = rims.front().left;
   return rim >= 0.02 && rim <= 0.24 && std::all_of(rims.begin(), rims.end(), [&](const RimCover& r) {
            return std::abs(r.left - rim) <= same && std::abs(r.right - rim) <= same && r.beyond <= same;

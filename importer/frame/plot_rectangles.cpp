@@ -15,7 +15,9 @@ constexpr double samePlace_px = 2.5;  // lines this close are one line
 constexpr int maxPositions = 60;      // per direction and group; drawings have more, plots have not
 constexpr std::size_t maxRectanglesPerGroup = 10;
 constexpr double minScore = 4;  // two drawn edges and lines that end where it ends
-constexpr double minEdgeCover = 0.55;
+constexpr double mostScore =
+    1 + 4 * 1.5 + 0.08 * 16 + 3;       // corner, edges, grid, share inside; nothing overhanging
+constexpr double minEdgeCover = 0.55;  // of the edge's length
 
 struct Group {
   std::vector<StraightLine> h, v;
@@ -129,13 +131,14 @@ EdgeFit fitAlong(const std::vector<StraightLine>& lines, double from, double to,
     bool from = false, to = false;
   };
   std::vector<Place> places;
+  places.reserve(lines.size());
   EdgeFit fit;
   const double size = to - from, near = 0.015 * size + 3;
   for (const auto& line : lines) {
-    const double at = line.acrossAt(std::clamp(0.5 * (from + to), line.from, line.to));
-    if (at < acrossFrom - 4 || at > acrossTo + 4) continue;
     const double inside = std::min(line.to, to) - std::max(line.from, from);
     if (inside < 0.12 * size) continue;
+    const double at = line.acrossAt(std::clamp(0.5 * (from + to), line.from, line.to));
+    if (at < acrossFrom - 4 || at > acrossTo + 4) continue;
     ++fit.members;
     fit.inside += inside;
     fit.length += line.length();
@@ -250,7 +253,8 @@ struct Candidates {
       : xs(edgePositions(g.v, g.h)), ys(edgePositions(g.h, g.v)), columns(g.v, xs, ys), rows(g.h, ys, xs) {}
 };
 
-/// The rectangle between four candidate positions; nullopt if no two adjacent edges of it are drawn.
+/// The rectangle between four candidate positions; nullopt if no two adjacent edges of it are drawn, or too much of its
+/// lines lies outside of it.
 std::optional<PlotRectangle> scored(const Group& g, const Candidates& c, std::size_t i, std::size_t j,
                                     std::size_t k, std::size_t l) {
   PlotRectangle r;
@@ -266,6 +270,7 @@ std::optional<PlotRectangle> scored(const Group& g, const Candidates& c, std::si
   const NextLines down{nextLine(c.rows, c.ys, k, -1, i, j, b.height()),
                        nextLine(c.rows, c.ys, l, 1, i, j, b.height())};
   const auto fitH = fitAlong(g.h, b.x0, b.x1, b.y0, b.y1, r.edgeCover[0], r.edgeCover[2], across);
+  if (mostScore - 1.2 * fitH.overhang <= minScore) return std::nullopt;
   const auto fitV = fitAlong(g.v, b.y0, b.y1, b.x0, b.x1, r.edgeCover[1], r.edgeCover[3], down);
   const double edges = edgeWorth(r.edgeCover[0], fitH.reachFrom, fitH.endAtFrom, fitH.members) +
                        edgeWorth(r.edgeCover[2], fitH.reachTo, fitH.endAtTo, fitH.members) +

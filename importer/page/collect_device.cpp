@@ -14,7 +14,7 @@ namespace {
 
 constexpr double flatness = 0.005;     // page units; the contract of VectorPath
 constexpr double hairlineWidth = 0.1;  // page units; PDF's width 0 means the thinnest line a device can draw
-constexpr double leastVisibleAlpha = 0.02;
+constexpr double leastVisibleAlpha = 0.02;  // 1 is opaque
 
 Affine toAffine(const fz_matrix& m) { return {m.a, m.b, m.c, m.d, m.e, m.f}; }
 
@@ -217,7 +217,7 @@ class Collector {
 
   /// Producers wrap whole drawings into a pattern of one cell; fine hatching stays with its one cell.
   void repeatTile(const Tile& tile) {
-    constexpr double maxCopies = 64;
+    constexpr double maxCopies = 64;  // of one tile
     const double stepX = std::abs(tile.stepX), stepY = std::abs(tile.stepY);
     if (!(stepX > 0) || !(stepY > 0)) return;
     const double firstColumn = std::floor((tile.area.x0 - tile.cell.x1) / stepX) + 1;

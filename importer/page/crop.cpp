@@ -138,17 +138,29 @@ Raster reducedCrop(const Raster& raster, const PixelRect& rect, int factor) {
   Raster out;
   out.width_px = (rect.width + factor - 1) / factor;
   out.height_px = (rect.height + factor - 1) / factor;
-  out.rgb.reserve(3 * static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px));
+  const std::size_t rowBytes = 3 * static_cast<std::size_t>(out.width_px);
+  out.rgb.resize(rowBytes * static_cast<std::size_t>(out.height_px));
+  std::vector<int> sums(rowBytes);
+  const auto columnsFrom = [&](int left) { return std::min(factor, rect.width - left); };
   for (int top = 0; top < rect.height; top += factor) {
-    const int bottom = std::min(top + factor, rect.height);
+    const int rows = std::min(factor, rect.height - top);
+    std::uint8_t* to = out.rgb.data() + rowBytes * static_cast<std::size_t>(top / factor);
+    if (factor == 1) {
+      std::memcpy(to, raster.at(rect.x, rect.y + top), rowBytes);
+      continue;
+    }
+    std::fill(sums.begin(), sums.end(), 0);
+    for (int y = top; y < top + rows; ++y) {
+      const std::uint8_t* from = raster.at(rect.x, rect.y + y);
+      int* sum = sums.data();
+      for (int left = 0; left < rect.width; left += factor, sum += 3)
+        for (int i = columnsFrom(left); i > 0; --i, from += 3)
+          sum[0] += from[0], sum[1] += from[1], sum[2] += from[2];
+    }
+    const int* sum = sums.data();
     for (int left = 0; left < rect.width; left += factor) {
-      const int right = std::min(left + factor, rect.width), count = (right - left) * (bottom - top);
-      int sums[3] = {};
-      for (int y = top; y < bottom; ++y) {
-        const std::uint8_t* from = raster.at(rect.x + left, rect.y + y);
-        for (int i = 0; i < 3 * (right - left); ++i) sums[i % 3] += from[i];
-      }
-      for (const int sum : sums) out.rgb.push_back(static_cast<std::uint8_t>((sum + count / 2) / count));
+      const int count = rows * columnsFrom(left);
+      for (int c = 0; c < 3; ++c) *to++ = static_cast<std::uint8_t>((*sum++ + count / 2) / count);
     }
   }
   return out;

@@ -108,24 +108,29 @@ std::uint8_t over(std::uint8_t ink, std::uint8_t alpha, std::uint8_t background)
   return static_cast<std::uint8_t>((mixed + 127) / 255);
 }
 
+bool isSeeThrough(const StoredPicture& in) {
+  for (std::size_t i = 3; i < in.rgba.size(); i += 4)
+    if (in.rgba[i] != 255) return true;
+  return false;
+}
+
 Raster flattened(const StoredPicture& in, int orientation) {
   const StoredOrder order = storedOrder(orientation);
-  const std::uint8_t background = in.hasAlpha ? backgroundFor(in) : std::uint8_t{255};
+  const bool opaque = !in.hasAlpha || !isSeeThrough(in);
+  const std::uint8_t background = opaque ? std::uint8_t{255} : backgroundFor(in);
   Raster out;
   out.width_px = order.swapped ? in.height_px : in.width_px;
   out.height_px = order.swapped ? in.width_px : in.height_px;
   out.rgb.resize(3 * static_cast<std::size_t>(out.width_px) * static_cast<std::size_t>(out.height_px));
+  const std::ptrdiff_t alongX = order.flipX ? -4 : 4,
+                       alongY = (order.flipY ? -4 : 4) * std::ptrdiff_t{in.width_px};
+  const std::uint8_t* first = in.at(order.flipX ? in.width_px - 1 : 0, order.flipY ? in.height_px - 1 : 0);
   std::uint8_t* to = out.rgb.data();
-  for (int y = 0; y < out.height_px; ++y)
-    for (int x = 0; x < out.width_px; ++x, to += 3) {
-      int sx = order.swapped ? y : x, sy = order.swapped ? x : y;
-      if (order.flipX) sx = in.width_px - 1 - sx;
-      if (order.flipY) sy = in.height_px - 1 - sy;
-      const Pixel p = pixelAt(in, sx, sy);
-      to[0] = in.hasAlpha ? over(p.r, p.alpha, background) : p.r;
-      to[1] = in.hasAlpha ? over(p.g, p.alpha, background) : p.g;
-      to[2] = in.hasAlpha ? over(p.b, p.alpha, background) : p.b;
-    }
+  for (int y = 0; y < out.height_px; ++y) {
+    const std::uint8_t* from = first + y * (order.swapped ? alongX : alongY);
+    for (int x = 0; x < out.width_px; ++x, to += 3, from += order.swapped ? alongY : alongX)
+      for (int c = 0; c < 3; ++c) to[c] = opaque ? from[c] : over(from[c], from[3], background);
+  }
   return out;
 }
 

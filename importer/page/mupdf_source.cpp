@@ -17,7 +17,7 @@
 namespace detent::importer {
 namespace {
 
-constexpr double overviewDpi = 150;
+constexpr double overviewDpi = 150;  // enough for labels of 5 pt
 constexpr double overviewMaxSide_px = 2000;
 constexpr int overviewAntialiasBits = 6;  // half the time of 8 on pages with 1e5 glyph outlines
 

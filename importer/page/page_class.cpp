@@ -28,9 +28,10 @@ int lumaAt(const Raster& raster, int x, int y) {
 }
 
 Tile tileAt(const Raster& raster, int x0, int y0) {
-  std::vector<int> levels;
-  for (int y = y0; y < y0 + tile_px; ++y)
-    for (int x = x0; x < x0 + tile_px; ++x) levels.push_back(lumaAt(raster, x, y));
+  std::vector<int> levels(static_cast<std::size_t>(tile_px * tile_px));
+  for (int y = 0, k = 0; y < tile_px; ++y)
+    for (int x = 0; x < tile_px; ++x, ++k)
+      levels[static_cast<std::size_t>(k)] = lumaAt(raster, x0 + x, y0 + y);
   const auto [low, high] = std::minmax_element(levels.begin(), levels.end());
   const int range = *high - *low;
   return {medianOf(std::move(levels)), range};
@@ -38,7 +39,7 @@ Tile tileAt(const Raster& raster, int x0, int y0) {
 
 /// A few thousand tiles, spread evenly.
 std::vector<Tile> tilesOf(const Raster& raster) {
-  constexpr double most = 4000;
+  constexpr double most = 4000;  // tiles looked at
   const int across = raster.width_px / tile_px, down = raster.height_px / tile_px;
   const int step = std::max(1, static_cast<int>(std::sqrt(across * static_cast<double>(down) / most)));
   std::vector<Tile> tiles;
@@ -51,9 +52,11 @@ std::vector<Tile> tilesOf(const Raster& raster) {
 /// Ink and paper and hardly a level between them: what a fax or a scanner set to text leaves.
 bool isBilevel(const Raster& raster) {
   constexpr double mostBetween_share = 0.001, leastInk_share = 0.002;
-  std::size_t between = 0, ink = 0, all = 0;
+  const double all = static_cast<double>(raster.width_px) * raster.height_px;
+  std::size_t between = 0, ink = 0;
   for (int y = 0; y < raster.height_px; ++y) {
-    for (int x = 0; x < raster.width_px; ++x, ++all) {
+    if (static_cast<double>(between) >= mostBetween_share * all) return false;
+    for (int x = 0; x < raster.width_px; ++x) {
       const std::uint8_t* p = raster.at(x, y);
       const auto [low, high] = std::minmax({p[0], p[1], p[2]});
       between += low > 16 && high < 239;
@@ -61,10 +64,8 @@ bool isBilevel(const Raster& raster) {
       ink += high <= 16;
     }
   }
-  const auto shareOf = [all](std::size_t pixels) {
-    return static_cast<double>(pixels) / static_cast<double>(all);
-  };
-  return all > 0 && shareOf(between) < mostBetween_share && shareOf(ink) > leastInk_share;
+  return static_cast<double>(between)<mostBetween_share * all&& static_cast<double>(ink)> leastInk_share *
+         all;
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ class ByteReader {
   mutable bool overrun_ = false;
 };
 
-constexpr double mmPerInch = 25.4;
+constexpr double mmPerInch = 25.4;  // exact by definition
 
 std::optional<double> plausibleDpi(double dpi) {
   if (std::isfinite(dpi) && dpi >= 10 && dpi <= 10000) return dpi;

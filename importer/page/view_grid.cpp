@@ -35,14 +35,14 @@ std::optional<AlignedImage> aligned(const ImagePlacement& placement) {
 }
 
 bool samePitch(const AlignedImage& a, const AlignedImage& b) {
-  constexpr double tolerance = 0.002;
+  constexpr double tolerance = 0.002;  // relative
   return std::abs(a.pitchX / b.pitchX - 1) < tolerance && std::abs(a.pitchY / b.pitchY - 1) < tolerance;
 }
 
 /// The image on whose pixels the region is to be shown: images of its pitch (scanners and word processors cut
 /// one picture into strips) cover most of the region. Stretched backgrounds of a few pixels are no pictures.
 std::optional<AlignedImage> dominating(const std::vector<ImagePlacement>& placements, const Box& region) {
-  constexpr double mostOf = 0.5;
+  constexpr double mostOf = 0.5;               // of the region's area
   constexpr double coarsestPitch = 72.0 / 40;  // points per pixel: 40 dpi
   std::vector<AlignedImage> images;
   for (const ImagePlacement& placement : placements) {
@@ -76,7 +76,7 @@ bool carriesDrawing(const Page& page, const Box& region) {
 
 /// Pixels per unit of the finest image that holds a fair part of the region: a render is never coarser.
 double finestImageScale(const std::vector<ImagePlacement>& images, const Box& region) {
-  constexpr double fairPart = 0.05;
+  constexpr double fairPart = 0.05;  // of the region's area
   double scale = 0;
   for (const ImagePlacement& placement : images) {
     if (coverage(placement.image.box, region) < fairPart) continue;

@@ -174,7 +174,8 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibrat
                    "its curve has fewer than two points",
                    {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
-  constexpr double ofOneNamed = 0.9, ofRelease = 0.5, ofBoth = 0.4;
+  constexpr double ofOneNamed = 0.9, ofRelease = 0.5,
+                   ofBoth = 0.4;  // confidences of a single trace, by what it is called
   const double named = namesBothStrokes(trace.label) ? ofBoth : namedRelease ? ofRelease : ofOneNamed;
   found.confidence = named * credit(trace.confidence);
   found.evidence = {{namedRelease ? EvidenceCode::pressAloneThoughNamedRelease : EvidenceCode::pressAlone}};
@@ -196,6 +197,34 @@ std::optional<Failure> releaseAbove(const StrokePoints& press, const StrokePoint
                      {RemedyKind::pickPress, {}},
                      {RemedyKind::pickRelease, {}}}},
                    "plot frame");
+}
+
+/// A stroke's largest drop of force over increasing displacement.
+struct Drop {
+  double force_N = 0;
+  double valley_mm = 0;  ///< where it ends
+};
+
+Drop largestDrop(const StrokePoints& stroke) {
+  Drop largest;
+  double peak_N = stroke.points.front().force_N;
+  for (const CurvePoint& p : stroke.points) {
+    peak_N = std::max(peak_N, p.force_N);
+    if (peak_N - p.force_N > largest.force_N) largest = {peak_N - p.force_N, p.displacement_mm};
+  }
+  return largest;
+}
+
+/// Friction delays what a switch does: on its way back the drop comes at less displacement. One that comes later is
+/// another switch's; both by increasing displacement (docs/decisions/0809-ink-left-over.md).
+bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
+  constexpr double leastDrop = 0.05;  // of the press' highest force
+  constexpr double late = 0.05;       // of the travel; of 192 pairs 0.035 at most, of a named dome more
+  const double highest_N = std::ranges::max_element(press.points, {}, &CurvePoint::force_N)->force_N;
+  const double travel_mm = press.points.back().displacement_mm - press.points.front().displacement_mm;
+  const Drop there = largestDrop(press), back = largestDrop(release);
+  return std::min(there.force_N, back.force_N) > leastDrop * highest_N &&
+         back.valley_mm - there.valley_mm > late * travel_mm;
 }
 
 /// Press and release of one switch.
@@ -226,10 +255,12 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
                       {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}}},
                      "plot frame");
   }
-  const bool byHand = swap || (first.stroke && second.stroke);
+  const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   if (!firstIsPress) std::swap(a, b);
-  if (!byHand)
+  if (!byHand) {
     if (auto above = releaseAbove(a, b)) return std::move(*above);
+    if (!namedAsPair(first, second) && dropsLater(a, b)) return tooMany({first, second});
+  }
   found.value.press = std::move(a);
   found.value.release = travelledBack(std::move(b));
   return found;

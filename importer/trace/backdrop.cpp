@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kMaxSamplesPerLine = 800;
 constexpr float kLineContrast = 5;     // of a gridline against paper, colour levels
+constexpr float kAsPaper = 2;          // colour levels: what differs less is paper
 constexpr double kLineSupport = 0.3;   // of a gridline's length must have its colour
 constexpr double kKnownLine_px = 2.5;  // how far from a known line a row may be to count as that line
 constexpr float kUnevenPaper = 8;      // a tile's paper that differs by this much makes the paper uneven
@@ -64,36 +65,53 @@ class ModeOfColors {
 /// The commonest difference to the paper along one row or column.
 class LineColor {
  public:
+  explicit LineColor(float tolerance) : tolerance_(tolerance) {}
+
   void clear() {
-    for (auto& channel : bins_) channel.fill(0);
+    paper_ = 0, pale_ = 0;
     samples_.clear();
   }
   void add(Color3 difference) {
-    ++bins_[0][binOf(difference.r)];
-    ++bins_[1][binOf(difference.g)];
-    ++bins_[2][binOf(difference.b)];
+    const float contrast = norm(difference);
+    if (contrast < kAsPaper)
+      ++paper_;
+    else if (contrast <= kAsPaper + widestOfOneColor())
+      pale_ += contrast;
     samples_.push_back(difference);
   }
-  /// None where fewer than `support` of the line have it: text is dark too, but of many shades.
-  Color3 commonest(float tolerance, double support) const {
-    const Color3 peak{peakOf(bins_[0], tolerance), peakOf(bins_[1], tolerance), peakOf(bins_[2], tolerance)};
+  /// None where fewer than kLineSupport of the line have it: text is dark too, but of many shades. None either where it
+  /// cannot have kLineContrast, which most lines of a plot tell without a look at their shades.
+  Color3 commonest() const {
+    const double all = static_cast<double>(samples_.size()), least = kLineSupport * all;
+    const bool mostlyPaper =
+        static_cast<double>(paper_) > all - least;  // then the commonest colour has paper in it
+    if (mostlyPaper && static_cast<double>(pale_) < static_cast<double>(kLineContrast - kAsPaper) * least)
+      return {};
+    std::array<std::array<int, 512>, 3> bins{};
+    for (Color3 s : samples_) {
+      ++bins[0][binOf(s.r)];
+      ++bins[1][binOf(s.g)];
+      ++bins[2][binOf(s.b)];
+    }
+    const Color3 peak{peakOf(bins[0]), peakOf(bins[1]), peakOf(bins[2])};
     Color3 sum;
     int n = 0;
     for (Color3 s : samples_) {
       const Color3 d = s - peak;
-      if (std::abs(d.r) > tolerance || std::abs(d.g) > tolerance || std::abs(d.b) > tolerance) continue;
+      if (std::abs(d.r) > tolerance_ || std::abs(d.g) > tolerance_ || std::abs(d.b) > tolerance_) continue;
       sum = sum + s;
       ++n;
     }
-    return n >= 1 && n >= support * static_cast<double>(samples_.size()) ? (1 / static_cast<float>(n)) * sum
-                                                                         : Color3{};
+    return n >= 1 && n >= least ? (1 / static_cast<float>(n)) * sum : Color3{};
   }
 
  private:
+  /// The largest distance between two samples that count as one colour.
+  float widestOfOneColor() const { return 2 * std::sqrt(3.0F) * tolerance_; }
   static std::size_t binOf(float v) { return static_cast<std::size_t>(std::clamp(v + 256.5F, 0.0F, 511.0F)); }
   /// Middle of the fullest window of the tolerance's width.
-  static float peakOf(const std::array<int, 512>& bins, float tolerance) {
-    const int half = std::max(1, static_cast<int>(0.5F * tolerance));
+  float peakOf(const std::array<int, 512>& bins) const {
+    const int half = std::max(1, static_cast<int>(0.5F * tolerance_));
     int inWindow = 0, best = -1, at = 0;
     for (int i = 0; i < 512 + half; ++i) {
       if (i < 512) inWindow += bins[static_cast<std::size_t>(i)];
@@ -105,7 +123,9 @@ class LineColor {
     }
     return static_cast<float>(at) - 256;
   }
-  std::array<std::array<int, 512>, 3> bins_{};
+  float tolerance_;
+  std::size_t paper_ = 0;  ///< samples that are the paper's
+  float pale_ = 0;         ///< contrast of the others that may count as one colour with paper, summed
   std::vector<Color3> samples_;
 };
 
@@ -121,13 +141,6 @@ struct LineCandidate {
   std::size_t position = 0;
   bool isRow = false;
 };
-
-void collect(const std::vector<Color3>& lines, const std::vector<double>& known, bool rows,
-             std::vector<LineCandidate>& out) {
-  for (std::size_t i = 0; i < lines.size(); ++i)
-    if (norm(lines[i]) >= kLineContrast)
-      out.push_back({lines[i], isKnown(static_cast<double>(i), known), i, rows});
-}
 
 /// A lone row or column that differs from the paper may be a flat stretch or a wall of a curve: it is a
 /// gridline only if others of its colour run elsewhere, or if it is known as a line and nothing of another
@@ -217,30 +230,32 @@ void Backdrop::measureLines(const PlotArea& area) {
             y0 = std::max(0, static_cast<int>(area.frame.y0));
   const int x1 = std::min(r.width_px - 1, static_cast<int>(std::ceil(area.frame.x1)));
   const int y1 = std::min(r.height_px - 1, static_cast<int>(std::ceil(area.frame.y1)));
-  rowLine_.assign(static_cast<std::size_t>(r.height_px), {});
-  columnLine_.assign(static_cast<std::size_t>(r.width_px), {});
+  rows_.assign(static_cast<std::size_t>(r.height_px), {});
+  columns_.assign(static_cast<std::size_t>(r.width_px), {});
   const int stepX = std::max(1, (x1 - x0) / kMaxSamplesPerLine),
             stepY = std::max(1, (y1 - y0) / kMaxSamplesPerLine);
-  LineColor line;
-  const float tolerance = 8 + 2 * noise_;
+  LineColor line(8 + 2 * noise_);
+  std::vector<LineCandidate> candidates;
+  const auto collect = [&](int position, bool isRow) {
+    const Color3 difference = line.commonest();
+    if (norm(difference) < kLineContrast) return;
+    const std::vector<double>& known = isRow ? area.rows_px : area.columns_px;
+    candidates.push_back({difference, isKnown(position, known), static_cast<std::size_t>(position), isRow});
+  };
   for (int y = 0; y < r.height_px; ++y) {
     line.clear();
     for (int x = x0; x <= x1; x += stepX) line.add(colorAt(r, x, y) - paperAt(x, y));
-    rowLine_[static_cast<std::size_t>(y)] = line.commonest(tolerance, kLineSupport);
+    collect(y, true);
   }
   for (int x = 0; x < r.width_px; ++x) {
     line.clear();
     for (int y = y0; y <= y1; y += stepY) line.add(colorAt(r, x, y) - paperAt(x, y));
-    columnLine_[static_cast<std::size_t>(x)] = line.commonest(tolerance, kLineSupport);
+    collect(x, false);
   }
-  std::vector<LineCandidate> candidates;
-  collect(rowLine_, area.rows_px, true, candidates);
-  collect(columnLine_, area.columns_px, false, candidates);
-  std::fill(rowLine_.begin(), rowLine_.end(), Color3{});
-  std::fill(columnLine_.begin(), columnLine_.end(), Color3{});
   for (const LineCandidate& candidate : candidates) {
     if (!isGridline(candidate, candidates)) continue;
-    (candidate.isRow ? rowLine_ : columnLine_)[candidate.position] = candidate.difference;
+    (candidate.isRow ? rows_ : columns_)[candidate.position] = {
+        candidate.difference, dot(candidate.difference, candidate.difference)};
     lineDirection_ = lineDirection_ + candidate.difference;
   }
   if (norm(lineDirection_) > 0) lineDirection_ = (1 / norm(lineDirection_)) * lineDirection_;
@@ -264,16 +279,6 @@ void Backdrop::measureNoise(const PlotArea& area) {
       return;
     }
   }
-}
-
-Color3 Backdrop::at(int x, int y) const {
-  const Color3 row = rowLine_[static_cast<std::size_t>(y)], column = columnLine_[static_cast<std::size_t>(x)];
-  return paperAt(x, y) + (dot(row, row) >= dot(column, column) ? row : column);
-}
-
-bool Backdrop::onLine(int x, int y) const {
-  const Color3 row = rowLine_[static_cast<std::size_t>(y)], column = columnLine_[static_cast<std::size_t>(x)];
-  return dot(row, row) > 0 || dot(column, column) > 0;
 }
 
 }  // namespace detent::importer::trace

@@ -40,8 +40,13 @@ class Backdrop {
   Color3 paper() const { return paper_; }
   Color3 paperAt(int x, int y) const { return shading_.empty() ? paper_ : shadedPaper(x, y); }
   /// Paper, or the gridline there.
-  Color3 at(int x, int y) const;
-  bool onLine(int x, int y) const;
+  Color3 at(int x, int y) const {
+    const Line &row = rows_[static_cast<std::size_t>(y)], &column = columns_[static_cast<std::size_t>(x)];
+    return paperAt(x, y) + (row.square >= column.square ? row.difference : column.difference);
+  }
+  bool onLine(int x, int y) const {
+    return rows_[static_cast<std::size_t>(y)].square > 0 || columns_[static_cast<std::size_t>(x)].square > 0;
+  }
   /// Unit vector from the paper to the colour of grid and frame; zero where there are none.
   Color3 lineDirection() const { return lineDirection_; }
   /// Colour differences below this are noise (camera, JPEG); 0 for a clean render.
@@ -56,7 +61,12 @@ class Backdrop {
   Color3 paper_;
   Color3 lineDirection_;
   float noise_ = 0;
-  std::vector<Color3> rowLine_, columnLine_;  ///< difference to the paper; 0 where no line runs
+  /// Difference to the paper of a line along a row or column, and its square; 0 where none runs.
+  struct Line {
+    Color3 difference;
+    float square = 0;
+  };
+  std::vector<Line> rows_, columns_;
   int tilesAcross_ = 0, tilesDown_ = 0;
   double tileWidth_ = 1, tileHeight_ = 1;
   std::vector<Color3> shading_;  ///< paper per tile; empty for an even paper

@@ -160,7 +160,7 @@ CurveInk bestLine(const PlotInks& plot, int index, bool neutral, double& explain
 
 /// Ink that lies in places no line is wide enough for: a tolerance band, the area under a curve.
 bool isFilledArea(const PlotInks& plot, int index) {
-  constexpr float kInked = 0.4F;
+  constexpr float kInked = 0.4F;  // coverage
   constexpr int kLeastWidth_px = 7;
   const Plane& own = plot.coverage.ink[static_cast<std::size_t>(index)];
   const double side_px = std::min(plot.area.frame.width(), plot.area.frame.height());
@@ -219,7 +219,7 @@ bool isMixtureOf(Color3 direction, Color3 u, Color3 v) {
 void disbelieveFringes(const PlotInks& plot, int index, const std::vector<int>& curveInks,
                        CurveField& field) {
   constexpr int kReach = 2;
-  constexpr float kSolid = 0.6F, kBelieved = 0.85F;
+  constexpr float kSolid = 0.6F, kBelieved = 0.85F;  // coverages
   for (int k = 0; k < static_cast<int>(plot.palette.size()); ++k) {
     const bool isCurve = k == index || std::find(curveInks.begin(), curveInks.end(), k) != curveInks.end();
     if (isCurve || !isNeutral(plot, k)) continue;

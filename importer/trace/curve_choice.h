@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "importer/page/tuned.h"
 #include "importer/trace/follow_curve.h"
 #include "importer/trace/plot_text.h"
 
@@ -23,34 +22,24 @@ struct CurveInk {
 };
 
 struct CurveChoiceOptions {
-  double minSpan = tuned("choice.minSpan", 0.12);  ///< of the frame's width, of a line that may be a curve
-  double minInkShare =
-      tuned("choice.minInkShare", 0.5);  ///< of its visible course: dashes have about this much
-  double minInkShareNeutral =
-      tuned("choice.minInkShareNeutral", 0.85);  ///< the same in the ink of text and frame
-  double ownInk =
-      tuned("choice.ownInk", 0.6);  ///< of that ink's mass: a line with more of it has the ink for its own
+  double minSpan = 0.12;             ///< of the frame's width, of a line that may be a curve
+  double minInkShare = 0.5;          ///< of its visible course: dashes have about this much
+  double minInkShareNeutral = 0.85;  ///< the same in the ink of text and frame
+  double ownInk = 0.6;               ///< of that ink's mass: a line with more of it has the ink for its own
   /// Of its visible course: with more a line is solid, whatever compression makes of it; dotted ones have 0.83 at most.
-  double solidInk = tuned("choice.solidInk", 0.9);
-  double minOwnColumns =
-      tuned("choice.minOwnColumns", 0.4);  ///< of the columns spanned; the rest may be bridged
-  double minExplained = tuned("choice.minExplained", 0.3);  ///< of the ink's mass outside text and legend
-  double minOfBest =
-      tuned("choice.minOfBest", 0.3);  ///< of the best curve's gain: less is a rest of something
-  double minStrength =
-      tuned("choice.minStrength", 0.22);  ///< of the best curve's contrast: less is shaded paper
-  double strandsApart =
-      tuned("choice.strandsApart", 0.02);  ///< of the frame's height, between two strokes in one ink
+  double solidInk = 0.9;
+  double minOwnColumns = 0.4;  ///< of the columns spanned; the rest may be bridged
+  double minExplained = 0.3;   ///< of the ink's mass outside text and legend
+  double minOfBest = 0.3;      ///< of the best curve's gain: less is a rest of something
+  double minStrength = 0.22;   ///< of the best curve's contrast: less is shaded paper
+  double strandsApart = 0.02;  ///< of the frame's height, between two strokes in one ink
   /// Above this share of its columns a second line runs in the ink: dashes have about half, and strokes touch.
-  double secondStrand = tuned("choice.secondStrand", 0.18);
-  double haloStrength =
-      tuned("choice.haloStrength", 0.6);  ///< of the line's contrast: a paler one along it is its halo
-  double tintStrength = tuned("choice.tintStrength", 0.8);  ///< the same for a halo of the line's own hue
-  double fillWidth =
-      tuned("choice.fillWidth", 0.02);  ///< of the frame's smaller side: what is wider all along is no line
-  double fillShare =
-      tuned("choice.fillShare", 0.5);  ///< of an ink's mass in places so wide: a band or a filled area
-  double haloAlong = tuned("choice.haloAlong", 0.9);  ///< share of a halo's course that lies on its line
+  double secondStrand = 0.18;
+  double haloStrength = 0.6;  ///< of the line's contrast: a paler one along it is its halo
+  double tintStrength = 0.8;  ///< the same for a halo of the line's own hue
+  double fillWidth = 0.02;    ///< of the frame's smaller side: what is wider all along is no line
+  double fillShare = 0.5;     ///< of an ink's mass in places so wide: a band or a filled area
+  double haloAlong = 0.9;     ///< share of a halo's course that lies on its line
 };
 
 /// Everything measured on one plot area.

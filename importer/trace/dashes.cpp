@@ -9,13 +9,14 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "importer/page/ink_pieces.h"
 #include "importer/page/quantile.h"
 
 namespace detent::importer::trace {
 
 namespace {
 
-constexpr double kInked = 0.25;
+constexpr double kInked = 0.25;                   // coverage
 constexpr std::size_t kFewest = 8, kMost = 1500;  // pieces of a dashed line, and of one that is no noise
 constexpr double kLargestShare = 0.25;            // of the ink, in one dash
 constexpr double kDustShare = 0.2;                // of the usual dash's area
@@ -39,20 +40,19 @@ struct Gap {
 std::vector<Piece> piecesOf(const Plane& own) {
   const cv::Mat inked =
       cv::Mat(own.height, own.width, CV_32F, const_cast<float*>(own.values.data())) > kInked;
-  cv::Mat labels;
-  std::vector<Piece> pieces(static_cast<std::size_t>(cv::connectedComponents(inked, labels, 8, CV_32S) - 1));
+  const InkPieces found = inkPiecesOf(inked.data, inked.cols, inked.rows, inked.step);
+  std::vector<Piece> pieces(found.all.size());
   constexpr std::array<Point, 8> outward{
       {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
-  for (int y = 0; y < own.height; ++y)
-    for (int x = 0; x < own.width; ++x) {
-      const int label = labels.at<int>(y, x);
-      if (label == 0) continue;
-      Piece& piece = pieces[static_cast<std::size_t>(label - 1)];
-      const Point p{static_cast<double>(x), static_cast<double>(y)};
+  for (const InkRun& run : found.runs) {
+    Piece& piece = pieces[run.piece];
+    for (const int x : {run.from, run.to - 1}) {
+      const Point p{static_cast<double>(x), static_cast<double>(run.y)};
       for (std::size_t k = 0; k < outward.size(); ++k)
         if (piece.area_px == 0 || dot(p, outward[k]) > dot(piece.rim[k], outward[k])) piece.rim[k] = p;
-      ++piece.area_px;
+      piece.area_px = found.all[run.piece].area_px;
     }
+  }
   return pieces;
 }
 

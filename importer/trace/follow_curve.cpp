@@ -15,7 +15,7 @@ namespace {
 // The coverage that counts as no ink and as nothing but ink. A thin line's ridge shares its ink between two
 // pixels; a thick one's is full of it, so that paler things in the same hue are told apart.
 constexpr float kThinFrom = 0.0F, kThinFull = 0.65F;
-constexpr float kThickFrom = 0.3F, kThickFull = 0.9F;
+constexpr float kThickFrom = 0.3F, kThickFull = 0.9F;  // coverages; lines of kThick_px and more
 constexpr double kThick_px = 1.8;
 
 constexpr float kLeakWorth =
@@ -31,32 +31,22 @@ constexpr float kWallColumn =
 enum Stage : int { headUp, headDown, body, tailUp, tailDown };
 constexpr int kStages = 5;
 
-/// How a state of the search was reached; three bits per stage.
-enum class Step : std::uint16_t { start, alongX, fromBefore, fromOtherBefore, up, down };
+/// How a state of the search was reached.
+enum class Step : std::uint8_t { start, alongX, fromBefore, fromOtherBefore, up, down };
 
-/// Largest value within two pixels.
-Plane largestNearby(const Plane& plane) {
-  Plane rows = plane;
-  for (int y = 0; y < plane.height; ++y) {
-    const float* in = plane.values.data() + plane.index(0, y);
-    float* out = rows.values.data() + rows.index(0, y);
-    for (int x = 2; x + 2 < plane.width; ++x)
-      out[x] = std::max({in[x - 2], in[x - 1], in[x], in[x + 1], in[x + 2]});
-  }
-  Plane both = rows;
-  for (int y = 2; y + 2 < plane.height; ++y)
-    for (int dy = -2; dy <= 2; ++dy) {
-      const float* in = rows.values.data() + rows.index(0, y + dy);
-      float* out = both.values.data() + both.index(0, y);
-      for (int x = 0; x < plane.width; ++x) out[x] = std::max(out[x], in[x]);
-    }
-  return both;
+/// Largest value within two pixels; at the plane's rim only along it.
+float largestNear(const Plane& plane, int x, int y) {
+  const int reachX = x >= 2 && x + 2 < plane.width ? 2 : 0, reachY = y >= 2 && y + 2 < plane.height ? 2 : 0;
+  float largest = plane.at(x, y);
+  for (int v = y - reachY; v <= y + reachY; ++v)
+    for (int u = x - reachX; u <= x + reachX; ++u) largest = std::max(largest, plane.at(u, v));
+  return largest;
 }
 
 class CurveSearch {
  public:
   CurveSearch(const CurveField& field, const Box& within, const FollowOptions& options)
-      : field_(field), options_(options), near_(largestNearby(field.own)) {
+      : field_(field), options_(options) {
     if (options.thickness_px >= kThick_px) {
       inkFrom_ = kThickFrom;
       inkFull_ = kThickFull;
@@ -77,60 +67,66 @@ class CurveSearch {
   float inkAt(int x, int y) const {
     return std::clamp((field_.own.at(x, y) - inkFrom_) / (inkFull_ - inkFrom_), 0.0F, 1.0F);
   }
-  /// Ink, or where another curve covers the pixel the traces that a line beneath it leaves at the cover's
-  /// edges.
-  float evidenceAt(int x, int y) const {
-    const float ink = inkAt(x, y), cover = std::min(1.0F, field_.otherCurves.at(x, y));
-    return cover < 0.5F ? ink
-                        : std::max(ink, kLeakWorth * cover * std::min(1.0F, near_.at(x, y) / kLeakFull));
-  }
-  /// Price of a pixel that shows nothing of the curve.
-  float bridgeCost(int x, int y) const {
-    const Point p{static_cast<double>(x), static_cast<double>(y)};
-    for (const Box& box : field_.opaque)
-      if (box.contains(p)) return static_cast<float>(options_.opaqueCost);
-    const float cover = std::min(1.0F, field_.otherCurves.at(x, y));
-    const float clutter = std::min(1.0F - cover, field_.clutter.at(x, y));
-    return static_cast<float>(options_.paperCost) * (1 - cover - clutter) +
-           static_cast<float>(options_.hiddenCost) * cover +
-           static_cast<float>(options_.clutterCost) * clutter;
+  /// What the pixels of a column cost and are worth. A pixel shows ink, or where another curve covers it the traces that
+  /// a line beneath it leaves at the cover's edges; one that shows nothing has the price of bridging it.
+  void priceColumn(int x) {
+    const auto paper = static_cast<float>(options_.paperCost),
+               hidden = static_cast<float>(options_.hiddenCost),
+               text = static_cast<float>(options_.clutterCost);
+    std::size_t i = field_.own.index(x, y0_);
+    for (std::size_t r = 0; r < rows(); ++r, i += static_cast<std::size_t>(field_.own.width)) {
+      const float cover = std::min(1.0F, field_.otherCurves.values[i]);
+      const float clutter = std::min(1.0F - cover, field_.clutter.values[i]);
+      const int y = y0_ + static_cast<int>(r);
+      ink_[r] = inkAt(x, y);
+      if (cover >= 0.5F)
+        ink_[r] =
+            std::max(ink_[r], kLeakWorth * cover * std::min(1.0F, largestNear(field_.own, x, y) / kLeakFull));
+      cost_[r] = paper * (1 - cover - clutter) + hidden * cover + text * clutter;
+    }
+    for (const Box& box : field_.opaque) {
+      if (x < box.x0 || x > box.x1) continue;
+      const int from = std::max(y0_, static_cast<int>(std::ceil(box.y0))),
+                to = std::min(y1_, static_cast<int>(std::floor(box.y1)));
+      for (int y = from; y <= to; ++y)
+        cost_[static_cast<std::size_t>(y - y0_)] = static_cast<float>(options_.opaqueCost);
+    }
+    for (std::size_t r = 0; r < rows(); ++r) {
+      cost_[r] *= 1 - ink_[r];
+      gain_[r] = ink_[r] - cost_[r];
+    }
+    gaining_.clear();
+    for (std::size_t r = 0; r < rows(); ++r)
+      if (gain_[r] > 0) gaining_.push_back(r);
   }
   float visibleAt(int x, int y) const {
     return std::max(0.0F, 1 - field_.otherCurves.at(x, y) - field_.clutter.at(x, y));
   }
   std::size_t rows() const { return static_cast<std::size_t>(y1_ - y0_ + 1); }
-  std::uint16_t& stepsAt(int x, std::size_t row) {
-    return steps_[static_cast<std::size_t>(x - x0_) * rows() + row];
-  }
-  void setStep(int x, std::size_t row, int stage, Step step) {
-    std::uint16_t& steps = stepsAt(x, row);
-    const int shift = 3 * stage;
-    steps = static_cast<std::uint16_t>((steps & ~(7 << shift)) | (static_cast<int>(step) << shift));
+  /// The steps into a column's rows.
+  Step* stepsAt(int x, int stage) {
+    return steps_.data() +
+           (static_cast<std::size_t>(x - x0_) * kStages + static_cast<std::size_t>(stage)) * rows();
   }
 
   void sweep() {
     const std::size_t n = rows();
-    steps_.assign(static_cast<std::size_t>(x1_ - x0_ + 1) * n, 0);
+    steps_.assign(static_cast<std::size_t>(x1_ - x0_ + 1) * kStages * n, Step::start);
     for (auto& values : value_) values.assign(n, -1e9F);
-    cost_.resize(n);
-    gain_.resize(n);
+    for (auto* column : {&ink_, &cost_, &gain_, &rise_}) column->resize(n);
     for (int x = x0_; x <= x1_; ++x) {
-      for (std::size_t r = 0; r < n; ++r) {
-        const int y = y0_ + static_cast<int>(r);
-        const float ink = evidenceAt(x, y);
-        cost_[r] = (1 - ink) * bridgeCost(x, y);
-        gain_[r] = ink - cost_[r];
-      }
-      for (std::size_t r = 0; r < n; ++r) arrive(x, r);
-      const float rise = static_cast<float>(options_.riseCost);
-      runAlongColumn(x, headUp, true, [&](std::size_t r) { return gain_[r]; });
-      runAlongColumn(x, headDown, false, [&](std::size_t r) { return gain_[r]; });
-      runAlongColumn(x, body, true, [&](std::size_t r) { return -cost_[r] - rise; });
-      runAlongColumn(x, body, false, [&](std::size_t r) { return -cost_[r] - rise; });
-      runAlongColumn(x, tailUp, true, [&](std::size_t r) { return gain_[r]; });
-      runAlongColumn(x, tailDown, false, [&](std::size_t r) { return gain_[r]; });
+      priceColumn(x);
+      for (std::size_t r = 0; r < n; ++r) rise_[r] = -cost_[r] - static_cast<float>(options_.riseCost);
+      arrive(x);
+      runAlongColumn(x, headUp, true, gain_);
+      runAlongColumn(x, headDown, false, gain_);
+      runAlongColumn(x, body, true, rise_);
+      runAlongColumn(x, body, false, rise_);
+      runAlongColumn(x, tailUp, true, gain_);
+      runAlongColumn(x, tailDown, false, gain_);
+      // A way ends where it gains.
       for (int stage = 0; stage < kStages; ++stage)
-        for (std::size_t r = 0; r < n; ++r)
+        for (const std::size_t r : gaining_)
           if (value_[static_cast<std::size_t>(stage)][r] > bestGain_) {
             bestGain_ = value_[static_cast<std::size_t>(stage)][r];
             endX_ = x;
@@ -140,56 +136,51 @@ class CurveSearch {
     }
   }
 
-  /// From the column before, into every stage at this row.
-  void arrive(int x, std::size_t r) {
-    const std::array<float, kStages> before = {value_[0][r], value_[1][r], value_[2][r], value_[3][r],
-                                               value_[4][r]};
-    const auto enter = [&](int stage, float from, Step step) {
-      value_[static_cast<std::size_t>(stage)][r] = from + gain_[r];
-      setStep(x, r, stage, step);
-    };
-    for (int stage : {headUp, headDown}) {
-      const float along = before[static_cast<std::size_t>(stage)] - kWallColumn;
-      if (along > 0)
-        enter(stage, along, Step::alongX);
-      else
-        enter(stage, 0, Step::start);
+  /// From the column before into every stage, later ones first: they come from what was before.
+  void arrive(int x) {
+    const std::size_t n = rows();
+    const float* gain = gain_.data();
+    float *inBody = value_[body].data(), *inUp = value_[headUp].data(), *inDown = value_[headDown].data();
+    for (const int stage : {tailUp, tailDown}) {
+      float* value = value_[static_cast<std::size_t>(stage)].data();
+      Step* step = stepsAt(x, stage);
+      for (std::size_t r = 0; r < n; ++r) {
+        const float along = value[r] - kWallColumn;
+        step[r] = along > inBody[r] ? Step::alongX : Step::fromBefore;
+        value[r] = std::max(along, inBody[r]) + gain[r];
+      }
     }
-    float best = 0;
-    Step step = Step::start;
-    if (before[body] > best) {
-      best = before[body];
-      step = Step::alongX;
+    Step* step = stepsAt(x, body);
+    for (std::size_t r = 0; r < n; ++r) {
+      const float on = std::max(0.0F, inBody[r]), orUp = std::max(on, inUp[r]);
+      step[r] = inDown[r] > orUp   ? Step::fromOtherBefore
+                : inUp[r] > on     ? Step::fromBefore
+                : inBody[r] > 0.0F ? Step::alongX
+                                   : Step::start;
+      inBody[r] = std::max(orUp, inDown[r]) + gain[r];
     }
-    if (before[headUp] > best) {
-      best = before[headUp];
-      step = Step::fromBefore;
-    }
-    if (before[headDown] > best) {
-      best = before[headDown];
-      step = Step::fromOtherBefore;
-    }
-    enter(body, best, step);
-    for (int stage : {tailUp, tailDown}) {
-      const float along = before[static_cast<std::size_t>(stage)] - kWallColumn;
-      if (along > before[body])
-        enter(stage, along, Step::alongX);
-      else
-        enter(stage, before[body], Step::fromBefore);
+    for (const int stage : {headUp, headDown}) {
+      float* value = value_[static_cast<std::size_t>(stage)].data();
+      Step* into = stepsAt(x, stage);
+      for (std::size_t r = 0; r < n; ++r) {
+        const float along = value[r] - kWallColumn;
+        into[r] = along > 0 ? Step::alongX : Step::start;
+        value[r] = std::max(along, 0.0F) + gain[r];
+      }
     }
   }
 
-  template <class Price>
-  void runAlongColumn(int x, int stage, bool up, Price price) {
-    std::vector<float>& value = value_[static_cast<std::size_t>(stage)];
-    const std::size_t n = rows();
-    for (std::size_t k = 1; k < n; ++k) {
-      const std::size_t to = up ? n - 1 - k : k, from = up ? to + 1 : to - 1;
-      const float arrived = value[from] + price(to);
-      if (arrived > value[to]) {
-        value[to] = arrived;
-        setStep(x, to, stage, up ? Step::up : Step::down);
-      }
+  void runAlongColumn(int x, int stage, bool up, const std::vector<float>& price) {
+    float* value = value_[static_cast<std::size_t>(stage)].data();
+    Step* step = stepsAt(x, stage);
+    const auto n = static_cast<std::ptrdiff_t>(rows()), next = std::ptrdiff_t{up ? -1 : 1};
+    float carried = value[up ? n - 1 : 0];
+    for (std::ptrdiff_t r = (up ? n - 1 : 0) + next; r >= 0 && r < n; r += next) {
+      const float arrived = carried + price[static_cast<std::size_t>(r)];
+      carried = value[r];
+      if (arrived <= carried) continue;
+      value[r] = carried = arrived;
+      step[r] = up ? Step::up : Step::down;
     }
   }
 
@@ -207,7 +198,7 @@ class CurveSearch {
       ink += share;
       inColumn = std::max(inColumn, share);
       visible += std::max(share, static_cast<double>(visibleAt(x, y)));
-      const Step step = static_cast<Step>((stepsAt(x, row) >> (3 * stage)) & 7);
+      const Step step = stepsAt(x, stage)[row];
       if (step != Step::up && step != Step::down) {
         curve.inkColumns_px += inColumn;
         inColumn = 0;
@@ -235,11 +226,11 @@ class CurveSearch {
   const CurveField& field_;
   const FollowOptions& options_;
   float inkFrom_ = kThinFrom, inkFull_ = kThinFull;
-  Plane near_;  ///< own ink within two pixels
   int x0_ = 0, y0_ = 0, x1_ = -1, y1_ = -1;
   std::array<std::vector<float>, kStages> value_;
-  std::vector<float> cost_, gain_;
-  std::vector<std::uint16_t> steps_;
+  std::vector<float> ink_, cost_, gain_, rise_;  ///< of the column's rows
+  std::vector<std::size_t> gaining_;             ///< rows of the column
+  std::vector<Step> steps_;                      ///< column by column, in it stage by stage
   float bestGain_ = 0;
   int endX_ = 0, endStage_ = body;
   std::size_t endRow_ = 0;

@@ -6,7 +6,6 @@
 
 #include <vector>
 
-#include "importer/page/tuned.h"
 #include "importer/trace/ink_palette.h"
 #include "importer/trace/plot_area.h"
 
@@ -21,13 +20,12 @@ struct CurveField {
 };
 
 struct FollowOptions {
-  double paperCost =
-      tuned("follow.paperCost", 0.5);  ///< per bridged pixel of paper, in pixels of explained ink; (0, 10]
-  double hiddenCost = tuned("follow.hiddenCost", 0.1);     ///< per pixel under another curve
-  double clutterCost = tuned("follow.clutterCost", 0.35);  ///< per pixel under text
-  double opaqueCost = tuned("follow.opaqueCost", 0.03);    ///< per pixel behind a legend box
-  double thickness_px = 1;                                 ///< of the line, see lineThickness
-  double riseCost = tuned("follow.riseCost", 0.03);  ///< per pixel of rise or fall on ink, away from the ends
+  double paperCost = 0.5;     ///< per bridged pixel of paper, in pixels of explained ink; (0, 10]
+  double hiddenCost = 0.1;    ///< per pixel under another curve
+  double clutterCost = 0.35;  ///< per pixel under text
+  double opaqueCost = 0.03;   ///< per pixel behind a legend box
+  double thickness_px = 1;    ///< of the line, see lineThickness
+  double riseCost = 0.03;     ///< per pixel of rise or fall on ink, away from the ends
 };
 
 struct CoarseCurve {

@@ -18,7 +18,7 @@ constexpr double awayCost = 0.12;        // of ink at the end of the reach: the 
 constexpr double bendCost = 0.06;        // of ink per half pixel from one point to the next, squared
 constexpr int steepest = 2;              // half pixels from one point to the next
 constexpr double centreWithin_px = 2.5;  // ink that belongs to one line
-constexpr double clearlyInk = 0.3;
+constexpr double clearlyInk = 0.3;       // coverage
 
 double distance(Color3 a, Color3 b) { return norm(a - b); }
 

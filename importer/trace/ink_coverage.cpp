@@ -9,7 +9,7 @@ namespace detent::importer::trace {
 
 namespace {
 
-constexpr float kMaxCoverage = 1.2F;
+constexpr float kMaxCoverage = 1.2F;      // over 1: an ink has darker pixels than its mean
 constexpr float kResidualFloor = 5;       // colour levels: rounding and neighbouring shades
 constexpr float kResidualShare = 0.045F;  // of the difference: an ink's shade is known only so well
 
@@ -56,7 +56,8 @@ class PixelUnmixer {
     const float uu = dot(u, u), vv = dot(v, v), uv = dot(u, v);
     const float determinant = uu * vv - uv * uv;
     Mixture pair;
-    if (determinant < 1e-3F * uu * vv) return pair;
+    // Not less alone: where an ink is what lies behind it, both sides are 0.
+    if (determinant <= 1e-3F * uu * vv) return pair;
     const float du = dot(difference, u), dv = dot(difference, v);
     float a = (du * vv - dv * uv) / determinant, b = (dv * uu - du * uv) / determinant;
     if (a < 0.03F || b < 0.03F) return pair;
@@ -77,10 +78,16 @@ class PixelUnmixer {
 
 Plane pooled(const Plane& plane, int factor) {
   Plane out((plane.width + factor - 1) / factor, (plane.height + factor - 1) / factor);
-  for (int y = 0; y < plane.height; ++y) {
-    const float* in = plane.values.data() + plane.index(0, y);
-    float* row = out.values.data() + out.index(0, y / factor);
-    for (int x = 0; x < plane.width; ++x) row[x / factor] = std::max(row[x / factor], in[x]);
+  std::vector<float> rows(static_cast<std::size_t>(plane.width));  // the largest of those joined
+  for (int top = 0; top < plane.height; top += factor) {
+    std::fill(rows.begin(), rows.end(), 0.0F);
+    for (int y = top; y < std::min(top + factor, plane.height); ++y) {
+      const float* in = plane.values.data() + plane.index(0, y);
+      for (std::size_t x = 0; x < rows.size(); ++x) rows[x] = std::max(rows[x], in[x]);
+    }
+    float* to = out.values.data() + out.index(0, top / factor);
+    for (int x = 0; x < plane.width; x += factor)
+      *to++ = *std::max_element(rows.begin() + x, rows.begin() + std::min(x + factor, plane.width));
   }
   return out;
 }

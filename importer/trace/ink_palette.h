@@ -6,7 +6,6 @@
 
 #include <vector>
 
-#include "importer/page/tuned.h"
 #include "importer/trace/backdrop.h"
 
 namespace detent::importer::trace {
@@ -22,8 +21,8 @@ struct Ink {
 
 struct PaletteLimits {
   int maxInks = 8;
-  double minMass_px = tuned("palette.minMass_px", 12);         ///< fainter inks are dust
-  double mergeAngle_deg = tuned("palette.mergeAngle_deg", 9);  ///< directions closer than this are one ink
+  double minMass_px = 12;     ///< fainter inks are dust
+  double mergeAngle_deg = 9;  ///< directions closer than this are one ink
 };
 
 /// Smallest colour difference that is ink, not noise.

@@ -13,8 +13,8 @@ namespace {
 
 /// Pixels a path may use: near left-over ink, and along explained lines a little farther.
 Plane openPixels(const Structure& s, const WorkPlane& plane) {
-  constexpr float kNear = 15, kAlongLine = 40;
-  constexpr double kOutside = 2;
+  constexpr float kNear = 15, kAlongLine = 40;  // px, to the nearest ink
+  constexpr double kOutside = 2;                // px
   Plane open(s.curveInk.width, s.curveInk.height);
   for (int y = 0; y < open.height; ++y) {
     if (y < plane.frame.y0 - kOutside || y > plane.frame.y1 + kOutside) continue;
@@ -137,7 +137,7 @@ std::vector<Point> directPath(LiftedSearch& search, Plane& reward, const std::ve
                               double radius, const PathLimits& limits, double strokeWidth, float shared,
                               const Box& frame) {
   constexpr int kDetours = 6;
-  constexpr float kNoCurve = -0.4F;
+  constexpr float kNoCurve = -0.4F;  // reward per pixel, beneath that of paper beside ink
   std::vector<Point> path;
   for (int i = 0; i <= kDetours; ++i) {
     path = densified(search.best(rewardBeside(reward, taken, radius, shared), limits).points, 1);
@@ -218,23 +218,6 @@ void startOnAxis(std::vector<Point>& press, std::vector<Point>& release, double 
   press.erase(press.begin(), above);
 }
 
-/// A stroke that must end as far out as something else does may leave its wall along a level gridline: that
-/// tail, on nothing but the line, is cut. Nothing else ends on a level line right after a wall.
-void cutLevelTail(std::vector<Point>& path, const Structure& s, double strokeWidth) {
-  const auto onLineAlone = [&](Point p) {
-    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
-    return s.explained.inside(x, y) && s.explained.at(x, y) > 0.3F * s.curveLevel &&
-           s.curveInk.at(x, y) < 0.35F;
-  };
-  std::size_t from = path.size();
-  while (from > 0 && std::abs(path[from - 1].y - path.back().y) <= 1.5 && onLineAlone(path[from - 1])) --from;
-  constexpr std::size_t kBefore = 8;
-  if (from < kBefore || from == path.size()) return;
-  const Point wall = path[from - kBefore], end = path[from];
-  const bool steep = std::abs(end.y - wall.y) > 2 * std::abs(end.x - wall.x);
-  if (steep && path.back().x - end.x >= 2 * strokeWidth) path.resize(from + 1);
-}
-
 /// Lengths of the dashes that go on from `end` along `ahead`, unit length; straight lines of the plot across them hide
 /// ink and paper alike. The first dash shows the direction better than a short tail does.
 std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, double strokeWidth) {
@@ -277,25 +260,26 @@ std::vector<double> dashesBeyond(Point end, Point ahead, const Structure& s, dou
 }
 
 /// A wall that goes on in dashes is no measured curve there. The first dash hangs on the drawn wall: as much as a dash is
-/// long goes, as far as it is straight. Lettering and leaders make no row of dashes in line with a wall.
-void cutHangingDash(std::vector<Point>& path, const Structure& s, double strokeWidth) {
+/// long goes, as far as it is straight. Lettering and leaders make no row of dashes in line with a wall. Whether there are any.
+bool cutHangingDash(std::vector<Point>& path, const Structure& s, double strokeWidth) {
   constexpr std::size_t kLeastDashes = 2;
   constexpr double kAlike = 3;  // times the shortest
   const auto tail = static_cast<std::size_t>(8 * strokeWidth + 6);
-  if (path.size() < 3 * tail) return;
+  if (path.size() < 3 * tail) return false;
   const Point end = path.back(), before = path[path.size() - 1 - tail];
   const double run = distance(end, before);
-  if (!(run > 0) || before.y - end.y < 0.9 * run) return;  // no wall
+  if (!(run > 0) || before.y - end.y < 0.9 * run) return false;  // no wall
   const Point ahead = (1 / run) * (end - before);
   std::vector<double> dashes = dashesBeyond(end, ahead, s, strokeWidth);
-  if (dashes.size() < kLeastDashes) return;
+  if (dashes.size() < kLeastDashes) return false;
   const auto [shortest, longest] = std::minmax_element(dashes.begin(), dashes.end());
-  if (*shortest < 2 * strokeWidth || *longest > kAlike * *shortest) return;
+  if (*shortest < 2 * strokeWidth || *longest > kAlike * *shortest) return false;
   std::size_t kept = path.size();
   while (kept > tail && distance(path[kept - 1], end) < *longest &&
          std::abs(cross(path[kept - 1] - end, ahead)) <= strokeWidth + 1)
     --kept;
   path.resize(kept);
+  return true;
 }
 
 struct Contact {
@@ -325,7 +309,11 @@ std::vector<Contact> contactsOf(const std::vector<Point>& a, const std::vector<P
 constexpr double kMuch = 0.2;  // of the frame's width: ink left over that may be a curve, or a wall
 /// Of the frame's height, below the strokes' tops: other switches' walls have 0.23 at least, leaders 0.15 at most.
 constexpr double kWallBelow = 0.2;
-constexpr double kPiece = 0.04;  // of it: a piece of a curve between two crossings; less is lettering
+constexpr double kWallTop = 0.1;  // of it: the last of a wall, and how much lower than the strokes it may end
+constexpr double kWallRise = 1.8;   // of that, by its width, at least; leaders lean more, 1.5
+constexpr double kLeap = 0.05;      // of it: words' holes are narrower
+constexpr float kOffInk_px = 1.5F;  // from the nearest ink
+constexpr double kPiece = 0.04;     // of it: a piece of a curve between two crossings; less is lettering
 
 /// One joint search for both strokes at one price of gaps.
 class PairSearch {
@@ -396,13 +384,40 @@ class PairSearch {
     return pieces;
   }
 
-  /// Whether such a piece climbs past the tops of both strokes as a wall does, from far below them: what begins at their
-  /// tops is drawn on from them.
-  bool climbsPast(const std::vector<Point>& piece) const {
+  /// Whether such a piece climbs to about the tops of both strokes as steeply as a wall does, from far below them: what
+  /// begins at their tops is drawn on from them.
+  bool isWall(const std::vector<Point>& piece) const {
     const std::vector<Point> strokes = both();
-    const double top = std::ranges::min_element(strokes, {}, &Point::y)->y;
+    const double top = std::ranges::min_element(strokes, {}, &Point::y)->y, height = plane_.frame.height();
     const auto [highest, foot] = std::ranges::minmax(piece, {}, &Point::y);
-    return foot.y - top >= kWallBelow * plane_.frame.height() && highest.y < top - stroke_;
+    if (foot.y - top < kWallBelow * height || highest.y > top + kWallTop * height) return false;
+    const double lastFrom = highest.y + kWallTop * height;
+    const auto isLast = [&](Point p) { return p.y <= lastFrom; };
+    const auto from = std::ranges::find_if(piece, isLast), to = std::ranges::find(piece, highest);
+    return from <= to && from->y - highest.y >= kWallRise * (highest.x - from->x);
+  }
+
+  /// Whether a stroke leaps over paper from where the line it came on goes on, left over: it changed over to another one.
+  bool changesLine() const {
+    const Plane left = rewardBeside(reward_, both(), stroke_ + 1);
+    const double leap_px = kLeap * plane_.frame.height(), around_px = 2 * kPiece * plane_.frame.width();
+    const double least_px2 = kPiece * plane_.frame.width() * stroke_;
+    const auto goesOn = [&](Point from) {
+      int ink_px2 = 0;
+      forDisc(left, from, around_px, [&](int x, int y) { ink_px2 += left.at(x, y) > 0.5F ? 1 : 0; });
+      return ink_px2 >= least_px2;
+    };
+    const auto leaps = [&](const std::vector<Point>& stroke) {
+      double run_px = 0;
+      Point from{};
+      for (std::size_t i = 1; i < stroke.size(); ++i) {
+        if (run_px == 0) from = stroke[i - 1];
+        run_px = onPaper(stroke[i]) ? run_px + distance(stroke[i], stroke[i - 1]) : 0;
+        if (run_px >= leap_px && goesOn(from)) return true;
+      }
+      return false;
+    };
+    return leaps(a_) || leaps(b_);
   }
 
   /// The second stroke's own stretch is broken often and evenly, as no way over leaders and words is.
@@ -427,13 +442,13 @@ class PairSearch {
 
   PlanePair parted() {
     PlanePair pair;
-    cutLevelTail(a_, structure_, stroke_);
-    cutLevelTail(b_, structure_, stroke_);
-    cutHangingDash(a_, structure_, stroke_);
-    cutHangingDash(b_, structure_, stroke_);
+    pair.wallsCut = cutHangingDash(a_, structure_, stroke_);
+    pair.wallsCut = cutHangingDash(b_, structure_, stroke_) || pair.wallsCut;
     pair.ownRelease_px = ownOfSecond();
     if (pair.ownRelease_px < 0.05 * plane_.frame.width()) {
       pair.press = a_;
+      for (const std::vector<Point>& piece : furtherPieces())
+        pair.further_px += piece.back().x - piece.front().x;
       return pair;
     }
     shareEnds(a_, b_, stroke_, plane_.frame);
@@ -441,13 +456,21 @@ class PairSearch {
     startOnAxis(pair.press, pair.release, plane_.frame.x0, std::max(1.0, 0.6 * stroke_));
     for (const std::vector<Point>& piece : furtherPieces()) {
       pair.further_px += piece.back().x - piece.front().x;
-      pair.wallLeftOver = pair.wallLeftOver || climbsPast(piece);
+      pair.wallLeftOver = pair.wallLeftOver || isWall(piece);
     }
+    pair.leftItsLine = changesLine();
     return pair;
   }
 
  private:
   double radius() const { return stroke_ / 2 + 0.5; }
+
+  /// Off all ink, that of the plot's straight lines included.
+  bool onPaper(Point p) const {
+    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+    return structure_.gapDistance.inside(x, y) && structure_.gapDistance.at(x, y) > kOffInk_px &&
+           structure_.explained.at(x, y) <= 0.3F * structure_.curveLevel;
+  }
 
   std::vector<Point> both() const {
     std::vector<Point> points = a_;

@@ -15,10 +15,12 @@ struct PlanePair {
   std::vector<Point> press;    ///< plane px, x never falls, at most 1 px apart; empty if nothing was found
   std::vector<Point> release;  ///< the same order as press (not yet the order travelled); empty: press only
   bool dashed = false;         ///< gaps were taken as part of a stroke
+  bool wallsCut = false;       ///< a stroke ends where its wall goes on in dashes
   double ownRelease_px = 0;    ///< length of ink that only the second stroke explains
   double further_px = 0;       ///< travel of the best curve in the ink that both leave over
   bool wallLeftOver =
-      false;  ///< that curve climbs past the tops of both: another switch's wall, or their own
+      false;  ///< that curve climbs to the tops of both as a wall: another switch's, or their own
+  bool leftItsLine = false;  ///< a stroke crosses paper where the line it came on goes on
 };
 
 PlanePair findPair(const Structure& structure, const WorkPlane& plane);

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDirections = LiftedSearch::kDirections;
 constexpr int kDown = 0, kUp = kDirections - 1;
-constexpr float kUnreached = -1e30F;
+constexpr float kUnreached = -1e30F;         // gain
 constexpr float kNever = 0.5F * kUnreached;  ///< at or below: no path leads here
 
 enum From : std::uint8_t { kStart, kMove, kTurnFromLower, kTurnFromHigher, kAsArrived, kRun };

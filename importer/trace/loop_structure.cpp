@@ -67,7 +67,7 @@ struct Evidence {
 };
 
 Evidence evidenceFor(const std::vector<std::array<float, kBins>>& means, int lane, int distance) {
-  constexpr float kStandsOut = 0.045F;
+  constexpr float kStandsOut = 0.045F;  // coverage
   const auto n = static_cast<int>(means.size());
   const auto& here = means[static_cast<std::size_t>(lane)];
   std::array<bool, kBins> seen{};
@@ -235,7 +235,7 @@ void explainLine(const WorkPlane& plane, const StraightLine& line, Plane& explai
 
 /// How far a straight line's darkness may be off its profile: lines are not drawn equally dark all along.
 Plane doubtOf(const Plane& explained) {
-  constexpr float kUneven = 0.2F;
+  constexpr float kUneven = 0.2F;  // of an explained line's coverage, as its own unevenness
   Plane doubt(explained.width, explained.height);
   for (int y = 0; y < doubt.height; ++y) {
     for (int x = 0; x < doubt.width; ++x) {
@@ -297,7 +297,7 @@ float curveLevelOf(Plane& left, const WorkPlane& plane) {
 /// has.
 double strokeWidthOf(const Plane& ink) {
   Plane across(ink.width, ink.height, 0), down(ink.width, ink.height, 0);
-  constexpr float kInk = 0.3F;
+  constexpr float kInk = 0.3F;  // coverage
   for (int y = 0; y < ink.height; ++y) {
     for (int x = 0; x < ink.width;) {
       int end = x;
@@ -421,7 +421,8 @@ std::vector<char> piecesBetweenLines(const Components& c, const std::vector<Blob
 /// Guide lines drawn from an axis to the curve: exactly straight, alone, starting in the frame's left or
 /// lower edge. They stay followable (a curve may begin flat) but lose against a curve beside them.
 void weakenGuides(Plane& curveInk, const Box& frame, double strokeWidth) {
-  constexpr float kWeak = 0.62F;
+  constexpr float kWeak =
+      0.62F;  // of the curves' coverage: a guide stays, but a curve beside it is worth more
   const int clear = static_cast<int>(std::ceil(strokeWidth / 2)) + 2;
   const auto along = [&](bool row, int lane, int start, int end, int step, int shortest) {
     const auto at = [&](int l, int i) {

@@ -15,30 +15,50 @@ namespace {
 // Costs. Their unit is the price of one plot width that a stroke leaves uncovered, divided by four.
 constexpr double uncovered = 4;     // per plot width at either end
 constexpr double rightAngle = 0.4;  // of a join that turns by 90°
-constexpr double anyJoin = 0.005;
+constexpr double anyJoin = 0.005;   // of any join
 constexpr double sharpestTurn_deg = 130;
-constexpr double backwards = 3;  // per plot width walked to the left
 constexpr double repeated =
     3.8;  // per plot width shared with an earlier stroke: less than leaving it uncovered
 constexpr double levelTravel =
     4;  // per plot width along one level line: it may be a gridline, so it gains nothing
-constexpr double axisParallelPiece = 0.1;
-constexpr double gridPiece = 0.8;
-constexpr double smallPiece = 0.005;
-constexpr double gapPerDiagonal = 2.5;
-constexpr double stopsWhereLineGoesOn = 0.3;
-constexpr double widthDoubling = 0.05;
-constexpr double surelyGoesOn = 0.24;
+constexpr double axisParallelPiece = 0.1;     // of a piece that runs along an axis
+constexpr double gridPiece = 0.8;             // of one that lies on a gridline as well
+constexpr double smallPiece = 0.005;          // of a small piece
+constexpr double gapPerDiagonal = 2.5;        // per length of a gap, in the plot's diagonals
+constexpr double stopsWhereLineGoesOn = 0.3;  // of an end at which a join would have been cheap
+constexpr double widthDoubling = 0.05;        // of a join of lines one of which is twice as wide
+constexpr double surelyGoesOn = 0.24;         // cost of a join below which the line goes on
 
-constexpr double longestGap = 0.03;  // of the diagonal
+constexpr double longestGap = 0.03;    // of the diagonal
+constexpr double longestBreak = 0.08;  // of the diagonal, between two lines
+constexpr double timesTheBreak = 2;    // each of them is as long, at least
 constexpr double nearlyTouching =
-    0.004;                         // of the diagonal; too near for the direction of the gap to mean anything
-constexpr double facing_deg = 25;  // ends on both sides of a gap look at each other
-constexpr double leastCover = 0.35;  // of the plot's width, for a stroke
-constexpr double leastOwn = 0.15;    // not shared with earlier ones
+    0.004;  // of the diagonal; too near for the direction of the gap to mean anything
+constexpr double directionStretch = 0.004;  // of the diagonal
+constexpr double facing_deg = 25;           // ends on both sides of a gap look at each other
+constexpr double leastCover = 0.35;         // of the plot's width, for a stroke
+constexpr double leastOwn = 0.15;           // not shared with earlier ones
 
 double angleBetween_deg(Point a, Point b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b))) * 180 / std::numbers::pi;
+}
+
+/// Whether two ends look at each other across the gap between them; `ahead`, `back`: directions in which their lines run out.
+bool face(Point here, Point ahead, Point there, Point back) {
+  const Point away = there - here;
+  return angleBetween_deg(ahead, away) <= facing_deg && angleBetween_deg(back, -1.0 * away) <= facing_deg;
+}
+
+/// Direction in which a line runs out of its first or last point, over a short stretch: the last segment alone may be a
+/// rounding error long.
+Point directionOut(const std::vector<Point>& line, bool atEnd, double stretch) {
+  const std::size_t n = line.size();
+  const Point end = atEnd ? line.back() : line.front();
+  for (std::size_t i = 1; i < n; ++i) {
+    const Point p = atEnd ? line[n - 1 - i] : line[i];
+    if (distance(p, end) >= stretch || i + 1 == n) return end - p;
+  }
+  return {1, 0};
 }
 
 /// Ends of pieces by place, so that thousands of letters' strokes cost nothing.
@@ -171,16 +191,7 @@ Point PieceNetwork::endOf(std::size_t piece, bool atEnd) const {
 }
 
 Point PieceNetwork::outwardDirection(std::size_t piece, bool atEnd) const {
-  // Over a short stretch, not the last segment alone: that one may be a rounding error long.
-  const std::vector<Point>& line = pieces_[piece].points;
-  const double stretch = 0.004 * plane_.diagonal();
-  const std::size_t n = line.size();
-  const Point end = endOf(piece, atEnd);
-  for (std::size_t i = 1; i < n; ++i) {
-    const Point p = atEnd ? line[n - 1 - i] : line[i];
-    if (distance(p, end) >= stretch || i + 1 == n) return end - p;
-  }
-  return {1, 0};
+  return directionOut(pieces_[piece].points, atEnd, directionStretch * plane_.diagonal());
 }
 
 void PieceNetwork::linkTouchingEnds() {
@@ -204,10 +215,10 @@ bool PieceNetwork::isLoose(std::size_t id) const {
   });
 }
 
-void PieceNetwork::bridgeGaps() {
-  // Dashes that the document draws one by one, and lines that stop short of a text.
-  const double reach = longestGap * plane_.diagonal();
-  EndGrid grid(std::max(reach, 1e-6));
+template <class MayMeet>
+void PieceNetwork::bridgeLooseEnds(double reach, MayMeet mayMeet) {
+  const double reach_px = reach * plane_.diagonal();
+  EndGrid grid(std::max(reach_px, 1e-6));
   std::vector<std::size_t> free;
   for (std::size_t id = 0; id < links_.size(); ++id)
     if (isLoose(id)) free.push_back(id);
@@ -216,15 +227,27 @@ void PieceNetwork::bridgeGaps() {
     const Point here = endOf(id / 2, id % 2 == 1), direction = outwardDirection(id / 2, id % 2 == 1);
     grid.around(here, [&](std::size_t other) {
       if (other / 2 == id / 2) return;
-      const Point away = endOf(other / 2, other % 2 == 1) - here;
-      const double gap = norm(away);
-      const Point back = outwardDirection(other / 2, other % 2 == 1);
-      const bool facing = angleBetween_deg(direction, away) <= facing_deg &&
-                          angleBetween_deg(back, -1.0 * away) <= facing_deg;
-      if (gap > reach || (!facing && gap > nearlyTouching * plane_.diagonal())) return;
-      links_[id].push_back({other / 2, other % 2 == 1, gap / plane_.diagonal()});
+      const Point there = endOf(other / 2, other % 2 == 1);
+      const double gap_px = distance(here, there);
+      if (gap_px > reach_px || !mayMeet(id / 2, other / 2, gap_px)) return;
+      const bool facing = face(here, direction, there, outwardDirection(other / 2, other % 2 == 1));
+      if (!facing && gap_px > nearlyTouching * plane_.diagonal()) return;
+      links_[id].push_back({other / 2, other % 2 == 1, gap_px / plane_.diagonal()});
     });
   }
+}
+
+void PieceNetwork::bridgeGaps() {
+  // Dashes that the document draws one by one, and lines that stop short of a text.
+  bridgeLooseEnds(longestGap, [](std::size_t, std::size_t, double) { return true; });
+  // Lines broken off: both much longer than what is missing between them.
+  const auto isLong = [&](std::size_t piece, double gap_px) {
+    return !pieces_[piece].small && !pieces_[piece].axisParallel &&
+           lengthOf(pieces_[piece].points) >= timesTheBreak * gap_px;
+  };
+  bridgeLooseEnds(longestBreak, [&](std::size_t one, std::size_t other, double gap_px) {
+    return isLong(one, gap_px) && isLong(other, gap_px);
+  });
 }
 
 double PieceNetwork::joinCost(std::size_t from, bool fromEnd, const Link& link) const {
@@ -239,12 +262,7 @@ double PieceNetwork::joinCost(std::size_t from, bool fromEnd, const Link& link) 
 double PieceNetwork::walkCost(std::size_t piece, bool forward) const {
   const LinePiece& line = pieces_[piece];
   const double gain = forward ? spans_[piece] : -spans_[piece];
-  double cost = gain < 0 ? -backwards * gain : 0;
-  if (line.onGridLine) {
-    cost += gridPiece;
-  } else if (line.axisParallel) {
-    cost += axisParallelPiece;
-  }
+  double cost = line.onGridLine ? gridPiece : line.axisParallel ? axisParallelPiece : 0;
   if (line.axisParallel) cost += levelTravel * std::abs(gain);
   if (line.small) cost += smallPiece;
   return cost + repeated * used_[piece] * std::abs(gain);
@@ -360,9 +378,9 @@ std::optional<FoundStroke> PieceNetwork::nextStroke() {
   extend(steps, false);
   extend(steps, true);
   FoundStroke stroke = strokeAlong(steps, bestCost);
-  for (const Step& step : steps) ++used_[step.piece];
   if (stroke.to - stroke.from < leastCover || stroke.ownLength < leastOwn || stroke.slanted < leastOwn)
     return std::nullopt;
+  for (const Step& step : steps) ++used_[step.piece];
   return stroke;
 }
 
@@ -393,7 +411,7 @@ void PieceNetwork::extend(std::vector<Step>& steps, bool atEnd) const {
   }
 }
 
-double PieceNetwork::unusedLength() const {
+std::vector<UnusedLine> PieceNetwork::unusedLines() const {
   // Some documents draw a curve twice; a copy is not another curve.
   constexpr double straightChord = 0.9995;  // of the length; leaders are straight
   EndGrid taken(std::max(0.006 * plane_.diagonal(), 1e-6));
@@ -405,23 +423,44 @@ double PieceNetwork::unusedLength() const {
         taken.add(p, places.size());
         places.push_back(p);
       }
-  double longest = 0;
+  std::vector<UnusedLine> unused;
   for (std::size_t i = 0; i < pieces_.size(); ++i) {
     const LinePiece& piece = pieces_[i];
-    if (used_[i] > 0 || piece.axisParallel || piece.small || piece.points.size() < 3) continue;
+    if (used_[i] > 0 || piece.axisParallel || piece.small) continue;
     const double length = lengthOf(piece.points);
-    if (distance(piece.points.front(), piece.points.back()) > straightChord * length) continue;
     const std::vector<Point> along = densified(piece.points, step);
-    std::size_t fresh = 0;
-    for (const Point& p : along) {
+    const auto fresh = std::ranges::count_if(along, [&](Point p) {
       bool near = false;
       taken.around(p, [&](std::size_t id) { near = near || distance(places[id], p) < step; });
-      if (!near) ++fresh;
-    }
-    longest = std::max(
-        longest, lengthOf(piece.points) * static_cast<double>(fresh) / static_cast<double>(along.size()));
+      return !near;
+    });
+    UnusedLine line{piece.points, 0, false};
+    if (spans_[i] < 0) std::reverse(line.points.begin(), line.points.end());
+    line.fresh = length / plane_.diagonal() * static_cast<double>(fresh) / static_cast<double>(along.size());
+    line.straight = piece.points.size() < 3 ||
+                    distance(piece.points.front(), piece.points.back()) > straightChord * length;
+    unused.push_back(std::move(line));
   }
-  return longest / plane_.diagonal();
+  return unused;
+}
+
+bool PieceNetwork::isRestOf(const FoundStroke& stroke, const UnusedLine& line) const {
+  constexpr double leastRest = 0.04;         // of the plot's width
+  constexpr double leastFresh = 0.5;         // of its length; less is a copy
+  constexpr std::size_t measuredPoints = 8;  // a leader is drawn with two or three
+  if (line.fresh * plane_.diagonal() < leastFresh * lengthOf(line.points)) return false;
+  const double from = plane_.across(line.points.front()), to = plane_.across(line.points.back());
+  const bool after = to - std::max(from, stroke.to) >= leastRest;
+  const bool before = std::min(to, stroke.from) - from >= leastRest;
+  if (!after && !before) return false;
+  if (!line.straight || line.points.size() >= measuredPoints) return true;
+  const double stretch = directionStretch * plane_.diagonal();
+  const auto end = [&](const std::vector<Point>& points, bool atEnd) {
+    return std::pair(atEnd ? points.back() : points.front(), directionOut(points, atEnd, stretch));
+  };
+  const auto [strokeEnd, ahead] = end(stroke.points, after);
+  const auto [lineEnd, back] = end(line.points, !after);
+  return face(strokeEnd, ahead, lineEnd, back);
 }
 
 }  // namespace detent::importer

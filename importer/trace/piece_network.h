@@ -22,6 +22,13 @@ struct FoundStroke {
   double slanted = 0;       ///< share of the plot's width that is no level or plumb line
 };
 
+/// A line that no stroke uses, though a curve could be drawn with it.
+struct UnusedLine {
+  std::vector<Point> points;  ///< left to right
+  double fresh = 0;           ///< length beside the strokes, share of the diagonal
+  bool straight = false;      ///< as leaders are
+};
+
 /// All pieces of one colour and dash pattern, cut where others end on them, with the joins between their
 /// ends. A stroke is the cheapest path of all: joins cost by the angle they turn, gaps by their length,
 /// uncovered travel most.
@@ -33,9 +40,12 @@ class PieceNetwork {
   /// plot.
   std::optional<FoundStroke> nextStroke();
 
-  /// Longest lines, beside grid, letters and straight level or plumb ones, that no stroke uses: share of the
-  /// diagonal.
-  double unusedLength() const;
+  /// What no stroke uses, beside grid, letters and level or plumb lines.
+  std::vector<UnusedLine> unusedLines() const;
+
+  /// Whether the line covers travel that the stroke does not, bent as curves are or in line with the stroke's end: the rest
+  /// of the stroke, broken off.
+  bool isRestOf(const FoundStroke& stroke, const UnusedLine& line) const;
 
  private:
   struct Link {
@@ -51,6 +61,9 @@ class PieceNetwork {
   void cutAtTouches();
   void linkTouchingEnds();
   void bridgeGaps();
+  /// Links loose ends that `mayMeet` across gaps up to `reach`, share of the diagonal.
+  template <class MayMeet>
+  void bridgeLooseEnds(double reach, MayMeet mayMeet);
   /// The end (2 * piece + atEnd) meets nothing that could be a curve's continuation.
   bool isLoose(std::size_t id) const;
   std::vector<Link>& linksOf(std::size_t piece, bool atEnd) { return links_[2 * piece + (atEnd ? 1 : 0)]; }

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <vector>
 
 #include <opencv2/imgproc.hpp>
+
+#include "importer/page/crop.h"
 
 namespace detent::importer::trace {
 
@@ -22,33 +23,6 @@ double skewOf(const PlotFrame& frame) {
                    std::abs(c[1].x - c[2].x)});
 }
 
-/// Copies a region, averaging blocks of `factor`² pixels.
-Raster shrunk(const Raster& view, int x0, int y0, int width, int height, int factor) {
-  Raster out;
-  out.width_px = width;
-  out.height_px = height;
-  const std::size_t rowBytes = 3 * static_cast<std::size_t>(width);
-  out.rgb.resize(rowBytes * static_cast<std::size_t>(height));
-  std::vector<int> sums(rowBytes);
-  for (int y = 0; y < height; ++y) {
-    std::uint8_t* row = out.rgb.data() + rowBytes * static_cast<std::size_t>(y);
-    if (factor == 1) {
-      std::memcpy(row, view.at(x0, y0 + y), rowBytes);
-      continue;
-    }
-    std::fill(sums.begin(), sums.end(), 0);
-    for (int j = 0; j < factor; ++j) {
-      const std::uint8_t* in = view.at(x0, y0 + y * factor + j);
-      for (std::size_t x = 0; x < rowBytes; x += 3)
-        for (int i = 0; i < factor; ++i, in += 3)
-          for (std::size_t c = 0; c < 3; ++c) sums[x + c] += in[c];
-    }
-    const int n = factor * factor;
-    for (std::size_t x = 0; x < rowBytes; ++x) row[x] = static_cast<std::uint8_t>((sums[x] + n / 2) / n);
-  }
-  return out;
-}
-
 PlotArea cropped(const Raster& view, const Box& frame) {
   PlotArea area;
   const double pixels = std::max(0.0, frame.width()) * std::max(0.0, frame.height());
@@ -59,7 +33,8 @@ PlotArea cropped(const Raster& view, const Box& frame) {
   const int x1 = std::min(view.width_px - 1, static_cast<int>(std::ceil(frame.x1)) + margin);
   const int y1 = std::min(view.height_px - 1, static_cast<int>(std::ceil(frame.y1)) + margin);
   if (x1 - x0 + 1 < factor || y1 - y0 + 1 < factor) return area;
-  area.raster = shrunk(view, x0, y0, (x1 - x0 + 1) / factor, (y1 - y0 + 1) / factor, factor);
+  const auto whole = [factor](int size_px) { return size_px / factor * factor; };
+  area.raster = reducedCrop(view, {x0, y0, whole(x1 - x0 + 1), whole(y1 - y0 + 1)}, factor);
   const double half = 0.5 * (factor - 1), f = factor;
   area.toView = {{f, 0, x0 + half, 0, f, y0 + half, 0, 0, 1}};
   area.frame = {(frame.x0 - x0 - half) / f, (frame.y0 - y0 - half) / f, (frame.x1 - x0 - half) / f,
@@ -125,8 +100,13 @@ std::vector<double> linePositions(const std::vector<GridLine>& lines, const Plot
 }  // namespace
 
 float Plane::sample(double x, double y) const {
-  const int x0 = static_cast<int>(std::floor(x)), y0 = static_cast<int>(std::floor(y));
+  const auto below = [](double v) { return static_cast<int>(v) - (v < static_cast<int>(v) ? 1 : 0); };
+  const int x0 = below(x), y0 = below(y);
   const float fx = static_cast<float>(x - x0), fy = static_cast<float>(y - y0);
+  if (x0 >= 0 && y0 >= 0 && x0 + 1 < width && y0 + 1 < height) {
+    const float *above = &values[index(x0, y0)], *under = above + width;
+    return (above[0] * (1 - fx) + above[1] * fx) * (1 - fy) + (under[0] * (1 - fx) + under[1] * fx) * fy;
+  }
   const auto value = [this](int px, int py) { return inside(px, py) ? at(px, py) : 0.0F; };
   const float top = value(x0, y0) * (1 - fx) + value(x0 + 1, y0) * fx;
   const float bottom = value(x0, y0 + 1) * (1 - fx) + value(x0 + 1, y0 + 1) * fx;

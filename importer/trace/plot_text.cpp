@@ -7,48 +7,15 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "importer/page/ink_pieces.h"
+
 namespace detent::importer::trace {
 
 namespace {
 
-/// A connected piece of foreground.
-struct Piece {
-  Box box;  ///< x1, y1 exclusive
-  int area = 0;
-  int runsDown = 0;    ///< runs of ink met down all its columns
-  int runsAcross = 0;  ///< and along all its rows
-
-  /// Mean length of its shorter runs.
-  double stroke() const { return static_cast<double>(area) / std::max(1, std::max(runsDown, runsAcross)); }
-};
-
-struct Pieces {
-  cv::Mat labels;
-  std::vector<Piece> all;  ///< index = label; 0 is the background
-};
-
-Pieces piecesOf(const cv::Mat& mask) {
-  Pieces pieces;
-  cv::Mat stats, centroids;
-  const int n = cv::connectedComponentsWithStats(mask, pieces.labels, stats, centroids, 8, CV_32S);
-  pieces.all.resize(static_cast<std::size_t>(n));
-  for (int i = 0; i < n; ++i) {
-    const double x = stats.at<int>(i, cv::CC_STAT_LEFT), y = stats.at<int>(i, cv::CC_STAT_TOP);
-    Piece& piece = pieces.all[static_cast<std::size_t>(i)];
-    piece.box = {x, y, x + stats.at<int>(i, cv::CC_STAT_WIDTH), y + stats.at<int>(i, cv::CC_STAT_HEIGHT)};
-    piece.area = stats.at<int>(i, cv::CC_STAT_AREA);
-  }
-  for (int y = 0; y < mask.rows; ++y) {
-    const int* label = pieces.labels.ptr<int>(y);
-    const int* above = y > 0 ? pieces.labels.ptr<int>(y - 1) : nullptr;
-    for (int x = 0; x < mask.cols; ++x)
-      if (label[x]) {
-        Piece& piece = pieces.all[static_cast<std::size_t>(label[x])];
-        if (x == 0 || label[x - 1] != label[x]) ++piece.runsAcross;
-        if (!above || above[x] != label[x]) ++piece.runsDown;
-      }
-  }
-  return pieces;
+/// Mean length of a piece's shorter runs.
+double strokeOf(const InkPiece& piece) {
+  return static_cast<double>(piece.area_px) / std::max(piece.runsDown, piece.runsAcross);
 }
 
 /// Colour difference to the backdrop, 0..255 (clipped), per pixel.
@@ -81,15 +48,15 @@ int strongContrast(const cv::Mat& contrast, int from) {
   return from;
 }
 
-bool hasLetterShape(const Piece& piece, const Box& frame) {
+bool hasLetterShape(const InkPiece& piece, const Box& frame) {
   const double height = piece.box.height(), width = piece.box.width();
   return height >= 5 && height <= 0.14 * frame.height() && width <= 4 * height &&
-         width <= 0.2 * frame.width() && height >= 2.2 * piece.stroke();
+         width <= 0.2 * frame.width() && height >= 2.2 * strokeOf(piece);
 }
 
 /// Letters that touch: a wide low piece, busy both ways. A stretch of a curve is crossed about once per
 /// column.
-bool hasWordShape(const Piece& piece, const Box& frame) {
+bool hasWordShape(const InkPiece& piece, const Box& frame) {
   const double height = piece.box.height(), width = piece.box.width();
   return height >= 6 && height <= 0.14 * frame.height() && width >= 1.8 * height &&
          width <= 0.7 * frame.width() && piece.runsDown >= 1.3 * width && piece.runsAcross >= 0.8 * width;
@@ -106,7 +73,7 @@ bool standInOneRow(const Box& left, const Box& right) {
 }
 
 /// Chains letters from left to right. Three in a row are text; fewer may be anything.
-std::vector<std::vector<std::size_t>> letterRows(const std::vector<Piece>& pieces,
+std::vector<std::vector<std::size_t>> letterRows(const std::vector<InkPiece>& pieces,
                                                  const std::vector<std::size_t>& order) {
   std::vector<std::vector<std::size_t>> rows;
   for (std::size_t i : order) {
@@ -132,11 +99,12 @@ bool mostlyInside(const Box& piece, const Box& word) {
 /// Marks letters among the pieces darker than `threshold` on `mask` and adds their rows.
 void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const std::vector<Box>& words,
                  std::vector<TextRow>& rows, cv::Mat& mask) {
-  const Pieces pieces = piecesOf(contrast >= threshold);
+  const cv::Mat ink = contrast >= threshold;
+  const InkPieces pieces = inkPiecesOf(ink.data, ink.cols, ink.rows, ink.step);
   const std::size_t n = pieces.all.size();
   std::vector<char> isWord(n, 0), isLetter(n, 0);
   std::vector<std::size_t> order;
-  for (std::size_t i = 1; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     isWord[i] = hasWordShape(pieces.all[i], frame);
     if (isWord[i] || hasLetterShape(pieces.all[i], frame)) order.push_back(i);
   }
@@ -157,7 +125,7 @@ void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const
     }
     rows.push_back(std::move(found));
   }
-  for (std::size_t i = 1; i < n; ++i) {
+  for (std::size_t i = 0; i < n; ++i) {
     const Box& box = pieces.all[i].box;
     // Dots, accents and letters missed for their shape: small pieces inside a row's box or inside a word read
     // before.
@@ -165,12 +133,10 @@ void markLetters(const cv::Mat& contrast, int threshold, const Box& frame, const
       isLetter[i] = mostlyInside(box, rows[k].box);
     for (std::size_t k = 0; k < words.size() && !isLetter[i]; ++k) isLetter[i] = mostlyInside(box, words[k]);
   }
-  for (int y = 0; y < mask.rows; ++y) {
-    const int* label = pieces.labels.ptr<int>(y);
-    std::uint8_t* row = mask.ptr<std::uint8_t>(y);
-    for (int x = 0; x < mask.cols; ++x)
-      if (isLetter[static_cast<std::size_t>(label[x])]) row[x] = 1;
-  }
+  for (const InkRun& run : pieces.runs)
+    if (isLetter[run.piece])
+      std::fill(mask.ptr<std::uint8_t>(run.y) + run.from, mask.ptr<std::uint8_t>(run.y) + run.to,
+                std::uint8_t{1});
 }
 
 }  // namespace
@@ -198,18 +164,17 @@ PlotText findText(const PlotArea& area, const Backdrop& backdrop) {
 std::vector<LegendSample> findLegendSamples(const Coverage& coverage, const PlotText& text,
                                             const PlotArea& area) {
   std::vector<LegendSample> samples;
+  if (text.rows.empty()) return samples;
   const Raster& r = area.raster;
+  Mask inked(text.mask.size());
   for (std::size_t k = 0; k < coverage.ink.size(); ++k) {
-    cv::Mat mask(r.height_px, r.width_px, CV_8U, cv::Scalar(0));
-    for (int y = 0; y < mask.rows; ++y)
-      for (int x = 0; x < mask.cols; ++x) {
-        const std::size_t i = coverage.unknown.index(x, y);
-        mask.at<std::uint8_t>(y, x) = coverage.ink[k].values[i] > 0.25F && !text.mask[i] ? 1 : 0;
-      }
-    const Pieces pieces = piecesOf(mask);
-    for (std::size_t i = 1; i < pieces.all.size(); ++i) {
-      const Box& box = pieces.all[i].box;
-      if (box.width() > 0.25 * area.frame.width() || pieces.all[i].area < 4) continue;
+    std::transform(coverage.ink[k].values.begin(), coverage.ink[k].values.end(), text.mask.begin(),
+                   inked.begin(),
+                   [](float ink, std::uint8_t letter) { return ink > 0.25F && letter == 0 ? 1 : 0; });
+    const auto width = static_cast<std::size_t>(r.width_px);
+    for (const InkPiece& piece : inkPiecesOf(inked.data(), r.width_px, r.height_px, width).all) {
+      const Box& box = piece.box;
+      if (box.width() > 0.25 * area.frame.width() || piece.area_px < 4) continue;
       for (const TextRow& row : text.rows) {
         const double height = row.box.height();
         const double gap = std::max(box.x0 - row.box.x1, row.box.x0 - box.x1);

@@ -333,7 +333,8 @@ double shareOn(const CurveTrace& trace, const CurveTrace& other) {
 
 /// Whether a trace begins later or ends earlier than the others, or lies on another one: its colour was lost on the way.
 bool anyLost(const std::vector<CurveTrace>& traces) {
-  constexpr double mostOf = 0.93, same = 0.8;
+  constexpr double mostOf = 0.93,
+                   same = 0.8;  // of the travel of all traces; of a course that lies on another
   double from = std::numeric_limits<double>::max(), to = std::numeric_limits<double>::lowest();
   const auto extent = [](const CurveTrace& t) {
     const auto [left, right] = std::ranges::minmax(t.points_px, {}, &Point::x);
@@ -369,7 +370,7 @@ bool leavesByTheTop(const CurveTrace& stroke, const PlotArea& area) {
 std::optional<std::vector<CurveTrace>> withoutColours(const std::vector<CurveTrace>& traces,
                                                       const PlotInks& plot, const TraceOptions& options,
                                                       const Progress& progress) {
-  constexpr double smallFrame_px = 360, agreeing = 0.9;
+  constexpr double smallFrame_px = 360, agreeing = 0.9;  // width; of a course that lies on a stroke
   const bool named = std::ranges::any_of(traces, [](const CurveTrace& t) { return !t.label.empty(); });
   if (plot.area.frame.width() > smallFrame_px || traces.size() < 2 || named || !anyLost(traces)) return {};
   auto loop = traceLoop(plot.area, coverageBy(darkness(plot), true, plot.area, plot.backdrop, plot.palette),

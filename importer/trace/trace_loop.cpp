@@ -7,6 +7,7 @@
 #include <string>
 
 #include "importer/trace/loop_confidence.h"
+#include "importer/trace/loop_crossing.h"
 #include "importer/trace/loop_pair.h"
 #include "importer/trace/loop_refine.h"
 #include "importer/trace/loop_structure.h"
@@ -42,7 +43,7 @@ constexpr double kAnotherCurve = 0.41;
 
 Failure severalLoopsFailure(Rgb color) {
   return failureOf({DoubtCode::tooManyCurves,
-                    {"more than two", nameOf(color)},
+                    {"two or more", nameOf(color)},
                     {{RemedyKind::addMask, "over the curves of other switches"}}},
                    "curves");
 }
@@ -100,15 +101,22 @@ void showPlane(const Progress& progress, const Plane& grid, std::string_view lab
 
 /// Whether the ink that both strokes leave over is a curve of another switch.
 bool showsAnother(const PlanePair& pair, const WorkPlane& plane) {
-  return pair.further_px > kAnotherCurve * plane.frame.width() || pair.wallLeftOver;
+  return pair.further_px > kAnotherCurve * plane.frame.width() || pair.wallLeftOver || pair.leftItsLine;
 }
 
 /// No switch comes back from farther than it was pressed: two presses end where their own walls do.
-bool comesFromFarther(const RefinedPair& strokes) {
-  constexpr double within = 0.06;  // of the press' travel; where dashes go on from slanting walls 0.05
+bool comesFromFarther(const RefinedPair& strokes, bool wallsCut) {
+  // Of the press' travel; where slanting walls are cut back to where their dashes begin, 0.05.
+  const double within = wallsCut ? 0.06 : 0.035;
   const auto &press = strokes.press.points, &release = strokes.release.points;
   if (press.empty() || release.empty()) return false;
   return release.back().x - press.back().x > within * (press.back().x - press.front().x);
+}
+
+/// Two lines of two switches in one ink are parted into an upper and a lower one as press and release are.
+bool strokesCross(const RefinedPair& strokes, const WorkPlane& plane) {
+  const double size_px = plane.scale * std::hypot(plane.frame.width(), plane.frame.height());
+  return linesCross(strokes.press.points, strokes.release.points, strokes.press.width_px, size_px);
 }
 
 }  // namespace
@@ -130,7 +138,8 @@ Result<std::vector<CurveTrace>> traceLoop(const PlotArea& area, const Plane& ink
   const RefinedPair refined = refinePair(pair, plane, ink, lines, structure);
   const double confidence = judge(pair, refined, structure, plane).confidence();
   if (confidence < kNotACurve) return doubtfulFailure(confidence);
-  if (showsAnother(pair, plane) || comesFromFarther(refined)) return severalLoopsFailure(color);
+  if (showsAnother(pair, plane) || comesFromFarther(refined, pair.wallsCut) || strokesCross(refined, plane))
+    return severalLoopsFailure(color);
 
   std::vector<CurveTrace> traces{traceOf(refined.press, Stroke::press, area, options.pointSpacing_px)};
   if (!refined.release.points.empty())

@@ -7,6 +7,8 @@
 #include <map>
 #include <tuple>
 
+#include "importer/trace/loop_crossing.h"
+#include "importer/trace/loop_pair.h"
 #include "importer/trace/piece_network.h"
 #include "importer/trace/vector_pieces.h"
 
@@ -35,20 +37,10 @@ struct StyledStroke {
 
 constexpr std::size_t strokesOfOneInk = 2;
 
-std::vector<StyledStroke> strokesOf(const LineStyle& style, std::vector<LinePiece> pieces,
-                                    const PlotPlane& plane) {
-  PieceNetwork network(std::move(pieces), plane);
-  std::vector<StyledStroke> strokes;
-  while (strokes.size() < strokesOfOneInk) {
-    const auto stroke = network.nextStroke();
-    if (!stroke) break;
-    strokes.push_back({style, *stroke, std::clamp(1 - 0.3 * stroke->joinCost, 0.1, 1.0)});
-  }
-  constexpr double halfAnotherStroke = 0.25;
-  // A third curve in the ink: perhaps the two best do not belong together.
-  if (!strokes.empty() && network.unusedLength() > halfAnotherStroke)
-    for (StyledStroke& stroke : strokes) stroke.confidence *= 0.5;
-  return strokes;
+/// Of the travel that either covers, the share that both do. Parts of one stroke lie side by side.
+double sharedTravel(const FoundStroke& a, const FoundStroke& b) {
+  const double either = std::max(a.to, b.to) - std::min(a.from, b.from);
+  return (std::min(a.to, b.to) - std::max(a.from, b.from)) / either;
 }
 
 /// Force height (pixels above the plot's floor) of a left-to-right line at a column; nothing beside it.
@@ -73,6 +65,52 @@ double meanHeightAbove(const std::vector<Point>& a, const std::vector<Point>& b,
     ++count;
   }
   return count > 0 ? sum / count : 0;
+}
+
+/// Lines that cross, or of which the lower one goes on farther, are no strokes of one switch, or not all of them: the picture
+/// tells what else there is.
+bool areUnpaired(const FoundStroke& a, const FoundStroke& b, const PlotPlane& plane) {
+  constexpr double farther = 0.035;  // of the upper one's travel, as in pictures
+  constexpr double contact_px = 0.75;
+  const bool firstAbove = meanHeightAbove(a.points, b.points, plane) >= 0;
+  const FoundStroke &press = firstAbove ? a : b, &release = firstAbove ? b : a;
+  if (release.to - press.to > farther * (press.to - press.from)) return true;
+  const auto [upper, lower] =
+      trace::partUpperLower(densified(press.points, 1), densified(release.points, 1), contact_px);
+  return trace::linesCross(upper, lower, press.width_px, plane.diagonal());
+}
+
+struct StrokesOfInk {
+  std::vector<StyledStroke> strokes;
+  bool inDoubt = false;  ///< parts of strokes, or strokes of two switches
+};
+
+StrokesOfInk strokesOf(const LineStyle& style, std::vector<LinePiece> pieces, const PlotPlane& plane) {
+  PieceNetwork network(std::move(pieces), plane);
+  StrokesOfInk found;
+  std::vector<FoundStroke> lines;
+  while (lines.size() < strokesOfOneInk) {
+    auto line = network.nextStroke();
+    if (!line) break;
+    lines.push_back(std::move(*line));
+  }
+  constexpr double halfAnotherStroke = 0.25;  // of the plot's diagonal
+  constexpr double leastShared = 0.3;         // of the travel that either covers
+  bool third = false;                         // perhaps the two best do not belong together
+  for (const UnusedLine& unused : network.unusedLines()) {
+    third = third || (!unused.straight && unused.fresh > halfAnotherStroke);
+    found.inDoubt = found.inDoubt || std::ranges::any_of(lines, [&](const FoundStroke& line) {
+                      return network.isRestOf(line, unused);
+                    });
+  }
+  if (lines.size() == 2)
+    found.inDoubt = found.inDoubt || sharedTravel(lines[0], lines[1]) < leastShared ||
+                    areUnpaired(lines[0], lines[1], plane);
+  for (FoundStroke& line : lines) {
+    const double confidence = std::clamp(1 - 0.3 * line.joinCost, 0.1, 1.0) * (third ? 0.5 : 1);
+    found.strokes.push_back({style, std::move(line), confidence});
+  }
+  return found;
 }
 
 struct LegendSample {
@@ -121,7 +159,7 @@ const SeenText* legendWords(const std::vector<LegendSample>& samples, const Line
 }
 
 bool wanted(const LineStyle& style, const TraceHints& hints) {
-  constexpr double sameColor = 60;
+  constexpr double sameColor = 60;  // colour levels
   if (!hints.pressColor && !hints.releaseColor) return true;
   return (hints.pressColor && colorDistance(style.color, *hints.pressColor) < sameColor) ||
          (hints.releaseColor && colorDistance(style.color, *hints.releaseColor) < sameColor);
@@ -162,9 +200,11 @@ std::vector<CurveTrace> traceVector(const PageView& view, const PlotFrame& frame
     if (wanted(style, hints)) styles[style].push_back(std::move(piece));
   }
   std::vector<StyledStroke> strokes;
-  for (auto& [style, pieces] : styles)
-    for (StyledStroke& stroke : strokesOf(style, std::move(pieces), plane))
-      strokes.push_back(std::move(stroke));
+  for (auto& [style, pieces] : styles) {
+    StrokesOfInk found = strokesOf(style, std::move(pieces), plane);
+    if (found.inDoubt) return {};
+    std::ranges::move(found.strokes, std::back_inserter(strokes));
+  }
 
   const std::vector<LegendSample> samples = legendSamples(view, plane);
   std::vector<CurveTrace> traces;

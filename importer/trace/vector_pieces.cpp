@@ -10,11 +10,11 @@
 namespace detent::importer {
 namespace {
 
-constexpr double overshoot = 0.04;    // of the plot's size; how far a curve may leave the frame
-constexpr double turnRound = 0.05;    // of the plot's width; shorter returns are wiggles
-constexpr double letterSize = 0.025;  // of the plot's diagonal
-constexpr double outlinedLetterSize = 0.06;
-constexpr double shortestFoldArm = 0.01;  // of the plot's diagonal
+constexpr double overshoot = 0.04;           // of the plot's size; how far a curve may leave the frame
+constexpr double turnRound = 0.05;           // of the plot's width; shorter returns are wiggles
+constexpr double letterSize = 0.025;         // of the plot's diagonal
+constexpr double outlinedLetterSize = 0.06;  // the same
+constexpr double shortestFoldArm = 0.01;     // of the plot's diagonal
 
 /// The parts of the line outside the box.
 std::vector<Polyline> cutOut(const Polyline& line, const Box& box) {

@@ -164,8 +164,28 @@ TEST_CASE("A plot that imports at its own size imports scaled up to the most pix
     REQUIRE(cv::imencode(".png", large, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1}));
     auto session = ImportSession::fromBytes(std::move(bytes), "large.png");
     REQUIRE(session);
-    CHECK(travel_mm(imported(*session, firstGraph())) == Approx(travel_mm(usual)).margin(0.02));
+    const ImportReport report = imported(*session, firstGraph());
+    CHECK(travel_mm(report) == Approx(travel_mm(usual)).margin(0.02));
+    CHECK(report.evidence->view.raster.width_px < 2000);  // read in as many pixels as it takes
   }
+}
+
+TEST_CASE("A scanner's grain is seen where a large plot is read from averaged pixels") {
+  cv::Mat large, grain;
+  cv::resize(cv::imread(plots + "black-red-curves.png"), large, {}, 5, 5, cv::INTER_CUBIC);
+  grain.create(large.size(), CV_16SC3);
+  cv::theRNG().state = 7;
+  cv::randn(grain, 0, 0.45);
+  large.convertTo(large, CV_16SC3, 1, -12);  // paper below white, so that grain is not cut off
+  large += grain;
+  large.convertTo(large, CV_8UC3);
+  std::vector<unsigned char> bytes;
+  REQUIRE(cv::imencode(".bmp", large, bytes));
+  auto session = ImportSession::fromBytes(std::move(bytes), "scan.bmp");
+  REQUIRE(session);
+  const ImportReport report = imported(*session, firstGraph());
+  CHECK(report.evidence->view.raster.width_px < 2000);
+  CHECK(report.pageClass == PageClass::scan);
 }
 
 TEST_CASE("A cancelled import leaves nothing half done behind") {

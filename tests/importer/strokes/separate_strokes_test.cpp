@@ -117,6 +117,30 @@ TEST_CASE("A release that lies above the press is none", "[strokes]") {
   CHECK(separate(traces).ok());
 }
 
+TEST_CASE("A release that drops later than the press is another switch's", "[strokes]") {
+  const auto dropping = [](double at_mm, double lift_N, Rgb color) {
+    CurveTrace t;
+    t.color = color;
+    t.confidence = 1;
+    for (double mm = 0; mm <= 4; mm += 0.01) {
+      const double force = 0.3 + lift_N + 0.05 * mm + 0.15 * std::exp(-std::pow((mm - at_mm) / 0.3, 2));
+      t.points_px.push_back({50 + 100 * mm, 450 - 200 * force});
+    }
+    return t;
+  };
+  const Rgb black{0, 0, 0}, red{255, 0, 0};
+  std::vector<CurveTrace> traces = {dropping(1.2, 0.2, black), dropping(1.8, 0, black)};
+  traces[0].stroke = Stroke::press, traces[1].stroke = Stroke::release;  // as parted in one ink
+  const auto found = separate(traces);
+  REQUIRE_FALSE(found.ok());
+  CHECK(found.failure().reason == nameOf(DoubtCode::tooManyCurves));
+  CHECK_FALSE(separate({dropping(1.2, 0.2, black), dropping(1.8, 0, red)}).ok());
+  for (const double earlier_mm : {1.2, 1.3, 0.7})
+    CHECK(separate({traces[0], dropping(earlier_mm, 0, red)}).ok());
+  traces[1].color = red;  // a person says so
+  CHECK(separate(traces).ok());
+}
+
 TEST_CASE("Identical curves cannot be told apart", "[strokes]") {
   const auto found = separate({trace(0.05), trace(0.05, {255, 0, 0})});
   REQUIRE_FALSE(found.ok());

@@ -411,6 +411,26 @@ TEST_CASE("loop: presses of two switches without their releases are refused in o
   CHECK_FALSE(result.ok());
 }
 
+TEST_CASE("loop: two presses that cross are refused in one ink, walls that lie on each other or cross",
+          "[trace_loop]") {
+  const double end = GENERATE(0.84, 0.8);
+  CAPTURE(end);
+  Plot plot(800, 600, 2);
+  plot.grid(4, 6, 1);
+  plot.curve(plot.at(Curve{{0.0, 0.02}, {0.05, 0.15}, {0.3, 0.5}, {0.42, 0.3}, {0.78, 0.36}, {0.84, 0.8}}));
+  plot.curve(plot.at(Curve{{0.0, 0.03}, {0.05, 0.25}, {end - 0.06, 0.6}, {end, 0.82}}));
+  CHECK_FALSE(plot.trace().ok());
+}
+
+TEST_CASE("loop: a stroke that changes over to another line is refused", "[trace_loop]") {
+  // Both must end as far out: the upper one leaves its line for the lower one's.
+  Plot plot(800, 600, 2);
+  plot.grid(4, 6, 0.5);
+  plot.curve(plot.at(Curve{{0.0, 0.02}, {0.05, 0.26}, {0.6, 0.34}, {0.64, 0.6}}));
+  plot.curve(plot.at(Curve{{0.0, 0.02}, {0.05, 0.13}, {0.84, 0.2}, {0.88, 0.62}}));
+  CHECK_FALSE(plot.trace().ok());
+}
+
 TEST_CASE("loop: a wall that goes on in dashes ends before the first of them", "[trace_loop]") {
   constexpr double dash = 0.1, gap = 0.06, knee = 0.5;  // of the frame's height
   Plot plot(800, 600, 2);

@@ -210,6 +210,60 @@ TEST_CASE("dashes drawn one by one are one curve") {
   checkPair(drawing.traced(), press, part(release, 0, 198), 1);
 }
 
+TEST_CASE("a line broken off where a word stands goes on behind it") {
+  for (const bool both : {true, false}) {
+    Drawing drawing;
+    drawing.stroke(std::vector<Polyline>{part(press, 0, 126), part(press, 139, 200)});
+    if (both) drawing.stroke(release);
+    const auto traces = drawing.traced();
+    REQUIRE(traces.size() == (both ? 2 : 1));
+    CHECK(apart(both ? strokeOf(traces, Stroke::press).points_px : traces[0].points_px, press) < 1);
+  }
+}
+
+TEST_CASE("paths that leave the rest of a stroke over are not taken: the picture decides") {
+  Drawing drawing;
+  SECTION("too far away") {
+    drawing.stroke(part(press, 0, 100));
+    drawing.stroke(part(press, 140, 200));
+  }
+  SECTION("not in line: the peak is missing") {
+    drawing.stroke(part(press, 0, 72));
+    drawing.stroke(part(press, 92, 200));
+    drawing.stroke(release);
+  }
+  SECTION("two parts that could each be a stroke") {
+    drawing.stroke(part(press, 0, 85));
+    drawing.stroke(part(press, 125, 200));
+    drawing.color = {228, 26, 28};
+    drawing.stroke(release);
+  }
+  SECTION("a straight rest") {
+    drawing.stroke(part(press, 0, 140));
+    drawing.stroke({at(0.8, pressForce(0.8)), at(0.95, pressForce(0.95))});
+  }
+  CHECK(drawing.traced().empty());
+}
+
+TEST_CASE("two presses in one ink are not taken for press and release: the picture decides") {
+  Drawing drawing;
+  drawing.stroke(press);
+  SECTION("lines that cross") {
+    drawing.stroke(curve([](double u) { return 0.25 + 0.5 * u; }));
+  }
+  SECTION("the lower one goes on farther") {
+    drawing.stroke(curve([](double u) { return 0.2 + 0.1 * u; }, 0, 0.99));
+  }
+  CHECK(drawing.traced().empty());
+}
+
+TEST_CASE("a leader beyond a stroke's end is no rest of it") {
+  Drawing drawing;
+  drawing.stroke(part(press, 0, 140));
+  drawing.stroke({at(0.7, 0.9), at(0.9, 0.7)});
+  REQUIRE(drawing.traced().size() == 1);
+}
+
 TEST_CASE("a loop drawn as one line is cut at its turn") {
   Polyline loop = press;
   loop.push_back(at(0.95, 0.9));  // a wall, up and down again

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Connected pieces of a mask, found run by run: a drawing is nearly all paper, and paper costs next to nothing.
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "importer/page/raster.h"
+
+namespace detent::importer {
+
+/// Pixels that hang together, corners included.
+struct InkPiece {
+  Box box;  ///< of whole pixels: x1 and y1 are the first column and row beyond it
+  int area_px = 0;
+  int runsAcross = 0;  ///< runs of ink met along all its rows
+  int runsDown = 0;    ///< and down all its columns
+};
+
+/// Ink of one row without a gap.
+struct InkRun {
+  int y = 0, from = 0, to = 0;  ///< to: the first column beyond it
+  std::size_t piece = 0;        ///< index of the piece it belongs to
+};
+
+struct InkPieces {
+  std::vector<InkPiece> all;  ///< in the order in which their first pixels come, two rows at a time
+  std::vector<InkRun> runs;   ///< row by row, from the left
+};
+
+/// The pieces of what is not 0 in `height` rows of `width` bytes, `stride` bytes apart.
+InkPieces inkPiecesOf(const std::uint8_t* mask, int width, int height, std::size_t stride);
+
+}  // namespace detent::importer

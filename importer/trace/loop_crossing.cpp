@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/trace/loop_crossing.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "importer/page/polyline.h"
+
+namespace detent::importer::trace {
+
+namespace {
+
+/// Points of both lines that lie on each other, first and last of a stretch.
+struct Contact {
+  std::size_t upperFrom = 0, upperTo = 0, lowerFrom = 0, lowerTo = 0;
+};
+
+/// Index of the point of `line` nearest to `p` within a reach, looked for from `from` on.
+std::optional<std::size_t> nearestWithin(const std::vector<Point>& line, std::size_t from, Point p,
+                                         double reach_px) {
+  std::optional<std::size_t> nearest;
+  double best = reach_px;
+  for (std::size_t j = from; j < line.size() && line[j].x <= p.x + reach_px; ++j)
+    if (const double d = distance(line[j], p); d < best) {
+      best = d;
+      nearest = j;
+    }
+  return nearest;
+}
+
+std::vector<Contact> contactsOf(const std::vector<Point>& upper, const std::vector<Point>& lower,
+                                double reach_px) {
+  std::vector<Contact> contacts;
+  std::size_t lowest = 0;
+  for (std::size_t i = 0; i < upper.size(); ++i) {
+    while (lowest < lower.size() && lower[lowest].x < upper[i].x - reach_px) ++lowest;
+    const auto j = nearestWithin(lower, lowest, upper[i], reach_px);
+    if (!j) continue;
+    const bool goesOn = !contacts.empty() && static_cast<double>(i - contacts.back().upperTo) <= reach_px;
+    if (!goesOn) contacts.push_back({i, i, *j, *j});
+    Contact& last = contacts.back();
+    last.upperTo = i;
+    last.lowerFrom = std::min(last.lowerFrom, *j);
+    last.lowerTo = std::max(last.lowerTo, *j);
+  }
+  return contacts;
+}
+
+/// A stretch of a line beside a contact: its direction by least squares, and its far end.
+struct Arm {
+  Point direction, end;
+};
+
+/// Of the points [from, to).
+Arm armOf(const std::vector<Point>& line, std::size_t from, std::size_t to, bool towardsEnd) {
+  Point mean{};
+  const auto n = static_cast<double>(to - from);
+  for (std::size_t i = from; i < to; ++i) mean = mean + (1 / n) * line[i];
+  double xx = 0, xy = 0, yy = 0;
+  for (std::size_t i = from; i < to; ++i) {
+    const Point off = line[i] - mean;
+    xx += off.x * off.x, xy += off.x * off.y, yy += off.y * off.y;
+  }
+  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
+  Point along{std::cos(angle), std::sin(angle)};
+  if (dot(along, line[to - 1] - line[from]) < 0) along = -1.0 * along;
+  return {along, towardsEnd ? line[to - 1] : line[from]};
+}
+
+constexpr std::size_t kFewest = 4;  // points of an arm
+constexpr double kStretched = 0.6;  // of its length, from one end of an arm to the other
+
+std::optional<Arm> armBefore(const std::vector<Point>& line, std::size_t at, double arm_px) {
+  std::size_t from = at;
+  for (double run = 0; from > 0 && run < arm_px; --from) run += distance(line[from], line[from - 1]);
+  if (at - from < kFewest || distance(line[from], line[at]) < kStretched * arm_px) return {};
+  return armOf(line, from, at, false);
+}
+
+std::optional<Arm> armBehind(const std::vector<Point>& line, std::size_t at, double arm_px) {
+  std::size_t to = at;
+  for (double run = 0; to + 1 < line.size() && run < arm_px; ++to) run += distance(line[to], line[to + 1]);
+  if (to - at < kFewest || distance(line[to], line[at]) < kStretched * arm_px) return {};
+  return armOf(line, at + 1, to + 1, true);
+}
+
+/// From one direction to another, positive to the left on the page (y downwards).
+double turn_deg(Point from, Point to) {
+  return -std::atan2(cross(from, to), dot(from, to)) * 180 / std::numbers::pi;
+}
+
+/// A place where two lines come together and part again.
+struct Meeting {
+  double turn_deg = 0;     ///< by which each bends away from the other, the smaller one
+  double through_deg = 0;  ///< by which a line bends that changes sides, the larger one
+  double contact_px = 0;   ///< length over which they are one band
+  double apart_px = 0;     ///< between the ends of the arms before and behind, the smaller one
+};
+
+std::optional<Meeting> meetingAt(const Contact& c, const std::vector<Point>& upper,
+                                 const std::vector<Point>& lower, double arm_px) {
+  const auto upperIn = armBefore(upper, c.upperFrom, arm_px), upperOut = armBehind(upper, c.upperTo, arm_px);
+  const auto lowerIn = armBefore(lower, c.lowerFrom, arm_px), lowerOut = armBehind(lower, c.lowerTo, arm_px);
+  if (!upperIn || !upperOut || !lowerIn || !lowerOut) return {};
+  const auto apart_px = [&](const Arm& arm) { return distance(arm.end, nearestOn(lower, arm.end)); };
+  Meeting m;
+  m.turn_deg = std::min(turn_deg(upperIn->direction, upperOut->direction),
+                        -turn_deg(lowerIn->direction, lowerOut->direction));
+  m.through_deg = std::max(std::abs(turn_deg(upperIn->direction, lowerOut->direction)),
+                           std::abs(turn_deg(lowerIn->direction, upperOut->direction)));
+  m.contact_px = distance(upper[c.upperFrom], upper[c.upperTo]);
+  m.apart_px = std::min(apart_px(*upperIn), apart_px(*upperOut));
+  return m;
+}
+
+/// How far beside a meeting the lines are looked at, and how much they bend there at least: corners near by spoil long arms,
+/// noise short ones.
+struct Look {
+  double arm;  // of the frame's diagonal
+  double leastTurn_deg;
+};
+constexpr std::array<Look, 2> kLooks{{{0.035, 8}, {0.02, 15}}};
+
+}  // namespace
+
+bool linesCross(const std::vector<Point>& upper, const std::vector<Point>& lower, double width_px,
+                double size_px) {
+  constexpr double straightThrough = 0.5;                // of the turn
+  constexpr double leastContact = 1, leastApart = 2;     // in widths; tips that touch have less
+  constexpr double bandWidths = 1.3, bandBeyond_px = 1;  // lines nearer than this are one band
+  const std::vector<Contact> contacts = contactsOf(upper, lower, bandWidths * width_px + bandBeyond_px);
+  return std::ranges::any_of(contacts, [&](const Contact& contact) {
+    return std::ranges::any_of(kLooks, [&](const Look& look) {
+      const auto m = meetingAt(contact, upper, lower, look.arm * size_px);
+      return m && m->turn_deg >= look.leastTurn_deg && m->through_deg <= straightThrough * m->turn_deg &&
+             m->contact_px >= leastContact * width_px && m->apart_px >= leastApart * width_px;
+    });
+  });
+}
+
+}  // namespace detent::importer::trace
