@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Unmixing pixels whose inks are known to the last level.
 
+#include "importer/trace/ink_coverage.h"
+
 #include <cmath>
 
 #include <catch2/catch.hpp>
-
-#include "importer/trace/ink_coverage.h"
 
 using namespace detent;
 using namespace detent::importer;
