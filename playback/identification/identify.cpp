@@ -6,7 +6,6 @@
 #include <optional>
 #include <utility>
 
-#include <ceres/ceres.h>
 #include <Eigen/Dense>
 
 #include "playback/identification/record_windows.h"
@@ -180,29 +179,6 @@ Local localOf(const Samples& s, const Columns& columns, const Eigen::VectorXd& p
   return local;
 }
 
-/// The whole record as one residual block: its Jacobian is the design matrix.
-class ForceResiduals : public ceres::CostFunction {
- public:
-  ForceResiduals(const Eigen::MatrixXd& design, const Eigen::VectorXd& force_N)
-      : design_(design), force_N_(force_N) {
-    set_num_residuals(static_cast<int>(design.rows()));
-    mutable_parameter_block_sizes()->push_back(static_cast<int>(design.cols()));
-  }
-  bool Evaluate(double const* const* parameters, double* residuals, double** jacobians) const override {
-    const Eigen::Map<const Eigen::VectorXd> p(parameters[0], design_.cols());
-    Eigen::Map<Eigen::VectorXd>(residuals, design_.rows()) = design_ * p - force_N_;
-    if (jacobians != nullptr && jacobians[0] != nullptr) {
-      Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>>(
-          jacobians[0], design_.rows(), design_.cols()) = design_;
-    }
-    return true;
-  }
-
- private:
-  const Eigen::MatrixXd& design_;
-  const Eigen::VectorXd& force_N_;
-};
-
 /// Where the handle stays, the mean of its equations is known no better than its rounding: it counts that much less.
 class StayWeights {
  public:
@@ -245,38 +221,23 @@ struct Solution {
   double condition = 1;
 };
 
-/// Least squares of the weighted equations. None where they cannot be solved.
+/// Least squares of the weighted equations. None where a number in them is not finite.
 std::optional<Solution> solved(Eigen::MatrixXd design, const Eigen::VectorXd& force_N) {
   if (!design.allFinite()) return {};
   // Columns of length 1: N, N/mm and N·s/mm differ by orders of magnitude.
   const Eigen::VectorXd lengths = design.colwise().norm().cwiseMax(1e-300).transpose();
   design.array().rowwise() /= lengths.transpose().array();
   Solution solution;
-  const Eigen::VectorXd singular = design.bdcSvd().singularValues();
+  // Linear, so one decomposition solves it. A combination of parameters of which the record says nothing has no error to state.
+  constexpr double saysNothing = 1e-7;  // of the greatest singular value
+  auto svd = design.bdcSvd(Eigen::ComputeThinU | Eigen::ComputeThinV);
+  svd.setThreshold(saysNothing);
+  const Eigen::VectorXd& singular = svd.singularValues();
   solution.condition = singular[0] / std::max(singular[singular.size() - 1], 1e-300);
-  solution.parameters = Eigen::VectorXd::Zero(design.cols());
-  double* parameters = solution.parameters.data();
-  ceres::Problem problem;
-  problem.AddResidualBlock(new ForceResiduals(design, force_N), nullptr, parameters);
-  ceres::Solver::Options options;
-  options.logging_type = ceres::SILENT;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.max_num_iterations = 50;
-  options.function_tolerance = 1e-14;
-  ceres::Solver::Summary summary;
-  ceres::Solve(options, &problem, &summary);
-  if (!summary.IsSolutionUsable()) return {};
-  ceres::Covariance::Options covarianceOptions;
-  covarianceOptions.algorithm_type = ceres::DENSE_SVD;
-  covarianceOptions.null_space_rank = -1;
-  ceres::Covariance covariance(covarianceOptions);
-  const std::vector<std::pair<const double*, const double*>> whole{{parameters, parameters}};
-  if (!covariance.Compute(whole, &problem)) return {};
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> inverse(design.cols(),
-                                                                                 design.cols());
-  covariance.GetCovarianceBlock(parameters, parameters, inverse.data());
-  solution.inverse = lengths.cwiseInverse().asDiagonal() * inverse * lengths.cwiseInverse().asDiagonal();
-  solution.parameters = solution.parameters.cwiseQuotient(lengths);
+  const Eigen::MatrixXd spans = lengths.cwiseInverse().asDiagonal() * svd.matrixV().leftCols(svd.rank()) *
+                                singular.head(svd.rank()).cwiseInverse().asDiagonal();
+  solution.inverse = spans * spans.transpose();
+  solution.parameters = svd.solve(force_N).cwiseQuotient(lengths);
   return solution;
 }
 
