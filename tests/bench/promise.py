@@ -210,6 +210,8 @@ def distance(truth, result):
 
 def vertex(a, b, c):
     """Of the parabola through three points whose middle one is the highest or lowest."""
+    if not a[0] < b[0] < c[0]:  # in a wall: no parabola
+        return b[0], b[1]
     left, right = (b[1] - a[1]) / (b[0] - a[0]), (c[1] - b[1]) / (c[0] - b[0])
     bend = (right - left) / (c[0] - a[0])
     if bend == 0:
