@@ -274,7 +274,8 @@ class Doubts {
   /// Curves that the plot shows a part of only.
   void edges(const StrokePoints& stroke) {
     constexpr double atEdge_px = 2, noticeable = 0.03;  // of the axis' range
-    constexpr std::size_t fewest = 3;                   // points in a row along the lower edge
+    constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge, of a curve that dips there
+    constexpr double mostHidden = 0.15;   // of the travel: beyond it another button is felt
     std::vector<Point> line = stroke.points_px;
     if (line.empty()) return;
     if (line.front().x > line.back().x) std::reverse(line.begin(), line.end());
@@ -290,13 +291,20 @@ class Doubts {
           {{RemedyKind::giveFrame, "with the whole curve in it"}, {RemedyKind::giveXAxis, {}}});
 
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
-    const double foot_N = axes.toUnits(bottomLeft).y, top_N = axes.toUnits(topLeft).y;
-    const auto onFoot = static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [&](Point p) {
-      return axes.toUnits(p).y < foot_N + atEdge_px * std::abs(axes.newtonPerPx());
-    }));
-    if (foot_N > noticeable * (top_N - foot_N) && onFoot >= fewest)
-      add(DoubtCode::belowTheAxis, inPart, {{foot_N, Measure::force_N}},
-          {{RemedyKind::giveYAxis, "if the axis was misread"}});
+    const Point foot = axes.toUnits(bottomLeft);
+    const double top_N = axes.toUnits(topLeft).y;
+    if (foot.y <= noticeable * (top_N - foot.y)) return;
+    const auto isOnFoot = [&](Point p) {
+      return axes.toUnits(p).y < foot.y + atEdge_px * std::abs(axes.newtonPerPx());
+    };
+    // A steep one leaves no more than its end there.
+    const bool startsThere = isOnFoot(line.front());
+    if (!startsThere && std::ranges::count_if(line, isOnFoot) < fewest) return;
+    const double from_mm = std::max(0.0, foot.x), start_mm = axes.toUnits(line.front()).x;
+    const bool longWayHidden = startsThere && !hints_.axes.yMin &&
+                               start_mm - from_mm > mostHidden * (axes.toUnits(line.back()).x - from_mm);
+    add(DoubtCode::belowTheAxis, longWayHidden ? unconfirmed : inPart, {{foot.y, Measure::force_N}},
+        {{RemedyKind::giveYAxis, "if the axis was misread"}});
   }
 
   /// A label read with certainty stands elsewhere on the scale, which rests on few others.

@@ -186,6 +186,14 @@ TEST_CASE("a plot that shows a part of its curves") {
     p.force_N -= 0.3;  // where they stand on the page; their forces do not matter here
   CHECK(below.doubted(DoubtCode::belowTheAxis));
 
+  // Steep, so that its end alone is seen on the foot; then so far in that what is hidden is another button.
+  below.press = {{0.1, 0}, {0.2, 0.4}, {3, 0.5}, {3.2, 1.3}};
+  CHECK(below.doubted(DoubtCode::belowTheAxis));
+  below.press = {{0.7, 0}, {0.9, 0.4}, {3, 0.5}, {3.2, 1.3}};
+  CHECK(below.weighed(DoubtCode::belowTheAxis) == Approx(0.4));
+  below.hints.axes.yMin = 0.3;
+  CHECK(below.weighed(DoubtCode::belowTheAxis) == Approx(0.6));
+
   Import leaves;
   leaves.press.clear();
   for (int i = 0; i <= 400; ++i) leaves.press.push_back({0.01 * i, 0.2 + 0.002 * i});
