@@ -4,7 +4,8 @@
 // In:  points in the order travelled (a traced line, a force meter's log), the noise of the points, FitOptions.
 // Out: the curve and a FitSummary; or a Failure.
 // Reading order: stroke_samples.h (order, thinning, yardstick) -> segment_stroke.h (first knots) ->
-//                knot_chain.h (the curve being fitted) -> solve_chain.h (Ceres) -> choose_knots.h (evidence).
+//                knot_chain.h (the curve being fitted) -> solve_chain.h (least distance,
+//                band_matrix.h) -> choose_knots.h (evidence).
 
 #include <cstddef>
 #include <string>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Ceres on a chain of knots: least robust orthogonal distance with analytic Jacobians.
+// Moves the knots of a chain: least robust orthogonal distance, by Levenberg and Marquardt with analytic Jacobians.
 
 #include "importer/fit/knot_chain.h"
 

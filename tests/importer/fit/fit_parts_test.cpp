@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "importer/fit/band_matrix.h"
 #include "importer/fit/choose_knots.h"
 #include "importer/fit/segment_stroke.h"
 #include "importer/fit/tactile_misfit.h"
@@ -80,6 +81,54 @@ TEST_CASE("correlation of residuals is found") {
   }
   CHECK(correlationOf(white) == Approx(1).margin(0.1));
   CHECK(correlationOf(red) == Approx(1.6 / 0.4).margin(0.5));
+}
+
+namespace {
+
+/// A chain's matrix of random residuals, its last knot standing apart as there is none behind it.
+BandMatrix randomMatrix(std::size_t knots, std::size_t rows) {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal(0, 1);
+  BandMatrix matrix(knots);
+  for (std::size_t i = 0; i < rows; ++i) {
+    ResidualRow row{i % knots};
+    for (double& by : row.by) by = normal(random);
+    matrix.add(row, 0.5);
+  }
+  for (std::size_t i = perKnot * knots; i < matrix.size(); ++i) matrix.separate(i);
+  return matrix;
+}
+
+}  // namespace
+
+TEST_CASE("the band of a chain's normal equations is solved") {
+  BandMatrix matrix = randomMatrix(6, 200);
+  matrix.separate(9);
+  std::vector<double> truth, right(matrix.size(), 0);
+  for (std::size_t i = 0; i < matrix.size(); ++i) truth.push_back(std::sin(1.0 + static_cast<double>(i)));
+  for (std::size_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t j = 0; j < matrix.size(); ++j) right[i] += matrix.at(i, j) * truth[j];
+  CHECK(right[9] == truth[9]);
+  CHECK(matrix.at(0, 7) == matrix.at(7, 0));
+  CHECK(matrix.at(0, 8) == 0);
+  REQUIRE(matrix.solve(right));
+  for (std::size_t i = 0; i < matrix.size(); ++i) CHECK(right[i] == Approx(truth[i]).margin(1e-9));
+}
+
+TEST_CASE("a matrix that is not positive has no solution") {
+  BandMatrix matrix = randomMatrix(3, 60);
+  matrix.diagonal(5) = 0;
+  std::vector<double> right(matrix.size(), 1);
+  CHECK_FALSE(matrix.solve(right));
+}
+
+TEST_CASE("points too far for their squares leave the chain as it is, and the solver says so") {
+  KnotChain chain{{{0, 0, 1, 1}, JointKind::smooth}, {{100, 90, 1, 1}, JointKind::smooth}};
+  const KnotChain before = chain;
+  std::vector<SigmaPoint> points = wave(50);
+  for (SigmaPoint& p : points) p.v += 1e200;
+  CHECK_FALSE(solveChain(chain, points, {0, chain.size()}, {}).converged);
+  for (std::size_t k = 0; k < chain.size(); ++k) CHECK(chain[k].at == before[k].at);
 }
 
 TEST_CASE("the solver finds moved knots again") {
