@@ -23,6 +23,8 @@ constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;  // of the stroke
 constexpr double endFallShare = 0.4;                            // of the force span
 constexpr double pictureEdge_px = 2.5;
 constexpr double leastSharedTravel = 0.35;  // a latch's release has half of the press'
+// What springs back does so until nothing is left: a release that gives out on the way, near the press, was lost there.
+constexpr double wholeTravel = 0.7, forceLeftAtEnd = 0.75;  // shares of the travel, of the press' force
 
 // What the steps' confidence is worth on pages from paper: counted, docs/import-confidence.md.
 constexpr double worthOnScans = 0.88, worthOnPhotos = 0.66;
@@ -151,6 +153,22 @@ double sharedTravel(const StrokePair& strokes) {
   return either > 0 ? std::max(0.0, both / either) : 1;
 }
 
+/// Where a release gives out, the share of the press' force there that it still has; 0 where the press is not.
+double forceLeft(const StrokePair& strokes) {
+  const auto earlier = [](CurvePoint a, CurvePoint b) { return a.displacement_mm < b.displacement_mm; };
+  const auto& release = strokes.release->points;
+  const CurvePoint end = *std::min_element(release.begin(), release.end(), earlier);
+  const auto& press = strokes.press.points;
+  const auto across = std::adjacent_find(press.begin(), press.end(), [&](CurvePoint a, CurvePoint b) {
+    return a.displacement_mm <= end.displacement_mm && end.displacement_mm < b.displacement_mm;
+  });
+  if (across == press.end()) return 0;
+  const double share =
+      (end.displacement_mm - across->displacement_mm) / (across[1].displacement_mm - across->displacement_mm);
+  const double force_N = std::lerp(across->force_N, across[1].force_N, share);
+  return force_N > 0 ? end.force_N / force_N : 0;
+}
+
 class Doubts {
  public:
   Doubts(const GraphFindings& findings, const std::vector<SpecCheck>& checks, const ImportHints& hints)
@@ -224,7 +242,8 @@ class Doubts {
       const double within_px = std::max(0.6, sameLineShare * std::min(frame.width(), frame.height()));
       if (coincidingShare(strokes, within_px) > sameLineLength)
         add(DoubtCode::strokesCoincide, unconfirmed, {}, helps);
-      if (const double shared = sharedTravel(strokes); shared < leastSharedTravel)
+      const double shared = sharedTravel(strokes);
+      if (shared < leastSharedTravel || (shared < wholeTravel && forceLeft(strokes) > forceLeftAtEnd))
         add(DoubtCode::strokeInPart, unconfirmed, {{shared, Measure::share}}, helps);
     }
     double along = shareAlongAnAxis(strokes.press.points_px);

@@ -4,6 +4,7 @@
 
 #include <jpeglib.h>
 
+#include "importer/page/half_colour.h"
 #include "importer/page/stored_picture.h"
 
 namespace detent::importer {
@@ -30,9 +31,23 @@ void fromRgb(const JSAMPLE* from, std::uint8_t* to, int width) {
   for (int x = 0; x < width; ++x, from += 3, to += 4) to[0] = from[0], to[1] = from[1], to[2] = from[2];
 }
 
+/// The pixels that share one colour (4:2:0, 4:2:2), where they are more than one and not more than a view averages anyway
+/// (docs/decisions/0305-large-pictures.md).
+std::optional<ColourBlock> sharedColour(const jpeg_decompress_struct& jpeg) {
+  constexpr double averaged_px = 16e6;
+  if (jpeg.jpeg_color_space != JCS_YCbCr || jpeg.num_components != 3) return {};
+  if (static_cast<double>(jpeg.image_width) * jpeg.image_height > averaged_px) return {};
+  const jpeg_component_info *bright = jpeg.comp_info, *cb = bright + 1, *cr = bright + 2;
+  const auto whole = [](const jpeg_component_info* c) {
+    return c->h_samp_factor == 1 && c->v_samp_factor == 1;
+  };
+  if (!whole(cb) || !whole(cr) || bright->h_samp_factor != 2 || bright->v_samp_factor > 2) return {};
+  return ColourBlock{bright->h_samp_factor, bright->v_samp_factor};
+}
+
 /// What a jump back must not skip the destructors of stands outside. libjpeg reports by longjmp.
 bool readRows(jpeg_decompress_struct& jpeg, ErrorExit& error, std::span<const unsigned char> bytes,
-              StoredPicture& picture, std::vector<JSAMPLE>& line) {
+              StoredPicture& picture, std::vector<JSAMPLE>& line, std::optional<ColourBlock>& shared) {
   if (setjmp(error.back) != 0) return false;
   jpeg_mem_src(&jpeg, bytes.data(), static_cast<unsigned long>(bytes.size()));
   jpeg_read_header(&jpeg, TRUE);
@@ -40,7 +55,9 @@ bool readRows(jpeg_decompress_struct& jpeg, ErrorExit& error, std::span<const un
       jpeg.image_height != static_cast<JDIMENSION>(picture.height_px))
     return false;
   const bool cmyk = jpeg.jpeg_color_space == JCS_CMYK || jpeg.jpeg_color_space == JCS_YCCK;
-  jpeg.out_color_space = cmyk ? JCS_CMYK : JCS_RGB;
+  shared = sharedColour(jpeg);
+  jpeg.out_color_space = cmyk ? JCS_CMYK : shared ? JCS_YCbCr : JCS_RGB;
+  if (shared) jpeg.do_fancy_upsampling = FALSE;  // colour as stored, one for each block
   jpeg_start_decompress(&jpeg);
   while (jpeg.output_scanline < jpeg.output_height) {
     std::uint8_t* to = picture.row(static_cast<int>(jpeg.output_scanline));
@@ -64,9 +81,11 @@ std::optional<StoredPicture> decodeJpeg(std::span<const unsigned char> bytes, in
   error.manager.output_message = ignored;
   error.manager.emit_message = ignoredLevel;
   jpeg_create_decompress(&jpeg);
-  const bool read = readRows(jpeg, error, bytes, picture, line);
+  std::optional<ColourBlock> shared;
+  const bool read = readRows(jpeg, error, bytes, picture, line, shared);
   jpeg_destroy_decompress(&jpeg);
   if (!read) return {};
+  if (shared) colourByBrightness(picture, *shared);
   return picture;
 }
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <map>
 #include <vector>
@@ -190,6 +192,22 @@ std::optional<Tag> readTag(std::string_view svg, std::size_t& at) {
       at = end + 1;
     }
     tag.attributes.push_back(std::move(attribute));
+  }
+}
+
+/// A list of points up to its first error, where it ends (SVG 1.1, F.2). MuPDF would stay there for ever: it skips what separates
+/// numbers and reads numbers, but goes past nothing else.
+std::string soundPoints(std::string_view points) {
+  std::string sound;
+  const char *at = points.data(), *const end = at + points.size();
+  while (true) {
+    while (at != end && (isSpace(*at) || *at == ',')) ++at;
+    if (at != end && *at == '+') ++at;
+    double number = 0;
+    const auto [past, error] = std::from_chars(at, end, number);
+    if (error != std::errc() || !std::isfinite(number)) return sound;
+    sound.append(at, past).append(1, ' ');
+    at = past;
   }
 }
 
@@ -454,6 +472,8 @@ class Preparer {
     applyTransform(tag, opened);
     applyClip(tag, opened);
     if ((name == "path" || name == "polyline") && tag.selfClosing) cutLines(tag, opened);
+    for (Attribute& attribute : tag.attributes)
+      if (attribute.name == "points") attribute.value = soundPoints(attribute.value);
     opened.weight.elements = 1;
     if (name == "use")
       for (const char* link : {"xlink:href", "href"})

@@ -268,6 +268,24 @@ TEST_CASE("hostile and broken documents are refused") {
   }
 }
 
+TEST_CASE("a list of points in an SVG ends at its first error") {
+  // MuPDF never came back from what stands behind "30,40".
+  for (const std::string rest : {"", " x", " -,+ .", " %,2", " &#97; 5,6", " nan,1", " \f-"}) {
+    INFO(rest);
+    const auto opened = open(
+        "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><polyline fill='none' "
+        "stroke='#f00' "
+        "points='1e1,+20 30,40" +
+            rest + "'/></svg>",
+        "points.svg");
+    REQUIRE(opened.page.paths.size() == 1);
+    const std::vector<Point>& line = opened.page.paths[0].polylines.at(0);
+    REQUIRE(line.size() == 2);
+    CHECK(line[0].x == Approx(10));
+    CHECK(line[1].y == Approx(40));
+  }
+}
+
 TEST_CASE("one image that cannot be decoded costs that image only") {
   // Drawn by the page itself and through a form; a curve before and one after each.
   const std::string broken =

@@ -150,8 +150,10 @@ TEST_CASE("a release that covers a part of the press is a piece of something els
   Import import;
   import.release = {{2.6, 0.4}, { 1.9, 0.2 }};
   CHECK(import.doubted(DoubtCode::strokeInPart));
-  import.release = {{3.2, 1.4}, { 1.6, 0.3 }};  // a key that stays down
+  import.release = {{3.2, 1.4}, { 1.6, 0.2 }};  // a key that stays down
   CHECK_FALSE(import.doubted(DoubtCode::strokeInPart));
+  import.release = {{3.2, 1.4}, { 1.6, 0.45 }};  // gives out beside the press
+  CHECK(import.doubted(DoubtCode::strokeInPart));
 }
 
 TEST_CASE("what came from paper is worth less, unless frame and axes were given") {

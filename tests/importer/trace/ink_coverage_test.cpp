@@ -4,6 +4,7 @@
 #include "importer/trace/ink_coverage.h"
 
 #include <cmath>
+#include <cstdlib>
 
 #include <catch2/catch.hpp>
 
@@ -16,18 +17,18 @@ namespace {
 constexpr int kWidth_px = 60, kHeight_px = 40, kLine_px = 20;
 constexpr Rgb kWhite{255, 255, 255}, kGrey{180, 180, 180}, kRed{220, 30, 40};
 
-/// White paper with one grey line across and a red column standing on it.
+/// White paper with grey lines across and a short red stroke over one of them.
 PlotArea areaWithLine() {
   PlotArea area;
   area.raster.width_px = kWidth_px;
   area.raster.height_px = kHeight_px;
   for (int y = 0; y < kHeight_px; ++y)
     for (int x = 0; x < kWidth_px; ++x) {
-      const Rgb color = x == 30 ? kRed : y == kLine_px ? kGrey : kWhite;
+      const Rgb color = x == 30 && std::abs(y - kLine_px) < 8 ? kRed : y % 10 == 0 ? kGrey : kWhite;
       area.raster.rgb.insert(area.raster.rgb.end(), {color.r, color.g, color.b});
     }
   area.frame = {0, 0, kWidth_px - 1, kHeight_px - 1};
-  area.rows_px = {kLine_px};
+  area.rows_px = {0, 10, kLine_px, 30};
   return area;
 }
 

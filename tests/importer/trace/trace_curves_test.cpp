@@ -7,8 +7,10 @@
 #include <string>
 
 #include <catch2/catch.hpp>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "importer/page/page.h"
 #include "importer/trace/curve_trace.h"
 
 using namespace detent;
@@ -154,6 +156,18 @@ class Plot {
                                         const Progress& progress = {}) const {
     return traceCurves(view_, frame_, axes_, hints, options, progress);
   }
+  /// What a file keeps of it: `extension` ".jpg" (colour at half resolution) or ".webp".
+  void storeAs(const std::string& extension, int quality) {
+    Raster& r = view_.raster;
+    cv::Mat bgr;
+    cv::cvtColor(cv::Mat(r.height_px, r.width_px, CV_8UC3, r.rgb.data()), bgr, cv::COLOR_RGB2BGR);
+    const int key = extension == ".webp" ? cv::IMWRITE_WEBP_QUALITY : cv::IMWRITE_JPEG_QUALITY;
+    std::vector<unsigned char> bytes;
+    REQUIRE(cv::imencode(extension, bgr, bytes, {key, quality}));
+    const auto document = Document::fromBytes(bytes, "plot");
+    REQUIRE(document.ok());
+    r = document->page(1)->overview;
+  }
   const Box& box() const { return box_; }
   PageView& view() { return view_; }
   PlotFrame& frame() { return frame_; }
@@ -223,6 +237,27 @@ TEST_CASE("Two coloured curves over a grid are traced to a tenth of a pixel", "[
   // Ends: the press runs to the frame's top edge, the release stops inside.
   CHECK(ofColor(*traces, kBlue).points_px.back().y == Approx(plot.box().y0).margin(0.3));
   CHECK(ofColor(*traces, kLime).points_px.back().y == Approx(up.back().y).margin(1.5));
+}
+
+TEST_CASE("Tints that compression leaves beside a line are no curves", "[trace]") {
+  const Rgb navy{12, 26, 84}, ochre{146, 130, 40}, green{20, 115, 79}, wine{98, 12, 44};
+  for (const auto& [pressInk, releaseInk] :
+       {std::pair(navy, ochre), std::pair(ochre, navy), std::pair(wine, green)})
+    for (const auto& [extension, quality] :
+         {std::pair(".jpg", 75), std::pair(".jpg", 85), std::pair(".webp", 75)}) {
+      INFO(extension << ", quality " << quality << ", press " << nameOf(pressInk));
+      Plot plot(900, 550);
+      plot.grid(8, 10, {214, 214, 214});
+      const Curve down = plot.at(press()), up = plot.at(release());
+      plot.line(up, 2, releaseInk, true);
+      plot.line(down, 2, pressInk, true);
+      plot.storeAs(extension, quality);
+      const auto traces = plot.trace();
+      REQUIRE(traces.ok());
+      REQUIRE(traces->size() == 2);
+      CHECK(apart(ofColor(*traces, pressInk).points_px, clippedAtTop(plot, down)) < 0.3);
+      CHECK(apart(ofColor(*traces, releaseInk).points_px, up) < 2);  // of its wall the press hides a part
+    }
 }
 
 TEST_CASE("A tolerance band around a curve is no second stroke", "[trace]") {
