@@ -60,14 +60,18 @@ ChecksPanel::ChecksPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   follow();
 }
 
-// What the page says in words is known only where it was read.
+// What the page says in words is known only where it was read; behind another panel's tab nobody asks, and to Qt this is visible there.
+void ChecksPanel::wantPage() {
+  if (isVisible() && !visibleRegion().isEmpty()) document_.wantOrigin();
+}
+
 void ChecksPanel::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
-  document_.wantOrigin();
+  wantPage();
 }
 
 void ChecksPanel::follow() {
-  if (isVisible()) document_.wantOrigin();
+  wantPage();
   pause_.stop();
   show(validate(document_.button()));
 }

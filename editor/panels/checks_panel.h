@@ -32,6 +32,7 @@ class ChecksPanel : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  void wantPage();
   void follow();
   void show(const std::vector<Warning>& warnings);
   void add(const QString& text, bool odd, const WarningPlace& place);

@@ -378,7 +378,8 @@ void GraphWorkspace::followSettings() {
   underlayLabel_->setVisible(page);
   underlay_->setVisible(page);
   bar_->setVisible(page || document_.button().states().size() > 1);
-  const bool traced = !canvas_->tracedPoints(Stroke::press).empty();
+  // Those that are read on demand can be asked for: switching them on has them read.
+  const bool traced = !canvas_->tracedPoints(Stroke::press).empty() || document_.originOnDemand();
   residualsShown_->setEnabled(traced);
   snapTraced_->setEnabled(traced);
   const QSignalBlocker quiet(underlay_);

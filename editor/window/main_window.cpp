@@ -157,6 +157,11 @@ void MainWindow::makeDocks() {
   tabifyDockWidget(valuesDock_, historyDock_);
   tabifyDockWidget(historyDock_, checksDock_);
   valuesDock_->raise();
+  // Brought to the front, it has what the page says in words.
+  connect(checksDock_, &QDockWidget::visibilityChanged, this, [this](bool seen) {
+    if (!seen) return;
+    if (DocumentTab* tab = tabs_->current()) tab->document().wantOrigin();
+  });
   feelDock_->hide();
   connect(feelDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
     if (!visible || feel_) return;

@@ -773,10 +773,12 @@ class WindowTest : public QObject {
     }
     Rig rig(folder_->path());
     rig.window->files().open({button});
+    const QSignalSpy wanted(&rig.document(), &ButtonDocument::originWanted);
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
-    // The page alone, where the curves lie: nothing was read again.
+    // The page alone, where the curves lie: nothing was read again, and nobody has asked for it.
     const GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
     QVERIFY(canvas.hasUnderlay() && !rig.document().origin());
+    QCOMPARE(wanted.count(), 0);
     const importer::Homography& traced = report->evidence->axes.calibration.value.viewToUnits;
     const auto unitsAt = [&](double x, double y) {
       const importer::Point at = traced({x, y});
@@ -814,6 +816,25 @@ class WindowTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
     // Where traced points are shown they are wanted.
     rig.action("viewResiduals")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
+  }
+
+  // Behind another panel's tab the checks do not have the page read again; in front they do.
+  void theChecksWantThePageWhenTheyAreSeen() {
+    const QString sheet = at("sheet.pdf"), button = at("b.button.json");
+    QVERIFY(QFile::copy(sample("plots/white-vector.pdf"), sheet));
+    importer::ImportRequest request;
+    request.path = sheet.toStdString();
+    auto report = importer::ImportSession::open(request.path)->importGraph(request);
+    QVERIFY(report.ok());
+    QVERIFY(saveDocument(*importedDocument(std::make_shared<importer::ImportReport>(*report)), button).ok());
+    Rig rig(folder_->path());
+    rig.window->files().open({button});
+    const QSignalSpy wanted(&rig.document(), &ButtonDocument::originWanted);
+    QTRY_VERIFY_WITH_TIMEOUT(rig.document().sheet().has_value(), 60000);
+    rig.scale(1.25);
+    QCOMPARE(wanted.count(), 0);
+    rig.action("checksDockToggle")->trigger();
     QTRY_VERIFY_WITH_TIMEOUT(rig.document().origin() != nullptr, 60000);
   }
 
