@@ -5872,6 +5872,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine Kurve, für das Drücken genommen, obwohl die Legende sie Rückweg nennt</translation>
     </message>
     <message>
+        <source>one curve: press only, although the legend names a release too (&quot;%1&quot;)</source>
+        <translation>eine Kurve: nur das Drücken, obwohl die Legende auch einen Rückweg nennt (&quot;%1&quot;)</translation>
+    </message>
+    <message>
         <source>exchanged by hand</source>
         <translation>von Hand vertauscht</translation>
     </message>

@@ -38,6 +38,9 @@ Wording wordingOf(EvidenceCode code) {
     case EvidenceCode::pressAloneThoughNamedRelease:
       return {"press-alone-though-named-release",
               words("one curve, taken as press although the legend calls it release")};
+    case EvidenceCode::releaseNamedNotSeen:
+      return {"release-named-not-seen",
+              words("one curve: press only, although the legend names a release too (\"%1\")")};
     case EvidenceCode::exchangedByHand:
       return {"exchanged-by-hand", words("exchanged by hand")};
     case EvidenceCode::numbersAlone:

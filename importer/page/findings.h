@@ -32,6 +32,7 @@ enum class EvidenceCode {
   oneHigherForce,
   pressAlone,
   pressAloneThoughNamedRelease,
+  releaseNamedNotSeen,
   exchangedByHand,
   numbersAlone,     ///< numbers in a row, numbers in a column; no rectangle of lines
   widenedToNumbers  ///< the labels count on beyond the rectangle of lines

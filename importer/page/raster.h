@@ -46,6 +46,12 @@ struct Box {
   Box common(const Box& b) const {
     return {std::max(x0, b.x0), std::max(y0, b.y0), std::min(x1, b.x1), std::min(y1, b.y1)};
   }
+  /// Stand in a column or in a row, as texts of a legend do: within the lower one's height.
+  bool inLineWith(const Box& b) const {
+    const double within = std::min(height(), b.height());
+    return std::abs(x0 - b.x0) < within || std::abs(x1 - b.x1) < within ||
+           std::abs(middle().y - b.middle().y) < 0.5 * within;
+  }
   friend bool operator==(const Box&, const Box&) = default;
 };
 

@@ -164,9 +164,19 @@ Failure tooMany(const std::vector<CurveTrace>& traces) {
                    "plot frame");
 }
 
-Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibration& calibration) {
+/// The legend's name of the release that belongs to a press named in it, none where it has no such entry.
+std::optional<std::string> releaseNamedBeside(const CurveTrace& press, const std::vector<SeenText>& texts) {
+  if (press.labelBox_px.empty()) return {};
+  const auto named = std::ranges::find_if(texts, [&](const SeenText& text) {
+    return strokeNamedBy(text.utf8) == Stroke::release && namesOnePair(press.label, text.utf8) &&
+           text.box.inLineWith(press.labelBox_px);
+  });
+  return named == texts.end() ? std::nullopt : std::optional(named->utf8);
+}
+
+Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& axes) {
   Found<StrokePair> found;
-  found.value.press = inUnits(trace, calibration);
+  found.value.press = inUnits(trace, axes.calibration.value);
   if (found.value.press.points.size() < 2)
     return Failure{FailureCode::noForceGraph,
                    "plot frame",
@@ -174,11 +184,15 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxisCalibrat
                    "its curve has fewer than two points",
                    {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
-  constexpr double ofOneNamed = 0.9, ofRelease = 0.5,
-                   ofBoth = 0.4;  // confidences of a single trace, by what it is called
-  const double named = namesBothStrokes(trace.label) ? ofBoth : namedRelease ? ofRelease : ofOneNamed;
-  found.confidence = named * credit(trace.confidence);
-  found.evidence = {{namedRelease ? EvidenceCode::pressAloneThoughNamedRelease : EvidenceCode::pressAlone}};
+  const auto notSeen = releaseNamedBeside(trace, axes.texts);
+  // Confidences of a single trace, by what it is called.
+  constexpr double ofOneNamed = 0.9, ofRelease = 0.5, ofBoth = 0.4;
+  const bool both = namesBothStrokes(trace.label) || notSeen;
+  found.confidence = (both ? ofBoth : namedRelease ? ofRelease : ofOneNamed) * credit(trace.confidence);
+  if (notSeen)
+    found.evidence = {{EvidenceCode::releaseNamedNotSeen, {*notSeen}}};
+  else
+    found.evidence = {{namedRelease ? EvidenceCode::pressAloneThoughNamedRelease : EvidenceCode::pressAlone}};
   return found;
 }
 
@@ -228,11 +242,12 @@ bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
 }
 
 /// Press and release of one switch.
-Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& second,
-                                 const AxisCalibration& calibration, bool swap) {
+Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& second, const AxesFound& axes,
+                                 bool swap) {
+  const AxisCalibration& calibration = axes.calibration.value;
   StrokePoints a = inUnits(first, calibration), b = inUnits(second, calibration);
   if (a.points.size() < 2 || b.points.size() < 2)
-    return pressAlone(a.points.size() < 2 ? second : first, calibration);
+    return pressAlone(a.points.size() < 2 ? second : first, axes);
   const double newtonPerPx = std::abs(calibration.newtonPerPx());
   const Comparison compared = compare(a, b, 0.6 * newtonPerPx);
   const Verdict verdict = judge(first, second, compared, newtonPerPx);
@@ -311,9 +326,8 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(traces[its.front()], traces[t])) return hiddenEnd();
-  const AxisCalibration& calibration = axes.calibration.value;
-  if (its.size() == 1) return pressAlone(traces[its.front()], calibration);
-  return pairOf(traces[its[0]], traces[its[1]], calibration, hints.swap);
+  if (its.size() == 1) return pressAlone(traces[its.front()], axes);
+  return pairOf(traces[its[0]], traces[its[1]], axes, hints.swap);
 }
 
 }  // namespace detent::importer

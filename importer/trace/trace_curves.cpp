@@ -220,13 +220,6 @@ std::optional<std::size_t> sampledTrace(const Box& word, const std::vector<Ink>&
   return {};
 }
 
-/// Entries of a legend stand in a column or in a row.
-bool standInLine(const Box& a, const Box& b) {
-  const double height = std::min(a.height(), b.height());
-  return std::abs(a.x0 - b.x0) < height || std::abs(a.x1 - b.x1) < height ||
-         std::abs(a.middle().y - b.middle().y) < 0.5 * height;
-}
-
 using LegendTexts = std::vector<std::vector<SeenText>>;  // per trace
 
 /// Of several texts beside an ink those that stand in line with another ink's, if any does: a fringe of a letter
@@ -237,7 +230,7 @@ std::vector<SeenText> inLegend(const LegendTexts& all, std::size_t of) {
   for (const SeenText& text : all[of])
     for (std::size_t k = 0; k < all.size(); ++k)
       if (k != of && std::any_of(all[k].begin(), all[k].end(),
-                                 [&](const SeenText& t) { return standInLine(t.box, text.box); })) {
+                                 [&](const SeenText& t) { return t.box.inLineWith(text.box); })) {
         inLine.push_back(text);
         break;
       }
@@ -411,9 +404,12 @@ Result<std::vector<CurveTrace>> traceRaster(const PlotArea& area, const PageView
   const bool oneInkBothStrokes =
       curves.size() == 1 && curves.front().secondStrand > plot.options.secondStrand;
   if (curves.empty() || oneInkBothStrokes) {
+    // A press alone gets its words: a legend whose samples are both of its ink names a release that was not seen.
     const auto loopIn = [&](const Ink& ink, bool neutral) {
-      return traceLoop(area, coverageBy(ink, neutral, area, backdrop, palette),
-                       rgbOf(backdrop.paper() + ink.difference()), options, progress);
+      auto loop = traceLoop(area, coverageBy(ink, neutral, area, backdrop, palette),
+                            rgbOf(backdrop.paper() + ink.difference()), options, progress);
+      if (loop && loop->size() == 1) labelTraces(*loop, axes, view.raster, backdrop);
+      return loop;
     };
     if (curves.empty()) return loopIn(darkness(plot), true);
     Result<std::vector<CurveTrace>> loop =

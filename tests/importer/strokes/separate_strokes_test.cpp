@@ -70,6 +70,29 @@ TEST_CASE("Hysteresis: the press lies above", "[strokes]") {
   }
 }
 
+TEST_CASE("A press alone is doubted where its legend has an entry for the release too", "[strokes]") {
+  CurveTrace press = trace(0.1);
+  press.label = "press";
+  press.labelBox_px = {100, 40, 150, 52};
+  AxesFound read = axes();
+  const auto confidenceBeside = [&](const std::string& text, const Box& box) {
+    read.texts = {{press.label, press.labelBox_px, 1, 0}, {text, box, 1, 0}};
+    const auto found = separateStrokes({press}, read);
+    REQUIRE(found.ok());
+    CHECK_FALSE(found->value.release.has_value());
+    CHECK(rests(*found, EvidenceCode::releaseNamedNotSeen) == (found->confidence < 0.5));
+    return found->confidence;
+  };
+  const Box below{100, 60, 160, 72}, beside{260, 41, 330, 53}, elsewhere{400, 300, 460, 312};
+  CHECK(confidenceBeside("release", below) < 0.5);
+  CHECK(confidenceBeside("release", beside) < 0.5);
+  // A word of a sentence or a table, a point's name, another switch's release.
+  CHECK(confidenceBeside("release", elsewhere) > 0.8);
+  CHECK(confidenceBeside("reset point", below) > 0.8);
+  CHECK(confidenceBeside("Switch B release", below) > 0.8);
+  CHECK(confidenceBeside("press force", below) > 0.8);
+}
+
 TEST_CASE("The legend outweighs hysteresis", "[strokes]") {
   std::vector<CurveTrace> traces = {trace(0.004), trace(0, {255, 0, 0})};
   traces[0].label = "Upstroke";
