@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <iterator>
 #include <utility>
 
 #include "importer/strokes/legend.h"
@@ -21,6 +22,33 @@ std::optional<Stroke> namedStroke(const CurveTrace& trace) {
 /// Two strokes of one ink that the tracer told apart.
 bool shareAnInk(const CurveTrace& a, const CurveTrace& b) {
   return a.color == b.color && a.stroke && b.stroke && *a.stroke != *b.stroke;
+}
+
+/// Whether force only falls from its left end to its right one. No stroke of a button does: it begins where the finger
+/// meets the key and ends at the wall.
+bool onlyFalls(const CurveTrace& trace) {
+  constexpr double rippleShare = 0.02;  // of the fall; traced points waver
+  std::vector<Point> course = trace.points_px;
+  std::ranges::sort(course, {}, &Point::x);
+  const double fall_px = course.back().y - course.front().y;
+  double lowest_px = course.front().y;
+  for (const Point& p : course) {
+    lowest_px = std::max(lowest_px, p.y);
+    if (lowest_px - p.y > rippleShare * fall_px) return false;
+  }
+  return true;
+}
+
+/// Without arrows and leaders in an ink of their own: what has no name and only falls, where the legend names a stroke
+/// among more than two curves.
+Indices withoutMarks(const std::vector<CurveTrace>& traces, const Indices& drawn) {
+  const auto isNamed = [&](std::size_t i) { return namedStroke(traces[i]).has_value(); };
+  if (drawn.size() < 3 || std::ranges::none_of(drawn, isNamed)) return drawn;
+  Indices kept;
+  std::ranges::copy_if(drawn, std::back_inserter(kept), [&](std::size_t i) {
+    return traces[i].stroke || !traces[i].label.empty() || !onlyFalls(traces[i]);
+  });
+  return kept;
 }
 
 /// The press and the release that were named, by hand or by the legend, beside curves that nothing is said of: marks and
@@ -165,6 +193,7 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
   for (std::size_t i = 0; i < traces.size(); ++i)
     if (traces[i].points_px.size() >= 2) drawn.push_back(i);
   if (drawn.empty()) return {};
+  drawn = withoutMarks(traces, drawn);
   if (drawn.size() == 1) return {switchOf(drawn, traces)};
   if (const auto pair = theNamedPair(traces, drawn)) return {switchOf({pair->first, pair->second}, traces)};
   if (drawn.size() == 2 && mayBeOnePair(traces[drawn[0]].label, traces[drawn[1]].label))

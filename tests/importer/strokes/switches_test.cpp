@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/strokes/switches.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include <catch2/catch.hpp>
 
 #include "importer/strokes/stroke_pair.h"
@@ -97,6 +100,31 @@ TEST_CASE("Beside press and release a mark without a name is none of them", "[sw
       switchesAmong({trace("press", 10, 1), trace("lease", 30, 2), trace("", 50, 3)});  // misread
   REQUIRE(switches.size() == 1);
   CHECK(switches[0].traces.size() == 2);
+}
+
+TEST_CASE("A line without a name that only falls is no stroke beside a named one", "[switches]") {
+  CurveTrace arrow = trace("", 0, 3);
+  for (Point& p : arrow.points_px) p.y = 100 + 0.5 * p.x;
+  std::ranges::reverse(arrow.points_px);  // from its tip
+  const std::vector<CurveTrace> traces{trace("press", 60, 1), arrow, trace("", 10, 2)};
+  const auto switches = switchesAmong(traces);
+  REQUIRE(switches.size() == 1);
+  CHECK(switches[0].traces == std::vector<std::size_t>{0, 2});
+
+  SECTION("One with a name is another curve") {
+    CurveTrace named = arrow;
+    named.label = "Voltage";
+    named.labelBox_px = {400, 30, 460, 42};
+    CHECK(switchesAmong({trace("press", 60, 1), named, trace("release", 10, 2, 1)}).size() == 2);
+  }
+  SECTION("One that rises again may be a stroke") {
+    CurveTrace dip = arrow;
+    for (Point& p : dip.points_px) p.y = 100 + std::abs(p.x - 200);
+    CHECK(switchesAmong({trace("press", 60, 1), dip, trace("", 10, 2)}).empty());
+  }
+  SECTION("Where no legend names a stroke nothing is left out") {
+    CHECK(switchesAmong({trace("", 60, 1), arrow, trace("", 10, 2)}).empty());
+  }
 }
 
 TEST_CASE("Two colours given by hand are a pair whatever the legend says", "[switches]") {
