@@ -30,10 +30,14 @@ std::vector<Box> ownLabelWords(const GraphReading& r, const Box& band) {
   return words;
 }
 
+std::vector<Box> labelGlyphs(const GraphReading& r, const Box& band) {
+  const double largest = 0.12 * std::min(r.box.width(), r.box.height()) + 10;
+  return glyphsIn(r.glyphs, band, largest);
+}
+
 /// Words of ink that may be numbers.
 std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band) {
-  const double largest = 0.12 * std::min(r.box.width(), r.box.height()) + 10;
-  return numberBoxes(glyphsIn(r.glyphs, band, largest));
+  return numberBoxes(labelGlyphs(r, band));
 }
 
 SeenText readLabel(GraphReading& r, const Box& word, TextKind kind) {
@@ -135,8 +139,12 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   return found;
 }
 
-bool settles(const AxisLabels& a) {
-  return agreed(a) >= 3 && 2 * agreed(a) > static_cast<int>(a.words.size());
+/// Nothing better is to be expected. Letters of a title that runs upwards read as numbers that count on, too; they do not
+/// stand at the axis' ticks or gridlines.
+bool settles(const AxisLabels& a, const std::vector<GridLine>& lines) {
+  constexpr std::size_t fewestLines = 3;
+  return agreed(a) >= 3 && 2 * agreed(a) > static_cast<int>(a.words.size()) &&
+         (a.progression->fromTicks || lines.size() < fewestLines);
 }
 
 std::optional<AxisLabels> tryRows(GraphReading& r, Axis axis, std::vector<Box> words,
@@ -149,7 +157,7 @@ std::optional<AxisLabels> tryRows(GraphReading& r, Axis axis, std::vector<Box> w
     if (row.words.size() < 2) break;
     auto fit = fitRow(r, row, lines, axis, kind);
     if (!best || agreed(fit) > agreed(*best)) best = std::move(fit);
-    if (settles(*best)) break;
+    if (settles(*best, lines)) break;
     std::erase_if(words, [&](const Box& w) {
       return std::find(row.words.begin(), row.words.end(), w) != row.words.end();
     });
@@ -166,13 +174,15 @@ int AxisLabels::numbers() const {
 
 std::optional<AxisLabels> readRightLabels(GraphReading& r) {
   constexpr int fewestRegular = 4;  // what is less may be a legend's
-  constexpr double besideTicks_px =
-      3;  // a tick begins at the frame's edge, a label does not; else "-0.8" is read
   const Box& b = r.box;
-  const Box band{b.x1 + besideTicks_px, b.y0 - 0.1 * b.height(), b.x1 + 0.25 * b.width(),
-                 b.y1 + 0.08 * b.height()};
+  const Box band{b.x1 + 3, b.y0 - 0.1 * b.height(), b.x1 + 0.25 * b.width(), b.y1 + 0.08 * b.height()};
+  // A tick begins at the frame's edge, a label with a minus sign does not; else "-0.8" is read.
+  const double besideTicks_px = 3 + 0.004 * b.width();
+  std::vector<Box> glyphs = labelGlyphs(r, band);
+  std::erase_if(glyphs,
+                [&](const Box& g) { return g.x0 < b.x1 + besideTicks_px && g.width() >= 1.5 * g.height(); });
   const auto mirrored = [](const Box& box) { return Box{-box.x1, box.y0, -box.x0, box.y1}; };
-  std::vector<Box> words = inkedLabelWords(r, band);
+  std::vector<Box> words = numberBoxes(glyphs);
   for (Box& word : words) word = mirrored(word);
   std::vector<double> ticks;
   for (const auto& line : r.frame.yLines) ticks.push_back(line.position_px);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace detent::importer {
 namespace {
@@ -49,6 +50,13 @@ int regularity(const std::vector<double>& places, const std::vector<double>& lin
   const double tolerance = 0.3 * height + 1.5;
   return std::max(evenlySpaced(places, tolerance, std::max(1.2 * height, 0.04 * size)),
                   lines.size() >= 3 ? atLines(places, lines, tolerance) : 0);
+}
+
+/// Hardly a word of it stands anywhere else. Letters of a title that runs upwards stand at even distances by chance, more of them
+/// than there are labels, but others stand between.
+bool allInStep(const LabelRow& row) {
+  constexpr int fewest = 4;
+  return row.regular >= fewest && 4 * row.regular >= 3 * static_cast<int>(row.words.size());
 }
 
 }  // namespace
@@ -100,10 +108,10 @@ LabelRow labelsLeft(const std::vector<Box>& words, const Box& r, const std::vect
     for (const auto& w : column.words) places.push_back(w.middle().y);
     column.regular = regularity(places, lines, seed.height(), r.height());
     column.height_px = seed.height();
+    const bool nearer = !best.words.empty() && seed.x1 > best.words.front().x1;
     // Of equally regular columns the one nearest the axis: titles stand farther out.
-    if (column.regular > best.regular ||
-        (column.regular == best.regular && !best.words.empty() && seed.x1 > best.words.front().x1))
-      best = std::move(column);
+    const auto rank = std::tuple(allInStep(column), column.regular, nearer);
+    if (rank > std::tuple(allInStep(best), best.regular, false)) best = std::move(column);
   }
   return best;
 }

@@ -172,6 +172,31 @@ TEST_CASE("a number of which only a digit was read makes no scale") {
   CHECK_FALSE(readAxes(view, looked.frame).ok());
 }
 
+TEST_CASE("numbers at the ticks make the scale, not more of them that count on farther out") {
+  PlotStyle s;
+  auto looked = look(drawn(s));
+  auto& view = looked.view;
+  for (auto& p : view.raster.rgb) p = 255;
+  for (int k = 0; k <= s.xSteps; ++k) {
+    const double x = s.left + (s.right - s.left) * k / s.xSteps;
+    view.texts.push_back({shown(k * 0.5), {x - (k % 2 ? 14 : 5), 512, x + (k % 2 ? 14 : 5), 528}, 0});
+  }
+  for (int k = 0; k <= s.ySteps; ++k) {
+    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+    const std::string text = shown(k * s.yStep);
+    view.texts.push_back({text, {90 - 10.0 * static_cast<double>(text.size()), y - 8, 90, y + 8}, 0});
+  }
+  // As letters of a title that runs upwards are read.
+  const char* letters[] = {"1", "2", "3", "4", "5", "6", "9", "9"};
+  for (int k = 0; k < 8; ++k) {
+    const double y = 460 - 45.0 * k;
+    view.texts.push_back({letters[k], {42, y - 8, 52, y + 8}, 0});
+  }
+  const auto axes = readAxes(view, looked.frame);
+  if (!axes.ok()) FAIL(axes.failure().sentence());
+  CHECK(axes->calibration.value.y.max == Approx(120));
+}
+
 TEST_CASE("numbers that all but touch the axis are read, not taken for its ticks") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
@@ -241,6 +266,28 @@ TEST_CASE("a title that the plot's own view cuts is found in a wider one") {
   CHECK(axes.calibration.value.mmPerPx() == Approx(before / 1000));
   CHECK(axes.calibration.confidence > sureBefore);
   CHECK(axes.remarks.empty());
+}
+
+TEST_CASE("a second scale on the right is the same forces in another unit, or something else") {
+  if (skipWithoutEngine()) return;
+  const bool ticksOff =
+      GENERATE(false, true);  // a tick that begins a little off the frame's edge is no minus sign
+  PlotStyle s;
+  const auto hasOther = [&](const char* sign, double perStep) {
+    Canvas canvas(s.width, s.height, s.paperGrey);
+    drawInto(canvas, s);
+    for (int k = 0; k <= s.ySteps; ++k) {
+      const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+      canvas.row(y, s.right + (ticksOff ? 4.5 : 0), s.right + 9, 2, s.lineGrey);
+      const std::string text = (k > 0 ? sign : "") + shown(k * perStep);
+      const auto size = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, s.textScale, 1, nullptr);
+      canvas.text(text, s.right + 13 + 0.5 * size.width, y, s.textGrey);
+    }
+    return read(canvas.grey()).otherRightScale;
+  };
+  CHECK_FALSE(hasOther("", 0.2));  // 20 cN
+  CHECK(hasOther("", 0.5));
+  CHECK(hasOther("-", 0.2));
 }
 
 TEST_CASE("a frame follows its numbers only to an edge that is drawn") {
