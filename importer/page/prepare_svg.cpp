@@ -211,6 +211,45 @@ std::string soundPoints(std::string_view points) {
   }
 }
 
+/// Numbers and commands as MuPDF sees them: with character references taken for what they stand for (line ends are written so).
+/// One of a sign that neither holds ends them.
+std::string withoutReferences(std::string_view data) {
+  std::string plain;
+  for (std::size_t at = 0; at < data.size(); ++at) {
+    if (data[at] != '&') {
+      plain += data[at];
+      continue;
+    }
+    const std::size_t end = data.find(';', at);
+    if (end == std::string_view::npos || end < at + 3 || data[at + 1] != '#') return plain;
+    const bool hexadecimal = data[at + 2] == 'x';
+    const char *const first = data.data() + at + (hexadecimal ? 3 : 2), *const last = data.data() + end;
+    int code = 0;
+    const auto [past, error] = std::from_chars(first, last, code, hexadecimal ? 16 : 10);
+    const bool ofNumbers = error == std::errc() && past == last && code > 0 && code <= 'z' && code != '<' &&
+                           (code >= '(' || isSpace(static_cast<char>(code)));
+    if (!ofNumbers) return plain;
+    plain += static_cast<char>(code);
+    at = end;
+  }
+  return plain;
+}
+
+/// Path data without plus signs, up to its first one without a number, where it ends (SVG 1.1, F.2). MuPDF takes the sign for the
+/// begin of a number, reads none, and would stay there for ever.
+std::string withoutPlus(std::string_view data) {
+  std::string plain(data);
+  for (std::size_t i = 0; i < plain.size(); ++i) {
+    if (plain[i] != '+') continue;
+    const bool ofExponent = i > 0 && (plain[i - 1] == 'e' || plain[i - 1] == 'E');
+    if (ofExponent) continue;
+    const char next = i + 1 < plain.size() ? plain[i + 1] : '\0';
+    if (next != '.' && !(next >= '0' && next <= '9')) return plain.substr(0, i);
+    plain[i] = ' ';
+  }
+  return plain;
+}
+
 // ---- clips
 
 std::optional<Box> boxOfRect(const Tag& tag) {
@@ -457,6 +496,11 @@ class Preparer {
   bool enter(Tag& tag) {
     const std::string name(withoutPrefix(tag.name));
     restyle(tag, name);
+    for (Attribute& attribute : tag.attributes) {
+      if (attribute.name == "points") attribute.value = soundPoints(withoutReferences(attribute.value));
+      if (attribute.name == "d" || attribute.name == "transform")
+        attribute.value = withoutPlus(withoutReferences(attribute.value));
+    }
     const std::string* anchor = tag.find("text-anchor");
     Open opened;
     opened.name = name;
@@ -472,8 +516,11 @@ class Preparer {
     applyTransform(tag, opened);
     applyClip(tag, opened);
     if ((name == "path" || name == "polyline") && tag.selfClosing) cutLines(tag, opened);
-    for (Attribute& attribute : tag.attributes)
+    for (Attribute& attribute : tag.attributes) {
       if (attribute.name == "points") attribute.value = soundPoints(attribute.value);
+      if (attribute.name == "d" || attribute.name == "transform")
+        attribute.value = withoutPlus(attribute.value);
+    }
     opened.weight.elements = 1;
     if (name == "use")
       for (const char* link : {"xlink:href", "href"})

@@ -286,6 +286,25 @@ TEST_CASE("a list of points in an SVG ends at its first error") {
   }
 }
 
+TEST_CASE("signs and character references in an SVG's numbers are read") {
+  // MuPDF never went past a plus sign in a path, however it was written.
+  const std::string data = GENERATE("d='M+10+20L30&#10;4&#x30;'", "d='M1e+1 20 30&#9;+40++5 60'",
+                                    "d='M10,&#43;20 30,40&#43;&#43;'", "d='M1 1' style='d:M10+20L30+40'",
+                                    "d='M7+15 27 35' transform='translate(+3,&#43;5)'");
+  INFO(data);
+  const auto opened = open(
+      "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><path fill='none' stroke='#f00' " +
+          data + "/></svg>",
+      "signs.svg");
+  REQUIRE(opened.page.paths.size() == 1);
+  const std::vector<Point>& line = opened.page.paths[0].polylines.at(0);
+  REQUIRE(line.size() == 2);
+  CHECK(line[0].x == Approx(10));
+  CHECK(line[0].y == Approx(20));
+  CHECK(line[1].x == Approx(30));
+  CHECK(line[1].y == Approx(40));
+}
+
 TEST_CASE("one image that cannot be decoded costs that image only") {
   // Drawn by the page itself and through a form; a curve before and one after each.
   const std::string broken =
