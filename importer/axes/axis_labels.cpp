@@ -175,9 +175,11 @@ int AxisLabels::numbers() const {
 std::optional<AxisLabels> readRightLabels(GraphReading& r) {
   constexpr int fewestRegular = 4;  // what is less may be a legend's
   const Box& b = r.box;
-  const Box band{b.x1 + 3, b.y0 - 0.1 * b.height(), b.x1 + 0.25 * b.width(), b.y1 + 0.08 * b.height()};
+  constexpr double besideEdge_px = 3;
+  const Box band{b.x1 + besideEdge_px, b.y0 - 0.1 * b.height(), b.x1 + 0.25 * b.width(),
+                 b.y1 + 0.08 * b.height()};
   // A tick begins at the frame's edge, a label with a minus sign does not; else "-0.8" is read.
-  const double besideTicks_px = 3 + 0.004 * b.width();
+  const double besideTicks_px = besideEdge_px + 0.004 * b.width();
   std::vector<Box> glyphs = labelGlyphs(r, band);
   std::erase_if(glyphs,
                 [&](const Box& g) { return g.x0 < b.x1 + besideTicks_px && g.width() >= 1.5 * g.height(); });

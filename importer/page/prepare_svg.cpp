@@ -516,11 +516,6 @@ class Preparer {
     applyTransform(tag, opened);
     applyClip(tag, opened);
     if ((name == "path" || name == "polyline") && tag.selfClosing) cutLines(tag, opened);
-    for (Attribute& attribute : tag.attributes) {
-      if (attribute.name == "points") attribute.value = soundPoints(attribute.value);
-      if (attribute.name == "d" || attribute.name == "transform")
-        attribute.value = withoutPlus(attribute.value);
-    }
     opened.weight.elements = 1;
     if (name == "use")
       for (const char* link : {"xlink:href", "href"})

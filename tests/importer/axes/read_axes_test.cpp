@@ -31,6 +31,30 @@ Looked look(const cv::Mat& grey) {
   return looked;
 }
 
+/// The frame of a drawn plot whose ink is gone: there is nothing to recognise, texts are what the test writes.
+Looked lookWithoutInk(const PlotStyle& s) {
+  auto looked = look(drawn(s));
+  for (auto& p : looked.view.raster.rgb) p = 255;
+  return looked;
+}
+
+/// Each label where it is drawn, as the document's own text.
+void writeBelow(PageView& view, const PlotStyle& s) {
+  for (int k = 0; k <= s.xSteps; ++k) {
+    const double x = s.left + (s.right - s.left) * k / s.xSteps;
+    const std::string text = shown(s.xFrom + k * s.xStep);
+    const double half = 5.0 * static_cast<double>(text.size());
+    view.texts.push_back({text, {x - half, 512, x + half, 528}, 0});
+  }
+}
+void writeLeft(PageView& view, const PlotStyle& s) {
+  for (int k = 0; k <= s.ySteps; ++k) {
+    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+    const std::string text = shown(s.yFrom + k * s.yStep);
+    view.texts.push_back({text, {90 - 10.0 * static_cast<double>(text.size()), y - 8, 90, y + 8}, 0});
+  }
+}
+
 AxesFound read(const cv::Mat& grey, const AxisHints& hints = {}) {
   const auto looked = look(grey);
   auto axes = readAxes(looked.view, looked.frame, hints);
@@ -156,13 +180,9 @@ TEST_CASE("a zero beside its corner contradicts nothing") {
 TEST_CASE("a number of which only a digit was read makes no scale") {
   if (skipWithoutEngine()) return;
   PlotStyle s;
-  auto looked = look(drawn(s));
+  auto looked = lookWithoutInk(s);
   auto& view = looked.view;
-  for (auto& p : view.raster.rgb) p = 255;
-  for (int k = 0; k <= s.xSteps; ++k) {
-    const double x = s.left + (s.right - s.left) * k / s.xSteps;
-    view.texts.push_back({shown(k * 0.5), {x - (k % 2 ? 14 : 5), 512, x + (k % 2 ? 14 : 5), 528}, 0});
-  }
+  writeBelow(view, s);
   // Room for two digits at 20, of which one is there.
   const char* read[] = {"0", "2"};
   for (int k = 0; k < 2; ++k) {
@@ -174,18 +194,10 @@ TEST_CASE("a number of which only a digit was read makes no scale") {
 
 TEST_CASE("numbers at the ticks make the scale, not more of them that count on farther out") {
   PlotStyle s;
-  auto looked = look(drawn(s));
+  auto looked = lookWithoutInk(s);
   auto& view = looked.view;
-  for (auto& p : view.raster.rgb) p = 255;
-  for (int k = 0; k <= s.xSteps; ++k) {
-    const double x = s.left + (s.right - s.left) * k / s.xSteps;
-    view.texts.push_back({shown(k * 0.5), {x - (k % 2 ? 14 : 5), 512, x + (k % 2 ? 14 : 5), 528}, 0});
-  }
-  for (int k = 0; k <= s.ySteps; ++k) {
-    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
-    const std::string text = shown(k * s.yStep);
-    view.texts.push_back({text, {90 - 10.0 * static_cast<double>(text.size()), y - 8, 90, y + 8}, 0});
-  }
+  writeBelow(view, s);
+  writeLeft(view, s);
   // As letters of a title that runs upwards are read.
   const char* letters[] = {"1", "2", "3", "4", "5", "6", "9", "9"};
   for (int k = 0; k < 8; ++k) {
@@ -365,17 +377,11 @@ TEST_CASE("what cannot be read is refused with a sentence") {
 
 TEST_CASE("the document's own text is taken, not its pixels") {
   PlotStyle s;
-  auto looked = look(drawn(s));
+  s.xStep = 0.25, s.yStep = 10;
+  auto looked = lookWithoutInk(s);
   auto& view = looked.view;
-  for (auto& p : view.raster.rgb) p = 255;  // nothing to recognise
-  for (int k = 0; k <= s.xSteps; ++k) {
-    const double x = s.left + (s.right - s.left) * k / s.xSteps;
-    view.texts.push_back({shown(k * 0.25), {x - 12, 512, x + 12, 528}, 0});
-  }
-  for (int k = 0; k <= s.ySteps; ++k) {
-    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
-    view.texts.push_back({shown(k * 10.0), {65, y - 7, 90, y + 7}, 0});
-  }
+  writeBelow(view, s);
+  writeLeft(view, s);
   view.texts.push_back({"Weg [mm]", {420, 545, 500, 562}, 0});
   view.texts.push_back({"Kraft [mN]", {20, 220, 38, 320}, 90});
   const auto axes = readAxes(view, looked.frame);
@@ -388,17 +394,11 @@ TEST_CASE("the document's own text is taken, not its pixels") {
 
 TEST_CASE("a misread label is kept, marked as not used") {
   PlotStyle s;
-  auto looked = look(drawn(s));
+  auto looked = lookWithoutInk(s);
   auto& view = looked.view;
-  for (auto& p : view.raster.rgb) p = 255;
-  for (int k = 0; k <= s.xSteps; ++k) {
-    const double x = s.left + (s.right - s.left) * k / s.xSteps;
-    view.texts.push_back({k == 3 ? "75" : shown(k * 0.5), {x - 12, 512, x + 12, 528}, 0});
-  }
-  for (int k = 0; k <= s.ySteps; ++k) {
-    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
-    view.texts.push_back({shown(k * 20.0), {65, y - 7, 90, y + 7}, 0});
-  }
+  writeBelow(view, s);
+  view.texts.at(3).utf8 = "75";
+  writeLeft(view, s);
   const auto axes = readAxes(view, looked.frame);
   REQUIRE(axes.ok());
   const auto& ticks = axes->calibration.value.x.ticks;

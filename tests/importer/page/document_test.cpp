@@ -268,19 +268,26 @@ TEST_CASE("hostile and broken documents are refused") {
   }
 }
 
+namespace {
+
+/// The one line that an element of an SVG draws.
+std::vector<Point> lineOf(const std::string& element, const std::string& attributes) {
+  const auto opened = open("<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><" + element +
+                               " fill='none' stroke='#f00' " + attributes + "/></svg>",
+                           "line.svg");
+  REQUIRE(opened.page.paths.size() == 1);
+  std::vector<Point> line = opened.page.paths[0].polylines.at(0);
+  REQUIRE(line.size() == 2);
+  return line;
+}
+
+}  // namespace
+
 TEST_CASE("a list of points in an SVG ends at its first error") {
   // MuPDF never came back from what stands behind "30,40".
   for (const std::string rest : {"", " x", " -,+ .", " %,2", " &#97; 5,6", " nan,1", " \f-"}) {
     INFO(rest);
-    const auto opened = open(
-        "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><polyline fill='none' "
-        "stroke='#f00' "
-        "points='1e1,+20 30,40" +
-            rest + "'/></svg>",
-        "points.svg");
-    REQUIRE(opened.page.paths.size() == 1);
-    const std::vector<Point>& line = opened.page.paths[0].polylines.at(0);
-    REQUIRE(line.size() == 2);
+    const std::vector<Point> line = lineOf("polyline", "points='1e1,+20 30,40" + rest + "'");
     CHECK(line[0].x == Approx(10));
     CHECK(line[1].y == Approx(40));
   }
@@ -292,13 +299,7 @@ TEST_CASE("signs and character references in an SVG's numbers are read") {
                                     "d='M10,&#43;20 30,40&#43;&#43;'", "d='M1 1' style='d:M10+20L30+40'",
                                     "d='M7+15 27 35' transform='translate(+3,&#43;5)'");
   INFO(data);
-  const auto opened = open(
-      "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'><path fill='none' stroke='#f00' " +
-          data + "/></svg>",
-      "signs.svg");
-  REQUIRE(opened.page.paths.size() == 1);
-  const std::vector<Point>& line = opened.page.paths[0].polylines.at(0);
-  REQUIRE(line.size() == 2);
+  const std::vector<Point> line = lineOf("path", data);
   CHECK(line[0].x == Approx(10));
   CHECK(line[0].y == Approx(20));
   CHECK(line[1].x == Approx(30));
