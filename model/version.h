@@ -4,7 +4,7 @@
 
 namespace detent {
 
-/// "0.1.0": what every program answers to --version. Any thread.
+/// "0.2.0": what every program answers to --version. Any thread.
 const char* version();
 
 }  // namespace detent

@@ -33,7 +33,9 @@ class Version(unittest.TestCase):
         released = xml.parse(ROOT / "editor/desktop/org.detent.edit.metainfo.xml").find("releases/release").get("version")
         self.assertEqual(released, project)
         self.assertTrue((ROOT / "docs/package/changelog.Debian").read_text().startswith(f"detent ({project}-"))
-        self.assertIn(f"\n## {project}\n", (ROOT / "CHANGELOG.md").read_text())
+        changelog = (ROOT / "CHANGELOG.md").read_text()
+        self.assertIn(f"\n## {project} (", changelog)
+        self.assertTrue(changelog.split("\n## ")[1].startswith("Unreleased\n"), "the first part of CHANGELOG.md is what is not released")
 
 
 class FromHelp(unittest.TestCase):
