@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/measurement/profile_file.h"
 #include "playback/playback.h"
-#include "playback/study/profile_file.h"
 
 namespace detent::playback {
 

@@ -28,17 +28,17 @@
 #include "model/button.h"
 #include "model/result.h"
 #include "playback/force_feedback.h"
+#include "playback/measurement/spectrogram.h"
 #include "playback/offline/render_press.h"
 #include "playback/offline/standard_press.h"
-#include "playback/perception/design_help.h"
 #include "playback/prepare/device_profile.h"
 #include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
-#include "playback/study/spectrogram.h"
-#include "playback/trials/participant_session.h"
-#include "playback/trials/study_output.h"
-#include "playback/trials/study_page.h"
-#include "playback/trials/trial_desk.h"
+#include "playback/study/perception/design_help.h"
+#include "playback/study/trials/participant_session.h"
+#include "playback/study/trials/study_output.h"
+#include "playback/study/trials/study_page.h"
+#include "playback/study/trials/trial_desk.h"
 
 namespace detent::playback {
 
@@ -155,7 +155,7 @@ class LivePlayer {
   virtual std::vector<EngineEvent> takeEvents() = 0;
 };
 
-// ---- studies with people (playback/trials)
+// ---- studies with people (playback/study/trials)
 
 struct StudyPlayerSettings {
   PlayerSettings player;

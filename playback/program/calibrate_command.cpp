@@ -16,12 +16,12 @@
 
 #include <CLI/CLI.hpp>
 
+#include "playback/measurement/calibrate.h"
+#include "playback/measurement/profile_file.h"
 #include "playback/program/choice_option.h"
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
-#include "playback/study/calibrate.h"
-#include "playback/study/profile_file.h"
 
 namespace detent::playback {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "playback/measurement/exact_number.h"
 #include "playback/program/force_words.h"
-#include "playback/study/exact_number.h"
 
 namespace detent::playback {
 

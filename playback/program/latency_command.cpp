@@ -8,11 +8,11 @@
 #include <CLI/CLI.hpp>
 
 #include "model/file/text_file.h"
+#include "playback/measurement/latency_statistics.h"
+#include "playback/measurement/profile_file.h"
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
-#include "playback/study/latency_statistics.h"
-#include "playback/study/profile_file.h"
 
 namespace detent::playback {
 

@@ -7,15 +7,15 @@
 
 #include "model/version.h"
 #include "playback/program/calibrate_command.h"
-#include "playback/program/confusion_command.h"
 #include "playback/program/devices_command.h"
 #include "playback/program/force_command.h"
 #include "playback/program/identify_command.h"
 #include "playback/program/latency_command.h"
 #include "playback/program/live_command.h"
 #include "playback/program/render_command.h"
-#include "playback/program/study_command.h"
 #include "playback/program/sweep_command.h"
+#include "playback/study/program/confusion_command.h"
+#include "playback/study/program/study_command.h"
 
 namespace detent::playback {
 

@@ -3,9 +3,9 @@
 
 #include <fstream>
 
+#include "playback/measurement/profile_file.h"
 #include "playback/program/choice_option.h"
 #include "playback/program/number_option.h"
-#include "playback/study/profile_file.h"
 
 namespace detent::playback {
 

@@ -9,11 +9,11 @@
 #include <CLI/CLI.hpp>
 
 #include "model/file/text_file.h"
+#include "playback/measurement/profile_file.h"
+#include "playback/measurement/sweep.h"
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
-#include "playback/study/profile_file.h"
-#include "playback/study/sweep.h"
 
 namespace detent::playback {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "model/file/button_file.h"
-#include "playback/perception/confusion.h"
-#include "playback/statistics/rank_correlation.h"
-#include "tests/playback/perception/baselines.h"
+#include "playback/study/perception/confusion.h"
+#include "playback/study/statistics/rank_correlation.h"
+#include "tests/playback/study/perception/baselines.h"
 
 using namespace detent;
 using namespace detent::playback;

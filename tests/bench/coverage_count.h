@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <string>
 
-#include "playback/statistics/binomial.h"
+#include "playback/study/statistics/binomial.h"
 
 namespace detent::test {
 

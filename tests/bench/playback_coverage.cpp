@@ -9,12 +9,12 @@
 #include <vector>
 
 #include "playback/identification/identify.h"
+#include "playback/measurement/calibrate.h"
+#include "playback/measurement/latency_statistics.h"
+#include "playback/measurement/sweep.h"
 #include "playback/realtime/biquad.h"
-#include "playback/statistics/binomial.h"
-#include "playback/statistics/resampling.h"
-#include "playback/study/calibrate.h"
-#include "playback/study/latency_statistics.h"
-#include "playback/study/sweep.h"
+#include "playback/study/statistics/binomial.h"
+#include "playback/study/statistics/resampling.h"
 #include "tests/bench/coverage_count.h"
 #include "tests/playback/identification/pressed_record.h"
 

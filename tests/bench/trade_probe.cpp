@@ -15,9 +15,9 @@
 
 #include "model/file/button_file.h"
 #include "playback/device/serial_force_device.h"
+#include "playback/measurement/spectrogram.h"
 #include "playback/prepare/prepare_force.h"
 #include "playback/realtime/force_engine.h"
-#include "playback/study/spectrogram.h"
 #include "tests/playback/device/force_firmware.h"
 
 using namespace detent;

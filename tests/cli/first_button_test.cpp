@@ -16,9 +16,9 @@
 #include <catch2/catch.hpp>
 
 #include "playback/device/steady_clock.h"
+#include "playback/measurement/calibrate.h"
+#include "playback/measurement/profile_file.h"
 #include "playback/realtime/biquad.h"
-#include "playback/study/calibrate.h"
-#include "playback/study/profile_file.h"
 #include "tests/cli/run_program.h"
 #include "tests/cli/terminal_program.h"
 #include "tests/playback/device/jack_rig.h"

@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <string>
 
+#include "playback/measurement/calibrate.h"
+#include "playback/measurement/profile_file.h"
 #include "playback/offline/render_press.h"
-#include "playback/study/calibrate.h"
-#include "playback/study/profile_file.h"
 
 using namespace detent::playback;
 

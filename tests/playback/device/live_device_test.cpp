@@ -16,9 +16,9 @@
 
 #include "playback/device/signal_server.h"
 #include "playback/device/steady_clock.h"
+#include "playback/measurement/sweep.h"
 #include "playback/playback.h"
 #include "playback/realtime/biquad.h"
-#include "playback/study/sweep.h"
 #include "tests/playback/device/jack_rig.h"
 #include "tests/playback/device/pty_sensor.h"
 #include "tests/playback/sample_buttons.h"

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/measurement/calibrate.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include <Eigen/QR>
+
+#include "playback/measurement/normal.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr std::size_t fewestWeights = 3;
+constexpr int risingChecks = 200;
+constexpr double heaviest_N = 1e7;  // the strongest force any button may have
+
+struct Fit {
+  SensorCalibration calibration;
+  double aicc = std::numeric_limits<double>::infinity();
+};
+
+/// Weighted polynomial least squares by a rank-revealing QR of the scaled Vandermonde matrix.
+std::optional<Fit> fitDegree(const std::vector<KnownWeight>& weights, const CalibrationSettings& settings,
+                             std::size_t degree) {
+  const std::size_t n = weights.size(), m = degree + 1;
+  if (n <= m) return {};
+  SensorCalibration c;
+  c.circuit = settings.circuit;
+  c.fullScale_counts = settings.fullScale_counts;
+  double scale = 0;
+  for (const KnownWeight& w : weights) scale = std::max(scale, std::fabs(c.linearised(w.raw)));
+  if (!(scale > 0)) return {};
+  const auto rows = static_cast<Eigen::Index>(n), columns = static_cast<Eigen::Index>(m);
+  Eigen::MatrixXd powers(rows, columns);
+  Eigen::VectorXd forces(rows);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const KnownWeight& weight = weights[static_cast<std::size_t>(i)];
+    const double sigma = std::hypot(settings.absoluteError_N, settings.relativeError * weight.force_N);
+    double power = 1 / sigma;
+    for (Eigen::Index k = 0; k < columns; ++k, power *= c.linearised(weight.raw) / scale)
+      powers(i, k) = power;
+    forces(i) = weight.force_N / sigma;
+  }
+  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(powers);
+  qr.setThreshold(1e-9);
+  if (qr.rank() < columns) return {};  // the weights do not tell this degree from the lower one
+  const Eigen::VectorXd beta = qr.solve(forces);
+  const double chi2 = (forces - powers * beta).squaredNorm();
+  // The scatter of few weights is known badly: Student's 68.3 % in place of one standard deviation.
+  const double error = std::sqrt(chi2 / static_cast<double>(n - m)) * studentQuantile(normalCdf(1), n - m);
+  const Eigen::MatrixXd inverse =
+      qr.solve(Eigen::MatrixXd::Identity(rows, rows));  // its rows give the covariance
+  c.coefficientCount = m;
+  c.coefficients = {};
+  double power = 1;
+  for (std::size_t k = 0; k < m; ++k, power *= scale) {
+    const auto row = static_cast<Eigen::Index>(k);
+    c.coefficients[k] = beta(row) / power;
+    c.standardErrors[k] = error * inverse.row(row).norm() / power;
+  }
+  double squares = 0;
+  c.lowest_N = std::numeric_limits<double>::infinity();
+  c.highest_N = -c.lowest_N;
+  for (const KnownWeight& w : weights) {
+    squares += std::pow(c.force_N(w.raw) - w.force_N, 2);
+    c.lowest_N = std::min(c.lowest_N, w.force_N);
+    c.highest_N = std::max(c.highest_N, w.force_N);
+  }
+  c.residual_N = std::sqrt(squares / static_cast<double>(n - m));
+  if (!std::isfinite(c.residual_N))
+    return {};  // readings of no sensor: their powers leave the range of a double
+  c.weights = n;
+  const auto count = static_cast<double>(n), parameters = static_cast<double>(m + 1);
+  if (count - parameters - 1 <= 0) return {};
+  Fit fit;
+  fit.calibration = c;
+  fit.aicc =
+      count * std::log(std::max(chi2 / count, 1e-30)) + 2 * parameters * count / (count - parameters - 1);
+  return fit;
+}
+
+bool rises(const SensorCalibration& c, const std::vector<KnownWeight>& weights) {
+  const auto [low, high] =
+      std::minmax_element(weights.begin(), weights.end(),
+                          [](const KnownWeight& a, const KnownWeight& b) { return a.raw < b.raw; });
+  double before = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= risingChecks; ++i) {
+    const double force = c.force_N(low->raw + (high->raw - low->raw) * i / risingChecks);
+    if (!(force > before)) return false;
+    before = force;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<SensorCalibration> calibrate(const std::vector<KnownWeight>& weights,
+                                    const CalibrationSettings& settings) {
+  SensorCalibration circuit;
+  circuit.circuit = settings.circuit;
+  circuit.fullScale_counts = settings.fullScale_counts;
+  std::set<double> different;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (!(std::fabs(weights[i].force_N) <= heaviest_N) ||
+        !std::isfinite(circuit.linearised(weights[i].raw))) {
+      return Failure{FailureCode::unreadableInput, "calibration", "weight " + std::to_string(i + 1),
+                     "is not a usable reading (not a number, or the sensor is saturated)",
+                     "Leave it out or lower the load"};
+    }
+    different.insert(weights[i].force_N);
+  }
+  if (different.size() < fewestWeights) {
+    return Failure{FailureCode::unreadableInput, "calibration", "",
+                   std::to_string(different.size()) + " different weights, at least 3 are needed",
+                   "Add weights over the range you press in"};
+  }
+  std::optional<Fit> best;
+  for (std::size_t degree = 1; degree <= std::clamp(settings.highestDegree, 1U, 3U); ++degree) {
+    if (degree + 1 > different.size() - (different.size() > 2 ? 1 : 0)) break;
+    const std::optional<Fit> fit = fitDegree(weights, settings, degree);
+    if (fit && rises(fit->calibration, weights) && (!best || fit->aicc < best->aicc)) best = fit;
+  }
+  if (!best) {
+    return Failure{FailureCode::unreadableInput, "calibration", "", "the readings do not rise with the force",
+                   "Check the wiring and the order of the weights; at least 5 readings are needed"};
+  }
+  return best->calibration;
+}
+
+Result<std::vector<KnownWeight>> parseWeights(const std::string& text, const std::string& name) {
+  std::vector<KnownWeight> weights;
+  std::istringstream lines(text);
+  std::size_t number = 0;
+  double unit_N = 0;
+  const auto bad = [&](const char* problem) {
+    return Failure{FailureCode::unreadableInput, name, "line " + std::to_string(number), problem,
+                   "Give the header force_N,raw or mass_g,raw and two numbers per line"};
+  };
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
+    if (line.empty() || line.front() == '#') continue;
+    if (unit_N == 0) {
+      if (line == "force_N,raw")
+        unit_N = 1;
+      else if (line == "mass_g,raw")
+        unit_N = 1e-3 * standardGravity_m_per_s2;
+      else
+        return bad("the header is missing");
+      continue;
+    }
+    KnownWeight weight;
+    const char* end = line.data() + line.size();
+    const auto first = std::from_chars(line.data(), end, weight.force_N);
+    if (first.ec != std::errc() || first.ptr == end || *first.ptr != ',')
+      return bad("the first number is missing");
+    const auto second = std::from_chars(first.ptr + 1, end, weight.raw);
+    if (second.ec != std::errc() || second.ptr != end) return bad("the second number is missing");
+    weight.force_N *= unit_N;
+    weights.push_back(weight);
+  }
+  return weights;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/measurement/profile_file.h"
+
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string_view>
+#include <vector>
+
+#include "model/file/text_file.h"
+#include "playback/measurement/exact_number.h"
+#include "playback/prepare/prepare_program.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr std::uintmax_t largestProfile_bytes = 1 << 20;
+constexpr std::string_view magic = "detent-device";
+
+std::string_view trimmed(std::string_view text) {
+  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// All numbers of a value; false if something else stands there.
+bool numbersOf(std::string_view text, std::vector<double>& numbers) {
+  numbers.clear();
+  while (!(text = trimmed(text)).empty()) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || !std::isfinite(value)) return false;
+    if (end != text.data() + text.size() && *end != ' ' && *end != '\t') return false;
+    numbers.push_back(value);
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  }
+  return true;
+}
+
+/// Reads the lines one by one into a profile.
+class Reader {
+ public:
+  /// What is wrong with the line; empty if nothing.
+  std::string line(std::string_view key, std::string_view value) {
+    const bool repeats = key == "resonance" || key == "equalizer";
+    if (!repeats && !seen_.insert(std::string(key)).second) return "is given twice";
+    if (key == "name") {
+      profile.name = std::string(value);
+      return "";
+    }
+    if (key == "sensor.circuit") return circuit(value);
+    if (!numbersOf(value, n_)) return "holds something that is not a number";
+    if (key == "gain") return take(1, [&] { profile.gain = n_[0]; });
+    if (key == "resonance") return take(3, [&] { profile.resonances.push_back({n_[0], n_[1], n_[2]}); });
+    if (key == "equalizer") return take(3, [&] { profile.equalizer.push_back({n_[0], n_[1], n_[2]}); });
+    if (key == "latency") return latency();
+    if (key == "transducer.power_W") return take(1, [&] { profile.transducer.power_W = n_[0]; });
+    if (key == "transducer.impedance_ohm") return take(1, [&] { profile.transducer.impedance_ohm = n_[0]; });
+    if (key == "transducer.full_scale_V") return take(1, [&] { profile.transducer.fullScale_V = n_[0]; });
+    return sensor(key);
+  }
+
+  DeviceProfile profile;
+
+ private:
+  template <class Action>
+  std::string take(std::size_t count, Action action) {
+    if (n_.size() != count)
+      return "needs " + std::to_string(count) + " numbers, has " + std::to_string(n_.size());
+    action();
+    return "";
+  }
+
+  std::string circuit(std::string_view value) {
+    if (value == "newtons")
+      profile.sensor.circuit = SensorCircuit::newtons;
+    else if (value == "linear")
+      profile.sensor.circuit = SensorCircuit::linear;
+    else if (value == "divider")
+      profile.sensor.circuit = SensorCircuit::divider;
+    else
+      return "is none of newtons, linear, divider";
+    return "";
+  }
+
+  std::string latency() {
+    return take(4, [&] {
+      MeasuredLatency m;
+      m.n = static_cast<std::size_t>(std::max(0.0, n_[0]));
+      m.mean_s = n_[1];
+      m.sd_s = n_[2];
+      m.p95_s = n_[3];
+      profile.latency = m;
+    });
+  }
+
+  std::string sensor(std::string_view key) {
+    SensorCalibration& s = profile.sensor;
+    if (key == "sensor.full_scale_counts") {
+      if (n_.size() == 1 && !(n_[0] > 0)) return "must be above 0";
+      return take(1, [&] { s.fullScale_counts = n_[0]; });
+    }
+    if (key == "sensor.coefficients") {
+      if (n_.empty() || n_.size() > SensorCalibration::maxCoefficients) return "needs 1 to 4 numbers";
+      s.coefficientCount = n_.size();
+      s.coefficients = {};
+      std::copy(n_.begin(), n_.end(), s.coefficients.begin());
+      return "";
+    }
+    if (key == "sensor.standard_errors") {
+      if (n_.size() > SensorCalibration::maxCoefficients) return "needs at most 4 numbers";
+      std::copy(n_.begin(), n_.end(), s.standardErrors.begin());
+      return "";
+    }
+    if (key == "sensor.noise_N") return take(1, [&] { s.noise_N = n_[0]; });
+    if (key == "sensor.residual_N") return take(1, [&] { s.residual_N = n_[0]; });
+    if (key == "sensor.weights")
+      return take(1, [&] { s.weights = static_cast<std::size_t>(std::max(0.0, n_[0])); });
+    if (key == "sensor.range_N") {
+      return take(2, [&] {
+        s.lowest_N = n_[0];
+        s.highest_N = n_[1];
+      });
+    }
+    return "is not known";
+  }
+
+  std::set<std::string> seen_;
+  std::vector<double> n_;
+};
+
+}  // namespace
+
+Result<DeviceProfile> parseDeviceProfile(const std::string& text, const std::string& name) {
+  Reader reader;
+  std::size_t number = 0;
+  bool version = false;
+  const auto bad = [&](std::string problem) {
+    return Failure{FailureCode::unreadableInput, name, "line " + std::to_string(number), std::move(problem),
+                   "See docs/device-profile.md"};
+  };
+  std::istringstream lines(text);
+  for (std::string raw; std::getline(lines, raw);) {
+    ++number;
+    const std::string_view line = trimmed(std::string_view(raw).substr(0, raw.find('#')));
+    if (line.empty()) continue;
+    if (!version) {
+      std::vector<double> v;
+      if (line.substr(0, magic.size()) != magic || !numbersOf(line.substr(magic.size()), v) ||
+          v.size() != 1) {
+        return bad("a device profile starts with \"detent-device 1\"");
+      }
+      if (v[0] > deviceProfileVersion) return bad("written by a newer Detent (version " + exact(v[0]) + ")");
+      version = true;
+      continue;
+    }
+    const std::size_t equals = line.find('=');
+    if (equals == std::string_view::npos) return bad("no = in the line");
+    const std::string_view key = trimmed(line.substr(0, equals));
+    const std::string problem = reader.line(key, trimmed(line.substr(equals + 1)));
+    if (!problem.empty()) return bad(std::string(key) + " " + problem);
+  }
+  if (!version) return bad("the file is empty");
+  if (Result<Done> ok = checkProfile(reader.profile); !ok) {
+    Failure failure = ok.failure();
+    failure.code = FailureCode::unreadableInput;
+    failure.subject = name;
+    return failure;
+  }
+  return std::move(reader.profile);
+}
+
+Result<DeviceProfile> readDeviceProfile(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file, error);
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (error || !in || size > largestProfile_bytes || (size > 0 && !(text << in.rdbuf()))) {
+    const std::string why = error                         ? error.message()
+                            : size > largestProfile_bytes ? "larger than 1 MiB"
+                                                          : "cannot be read";
+    return Failure{FailureCode::unreadableInput, file.string(), "", "is not a device profile (" + why + ")",
+                   "Write one with `detent-play sweep` or `detent-play calibrate`"};
+  }
+  return parseDeviceProfile(text.str(), file.string());
+}
+
+std::string toText(const DeviceProfile& p) {
+  std::string text = "detent-device " + std::to_string(deviceProfileVersion) + "\n";
+  const auto put = [&](const std::string& key, const std::vector<double>& values) {
+    text += key + " =";
+    for (double v : values) {
+      text += ' ';
+      text += exact(v);
+    }
+    text += "\n";
+  };
+  std::string name;
+  for (char c : p.name) name += c == '\n' || c == '\r' || c == '#' ? ' ' : c;
+  text += "name = " + name + "\n";
+  put("gain", {p.gain});
+  text += "# frequency in Hz, Q, gain in dB\n";
+  for (const Resonance& r : p.resonances) put("resonance", {r.frequency_Hz, r.q, r.gain_dB});
+  for (const EqualizerBand& b : p.equalizer) put("equalizer", {b.frequency_Hz, b.q, b.gain_dB});
+  if (p.transducer.power_W > 0) {
+    put("transducer.power_W", {p.transducer.power_W});
+    put("transducer.impedance_ohm", {p.transducer.impedance_ohm});
+    put("transducer.full_scale_V", {p.transducer.fullScale_V});
+  }
+  const SensorCalibration& s = p.sensor;
+  text += "# force_N = c0 + c1 u + c2 u^2 + c3 u^3; u from the circuit\n";
+  const char* circuits[] = {"newtons", "linear", "divider"};
+  text += std::string("sensor.circuit = ") + circuits[static_cast<int>(s.circuit)] + "\n";
+  put("sensor.full_scale_counts", {s.fullScale_counts});
+  put("sensor.coefficients",
+      {s.coefficients.begin(), s.coefficients.begin() + static_cast<long>(s.coefficientCount)});
+  put("sensor.standard_errors",
+      {s.standardErrors.begin(), s.standardErrors.begin() + static_cast<long>(s.coefficientCount)});
+  if (s.noise_N > 0) put("sensor.noise_N", {s.noise_N});
+  put("sensor.residual_N", {s.residual_N});
+  put("sensor.range_N", {s.lowest_N, s.highest_N});
+  put("sensor.weights", {static_cast<double>(s.weights)});
+  if (p.latency) {
+    text += "# number, mean s, SD s, 95th percentile s\n";
+    put("latency", {static_cast<double>(p.latency->n), p.latency->mean_s, p.latency->sd_s, p.latency->p95_s});
+  }
+  return text;
+}
+
+Result<Done> writeDeviceProfile(const DeviceProfile& profile, const std::filesystem::path& file) {
+  return writeTextFileAtomically(file.string(), toText(profile));
+}
+
+}  // namespace detent::playback

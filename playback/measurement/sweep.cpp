@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/measurement/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "playback/measurement/exact_number.h"
+#include "playback/measurement/fourier.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double fade_s = 0.02;
+constexpr double responseLength_s = 0.8;  // of the impulse response that is kept: 1.25 Hz resolution
+constexpr double beforePeak_s = 0.01;
+constexpr double stepsPerOctave = 24;
+constexpr double regularisation = 1e-6;  // of the sweep's strongest bin
+constexpr double faintest_dB = 20;       // the response's peak over the rest of the deconvolution
+
+// Lost sound (dropoutsIn). A block of 256 samples is 5 ms; half the expected level is more than distortion makes.
+constexpr double look_s = 0.005, around_s = 0.05;
+constexpr double lostShare = 0.5, overOrdinary = 6;
+
+using Spectrum = std::vector<std::complex<double>>;
+
+Spectrum spectrumOf(const std::vector<float>& samples, std::size_t size) {
+  Spectrum s(size);
+  for (std::size_t i = 0; i < samples.size(); ++i) s[i] = static_cast<double>(samples[i]);
+  transform(s, Transform::forward);
+  return s;
+}
+
+/// Height of a peak over the higher of its two valleys.
+double prominenceOf(const std::vector<double>& gain, std::size_t peak) {
+  const auto valley = [&](int step) {
+    double lowest = gain[peak];
+    for (auto i = static_cast<std::ptrdiff_t>(peak); i >= 0 && i < static_cast<std::ptrdiff_t>(gain.size());
+         i += step) {
+      const double g = gain[static_cast<std::size_t>(i)];
+      if (g > gain[peak]) break;
+      lowest = std::min(lowest, g);
+    }
+    return lowest;
+  };
+  return gain[peak] - std::max(valley(-1), valley(1));
+}
+
+/// Width of a peak `depth_dB` below its top, as a share of its frequency.
+double widthOf(const FrequencyResponse& r, std::size_t peak, double depth_dB) {
+  const double bar = r.gain_dB[peak] - depth_dB;
+  const auto crossing = [&](int step) {
+    auto i = static_cast<std::ptrdiff_t>(peak);
+    const auto last = static_cast<std::ptrdiff_t>(r.gain_dB.size()) - 1;
+    while (i + step >= 0 && i + step <= last && r.gain_dB[static_cast<std::size_t>(i + step)] > bar)
+      i += step;
+    const auto a = static_cast<std::size_t>(i);
+    if (i + step < 0 || i + step > last) return r.frequency_Hz[a];
+    const auto b = static_cast<std::size_t>(i + step);
+    const double share = (r.gain_dB[a] - bar) / (r.gain_dB[a] - r.gain_dB[b]);
+    return r.frequency_Hz[a] * std::pow(r.frequency_Hz[b] / r.frequency_Hz[a], share);
+  };
+  return (crossing(1) - crossing(-1)) / r.frequency_Hz[peak];
+}
+
+/// Q of the peaking section (biquad.h) that has this peak's height and, `depth_dB` below its top, its width. At half the height it is
+/// the inverse of the width; nearer to the top a section of 14 dB is less than half as wide as a plain resonance of its Q.
+double qualityOf(double width, double height_dB, double depth_dB) {
+  const double height = std::pow(10, height_dB / 20),
+               share = std::pow(10, -depth_dB / 10);  // amplitude; power
+  const double q = std::sqrt(height * (1 - share) / (height * height * share - 1)) / width;
+  return width > 0 ? std::clamp(q, 0.3, 100.0) : 100;
+}
+
+void findResonances(FrequencyResponse& r, const SweepSettings& settings) {
+  std::vector<double> sorted = r.gain_dB;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
+  const double median = sorted[sorted.size() / 2];
+  for (std::size_t i = 1; i + 1 < r.gain_dB.size(); ++i) {
+    if (!(r.gain_dB[i] > r.gain_dB[i - 1] && r.gain_dB[i] >= r.gain_dB[i + 1])) continue;
+    const double prominence_dB = prominenceOf(r.gain_dB, i);
+    if (prominence_dB < settings.resonanceProminence_dB) continue;
+    // Parabola through the three highest points, in log frequency.
+    const double a = r.gain_dB[i - 1], b = r.gain_dB[i], c = r.gain_dB[i + 1];
+    const double shift = std::clamp(0.5 * (a - c) / (a - 2 * b + c), -0.5, 0.5);
+    Resonance found;
+    found.frequency_Hz = r.frequency_Hz[i] * std::exp2(shift / stepsPerOctave);
+    found.gain_dB = b - median;
+    const double depth_dB = prominence_dB / 2;  // above the valleys
+    found.q = qualityOf(widthOf(r, i, depth_dB), std::max(found.gain_dB, prominence_dB), depth_dB);
+    r.resonances.push_back(found);
+  }
+  std::sort(r.resonances.begin(), r.resonances.end(),
+            [](const Resonance& x, const Resonance& y) { return x.gain_dB > y.gain_dB; });
+}
+
+double rootMeanSquare(const std::vector<double>& squaresUpTo, std::size_t from, std::size_t to) {
+  return std::sqrt(std::max(0.0, squaresUpTo[to] - squaresUpTo[from]) / static_cast<double>(to - from));
+}
+
+/// Running sums of squares: `value(i)` for i < n.
+template <class Value>
+std::vector<double> sumsOfSquares(std::size_t n, Value value) {
+  std::vector<double> sums(n + 1, 0);
+  for (std::size_t i = 0; i < n; ++i) sums[i + 1] = sums[i] + value(i) * value(i);
+  return sums;
+}
+
+/// Times at which the recording departs from `expected` by half its level and far more than it ordinarily does.
+std::vector<double> dropoutsIn(const std::vector<float>& recorded, const Spectrum& expected,
+                               double sampleRate_Hz) {
+  const std::size_t n = recorded.size();
+  const auto width = std::max<std::size_t>(1, static_cast<std::size_t>(look_s * sampleRate_Hz));
+  const auto around = static_cast<std::size_t>(around_s * sampleRate_Hz);
+  const std::vector<double> level = sumsOfSquares(n, [&](std::size_t i) { return expected[i].real(); });
+  const std::vector<double> rest =
+      sumsOfSquares(n, [&](std::size_t i) { return static_cast<double>(recorded[i]) - expected[i].real(); });
+  std::vector<double> rests;
+  for (std::size_t i = 0; i + width <= n; i += width) rests.push_back(rootMeanSquare(rest, i, i + width));
+  if (rests.empty()) return {};
+  // What noise and distortion leave: a quarter of the recording at least is whole.
+  std::vector<double> sorted = rests;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 4), sorted.end());
+  const double ordinary = sorted[sorted.size() / 4];
+  std::vector<double> times_s;
+  for (std::size_t k = 0; k < rests.size(); ++k) {
+    const std::size_t at = k * width;
+    const double here =
+        rootMeanSquare(level, at > around ? at - around : 0, std::min(n, at + width + around));
+    if (!(rests[k] > lostShare * here && rests[k] > overOrdinary * ordinary)) continue;
+    const double time_s = static_cast<double>(at) / sampleRate_Hz;
+    if (times_s.empty() || time_s - times_s.back() > around_s) times_s.push_back(time_s);
+  }
+  return times_s;
+}
+
+}  // namespace
+
+std::vector<float> sweepSignal(const SweepSettings& s) {
+  const auto length = static_cast<std::size_t>(s.duration_s * s.sampleRate_Hz);
+  std::vector<float> samples(length + static_cast<std::size_t>(s.silence_s * s.sampleRate_Hz), 0);
+  const double octaves = std::log(s.to_Hz / s.from_Hz);
+  for (std::size_t i = 0; i < length; ++i) {
+    const double t = static_cast<double>(i) / s.sampleRate_Hz;
+    const double phase = 2 * std::numbers::pi * s.from_Hz * s.duration_s / octaves *
+                         (std::exp(t / s.duration_s * octaves) - 1);
+    const double edge = std::min({1.0, t / fade_s, (s.duration_s - t) / fade_s});
+    samples[i] = static_cast<float>(s.level * std::max(edge, 0.0) * std::sin(phase));
+  }
+  return samples;
+}
+
+Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const std::vector<float>& recorded,
+                                       const SweepSettings& settings) {
+  Failure nothing{FailureCode::notCertain, "sweep", "", "nothing of the sweep is in the recording",
+                  "Check that the accelerometer or microphone is on the input channel, and raise the level"};
+  if (recorded.size() != played.size() || played.empty()) return nothing;
+  for (float v : recorded) {
+    if (!std::isfinite(v)) return nothing;
+  }
+  const std::size_t size = powerOfTwo(2 * played.size());
+  const Spectrum x = spectrumOf(played, size);
+  Spectrum h = spectrumOf(recorded, size);
+  double strongest = 0;
+  for (const auto& bin : x) strongest = std::max(strongest, std::norm(bin));
+  for (std::size_t i = 0; i < size; ++i)
+    h[i] = h[i] * std::conj(x[i]) / (std::norm(x[i]) + regularisation * strongest);
+  transform(h, Transform::inverse);
+
+  // The sound path only delays: the response starts in the first part; distortion stands before time 0, at
+  // the end.
+  const auto latest = static_cast<std::size_t>(settings.silence_s * settings.sampleRate_Hz);
+  std::size_t peak = 0;
+  double all = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    all += std::norm(h[i]);
+    if (i < latest && std::norm(h[i]) > std::norm(h[peak])) peak = i;
+  }
+  const double rest = all / static_cast<double>(size);
+  if (!(std::norm(h[peak]) > rest * std::pow(10, faintest_dB / 10))) return nothing;
+
+  const auto before = static_cast<std::size_t>(beforePeak_s * settings.sampleRate_Hz);
+  const auto length = static_cast<std::size_t>(responseLength_s * settings.sampleRate_Hz);
+  const std::size_t analysed = powerOfTwo(length);
+  Spectrum response(analysed), expected(size);
+  for (std::size_t i = 0; i < length; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(length);
+    const double window = i < before ? static_cast<double>(i) / static_cast<double>(before)
+                                     : 0.5 * (1 + std::cos(std::numbers::pi * share));
+    const std::size_t at = (peak + size - before + i) % size;
+    response[i] = expected[at] = h[at].real() * window;
+  }
+  transform(response, Transform::forward);
+  transform(expected, Transform::forward);
+  for (std::size_t i = 0; i < size; ++i) expected[i] *= x[i];
+  transform(expected, Transform::inverse);
+
+  FrequencyResponse result;
+  result.dropouts_s = dropoutsIn(recorded, expected, settings.sampleRate_Hz);
+  result.delay_s = static_cast<double>(peak) / settings.sampleRate_Hz;
+  const double binWidth = settings.sampleRate_Hz / static_cast<double>(analysed);
+  const auto steps =
+      static_cast<int>(std::floor(std::log2(settings.to_Hz / settings.from_Hz) * stepsPerOctave));
+  for (int i = 0; i <= steps; ++i) {
+    const double f = settings.from_Hz * std::exp2(i / stepsPerOctave);
+    const double low = f * std::exp2(-0.5 / stepsPerOctave), high = f * std::exp2(0.5 / stepsPerOctave);
+    auto first = static_cast<std::size_t>(std::floor(low / binWidth));
+    const auto last = std::max(static_cast<std::size_t>(std::ceil(high / binWidth)), first + 1);
+    double power = 0;
+    const std::size_t from = first;
+    for (; first < last; ++first) power += std::norm(response[first]);
+    result.frequency_Hz.push_back(f);
+    result.gain_dB.push_back(10 * std::log10(power / static_cast<double>(last - from) + 1e-20));
+  }
+  findResonances(result, settings);
+  return result;
+}
+
+bool agree(const FrequencyResponse& a, const FrequencyResponse& b) {
+  constexpr double frequencyShare = 0.03, resonance_dB = 2, median_dB = 1;
+  if (a.gain_dB.size() != b.gain_dB.size() || a.resonances.size() != b.resonances.size() || a.gain_dB.empty())
+    return false;
+  for (const Resonance& r : a.resonances) {
+    const bool found = std::any_of(b.resonances.begin(), b.resonances.end(), [&](const Resonance& other) {
+      return std::fabs(other.frequency_Hz - r.frequency_Hz) <= frequencyShare * r.frequency_Hz &&
+             std::fabs(other.gain_dB - r.gain_dB) <= resonance_dB;
+    });
+    if (!found) return false;
+  }
+  std::vector<double> differences_dB(a.gain_dB.size());
+  for (std::size_t i = 0; i < differences_dB.size(); ++i)
+    differences_dB[i] = std::fabs(a.gain_dB[i] - b.gain_dB[i]);
+  const auto middle = differences_dB.begin() + static_cast<long>(differences_dB.size() / 2);
+  std::nth_element(differences_dB.begin(), middle, differences_dB.end());
+  return *middle <= median_dB;
+}
+
+void applyResponse(const FrequencyResponse& response, const SweepSettings& settings, DeviceProfile& profile) {
+  profile.resonances = response.resonances;
+  profile.equalizer.clear();
+  for (const Resonance& r : response.resonances) {
+    if (profile.equalizer.size() == maxEqualizerBands || r.gain_dB <= 0) break;
+    profile.equalizer.push_back({r.frequency_Hz, r.q, -std::min(r.gain_dB, settings.highestCut_dB)});
+  }
+}
+
+std::string responseCsv(const FrequencyResponse& response) {
+  std::string text = "frequency_Hz,gain_dB\n";
+  for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i) {
+    text += exact(response.frequency_Hz[i]) + "," + exact(response.gain_dB[i]) + "\n";
+  }
+  return text;
+}
+
+std::string responseSvg(const FrequencyResponse& r, const std::string& title) {
+  constexpr double width = 800, height = 420, left = 70, right = 20, top = 40, bottom = 55;
+  const auto [low, high] = std::minmax_element(r.gain_dB.begin(), r.gain_dB.end());
+  const double floor_dB = std::floor(*low / 10) * 10, ceiling_dB = std::ceil((*high + 1e-9) / 10) * 10;
+  const double span = std::max(ceiling_dB - floor_dB, 10.0);
+  const double octaves = std::log(r.frequency_Hz.back() / r.frequency_Hz.front());
+  const auto x = [&](double f) {
+    return left + (width - left - right) * std::log(f / r.frequency_Hz.front()) / octaves;
+  };
+  const auto y = [&](double g) { return top + (height - top - bottom) * (1 - (g - floor_dB) / span); };
+  std::string svg;
+  const auto put = [&](const char* format, auto... values) {
+    char text[400];
+    std::snprintf(text, sizeof text, format, values...);
+    svg += text;
+  };
+  put("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" font-family=\"sans-serif\" "
+      "font-size=\"12\">\n",
+      width, height);
+  svg += "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+  std::string safe;
+  for (char c : title) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
+  svg += "<text x=\"70\" y=\"24\" font-size=\"15\">" + safe + "</text>\n";
+  for (double g = floor_dB; g <= floor_dB + span + 1e-9; g += span > 60 ? 20 : 10) {
+    put("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" "
+        "text-anchor=\"end\">%g</text>\n",
+        left, y(g), width - right, left - 6, y(g) + 4, g);
+  }
+  for (double decade = 1; decade < 1e6; decade *= 10) {
+    for (double step : {1.0, 2.0, 5.0}) {
+      const double f = decade * step;
+      if (f < r.frequency_Hz.front() - 1e-9 || f > r.frequency_Hz.back() * 1.001) continue;
+      put("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" "
+          "text-anchor=\"middle\">%g</text>\n",
+          x(f), top, height - bottom, x(f), height - bottom + 18, f);
+    }
+  }
+  svg += "<polyline fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"1.6\" points=\"";
+  for (std::size_t i = 0; i < r.frequency_Hz.size(); ++i)
+    put("%.1f,%.1f ", x(r.frequency_Hz[i]), y(r.gain_dB[i]));
+  svg += "\"/>\n";
+  for (const Resonance& peak : r.resonances) {
+    put("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" fill=\"#a02020\">%.0f Hz</text>\n",
+        x(peak.frequency_Hz), top + 12, peak.frequency_Hz);
+    put("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#a02020\" stroke-dasharray=\"3 3\"/>\n", x(peak.frequency_Hz),
+        top + 16, height - bottom);
+  }
+  put("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">frequency [Hz]</text>\n",
+      (left + width - right) / 2, height - 14);
+  put("<text transform=\"translate(18 %.1f) rotate(-90)\" text-anchor=\"middle\">gain [dB]</text>\n</svg>\n",
+      (top + height - bottom) / 2);
+  return svg;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/journal/line_journal.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace detent::playback {
+
+namespace {
+
+constexpr mode_t rights = 0644;
+constexpr std::size_t chunk_bytes = 65536;
+
+/// write() in full; 0 or the error.
+int writeWhole(int descriptor, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t wrote = ::write(descriptor, text.data() + done, text.size() - done);
+    if (wrote < 0 && errno == EINTR) continue;
+    if (wrote <= 0) return wrote < 0 ? errno : ENOSPC;
+    done += static_cast<std::size_t>(wrote);
+  }
+  return 0;
+}
+
+/// A new file's name is on the disk only once its folder is.
+void syncFolderOf(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+}  // namespace
+
+JournalText splitJournal(const std::string& text) {
+  JournalText journal;
+  std::size_t from = 0;
+  for (std::size_t end; (end = text.find('\n', from)) != std::string::npos; from = end + 1)
+    journal.lines.push_back(text.substr(from, end - from));
+  journal.unfinished = text.substr(from);
+  return journal;
+}
+
+Failure LineJournal::refused(const char* what, int error) const {
+  return {FailureCode::unreadableInput, file_.string(), "",
+          std::string(what) + " (" + std::strerror(error) + ")",
+          "Check the folder, its rights and the free space, then try again"};
+}
+
+Result<LineJournal> LineJournal::open(const std::filesystem::path& file) {
+  LineJournal journal(file, ::open(file.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, rights));
+  if (journal.descriptor_ < 0) return journal.refused("cannot be opened", errno);
+  if (::flock(journal.descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK) return journal.refused("cannot be locked", errno);
+    return Failure{FailureCode::unreadableInput, file.string(), "", "is being written by another process",
+                   "End that session first, or give another participant's id"};
+  }
+  syncFolderOf(file);
+  if (Result<Done> ok = journal.readAndCut(); !ok) return ok.failure();
+  return journal;
+}
+
+Result<Done> LineJournal::readAndCut() {
+  std::string text;
+  for (std::string chunk(chunk_bytes, '\0');;) {
+    const ssize_t got = ::read(descriptor_, chunk.data(), chunk.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) return refused("cannot be read", errno);
+    if (got == 0) break;
+    text.append(chunk, 0, static_cast<std::size_t>(got));
+  }
+  opened_ = splitJournal(text);
+  length_bytes_ = static_cast<std::int64_t>(text.size() - opened_.unfinished.size());
+  if (!opened_.unfinished.empty() && ::ftruncate(descriptor_, length_bytes_) != 0)
+    return refused("cannot be cut back to its last whole line", errno);
+  return Done{};
+}
+
+Result<Done> LineJournal::append(const std::string& line) {
+  int error = writeWhole(descriptor_, line + "\n");
+  if (error == 0 && ::fdatasync(descriptor_) != 0) error = errno;
+  if (error == 0) {
+    length_bytes_ += static_cast<std::int64_t>(line.size()) + 1;
+    return Done{};
+  }
+  // Where even this is refused, the half line is cut off when the journal is opened again.
+  if (::ftruncate(descriptor_, length_bytes_) == 0) ::fdatasync(descriptor_);
+  return refused("could not take one more line", error);
+}
+
+LineJournal::~LineJournal() {
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+LineJournal::LineJournal(LineJournal&& other) noexcept
+    : file_(std::move(other.file_)),
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      length_bytes_(other.length_bytes_),
+      opened_(std::move(other.opened_)) {}
+
+LineJournal& LineJournal::operator=(LineJournal&& other) noexcept {
+  if (this == &other) return *this;
+  if (descriptor_ >= 0) ::close(descriptor_);
+  file_ = std::move(other.file_);
+  descriptor_ = std::exchange(other.descriptor_, -1);
+  length_bytes_ = other.length_bytes_;
+  opened_ = std::move(other.opened_);
+  return *this;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/perception/confusion.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "playback/study/statistics/abx_sensitivity.h"
+
+namespace detent::playback {
+
+namespace {
+
+using Levels = std::vector<std::array<double, channelCount>>;
+
+constexpr double onset_dB = 6;  // above threshold: clearly felt
+
+/// From the first clearly felt frame on.
+Levels fromOnset(const Levels& levels) {
+  double loudest = 0;
+  for (const auto& frame : levels) loudest = std::max({loudest, frame[0], frame[1]});
+  const double bar = std::min(onset_dB, loudest);
+  const auto first = std::find_if(levels.begin(), levels.end(),
+                                  [&](const auto& frame) { return std::max(frame[0], frame[1]) >= bar; });
+  return {first, levels.end()};
+}
+
+/// Squared difference of two moments in just noticeable steps.
+double stepsBetween(const Levels& a, std::size_t i, const Levels& b, std::size_t k,
+                    const ConfusionSettings& settings) {
+  static constexpr std::array<double, channelCount> silence{};
+  const auto& x = i < a.size() ? a[i] : silence;
+  const auto& y = k < b.size() ? b[k] : silence;
+  double sum = 0;
+  for (std::size_t c = 0; c < channelCount; ++c) {
+    const double steps = (x[c] - y[c]) / settings.noticeable_dB[c];
+    sum += steps * steps;
+  }
+  return sum;
+}
+
+/// Dynamic time warping with a band: the least sum of squared steps over all ways to lay one over the other.
+double warpedDistance(const Levels& a, const Levels& b, const ConfusionSettings& settings) {
+  constexpr double far = std::numeric_limits<double>::infinity();
+  const std::size_t n = std::max(a.size(), b.size());
+  const auto band = static_cast<std::size_t>(settings.alignment_s / frame_s);
+  if (n == 0) return 0;
+  std::vector<double> before(n, far), row(n, far);
+  for (std::size_t i = 0; i < n; ++i) {
+    std::fill(row.begin(), row.end(), far);
+    for (std::size_t k = i > band ? i - band : 0; k <= std::min(i + band, n - 1); ++k) {
+      double best = i == 0 && k == 0 ? 0 : far;
+      if (i > 0) best = std::min(best, before[k]);
+      if (k > 0) best = std::min(best, row[k - 1]);
+      if (i > 0 && k > 0) best = std::min(best, before[k - 1]);
+      row[k] = best + stepsBetween(a, i, b, k, settings);
+    }
+    std::swap(before, row);
+  }
+  return before[n - 1];
+}
+
+/// When the P channel's power comes, from the stroke's begin, s; 0 for silence.
+double centreOf(const FeltStroke& stroke) {
+  double weight = 0, moment = 0;
+  for (std::size_t i = 0; i < stroke.excitation.level_dB.size(); ++i) {
+    const double power = std::pow(10, stroke.excitation.level_dB[i][1] / 10) - 1;
+    weight += power;
+    moment += power * frame_s * (static_cast<double>(i) + 0.5);
+  }
+  return weight > 0 ? moment / weight : 0;
+}
+
+/// Difference of two positive quantities as their ratio's logarithm.
+double ratio(double a, double b, double least) {
+  return std::fabs(std::log(std::max(a, least) / std::max(b, least)));
+}
+
+StrokeDifference differenceOf(const FeltStroke& a, const FeltStroke& b, const ConfusionSettings& settings) {
+  StrokeDifference d;
+  d.strength =
+      std::sqrt(warpedDistance(fromOnset(a.excitation.level_dB), fromOnset(b.excitation.level_dB), settings) *
+                frame_s / settings.integration_s);
+  const double whenA_s = centreOf(a), whenB_s = centreOf(b);
+  if (whenA_s > 0 && whenB_s > 0) d.timing = ratio(whenA_s, whenB_s, frame_s) / settings.timingWeber;
+  d.travel =
+      ratio(1 + static_cast<double>(a.grains), 1 + static_cast<double>(b.grains), 1) / settings.travelWeber;
+  return d;
+}
+
+void addTo(StrokeDifference& sum, const StrokeDifference& d, double share) {
+  sum.strength += share * d.strength;
+  sum.timing += share * d.timing;
+  sum.travel += share * d.travel;
+}
+
+PredictedPair predictState(const FeltButton& a, const FeltButton& b, std::size_t state,
+                           const ConfusionSettings& settings) {
+  const auto& pressesA = a.states[state % a.states.size()];
+  const auto& pressesB = b.states[state % b.states.size()];
+  constexpr double share = 1.0 / static_cast<double>(pressLengths_s.size());
+  PredictedPair pair;
+  for (std::size_t i = 0; i < pressLengths_s.size(); ++i) {
+    const StrokeDifference press = differenceOf(pressesA[i].press, pressesB[i].press, settings);
+    const StrokeDifference release = differenceOf(pressesA[i].release, pressesB[i].release, settings);
+    const double d = settings.sensitivity * std::hypot(press.largest(), release.largest());
+    addTo(pair.press, press, share);
+    addTo(pair.release, release, share);
+    pair.dPrime += share * d;
+    pair.shareOfErrors += share * (1 - shareCorrect(d, AbxStrategy::differencing));
+  }
+  pair.onPress = pair.press.largest() >= pair.release.largest();
+  pair.cue = (pair.onPress ? pair.press : pair.release).cue();
+  return pair;
+}
+
+}  // namespace
+
+double StrokeDifference::largest() const { return std::max({strength, timing, travel}); }
+
+Cue StrokeDifference::cue() const {
+  if (strength >= timing && strength >= travel) return Cue::strength;
+  return timing >= travel ? Cue::timing : Cue::travel;
+}
+
+PredictedPair predictConfusion(const FeltButton& a, const FeltButton& b, const ConfusionSettings& settings) {
+  PredictedPair clearest;
+  const std::size_t states = std::max(a.states.size(), b.states.size());
+  for (std::size_t s = 0; s < states; ++s) {
+    PredictedPair pair = predictState(a, b, s, settings);
+    if (s == 0 || pair.dPrime > clearest.dPrime) clearest = pair;
+  }
+  return clearest;
+}
+
+std::vector<PredictedPair> predictAll(const std::vector<FeltButton>& buttons,
+                                      const std::function<bool(std::size_t, std::size_t)>& progress,
+                                      const ConfusionSettings& settings) {
+  std::vector<PredictedPair> pairs;
+  const std::size_t all = buttons.size() * (buttons.size() - (buttons.empty() ? 0 : 1)) / 2;
+  for (std::size_t second = 1; second < buttons.size(); ++second) {
+    for (std::size_t first = 0; first < second; ++first) {
+      pairs.push_back(predictConfusion(buttons[first], buttons[second], settings));
+      if (progress && !progress(pairs.size(), all)) return {};
+    }
+  }
+  return pairs;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Will people tell two buttons apart? From what is felt to d' to errors in an ABX test, before anyone is
+// asked. docs/predicted-confusion.md: sources, what it reaches on K&L's Table 2, and where it fails.
+
+#include <functional>
+#include <vector>
+
+#include "playback/study/perception/felt_button.h"
+
+namespace detent::playback {
+
+/// What differs most between two buttons.
+enum class Cue : std::uint8_t {
+  strength,  ///< how strong it is, at the same place of the stroke
+  timing,    ///< when in the stroke its weight comes
+  travel     ///< how far it seems to yield: how many grains are passed
+};
+
+/// One stroke's differences, each in units of what is just noticed (d' = 1).
+struct StrokeDifference {
+  double strength = 0, timing = 0, travel = 0;
+  double largest() const;
+  Cue cue() const;
+};
+
+struct ConfusionSettings {
+  /// Just noticeable differences of level: Weber fraction 0.58 at 10 Hz (RA), 0.20 at 125 Hz (P).
+  std::array<double, channelCount> noticeable_dB{3.97, 1.58};
+  double integration_s = 0.2;  ///< temporal summation of P: frames within are one look
+  double timingWeber = 0.1;    ///< of the time since the stroke began
+  double travelWeber = 0.25;   ///< of the number of grains
+  double alignment_s = 0.02;   ///< time is warped by at most so much
+  double sensitivity = 1;      ///< factor on every d'; 1: not tuned
+};
+
+/// One forecast. "Errors" are those of an ABX test with mixed pairs.
+struct PredictedPair {
+  double dPrime = 0;                ///< mean over quick and slow presses
+  double shareOfErrors = 0;         ///< [0, 0.5]
+  StrokeDifference press, release;  ///< mean over the presses
+  bool onPress = true;              ///< which stroke says more
+  Cue cue = Cue::strength;          ///< and by what
+
+  double errorsPer90() const { return 90 * shareOfErrors; }
+  /// People probably tell them apart: d' at which one error in ten is expected, the bar of K&L's test.
+  bool distinguishable() const { return shareOfErrors <= 0.1; }
+};
+
+/// Symmetric; 0 for a button and itself. A few milliseconds. Any thread.
+PredictedPair predictConfusion(const FeltButton& a, const FeltButton& b,
+                               const ConfusionSettings& settings = {});
+
+/// All pairs by pairs (0,1), (0,2), (1,2), ... `progress(done, all)` returns false to cancel; the result is
+/// then empty.
+std::vector<PredictedPair> predictAll(const std::vector<FeltButton>& buttons,
+                                      const std::function<bool(std::size_t, std::size_t)>& progress = {},
+                                      const ConfusionSettings& settings = {});
+
+}  // namespace detent::playback

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Help for the designer: which smallest change of one button makes people tell it from another?
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "playback/study/perception/confusion.h"
+
+namespace detent::playback {
+
+/// What may be changed, one at a time.
+enum class Lever : std::uint8_t {
+  snap,    ///< every jump of the press deeper or shallower (snap ratio)
+  travel,  ///< the whole travel
+  force    ///< all forces
+};
+
+struct Suggestion {
+  Lever lever = Lever::snap;
+  double factor = 1;  ///< on the snap ratio, the travel or the forces
+  Button button;      ///< the changed one
+  PredictedPair forecast;
+};
+
+struct DesignHelpSettings {
+  double bar_dPrime = 3.26;  ///< one error in ten in ABX with mixed pairs
+  double largestFactor = 2;  ///< and its inverse: what goes further is another button
+  double resolution = 0.01;  ///< of the factor found
+  PerceptionSettings perception;
+  ConfusionSettings confusion;
+};
+
+/// The least change by each lever that lifts the forecast over the bar, smallest change first; empty where
+/// none does, or where the two are far enough apart already. `cancelled` empties it, too. About a second.
+/// Failure: as feel().
+Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const Button& other,
+                                                    const DesignHelpSettings& settings = {},
+                                                    const std::function<bool()>& cancelled = {});
+
+}  // namespace detent::playback

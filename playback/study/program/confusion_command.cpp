@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/program/confusion_command.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "model/edits.h"
+#include "model/file/button_file.h"
+#include "playback/program/json_output.h"
+#include "playback/program/shared_options.h"
+#include "playback/study/perception/design_help.h"
+
+namespace detent::playback {
+
+namespace {
+
+struct ConfusionArguments {
+  std::vector<std::string> buttons;
+  FeelOptions feel;
+  bool suggest = false, json = false;
+};
+
+Result<std::vector<Button>> readAll(const std::vector<std::string>& files) {
+  std::vector<Button> buttons;
+  for (const std::string& file : files) {
+    Result<Button> button = readButtonFile(file);
+    if (!button) return button.failure();
+    if (button->name().empty()) button = rename(*button, std::filesystem::path(file).filename().string());
+    if (!button) return button.failure();
+    buttons.push_back(*std::move(button));
+  }
+  return buttons;
+}
+
+Result<PerceptionSettings> perceptionOf(const ConfusionArguments& a) {
+  PerceptionSettings settings;
+  settings.playback = a.feel.settings;
+  if (a.feel.profileFile.empty()) return settings;
+  Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
+  if (!profile) return profile.failure();
+  settings.device = *std::move(profile);
+  return settings;
+}
+
+Json jsonOf(const std::string& a, const std::string& b, const PredictedPair& pair) {
+  return {{"a", a},
+          {"b", b},
+          {"d_prime", pair.dPrime},
+          {"errors_per_90", pair.errorsPer90()},
+          {"reason", reasonOf(pair)}};
+}
+
+void say(const std::string& a, const std::string& b, const PredictedPair& pair) {
+  std::fprintf(stderr,
+               "%s | %s: people will probably %stell these apart: about %.0f errors in 90 (d' %.1f); %s\n",
+               a.c_str(), b.c_str(), pair.distinguishable() ? "" : "not ", pair.errorsPer90(), pair.dPrime,
+               reasonOf(pair).c_str());
+}
+
+const char* nameOf(Lever lever) {
+  if (lever == Lever::snap) return "snap ratio";
+  return lever == Lever::travel ? "travel" : "force";
+}
+
+int suggest(const Button& button, const Button& other, const PerceptionSettings& perception,
+            const Cancelled& cancelled) {
+  DesignHelpSettings settings;
+  settings.perception = perception;
+  Result<std::vector<Suggestion>> found = makeDistinguishable(button, other, settings, cancelled);
+  if (!found) return fail(found.failure());
+  if (found->empty()) std::fprintf(stderr, "  no single change of up to a factor 2 tells them apart\n");
+  for (const Suggestion& s : *found)
+    std::fprintf(stderr, "  %s of \"%s\" x %.2f: d' %.1f\n", nameOf(s.lever), button.name().c_str(), s.factor,
+                 s.forecast.dPrime);
+  return 0;
+}
+
+int run(const ConfusionArguments& a, const Cancelled& cancelled) {
+  Result<std::vector<Button>> buttons = readAll(a.buttons);
+  if (!buttons) return fail(buttons.failure());
+  Result<PerceptionSettings> settings = perceptionOf(a);
+  if (!settings) return fail(settings.failure());
+  std::vector<FeltButton> felt;
+  for (const Button& button : *buttons) {
+    Result<FeltButton> one = feel(button, *settings, cancelled);
+    if (!one) return fail(one.failure());
+    felt.push_back(*std::move(one));
+  }
+  const std::vector<PredictedPair> pairs =
+      predictAll(felt, [&](std::size_t, std::size_t) { return !cancelled(); });
+  if (pairs.empty())
+    return fail({FailureCode::wrongUsage, "confusion", "", "was cancelled", "Start it again"});
+  Json list = Json::array();
+  std::size_t at = 0;
+  for (std::size_t second = 1; second < felt.size(); ++second) {
+    for (std::size_t first = 0; first < second; ++first, ++at) {
+      list.push_back(jsonOf(felt[first].name, felt[second].name, pairs[at]));
+      say(felt[first].name, felt[second].name, pairs[at]);
+      if (!a.suggest || pairs[at].distinguishable()) continue;
+      if (const int code = suggest((*buttons)[second], (*buttons)[first], *settings, cancelled); code != 0)
+        return code;
+    }
+  }
+  if (a.json) print({{"pairs", list}});
+  return 0;
+}
+
+const char* strokeName(bool press) { return press ? "press" : "release"; }
+
+}  // namespace
+
+std::string reasonOf(const PredictedPair& pair) {
+  const StrokeDifference& stroke = pair.onPress ? pair.press : pair.release;
+  const char* cue = pair.cue == Cue::strength ? "how strong it is"
+                    : pair.cue == Cue::timing ? "when the click comes"
+                                              : "how far it seems to yield";
+  char text[160];
+  std::snprintf(text, sizeof text, "most on the %s: %s (%.1f noticeable steps)", strokeName(pair.onPress),
+                cue, stroke.largest());
+  return text;
+}
+
+void addConfusionCommand(CLI::App& program, Action& chosen) {
+  CLI::App* app = program.add_subcommand(
+      "confusion", "Will people tell these buttons apart? A forecast (docs/predicted-confusion.md)");
+  const auto a = std::make_shared<ConfusionArguments>();
+  app->add_option("BUTTON", a->buttons, "*.button.json, at least two")->required()->expected(2, 1000);
+  app->add_flag("--suggest", a->suggest, "For pairs that are confused: the smallest change that helps");
+  addFeelOptions(*app, a->feel);
+  app->add_flag("--json", a->json, "One JSON object on stdout");
+  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
+}
+
+}  // namespace detent::playback

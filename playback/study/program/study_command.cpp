@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/program/study_command.h"
+
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "model/file/text_file.h"
+#include "playback/program/choice_option.h"
+#include "playback/program/json_output.h"
+#include "playback/program/number_option.h"
+#include "playback/program/shared_options.h"
+#include "playback/study/program/confusion_command.h"
+#include "playback/study/program/study_terminal.h"
+#include "playback/study/trials/participant_session.h"
+#include "playback/study/trials/printed_counts.h"
+#include "playback/study/trials/study_output.h"
+#include "playback/study/trials/study_page.h"
+
+namespace detent::playback {
+
+namespace {
+
+const std::map<std::string, StudyKind> kinds{{"abx", StudyKind::abx}, {"matching", StudyKind::matching}};
+const std::map<std::string, FeedbackMode> modes{{"full", FeedbackMode::full},
+                                                {"click-only", FeedbackMode::clickOnly},
+                                                {"slope-only", FeedbackMode::slopeOnly}};
+const std::map<std::string, Listening> listenings{{"quiet", Listening::quiet}, {"masked", Listening::masked}};
+
+constexpr double usualNoiseLevel = 0.1;
+
+// ---- new
+
+struct NewArguments {
+  std::string folder;
+  std::vector<std::string> buttons;
+  StudyDesign design;
+  std::optional<std::uint64_t> seed;
+  std::vector<std::string> modes;
+  bool physical = false;
+  std::string profileFile, consentFile;
+  bool json = false;
+};
+
+Result<std::vector<FeedbackMode>> modesNamed(const std::vector<std::string>& names) {
+  std::vector<FeedbackMode> found;
+  for (const std::string& name : names) {
+    const auto at = modes.find(name);
+    if (at == modes.end())
+      return Failure{FailureCode::wrongUsage, Subject::option("--modes"), "",
+                     "\"" + name + "\" is not one of them",
+                     "Give full, click-only, slope-only, separated by commas"};
+    found.push_back(at->second);
+  }
+  return found;
+}
+
+int runNew(NewArguments a) {
+  a.design.seed = a.seed ? *a.seed : std::random_device{}();
+  a.design.targets = a.physical ? TargetKind::physicalButton : TargetKind::virtualButton;
+  if (!a.modes.empty()) {
+    Result<std::vector<FeedbackMode>> named = modesNamed(a.modes);
+    if (!named) return fail(named.failure());
+    a.design.modes = *std::move(named);
+  }
+  if (!a.consentFile.empty()) {
+    Result<std::string> consent = readTextFile(a.consentFile);
+    if (!consent) return fail(consent.failure());
+    a.design.consent = *std::move(consent);
+  }
+  Result<Study> study = createStudy(a.folder, a.buttons, a.profileFile, a.design);
+  if (!study) return fail(study.failure());
+  std::fprintf(stderr, "%s: %s, %zu buttons, %zu trials for each participant, seed %llu\n", a.folder.c_str(),
+               nameOf(study->design.kind), study->buttons.size(), countedTrials(*study),
+               static_cast<unsigned long long>(study->design.seed));
+  if (a.json) {
+    Json labels = Json::array();
+    for (const StudyButton& b : study->buttons) labels.push_back(b.label);
+    print({{"status", "ok"},
+           {"study", study->name},
+           {"kind", nameOf(study->design.kind)},
+           {"buttons", labels},
+           {"trials_per_participant", countedTrials(*study)},
+           {"practice", study->design.practice},
+           {"seed", study->design.seed},
+           {"sha256", study->sha256}});
+  }
+  return 0;
+}
+
+void addNew(CLI::App& parent, Action& chosen) {
+  CLI::App* app = parent.add_subcommand("new", "Make the folder of a study");
+  const auto a = std::make_shared<NewArguments>();
+  app->add_option("DIR", a->folder, "Folder to make; it holds the whole study and can be copied")->required();
+  app->add_option("BUTTON", a->buttons, "*.button.json, at least two")->required();
+  addChoice(*app, "--kind", a->design.kind, kinds, "Which of two is X, or which of all", "abx");
+  app->add_option("--trials", a->design.trials, "Per pair (abx) or button (matching), and mode, 1..1000")
+      ->capture_default_str();
+  app->add_option("--modes", a->modes, "Base case: full, click-only, slope-only, separated by commas")
+      ->delimiter(',')
+      ->default_str("full");
+  app->add_option("--seed", a->seed, "Of the shuffles; default: by chance, recorded");
+  app->add_option("--practice", a->design.practice, "Trials before the first that counts, 0..100")
+      ->capture_default_str();
+  app->add_option("--pairs-each", a->design.pairsEach, "A random choice of so many pairs each; 0: all")
+      ->capture_default_str();
+  app->add_flag("--physical", a->physical, "matching: X is a real switch, handed over by number");
+  app->add_option("--profile", a->profileFile, "Device profile (docs/device-profile.md)");
+  app->add_option("--consent", a->consentFile, "Text shown before the first trial");
+  app->add_flag("--json", a->json, "One JSON object on stdout");
+  app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runNew(*a); }; });
+}
+
+// ---- run
+
+struct RunArguments {
+  std::string folder, participant, simulation;
+  Listening listening = Listening::quiet;
+  StudyDevices devices;
+  bool json = false;
+};
+
+double wallClock_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+int reportProgress(const RunArguments& a, const ParticipantRecord& record) {
+  std::fprintf(stderr, "%s: %zu of %zu trials answered%s\n", a.participant.c_str(), record.answers.size(),
+               record.plan.size(), record.complete() ? ", complete" : "");
+  if (a.json)
+    print({{"status", "ok"},
+           {"participant", a.participant},
+           {"answered", record.answers.size()},
+           {"trials", record.plan.size()},
+           {"complete", record.complete()}});
+  return 0;
+}
+
+/// Says each answer on stderr only once it is on the disk.
+int simulate(const RunArguments& a, const Study& study, const Cancelled& cancelled) {
+  Result<Simulation> simulation = simulationNamed(a.simulation);
+  if (!simulation) return fail(simulation.failure());
+  SessionStart start{SessionKind::simulated, a.listening, "", a.simulation, wallClock_s()};
+  Result<ParticipantSession> session = ParticipantSession::open(study, a.participant, start);
+  if (!session) return fail(session.failure());
+  for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
+  while (const Trial* trial = session->trial()) {
+    if (cancelled()) break;
+    const std::size_t number = trial->number;
+    if (Result<Done> ok = session->record(simulatedAnswer(study, a.participant, *trial, *simulation)); !ok)
+      return fail(ok.failure());
+    std::fprintf(stderr, "recorded %zu\n", number);
+    if (session->trial() == nullptr) {
+      if (Result<Done> ok = session->end("complete"); !ok) return fail(ok.failure());
+    }
+  }
+  return reportProgress(a, session->record());
+}
+
+int runRun(const RunArguments& a, const Cancelled& cancelled) {
+  Result<Study> study = openStudy(a.folder);
+  if (!study) return fail(study.failure());
+  if (Result<Done> ok = checkParticipantId(a.participant); !ok) return fail(ok.failure());
+  if (Result<Done> ok = checkStimuli(*study); !ok) return fail(ok.failure());
+  if (!a.simulation.empty()) return simulate(a, *study, cancelled);
+  Result<ParticipantRecord> record =
+      askParticipant(*study, a.participant, a.listening, a.devices, wallClock_s, cancelled);
+  if (!record) return fail(record.failure());
+  return reportProgress(a, *record);
+}
+
+void addRun(CLI::App& parent, Action& chosen) {
+  CLI::App* app = parent.add_subcommand("run", "Begin or resume one participant");
+  const auto a = std::make_shared<RunArguments>();
+  app->add_option("DIR", a->folder, "Folder of the study")->required();
+  app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
+  app->add_option("--simulate", a->simulation, "The program answers: guess, perfect or errors=P (0..1)");
+  addChoice(*app, "--condition", a->listening, listenings,
+            "What reaches the ears, kept in every row: silence, or rain from headphones", "quiet");
+  app->add_option("--noise-level", a->devices.player.masking.level,
+                  "masked: rms of the rain, share of full scale, 0..0.3; 0: you play a noise yourself")
+      ->default_str(CLI::detail::to_string(usualNoiseLevel))
+      ->check(numberWithin(0, 0.3));
+  app->add_option("--noise-device", a->devices.player.masking.device,
+                  "masked: the headphones' sound device; default: the outputs behind the vibration's");
+  app->add_flag("--rehearse", a->devices.rehearse, "Without a sound device; every row says so");
+  app->add_option("--profile", a->devices.sensorProfileFile, "Calibration of the sensor");
+  addDeviceOptions(*app, a->devices.player);
+  addSensorOptions(*app, a->devices.sensor);
+  app->add_flag("--json", a->json, "One JSON object on stdout");
+  a->devices.player.masking.level = usualNoiseLevel;
+  app->callback([&chosen, a] {
+    if (a->listening == Listening::quiet) a->devices.player.masking = {};
+    chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); };
+  });
+}
+
+// ---- status, report
+
+struct ReadArguments {
+  std::string folder, htmlFile, csvFile, bidsFolder;
+  bool json = false;
+};
+
+Json jsonOf(const ParticipantRecord& record) {
+  const Trial* next = record.next();
+  return {{"participant", record.participant},
+          {"answered", record.answers.size()},
+          {"trials", record.plan.size()},
+          {"complete", record.complete()},
+          {"next_trial", next != nullptr ? Json(next->number) : Json(nullptr)},
+          {"kind", record.sessions.empty() ? "none" : nameOf(record.sessions.back().kind)},
+          {"ended_early", record.endedEarly},
+          {"notes", record.notes}};
+}
+
+int runStatus(const ReadArguments& a) {
+  Result<Study> study = openStudy(a.folder);
+  if (!study) return fail(study.failure());
+  Result<std::vector<ParticipantRecord>> records = readParticipants(*study);
+  if (!records) return fail(records.failure());
+  if (a.json) {
+    Json list = Json::array();
+    for (const ParticipantRecord& record : *records) list.push_back(jsonOf(record));
+    print({{"status", "ok"},
+           {"study", study->name},
+           {"kind", nameOf(study->design.kind)},
+           {"trials_per_participant", countedTrials(*study)},
+           {"participants", list}});
+    return 0;
+  }
+  std::printf("%s: %s, %zu buttons, %zu trials for each participant\n", study->name.c_str(),
+              nameOf(study->design.kind), study->buttons.size(), countedTrials(*study));
+  for (const ParticipantRecord& record : *records) {
+    std::printf("  %-16s %zu of %zu%s%s\n", record.participant.c_str(), record.answers.size(),
+                record.plan.size(),
+                record.complete()   ? ", complete"
+                : record.endedEarly ? ", ended early"
+                                    : "",
+                record.sessions.empty() || record.sessions.back().kind == SessionKind::real
+                    ? ""
+                    : (std::string(", ") + nameOf(record.sessions.back().kind)).c_str());
+    for (const std::string& note : record.notes) std::printf("    %s\n", note.c_str());
+  }
+  if (records->empty()) std::printf("  no participant yet\n");
+  return 0;
+}
+
+Result<StudyResults> resultsIn(const std::string& folder) {
+  if (holdsPrintedCounts(folder)) return readPrintedCounts(folder);
+  Result<Study> study = openStudy(folder);
+  if (!study) return study.failure();
+  Result<std::vector<ParticipantRecord>> records = readParticipants(*study);
+  if (!records) return records.failure();
+  return resultsOf(*study, *records);
+}
+
+/// What was to be expected of the study's buttons on its device, mode by mode; nothing for printed counts.
+Result<std::vector<ForetoldPair>> foretoldIn(const std::string& folder) {
+  if (holdsPrintedCounts(folder)) return std::vector<ForetoldPair>{};
+  Result<Study> study = openStudy(folder);
+  if (!study) return study.failure();
+  return foretold(*study, reasonOf);
+}
+
+int runReport(const ReadArguments& a) {
+  Result<StudyResults> results = resultsIn(a.folder);
+  if (!results) return fail(results.failure());
+  if (!a.csvFile.empty()) {
+    if (Result<Done> ok = writeTextFileAtomically(a.csvFile, resultsCsv(*results)); !ok)
+      return fail(ok.failure());
+  }
+  if (!a.bidsFolder.empty()) {
+    if (Result<Done> ok = writeBids(*results, a.bidsFolder); !ok) return fail(ok.failure());
+  }
+  if (!a.htmlFile.empty()) {
+    Result<std::vector<ForetoldPair>> expected = foretoldIn(a.folder);
+    if (!expected) return fail(expected.failure());
+    if (Result<Done> ok = writeTextFileAtomically(a.htmlFile, resultsPage(*results, *expected)); !ok)
+      return fail(ok.failure());
+  }
+  const std::string text = resultsText(*results);
+  std::fputs(text.c_str(), a.json ? stderr : stdout);
+  if (a.json) std::printf("%s\n", resultsJson(*results).c_str());
+  return 0;
+}
+
+void addReading(CLI::App& parent, Action& chosen) {
+  const auto a = std::make_shared<ReadArguments>();
+  CLI::App* status = parent.add_subcommand("status", "How far each participant is");
+  CLI::App* report = parent.add_subcommand("report", "Tables, intervals and d' of what was answered so far");
+  for (CLI::App* app : {status, report}) {
+    app->add_option("DIR", a->folder, "Folder of the study")->required();
+    app->add_flag("--json", a->json, "One JSON object on stdout");
+  }
+  report->add_option("-o,--output", a->htmlFile, "One HTML page with the tables and pictures");
+  report->add_option("--csv", a->csvFile, "One row for each trial");
+  report->add_option("--bids", a->bidsFolder, "Folder for BIDS events");
+  status->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runStatus(*a); }; });
+  report->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runReport(*a); }; });
+}
+
+}  // namespace
+
+void addStudyCommand(CLI::App& program, Action& chosen) {
+  CLI::App* app = program.add_subcommand("study", "Can people tell these buttons apart?");
+  app->require_subcommand(1);
+  addNew(*app, chosen);
+  addRun(*app, chosen);
+  addReading(*app, chosen);
+}
+
+}  // namespace detent::playback

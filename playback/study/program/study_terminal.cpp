@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/program/study_terminal.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+
+#include "model/file/text_file.h"
+#include "playback/device/steady_clock.h"
+#include "playback/device/terminal.h"
+#include "playback/playback.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double look_s = 0.05;
+constexpr std::size_t mostKeys = 9;  // 1..9 press, a..i answer
+
+enum class Outcome : std::uint8_t { answered, paused, stopped };
+
+/// What the device settings come to: a player, or a rehearsal where there is no device and never was one.
+Result<std::unique_ptr<StudyPlayer>> playerFor(const Study& study, const StudyDevices& devices,
+                                               bool wasReal) {
+  StudyPlayerSettings settings;
+  settings.player = devices.player;
+  settings.rehearse = devices.rehearse;
+  settings.sensorPort = devices.sensor.port;
+  settings.baud = devices.sensor.baud;
+  if (study.profile) settings.calibration = study.profile->sensor;
+  if (!devices.sensorProfileFile.empty()) {
+    Result<DeviceProfile> profile = loadDeviceProfile(devices.sensorProfileFile);
+    if (!profile) return profile.failure();
+    settings.calibration = profile->sensor;
+  }
+  Result<std::unique_ptr<StudyPlayer>> player = StudyPlayer::start(study, settings);
+  const bool noDevice = !player && player.failure().code == FailureCode::deviceTrouble;
+  // Only where nothing was named and nothing was felt so far; a named device that is missing is an error.
+  if (!noDevice || wasReal || !devices.player.device.empty() || !devices.sensor.port.empty()) return player;
+  std::fprintf(stderr, "warning: %s\nThis is a REHEARSAL: nothing is felt, and every row will say so.\n",
+               player.failure().sentence().c_str());
+  settings.rehearse = true;
+  return StudyPlayer::start(study, settings);
+}
+
+/// The keys and words of one participant's work.
+class Desk {
+ public:
+  Desk(const Study& study, ParticipantSession& session, StudyPlayer& player, const Cancelled& cancelled)
+      : study_(study), session_(session), player_(player), cancelled_(cancelled), began_s_(now_s()) {}
+
+  Result<Done> work() {
+    RawTerminal terminal;
+    while (session_.trial() != nullptr) {
+      Result<Outcome> outcome = ask(terminal);
+      if (!outcome) return outcome.failure();
+      if (*outcome == Outcome::paused) {
+        std::fprintf(stderr, "\nPaused. The same command goes on at this trial.\n");
+        return Done{};
+      }
+      if (*outcome == Outcome::stopped) return session_.end("stopped by the participant");
+    }
+    std::fprintf(stderr, "\nThat was the last one. Thank you.\n");
+    return session_.end("complete");
+  }
+
+ private:
+  Result<Outcome> ask(RawTerminal& terminal) {
+    const Trial& trial = *session_.trial();
+    TrialDesk desk(study_, trial, began_s_, now_s());
+    show(desk);
+    player_.lostSinceAsked();
+    for (;;) {
+      if (cancelled_()) return Outcome::paused;
+      if (player_.lostSinceAsked()) {
+        if (Result<Done> ok = session_.interrupted("sound device lost"); !ok) return ok.failure();
+        std::fprintf(stderr, "\nThe sound device went away. This trial begins anew.\n");
+        while (player_.lostSinceAsked() && !cancelled_()) sleepUntil(now_s() + look_s);
+        return ask(terminal);
+      }
+      const std::optional<char> key = terminal.key(look_s);
+      if (!key) continue;
+      if (*key == 'p' || *key == 4) return Outcome::paused;  // Ctrl-D
+      if (*key == 'q' && confirmed(terminal)) return Outcome::stopped;
+      press(desk, *key);
+      const std::optional<std::size_t> choice = answerOf(desk, *key);
+      if (!choice) continue;
+      Result<Done> kept = session_.record(desk.answer(*choice, now_s()));
+      if (kept) return Outcome::answered;
+      std::fprintf(stderr, "\n%s. Your answer is not kept yet: answer again.\n",
+                   kept.failure().sentence().c_str());
+    }
+  }
+
+  void show(const TrialDesk& desk) const {
+    const Trial& trial = desk.trial();
+    std::fprintf(stderr, "\n%s %zu of %zu%s\n", trial.practice ? "Practice" : "Trial", trial.number,
+                 session_.record().plan.size(), player_.sounding() ? "" : "   [REHEARSAL: nothing is felt]");
+    std::fprintf(stderr, "  press: ");
+    for (std::size_t i = 0; i < trial.choices.size(); ++i) std::fprintf(stderr, " %zu", i + 1);
+    if (desk.physicalTarget())
+      std::fprintf(stderr, "   X is the real switch number %zu\n", desk.physicalNumber());
+    else
+      std::fprintf(stderr, "  and x for X\n");
+    std::fprintf(stderr, "  answer:");
+    for (std::size_t i = 0; i < trial.choices.size(); ++i)
+      std::fprintf(stderr, "  %c = X is %zu", static_cast<char>('a' + i), i + 1);
+    std::fprintf(stderr, "\n  p pauses, q stops for good\n");
+  }
+
+  void press(TrialDesk& desk, char key) {
+    const Trial& trial = desk.trial();
+    if (key == 'x' && !desk.physicalTarget()) {
+      player_.press(trial.choices[trial.target], trial.mode);
+      desk.triedX(now_s());
+      std::fprintf(stderr, " X");
+    }
+    const auto choice = static_cast<std::size_t>(key - '1');
+    if (key < '1' || choice >= trial.choices.size()) return;
+    player_.press(trial.choices[choice], trial.mode);
+    desk.triedChoice(choice, now_s());
+    std::fprintf(stderr, " %c", key);
+  }
+
+  std::optional<std::size_t> answerOf(const TrialDesk& desk, char key) const {
+    const auto choice = static_cast<std::size_t>(key - 'a');
+    if (key < 'a' || choice >= desk.trial().choices.size()) return {};
+    if (desk.mayAnswer()) return choice;
+    std::fprintf(stderr, "  [press them first: an answer needs what it is about]");
+    return {};
+  }
+
+  bool confirmed(RawTerminal& terminal) const {
+    std::fprintf(stderr, "\nStop for good? y stops, any other key goes on. ");
+    while (!cancelled_()) {
+      if (const std::optional<char> key = terminal.key(look_s)) return *key == 'y';
+    }
+    return false;
+  }
+
+  const Study& study_;
+  ParticipantSession& session_;
+  StudyPlayer& player_;
+  const Cancelled& cancelled_;
+  const double began_s_;
+};
+
+bool answeredForReal(const std::vector<ParticipantRecord>& records, const std::string& participant) {
+  for (const ParticipantRecord& record : records) {
+    if (record.participant != participant) continue;
+    return std::any_of(record.sessions.begin(), record.sessions.end(),
+                       [](const SessionStart& s) { return s.kind == SessionKind::real; });
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<ParticipantRecord> askParticipant(const Study& study, const std::string& participant,
+                                         Listening listening, const StudyDevices& devices,
+                                         const std::function<double()>& wallClock_s,
+                                         const Cancelled& cancelled) {
+  if (study.buttons.size() > mostKeys && study.design.kind == StudyKind::matching)
+    return Failure{FailureCode::wrongUsage, "study run", "",
+                   "a terminal has keys for 9 buttons, the study has " + std::to_string(study.buttons.size()),
+                   "Run it in detent-edit, or with fewer buttons"};
+  if (!RawTerminal().interactive())
+    return Failure{FailureCode::deviceTrouble, "study run", "",
+                   "standard input is not a terminal to answer at",
+                   "Run it in a terminal or in detent-edit, or pass --simulate"};
+  Result<std::vector<ParticipantRecord>> before = readParticipants(study);
+  if (!before) return before.failure();
+  Result<std::unique_ptr<StudyPlayer>> player =
+      playerFor(study, devices, answeredForReal(*before, participant));
+  if (!player) return player.failure();
+  const bool sounding = (*player)->sounding();
+  const double noiseLevel = sounding ? devices.player.masking.level : 0;
+  const SessionStart start{sounding ? SessionKind::real : SessionKind::rehearsal,
+                           listening,
+                           (*player)->device(),
+                           "",
+                           wallClock_s(),
+                           noiseLevel};
+  Result<ParticipantSession> session = ParticipantSession::open(study, participant, start);
+  if (!session) return session.failure();
+  for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
+  if (session->trial() == nullptr) return session->record();
+  if (noiseLevel > 0)
+    std::fprintf(stderr, "Rain plays %s; turn it up until the vibration cannot be heard.\n",
+                 devices.player.masking.device.empty() ? "on the outputs behind the vibration's"
+                                                       : ("on " + devices.player.masking.device).c_str());
+  if (session->record().answers.empty()) {
+    if (Result<std::string> consent = readTextFile((study.folder / "consent.txt").string()); consent)
+      std::fprintf(stderr, "%s", consent->c_str());
+  }
+  Desk desk(study, *session, **player, cancelled);
+  if (Result<Done> ok = desk.work(); !ok) return ok.failure();
+  return session->record();
+}
+
+}  // namespace detent::playback

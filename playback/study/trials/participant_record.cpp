@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/trials/participant_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "model/file/text_file.h"
+#include "model/sha256.h"
+#include "model/version.h"
+#include "playback/study/journal/line_journal.h"
+
+namespace detent::playback {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr int journalVersion = 1;
+constexpr std::size_t chainDigits = 16;
+constexpr std::string_view chainKey = ",\"chain\":\"";
+constexpr double clockTolerance_s = 1;
+
+std::string chainOf(const std::string& before, const std::string& body) {
+  return sha256Hex(before + body).substr(0, chainDigits);
+}
+
+/// `body` is an object; the line is the same object with the chain as its last key.
+std::string chained(const Json& object, std::string& chain) {
+  const std::string body = object.dump();
+  chain = chainOf(chain, body);
+  return body.substr(0, body.size() - 1) + std::string(chainKey) + chain + "\"}";
+}
+
+struct SplitLine {
+  std::string body, chain;
+};
+
+std::optional<SplitLine> splitLine(const std::string& line) {
+  const std::size_t at = line.rfind(chainKey);
+  if (at == std::string::npos || line.size() != at + chainKey.size() + chainDigits + 2) return {};
+  return SplitLine{line.substr(0, at) + "}", line.substr(at + chainKey.size(), chainDigits)};
+}
+
+std::string labelOf(const Study& study, const Trial& trial, std::size_t choice) {
+  return study.buttons[trial.choices[choice]].label;
+}
+
+SessionKind kindNamed(const std::string& name) {
+  if (name == nameOf(SessionKind::simulated)) return SessionKind::simulated;
+  return name == nameOf(SessionKind::rehearsal) ? SessionKind::rehearsal : SessionKind::real;
+}
+
+/// Reads one journal, line by line. Throws nlohmann's exceptions for values of a wrong type.
+class Replay {
+ public:
+  Replay(const Study& study, const std::string& participant, std::string file)
+      : study_(study), file_(std::move(file)) {
+    record_.participant = participant;
+    record_.plan = planTrials(study, participant);
+  }
+
+  Result<Done> take(const std::string& line) {
+    ++line_;
+    const std::optional<SplitLine> split = splitLine(line);
+    if (!split || chainOf(chain_, split->body) != split->chain)
+      return wrong("was changed by hand, or a line before it was",
+                   "Restore the journal from a copy; its answers are not used as they stand");
+    chain_ = split->chain;
+    const Json json = Json::parse(split->body);
+    if (line_ == 1) return header(json);
+    const std::string event = json.at("event");
+    if (event == "session") return session(json);
+    if (event == "answer") return answer(json);
+    if (event == "interruption") return ++record_.interruptions, Done{};
+    if (event == "end") return end(json);
+    return wrong("holds an event \"" + event + "\" this program does not know",
+                 "Use the program that wrote it");
+  }
+
+  ParticipantRecord take() { return std::move(record_); }
+  std::size_t line() const { return line_; }
+  Failure wrong(const std::string& problem, const std::string& remedy) const {
+    return {FailureCode::unreadableInput, file_, "line " + std::to_string(line_), problem, remedy};
+  }
+
+ private:
+  Result<Done> header(const Json& json) {
+    if (json.at("format") != "detent-study-journal")
+      return wrong("is not a journal of a study", "Take it away");
+    if (const int version = json.at("version"); version != journalVersion)
+      return wrong("is of version " + std::to_string(version), "Use the program that wrote it");
+    if (json.at("participant") != record_.participant)
+      return wrong("is the journal of " + json.at("participant").dump(), "Give the file its own name again");
+    if (json.at("study_sha256") != study_.sha256)
+      return wrong("belongs to another study, or study.json was changed since",
+                   "Restore study.json, or move the journal to its own study");
+    record_.program = json.at("program");
+    return Done{};
+  }
+
+  Result<Done> session(const Json& json) {
+    SessionStart s;
+    s.kind = kindNamed(json.at("kind"));
+    s.listening = json.at("listening") == nameOf(Listening::masked) ? Listening::masked : Listening::quiet;
+    s.device = json.at("device");
+    s.simulation = json.at("simulation");
+    s.utc_s = json.at("utc_s");
+    s.noiseLevel = json.value("noise_level", 0.0);  // journals before it was made here have none
+    if (const std::size_t cut = json.at("cut_bytes"); cut > 0)
+      note("half a line (" + std::to_string(cut) + " bytes) was cut off: what it held was never confirmed");
+    if (!record_.sessions.empty()) placeAfterPause(s);
+    record_.sessions.push_back(s);
+    record_.endedEarly = false;
+    return Done{};
+  }
+
+  /// Where this stretch lies after the first one began. The wall clock may have been set meanwhile; the
+  /// steady clock says what has passed at least. A simulation makes its times up: they prove no clock wrong.
+  void placeAfterPause(const SessionStart& s) {
+    const double byWallClock_s = s.utc_s - record_.sessions.front().utc_s;
+    if (s.kind != SessionKind::simulated && byWallClock_s < spent_s_ - clockTolerance_s)
+      note("two clocks disagree: the wall clock stepped back by " +
+           std::to_string(std::lround(spent_s_ - byWallClock_s)) +
+           " s; times within a trial are not touched, the pause counts as none");
+    start_s_ = std::max(byWallClock_s, spent_s_);
+  }
+
+  Result<Done> answer(const Json& json) {
+    if (record_.sessions.empty()) return wrong("is an answer outside a session", "Restore the journal");
+    const Trial* trial = record_.next();
+    if (trial == nullptr || json.at("trial") != trial->number)
+      return wrong("answers trial " + json.at("trial").dump() + " out of its turn", "Restore the journal");
+    const std::string chosen = json.at("answer"), x = json.at("x");
+    Answer a;
+    a.trial = trial->number;
+    a.choice = trial->choices.size();
+    for (std::size_t i = 0; i < trial->choices.size(); ++i)
+      if (labelOf(study_, *trial, i) == chosen) a.choice = i;
+    if (a.choice == trial->choices.size() || x != labelOf(study_, *trial, trial->target))
+      return wrong("does not fit the list of trials", "Restore the journal");
+    a.replays = json.at("replays").get<std::vector<std::size_t>>();
+    a.replaysX = json.at("replays_x");
+    a.onset_s = json.at("onset_s");
+    a.firstPress_s = json.at("first_press_s");
+    a.answer_s = json.at("answer_s");
+    const SessionStart& s = record_.sessions.back();
+    record_.answers.push_back({a, s.kind, s.listening, record_.interruptions, start_s_ + a.onset_s});
+    spent_s_ = start_s_ + a.onset_s + a.answer_s;
+    record_.interruptions = 0;
+    return Done{};
+  }
+
+  Result<Done> end(const Json& json) {
+    record_.endReason = json.at("reason");
+    record_.endedEarly = !record_.complete();
+    return Done{};
+  }
+
+  void note(const std::string& text) { record_.notes.push_back(record_.participant + ": " + text); }
+
+  const Study& study_;
+  std::string file_, chain_;
+  ParticipantRecord record_;
+  std::size_t line_ = 0;
+  double start_s_ = 0, spent_s_ = 0;  // since the first stretch began
+};
+
+}  // namespace
+
+const char* nameOf(SessionKind kind) {
+  if (kind == SessionKind::real) return "real";
+  return kind == SessionKind::rehearsal ? "rehearsal" : "simulated";
+}
+
+const char* nameOf(Listening listening) { return listening == Listening::quiet ? "quiet" : "masked"; }
+
+const Trial* ParticipantRecord::next() const {
+  return complete() || endedEarly ? nullptr : &plan[answers.size()];
+}
+
+Result<ParticipantRecord> replayJournal(const Study& study, const std::string& participant,
+                                        const std::vector<std::string>& lines, const std::string& unfinished,
+                                        const std::string& file) {
+  Replay replay(study, participant, file);
+  for (const std::string& line : lines) {
+    try {
+      if (Result<Done> ok = replay.take(line); !ok) return ok.failure();
+    } catch (const Json::exception& fault) {
+      return replay.wrong(std::string("is broken (") + fault.what() + ")", "Restore the journal from a copy");
+    }
+  }
+  ParticipantRecord record = replay.take();
+  if (!unfinished.empty())
+    record.notes.push_back(participant +
+                           ": the journal ends in half a line; it is being written, or was cut off");
+  return record;
+}
+
+Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
+  const std::filesystem::path folder = study.folder / "participants";
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
+  if (error)
+    return Failure{FailureCode::unreadableInput, folder.string(), "",
+                   "cannot be read (" + error.message() + ")", "Restore the folder"};
+  std::sort(files.begin(), files.end());
+  std::vector<ParticipantRecord> records;
+  for (const std::filesystem::path& file : files) {
+    Result<std::string> text = readTextFile(file.string());
+    if (!text) return text.failure();
+    const JournalText journal = splitJournal(*text);
+    Result<ParticipantRecord> record =
+        replayJournal(study, file.stem().string(), journal.lines, journal.unfinished, file.string());
+    if (!record) return record.failure();
+    records.push_back(*std::move(record));
+  }
+  return records;
+}
+
+std::string headerLine(const Study& study, const std::string& participant, std::string& chain) {
+  Json buttons = Json::array();
+  for (const StudyButton& b : study.buttons) buttons.push_back({{"label", b.label}, {"sha256", b.sha256}});
+  return chained({{"format", "detent-study-journal"},
+                  {"version", journalVersion},
+                  {"participant", participant},
+                  {"study", study.name},
+                  {"study_sha256", study.sha256},
+                  {"program", version()},
+                  {"seed", study.design.seed},
+                  {"profile_sha256", study.profileSha256},
+                  {"buttons", buttons}},
+                 chain);
+}
+
+std::string sessionLine(const SessionStart& s, std::size_t cutBytes, std::string& chain) {
+  return chained({{"event", "session"},
+                  {"kind", nameOf(s.kind)},
+                  {"listening", nameOf(s.listening)},
+                  {"device", s.device},
+                  {"noise_level", s.noiseLevel},
+                  {"simulation", s.simulation},
+                  {"program", version()},
+                  {"utc_s", s.utc_s},
+                  {"cut_bytes", cutBytes}},
+                 chain);
+}
+
+std::string answerLine(const Study& study, const Trial& trial, const Answer& a, std::string& chain) {
+  Json choices = Json::array();
+  for (std::size_t i = 0; i < trial.choices.size(); ++i) choices.push_back(labelOf(study, trial, i));
+  return chained({{"event", "answer"},
+                  {"trial", trial.number},
+                  {"practice", trial.practice},
+                  {"mode", nameOf(trial.mode)},
+                  {"choices", choices},
+                  {"x", labelOf(study, trial, trial.target)},
+                  {"answer", labelOf(study, trial, a.choice)},
+                  {"correct", a.choice == trial.target},
+                  {"replays", a.replays},
+                  {"replays_x", a.replaysX},
+                  {"onset_s", a.onset_s},
+                  {"first_press_s", a.firstPress_s},
+                  {"answer_s", a.answer_s}},
+                 chain);
+}
+
+std::string interruptionLine(const Trial& trial, const std::string& reason, std::string& chain) {
+  return chained({{"event", "interruption"}, {"trial", trial.number}, {"reason", reason}}, chain);
+}
+
+std::string endLine(const std::string& reason, std::string& chain) {
+  return chained({{"event", "end"}, {"reason", reason}}, chain);
+}
+
+std::string chainAfter(const std::vector<std::string>& lines) {
+  if (lines.empty()) return {};
+  const std::optional<SplitLine> last = splitLine(lines.back());
+  return last ? last->chain : std::string();
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/trials/participant_session.h"
+
+#include <charconv>
+
+#include "playback/study/statistics/shuffle.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double quickest_s = 4, slowest_s = 12;  // K&L, Table 1: 150 trials in 20.9 min, 8.4 s each
+
+/// Simulated and real answers do not share a journal: a table over both would mean nothing.
+Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& start) {
+  for (const SessionStart& before : record.sessions) {
+    const bool simulated = before.kind == SessionKind::simulated;
+    if (simulated == (start.kind == SessionKind::simulated)) continue;
+    return Failure{FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
+                   simulated ? "was simulated so far" : "is a person's so far", "Give another id"};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<ParticipantSession> ParticipantSession::open(const Study& study, const std::string& participant,
+                                                    const SessionStart& start) {
+  if (Result<Done> ok = checkParticipantId(participant); !ok) return ok.failure();
+  const std::filesystem::path file = study.folder / "participants" / (participant + ".jsonl");
+  Result<LineJournal> journal = LineJournal::open(file);
+  if (!journal) return journal.failure();
+  const JournalText text = journal->opened();
+  Result<ParticipantRecord> record = replayJournal(study, participant, text.lines, {}, file.string());
+  if (!record) return record.failure();
+  if (Result<Done> ok = checkKind(*record, start); !ok) return ok.failure();
+  ParticipantSession session(study, *std::move(journal), *std::move(record));
+  session.chain_ = chainAfter(text.lines);
+  if (text.lines.empty()) {
+    std::string chain = session.chain_;
+    const std::string line = headerLine(study, participant, chain);
+    if (Result<Done> ok = session.append(line, chain); !ok) return ok.failure();
+  }
+  if (session.record_.complete()) return session;
+  std::string chain = session.chain_;
+  const std::string line = sessionLine(start, text.unfinished.size(), chain);
+  if (Result<Done> ok = session.append(line, chain); !ok) return ok.failure();
+  session.record_.sessions.push_back(start);
+  session.record_.endedEarly = false;
+  return session;
+}
+
+Result<Done> ParticipantSession::append(const std::string& line, const std::string& chain) {
+  Result<Done> written = journal_.append(line);
+  if (written) chain_ = chain;
+  return written;
+}
+
+Result<Done> ParticipantSession::record(const Answer& answer) {
+  const Trial* shown = trial();
+  if (shown == nullptr || answer.trial != shown->number || answer.choice >= shown->choices.size())
+    return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
+                   "is not the trial that is asked", "Answer the trial that is shown"};
+  std::string chain = chain_;
+  const std::string line = answerLine(*study_, *shown, answer, chain);
+  if (Result<Done> ok = append(line, chain); !ok) return ok;
+  const SessionStart& s = record_.sessions.back();
+  record_.answers.push_back({answer, s.kind, s.listening, record_.interruptions, answer.onset_s});
+  record_.interruptions = 0;
+  return Done{};
+}
+
+Result<Done> ParticipantSession::interrupted(const std::string& reason) {
+  const Trial* shown = trial();
+  if (shown == nullptr) return Done{};
+  std::string chain = chain_;
+  const std::string line = interruptionLine(*shown, reason, chain);
+  if (Result<Done> ok = append(line, chain); !ok) return ok;
+  ++record_.interruptions;
+  return Done{};
+}
+
+Result<Done> ParticipantSession::end(const std::string& reason) {
+  std::string chain = chain_;
+  const std::string line = endLine(reason, chain);
+  if (Result<Done> ok = append(line, chain); !ok) return ok;
+  record_.endedEarly = !record_.complete();
+  record_.endReason = reason;
+  return Done{};
+}
+
+Result<Simulation> simulationNamed(const std::string& name) {
+  if (name == "guess") return Simulation{0, true, name};
+  if (name == "perfect") return Simulation{0, false, name};
+  const std::string_view prefix = "errors=";
+  double rate = -1;
+  if (name.starts_with(prefix)) {
+    const char* end = name.data() + name.size();
+    const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, rate);
+    if (error == std::errc() && stop == end && rate >= 0 && rate <= 1) return Simulation{rate, false, name};
+  }
+  return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
+                 "\"" + name + "\" is not a way to answer",
+                 "Give guess, perfect or errors=P with P from 0 to 1"};
+}
+
+Answer simulatedAnswer(const Study& study, const std::string& participant, const Trial& trial,
+                       const Simulation& simulation) {
+  StudyRandom random = randomSeededBy(std::to_string(study.design.seed) + ":" + participant +
+                                      ":answer:" + std::to_string(trial.number));
+  const std::size_t choices = trial.choices.size();
+  Answer answer;
+  answer.trial = trial.number;
+  answer.choice = trial.target;
+  if (simulation.guess) {
+    answer.choice = drawBelow(random, choices);
+  } else if (drawShare(random) < simulation.errorRate) {
+    answer.choice = (trial.target + 1 + drawBelow(random, choices - 1)) % choices;
+  }
+  answer.replays.assign(choices, 1);
+  answer.replaysX = 1;
+  answer.answer_s = quickest_s + (slowest_s - quickest_s) * drawShare(random);
+  answer.firstPress_s = answer.answer_s / 4;
+  answer.onset_s = static_cast<double>(trial.number - 1) * (quickest_s + slowest_s) / 2;
+  return answer;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// One participant at work: asks what comes next, writes each answer down before it counts. The same for a
+// terminal, a window and a simulation. One thread.
+
+#include "playback/study/journal/line_journal.h"
+#include "playback/study/trials/participant_record.h"
+
+namespace detent::playback {
+
+class ParticipantSession {
+ public:
+  /// Begins or resumes the participant's journal. Failure unreadableInput: see replayJournal and
+  /// LineJournal::open; wrongUsage: the id, or an answer of a person would follow a simulated one (or the
+  /// other way round) in one journal.
+  static Result<ParticipantSession> open(const Study& study, const std::string& participant,
+                                         const SessionStart& start);
+
+  const ParticipantRecord& record() const { return record_; }
+  /// The trial to be shown; null when all are answered.
+  const Trial* trial() const { return record_.next(); }
+
+  /// Written and synced; on Failure (full disk) nothing has changed and the same answer may be given again.
+  Result<Done> record(const Answer& answer);
+  /// The device was lost during the trial: it is shown anew, and marked.
+  Result<Done> interrupted(const std::string& reason);
+  /// The participant stops for good, or all is answered.
+  Result<Done> end(const std::string& reason);
+
+ private:
+  ParticipantSession(const Study& study, LineJournal journal, ParticipantRecord record)
+      : study_(&study), journal_(std::move(journal)), record_(std::move(record)) {}
+  Result<Done> append(const std::string& line, const std::string& chain);
+
+  const Study* study_;
+  LineJournal journal_;
+  ParticipantRecord record_;
+  std::string chain_;
+};
+
+/// How the program answers in a person's place.
+struct Simulation {
+  double errorRate = 0;  ///< 0 perfect, 0.5 guess (abx)
+  bool guess = false;    ///< any choice is as likely as any other
+  std::string name;      ///< as given
+};
+
+/// "guess", "perfect" or "errors=P" with P in [0, 1]. Failure wrongUsage.
+Result<Simulation> simulationNamed(const std::string& name);
+
+/// The answer of a simulated participant: a function of study, participant and trial alone, so that a crash
+/// changes nothing. Times are made up and marked as simulated.
+Answer simulatedAnswer(const Study& study, const std::string& participant, const Trial& trial,
+                       const Simulation& simulation);
+
+}  // namespace detent::playback

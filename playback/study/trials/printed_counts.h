@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Results somebody printed: counts by pair without the trials behind them, such as K&L's Tables 1 and 2. The
+// same figures are computed from them as from answers, and they are checked against each other.
+
+#include <filesystem>
+
+#include "playback/study/trials/study_results.h"
+
+namespace detent::playback {
+
+/// Whether a folder holds printed counts (counts.json) instead of a study.
+bool holdsPrintedCounts(const std::filesystem::path& folder);
+
+/// The printed counts as results without rows; where they do not add up, a warning says so. Failure
+/// unreadableInput: broken, or of another version.
+Result<StudyResults> readPrintedCounts(const std::filesystem::path& folder);
+
+}  // namespace detent::playback

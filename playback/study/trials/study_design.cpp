@@ -1,0 +1,341 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/trials/study_design.h"
+
+#include <algorithm>
+#include <set>
+
+#include <nlohmann/json.hpp>
+
+#include "model/file/button_file.h"
+#include "model/file/text_file.h"
+#include "model/sha256.h"
+#include "model/version.h"
+#include "playback/measurement/profile_file.h"
+#include "playback/offline/render_press.h"
+#include "playback/offline/standard_press.h"
+#include "playback/study/statistics/shuffle.h"
+
+namespace detent::playback {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr int studyVersion = 1;
+constexpr double stimulusRate_Hz = 48000;
+constexpr std::size_t mostTrials = 1000, mostPractice = 100, mostButtons = 64;
+constexpr const char* buttonEnding = ".button.json";
+constexpr const char* standardConsent =
+    "You will press virtual buttons and compare how they feel. It takes about half an hour; you may stop at "
+    "any\n"
+    "time without giving a reason. Only your answers, their times and an anonymous number are kept.\n";
+
+Failure wrong(const std::string& subject, const std::string& problem, const std::string& remedy) {
+  return {FailureCode::wrongUsage, subject, "", problem, remedy};
+}
+
+Failure unreadable(const fs::path& file, Message problem, Remedies remedies) {
+  return {FailureCode::unreadableInput, file.string(), "", std::move(problem), std::move(remedies)};
+}
+
+std::string labelOf(const std::string& file) {
+  std::string name = fs::path(file).filename().string();
+  if (name.ends_with(buttonEnding)) name.resize(name.size() - std::string_view(buttonEnding).size());
+  return name;
+}
+
+std::string hashOf(const std::vector<float>& samples) {
+  return sha256Hex({reinterpret_cast<const unsigned char*>(samples.data()), samples.size() * sizeof(float)});
+}
+
+Result<std::vector<StudyStimulus>> stimuliOf(const Study& study) {
+  std::vector<StudyStimulus> stimuli;
+  for (const FeedbackMode mode : study.design.modes) {
+    for (std::size_t b = 0; b < study.buttons.size(); ++b) {
+      Result<PreparedProgram> program = programFor(study, b, mode);
+      if (!program) return program.failure();
+      Result<RenderedPress> press = renderStandardPress(program->program, stimulusRate_Hz);
+      if (!press) return press.failure();
+      stimuli.push_back({b, mode, hashOf(press->samples)});
+    }
+  }
+  return stimuli;
+}
+
+Json jsonOf(const Study& study) {
+  Json modes = Json::array(), buttons = Json::array(), stimuli = Json::array();
+  for (const FeedbackMode mode : study.design.modes) modes.push_back(nameOf(mode));
+  for (const StudyButton& b : study.buttons)
+    buttons.push_back({{"label", b.label}, {"name", b.button.name()}, {"sha256", b.sha256}});
+  for (const StudyStimulus& s : study.stimuli)
+    stimuli.push_back(
+        {{"button", study.buttons[s.button].label}, {"mode", nameOf(s.mode)}, {"sha256", s.sha256}});
+  const StudyDesign& d = study.design;
+  return {{"format", "detent-study"},
+          {"version", studyVersion},
+          {"program", study.program},
+          {"kind", nameOf(d.kind)},
+          {"targets", d.targets == TargetKind::physicalButton ? "physical" : "virtual"},
+          {"modes", modes},
+          {"trials", d.trials},
+          {"practice", d.practice},
+          {"pairs_each", d.pairsEach},
+          {"seed", d.seed},
+          {"generator", generatorName},
+          {"profile_sha256", study.profileSha256},
+          {"buttons", buttons},
+          {"stimuli", stimuli}};
+}
+
+Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file) {
+  for (const FeedbackMode mode : {FeedbackMode::full, FeedbackMode::clickOnly, FeedbackMode::slopeOnly})
+    if (name == nameOf(mode)) return mode;
+  return unreadable(file, "knows a mode \"" + name + "\" that does not exist",
+                    "Restore the file as it was made");
+}
+
+/// Everything study.json says; buttons without their files. Throws nlohmann's exceptions.
+Result<Study> studyFrom(const Json& json, const std::string& file) {
+  Study study;
+  if (json.at("format") != "detent-study")
+    return unreadable(file, "is not a study", "Name a folder made by detent-play study new");
+  if (const int version = json.at("version"); version != studyVersion)
+    return unreadable(file,
+                      "is a study of version " + std::to_string(version) + ", this program knows " +
+                          std::to_string(studyVersion),
+                      "Use the program that made it");
+  if (json.at("generator") != generatorName)
+    return unreadable(file, "was shuffled by " + json.at("generator").dump(), "Use the program that made it");
+  study.program = json.at("program");
+  StudyDesign& d = study.design;
+  const std::string kind = json.at("kind");
+  if (kind != nameOf(StudyKind::abx) && kind != nameOf(StudyKind::matching))
+    return unreadable(file, "knows a kind \"" + kind + "\" that does not exist",
+                      "Restore the file as it was made");
+  d.kind = kind == nameOf(StudyKind::abx) ? StudyKind::abx : StudyKind::matching;
+  d.targets = json.at("targets") == "physical" ? TargetKind::physicalButton : TargetKind::virtualButton;
+  d.modes.clear();
+  for (const Json& name : json.at("modes")) {
+    Result<FeedbackMode> mode = modeNamed(name, file);
+    if (!mode) return mode.failure();
+    d.modes.push_back(*mode);
+  }
+  d.trials = json.at("trials");
+  d.practice = json.at("practice");
+  d.pairsEach = json.at("pairs_each");
+  d.seed = json.at("seed");
+  study.profileSha256 = json.at("profile_sha256");
+  return study;
+}
+
+/// The files of a study against what study.json says of them.
+Result<Done> readParts(Study& study, const Json& json) {
+  for (const Json& entry : json.at("buttons")) {
+    const std::string label = entry.at("label");
+    const std::string file = (study.folder / "buttons" / (label + buttonEnding)).string();
+    Result<std::string> text = readTextFile(file);
+    if (!text) return text.failure();
+    const std::string hash = sha256Hex(*text);
+    if (entry.at("sha256") != hash)
+      return unreadable(file, "was changed after the study was made",
+                        "Restore it, or make a new study with the changed button");
+    Result<Button> button = buttonFromJson(*text, file);
+    if (!button) return button.failure();
+    study.buttons.push_back({label, hash, *std::move(button)});
+  }
+  if (!study.profileSha256.empty()) {
+    const fs::path file = study.folder / "device.device";
+    Result<std::string> text = readTextFile(file.string());
+    if (!text) return text.failure();
+    if (sha256Hex(*text) != study.profileSha256)
+      return unreadable(file, "was changed after the study was made", "Restore it, or make a new study");
+    Result<DeviceProfile> profile = parseDeviceProfile(*text, file.string());
+    if (!profile) return profile.failure();
+    study.profile = *std::move(profile);
+  }
+  for (const Json& entry : json.at("stimuli")) {
+    const std::string label = entry.at("button");
+    const auto at = std::find_if(study.buttons.begin(), study.buttons.end(),
+                                 [&](const StudyButton& b) { return b.label == label; });
+    Result<FeedbackMode> mode = modeNamed(entry.at("mode"), (study.folder / "study.json").string());
+    if (!mode) return mode.failure();
+    if (at == study.buttons.end())
+      return unreadable(study.folder / "study.json", "speaks of a button \"" + label + "\" it does not hold",
+                        "Restore the file as it was made");
+    study.stimuli.push_back(
+        {static_cast<std::size_t>(at - study.buttons.begin()), *mode, entry.at("sha256")});
+  }
+  return Done{};
+}
+
+Result<Done> readButtons(Study& study, const std::vector<std::string>& files) {
+  std::set<std::string> labels;
+  for (const std::string& file : files) {
+    Result<std::string> text = readTextFile(file);
+    if (!text) return text.failure();
+    Result<Button> button = buttonFromJson(*text, file);
+    if (!button) return button.failure();
+    const std::string label = labelOf(file);
+    if (!labels.insert(label).second)
+      return wrong(file, "is the second button called \"" + label + "\"", "Rename one of the files");
+    study.buttons.push_back({label, sha256Hex(*text), *std::move(button)});
+  }
+  return Done{};
+}
+
+Result<Done> writeParts(const fs::path& folder, const Study& study, const std::vector<std::string>& files,
+                        const std::string& profileFile) {
+  std::error_code error;
+  fs::create_directories(folder / "buttons", error);
+  if (!error) fs::create_directory(folder / "participants", error);
+  for (std::size_t i = 0; i < files.size() && !error; ++i)
+    fs::copy_file(files[i], folder / "buttons" / (study.buttons[i].label + buttonEnding), error);
+  if (!error && !profileFile.empty()) fs::copy_file(profileFile, folder / "device.device", error);
+  if (error)
+    return unreadable(folder, "cannot be made (" + error.message() + ")",
+                      "Check the folder, its rights and the free space");
+  const std::string consent = study.design.consent.empty() ? standardConsent : study.design.consent;
+  if (Result<Done> ok = writeTextFileAtomically((folder / "consent.txt").string(), consent); !ok) return ok;
+  return writeTextFileAtomically((folder / "study.json").string(), jsonOf(study).dump(2) + "\n");
+}
+
+}  // namespace
+
+const char* nameOf(FeedbackMode mode) {
+  switch (mode) {
+    case FeedbackMode::full:
+      return "full";
+    case FeedbackMode::clickOnly:
+      return "click-only";
+    case FeedbackMode::slopeOnly:
+      return "slope-only";
+    case FeedbackMode::off:
+      break;
+  }
+  return "off";
+}
+
+const char* nameOf(StudyKind kind) { return kind == StudyKind::abx ? "abx" : "matching"; }
+
+std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t buttons) {
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  for (std::size_t second = 1; second < buttons; ++second)
+    for (std::size_t first = 0; first < second; ++first) pairs.emplace_back(first, second);
+  return pairs;
+}
+
+Result<Done> checkParticipantId(const std::string& id) {
+  constexpr std::size_t longest = 32;
+  const bool plain = std::all_of(id.begin(), id.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_';
+  });
+  if (plain && !id.empty() && id.size() <= longest && id.front() != '-') return Done{};
+  return wrong("--participant", "\"" + id + "\" is not a participant's id",
+               "Give 1 to 32 letters, digits, - or _, such as P01; no name of a person");
+}
+
+Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
+  if (buttons < 2)
+    return wrong("study", "has " + std::to_string(buttons) + " button", "Name at least two button files");
+  if (buttons > mostButtons)
+    return wrong("study", "has " + std::to_string(buttons) + " buttons", "Name at most 64");
+  if (d.trials < 1 || d.trials > mostTrials)
+    return wrong("--trials", std::to_string(d.trials) + " lies outside 1..1000", "Give a number inside");
+  if (d.practice > mostPractice)
+    return wrong("--practice", std::to_string(d.practice) + " lies outside 0..100", "Give a number inside");
+  const std::size_t pairs = buttons * (buttons - 1) / 2;
+  if (d.pairsEach > pairs)
+    return wrong("--pairs-each", std::to_string(d.pairsEach) + " of " + std::to_string(pairs) + " pairs",
+                 "Give fewer, or 0 for all");
+  if (d.modes.empty() || std::set<FeedbackMode>(d.modes.begin(), d.modes.end()).size() != d.modes.size())
+    return wrong("--modes", "none, or one twice", "Give each of full, click-only, slope-only at most once");
+  if (std::find(d.modes.begin(), d.modes.end(), FeedbackMode::off) != d.modes.end())
+    return wrong("--modes", "\"off\" cannot be felt", "Give full, click-only or slope-only");
+  if (d.targets == TargetKind::physicalButton && d.kind != StudyKind::matching)
+    return wrong("--physical", "needs a matching study", "Add --kind matching");
+  return Done{};
+}
+
+Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode) {
+  PlaybackSettings settings;
+  settings.mode = mode;
+  return prepareProgram(study.buttons[button].button, study.profile.value_or(DeviceProfile{}), settings);
+}
+
+Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>& buttonFiles,
+                          const std::string& profileFile, const StudyDesign& design) {
+  std::error_code error;
+  if (fs::exists(folder, error))
+    return wrong(folder.string(), "exists already", "Name a new folder; a study is never overwritten");
+  if (Result<Done> ok = checkDesign(design, buttonFiles.size()); !ok) return ok.failure();
+  Study study;
+  study.folder = folder;
+  study.program = version();
+  study.design = design;
+  if (Result<Done> ok = readButtons(study, buttonFiles); !ok) return ok.failure();
+  if (!profileFile.empty()) {
+    Result<std::string> text = readTextFile(profileFile);
+    if (!text) return text.failure();
+    Result<DeviceProfile> profile = parseDeviceProfile(*text, profileFile);
+    if (!profile) return profile.failure();
+    study.profile = *std::move(profile);
+    study.profileSha256 = sha256Hex(*text);
+  }
+  Result<std::vector<StudyStimulus>> stimuli = stimuliOf(study);
+  if (!stimuli) return stimuli.failure();
+  study.stimuli = *std::move(stimuli);
+  fs::path draft = folder;
+  draft += ".part";
+  fs::remove_all(draft, error);
+  Result<Done> written = writeParts(draft, study, buttonFiles, profileFile);
+  if (written) {
+    fs::rename(draft, folder, error);
+    if (!error) return openStudy(folder);
+    written = unreadable(folder, "cannot be made (" + error.message() + ")", "Check the folder above it");
+  }
+  fs::remove_all(draft, error);
+  return written.failure();
+}
+
+Result<Study> openStudy(const fs::path& folder) {
+  const std::string file = (folder / "study.json").string();
+  Result<std::string> text = readTextFile(file);
+  if (!text)
+    return unreadable(folder, Message("is not a study: study.json %1", text.failure().problem),
+                      "Make one with detent-play study new, or name its folder");
+  try {
+    const Json json = Json::parse(*text);
+    Result<Study> study = studyFrom(json, file);
+    if (!study) return study;
+    study->folder = folder;
+    study->name = fs::weakly_canonical(folder).filename().string();
+    study->sha256 = sha256Hex(*text);
+    if (Result<Done> ok = readParts(*study, json); !ok) return ok.failure();
+    if (Result<Done> ok = checkDesign(study->design, study->buttons.size()); !ok)
+      return unreadable(file, Message("%1 %2", ok.failure().subject.name, ok.failure().problem),
+                        "Restore the file as it was made");
+    return study;
+  } catch (const Json::exception& fault) {
+    return unreadable(file, std::string("is broken (") + fault.what() + ")", "Restore it from a copy");
+  }
+}
+
+Result<Done> checkStimuli(const Study& study) {
+  Result<std::vector<StudyStimulus>> now = stimuliOf(study);
+  if (!now) return now.failure();
+  for (const StudyStimulus& made : study.stimuli) {
+    const auto same = std::find_if(now->begin(), now->end(), [&](const StudyStimulus& s) {
+      return s.button == made.button && s.mode == made.mode;
+    });
+    if (same != now->end() && same->sha256 == made.sha256) continue;
+    return unreadable(study.folder,
+                      "button \"" + study.buttons[made.button].label + "\" (" + nameOf(made.mode) +
+                          ") would feel different in this program (" + version() +
+                          ") than in the one that made the study (" + study.program + ")",
+                      "Go on with that program, or begin a new study");
+  }
+  return Done{};
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A study's results as files and text: tidy CSV, BIDS, tables in the layout of K&L's Tables 1 and 2. Pages
+// with pictures are in study_page.h.
+
+#include <filesystem>
+#include <string>
+
+#include "playback/study/trials/study_results.h"
+
+namespace detent::playback {
+
+/// One row per trial; `study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,
+/// answer_s,condition`. Fields with commas, quotes or line ends are quoted (RFC 4180); points for decimals.
+std::string resultsCsv(const StudyResults& results);
+
+/// Writes `folder`/dataset_description.json, participants.tsv, task-NAME_events.json and, per participant,
+/// sub-ID/beh/sub-ID_task-NAME_events.tsv (BIDS: onset first, duration second, n/a for what is not there).
+Result<Done> writeBids(const StudyResults& results, const std::filesystem::path& folder);
+
+/// Both tables as text, with intervals, d' and what must be known before believing them.
+std::string resultsText(const StudyResults& results);
+/// One JSON object, one line.
+std::string resultsJson(const StudyResults& results);
+
+}  // namespace detent::playback

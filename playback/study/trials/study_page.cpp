@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/trials/study_page.h"
+
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+#include <functional>
+
+#include "model/version.h"
+#include "playback/study/statistics/rank_correlation.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr const char* style = R"(
+:root { color-scheme: light; }
+body { font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; color: #1c2430; background: #fff; }
+h1 { font-size: 1.6rem; margin-bottom: .2rem; } h2 { font-size: 1.15rem; margin: 2rem 0 .5rem; }
+table { border-collapse: collapse; margin: .5rem 0; } th, td { padding: .25rem .7rem; text-align: right; border-bottom: 1px solid #dde3ea; }
+th { font-weight: 600; } td:first-child, th:first-child, .words { text-align: left; }
+td.one { background: #d9dde3; } td.more { background: #8b95a3; color: #fff; }
+caption { caption-side: bottom; text-align: left; color: #56606e; font-size: .85rem; padding-top: .3rem; }
+.band { position: fixed; top: 0; left: 0; right: 0; background: #b3261e; color: #fff; text-align: center; font-weight: 700; padding: .3rem; z-index: 1; }
+.banded { padding-top: 2.2rem; }
+.notes { border-left: 4px solid #c77700; padding: .2rem 1rem; background: #fff7ea; }
+.small { color: #56606e; font-size: .85rem; } svg text { font: 12px system-ui, "DejaVu Sans", sans-serif; fill: #1c2430; }
+section { break-inside: avoid; } @media print { body { margin: 0; max-width: none; } }
+)";
+
+__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
+  va_list arguments;
+  va_start(arguments, format);
+  char text[1024];
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    if (c == '&')
+      safe += "&amp;";
+    else if (c == '<')
+      safe += "&lt;";
+    else if (c == '>')
+      safe += "&gt;";
+    else if (c == '"')
+      safe += "&quot;";
+    else
+      safe += c;
+  }
+  return safe;
+}
+
+std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
+std::string head(const std::string& text) { return "<th>" + text + "</th>"; }
+
+std::string percent(double share) { return formatted("%.2f %%", 100 * share); }
+std::string interval(const Interval& i) { return formatted("%.1f–%.1f %%", 100 * i.low, 100 * i.high); }
+
+std::string row(const std::string& name, const StudyResults& results,
+                const std::function<std::string(const GroupResult&)>& text) {
+  std::string line = "<tr>" + head(name);
+  for (const GroupResult& group : results.groups) line += cell(text(group));
+  return line + "</tr>\n";
+}
+
+std::string count(const Count& c) {
+  if (c.trials == 0) return "–";
+  return formatted("%zu / %zu (%s)", c.errors, c.trials, percent(rateOf(c)).c_str());
+}
+
+std::string table1(const StudyResults& results) {
+  std::string text = "<section><h2>Table 1. Summary</h2>\n<table><tr><th></th>";
+  for (const GroupResult& group : results.groups) text += head(escaped(group.condition));
+  text += "</tr>\n";
+  text +=
+      row("Participants", results, [](const GroupResult& g) { return std::to_string(g.participantCount); });
+  text += row("Avg. time (SD)", results, [](const GroupResult& g) {
+    return g.meanTime_min > 0 ? formatted("%.1f min (%.1f)", g.meanTime_min, g.sdTime_min) : std::string("–");
+  });
+  text += row("Errors / trials", results, [](const GroupResult& g) { return count(g.errors); });
+  text += row("Wilson 95 %", results, [](const GroupResult& g) { return interval(g.wilson); });
+  text +=
+      row("Clopper–Pearson 95 %", results, [](const GroupResult& g) { return interval(g.clopperPearson); });
+  text += row("Participants resampled (BCa) 95 %", results,
+              [](const GroupResult& g) { return g.bootstrap ? interval(*g.bootstrap) : std::string("–"); });
+  text += row("ABX tests failed / total", results, [](const GroupResult& g) { return count(g.fails); });
+  return text +
+         "<caption>Wilson and Clopper–Pearson take trials as independent; those of one person are not, "
+         "which resampling participants accounts for.</caption></table></section>\n";
+}
+
+const PairResult* pairOf(const GroupResult& group, std::size_t first, std::size_t second) {
+  for (const PairResult& pair : group.pairs)
+    if (pair.first == first && pair.second == second) return &pair;
+  return nullptr;
+}
+
+std::string table2Cell(const PairResult* pair) {
+  if (pair == nullptr) return "<td></td>";
+  const std::size_t fails = pair->failCount.value_or(0);
+  const char* shade = fails == 0 ? "" : fails == 1 ? " class=\"one\"" : " class=\"more\"";
+  return formatted("<td%s>%zu%s</td>", shade, pair->errors.errors, markOf(*pair));
+}
+
+std::string table2(const StudyResults& results, const GroupResult& group) {
+  const std::size_t n = results.labels.size();
+  std::string text = "<section><h2>Table 2. Errors by all participants: " + escaped(group.condition) +
+                     "</h2>\n<table><tr><th></th>";
+  for (std::size_t i = 0; i + 1 < n; ++i) text += head(escaped(results.labels[i]));
+  text += "</tr>\n";
+  for (std::size_t second = 1; second < n; ++second) {
+    text += "<tr>" + head(escaped(results.labels[second]));
+    for (std::size_t first = 0; first < second; ++first) text += table2Cell(pairOf(group, first, second));
+    text += "</tr>\n";
+  }
+  const bool told = std::any_of(group.pairs.begin(), group.pairs.end(),
+                                [](const PairResult& pair) { return pair.failCount.has_value(); });
+  return text +
+         (told ? "<caption>* light: one participant failed the ABX test of the pair; ** dark: two or "
+                 "more.</caption>"
+               : "<caption>Which pairs' tests were failed is not told.</caption>") +
+         "</table></section>\n";
+}
+
+constexpr double barsLeft = 130, barsWidth = 430, barHeight = 14, barStep = 24;
+
+/// A scale's end that leaves room for the longest interval: 5, 10, 20, 50 or 100 %.
+double scaleEnd(const GroupResult& group) {
+  double highest = 0;
+  for (const PairResult& pair : group.pairs) highest = std::max(highest, pair.wilson.high);
+  for (const double end : {0.05, 0.1, 0.2, 0.5})
+    if (highest <= end) return end;
+  return 1;
+}
+
+std::string bars(const StudyResults& results, const GroupResult& group) {
+  const double end = scaleEnd(group), perShare = barsWidth / end;
+  const double height = barStep * static_cast<double>(group.pairs.size()) + 30;
+  std::string text =
+      formatted("<section><h2>Error rate by pair: %s</h2>\n<svg width=\"%.0f\" height=\"%.0f\" role=\"img\">",
+                escaped(group.condition).c_str(), barsLeft + barsWidth + 60, height);
+  for (int tick = 0; tick <= 5; ++tick) {
+    const double x = barsLeft + barsWidth * tick / 5;
+    text += formatted(
+        "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"0\" y2=\"%.1f\" stroke=\"#dde3ea\"/>"
+        "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%.3g %%</text>\n",
+        x, x, height - 22, x, height - 6, 100 * end * tick / 5);
+  }
+  double y = 4;
+  for (const PairResult& pair : group.pairs) {
+    const std::string name = results.labels[pair.first] + "–" + results.labels[pair.second];
+    const double middle = y + barHeight / 2, rate = rateOf(pair.errors);
+    text += formatted("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%s</text>", barsLeft - 8, middle + 4,
+                      escaped(name.size() > 24 ? name.substr(0, 24) : name).c_str());
+    text += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#3567a8\"/>",
+                      barsLeft, y, rate * perShare, barHeight);
+    text += formatted(
+        "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"#1c2430\" stroke-width=\"1.5\"/>\n",
+        barsLeft + pair.wilson.low * perShare, barsLeft + pair.wilson.high * perShare, middle, middle);
+    y += barStep;
+  }
+  return text + "</svg><p class=\"small\">Lines: Wilson 95 %.</p></section>\n";
+}
+
+std::string sensitivity(const Sensitivity& s, double value) {
+  return formatted("%s%.2f", s.atLeast ? "≥ " : "", value);
+}
+
+std::string pairTable(const StudyResults& results, const GroupResult& group) {
+  std::string text =
+      "<section><h2>Pairs: " + escaped(group.condition) +
+      "</h2>\n<table><tr><th>Pair</th><th>Errors</th><th>Wilson 95 %</th><th>Clopper–Pearson</th>"
+      "<th>d′ differencing</th><th>d′ independent</th><th>Failed</th></tr>\n";
+  for (const PairResult& pair : group.pairs) {
+    text += "<tr>" + cell(escaped(results.labels[pair.first] + "–" + results.labels[pair.second])) +
+            cell(formatted("%zu / %zu", pair.errors.errors, pair.errors.trials)) +
+            cell(interval(pair.wilson)) + cell(interval(pair.clopperPearson)) +
+            cell(sensitivity(pair.sensitivity, pair.sensitivity.differencing)) +
+            cell(sensitivity(pair.sensitivity, pair.sensitivity.independent)) +
+            cell(pair.failCount ? std::to_string(*pair.failCount) : "–") + "</tr>\n";
+  }
+  return text +
+         "<caption>d′ of all participants together. Pairs are mixed, so differencing is the model that fits; "
+         "≥ stands "
+         "where no error was made.</caption></table></section>\n";
+}
+
+std::string participantTable(const StudyResults& results, const GroupResult& group) {
+  std::string text = "<section><h2>Participants: " + escaped(group.condition) +
+                     "</h2>\n<table><tr><th>Participant</th><th>Errors</th><th>Pairs told apart</th>"
+                     "<th>… after Holm</th></tr>\n";
+  for (std::size_t i = 0; i < group.participants.size(); ++i) {
+    std::size_t tests = 0, passed = 0, sure = 0;
+    for (const PairResult& pair : group.pairs) {
+      for (const AbxTest& test : pair.tests) {
+        if (test.participant != group.participants[i]) continue;
+        ++tests;
+        if (test.discriminates) ++passed;
+        if (test.adjusted < 0.05) ++sure;
+      }
+    }
+    text += "<tr>" + cell(escaped(group.participants[i])) + cell(count(group.perParticipant[i])) +
+            cell(formatted("%zu of %zu", passed, tests)) + cell(formatted("%zu of %zu", sure, tests)) +
+            "</tr>\n";
+  }
+  std::string rule = "No number of errors in so few trials tells skill from guessing.";
+  if (results.rule.mostErrors)
+    rule = formatted(
+        "Told apart: at most %zu error%s in %zu, p = %.4f by guessing. Someone who is right nine times in "
+        "ten still fails that rule of ten in 26 %% of runs.",
+        *results.rule.mostErrors, *results.rule.mostErrors == 1 ? "" : "s", results.trialsPerTest,
+        results.rule.p);
+  return text + "<caption>" + rule + "</caption></table></section>\n";
+}
+
+std::string confusionTable(const StudyResults& results, const GroupResult& group) {
+  std::string text =
+      "<section><h2>Matches: " + escaped(group.condition) + "</h2>\n<table><tr><th>X \\ answer</th>";
+  for (const std::string& label : results.labels) text += head(escaped(label));
+  text += "</tr>\n";
+  for (std::size_t x = 0; x < group.confusion.size(); ++x) {
+    text += "<tr>" + head(escaped(results.labels[x]));
+    std::size_t all = 0;
+    for (const std::size_t c : group.confusion[x]) all += c;
+    for (const std::size_t c : group.confusion[x]) {
+      const double share = all > 0 ? static_cast<double>(c) / static_cast<double>(all) : 0;
+      text += formatted("<td style=\"background: rgba(53,103,168,%.2f)\">%zu</td>", 0.6 * share, c);
+    }
+    text += "</tr>\n";
+  }
+  return text + "<caption>Rows: what X was. Columns: what was answered.</caption></table></section>\n";
+}
+
+std::string foretoldTable(const StudyResults& results, const GroupResult& group,
+                          const std::vector<ForetoldPair>& foretold) {
+  std::vector<double> found, told;
+  std::string lines;
+  for (const ForetoldPair& pair : foretold) {
+    const PairResult* seen = pairOf(group, pair.first, pair.second);
+    if (seen == nullptr || pair.mode != group.mode) continue;
+    found.push_back(rateOf(seen->errors));
+    told.push_back(pair.errorRate);
+    lines += "<tr>" + cell(escaped(results.labels[pair.first] + "–" + results.labels[pair.second])) +
+             cell(formatted("%.2f", pair.dPrime)) +
+             cell(formatted("%.1f", pair.errorRate * static_cast<double>(seen->errors.trials))) +
+             cell(std::to_string(seen->errors.errors)) + "<td class=\"words\">" + escaped(pair.reason) +
+             "</td></tr>\n";
+  }
+  if (lines.empty()) return {};
+  return "<section><h2>Foretold and found: " + escaped(group.condition) +
+         "</h2>\n<table><tr><th>Pair</th><th>d′ foretold</th><th>Errors foretold</th><th>found</th>"
+         "<th class=\"words\">What differs</th></tr>\n" +
+         lines +
+         formatted(
+             "<caption>Rank correlation (Spearman) of foretold and found: %.2f over %zu pairs. What is found "
+             "scatters by itself: a perfect forecast of the paper's noisy group would reach about "
+             "0.74.</caption>",
+             spearman(told, found), found.size()) +
+         "</table></section>\n";
+}
+
+std::string comparisons(const StudyResults& results) {
+  if (results.comparisons.empty()) return {};
+  std::string text =
+      "<section><h2>Between groups</h2>\n<table><tr><th>Groups</th><th>Difference of error "
+      "rates</th><th>p</th></tr>\n";
+  for (const GroupComparison& c : results.comparisons)
+    text += "<tr>" + cell(escaped(c.first + " − " + c.second)) +
+            cell(formatted("%+.2f %%", 100 * c.difference)) + cell(formatted("%.4f", c.p)) + "</tr>\n";
+  return text + "<caption>Participants permuted between the groups, two-sided.</caption></table></section>\n";
+}
+
+std::string band(const StudyResults& results) {
+  if (results.anySimulated) return "SIMULATION — the program answered in place of people";
+  if (results.anyRehearsal) return "REHEARSAL — no sound device: nothing was felt";
+  return {};
+}
+
+std::string notes(const StudyResults& results) {
+  if (results.warnings.empty()) return {};
+  std::string text = "<section><h2>To be known</h2>\n<ul class=\"notes\">\n";
+  for (const std::string& warning : results.warnings) text += "<li>" + escaped(warning) + "</li>\n";
+  return text + "</ul></section>\n";
+}
+
+}  // namespace
+
+std::string resultsPage(const StudyResults& results, const std::vector<ForetoldPair>& foretold) {
+  const std::string warning = band(results);
+  std::string text =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
+      escaped(results.study) + "</title><style>" + style + "</style></head>\n<body" +
+      (warning.empty() ? "" : " class=\"banded\"") + ">\n";
+  if (!warning.empty()) text += "<div class=\"band\">" + warning + "</div>\n";
+  text +=
+      "<h1>" + escaped(results.study) + "</h1>\n<p class=\"small\">" + nameOf(results.kind) + ", buttons ";
+  for (std::size_t i = 0; i < results.labels.size(); ++i) {
+    const std::string& name = results.names[i];
+    text += (i > 0 ? ", " : "") + escaped(name == results.labels[i] || name.empty()
+                                              ? results.labels[i]
+                                              : results.labels[i] + " (" + name + ")");
+  }
+  text += ". " + escaped(results.source) + " Detent " + version() + "</p>\n";
+  text += notes(results) + table1(results);
+  for (const GroupResult& group : results.groups) {
+    if (!group.pairs.empty())
+      text += table2(results, group) + bars(results, group) + pairTable(results, group) +
+              foretoldTable(results, group, foretold);
+    if (!group.confusion.empty()) text += confusionTable(results, group);
+    if (!group.participants.empty() && !group.pairs.empty()) text += participantTable(results, group);
+  }
+  return text + comparisons(results) + "</body></html>\n";
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A study's results as one HTML page that needs nothing else: K&L's Tables 1 and 2 with their shading as
+// marks, pictures as SVG, and on every page of a print whether a person answered at all.
+
+#include <string>
+#include <vector>
+
+#include "playback/study/trials/study_results.h"
+
+namespace detent::playback {
+
+/// What was foretold of one pair in one mode, to stand beside what was found.
+struct ForetoldPair {
+  FeedbackMode mode = FeedbackMode::full;
+  std::size_t first = 0, second = 0;
+  double dPrime = 0;
+  double errorRate = 0;  ///< [0, 0.5]
+  std::string reason;
+};
+
+/// UTF-8. `foretold` may be empty; it stands beside the groups of its mode.
+std::string resultsPage(const StudyResults& results, const std::vector<ForetoldPair>& foretold);
+
+}  // namespace detent::playback

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/trials/study_results.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "playback/study/statistics/abx_sensitivity.h"
+#include "playback/study/statistics/resampling.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double secondsPerMinute = 60;
+
+std::size_t indexOf(const std::vector<std::string>& labels, const std::string& label) {
+  return static_cast<std::size_t>(std::find(labels.begin(), labels.end(), label) - labels.begin());
+}
+
+std::string conditionOf(const Study& study, const TrialRow& row) {
+  std::string text = nameOf(row.listening);
+  if (study.design.modes.size() > 1) text += std::string("/") + nameOf(row.mode);
+  if (row.kind != SessionKind::real) text += std::string("/") + nameOf(row.kind);
+  return text;
+}
+
+TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::size_t at) {
+  const Trial& trial = participant.plan[at];
+  const RecordedAnswer& recorded = participant.answers[at];
+  const auto label = [&](std::size_t choice) { return study.buttons[trial.choices[choice]].label; };
+  TrialRow row;
+  row.participant = participant.participant;
+  row.trial = trial.number - study.design.practice;
+  row.x = label(trial.target);
+  row.answer = label(recorded.answer.choice);
+  row.correct = recorded.answer.choice == trial.target;
+  const std::vector<std::size_t>& replays = recorded.answer.replays;
+  if (study.design.kind == StudyKind::abx) {
+    const auto [first, second] = std::minmax(trial.choices[0], trial.choices[1]);
+    row.pair = study.buttons[first].label + "-" + study.buttons[second].label;
+    row.a = label(0);
+    row.b = label(1);
+    row.replaysA = !replays.empty() ? replays[0] : 0;
+    row.replaysB = replays.size() > 1 ? replays[1] : 0;
+  } else {
+    row.pair = row.x;
+    row.replaysA = std::accumulate(replays.begin(), replays.end(), std::size_t{0});
+  }
+  row.replaysX = recorded.answer.replaysX;
+  row.onset_s = recorded.onset_s;
+  row.firstPress_s = recorded.answer.firstPress_s;
+  row.answer_s = recorded.answer.answer_s;
+  row.mode = trial.mode;
+  row.kind = recorded.kind;
+  row.listening = recorded.listening;
+  row.interruptions = recorded.interruptions;
+  row.condition = conditionOf(study, row) + (row.interruptions > 0 ? "/repeated" : "");
+  return row;
+}
+
+void add(Count& count, const TrialRow& row) {
+  ++count.trials;
+  if (!row.correct) ++count.errors;
+}
+
+using Rows = std::vector<const TrialRow*>;
+
+void addTimes(GroupResult& group, const Rows& rows) {
+  std::map<std::string, double> seconds;
+  for (const TrialRow* row : rows) seconds[row->participant] += row->answer_s;
+  double sum = 0, squares = 0;
+  for (const auto& [id, s] : seconds) sum += s / secondsPerMinute;
+  const auto n = static_cast<double>(seconds.size());
+  group.meanTime_min = sum / n;
+  for (const auto& [id, s] : seconds)
+    squares += (s / secondsPerMinute - group.meanTime_min) * (s / secondsPerMinute - group.meanTime_min);
+  group.sdTime_min = n > 1 ? std::sqrt(squares / (n - 1)) : 0;
+}
+
+void addParticipants(GroupResult& group, const Rows& rows) {
+  std::map<std::string, Count> counts;
+  for (const TrialRow* row : rows) {
+    add(counts[row->participant], *row);
+    add(group.errors, *row);
+  }
+  for (const auto& [id, count] : counts) {
+    group.participants.push_back(id);
+    group.perParticipant.push_back(count);
+  }
+  group.participantCount = counts.size();
+  group.wilson = wilson(group.errors);
+  group.clopperPearson = clopperPearson(group.errors);
+  group.bootstrap = participantBootstrap(group.perParticipant);
+}
+
+void addPairs(GroupResult& group, const Study& study, const Rows& rows, const DiscriminationRule& rule) {
+  std::map<std::string, std::map<std::string, Count>> byPair;
+  for (const TrialRow* row : rows) add(byPair[row->pair][row->participant], *row);
+  for (const auto& [first, second] : pairsOf(study.buttons.size())) {
+    const auto at = byPair.find(study.buttons[first].label + "-" + study.buttons[second].label);
+    if (at == byPair.end()) continue;
+    Count sum;
+    std::vector<AbxTest> tests;
+    for (const auto& [id, count] : at->second) {
+      sum.errors += count.errors;
+      sum.trials += count.trials;
+      if (count.trials < study.design.trials) continue;
+      const bool passed = rule.mostErrors && count.errors <= *rule.mostErrors;
+      tests.push_back({id, count, passed, atMost(count, 0.5), 1});
+    }
+    PairResult pair = pairResult(first, second, sum);
+    if (rule.mostErrors) {  // so few trials that nobody can pass are no test
+      pair.failCount = static_cast<std::size_t>(
+          std::count_if(tests.begin(), tests.end(), [](const AbxTest& t) { return !t.discriminates; }));
+      group.fails.trials += tests.size();
+      group.fails.errors += *pair.failCount;
+    }
+    pair.tests = std::move(tests);
+    group.pairs.push_back(std::move(pair));
+  }
+}
+
+/// Holm over the pairs of each participant.
+void adjust(GroupResult& group) {
+  std::map<std::string, std::vector<AbxTest*>> byParticipant;
+  for (PairResult& pair : group.pairs)
+    for (AbxTest& test : pair.tests) byParticipant[test.participant].push_back(&test);
+  for (const auto& [id, tests] : byParticipant) {
+    std::vector<double> p;
+    for (const AbxTest* test : tests) p.push_back(test->p);
+    const std::vector<double> adjusted = holm(p);
+    for (std::size_t i = 0; i < tests.size(); ++i) tests[i]->adjusted = adjusted[i];
+  }
+}
+
+void addConfusion(GroupResult& group, const std::vector<std::string>& labels, const Rows& rows) {
+  group.confusion.assign(labels.size(), std::vector<std::size_t>(labels.size(), 0));
+  for (const TrialRow* row : rows) ++group.confusion[indexOf(labels, row->x)][indexOf(labels, row->answer)];
+}
+
+GroupResult groupOf(const Study& study, const StudyResults& results, const Rows& rows) {
+  GroupResult group;
+  const TrialRow& any = *rows.front();
+  group.condition = conditionOf(study, any);
+  group.listening = any.listening;
+  group.mode = any.mode;
+  group.kind = any.kind;
+  addParticipants(group, rows);
+  addTimes(group, rows);
+  if (study.design.kind == StudyKind::matching) {
+    addConfusion(group, results.labels, rows);
+  } else {
+    addPairs(group, study, rows, results.rule);
+    adjust(group);
+  }
+  return group;
+}
+
+void warn(StudyResults& results, const Study& study, const std::vector<ParticipantRecord>& participants) {
+  for (const ParticipantRecord& p : participants) {
+    results.warnings.insert(results.warnings.end(), p.notes.begin(), p.notes.end());
+    if (!p.complete())
+      results.warnings.push_back(p.participant + ": " + std::to_string(p.answers.size()) + " of " +
+                                 std::to_string(p.plan.size()) + " trials" +
+                                 (p.endedEarly ? ", ended early (" + p.endReason + ")" : ", not finished"));
+    if (!p.program.empty() && p.program != study.program)
+      results.warnings.push_back(p.participant + ": answered with version " + p.program +
+                                 ", the study is of " + study.program);
+  }
+  if (study.design.kind == StudyKind::abx && !results.rule.mostErrors)
+    results.warnings.push_back(
+        std::to_string(study.design.trials) +
+        " trials of a pair are too few for a test: guessing gets them all right in more than 5 % of runs; "
+        "five are the fewest");
+  if (results.rows.empty()) results.warnings.push_back("no answer yet: there is nothing to report");
+}
+
+}  // namespace
+
+std::vector<TrialRow> rowsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
+  std::vector<TrialRow> rows;
+  for (const ParticipantRecord& p : participants)
+    for (std::size_t i = 0; i < p.answers.size(); ++i)
+      if (!p.plan[i].practice) rows.push_back(rowOf(study, p, i));
+  return rows;
+}
+
+DiscriminationRule discriminationRule(std::size_t trials, double level) {
+  DiscriminationRule rule;
+  for (std::size_t errors = 0; errors < trials; ++errors) {
+    const double p = atMost({errors, trials}, 0.5);
+    if (p >= level) break;
+    rule = {errors, p};
+  }
+  return rule;
+}
+
+Sensitivity sensitivityOf(const Count& errors) {
+  Sensitivity s;
+  s.atLeast = errors.errors == 0 && errors.trials > 0;
+  const double correct = s.atLeast ? 1 - clopperPearson(errors).high : 1 - rateOf(errors);
+  s.differencing = dPrimeOf(correct, AbxStrategy::differencing);
+  s.independent = dPrimeOf(correct, AbxStrategy::independentObservations);
+  return s;
+}
+
+const char* markOf(const PairResult& pair) {
+  const std::size_t fails = pair.failCount.value_or(0);
+  return fails == 0 ? "" : fails == 1 ? "*" : "**";
+}
+
+PairResult pairResult(std::size_t first, std::size_t second, const Count& errors) {
+  return {first, second, errors, wilson(errors), clopperPearson(errors), sensitivityOf(errors), {}, {}};
+}
+
+StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
+  StudyResults results;
+  results.study = study.name;
+  results.kind = study.design.kind;
+  for (const StudyButton& b : study.buttons) {
+    results.labels.push_back(b.label);
+    results.names.push_back(b.button.name());
+  }
+  results.trialsPerTest = study.design.trials;
+  results.rule = discriminationRule(study.design.trials);
+  results.rows = rowsOf(study, participants);
+  std::map<std::string, Rows> groups;
+  for (const TrialRow& row : results.rows) {
+    groups[conditionOf(study, row)].push_back(&row);
+    results.anySimulated |= row.kind == SessionKind::simulated;
+    results.anyRehearsal |= row.kind == SessionKind::rehearsal;
+  }
+  for (const auto& [condition, rows] : groups) results.groups.push_back(groupOf(study, results, rows));
+  for (std::size_t i = 0; i < results.groups.size(); ++i) {
+    for (std::size_t k = i + 1; k < results.groups.size(); ++k) {
+      const GroupResult &a = results.groups[i], &b = results.groups[k];
+      results.comparisons.push_back({a.condition, b.condition, rateOf(a.errors) - rateOf(b.errors),
+                                     groupDifferenceP(a.perParticipant, b.perParticipant)});
+    }
+  }
+  warn(results, study, participants);
+  return results;
+}
+
+}  // namespace detent::playback

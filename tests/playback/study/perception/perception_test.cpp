@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "model/edits.h"
+#include "model/file/button_file.h"
+#include "playback/study/perception/confusion.h"
+#include "playback/study/perception/design_help.h"
+#include "playback/study/statistics/rank_correlation.h"
+#include "tests/playback/study/perception/baselines.h"
+
+using namespace detent;
+using namespace detent::playback;
+
+namespace {
+
+Button sample(const std::string& name) {
+  Result<Button> button =
+      readButtonFile(std::string(DETENT_SOURCE_DIR) + "/samples/buttons/" + name + ".button.json");
+  if (!button) throw std::runtime_error(button.failure().sentence());
+  return *std::move(button);
+}
+
+FeltButton felt(const Button& button) {
+  Result<FeltButton> result = feel(button);
+  if (!result) throw std::runtime_error(result.failure().sentence());
+  return *std::move(result);
+}
+
+std::vector<float> sine(double frequency_Hz, double amplitude, double seconds) {
+  std::vector<float> samples;
+  for (double t = 0; t < seconds; t += 1 / perceptionRate_Hz)
+    samples.push_back(static_cast<float>(amplitude * std::sin(2 * M_PI * frequency_Hz * t)));
+  return samples;
+}
+
+double steadyLevel(double frequency_Hz, double amplitude, std::size_t channel) {
+  return excitationOf(sine(frequency_Hz, amplitude, 0.5)).level_dB[80][channel];
+}
+
+}  // namespace
+
+TEST_CASE("excitation: P is best at 250 Hz, RA at 40 Hz, silence and faint signals are nothing") {
+  CHECK(steadyLevel(250, 1, 1) == Approx(45).margin(0.5));
+  CHECK(steadyLevel(40, 1, 0) == Approx(42).margin(2.5));  // ripples with its power, at 80 Hz
+  CHECK(steadyLevel(250, 1, 1) > steadyLevel(150, 1, 1));
+  CHECK(steadyLevel(250, 1, 1) > steadyLevel(400, 1, 1));
+  CHECK(steadyLevel(250, 0.1, 1) == Approx(steadyLevel(250, 1, 1) - 20).margin(0.1));
+  CHECK(steadyLevel(250, 0.001, 1) == 0);
+  for (const auto& frame : excitationOf(std::vector<float>(800, 0.0f)).level_dB) CHECK(frame[1] == 0);
+  CHECK(excitationOf({}).level_dB.empty());
+}
+
+TEST_CASE("masking: a faint burst beside a strong one fades, far from it it stays, nothing hides itself") {
+  Excitation two;
+  two.level_dB.assign(60, {0, 0});
+  two.level_dB[10] = {0, 40};
+  two.level_dB[12] = {0, 6};  // just after
+  two.level_dB[9] = {0, 3};   // just before
+  two.level_dB[50] = {0, 6};  // long after
+  const Excitation after = masked(two);
+  CHECK(after.level_dB[10][1] == 40);
+  CHECK(after.level_dB[12][1] < 3);
+  CHECK(after.level_dB[9][1] < 3);
+  CHECK(after.level_dB[50][1] == Approx(6).margin(0.5));
+  Excitation channels;
+  channels.level_dB = {{0, 40}, {6, 0}};
+  CHECK(masked(channels).level_dB[1][0] == 6);  // channels do not mask each other
+}
+
+TEST_CASE(
+    "confusion: a button and itself cannot be told apart; order does not matter; more change, more d'") {
+  const FeltButton b = felt(sample("B"));
+  const PredictedPair same = predictConfusion(b, b);
+  CHECK(same.dPrime == 0);
+  CHECK(same.errorsPer90() == Approx(45));
+  CHECK_FALSE(same.distinguishable());
+  const FeltButton c = felt(sample("C")), f = felt(sample("F"));
+  CHECK(predictConfusion(b, c).dPrime == Approx(predictConfusion(c, b).dPrime));
+  CHECK(predictConfusion(b, f).dPrime > predictConfusion(b, c).dPrime);
+}
+
+TEST_CASE(
+    "confusion: untuned, the forecast ranks the noisy group's pairs better than the measures of others") {
+  const std::vector<double> found{3, 2, 5, 1, 3, 10, 0, 4, 5, 5, 1, 4, 1, 0, 2};  // K&L, Table 2 (b)
+  std::vector<FeltButton> buttons;
+  for (const char* name : {"A", "B", "C", "D", "E", "F"}) buttons.push_back(felt(sample(name)));
+  std::vector<double> forecast, stSim, spqi, spectral;
+  for (const PredictedPair& pair : predictAll(buttons)) {
+    CHECK(std::isfinite(pair.dPrime));
+    CHECK(pair.errorsPer90() >= 0);
+    CHECK(pair.errorsPer90() <= 45);
+    forecast.push_back(pair.errorsPer90());
+  }
+  for (std::size_t k = 1; k < buttons.size(); ++k) {
+    for (std::size_t i = 0; i < k; ++i) {
+      stSim.push_back(-distanceBetween(buttons[i], buttons[k], stSimDistance));
+      spqi.push_back(-distanceBetween(buttons[i], buttons[k], spqiDistance));
+      spectral.push_back(-distanceBetween(buttons[i], buttons[k], spectralDistance_dB));
+    }
+  }
+  CHECK(spearman(forecast, found) >= 0.45);
+  CHECK(spearman(forecast, found) > spearman(stSim, found));
+  CHECK(spearman(forecast, found) > spearman(spqi, found));
+  CHECK(spearman(forecast, found) > spearman(spectral, found));
+}
+
+TEST_CASE("baselines: equal signals are no distance apart, different ones are") {
+  const std::vector<float> a = sine(150, 0.5, 0.1), b = sine(390, 0.5, 0.1);
+  for (const VibrationDistance distance : {stSimDistance, spqiDistance, spectralDistance_dB}) {
+    CHECK(distance(a, a) == Approx(0).margin(1e-9));
+    CHECK(distance(a, b) > distance(a, a));
+    CHECK(distance({}, {}) == Approx(0).margin(1e-9));
+    CHECK(std::isfinite(distance(a, {})));
+  }
+}
+
+TEST_CASE("a self-locking button is felt in both states") {
+  const FeltButton ef = felt(sample("EF"));
+  CHECK(ef.states.size() == 2);
+  CHECK(predictConfusion(ef, felt(sample("E"))).dPrime > 1);  // every second press gives it away
+}
+
+TEST_CASE("all pairs: progress is told, cancelling gives nothing") {
+  const std::vector<FeltButton> three{felt(sample("A")), felt(sample("B")), felt(sample("C"))};
+  std::size_t told = 0;
+  CHECK(predictAll(three, [&](std::size_t, std::size_t all) { return ++told, all == 3; }).size() == 3);
+  CHECK(told == 3);
+  CHECK(predictAll(three, [](std::size_t, std::size_t) { return false; }).empty());
+  CHECK_FALSE(feel(sample("A"), {}, [] { return true; }));
+}
+
+TEST_CASE("make distinguishable: the change is within bounds, passes the bar, and least comes first") {
+  DesignHelpSettings settings;
+  const Button b = sample("B"), c = sample("C");
+  const Result<std::vector<Suggestion>> found = makeDistinguishable(b, c, settings);
+  REQUIRE(found);
+  REQUIRE_FALSE(found->empty());
+  double before = 0;
+  for (const Suggestion& s : *found) {
+    CHECK(s.forecast.dPrime >= settings.bar_dPrime);
+    CHECK(std::fabs(std::log(s.factor)) <= std::log(settings.largestFactor) + 1e-9);
+    CHECK(std::fabs(std::log(s.factor)) >= before);
+    before = std::fabs(std::log(s.factor));
+    CHECK(predictConfusion(felt(s.button), felt(c)).dPrime == Approx(s.forecast.dPrime));
+  }
+  CHECK(makeDistinguishable(sample("A"), sample("D"))->empty());  // far apart already
+}

@@ -1,0 +1,436 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include <catch2/catch.hpp>
+#include <unistd.h>
+
+#include "model/file/text_file.h"
+#include "playback/study/trials/participant_session.h"
+#include "playback/study/trials/printed_counts.h"
+#include "playback/study/trials/study_output.h"
+#include "playback/study/trials/study_page.h"
+#include "playback/study/trials/trial_desk.h"
+
+using namespace detent;
+using namespace detent::playback;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string sample(const std::string& name) {
+  return std::string(DETENT_SOURCE_DIR) + "/samples/buttons/" + name + ".button.json";
+}
+
+class StudyFolder {
+ public:
+  explicit StudyFolder(StudyDesign design = {}, const std::vector<std::string>& names = {"A", "B", "C"}) {
+    static int count = 0;
+    root_ = fs::temp_directory_path() /
+            ("detent_trials_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
+    fs::create_directories(root_);
+    std::vector<std::string> files;
+    for (const std::string& name : names) files.push_back(sample(name));
+    Result<Study> made = createStudy(root_ / "study", files, "", design);
+    if (!made) throw std::runtime_error(made.failure().sentence());
+    study = std::make_unique<Study>(*std::move(made));
+  }
+  ~StudyFolder() { fs::remove_all(root_); }
+  fs::path folder() const { return root_ / "study"; }
+  std::unique_ptr<Study> study;
+
+ private:
+  fs::path root_;
+};
+
+const SessionStart simulatedStart{SessionKind::simulated, Listening::quiet, "", "perfect", 1000};
+
+/// Answers up to `count` trials in the person's or program's place.
+void answer(const Study& study, const std::string& id, const std::string& how, std::size_t count,
+            const SessionStart& start = simulatedStart) {
+  Result<ParticipantSession> session = ParticipantSession::open(study, id, start);
+  REQUIRE(session);
+  const Result<Simulation> simulation = simulationNamed(how);
+  REQUIRE(simulation);
+  for (std::size_t i = 0; i < count && session->trial() != nullptr; ++i)
+    REQUIRE(session->record(simulatedAnswer(study, id, *session->trial(), *simulation)));
+}
+
+void edit(const fs::path& file, const std::string& from, const std::string& to) {
+  std::ifstream in(file);
+  std::ostringstream all;
+  all << in.rdbuf();
+  std::string text = all.str();
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  text.replace(at, from.size(), to);
+  std::ofstream(file) << text;
+}
+
+}  // namespace
+
+TEST_CASE("plan: every pair as often as asked, sides and X balanced independently, the same list each time") {
+  StudyDesign design;
+  design.seed = 5;
+  const StudyFolder made(design, {"A", "B", "C", "D", "E", "F"});
+  const std::vector<Trial> plan = planTrials(*made.study, "P01");
+  CHECK(plan.size() == 150);
+  std::map<std::pair<std::size_t, std::size_t>, std::array<int, 3>> pairs;
+  for (const Trial& t : plan) {
+    const auto [low, high] = std::minmax(t.choices[0], t.choices[1]);
+    auto& [trials, swapped, xIsHigh] = pairs[{low, high}];
+    ++trials;
+    swapped += t.choices[0] > t.choices[1] ? 1 : 0;
+    xIsHigh += t.choices[t.target] == high ? 1 : 0;
+  }
+  CHECK(pairs.size() == 15);
+  for (const auto& [pair, n] : pairs) {
+    CHECK(n[0] == 10);
+    CHECK(n[1] == 5);
+  }
+  const std::vector<Trial> again = planTrials(*made.study, "P01"), other = planTrials(*made.study, "P02");
+  std::size_t same = 0;
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    CHECK((plan[i].choices == again[i].choices && plan[i].target == again[i].target));
+    same += plan[i].choices == other[i].choices ? 1 : 0;
+  }
+  CHECK(same < 40);
+}
+
+TEST_CASE("plan: X falls on alpha as often as on beta within each pair") {
+  const StudyFolder made;
+  std::map<std::pair<std::size_t, std::size_t>, int> first;
+  for (const Trial& t : planTrials(*made.study, "P01")) {
+    const auto key = std::minmax(t.choices[0], t.choices[1]);
+    first[{key.first, key.second}] += t.target == 0 ? 1 : 0;
+  }
+  for (const auto& [pair, n] : first) CHECK(n == 5);
+}
+
+TEST_CASE("plan: modes, practice, a subset of pairs, matching") {
+  StudyDesign design;
+  design.modes = {FeedbackMode::full, FeedbackMode::clickOnly};
+  design.practice = 4;
+  design.pairsEach = 2;
+  const StudyFolder made(design);
+  const std::vector<Trial> plan = planTrials(*made.study, "P01");
+  CHECK(plan.size() == 4 + 2 * 2 * 10);
+  CHECK(std::count_if(plan.begin(), plan.end(), [](const Trial& t) { return t.practice; }) == 4);
+  CHECK(countedTrials(*made.study) == 40);
+  StudyDesign matching;
+  matching.kind = StudyKind::matching;
+  matching.trials = 2;
+  const StudyFolder all(matching);
+  const std::vector<Trial> tasks = planTrials(*all.study, "P01");
+  CHECK(tasks.size() == 6);
+  for (const Trial& t : tasks) CHECK(t.choices.size() == 3);
+}
+
+TEST_CASE("design: what cannot be is refused, and nothing is left behind") {
+  const StudyFolder made;
+  const auto refused = [&](const StudyDesign& design, const std::vector<std::string>& files) {
+    const fs::path folder = made.folder().parent_path() / "other";
+    const Result<Study> study = createStudy(folder, files, "", design);
+    CHECK_FALSE(study);
+    CHECK_FALSE(fs::exists(folder));
+    CHECK_FALSE(fs::exists(folder.string() + ".part"));
+    return study ? 0 : study.failure().exitCode();
+  };
+  const std::vector<std::string> two{sample("A"), sample("B")};
+  StudyDesign design;
+  CHECK(refused(design, {sample("A")}) == 2);
+  CHECK(refused(design, {sample("A"), sample("A")}) == 2);
+  CHECK(refused(design, {sample("A"), "missing.button.json"}) == 3);
+  design.trials = 0;
+  CHECK(refused(design, two) == 2);
+  design = {};
+  design.modes = {FeedbackMode::off};
+  CHECK(refused(design, two) == 2);
+  design = {};
+  design.pairsEach = 9;
+  CHECK(refused(design, two) == 2);
+  CHECK(createStudy(made.folder(), two, "", {}).failure().exitCode() == 2);
+}
+
+TEST_CASE("a study with a changed, missing or foreign part is refused by name") {
+  {
+    const StudyFolder made;
+    edit(made.folder() / "buttons" / "B.button.json", "brown", "green");
+    const Result<Study> study = openStudy(made.folder());
+    REQUIRE_FALSE(study);
+    CHECK(study.failure().sentence().find("B.button.json") != std::string::npos);
+  }
+  {
+    const StudyFolder made;
+    fs::remove(made.folder() / "buttons" / "C.button.json");
+    CHECK(openStudy(made.folder()).failure().sentence().find("C.button.json") != std::string::npos);
+  }
+  {
+    const StudyFolder made;
+    edit(made.folder() / "study.json", "\"version\": 1", "\"version\": 2");
+    CHECK(openStudy(made.folder()).failure().sentence().find("version 2") != std::string::npos);
+  }
+  {
+    const StudyFolder made;
+    edit(made.folder() / "study.json", "\"seed\"", "\"sead\"");
+    CHECK(openStudy(made.folder()).failure().exitCode() == 3);
+  }
+  {
+    const StudyFolder made;
+    std::ofstream(made.folder() / "study.json") << "{\"format\": ";
+    CHECK(openStudy(made.folder()).failure().exitCode() == 3);
+  }
+  CHECK(openStudy("/nonexistent").failure().exitCode() == 3);
+}
+
+TEST_CASE("stimuli: what would feel different now is refused before anyone answers") {
+  const StudyFolder made;
+  CHECK(checkStimuli(*made.study));
+  made.study->stimuli[1].sha256[0] ^= 1;
+  CHECK(checkStimuli(*made.study).failure().sentence().find("feel different") != std::string::npos);
+}
+
+TEST_CASE("session: resumes at the very trial; the plan and the answers are those of an unbroken one") {
+  const StudyFolder made, unbroken;
+  answer(*made.study, "P01", "guess", 7);
+  answer(*made.study, "P01", "guess", 5);
+  answer(*made.study, "P01", "guess", 1000);
+  answer(*unbroken.study, "P01", "guess", 1000);
+  const auto one = readParticipants(*made.study), other = readParticipants(*unbroken.study);
+  REQUIRE((one && other));
+  REQUIRE(one->front().complete());
+  CHECK(one->front().sessions.size() == 3);
+  for (std::size_t i = 0; i < one->front().answers.size(); ++i)
+    CHECK(one->front().answers[i].answer.choice == other->front().answers[i].answer.choice);
+}
+
+TEST_CASE(
+    "journal: cut at any byte of its end, every whole answer is there and the next trial is the right one") {
+  const StudyFolder made;
+  answer(*made.study, "P01", "perfect", 3);
+  const fs::path file = made.folder() / "participants" / "P01.jsonl";
+  std::ifstream in(file);
+  std::ostringstream all;
+  all << in.rdbuf();
+  const std::string text = all.str();
+  const std::size_t last = text.rfind('\n', text.size() - 2) + 1;
+  for (std::size_t length = last; length < text.size(); length += 17) {
+    std::ofstream(file, std::ios::binary) << text.substr(0, length);
+    const Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
+    REQUIRE(session);
+    CHECK(session->record().answers.size() == 2);
+    CHECK(session->trial()->number == 3);
+  }
+}
+
+TEST_CASE("journal: a line changed, taken out or added by hand is named") {
+  const auto failureAfter = [](const std::string& from, const std::string& to) {
+    const StudyFolder made;
+    answer(*made.study, "P01", "guess", 6);
+    edit(made.folder() / "participants" / "P01.jsonl", from, to);
+    const auto records = readParticipants(*made.study);
+    REQUIRE_FALSE(records);
+    return records.failure();
+  };
+  CHECK(failureAfter("\"trial\":3", "\"trial\":4").sentence().find("line 5") != std::string::npos);
+  CHECK(failureAfter("\"correct\":true", "\"correct\":false").sentence().find("by hand") !=
+        std::string::npos);
+  CHECK(failureAfter("\"version\":1", "\"version\":9").exitCode() == 3);
+  const StudyFolder one, other;
+  answer(*one.study, "P01", "guess", 2);
+  fs::copy_file(one.folder() / "participants" / "P01.jsonl", one.folder() / "participants" / "P02.jsonl");
+  CHECK(readParticipants(*one.study).failure().sentence().find("P01") != std::string::npos);
+}
+
+TEST_CASE(
+    "session: one process at a time; no person's answers among simulated ones; ids name no file outside") {
+  const StudyFolder made;
+  {
+    const Result<ParticipantSession> first = ParticipantSession::open(*made.study, "P01", simulatedStart);
+    REQUIRE(first);
+    CHECK(ParticipantSession::open(*made.study, "P01", simulatedStart).failure().exitCode() == 3);
+    CHECK(ParticipantSession::open(*made.study, "P02", simulatedStart));
+  }
+  SessionStart person = simulatedStart;
+  person.kind = SessionKind::real;
+  CHECK(ParticipantSession::open(*made.study, "P01", person).failure().exitCode() == 2);
+  for (const char* id : {"", "../P01", "a/b", "P 1", "-P1", "012345678901234567890123456789012"})
+    CHECK_FALSE(ParticipantSession::open(*made.study, id, simulatedStart));
+}
+
+TEST_CASE("session: clocks that disagree are told, times stay as measured") {
+  const StudyFolder made;
+  SessionStart later = simulatedStart;
+  later.kind = SessionKind::rehearsal;
+  answer(*made.study, "P01", "perfect", 4, later);
+  later.utc_s -= 5000;
+  answer(*made.study, "P01", "perfect", 4, later);
+  const auto records = readParticipants(*made.study);
+  REQUIRE(records);
+  REQUIRE(records->front().notes.size() == 1);
+  CHECK(records->front().notes[0].find("two clocks disagree") != std::string::npos);
+  double before = -1;
+  for (const RecordedAnswer& a : records->front().answers) {
+    CHECK(a.onset_s > before);
+    before = a.onset_s;
+  }
+  // Simulated times are made up.
+  answer(*made.study, "P02", "perfect", 4);
+  SessionStart earlier = simulatedStart;
+  earlier.utc_s -= 5000;
+  answer(*made.study, "P02", "perfect", 4, earlier);
+  CHECK((*readParticipants(*made.study))[1].notes.empty());
+}
+
+TEST_CASE("session: a trial broken off by the device is marked, its row says so") {
+  const StudyFolder made;
+  {
+    Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
+    REQUIRE(session);
+    REQUIRE(session->interrupted("sound device lost"));
+    CHECK(session->trial()->number == 1);
+  }
+  answer(*made.study, "P01", "perfect", 2);
+  {
+    Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
+    REQUIRE(session);
+    REQUIRE(session->interrupted("sound device lost"));
+    REQUIRE(session->record(simulatedAnswer(*made.study, "P01", *session->trial(), {})));
+  }
+  const auto records = readParticipants(*made.study);
+  const std::vector<TrialRow> rows = rowsOf(*made.study, *records);
+  CHECK(rows[0].condition == "quiet/simulated/repeated");  // gone on with on another day
+  CHECK(rows[1].condition == "quiet/simulated");
+  CHECK(rows[2].condition == "quiet/simulated/repeated");
+}
+
+TEST_CASE("session: an early end keeps the columns; stopping is told") {
+  const StudyFolder made;
+  {
+    Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
+    REQUIRE(session->record(simulatedAnswer(*made.study, "P01", *session->trial(), {})));
+    REQUIRE(session->end("stopped by the participant"));
+    CHECK(session->trial() == nullptr);
+  }
+  CHECK(readParticipants(*made.study)->front().next() == nullptr);
+  const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
+  const std::string csv = resultsCsv(results);
+  CHECK(csv.rfind("study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,answer_s,"
+                  "condition\n",
+                  0) == 0);
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 2);
+  CHECK(std::any_of(results.warnings.begin(), results.warnings.end(),
+                    [](const std::string& w) { return w.find("ended early") != std::string::npos; }));
+  // Who comes back goes on where they stopped.
+  Result<ParticipantSession> again = ParticipantSession::open(*made.study, "P01", simulatedStart);
+  REQUIRE(again);
+  REQUIRE(again->trial() != nullptr);
+  CHECK(again->trial()->number == 2);
+  REQUIRE(again->record(simulatedAnswer(*made.study, "P01", *again->trial(), {})));
+  CHECK(readParticipants(*made.study)->front().answers.size() == 2);
+}
+
+TEST_CASE("desk: nothing is answered unfelt; times and tries are counted") {
+  const StudyFolder made;
+  const Trial trial = planTrials(*made.study, "P01").front();
+  TrialDesk desk(*made.study, trial, 100, 110);
+  CHECK_FALSE(desk.mayAnswer());
+  desk.triedChoice(0, 111);
+  desk.triedX(112);
+  CHECK_FALSE(desk.mayAnswer());
+  desk.triedChoice(1, 113);
+  desk.triedChoice(1, 114);
+  REQUIRE(desk.mayAnswer());
+  const Answer a = desk.answer(1, 116);
+  CHECK(a.replays == std::vector<std::size_t>{1, 2});
+  CHECK(a.onset_s == 10);
+  CHECK(a.firstPress_s == 1);
+  CHECK(a.answer_s == 6);
+}
+
+TEST_CASE("results: a perfect and a guessing participant, the rule and its p") {
+  const StudyFolder made;
+  answer(*made.study, "P01", "perfect", 1000);
+  answer(*made.study, "P02", "errors=1", 1000);
+  const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
+  REQUIRE(results.groups.size() == 1);
+  const GroupResult& group = results.groups.front();
+  CHECK(group.errors == Count{30, 60});
+  CHECK(group.fails == Count{3, 6});
+  CHECK(*results.rule.mostErrors == 1);
+  CHECK(results.rule.p == Approx(11.0 / 1024));
+  for (const PairResult& pair : group.pairs) {
+    CHECK(pair.failCount == std::size_t{1});
+    CHECK(pair.tests[0].discriminates);
+    CHECK(pair.tests[0].adjusted == Approx(3.0 / 1024));
+  }
+  CHECK(results.anySimulated);
+  CHECK(resultsText(results).find("SIMULATED") != std::string::npos);
+  CHECK(resultsPage(results, {}).find("SIMULATION") != std::string::npos);
+  CHECK(discriminationRule(4).mostErrors == std::nullopt);
+  CHECK(*discriminationRule(5).mostErrors == 0);
+}
+
+TEST_CASE("results: no error gives a bound, not infinity") {
+  const Sensitivity s = sensitivityOf({0, 90});
+  CHECK(s.atLeast);
+  CHECK(s.differencing == Approx(4.31).margin(0.01));
+  CHECK(sensitivityOf({45, 90}).differencing == 0);
+}
+
+TEST_CASE("results: labels that CSV and HTML must quote come out whole") {
+  StudyResults results;
+  results.study = "a,\"b\"";
+  results.labels = {"<x>", "y"};
+  results.names = results.labels;
+  TrialRow row;
+  row.participant = "P01";
+  row.x = "y,\nz";
+  results.rows.push_back(row);
+  CHECK(resultsCsv(results).find("\"a,\"\"b\"\"\"") != std::string::npos);
+  CHECK(resultsCsv(results).find("\"y,\nz\"") != std::string::npos);
+  CHECK(resultsPage(results, {}).find("&lt;x&gt;") != std::string::npos);
+}
+
+TEST_CASE("Kim & Lee's printed counts: their percentages, and what does not add up") {
+  const std::string folder = std::string(DETENT_SOURCE_DIR) + "/samples/studies/kim-lee-2013";
+  REQUIRE(holdsPrintedCounts(folder));
+  const Result<StudyResults> results = readPrintedCounts(folder);
+  REQUIRE(results);
+  const std::string text = resultsText(*results);
+  for (const char* figure :
+       {"8 / 1350 (0.59 %)", "46 / 1350 (3.41 %)", "1 / 135 (0.74 %)", "8 / 135 (5.93 %)",
+        "\"76/96\" is printed (79.2 %)", "72 trials", "57/72", "24 participants", "52/72"})
+    CHECK(text.find(figure) != std::string::npos);
+  CHECK(results->warnings.size() == 2);
+  for (const PairResult& pair : results->groups.front().pairs) CHECK_FALSE(pair.failCount.has_value());
+}
+
+TEST_CASE("results: of fewer than five trials nobody passes or fails, and it is said") {
+  StudyDesign design;
+  design.trials = 4;
+  const StudyFolder made(design);
+  answer(*made.study, "P01", "perfect", 1000);
+  const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
+  REQUIRE_FALSE(results.groups.empty());
+  CHECK(results.groups[0].fails.trials == 0);
+  CHECK_FALSE(results.groups[0].pairs[0].failCount);
+  CHECK(std::any_of(results.warnings.begin(), results.warnings.end(),
+                    [](const std::string& w) { return w.find("too few for a test") != std::string::npos; }));
+}
+
+TEST_CASE("page: what was foretold of a mode stands beside what was found in it") {
+  const StudyFolder made;
+  answer(*made.study, "P01", "perfect", 1000);
+  const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
+  ForetoldPair pair{FeedbackMode::full, 0, 1, 2, 0.1, "by its click"};
+  CHECK(resultsPage(results, {pair}).find("by its click") != std::string::npos);
+  pair.mode = FeedbackMode::clickOnly;
+  CHECK(resultsPage(results, {pair}).find("by its click") == std::string::npos);
+}
