@@ -27,7 +27,7 @@ import_packages=(
 )
 build_packages=(
   qt6-base-dev qt6-base-dev-tools qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n libqcustomplot-dev libgl-dev
-  portaudio19-dev libjack-jackd2-dev libboost-dev libboost-system-dev liblo-dev libsndfile1-dev libreaderwriterqueue-dev
+  portaudio19-dev libjack-jackd2-dev liblo-dev libsndfile1-dev libreaderwriterqueue-dev
   libusb-1.0-0-dev                 # the Novint Falcon
 )
 test_packages=(

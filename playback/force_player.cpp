@@ -81,16 +81,11 @@ Result<std::unique_ptr<ForceDevice>> simulatedOn(const Button& button, const Pre
       std::make_unique<SimulatedForceDevice>(s, SimulatedFinger({}, *std::move(plan))));
 }
 
-Failure failureFrom(const DeviceTrouble& trouble) {
-  return {trouble.wrongUsage ? FailureCode::wrongUsage : FailureCode::deviceTrouble, trouble.device, "",
-          trouble.problem, trouble.remedy};
-}
-
 Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
                                               const ForceDeviceChoice& choice) {
-  DeviceResult<std::unique_ptr<SerialForceDevice>> device =
+  Result<std::unique_ptr<SerialForceDevice>> device =
       SerialForceDevice::open(choice.port, choice.baud, prepared.program.period_s);
-  if (!device) return failureFrom(device.trouble());
+  if (!device) return device.failure();
   const SerialForceInfo& info = (*device)->info();
   if (prepared.program.step_mm < info.step_mm * 0.999 ||
       prepared.program.limits.force_N > info.force_N * 1.001) {
@@ -101,8 +96,7 @@ Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
         "Give --step-mm " + std::to_string(info.step_mm) + " --max-N " + std::to_string(info.force_N)};
   }
   if (choice.uploadTable) {
-    if (DeviceResult<bool> sent = (*device)->upload(prepared.program); !sent)
-      return failureFrom(sent.trouble());
+    if (Result<Done> sent = (*device)->upload(prepared.program); !sent) return sent.failure();
   }
   return std::unique_ptr<ForceDevice>(std::move(*device));
 }
@@ -115,8 +109,8 @@ Result<std::unique_ptr<ForceDevice>> odriveOn(const PreparedForce& prepared,
   settings.axis = choice.axis;
   settings.mmPerTurn = choice.mmPerTurn;
   settings.period_s = prepared.program.period_s;
-  DeviceResult<std::unique_ptr<OdriveForceDevice>> device = OdriveForceDevice::open(settings);
-  if (!device) return failureFrom(device.trouble());
+  Result<std::unique_ptr<OdriveForceDevice>> device = OdriveForceDevice::open(settings);
+  if (!device) return device.failure();
   return std::unique_ptr<ForceDevice>(std::move(*device));
 }
 
@@ -126,16 +120,12 @@ Result<std::unique_ptr<ForceDevice>> falconOn(const PreparedForce& prepared,
   settings.number = choice.number;
   settings.period_s = prepared.program.period_s;
   if (!choice.firmwareFile.empty()) {
-    DeviceResult<std::vector<std::uint8_t>> firmware = readFalconFirmware(choice.firmwareFile);
-    if (!firmware) {
-      Failure failure = failureFrom(firmware.trouble());
-      failure.code = FailureCode::unreadableInput;
-      return failure;
-    }
+    Result<std::vector<std::uint8_t>> firmware = readFalconFirmware(choice.firmwareFile);
+    if (!firmware) return firmware.failure();
     settings.firmware = *std::move(firmware);
   }
-  DeviceResult<std::unique_ptr<ForceDevice>> device = openFalcon(settings);
-  if (!device) return failureFrom(device.trouble());
+  Result<std::unique_ptr<ForceDevice>> device = openFalcon(settings);
+  if (!device) return device.failure();
   return std::move(*device);
 }
 

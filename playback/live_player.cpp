@@ -24,11 +24,6 @@ constexpr double traceAhead_s = 0.25;
 constexpr double traceStep_s = 0.05;
 constexpr double silentRate_Hz = 48000;  // in which a player without a device numbers its events
 
-Failure failureOf(const DeviceTrouble& t) {
-  return {t.wrongUsage ? FailureCode::wrongUsage : FailureCode::deviceTrouble, t.device, "", t.problem,
-          t.remedy};
-}
-
 AudioSettings audioSettings(const PlayerSettings& s) {
   return {s.device,
           s.sampleRate_Hz,
@@ -78,9 +73,8 @@ class Player : public LivePlayer {
 
   Result<Done> open(const PlayerSettings& settings, const HapticProgram& program, CallbackHooks hooks) {
     setProgram(program);
-    DeviceResult<std::unique_ptr<AudioOutput>> output =
-        AudioOutput::open(audioSettings(settings), session_, hooks);
-    if (!output) return failureOf(output.trouble());
+    Result<std::unique_ptr<AudioOutput>> output = AudioOutput::open(audioSettings(settings), session_, hooks);
+    if (!output) return output.failure();
     output_ = std::move(*output);
     return settings.masking.level > 0 && !settings.masking.device.empty() ? openRain(settings.masking)
                                                                           : Result<Done>(Done{});
@@ -140,9 +134,9 @@ class Player : public LivePlayer {
       const std::lock_guard lock(readingMutex_);
       settings.conditioner = limitsFor(*routeProgram_);
     }
-    DeviceResult<std::unique_ptr<SerialSensor>> sensor =
+    Result<std::unique_ptr<SerialSensor>> sensor =
         SerialSensor::open(settings, [this](const SensorReading& reading) { forward(reading); });
-    if (!sensor) return failureOf(sensor.trouble());
+    if (!sensor) return sensor.failure();
     const std::lock_guard lock(controlMutex_);
     sensor_ = std::move(*sensor);
     return Done{};
@@ -161,8 +155,8 @@ class Player : public LivePlayer {
 
   Result<Done> sendSignals(const std::string& host, std::uint16_t port) override {
     // A name may take seconds to resolve: nothing waits for it.
-    DeviceResult<std::unique_ptr<SignalSender>> sender = SignalSender::open(host, port);
-    if (!sender) return failureOf(sender.trouble());
+    Result<std::unique_ptr<SignalSender>> sender = SignalSender::open(host, port);
+    if (!sender) return sender.failure();
     const std::lock_guard lock(readingMutex_);
     route_ = std::make_unique<PdRoute>(std::move(*sender));
     return Done{};
@@ -261,8 +255,8 @@ class Player : public LivePlayer {
     audio.device = masking.device;
     audio.channels = 0;
     audio.rainLevel = masking.level;
-    DeviceResult<std::unique_ptr<AudioOutput>> rain = AudioOutput::open(audio, *rainSession_);
-    if (!rain) return failureOf(rain.trouble());
+    Result<std::unique_ptr<AudioOutput>> rain = AudioOutput::open(audio, *rainSession_);
+    if (!rain) return rain.failure();
     rain_ = std::move(*rain);
     if (rain_->deviceName() != output_->deviceName()) return Done{};
     return Failure{FailureCode::wrongUsage, masking.device, "",
@@ -399,8 +393,8 @@ class Player : public LivePlayer {
   }
 
   Result<std::uint16_t> keep(std::unique_ptr<SignalServer>& place,
-                             DeviceResult<std::unique_ptr<SignalServer>> server) {
-    if (!server) return failureOf(server.trouble());
+                             Result<std::unique_ptr<SignalServer>> server) {
+    if (!server) return server.failure();
     const std::uint16_t port = (*server)->port();
     {
       const std::lock_guard lock(controlMutex_);
@@ -501,8 +495,8 @@ class Player : public LivePlayer {
 bool livePlaybackAvailable() { return true; }
 
 Result<std::vector<SoundDevice>> listSoundDevices() {
-  DeviceResult<std::vector<AudioDeviceInfo>> found = listAudioDevices();
-  if (!found) return failureOf(found.trouble());
+  Result<std::vector<AudioDeviceInfo>> found = listAudioDevices();
+  if (!found) return found.failure();
   std::vector<SoundDevice> devices;
   for (const AudioDeviceInfo& d : *found) {
     devices.push_back(
@@ -513,8 +507,8 @@ Result<std::vector<SoundDevice>> listSoundDevices() {
 
 Result<std::unique_ptr<LivePlayer>> LivePlayer::start(const PlayerSettings& settings,
                                                       const HapticProgram& program) {
-  DeviceResult<double> rate = sampleRateFor(audioSettings(settings));
-  if (!rate) return failureOf(rate.trouble());
+  Result<double> rate = sampleRateFor(audioSettings(settings));
+  if (!rate) return rate.failure();
   if (*rate < HapticEngine::lowestSampleRate_Hz || *rate > HapticEngine::highestSampleRate_Hz) {
     return Failure{FailureCode::wrongUsage, "sample rate", "",
                    std::to_string(std::lround(*rate)) + " Hz lies outside 8000..192000",
@@ -534,8 +528,8 @@ Result<std::unique_ptr<LivePlayer>> LivePlayer::startSilent(const HapticProgram&
 Result<SoundRecording> playAndRecordSamples(const PlayerSettings& settings, const std::string& inputDevice,
                                             const std::vector<float>& samples,
                                             const std::function<bool()>& cancelled) {
-  DeviceResult<Recording> recorded = playAndRecord(audioSettings(settings), inputDevice, samples, cancelled);
-  if (!recorded) return failureOf(recorded.trouble());
+  Result<Recording> recorded = playAndRecord(audioSettings(settings), inputDevice, samples, cancelled);
+  if (!recorded) return recorded.failure();
   if (cancelled()) return Failure::cancelled("recording");
   return SoundRecording{std::move(recorded->samples), recorded->dropouts};
 }

@@ -24,11 +24,6 @@ constexpr double settle_s = 0.15;   // between press, release and the next press
 constexpr double tapWithin_s = 60;  // a person taps the sensor
 constexpr double faintestOnset = 1e-4;
 
-Failure failureOf(const DeviceTrouble& t) {
-  return {t.wrongUsage ? FailureCode::wrongUsage : FailureCode::deviceTrouble, t.device, "", t.problem,
-          t.remedy};
-}
-
 /// A button whose only strong event on the way down is one jump.
 Result<PreparedProgram> measuringProgram(const LatencySettings& settings) {
   Result<StrokeCurve> press = StrokeCurve::throughPoints({{0, 0}, {1, tactile_N}, {1.4, 0.3}, {3, 1.0}});
@@ -87,22 +82,22 @@ class Measurement {
     session_.send(Lane::control, use);
     const AudioSettings audio{settings_.player.device, session_.sampleRate_Hz(),
                               settings_.player.bufferFrames, settings_.player.channels};
-    DeviceResult<std::unique_ptr<AudioOutput>> output = AudioOutput::open(audio, session_);
-    if (!output) return failureOf(output.trouble());
+    Result<std::unique_ptr<AudioOutput>> output = AudioOutput::open(audio, session_);
+    if (!output) return output.failure();
     output_ = std::move(*output);
     const std::string& input =
         settings_.inputDevice.empty() ? settings_.player.device : settings_.inputDevice;
-    DeviceResult<std::unique_ptr<AudioCapture>> capture = AudioCapture::open(input, session_.sampleRate_Hz());
-    if (!capture) return failureOf(capture.trouble());
+    Result<std::unique_ptr<AudioCapture>> capture = AudioCapture::open(input, session_.sampleRate_Hz());
+    if (!capture) return capture.failure();
     capture_ = std::move(*capture);
     if (settings_.sensorPort.empty()) return Done{};
     SerialSettings serial;
     serial.port = settings_.sensorPort;
     serial.baud = settings_.baud;
     serial.calibration = settings_.calibration;
-    DeviceResult<std::unique_ptr<SerialSensor>> sensor =
+    Result<std::unique_ptr<SerialSensor>> sensor =
         SerialSensor::open(serial, [this](const SensorReading& r) { onReading(r); });
-    if (!sensor) return failureOf(sensor.trouble());
+    if (!sensor) return sensor.failure();
     sensor_ = std::move(*sensor);
     return Done{};
   }
@@ -259,12 +254,11 @@ Result<RawReading> readRawSensor(const std::string& port, unsigned baud, double 
   settings.conditioner.fastest_per_s = 1e12;
   std::mutex mutex;
   std::vector<double> arriving;
-  DeviceResult<std::unique_ptr<SerialSensor>> sensor =
-      SerialSensor::open(settings, [&](const SensorReading& r) {
-        const std::lock_guard lock(mutex);
-        arriving.push_back(r.raw);
-      });
-  if (!sensor) return failureOf(sensor.trouble());
+  Result<std::unique_ptr<SerialSensor>> sensor = SerialSensor::open(settings, [&](const SensorReading& r) {
+    const std::lock_guard lock(mutex);
+    arriving.push_back(r.raw);
+  });
+  if (!sensor) return sensor.failure();
   const auto readFor = [&](double time_s) {
     for (const double end_s = now_s() + time_s; now_s() < end_s && !cancelled();)
       sleepUntil(std::min(end_s, now_s() + 0.02));
@@ -300,8 +294,8 @@ Result<LatencyResult> measureLatency(const LatencySettings& settings,
   }
   Result<PreparedProgram> program = measuringProgram(settings);
   if (!program) return program.failure();
-  DeviceResult<double> rate = sampleRateFor({settings.player.device, settings.player.sampleRate_Hz, 0, 1});
-  if (!rate) return failureOf(rate.trouble());
+  Result<double> rate = sampleRateFor({settings.player.device, settings.player.sampleRate_Hz, 0, 1});
+  if (!rate) return rate.failure();
   return std::make_unique<Measurement>(settings, program->program, *rate, cancelled)->run(progress);
 }
 

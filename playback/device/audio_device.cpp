@@ -77,15 +77,15 @@ class Library {
   PaError error_;
 };
 
-DeviceTrouble troubleOf(const std::string& device, const std::string& what, PaError error) {
+Failure troubleOf(const std::string& device, const std::string& what, PaError error) {
   std::string text = Pa_GetErrorText(error);
   if (error == paUnanticipatedHostError) {
     const PaHostErrorInfo* info = Pa_GetLastHostErrorInfo();
     if (info != nullptr && info->errorText != nullptr && *info->errorText != '\0')
       text += std::string(": ") + info->errorText;
   }
-  return {device.empty() ? "default device" : device, what + " (" + text + ")",
-          "See `detent-play devices` for what is there"};
+  return {FailureCode::deviceTrouble, device.empty() ? "default device" : device, "",
+          what + " (" + text + ")", "See `detent-play devices` for what is there"};
 }
 
 AudioDeviceInfo infoOf(PaDeviceIndex index) {
@@ -110,13 +110,14 @@ std::string lowered(std::string text) {
 
 enum class Direction { input, output };
 
-DeviceResult<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction) {
+Result<PaDeviceIndex> findDevice(const std::string& wanted, Direction direction) {
   const bool output = direction == Direction::output;
   if (wanted.empty()) {
     const PaDeviceIndex index = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
     if (index == paNoDevice) {
-      return DeviceTrouble{"default device", output ? "no sound output is there" : "no sound input is there",
-                           "Connect one, or start a JACK server"};
+      return Failure{FailureCode::deviceTrouble, "default device", "",
+                     output ? "no sound output is there" : "no sound input is there",
+                     "Connect one, or start a JACK server"};
     }
     return index;
   }
@@ -135,16 +136,17 @@ DeviceResult<PaDeviceIndex> findDevice(const std::string& wanted, Direction dire
   const PaDeviceIndex standard = output ? Pa_GetDefaultOutputDevice() : Pa_GetDefaultInputDevice();
   if (std::find(partly.begin(), partly.end(), standard) != partly.end()) return standard;
   if (partly.empty()) {
-    return DeviceTrouble{wanted,
-                         output ? "is not an output of this machine" : "is not an input of this machine",
-                         "See `detent-play devices`"};
+    return Failure{FailureCode::deviceTrouble, wanted, "",
+                   output ? "is not an output of this machine" : "is not an input of this machine",
+                   "See `detent-play devices`"};
   }
-  return DeviceTrouble{wanted, "names several devices: " + names, "Give a longer part of the name", true};
+  return Failure{FailureCode::wrongUsage, wanted, "", "names several devices: " + names,
+                 "Give a longer part of the name"};
 }
 
 }  // namespace
 
-DeviceResult<std::vector<AudioDeviceInfo>> listAudioDevices() {
+Result<std::vector<AudioDeviceInfo>> listAudioDevices() {
   const std::lock_guard lock(libraryMutex);
   const Library library;
   if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
@@ -153,12 +155,12 @@ DeviceResult<std::vector<AudioDeviceInfo>> listAudioDevices() {
   return devices;
 }
 
-DeviceResult<double> sampleRateFor(const AudioSettings& settings) {
+Result<double> sampleRateFor(const AudioSettings& settings) {
   const std::lock_guard lock(libraryMutex);
   const Library library;
   if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
-  DeviceResult<PaDeviceIndex> index = findDevice(settings.device, Direction::output);
-  if (!index) return index.trouble();
+  Result<PaDeviceIndex> index = findDevice(settings.device, Direction::output);
+  if (!index) return index.failure();
   const double own = infoOf(*index).sampleRate_Hz;
   return settings.sampleRate_Hz > 0 ? settings.sampleRate_Hz : own;
 }
@@ -179,8 +181,8 @@ class AudioOutput::Stream {
     closeStream();
   }
 
-  std::optional<DeviceTrouble> start() {
-    if (std::optional<DeviceTrouble> trouble = openStream()) return trouble;
+  std::optional<Failure> start() {
+    if (std::optional<Failure> trouble = openStream()) return trouble;
     watcher_ = std::thread([this] { watch(); });
     return {};
   }
@@ -193,19 +195,20 @@ class AudioOutput::Stream {
   }
 
  private:
-  std::optional<DeviceTrouble> openStream() {
+  std::optional<Failure> openStream() {
     // A server that was there once is asked for by itself: PortAudio would have to look at all devices again.
     if (!jackTarget_.empty()) return openJack(jackTarget_, channels_);
     const std::lock_guard lock(libraryMutex);
     library_ = std::make_unique<Library>();
     if (library_->error() != paNoError) return troubleOf("PortAudio", "cannot be started", library_->error());
-    DeviceResult<PaDeviceIndex> index = findDevice(settings_.device, Direction::output);
-    if (!index) return index.trouble();
+    Result<PaDeviceIndex> index = findDevice(settings_.device, Direction::output);
+    if (!index) return index.failure();
     const AudioDeviceInfo info = infoOf(*index);
     channels_ = channelsOf(info);
     if (channels_.signal < std::min(1, settings_.channels))
-      return DeviceTrouble{info.fullName(), "has one output: the masking noise would be felt",
-                           "Give the headphones' device as --noise-device"};
+      return Failure{FailureCode::deviceTrouble, info.fullName(), "",
+                     "has one output: the masking noise would be felt",
+                     "Give the headphones' device as --noise-device"};
     const bool jack = info.hostApi.rfind(jackApi, 0) == 0;
     if (jack && settings_.jackRoute == JackRoute::ownClient && JackStream::available()) {
       library_.reset();
@@ -221,11 +224,11 @@ class AudioOutput::Stream {
     return {signal, std::min(2, there - signal)};
   }
 
-  std::optional<DeviceTrouble> openJack(const std::string& target, OutputChannels channels) {
+  std::optional<Failure> openJack(const std::string& target, OutputChannels channels) {
     renderer_.touch(now_s());
-    DeviceResult<std::unique_ptr<JackStream>> stream =
+    Result<std::unique_ptr<JackStream>> stream =
         JackStream::open(target, channels, settings_.sampleRate_Hz, renderer_);
-    if (!stream) return stream.trouble();
+    if (!stream) return stream.failure();
     jack_ = std::move(*stream);
     jackTarget_ = target;
     const std::lock_guard lock(watchMutex_);
@@ -233,7 +236,7 @@ class AudioOutput::Stream {
     return {};
   }
 
-  std::optional<DeviceTrouble> openPortAudio(PaDeviceIndex index, const AudioDeviceInfo& info) {
+  std::optional<Failure> openPortAudio(PaDeviceIndex index, const AudioDeviceInfo& info) {
     PaStreamParameters output{};
     output.device = index;
     output.channelCount = channels_.all();
@@ -343,10 +346,10 @@ StreamState AudioOutput::state() const { return stream_->state(); }
 std::uint64_t AudioOutput::losses() const { return stream_->losses(); }
 std::string AudioOutput::deviceName() const { return stream_->deviceName(); }
 
-DeviceResult<std::unique_ptr<AudioOutput>> AudioOutput::open(const AudioSettings& settings,
-                                                             LiveSession& session, CallbackHooks hooks) {
+Result<std::unique_ptr<AudioOutput>> AudioOutput::open(const AudioSettings& settings, LiveSession& session,
+                                                       CallbackHooks hooks) {
   auto stream = std::make_unique<Stream>(settings, session, hooks);
-  if (std::optional<DeviceTrouble> trouble = stream->start()) return *trouble;
+  if (std::optional<Failure> trouble = stream->start()) return *trouble;
   return std::unique_ptr<AudioOutput>(new AudioOutput(std::move(stream)));
 }
 
@@ -381,17 +384,16 @@ struct Duplex {
 
 }  // namespace
 
-DeviceResult<Recording> playAndRecord(const AudioSettings& settings, const std::string& inputDevice,
-                                      const std::vector<float>& samples,
-                                      const std::function<bool()>& cancelled) {
+Result<Recording> playAndRecord(const AudioSettings& settings, const std::string& inputDevice,
+                                const std::vector<float>& samples, const std::function<bool()>& cancelled) {
   std::unique_lock lock(libraryMutex);
   const Library library;
   if (library.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library.error());
-  DeviceResult<PaDeviceIndex> out = findDevice(settings.device, Direction::output);
-  if (!out) return out.trouble();
-  DeviceResult<PaDeviceIndex> in =
+  Result<PaDeviceIndex> out = findDevice(settings.device, Direction::output);
+  if (!out) return out.failure();
+  Result<PaDeviceIndex> in =
       findDevice(inputDevice.empty() ? settings.device : inputDevice, Direction::input);
-  if (!in) return in.trouble();
+  if (!in) return in.failure();
   const double rate = settings.sampleRate_Hz > 0 ? settings.sampleRate_Hz : infoOf(*out).sampleRate_Hz;
   PaStreamParameters output{}, input{};
   output.device = *out;
@@ -421,7 +423,8 @@ DeviceResult<Recording> playAndRecord(const AudioSettings& settings, const std::
   Pa_AbortStream(stream);
   Pa_CloseStream(stream);
   if (!complete)
-    return DeviceTrouble{settings.device, "stopped during the measurement", "Check the device and try again"};
+    return Failure{FailureCode::deviceTrouble, settings.device, "", "stopped during the measurement",
+                   "Check the device and try again"};
   recording.dropouts = duplex.dropouts;
   return recording;
 }
@@ -437,11 +440,11 @@ class AudioCapture::Recorder {
     Pa_CloseStream(stream_);
   }
 
-  std::optional<DeviceTrouble> start(const std::string& device) {
+  std::optional<Failure> start(const std::string& device) {
     const std::lock_guard lock(libraryMutex);
     if (library_.error() != paNoError) return troubleOf("PortAudio", "cannot be started", library_.error());
-    DeviceResult<PaDeviceIndex> index = findDevice(device, Direction::input);
-    if (!index) return index.trouble();
+    Result<PaDeviceIndex> index = findDevice(device, Direction::input);
+    if (!index) return index.failure();
     PaStreamParameters input{};
     input.device = *index;
     input.channelCount = 1;
@@ -513,10 +516,10 @@ double AudioCapture::sampleRate_Hz() const { return recorder_->rate(); }
 std::vector<AudioCapture::Block> AudioCapture::take() { return recorder_->take(); }
 std::uint64_t AudioCapture::dropped() const { return recorder_->dropped(); }
 
-DeviceResult<std::unique_ptr<AudioCapture>> AudioCapture::open(const std::string& inputDevice,
-                                                               double sampleRate_Hz) {
+Result<std::unique_ptr<AudioCapture>> AudioCapture::open(const std::string& inputDevice,
+                                                         double sampleRate_Hz) {
   auto recorder = std::make_unique<Recorder>(sampleRate_Hz);
-  if (std::optional<DeviceTrouble> trouble = recorder->start(inputDevice)) return *trouble;
+  if (std::optional<Failure> trouble = recorder->start(inputDevice)) return *trouble;
   return std::unique_ptr<AudioCapture>(new AudioCapture(std::move(recorder)));
 }
 

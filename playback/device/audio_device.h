@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "playback/device/device_trouble.h"
+#include "model/result.h"
 #include "playback/device/stream_renderer.h"
 #include "playback/realtime/live_session.h"
 
@@ -26,7 +26,7 @@ struct AudioDeviceInfo {
 };
 
 /// All devices of all host APIs. Looks anew each time while no stream is open.
-DeviceResult<std::vector<AudioDeviceInfo>> listAudioDevices();
+Result<std::vector<AudioDeviceInfo>> listAudioDevices();
 
 /// How a JACK server is reached (jack_stream.h says why there are two).
 enum class JackRoute : std::uint8_t { ownClient, portAudio };
@@ -51,8 +51,8 @@ enum class StreamState : std::uint8_t { running, lost };
 class AudioOutput {
  public:
   /// The session must outlive the stream; it is set to the stream's rate, again whenever the device comes back at another one.
-  static DeviceResult<std::unique_ptr<AudioOutput>> open(const AudioSettings& settings, LiveSession& session,
-                                                         CallbackHooks hooks = {});
+  static Result<std::unique_ptr<AudioOutput>> open(const AudioSettings& settings, LiveSession& session,
+                                                   CallbackHooks hooks = {});
   ~AudioOutput();
 
   StreamState state() const;
@@ -66,7 +66,7 @@ class AudioOutput {
 };
 
 /// Sample rate a session for this device should have.
-DeviceResult<double> sampleRateFor(const AudioSettings& settings);
+Result<double> sampleRateFor(const AudioSettings& settings);
 
 /// What came back from a device.
 struct Recording {
@@ -76,9 +76,8 @@ struct Recording {
 
 /// Plays `samples` on the device while recording its input's channel 0, for measurements; the recording is as long. Once `cancelled`
 /// says so it ends at once and the rest is silence.
-DeviceResult<Recording> playAndRecord(const AudioSettings& output, const std::string& inputDevice,
-                                      const std::vector<float>& samples,
-                                      const std::function<bool()>& cancelled);
+Result<Recording> playAndRecord(const AudioSettings& output, const std::string& inputDevice,
+                                const std::vector<float>& samples, const std::function<bool()>& cancelled);
 
 /// A recording in progress; samples are stamped so that onsets have times on now_s().
 class AudioCapture {
@@ -87,8 +86,7 @@ class AudioCapture {
     double time_s = 0;  ///< of the first sample
     std::vector<float> samples;
   };
-  static DeviceResult<std::unique_ptr<AudioCapture>> open(const std::string& inputDevice,
-                                                          double sampleRate_Hz);
+  static Result<std::unique_ptr<AudioCapture>> open(const std::string& inputDevice, double sampleRate_Hz);
   ~AudioCapture();
   double sampleRate_Hz() const;
   /// Everything recorded since the last call. One thread.

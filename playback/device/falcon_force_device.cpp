@@ -89,23 +89,23 @@ struct Started {
   unsigned uploads = 0;  ///< tries of the firmware
 };
 
-DeviceResult<Started> startedFalcon(const FalconSettings& settings, const std::atomic<bool>& cancelled) {
-  DeviceResult<std::unique_ptr<FalconUsb>> usb = FalconUsb::open(settings.number);
-  if (!usb) return usb.trouble();
+Result<Started> startedFalcon(const FalconSettings& settings, const std::atomic<bool>& cancelled) {
+  Result<std::unique_ptr<FalconUsb>> usb = FalconUsb::open(settings.number);
+  if (!usb) return usb.failure();
   Started started{std::move(*usb), 0};
   const std::string name = "Novint Falcon " + std::to_string(settings.number);
   if (running(*started.usb)) return started;
   if (settings.firmware.empty()) {
-    return DeviceTrouble{name, "has no firmware since it was switched on",
-                         "Name its firmware file with --firmware FILE (docs/force-feedback.md)"};
+    return Failure{FailureCode::deviceTrouble, name, "", "has no firmware since it was switched on",
+                   "Name its firmware file with --firmware FILE (docs/force-feedback.md)"};
   }
   while (started.uploads < uploadTries && started.usb->alive() && !cancelled) {
     ++started.uploads;
     if (uploaded(*started.usb, settings.firmware, cancelled) && running(*started.usb)) return started;
   }
-  return DeviceTrouble{name,
-                       "does not take the firmware; tried " + std::to_string(started.uploads) + " times",
-                       "Switch its power off and on, leave out hubs, and try again"};
+  return Failure{FailureCode::deviceTrouble, name, "",
+                 "does not take the firmware; tried " + std::to_string(started.uploads) + " times",
+                 "Switch its power off and on, leave out hubs, and try again"};
 }
 
 class FalconForceDevice : public ForceDevice {
@@ -229,7 +229,7 @@ class FalconForceDevice : public ForceDevice {
     }
     if (returning_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
     triedBack_s_ = now_s();
-    DeviceResult<Started> started = returning_.get();
+    Result<Started> started = returning_.get();
     if (!started) return;
     take(std::move(*started));
     ++counts_.reconnects;
@@ -244,17 +244,17 @@ class FalconForceDevice : public ForceDevice {
   unsigned unanswered_ = 0;  ///< commands on their way
   double sent_s_ = 0, triedBack_s_ = 0;
   std::atomic<bool> ending_{false};
-  std::future<DeviceResult<Started>> returning_;  ///< last: it uses the others until it is done
+  std::future<Result<Started>> returning_;  ///< last: it uses the others until it is done
 };
 
 }  // namespace
 
 bool falconAvailable() { return true; }
 
-DeviceResult<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings& settings) {
+Result<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings& settings) {
   const std::atomic<bool> never{false};
-  DeviceResult<Started> started = startedFalcon(settings, never);
-  if (!started) return started.trouble();
+  Result<Started> started = startedFalcon(settings, never);
+  if (!started) return started.failure();
   return std::unique_ptr<ForceDevice>(std::make_unique<FalconForceDevice>(settings, std::move(*started)));
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "model/result.h"
 #include "playback/device/force_device.h"
 
 namespace detent::playback {
@@ -25,6 +26,6 @@ bool falconAvailable();
 
 /// Opens it, gives it the firmware where it has none (some seconds; it may take several tries, counted). Trouble: not connected, no
 /// right to it, no firmware, none taken. Until the person has moved the handle all the way out and in, it is `homing`.
-DeviceResult<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings& settings);
+Result<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings& settings);
 
 }  // namespace detent::playback

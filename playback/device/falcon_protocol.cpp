@@ -44,8 +44,8 @@ std::optional<FalconAnswer> answerOf(const FalconPacket& packet) {
   return answer;
 }
 
-DeviceTrouble notReadable(const std::string& file, std::string problem) {
-  return {file, std::move(problem),
+Failure notReadable(const std::string& file, std::string problem) {
+  return {FailureCode::unreadableInput, file, "", std::move(problem),
           "Name the firmware file that came with the Falcon's driver (docs/force-feedback.md)"};
 }
 
@@ -97,7 +97,7 @@ bool isFalconFirmware(std::span<const std::uint8_t> image) {
   return false;
 }
 
-DeviceResult<std::vector<std::uint8_t>> readFalconFirmware(const std::string& file) {
+Result<std::vector<std::uint8_t>> readFalconFirmware(const std::string& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) return notReadable(file, "cannot be read (" + error.message() + ")");

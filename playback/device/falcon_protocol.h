@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "playback/device/device_trouble.h"
+#include "model/result.h"
 
 namespace detent::playback {
 
@@ -53,6 +53,6 @@ class FalconAnswers {
 bool isFalconFirmware(std::span<const std::uint8_t> image);
 
 /// A firmware file that the user names; its licence forbids to ship it. Trouble where it cannot be read or is none.
-DeviceResult<std::vector<std::uint8_t>> readFalconFirmware(const std::string& file);
+Result<std::vector<std::uint8_t>> readFalconFirmware(const std::string& file);
 
 }  // namespace detent::playback

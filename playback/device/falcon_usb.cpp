@@ -57,15 +57,16 @@ std::span<const Setting> settingsOf(FalconLine line) {
 
 std::string falconName(unsigned number) { return "Novint Falcon " + std::to_string(number); }
 
-DeviceTrouble troubleOf(unsigned number, int error) {
+Failure troubleOf(unsigned number, int error) {
   if (error == LIBUSB_ERROR_ACCESS) {
-    return {falconName(number), "may not be used by you",
+    return {FailureCode::deviceTrouble, falconName(number), "", "may not be used by you",
             "Give yourself the right by a udev rule (docs/force-feedback.md), then plug it in again"};
   }
   if (error == LIBUSB_ERROR_BUSY) {
-    return {falconName(number), "is in use by another program", "End the other program"};
+    return {FailureCode::deviceTrouble, falconName(number), "", "is in use by another program",
+            "End the other program"};
   }
-  return {falconName(number),
+  return {FailureCode::deviceTrouble, falconName(number), "",
           std::string("cannot be opened (") + libusb_strerror(static_cast<libusb_error>(error)) + ")",
           "Unplug it, switch its power off and on, plug it in again"};
 }
@@ -176,13 +177,12 @@ struct FalconUsb::Link {
 FalconUsb::FalconUsb(std::unique_ptr<Link> link) : link_(std::move(link)) {}
 FalconUsb::~FalconUsb() = default;
 
-DeviceResult<std::unique_ptr<FalconUsb>> FalconUsb::open(unsigned number) {
+Result<std::unique_ptr<FalconUsb>> FalconUsb::open(unsigned number) {
   auto link = std::make_unique<Link>();
   const int error = link->start(number);
   if (error == LIBUSB_ERROR_NOT_FOUND || error == LIBUSB_ERROR_NO_DEVICE) {
-    return DeviceTrouble{
-        falconName(number), "is not connected",
-        "Check its cable and its power supply, or try it without hardware: --device sim:falcon"};
+    return Failure{FailureCode::deviceTrouble, falconName(number), "", "is not connected",
+                   "Check its cable and its power supply, or try it without hardware: --device sim:falcon"};
   }
   if (error != 0) return troubleOf(number, error);
   return std::unique_ptr<FalconUsb>(new FalconUsb(std::move(link)));

@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 
-#include "playback/device/device_trouble.h"
+#include "model/result.h"
 
 namespace detent::playback {
 
@@ -22,7 +22,7 @@ enum class FalconLine : std::uint8_t {
 class FalconUsb {
  public:
   /// The `number`th Falcon on the bus, counted from 0. Trouble where there is none, or no right to it.
-  static DeviceResult<std::unique_ptr<FalconUsb>> open(unsigned number);
+  static Result<std::unique_ptr<FalconUsb>> open(unsigned number);
   ~FalconUsb();
 
   /// False once it was unplugged or the bus gave an error: it has to be opened anew.

@@ -5,7 +5,6 @@
 
 #include <string>
 
-#include "playback/device/device_trouble.h"
 #include "playback/realtime/force_engine.h"
 
 namespace detent::playback {

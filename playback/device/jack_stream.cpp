@@ -59,10 +59,10 @@ JackStream::~JackStream() = default;
 bool JackStream::available() { return true; }
 bool JackStream::alive() const { return !client_->down; }
 
-DeviceResult<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels channels,
-                                                           double wanted_Hz, StreamRenderer& renderer) {
+Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels channels,
+                                                     double wanted_Hz, StreamRenderer& renderer) {
   const auto trouble = [&](const char* problem, const char* remedy) {
-    return DeviceTrouble{"JACK: " + target, problem, remedy, false};
+    return Failure{FailureCode::deviceTrouble, "JACK: " + target, "", problem, remedy};
   };
   jack_set_error_function(ignoreMessage);
   jack_set_info_function(ignoreMessage);

@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "playback/device/device_trouble.h"
+#include "model/result.h"
 #include "playback/device/stream_renderer.h"
 
 namespace detent::playback {
@@ -19,8 +19,8 @@ class JackStream {
   static bool available();
   /// Connects its ports "detent:out_N", the signal's first, to the inputs of the JACK client `target` ("system"). `wanted_Hz` 0: whatever rate
   /// the server has; the renderer's session is set to it.
-  static DeviceResult<std::unique_ptr<JackStream>> open(const std::string& target, OutputChannels channels,
-                                                        double wanted_Hz, StreamRenderer& renderer);
+  static Result<std::unique_ptr<JackStream>> open(const std::string& target, OutputChannels channels,
+                                                  double wanted_Hz, StreamRenderer& renderer);
   ~JackStream();
   /// The server is still there.
   bool alive() const;

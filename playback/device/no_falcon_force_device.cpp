@@ -7,9 +7,9 @@ namespace detent::playback {
 
 bool falconAvailable() { return false; }
 
-DeviceResult<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings&) {
-  return DeviceTrouble{"Novint Falcon", "is not part of this build",
-                       "Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON"};
+Result<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings&) {
+  return Failure{FailureCode::deviceTrouble, "Novint Falcon", "", "is not part of this build",
+                 "Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON"};
 }
 
 }  // namespace detent::playback

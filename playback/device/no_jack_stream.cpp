@@ -10,10 +10,10 @@ JackStream::JackStream(std::unique_ptr<Client> client) : client_(std::move(clien
 JackStream::~JackStream() = default;
 bool JackStream::available() { return false; }
 bool JackStream::alive() const { return false; }
-DeviceResult<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels, double,
-                                                           StreamRenderer&) {
-  return DeviceTrouble{"JACK: " + target, "is not part of this build", "Build with libjack-jackd2-dev",
-                       false};
+Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels, double,
+                                                     StreamRenderer&) {
+  return Failure{FailureCode::deviceTrouble, "JACK: " + target, "", "is not part of this build",
+                 "Build with libjack-jackd2-dev"};
 }
 
 }  // namespace detent::playback

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "playback/device/sensor_line.h"
 #include "playback/device/steady_clock.h"
 
 namespace detent::playback {
@@ -22,7 +23,7 @@ constexpr int torqueControl = 1, closedLoop = 8, idle = 1;  // CONTROL_MODE_TORQ
 /// "c 0 0.0125 *57\n": the checksum is decimal, over everything before the star.
 std::string odriveLine(const std::string& command) {
   const std::string body = command + " ";
-  return body + "*" + std::to_string(xorOf(body)) + "\n";
+  return body + "*" + std::to_string(lineChecksum(body)) + "\n";
 }
 
 /// "1.25 -0.5", with or without a checksum: position and velocity in turns.
@@ -31,7 +32,7 @@ std::optional<double> positionIn(std::string_view line) {
   if (star != std::string_view::npos) {
     unsigned sum = 0;
     const auto [end, error] = std::from_chars(line.data() + star + 1, line.data() + line.size(), sum);
-    if (error != std::errc() || end != line.data() + line.size() || sum != xorOf(line.substr(0, star)))
+    if (error != std::errc() || end != line.data() + line.size() || sum != lineChecksum(line.substr(0, star)))
       return {};
     line = line.substr(0, star);
   }
@@ -49,13 +50,13 @@ std::optional<double> positionIn(std::string_view line) {
 
 }  // namespace
 
-DeviceResult<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveSettings& settings) {
+Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveSettings& settings) {
   if (settings.axis > 1 || settings.mmPerTurn == 0 || !std::isfinite(settings.mmPerTurn)) {
-    return DeviceTrouble{settings.port, "axis or travel per turn mean nothing",
-                         "Give axis 0 or 1 and a travel that is not 0", true};
+    return Failure{FailureCode::wrongUsage, settings.port, "", "axis or travel per turn mean nothing",
+                   "Give axis 0 or 1 and a travel that is not 0"};
   }
-  DeviceResult<SerialLink> link = SerialLink::open(settings.port, settings.baud);
-  if (!link) return link.trouble();
+  Result<SerialLink> link = SerialLink::open(settings.port, settings.baud);
+  if (!link) return link.failure();
   std::unique_ptr<OdriveForceDevice> device(new OdriveForceDevice(std::move(*link), settings));
   device->configure();
   for (int i = 0; i < tries; ++i) {
@@ -64,9 +65,9 @@ DeviceResult<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const O
       return device;
     }
   }
-  return DeviceTrouble{
-      settings.port, "no ODrive answers on axis " + std::to_string(settings.axis),
-      "Check power, cable and axis, and that the ASCII protocol is on (docs/force-feedback.md)"};
+  return Failure{FailureCode::deviceTrouble, settings.port, "",
+                 "no ODrive answers on axis " + std::to_string(settings.axis),
+                 "Check power, cable and axis, and that the ASCII protocol is on (docs/force-feedback.md)"};
 }
 
 void OdriveForceDevice::configure() {

@@ -24,7 +24,7 @@ struct OdriveSettings {
 class OdriveForceDevice : public ForceDevice {
  public:
   /// Opens a port, sets torque control and the watchdog, takes the present position as rest. Trouble where no ODrive answers.
-  static DeviceResult<std::unique_ptr<OdriveForceDevice>> open(const OdriveSettings& settings);
+  static Result<std::unique_ptr<OdriveForceDevice>> open(const OdriveSettings& settings);
   /// No torque, then idle.
   ~OdriveForceDevice() override;
 

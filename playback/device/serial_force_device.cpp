@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "playback/device/sensor_line.h"
 #include "playback/device/steady_clock.h"
 
 namespace detent::playback {
@@ -42,7 +43,7 @@ long long whole(double value) { return std::llround(value); }
 
 std::string forceLine(const std::string& body) {
   std::array<char, 8> sum{};
-  std::snprintf(sum.data(), sum.size(), "*%02X\n", static_cast<unsigned>(xorOf(body)));
+  std::snprintf(sum.data(), sum.size(), "*%02X\n", static_cast<unsigned>(lineChecksum(body)));
   return body + sum.data();
 }
 
@@ -51,22 +52,22 @@ std::optional<std::string_view> forceLineBody(std::string_view line) {
   unsigned sum = 0;
   if (star == std::string_view::npos || line.size() != star + 3) return {};
   const auto [end, error] = std::from_chars(line.data() + star + 1, line.data() + line.size(), sum, 16);
-  if (error != std::errc() || end != line.data() + line.size() || sum != xorOf(line.substr(0, star)))
+  if (error != std::errc() || end != line.data() + line.size() || sum != lineChecksum(line.substr(0, star)))
     return {};
   return line.substr(0, star);
 }
 
-DeviceResult<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::string& port,
-                                                                         unsigned baud, double period_s) {
-  DeviceResult<SerialLink> link = SerialLink::open(port, baud);
-  if (!link) return link.trouble();
+Result<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::string& port, unsigned baud,
+                                                                   double period_s) {
+  Result<SerialLink> link = SerialLink::open(port, baud);
+  if (!link) return link.failure();
   std::unique_ptr<SerialForceDevice> device(new SerialForceDevice(std::move(*link), period_s));
   std::string problem = "does not answer";
   for (const double deadline_s = now_s() + bootPause_s; now_s() < deadline_s;) {
     if (device->hello(problem)) return device;
   }
-  return DeviceTrouble{port, problem,
-                       "Check that the firmware speaks docs/force-protocol.md and the baud rate is the same"};
+  return Failure{FailureCode::deviceTrouble, port, "", problem,
+                 "Check that the firmware speaks docs/force-protocol.md and the baud rate is the same"};
 }
 
 bool SerialForceDevice::hello(std::string& problem) {
@@ -125,23 +126,23 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
   return lines;
 }
 
-DeviceResult<bool> SerialForceDevice::upload(const ForceProgram& program) {
-  DeviceTrouble refused{info_.name, "does not take the force table",
-                        "Check the firmware and the cable; without --upload the host runs the law"};
+Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
+  Failure refused{FailureCode::deviceTrouble, info_.name, "", "does not take the force table",
+                  "Check the firmware and the cable; without --upload the host runs the law"};
   if (program.stateCount != 1) {
-    return DeviceTrouble{info_.name,
-                         "runs one state only, and this button has " + std::to_string(program.stateCount),
-                         "Leave --upload out: the host runs self-locking buttons", true};
+    return Failure{FailureCode::wrongUsage, info_.name, "",
+                   "runs one state only, and this button has " + std::to_string(program.stateCount),
+                   "Leave --upload out: the host runs self-locking buttons"};
   }
   if (info_.tableRows < 2) {
-    return DeviceTrouble{info_.name, "holds no force table", "Leave --upload out: the host runs the law",
-                         true};
+    return Failure{FailureCode::wrongUsage, info_.name, "", "holds no force table",
+                   "Leave --upload out: the host runs the law"};
   }
   for (const std::string& line : forceTableLines(program, info_.tableRows)) {
     if (!acknowledged(line)) return refused;
   }
   ownLaw_ = true;
-  return true;
+  return Done{};
 }
 
 ForceReading SerialForceDevice::exchange(const ForceCommand& command) {

@@ -23,15 +23,15 @@ struct SerialForceInfo {
 class SerialForceDevice : public ForceDevice {
  public:
   /// Opens a port and asks who is there. Trouble where nobody answers as the protocol says.
-  static DeviceResult<std::unique_ptr<SerialForceDevice>> open(const std::string& port, unsigned baud,
-                                                               double period_s);
+  static Result<std::unique_ptr<SerialForceDevice>> open(const std::string& port, unsigned baud,
+                                                         double period_s);
   ~SerialForceDevice() override;
 
   const SerialForceInfo& info() const { return info_; }
 
   /// Sends a law that the device then runs at its own rate; `exchange` only listens from then on, and its force is ignored.
   /// Trouble where the table does not fit (the device says how many rows it takes) or a row is not acknowledged.
-  DeviceResult<bool> upload(const ForceProgram& program);
+  Result<Done> upload(const ForceProgram& program);
 
   ForceReading exchange(const ForceCommand& command) override;
   ForceDeviceState state() const override {

@@ -19,13 +19,16 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double reopenPause_s = 0.2, longestWrite_s = 0.001;
+constexpr double longestWrite_s = 0.001;
 constexpr std::size_t longestLine = 250, reserved = 4096;
 
 std::optional<speed_t> speedOf(unsigned baud) {
   constexpr std::pair<unsigned, speed_t> known[] = {
-      {9600, B9600},     {57600, B57600},   {115200, B115200},   {230400, B230400},
-      {460800, B460800}, {921600, B921600}, {1000000, B1000000}, {2000000, B2000000}};
+      {1200, B1200},       {2400, B2400},       {4800, B4800},       {9600, B9600},       {19200, B19200},
+      {38400, B38400},     {57600, B57600},     {115200, B115200},   {230400, B230400},   {460800, B460800},
+      {500000, B500000},   {576000, B576000},   {921600, B921600},   {1000000, B1000000}, {1152000, B1152000},
+      {1500000, B1500000}, {2000000, B2000000}, {2500000, B2500000}, {3000000, B3000000}, {3500000, B3500000},
+      {4000000, B4000000}};
   for (const auto& [rate, speed] : known) {
     if (rate == baud) return speed;
   }
@@ -42,44 +45,40 @@ bool ready(int descriptor, short events, double wait_s) {
 
 }  // namespace
 
-std::uint8_t xorOf(std::string_view text) {
-  std::uint8_t sum = 0;
-  for (const char c : text) sum = static_cast<std::uint8_t>(sum ^ static_cast<std::uint8_t>(c));
-  return sum;
-}
-
-int SerialLink::openPort(const std::string& port, unsigned baud) {
-  const int descriptor = ::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (descriptor < 0) return descriptor;
+bool SerialLink::openPort() {
+  lastTry_s_ = now_s();
+  received_.clear();
+  descriptor_ = ::open(port_.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
   termios mode{};
-  if (::tcgetattr(descriptor, &mode) != 0) {
-    ::close(descriptor);
+  if (!isOpen()) return false;
+  if (::tcgetattr(descriptor_, &mode) != 0) {
+    close();
     errno = ENOTTY;
-    return -1;
+    return false;
   }
   ::cfmakeraw(&mode);
   mode.c_cflag |= CLOCAL | CREAD;
-  ::cfsetspeed(&mode, *speedOf(baud));
-  ::tcsetattr(descriptor, TCSANOW, &mode);
-  ::tcflush(descriptor, TCIOFLUSH);
-  return descriptor;
+  ::cfsetspeed(&mode, *speedOf(baud_));
+  ::tcsetattr(descriptor_, TCSANOW, &mode);
+  ::tcflush(descriptor_, TCIOFLUSH);  // what waited in the port was read at another time
+  return true;
 }
 
-DeviceResult<SerialLink> SerialLink::open(const std::string& port, unsigned baud) {
+Result<SerialLink> SerialLink::open(const std::string& port, unsigned baud, double reopenPause_s) {
   if (!speedOf(baud)) {
-    return DeviceTrouble{port, "does not know " + std::to_string(baud) + " baud",
-                         "Give 9600, 57600, 115200, 230400, 460800, 921600, 1000000 or 2000000", true};
+    return Failure{FailureCode::wrongUsage, port, "", "does not know " + std::to_string(baud) + " baud",
+                   "Give a usual rate of 1200 to 4000000: 9600, 115200, 230400, 921600, 1000000"};
   }
-  const int descriptor = openPort(port, baud);
-  if (descriptor >= 0) return SerialLink(port, baud, descriptor);
-  return DeviceTrouble{port, std::string("cannot be opened (") + std::strerror(errno) + ")",
-                       "Check the name, the cable and your right to use it (group dialout)"};
-}
-
-SerialLink::SerialLink(std::string port, unsigned baud, int descriptor)
-    : port_(std::move(port)), baud_(baud), descriptor_(descriptor) {
-  received_.reserve(reserved);
-  line_.reserve(reserved);
+  SerialLink link;
+  link.port_ = port;
+  link.baud_ = baud;
+  link.reopenPause_s_ = reopenPause_s;
+  link.received_.reserve(reserved);
+  link.line_.reserve(reserved);
+  if (link.openPort()) return link;
+  return Failure{FailureCode::deviceTrouble, port, "",
+                 std::string("cannot be opened (") + std::strerror(errno) + ")",
+                 "Check the name, the cable and your right to use it (group dialout)"};
 }
 
 SerialLink::SerialLink(SerialLink&& other) noexcept { *this = std::move(other); }
@@ -88,13 +87,12 @@ SerialLink& SerialLink::operator=(SerialLink&& other) noexcept {
   std::swap(port_, other.port_);
   std::swap(baud_, other.baud_);
   std::swap(descriptor_, other.descriptor_);
+  std::swap(reopenPause_s_, other.reopenPause_s_);
   std::swap(lastTry_s_, other.lastTry_s_);
   std::swap(received_, other.received_);
   std::swap(line_, other.line_);
   return *this;
 }
-
-SerialLink::~SerialLink() { close(); }
 
 void SerialLink::close() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -102,13 +100,7 @@ void SerialLink::close() {
   lastTry_s_ = now_s();
 }
 
-bool SerialLink::reopen() {
-  if (now_s() - lastTry_s_ < reopenPause_s) return false;
-  lastTry_s_ = now_s();
-  descriptor_ = openPort(port_, baud_);
-  received_.clear();
-  return isOpen();
-}
+bool SerialLink::reopen() { return now_s() - lastTry_s_ >= reopenPause_s_ && openPort(); }
 
 void SerialLink::send(std::string_view text) {
   const double deadline_s = now_s() + longestWrite_s;
@@ -134,6 +126,12 @@ bool SerialLink::fill(double deadline_s) {
   }
   if (count == 0 || (errno != EAGAIN && errno != EINTR)) close();
   return isOpen();
+}
+
+std::string_view SerialLink::bytes(double deadline_s) {
+  received_.clear();
+  fill(deadline_s);
+  return received_;
 }
 
 std::optional<std::string_view> SerialLink::line(double deadline_s) {

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/device/serial_sensor.h"
 
-#include <array>
 #include <atomic>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <utility>
 
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/post.hpp>
-#include <boost/asio/serial_port.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <termios.h>
-
+#include "playback/device/serial_link.h"
 #include "playback/device/steady_clock.h"
 
 namespace detent::playback {
@@ -20,38 +15,21 @@ namespace detent::playback {
 namespace {
 constexpr int readerPriority = 60;  // below the audio callback (JACK: 65)
 constexpr double rateWindow_s = 1.0;
-constexpr double healthCheck_s = 0.1;
-namespace asio = boost::asio;
-using ErrorCode = boost::system::error_code;
+constexpr double healthCheck_s = 0.05;
 }  // namespace
 
 class SerialSensor::Reader {
  public:
-  Reader(const SerialSettings& settings, Receiver receiver)
+  Reader(const SerialSettings& settings, Receiver receiver, SerialLink link)
       : settings_(settings),
         receiver_(std::move(receiver)),
         conditioner_(settings.conditioner),
-        port_(context_),
-        reopen_(context_),
-        watch_(context_) {}
+        link_(std::move(link)),
+        thread_([this] { run(); }) {}
 
   ~Reader() {
-    context_.stop();
-    if (thread_.joinable()) thread_.join();
-  }
-
-  std::optional<DeviceTrouble> start() {
-    if (const ErrorCode error = openPort()) {
-      return DeviceTrouble{settings_.port, "cannot be opened (" + error.message() + ")",
-                           "Check the name, the cable and your right to read it (group dialout)"};
-    }
-    thread_ = std::thread([this] {
-      requestRealtime(readerPriority);
-      read();
-      watch();
-      context_.run();
-    });
-    return {};
+    stopping_ = true;
+    thread_.join();
   }
 
   SensorHealth health() const {
@@ -60,40 +38,37 @@ class SerialSensor::Reader {
   }
 
   void setConditioner(const ConditionerSettings& settings) {
-    asio::post(context_, [this, settings] { conditioner_.setSettings(settings); });
+    const std::lock_guard lock(mutex_);
+    nextConditioner_ = settings;
   }
 
  private:
-  ErrorCode openPort() {
-    ErrorCode error;
-    port_.close(error);
-    port_.open(settings_.port, error);
-    if (error) return error;
-    // Asio opens ports raw; a pty refuses some of the line's options, which a pty does not need.
-    ErrorCode ignored;
-    port_.set_option(asio::serial_port_base::baud_rate(settings_.baud), ignored);
-    port_.set_option(asio::serial_port_base::character_size(8), ignored);
-    port_.set_option(asio::serial_port_base::parity(asio::serial_port_base::parity::none), ignored);
-    port_.set_option(asio::serial_port_base::stop_bits(asio::serial_port_base::stop_bits::one), ignored);
-    port_.set_option(asio::serial_port_base::flow_control(asio::serial_port_base::flow_control::none),
-                     ignored);
-    ::tcflush(port_.native_handle(), TCIFLUSH);  // what waited in the port was read at another time
-    assembler_.restart();
-    aligner_.restart();
-    return {};
+  void run() {
+    requestRealtime(readerPriority);
+    while (!stopping_) {
+      if (link_.isOpen()) {
+        const std::string_view bytes = link_.bytes(now_s() + healthCheck_s);
+        takeConditioner();
+        const double arrival_s = now_s();
+        assembler_.feed(bytes, [&](const SensorLine& line) { handle(line, arrival_s); });
+      } else {
+        sleepUntil(now_s() + std::min(healthCheck_s, settings_.lowestReopen_s));
+        if (link_.reopen()) restart();
+      }
+      publish(now_s());
+    }
   }
 
-  void read() {
-    port_.async_read_some(asio::buffer(buffer_), [this](const ErrorCode& error, std::size_t count) {
-      if (error) {
-        lost();
-        return;
-      }
-      const double arrival_s = now_s();
-      assembler_.feed({buffer_.data(), count}, [&](const SensorLine& line) { handle(line, arrival_s); });
-      publish(arrival_s);
-      read();
-    });
+  void restart() {
+    assembler_.restart();
+    aligner_.restart();
+    reconnected_ = true;
+    ++reconnects_;
+  }
+
+  void takeConditioner() {
+    const std::lock_guard lock(mutex_);
+    if (nextConditioner_) conditioner_.setSettings(*std::exchange(nextConditioner_, {}));
   }
 
   void handle(const SensorLine& line, double arrival_s) {
@@ -121,6 +96,7 @@ class SerialSensor::Reader {
       windowCount_ = 0;
     }
     const std::lock_guard lock(mutex_);
+    health_.reconnects = reconnects_;
     health_.lines = assembler_.counts();
     health_.readings = conditioner_.counts();
     health_.noise_N = conditioner_.noise();
@@ -129,7 +105,7 @@ class SerialSensor::Reader {
     health_.force_N = last_.force_N;
     health_.raw = last_.raw;
     health_.rate_Hz = rate_Hz_;
-    if (!connected_) {
+    if (!link_.isOpen()) {
       health_.state = SensorState::unplugged;
     } else if (conditioner_.counts().accepted == 0 && time_s - startTime_s_ < 1) {
       health_.state = SensorState::starting;
@@ -140,68 +116,32 @@ class SerialSensor::Reader {
     }
   }
 
-  void lost() {
-    ErrorCode ignored;
-    port_.close(ignored);
-    connected_ = false;
-    publish(now_s());
-    scheduleReopen();
-  }
-
-  void scheduleReopen() {
-    reopen_.expires_after(std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-        std::chrono::duration<double>(settings_.lowestReopen_s)));
-    reopen_.async_wait([this](const ErrorCode& error) {
-      if (error) return;
-      if (openPort()) {
-        scheduleReopen();
-        return;
-      }
-      connected_ = true;
-      reconnected_ = true;
-      {
-        const std::lock_guard lock(mutex_);
-        ++health_.reconnects;
-      }
-      read();
-    });
-  }
-
-  void watch() {
-    watch_.expires_after(std::chrono::milliseconds(static_cast<int>(healthCheck_s * 1000)));
-    watch_.async_wait([this](const ErrorCode& error) {
-      if (error) return;
-      publish(now_s());
-      watch();
-    });
-  }
-
   SerialSettings settings_;
   Receiver receiver_;
   LineAssembler assembler_;
   ClockAligner aligner_;
   ForceConditioner conditioner_;
-  asio::io_context context_;
-  asio::serial_port port_;
-  asio::steady_timer reopen_, watch_;
-  std::array<char, 4096> buffer_{};
-  bool connected_ = true, reconnected_ = false;
+  SerialLink link_;
+  bool reconnected_ = false;
+  std::uint64_t reconnects_ = 0;
   double lastTime_s_ = 0;
   double startTime_s_ = now_s(), windowStart_s_ = now_s(), rate_Hz_ = 0;
   std::uint64_t windowCount_ = 0;
   SensorReading last_;
   mutable std::mutex mutex_;
   SensorHealth health_;
-  std::thread thread_;
+  std::optional<ConditionerSettings> nextConditioner_;
+  std::atomic<bool> stopping_{false};
+  std::thread thread_;  ///< last: it uses the others until it is done
 };
 
 SerialSensor::SerialSensor(std::unique_ptr<Reader> reader) : reader_(std::move(reader)) {}
 SerialSensor::~SerialSensor() = default;
 
-DeviceResult<std::unique_ptr<SerialSensor>> SerialSensor::open(const SerialSettings& settings,
-                                                               Receiver receiver) {
-  auto reader = std::make_unique<Reader>(settings, std::move(receiver));
-  if (std::optional<DeviceTrouble> trouble = reader->start()) return *trouble;
+Result<std::unique_ptr<SerialSensor>> SerialSensor::open(const SerialSettings& settings, Receiver receiver) {
+  Result<SerialLink> link = SerialLink::open(settings.port, settings.baud, settings.lowestReopen_s);
+  if (!link) return link.failure();
+  auto reader = std::make_unique<Reader>(settings, std::move(receiver), *std::move(link));
   return std::unique_ptr<SerialSensor>(new SerialSensor(std::move(reader)));
 }
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-#include "playback/device/device_trouble.h"
+#include "model/result.h"
 #include "playback/device/sensor_line.h"
 #include "playback/realtime/force_conditioner.h"
 #include "playback/realtime/sensor_calibration.h"
@@ -52,7 +52,7 @@ class SerialSensor {
   using Receiver = std::function<void(const SensorReading&)>;  ///< called on the reader thread
 
   /// Opens the port. Trouble where it cannot be opened now (later losses are not trouble, see health()).
-  static DeviceResult<std::unique_ptr<SerialSensor>> open(const SerialSettings& settings, Receiver receiver);
+  static Result<std::unique_ptr<SerialSensor>> open(const SerialSettings& settings, Receiver receiver);
   ~SerialSensor();  ///< stops and joins the reader thread
 
   SensorHealth health() const;  ///< any thread

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "playback/device/device_trouble.h"
+#include "model/result.h"
 #include "playback/device/signal_message.h"
 
 namespace detent::playback {
@@ -26,20 +26,19 @@ class SignalServer {
 inline constexpr const char* thisMachineOnly = "127.0.0.1";
 
 /// Listens on an IPv4 address of this machine. Port 0: the system chooses.
-DeviceResult<std::unique_ptr<SignalServer>> openFudiServer(std::uint16_t port, const std::string& address,
-                                                           SignalReceiver receiver);
-DeviceResult<std::unique_ptr<SignalServer>> openOscServer(std::uint16_t port, const std::string& address,
-                                                          SignalReceiver receiver);
+Result<std::unique_ptr<SignalServer>> openFudiServer(std::uint16_t port, const std::string& address,
+                                                     SignalReceiver receiver);
+Result<std::unique_ptr<SignalServer>> openOscServer(std::uint16_t port, const std::string& address,
+                                                    SignalReceiver receiver);
 
-/// Handles one packet on an OSC server as if it had arrived, on the calling thread; nothing may arrive
-/// meanwhile. For fuzzing; false if `server` is no OSC server.
-bool handleOscPacket(SignalServer& server, std::string_view packet);
+/// Handles one packet as if it had arrived, on the calling thread; nothing may arrive meanwhile. For fuzzing.
+void handlePacket(SignalServer& server, std::string_view packet);
 
 /// The other direction, the paper's own route: sends messages as UDP packets to a synthesizer such as
 /// samples/puredata/detent.pd. One thread.
 class SignalSender {
  public:
-  static DeviceResult<std::unique_ptr<SignalSender>> open(const std::string& host, std::uint16_t port);
+  static Result<std::unique_ptr<SignalSender>> open(const std::string& host, std::uint16_t port);
   ~SignalSender();
   void send(const SignalMessage& message);
   std::uint64_t failed() const;

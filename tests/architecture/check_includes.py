@@ -169,7 +169,7 @@ class Checker:
             yield Violation(file, include.line, "direction",
                             f"\"{include.target}\" belongs to no room: a room includes rooms only")
             return
-        if there["path"] == here["path"] or there["path"] in here["may_include"]:
+        if there["path"] == here["path"] or {there["path"], include.target} & set(here["may_include"]):
             return
         rooms = {room_of(file), room_of(include.target)}
         if room_of(include.target) in here.get("doors", []):

@@ -123,11 +123,13 @@ class PlantedMistake(unittest.TestCase):
         self.plant("playback/prepare/planted.h", "#pragma once")
         self.list_header("playback", "prepare/planted.h")
         self.plant("playback/realtime/planted.cpp", '#include "playback/prepare/planted.h"', '#include "model/button.h"')
-        self.plant("playback/device/planted.cpp", '#include "playback/prepare/planted.h"', "#include <portaudio.h>")
+        self.plant("playback/device/planted.cpp", '#include "playback/prepare/planted.h"', "#include <portaudio.h>",
+                   '#include "model/result.h"', '#include "model/button.h"')
         self.plant("playback/offline/planted.cpp", '#include "playback/prepare/planted.h"', "#include <sndfile.h>",
                    "#include <portaudio.h>")
         self.expect(("playback/realtime/planted.cpp", 1, "direction"), ("playback/realtime/planted.cpp", 2, "direction"),
-                    ("playback/device/planted.cpp", 1, "direction"), ("playback/offline/planted.cpp", 3, "third party"))
+                    ("playback/device/planted.cpp", 1, "direction"),
+                    ("playback/device/planted.cpp", 4, "direction"), ("playback/offline/planted.cpp", 3, "third party"))
 
     def test_callback_asks_a_clock(self):
         self.plant("playback/realtime/planted.cpp", "#include <array>", "#include <chrono>", "#include <mutex>",

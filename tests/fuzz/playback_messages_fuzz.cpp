@@ -53,7 +53,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       break;
     }
     default:
-      handleOscPacket(oscServer(), bytes);
+      handlePacket(oscServer(), bytes);
   }
   return 0;
 }

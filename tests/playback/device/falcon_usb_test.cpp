@@ -11,6 +11,7 @@
 
 namespace {
 
+using namespace detent;
 using namespace detent::playback;
 using detent::test::anyFalconFirmware;
 using detent::test::FalconRig;
@@ -26,7 +27,7 @@ FalconSettings settingsWith(std::vector<std::uint8_t> firmware) {
 
 std::unique_ptr<ForceDevice> opened(const FalconSettings& settings = settingsWith(anyFalconFirmware())) {
   auto device = openFalcon(settings);
-  if (!device) FAIL(device.trouble().device << " " << device.trouble().problem);
+  if (!device) FAIL(device.failure().sentence());
   return std::move(*device);
 }
 
@@ -116,7 +117,7 @@ TEST_CASE("Falcon: a firmware that is taken at the third try, one that is never 
   FalconRig rig;
   auto none = openFalcon(settingsWith({}));
   REQUIRE_FALSE(none);
-  CHECK(none.trouble().problem == "has no firmware since it was switched on");
+  CHECK(english(none.failure().problem) == "has no firmware since it was switched on");
   rig.badEchoes = 2;
   {
     auto device = opened();
@@ -129,7 +130,7 @@ TEST_CASE("Falcon: a firmware that is taken at the third try, one that is never 
   rig.badEchoes = 1000;
   auto never = openFalcon(settingsWith(anyFalconFirmware()));
   REQUIRE_FALSE(never);
-  CHECK(never.trouble().problem == "does not take the firmware; tried 10 times");
+  CHECK(english(never.failure().problem) == "does not take the firmware; tried 10 times");
 }
 
 TEST_CASE("Falcon: until it knows where it is, there are no readings and no force") {
@@ -188,5 +189,5 @@ TEST_CASE("Falcon: unplugged it is lost, and comes back with its firmware and wi
   CHECK(device->counts().firmwareTries == 2);
   auto second = openFalcon({.number = 1, .firmware = {}, .period_s = 0.01});
   REQUIRE_FALSE(second);
-  CHECK(second.trouble().problem == "is not connected");
+  CHECK(english(second.failure().problem) == "is not connected");
 }

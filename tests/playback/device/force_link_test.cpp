@@ -20,6 +20,7 @@
 #include <unistd.h>
 
 #include "playback/device/odrive_force_device.h"
+#include "playback/device/sensor_line.h"
 #include "playback/device/serial_force_device.h"
 #include "playback/device/steady_clock.h"
 #include "playback/prepare/prepare_force.h"
@@ -315,7 +316,7 @@ TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end"
   std::atomic<double> turns{1.5};
   FakeDevice fake([&](const std::string& line) -> std::string {
     const std::size_t star = line.rfind('*');
-    if (star == std::string::npos || std::atoi(line.c_str() + star + 1) != xorOf(line.substr(0, star)))
+    if (star == std::string::npos || std::atoi(line.c_str() + star + 1) != lineChecksum(line.substr(0, star)))
       return "";
     if (line.starts_with("c 0 ")) torque_Nm = std::atof(line.c_str() + 4);
     if (line.starts_with("w axis0.requested_state 1 ")) idle = true;

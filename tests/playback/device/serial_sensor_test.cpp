@@ -13,6 +13,7 @@
 #include "playback/device/steady_clock.h"
 #include "tests/playback/device/pty_sensor.h"
 
+using namespace detent;
 using namespace detent::playback;
 using namespace detent::test;
 
@@ -134,7 +135,7 @@ TEST_CASE("serial sensor: a port that is not there is device trouble with its na
   settings.port = "/dev/detent-no-such-port";
   auto sensor = SerialSensor::open(settings, [](const SensorReading&) {});
   REQUIRE_FALSE(sensor);
-  CHECK(sensor.trouble().device == settings.port);
+  CHECK(english(sensor.failure().subject.name) == settings.port);
 }
 
 TEST_CASE("virtual finger: reaches its force, holds, lets go, and rests silently") {
