@@ -38,6 +38,14 @@ class Version(unittest.TestCase):
         self.assertTrue(changelog.split("\n## ")[1].startswith("Unreleased\n"), "the first part of CHANGELOG.md is what is not released")
 
 
+class Fonts(unittest.TestCase):
+    def test_programs_carry_the_fonts_they_draw_with_and_no_others(self):
+        """importer/page/mupdf_fonts.cpp has to be linked in place of MuPDF's own table, which names 40 MB of them."""
+        for name in programs():
+            fonts = set(re.findall(rb"_binary_resources_fonts_(\w+?)_", (BIN / name).read_bytes()))
+            self.assertIn(fonts, (set(), {b"urw", b"noto", b"droid"}), name)
+
+
 class FromHelp(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

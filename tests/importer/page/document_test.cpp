@@ -158,6 +158,46 @@ TEST_CASE("labels on one baseline are boxes of their own") {
   CHECK(textNamed(opened.page.texts, "Travel [mm]"));
 }
 
+TEST_CASE("letters whose font the page does not bring are read and drawn, in every script") {
+  const auto darkPixels = [](const Raster& raster) {
+    int dark = 0;
+    for (std::size_t i = 0; i < raster.rgb.size(); i += 3) dark += raster.rgb[i] < 128;
+    return dark;
+  };
+  for (const std::string words : {"行程", "하중", "ストローク", "сила", "δύναμη", "כוח", "قوة", "แรง", "∑"}) {
+    INFO(words);
+    const auto opened = open(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200\" height=\"100\"><text x=\"20\" y=\"60\" "
+        "font-size=\"30\">" +
+            words + "</text></svg>",
+        "words.svg");
+    CHECK(opened.page.texts.size() >= 1);
+    CHECK(darkPixels(opened.page.overview) > 100);
+  }
+  // No font for cuneiform is linked, nor for music: the sign is read, its place stays empty.
+  CHECK(open("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"200\" height=\"100\"><text x=\"20\" "
+             "y=\"60\">\xf0\x92\x80\x80</text></svg>",
+             "rare.svg")
+            .page.texts.size() == 1);
+
+  const std::string song =
+      "<</Type/Font/Subtype/Type0/BaseFont/STSong-Light/Encoding/UniGB-UCS2-H/DescendantFonts[7 0 R]>>";
+  const auto sheet = open(
+      pdfOf(
+          {"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>",
+           "<</Type/Page/Parent 2 0 R/MediaBox[0 0 200 100]/Contents 4 0 R/Resources<</Font<</F 5 0 R>>>>>>",
+           streamObject("", "BT /F 30 Tf 20 40 Td <884C7A0B> Tj ET"), song, "<<>>",
+           "<</Type/Font/Subtype/CIDFontType0/BaseFont/STSong-Light/CIDSystemInfo<</Registry(Adobe)/"
+           "Ordering(GB1)/Supplement "
+           "4>>/FontDescriptor 8 0 R>>",
+           "<</Type/FontDescriptor/FontName/STSong-Light/Flags 6/FontBBox[-25 -254 1000 880]/ItalicAngle "
+           "0/Ascent 880/Descent "
+           "-120/CapHeight 880/StemV 93>>"}),
+      "sheet.pdf");
+  CHECK(textNamed(sheet.page.texts, "行程"));
+  CHECK(darkPixels(sheet.page.overview) > 100);
+}
+
 TEST_CASE("a region filled by an image is shown on the image's own pixels, whichever way it lies") {
   struct Case {
     std::string matrix;

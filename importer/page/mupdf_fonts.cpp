@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which fonts of MuPDF's library the programs carry. The functions at the end are MuPDF's own (mupdf/fitz/font.h); the linker takes these
+// definitions and leaves out the library's, with a table of 40 MB of fonts for every script ever written. Kept are the fourteen of
+// PDF, one for Chinese, Japanese and Korean, and those of the scripts and symbols datasheets are printed in. They are drawn where
+// a page does not bring its font; texts are read without them (docs/decisions/0009-what-the-package-carries.md). Any thread.
+
+#include <string_view>
+
+#include <mupdf/fitz.h>
+#include <mupdf/ucdn.h>
+
+// A font's bytes have the names that MuPDF's build gives them.
+#define MUPDF_FONT(name, file)                                                                    \
+  extern "C" const unsigned char name##Begin[] __asm__("_binary_resources_fonts_" file "_start"); \
+  extern "C" const unsigned char name##End[] __asm__("_binary_resources_fonts_" file "_end");     \
+  const EmbeddedFont name { name##Begin, name##End }
+
+namespace {
+
+struct EmbeddedFont {
+  const unsigned char *begin = nullptr, *end = nullptr;
+
+  /// The form MuPDF asks for: the first byte, or null and 0.
+  const unsigned char* bytes(int* size) const {
+    *size = static_cast<int>(end - begin);
+    return begin;
+  }
+};
+
+MUPDF_FONT(mono, "urw_NimbusMonoPS_Regular_cff");
+MUPDF_FONT(monoItalic, "urw_NimbusMonoPS_Italic_cff");
+MUPDF_FONT(monoBold, "urw_NimbusMonoPS_Bold_cff");
+MUPDF_FONT(monoBoldItalic, "urw_NimbusMonoPS_BoldItalic_cff");
+MUPDF_FONT(sans, "urw_NimbusSans_Regular_cff");
+MUPDF_FONT(sansItalic, "urw_NimbusSans_Italic_cff");
+MUPDF_FONT(sansBold, "urw_NimbusSans_Bold_cff");
+MUPDF_FONT(sansBoldItalic, "urw_NimbusSans_BoldItalic_cff");
+MUPDF_FONT(roman, "urw_NimbusRoman_Regular_cff");
+MUPDF_FONT(romanItalic, "urw_NimbusRoman_Italic_cff");
+MUPDF_FONT(romanBold, "urw_NimbusRoman_Bold_cff");
+MUPDF_FONT(romanBoldItalic, "urw_NimbusRoman_BoldItalic_cff");
+MUPDF_FONT(standardSymbols, "urw_StandardSymbolsPS_cff");
+MUPDF_FONT(dingbats, "urw_Dingbats_cff");
+MUPDF_FONT(european, "noto_NotoSerif_Regular_otf");
+MUPDF_FONT(arabic, "noto_NotoNaskhArabic_Regular_otf");
+MUPDF_FONT(hebrew, "noto_NotoSerifHebrew_Regular_otf");
+MUPDF_FONT(thai, "noto_NotoSerifThai_Regular_otf");
+MUPDF_FONT(devanagari, "noto_NotoSerifDevanagari_Regular_otf");
+MUPDF_FONT(mathematics, "noto_NotoSansMath_Regular_otf");
+MUPDF_FONT(symbols, "noto_NotoSansSymbols_Regular_otf");
+MUPDF_FONT(moreSymbols, "noto_NotoSansSymbols2_Regular_otf");
+MUPDF_FONT(eastAsian, "droid_DroidSansFallback_ttf");
+
+/// The fonts every PDF may use without bringing them.
+const struct {
+  std::string_view name;
+  EmbeddedFont font;
+} base14[] = {{"Courier", mono},
+              {"Courier-Oblique", monoItalic},
+              {"Courier-Bold", monoBold},
+              {"Courier-BoldOblique", monoBoldItalic},
+              {"Helvetica", sans},
+              {"Helvetica-Oblique", sansItalic},
+              {"Helvetica-Bold", sansBold},
+              {"Helvetica-BoldOblique", sansBoldItalic},
+              {"Times-Roman", roman},
+              {"Times-Italic", romanItalic},
+              {"Times-Bold", romanBold},
+              {"Times-BoldItalic", romanBoldItalic},
+              {"Symbol", standardSymbols},
+              {"ZapfDingbats", dingbats}};
+
+EmbeddedFont ofScript(int script) {
+  switch (script) {
+    case UCDN_SCRIPT_LATIN:
+    case UCDN_SCRIPT_GREEK:
+    case UCDN_SCRIPT_CYRILLIC:
+    case UCDN_SCRIPT_COMMON:
+    case UCDN_SCRIPT_INHERITED:
+    case UCDN_SCRIPT_UNKNOWN:
+      return european;
+    case UCDN_SCRIPT_HAN:
+    case UCDN_SCRIPT_HANGUL:
+    case UCDN_SCRIPT_HIRAGANA:
+    case UCDN_SCRIPT_KATAKANA:
+    case UCDN_SCRIPT_BOPOMOFO:
+      return eastAsian;
+    case UCDN_SCRIPT_ARABIC:
+      return arabic;
+    case UCDN_SCRIPT_HEBREW:
+      return hebrew;
+    case UCDN_SCRIPT_THAI:
+      return thai;
+    case UCDN_SCRIPT_DEVANAGARI:
+      return devanagari;
+    case UCDN_SCRIPT_BRAILLE:
+      return symbols;
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+const unsigned char* fz_lookup_base14_font(fz_context*, const char* name, int* size) {
+  for (const auto& each : base14)
+    if (each.name == name) return each.font.bytes(size);
+  return EmbeddedFont{}.bytes(size);
+}
+
+/// By family: asked for HTML alone, which is not read here.
+const unsigned char* fz_lookup_builtin_font(fz_context*, const char*, int, int, int* size) {
+  return EmbeddedFont{}.bytes(size);
+}
+
+const unsigned char* fz_lookup_cjk_font(fz_context*, int, int* size, int* subfont) {
+  *subfont = 0;
+  return eastAsian.bytes(size);
+}
+
+const unsigned char* fz_lookup_cjk_font_by_language(fz_context* context, const char*, int* size,
+                                                    int* subfont) {
+  return fz_lookup_cjk_font(context, FZ_ADOBE_GB, size, subfont);
+}
+
+const unsigned char* fz_lookup_noto_font(fz_context*, int script, int, int* size, int* subfont) {
+  *subfont = 0;
+  return ofScript(script).bytes(size);
+}
+
+const unsigned char* fz_lookup_noto_math_font(fz_context*, int* size) { return mathematics.bytes(size); }
+const unsigned char* fz_lookup_noto_music_font(fz_context*, int* size) { return EmbeddedFont{}.bytes(size); }
+const unsigned char* fz_lookup_noto_symbol1_font(fz_context*, int* size) { return symbols.bytes(size); }
+const unsigned char* fz_lookup_noto_symbol2_font(fz_context*, int* size) { return moreSymbols.bytes(size); }
+const unsigned char* fz_lookup_noto_emoji_font(fz_context*, int* size) { return EmbeddedFont{}.bytes(size); }
