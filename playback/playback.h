@@ -10,9 +10,8 @@
 //   prepare/prepare_program.h   button -> program
 //   offline/render_press.h      program + press -> WAV, FLAC, memory
 //   device/*                    sound, serial sensor, messages
-//   study/*                     measuring device and latency
-//   perception/*                what is felt, who is confused with whom
-//   trials/*                    studies with people: design, journal, results
+//   measurement/*              measuring device and latency
+//   study.h, study/*           studies with people: a front door of their own
 //   this file                   everything another room needs, in plain types
 //
 // Threads: every function here belongs to ordinary threads; nothing here may be called from an audio
@@ -29,16 +28,8 @@
 #include "model/result.h"
 #include "playback/force_feedback.h"
 #include "playback/measurement/spectrogram.h"
-#include "playback/offline/render_press.h"
 #include "playback/offline/standard_press.h"
-#include "playback/prepare/device_profile.h"
-#include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
-#include "playback/study/perception/design_help.h"
-#include "playback/study/trials/participant_session.h"
-#include "playback/study/trials/study_output.h"
-#include "playback/study/trials/study_page.h"
-#include "playback/study/trials/trial_desk.h"
 
 namespace detent::playback {
 
@@ -154,37 +145,6 @@ class LivePlayer {
   /// Everything felt since the last call, oldest first (at most a few thousand are kept).
   virtual std::vector<EngineEvent> takeEvents() = 0;
 };
-
-// ---- studies with people (playback/study/trials)
-
-struct StudyPlayerSettings {
-  PlayerSettings player;
-  bool rehearse = false;   ///< no sound device: everything is followed, nothing is felt
-  std::string sensorPort;  ///< empty: press() presses by itself
-  unsigned baud = 230400;
-  SensorCalibration calibration;
-};
-
-/// What a participant has under the finger: any button of the study, in any of its modes, exchanged at once;
-/// all are prepared before the first trial. One thread.
-class StudyPlayer {
- public:
-  /// Failure: as LivePlayer::start, attachSensor and prepareProgram.
-  static Result<std::unique_ptr<StudyPlayer>> start(const Study& study, const StudyPlayerSettings& settings);
-  virtual ~StudyPlayer() = default;
-
-  virtual bool sounding() const = 0;  ///< false: a rehearsal
-  virtual std::string device() const = 0;
-  /// Puts that button under the finger; without a sensor it is pressed once, as by a hand.
-  virtual void press(std::size_t button, FeedbackMode mode) = 0;
-  /// Whether the sound device went away since this was last asked.
-  virtual bool lostSinceAsked() = 0;
-};
-
-/// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(); `reason` words what tells a pair apart. Some
-/// ten milliseconds a button and mode. Failure: as feel(). Any thread.
-Result<std::vector<ForetoldPair>> foretold(const Study& study,
-                                           const std::function<std::string(const PredictedPair&)>& reason);
 
 // ---- measuring a device
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "editor/document/latest_request.h"
-#include "playback/playback.h"
+#include "playback/study.h"
 
 namespace detent::editor {
 

@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "playback/playback.h"
+#include "playback/study.h"
 
 namespace detent::editor {
 

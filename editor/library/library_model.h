@@ -10,7 +10,7 @@
 
 #include "editor/document/button_document.h"
 #include "editor/library/picture_cache.h"
-#include "playback/playback.h"
+#include "playback/study.h"
 
 namespace detent::editor {
 

@@ -15,7 +15,7 @@
 
 #include "editor/document/button_document.h"
 #include "editor/study/study_window.h"
-#include "playback/playback.h"
+#include "playback/study.h"
 
 namespace detent::editor {
 

@@ -13,7 +13,7 @@
 
 #include "editor/document/button_document.h"
 #include "editor/quantity/quantity_field.h"
-#include "playback/playback.h"
+#include "playback/study.h"
 
 namespace detent::editor {
 

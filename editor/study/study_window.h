@@ -13,7 +13,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "playback/playback.h"
+#include "playback/study.h"
 
 namespace detent::editor {
 

@@ -14,8 +14,7 @@
 #include "playback/program/live_command.h"
 #include "playback/program/render_command.h"
 #include "playback/program/sweep_command.h"
-#include "playback/study/program/confusion_command.h"
-#include "playback/study/program/study_command.h"
+#include "playback/study/program/study_commands.h"
 
 namespace detent::playback {
 
@@ -32,8 +31,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   addSweepCommand(program, chosen);
   addLatencyCommand(program, chosen);
   addCalibrateCommand(program, chosen);
-  addConfusionCommand(program, chosen);
-  addStudyCommand(program, chosen);
+  addStudyCommands(program, chosen);
   addForceCommand(program, chosen);
   addIdentifyCommand(program, chosen);
   program.require_subcommand(0, 1);

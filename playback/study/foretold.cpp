@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 
-#include "playback/playback.h"
+#include "playback/study.h"
 
 namespace detent::playback {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "playback/playback.h"
+#include "playback/study.h"
 
 namespace detent::playback {
 

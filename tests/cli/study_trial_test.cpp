@@ -13,7 +13,7 @@
 
 #include "model/file/button_file.h"
 #include "playback/device/steady_clock.h"
-#include "playback/playback.h"
+#include "playback/study.h"
 #include "tests/cli/run_program.h"
 #include "tests/cli/terminal_program.h"
 #include "tests/playback/device/jack_rig.h"

@@ -16,12 +16,10 @@
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
+#include "playback/study.h"
 #include "playback/study/program/confusion_command.h"
 #include "playback/study/program/study_terminal.h"
-#include "playback/study/trials/participant_session.h"
 #include "playback/study/trials/printed_counts.h"
-#include "playback/study/trials/study_output.h"
-#include "playback/study/trials/study_page.h"
 
 namespace detent::playback {
 

@@ -8,7 +8,7 @@
 #include "model/file/text_file.h"
 #include "playback/device/steady_clock.h"
 #include "playback/device/terminal.h"
-#include "playback/playback.h"
+#include "playback/study.h"
 
 namespace detent::playback {
 

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The front door of studies with people: can they tell these buttons apart, and will they?
+//
+// In:  buttons, a design, answers of participants.
+// Out: a journal for each participant, figures with intervals as text, JSON, CSV, BIDS and a page; a forecast without anyone.
+// Reading order of the house:
+//   study/trials/study_design.h        which buttons, which task, how often: one folder
+//   study/trials/trial_plan.h          the list of one participant
+//   study/trials/participant_record.h  what a journal says (study/journal: lines that are on the disk)
+//   study/trials/trial_desk.h          one trial as it is worked on
+//   study/trials/participant_session.h one participant at work
+//   study/trials/study_results.h       rows and figures (study/statistics), study_output.h and study_page.h show them
+//   study/perception/*                 what is felt, who is confused with whom, what would help
+//   this file                          the button under the participant's finger; the forecast of a study
+//
+// Threads: ordinary threads only. A library built without DETENT_WITH_STUDIES has none of it.
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "playback/playback.h"
+#include "playback/study/perception/design_help.h"
+#include "playback/study/trials/participant_session.h"
+#include "playback/study/trials/study_output.h"
+#include "playback/study/trials/study_page.h"
+#include "playback/study/trials/trial_desk.h"
+
+namespace detent::playback {
+
+struct StudyPlayerSettings {
+  PlayerSettings player;
+  bool rehearse = false;   ///< no sound device: everything is followed, nothing is felt
+  std::string sensorPort;  ///< empty: press() presses by itself
+  unsigned baud = 230400;
+  SensorCalibration calibration;
+};
+
+/// What a participant has under the finger: any button of the study, in any of its modes, exchanged at once;
+/// all are prepared before the first trial. One thread.
+class StudyPlayer {
+ public:
+  /// Failure: as LivePlayer::start, attachSensor and prepareProgram.
+  static Result<std::unique_ptr<StudyPlayer>> start(const Study& study, const StudyPlayerSettings& settings);
+  virtual ~StudyPlayer() = default;
+
+  virtual bool sounding() const = 0;  ///< false: a rehearsal
+  virtual std::string device() const = 0;
+  /// Puts that button under the finger; without a sensor it is pressed once, as by a hand.
+  virtual void press(std::size_t button, FeedbackMode mode) = 0;
+  /// Whether the sound device went away since this was last asked.
+  virtual bool lostSinceAsked() = 0;
+};
+
+/// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(); `reason` words what tells a pair apart. Some
+/// ten milliseconds a button and mode. Failure: as feel(). Any thread.
+Result<std::vector<ForetoldPair>> foretold(const Study& study,
+                                           const std::function<std::string(const PredictedPair&)>& reason);
+
+}  // namespace detent::playback
