@@ -249,16 +249,15 @@ PictureHeader bmpHeader(std::span<const unsigned char> bytes) {
   const ByteReader in(bytes, false);
   PictureHeader header;
   const std::uint32_t pixelsAt = in.u32(10), infoSize = in.u32(14);
-  if (infoSize == 12) {
-    header.width_px = in.u16(18);
-    header.height_px = in.u16(20);
-    return header;
-  }
-  header.width_px = static_cast<std::int32_t>(in.u32(18));
-  header.height_px = std::abs(static_cast<long long>(static_cast<std::int32_t>(in.u32(22))));
-  const std::uint32_t bitsPerPixel = in.u16(28), compression = in.u32(30);
-  header.dpi = plausibleDpi(in.u32(38) * mmPerInch / 1000);
-  if ((compression == 0 || compression == 3) && header.width_px > 0 && header.width_px < (1LL << 31)) {
+  const bool old = infoSize == 12;
+  header.width_px = old ? in.u16(18) : static_cast<std::int32_t>(in.u32(18));
+  header.height_px =
+      old ? in.u16(20) : std::abs(static_cast<long long>(static_cast<std::int32_t>(in.u32(22))));
+  const std::uint32_t bitsPerPixel = in.u16(old ? 24 : 28), compression = old ? 0 : in.u32(30);
+  if (!old) header.dpi = plausibleDpi(in.u32(38) * mmPerInch / 1000);
+  const bool runLengths =
+      compression == 1 || compression == 2;  // whether they are all there is known when they are read
+  if (!runLengths && header.width_px > 0 && header.width_px < (1LL << 31)) {
     const long long rowBytes = (header.width_px * bitsPerPixel + 31) / 32 * 4;
     const long long available = static_cast<long long>(in.size()) - static_cast<long long>(pixelsAt);
     header.complete = rowBytes == 0 || available / rowBytes >= header.height_px;

@@ -118,6 +118,20 @@ void addStyleSheet(std::string_view source, std::vector<Rule>& rules) {
 struct Attribute {
   std::string name, value;
   char quote = '"';
+
+  /// A value from a style sheet may hold what would end it or its tag.
+  std::string text() const {
+    std::string out = name + "=" + quote;
+    for (const char c : value) {
+      if (c == quote)
+        out += c == '"' ? "&quot;" : "&apos;";
+      else if (c == '<')
+        out += "&lt;";
+      else
+        out += c;
+    }
+    return out + quote;
+  }
 };
 
 struct Tag {
@@ -136,11 +150,11 @@ struct Tag {
         a.value = value;
         return;
       }
-    attributes.push_back({attribute, value, value.find('"') == std::string::npos ? '"' : '\''});
+    attributes.push_back({attribute, value});
   }
   std::string text() const {
     std::string out = closes ? "</" + name : "<" + name;
-    for (const Attribute& a : attributes) out += " " + a.name + "=" + a.quote + a.value + a.quote;
+    for (const Attribute& a : attributes) out += " " + a.text();
     return out + (selfClosing ? "/>" : ">");
   }
 };
@@ -424,7 +438,7 @@ class Preparer {
         }
     tag.name = "path";
     std::erase_if(tag.attributes, [&](const Attribute& a) { return a.name == attribute; });
-    tag.attributes.push_back({"d", cut, '"'});
+    tag.attributes.push_back({"d", cut});
   }
 
   void readStyleSheets() {
@@ -576,7 +590,7 @@ class Preparer {
     }
     std::replace(style.begin(), style.end(), '"', '\'');
     std::erase_if(tag.attributes, [](const Attribute& a) { return a.name == "style"; });
-    if (!style.empty()) tag.attributes.push_back({"style", style, '"'});
+    if (!style.empty()) tag.attributes.push_back({"style", style});
   }
 
   std::string_view svg_;

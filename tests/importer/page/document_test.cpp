@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // PDF and SVG: paths, texts and images where the page has them; hostile documents are refused.
 
+#include "importer/page/document.h"
+
 #include <cmath>
 #include <string>
 
 #include <catch2/catch.hpp>
 
-#include "importer/page/page.h"
 #include "importer/page/prepare_svg.h"
 
 using namespace detent;
@@ -432,4 +433,14 @@ TEST_CASE("style sheets cascade: rules over attributes, ids over classes over ty
   for (const std::string expected :
        {"stroke='red'", "style=\"stroke:green\"", "style=\"stroke:blue\"", "style=\"stroke:white\""})
     CHECK(out.text.find(expected) != std::string::npos);
+}
+
+TEST_CASE("what a style sheet quotes stays inside of its attribute") {
+  const PreparedSvg out = prepareSvg(
+      "<svg><style><![CDATA[text{font-family:'Arial',\"O'Neil\";stroke:url(<a>)}]]></style>"
+      "<text font-family='serif' stroke=\"red\">1</text></svg>",
+      1e6);
+  CHECK(out.problem.empty());
+  CHECK(out.text.find("font-family='&apos;Arial&apos;,\"O&apos;Neil\"'") != std::string::npos);
+  CHECK(out.text.find("stroke=\"url(&lt;a>)\"") != std::string::npos);
 }

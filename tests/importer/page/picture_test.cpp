@@ -9,8 +9,8 @@
 #include <catch2/catch.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "importer/page/document.h"
 #include "importer/page/even_light.h"
-#include "importer/page/page.h"
 #include "importer/page/picture_header.h"
 #include "model/sha256.h"
 
@@ -104,6 +104,30 @@ Bytes claiming(Bytes png, std::uint32_t width, std::uint32_t height) {
   putBigEndian(head, crc32(head, 12), 4);
   std::copy(head.begin(), head.end(), png.begin());
   return png;
+}
+
+void putLittleEndian(Bytes& to, std::uint32_t value, int bytes) {
+  for (int i = 0; i < bytes; ++i) to.push_back(static_cast<unsigned char>(value >> 8 * i));
+}
+
+/// A BMP all of one colour (30, 20, 10) in 32 bits, 24 where the header is OS/2's of 12 bytes.
+Bytes bitmapOf(std::uint32_t width, std::uint32_t height, std::uint32_t head, std::uint32_t compression) {
+  const std::uint32_t bits = head == 12 ? 24 : 32, pixels = width * height * bits / 8;
+  Bytes out{'B', 'M'};
+  putLittleEndian(out, 14 + head + pixels, 4);
+  putLittleEndian(out, 0, 4);
+  putLittleEndian(out, 14 + head, 4);
+  putLittleEndian(out, head, 4);
+  for (const std::uint32_t side : {width, height}) putLittleEndian(out, side, head == 12 ? 2 : 4);
+  putLittleEndian(out, 1, 2);
+  putLittleEndian(out, bits, 2);
+  if (head > 12) putLittleEndian(out, compression, 4);
+  for (std::uint32_t i = 0; head > 12 && i < 5; ++i) putLittleEndian(out, 0, 4);
+  if (head >= 56)
+    for (const std::uint32_t mask : {0xFF0000U, 0xFF00U, 0xFFU, 0xFF000000U}) putLittleEndian(out, mask, 4);
+  for (std::uint32_t i = 0; i < width * height; ++i)
+    putLittleEndian(out, 0xFF1E140A, static_cast<int>(bits) / 8);
+  return out;
 }
 
 }  // namespace
@@ -323,6 +347,20 @@ TEST_CASE("what cannot be read is refused with name, problem and remedy") {
   const Bytes jpeg = encoded(".jpg", numberedPixels(30, 30));
   CHECK(english(refusalOf(Bytes(jpeg.begin(), jpeg.end() - 20), "cut.jpg").problem).find("truncated") !=
         std::string::npos);
+}
+
+TEST_CASE("a BMP that ends before its pixels is truncated, however it says what they hold") {
+  // Header lengths and compressions: OS/2; none, masks, masks and alpha.
+  for (const auto& [head, compression] :
+       std::vector<std::pair<std::uint32_t, std::uint32_t>>{{12, 0}, {40, 0}, {56, 3}, {56, 6}}) {
+    INFO(head << " " << compression);
+    const Bytes whole = bitmapOf(8, 4, head, compression);
+    const Page page = firstPage(whole, "plot.bmp");
+    CHECK(page.width == 8);
+    CHECK(pixel(page.overview, 3, 2) == Rgb{30, 20, 10});
+    const Failure failure = refusalOf(Bytes(whole.begin(), whole.end() - 1), "cut.bmp");
+    CHECK(english(failure.problem).find("truncated") != std::string::npos);
+  }
 }
 
 TEST_CASE("a picture under another picture's name is read as what it is") {
