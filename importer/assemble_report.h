@@ -2,27 +2,10 @@
 #pragma once
 // The last step of an import: from fitted strokes to a Button with its provenance, and how sure all of it is.
 
+#include "importer/graph_findings.h"
 #include "importer/importer.h"
-#include "importer/locate_graphs.h"
 
 namespace detent::importer {
-
-struct FittedStrokes {
-  FittedStroke press;
-  std::optional<FittedStroke> release;
-};
-
-/// Everything the steps before gave for one graph.
-struct GraphFindings {
-  const LocatedGraph& graph;
-  const std::vector<CurveTrace>& traces;
-  Found<StrokePair> strokes;
-  FittedStrokes fitted;
-  double pressNoise_px = 0, releaseNoise_px = 0;
-  std::vector<Callout> callouts;
-  std::vector<PrintedSpec> specs;
-  PageClass pageClass = PageClass::picture;
-};
 
 /// Where the graph stands and where its file came from.
 struct GraphSource {

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "importer/assemble_report.h"
+#include "importer/graph_findings.h"
 
 namespace detent::importer {
 

@@ -22,6 +22,7 @@
 #include "importer/log/force_log.h"
 #include "importer/page/page.h"
 #include "importer/page/page_class.h"
+#include "importer/page/progress.h"
 #include "importer/quality.h"
 #include "importer/specs/printed_spec.h"
 #include "importer/strokes/stroke_pair.h"

@@ -7,7 +7,8 @@
 #include "importer/axes/axis_calibration.h"
 #include "importer/frame/plot_frame.h"
 #include "importer/importer.h"
-#include "importer/page/page.h"
+#include "importer/page/document.h"
+#include "importer/page/progress.h"
 
 namespace detent::importer {
 

@@ -3,7 +3,7 @@
 // What draft, standard and precise mean: one documented set of settings each.
 // docs/bench-importer.md has the measured trade.
 
-#include "importer/fit/fit_stroke.h"
+#include "importer/fit/fit_options.h"
 #include "importer/page/page.h"
 #include "importer/trace/curve_trace.h"
 

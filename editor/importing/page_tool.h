@@ -9,9 +9,10 @@
 #include <QMouseEvent>
 #include <QPainter>
 
-#include "editor/importing/page_view.h"
-
 namespace detent::editor {
+
+class PageView;
+enum class ToolKind;
 
 /// Events answer whether they were handled; unhandled ones are the view's. An unfinished action is dropped by
 /// `cancel`.

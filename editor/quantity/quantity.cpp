@@ -6,8 +6,6 @@
 #include <QCoreApplication>
 #include <QLocale>
 
-#include "editor/quantity/expression.h"
-
 namespace detent::editor {
 namespace {
 

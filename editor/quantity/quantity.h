@@ -9,6 +9,7 @@
 #include <QString>
 
 #include "editor/document/display_units.h"
+#include "editor/quantity/expression.h"
 
 namespace detent::editor {
 
@@ -22,19 +23,6 @@ enum class Quantity {
   number,      ///< without a unit
   count,       ///< a whole number
   resolution,  ///< dpi
-};
-
-/// What kept a text from being a quantity.
-enum class QuantityTrouble {
-  empty,
-  noNumber,         ///< "about two", "5 +", an open bracket
-  groupSeparator,   ///< "1,250.5", "1 250", "1'250"
-  unknownUnit,      ///< "5 apples"
-  otherQuantity,    ///< "5 gf" where a length is asked for
-  mixedUnits,       ///< "50 + 5 gf" while cN are shown: which unit has the 50?
-  nothingToChange,  ///< "+10 %" of no value
-  notWhole,         ///< "1.5" of a count
-  notFinite,
 };
 
 /// A text read. `trouble` says why there is no value; `culprit` is the part of the text it is about.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "importer/frame/plot_frame.h"
+#include "importer/page/progress.h"
 #include "model/units.h"
 
 namespace detent::importer {

@@ -4,7 +4,9 @@
 
 #include <vector>
 
-#include "importer/fit/fit_stroke.h"
+#include "importer/fit/fit_options.h"
+#include "model/sections.h"
+#include "model/stroke_curve.h"
 
 namespace detent::importer {
 

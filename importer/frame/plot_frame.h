@@ -11,6 +11,7 @@
 #include "importer/frame/paper.h"
 #include "importer/page/found.h"
 #include "importer/page/page.h"
+#include "importer/page/progress.h"
 
 namespace detent::importer {
 

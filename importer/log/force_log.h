@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "importer/page/progress.h"
 #include "importer/strokes/stroke_pair.h"
 
 namespace detent::importer {

@@ -8,6 +8,7 @@
 
 #include "importer/page/mupdf_context.h"
 #include "importer/page/page.h"
+#include "importer/page/progress.h"
 
 namespace detent::importer {
 

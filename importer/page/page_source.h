@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "importer/page/page.h"
+#include "importer/page/progress.h"
 
 namespace detent::importer {
 

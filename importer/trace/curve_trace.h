@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "importer/axes/axis_calibration.h"
+#include "importer/page/progress.h"
 
 namespace detent::importer {
 

@@ -3,6 +3,7 @@
 // Press and release drawn in one ink: a hysteresis loop that touches and crosses itself, under grid, leaders
 // and text of the same ink. Both strokes are followed at once, globally.
 
+#include "importer/page/progress.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/plot_area.h"
 

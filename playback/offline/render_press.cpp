@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/offline/render_press.h"
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <memory>
-
-#include "playback/offline/check_rendering.h"
 
 namespace detent::playback {
 

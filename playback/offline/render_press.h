@@ -56,6 +56,10 @@ struct RenderSettings {
   double tail_s = 0.5;  ///< at most this much after the last reading; ends early when all is silent
 };
 
+/// What can be said of a rendering before anything is computed or written. Failure wrongUsage: settings outside their ranges, a trace
+/// without readings, one whose times begin more than a week after 0.
+Result<Done> checkRendering(const PressTrace& trace, const RenderSettings& settings);
+
 struct RenderSummary {
   double duration_s = 0;
   double computing_s = 0;
@@ -71,7 +75,7 @@ struct RenderSummary {
 using SampleSink = std::function<bool(const float* samples, std::size_t count)>;
 
 /// Renders the whole trace through `sink`. Time 0 of the sound is time 0 of the trace, or its first reading
-/// if that is earlier. Failure: as check_rendering.h; unreadableInput where no reading of the trace can be one.
+/// if that is earlier. Failure: as checkRendering; unreadableInput where no reading of the trace can be one.
 Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace& trace,
                                   const RenderSettings& settings, const SampleSink& sink);
 

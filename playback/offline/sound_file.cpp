@@ -6,7 +6,7 @@
 #include <sndfile.h>
 
 #include "model/staged_file.h"
-#include "playback/offline/check_rendering.h"
+#include "playback/offline/render_press.h"
 
 namespace detent::playback {
 

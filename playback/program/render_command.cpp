@@ -12,7 +12,7 @@
 #include "model/file/button_file.h"
 #include "model/file/text_file.h"
 #include "playback/measurement/exact_number.h"
-#include "playback/offline/check_rendering.h"
+#include "playback/offline/render_press.h"
 #include "playback/program/choice_option.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "importer/page/page.h"
+#include "importer/page/document.h"
 
 using namespace detent::importer;
 

@@ -9,7 +9,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "importer/page/page.h"
+#include "importer/page/document.h"
 
 namespace detent::importer::test {
 

@@ -10,8 +10,8 @@
 #include <catch2/catch.hpp>
 #include <opencv2/imgcodecs.hpp>
 
+#include "importer/page/document.h"
 #include "importer/page/luma.h"
-#include "importer/page/page.h"
 
 using namespace detent;
 using namespace detent::importer;

@@ -10,7 +10,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "importer/page/page.h"
+#include "importer/page/document.h"
 #include "importer/trace/curve_trace.h"
 
 using namespace detent;

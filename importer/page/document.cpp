@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "importer/page/page.h"
+#include "importer/page/document.h"
 
 #include <cmath>
 #include <filesystem>

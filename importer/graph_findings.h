@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the steps gave for one graph, gathered for those who judge it.
+
+#include <optional>
+#include <vector>
+
+#include "importer/callouts/callouts.h"
+#include "importer/fit/fit_stroke.h"
+#include "importer/locate_graphs.h"
+#include "importer/specs/printed_spec.h"
+#include "importer/strokes/stroke_pair.h"
+
+namespace detent::importer {
+
+struct FittedStrokes {
+  FittedStroke press;
+  std::optional<FittedStroke> release;
+};
+
+/// Everything the steps before gave for one graph.
+struct GraphFindings {
+  const LocatedGraph& graph;
+  const std::vector<CurveTrace>& traces;
+  Found<StrokePair> strokes;
+  FittedStrokes fitted;
+  double pressNoise_px = 0, releaseNoise_px = 0;
+  std::vector<Callout> callouts;
+  std::vector<PrintedSpec> specs;
+  PageClass pageClass = PageClass::picture;
+};
+
+}  // namespace detent::importer
