@@ -7,6 +7,8 @@
 #include <set>
 #include <utility>
 
+#include "model/disk.h"
+
 namespace detent {
 namespace {
 
@@ -86,8 +88,11 @@ Result<Done> StagedFile::commit() {
   std::error_code error;
   const fs::file_status status = fs::status(target_, error);
   if (fs::exists(status)) fs::permissions(path_, status.permissions(), error);
+  // Else the name could reach the disk before what it names: after a power cut an empty file would stand there.
+  if (const std::error_code refused = writeToDisk(path_)) return notWritten(refused.message());
   fs::rename(path_, target_, error);
   if (error) return notWritten(error.message());
+  writeFolderToDisk(target_);
   forget(path_);
   path_.clear();
   return Done{};

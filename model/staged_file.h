@@ -23,8 +23,8 @@ class StagedFile {
   const std::filesystem::path& path() const { return path_; }
   /// What it will be.
   const std::filesystem::path& target() const { return target_; }
-  /// An existing target keeps its permissions, a symbolic link what it points to. Failure internalFault: the disk
-  /// refused, and the target is as it was.
+  /// An existing target keeps its permissions, a symbolic link what it points to. A power cut leaves the target as it was or
+  /// complete, and complete once this has returned. Failure internalFault: the disk refused, and the target is as it was.
   Result<Done> commit();
   /// Removes all that are open in this process: for the moment before it is ended by force. Any thread; does nothing where another
   /// one holds the list.

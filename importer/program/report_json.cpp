@@ -5,6 +5,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/file/json_text.h"
+
 namespace detent::importer {
 namespace {
 
@@ -61,9 +63,6 @@ void addRemarks(Json& json, const std::vector<Remark>& remarks) {
   }
 }
 
-/// Text from a page may be anything; JSON must stay valid.
-std::string dumped(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace); }
-
 void appendRows(std::string& csv, const char* stroke, const std::vector<CurvePoint>& points) {
   char row[96];
   for (const CurvePoint& p : points) {
@@ -97,7 +96,7 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   addRemarks(json, report.remarks);
   if (!report.specChecks.empty()) json["printed_values"] = checksJson(report.specChecks);
   json["outputs"] = outputs;
-  return dumped(json);
+  return jsonText(json);
 }
 
 std::string failureJson(const Failure& failure, const std::string& input,
@@ -110,7 +109,7 @@ std::string failureJson(const Failure& failure, const std::string& input,
                {"remedy_codes", std::move(remedies)}};
   if (!failure.reason.empty()) json["reason"] = failure.reason;
   if (switches.size() > 1) json["curves"] = curvesJson(switches);
-  return dumped(json);
+  return jsonText(json);
 }
 
 std::string listJson(const std::vector<ListedPlot>& plots, const std::vector<Remark>& remarks) {
@@ -131,7 +130,7 @@ std::string listJson(const std::vector<ListedPlot>& plots, const std::vector<Rem
   }
   Json json = {{"graphs", std::move(listed)}};
   if (!remarks.empty()) addRemarks(json, remarks);
-  return dumped(json);
+  return jsonText(json);
 }
 
 std::string traceCsv(const StrokePair& strokes) {

@@ -18,6 +18,7 @@
 #include "importer/program/staged_outputs.h"
 #include "model/file/button_file.h"
 #include "model/file/curve_csv.h"
+#include "model/file/json_text.h"
 
 namespace detent::importer {
 namespace {
@@ -387,7 +388,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   if (a.json) {
     const nlohmann::json summary{
         {"handled", handled}, {"failed", failed}, {"report", reportPath}, {"accepted", accepted.json()}};
-    std::fprintf(stdout, "%s\n", summary.dump().c_str());
+    std::fprintf(stdout, "%s\n", jsonText(summary).c_str());
   }
   return 0;
 }

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/file/base64.h"
+#include "model/file/json_text.h"
 #include "model/file/migrations.h"
 #include "model/file/text_file.h"
 
@@ -82,7 +83,7 @@ class Reader {
     if (!object.contains(key)) return otherwise;
     const double value = number(object, place, key);
     if (value != std::floor(value) || std::abs(value) > std::numeric_limits<int>::max())
-      refuse(join(place, key), "is " + object.at(key).dump() + ", not a whole number of ordinary size",
+      refuse(join(place, key), "is " + jsonText(object.at(key)) + ", not a whole number of ordinary size",
              "Write a whole number");
     return static_cast<int>(value);
   }
@@ -390,16 +391,11 @@ bool holdsOnlyScalars(const ordered_json& value) {
   return std::none_of(value.begin(), value.end(), [](const ordered_json& v) { return v.is_structured(); });
 }
 
-std::string compact(const ordered_json& value) {
-  std::string text = value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-  return text;
-}
-
-// Like dump(2), but a knot stays on one line.
+// Indented by two, but a knot stays on one line.
 void print(std::string& out, const ordered_json& value, const std::string& indent) {
   const bool scalarRow = value.is_structured() && !indent.empty() && holdsOnlyScalars(value);
   if (!value.is_structured() || value.empty() || (scalarRow && value.is_array())) {
-    out += compact(value);
+    out += jsonText(value);
     return;
   }
   const char* separator = "";
@@ -409,7 +405,7 @@ void print(std::string& out, const ordered_json& value, const std::string& inden
   for (const auto& [key, element] : value.items()) {
     out += separator;
     if (!scalarRow) out += "\n" + inner;
-    if (object) out += compact(key) + ": ";
+    if (object) out += jsonText(ordered_json(key)) + ": ";
     print(out, element, inner);
     separator = scalarRow ? ", " : ",";
   }

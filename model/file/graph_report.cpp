@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/file/json_text.h"
 #include "model/metrics.h"
 
 namespace detent {
@@ -19,9 +20,7 @@ std::string format(const char* pattern, Values... values) {
   return buffer;
 }
 
-std::string oneLine(const ordered_json& value) {
-  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
+std::string oneLine(const ordered_json& value) { return jsonText(value) + "\n"; }
 
 const char* nameOf(SectionKind kind) {
   switch (kind) {

@@ -6,10 +6,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/file/json_text.h"
+
 namespace detent::playback {
 
 using Json = nlohmann::ordered_json;
 
-inline void print(const Json& json) { std::cout << json.dump() << "\n"; }
+inline void print(const Json& json) { std::cout << jsonText(json) << "\n"; }
 
 }  // namespace detent::playback

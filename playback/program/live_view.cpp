@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/file/json_text.h"
 #include "playback/device/steady_clock.h"
 #include "playback/device/terminal.h"
 #include "playback/program/live_command.h"
@@ -258,7 +259,7 @@ class LiveView {
                                       {"clipped_blocks", s.limitedBlocks},
                                       {"sensor_noise_N", s.sensorNoise_N},
                                       {"warning_codes", warned_}};
-    std::cout << json.dump() << std::endl;
+    std::cout << jsonText(json) << std::endl;
   }
 
   const LiveArguments& a_;

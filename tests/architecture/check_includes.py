@@ -133,7 +133,9 @@ class Checker:
                 if room_of(file) in ROOMS:
                     found.extend(self.direction(file, include) if include.quoted else self.library(file, include))
         found.extend(self.leaks())
+        found.extend(self.circles())
         found.extend(self.unverified_headers())
+        found.extend(self.bare_dumps())
         found.extend(self.without_licence())
         return sorted(set(found))
 
@@ -236,6 +238,42 @@ class Checker:
                 yield Violation(header, include.line, "third party in a shared header",
                                 f"<{include.target}> stands in a header that another room includes ({reader}): "
                                 "keep it in the .cpp, behind plain types")
+
+    def circles(self):
+        """A header and the source of the same name are one: none includes, itself or through others, what includes it."""
+        def unit(file):
+            return file.rsplit(".", 1)[0]
+        uses = {}  # unit -> unit it includes -> (file, line) of that include
+        for file, includes in self.includes.items():
+            for include in includes:
+                if room_of(file) in ROOMS and include.quoted and include.target in self.known and unit(include.target) != unit(file):
+                    uses.setdefault(unit(file), {}).setdefault(unit(include.target), (file, include.line))
+        reached = {}
+        for start in uses:
+            seen, stack = set(), [start]
+            while stack:
+                for other in uses.get(stack.pop(), {}):
+                    if other not in seen:
+                        seen.add(other)
+                        stack.append(other)
+            reached[start] = seen
+        for here, targets in uses.items():
+            for there, (file, line) in targets.items():
+                if here in reached.get(there, ()) and file.endswith(HEADERS):
+                    yield Violation(file, line, "circle",
+                                    f"{there} includes {here}, itself or through others: what both need belongs into a header below them")
+
+    def bare_dumps(self):
+        """nlohmann's dump() throws where a text is not UTF-8, and names of files may be anything."""
+        for file in self.includes:
+            if room_of(file) not in ROOMS or file == "model/file/json_text.h":
+                continue
+            text = (self.root / file).read_text(encoding="utf-8", errors="replace")
+            if "dump(" not in text:
+                continue
+            for number, line in enumerate(blank_comments(text).split("\n"), 1):
+                if re.search(r"(\.|->)dump\(", line):
+                    yield Violation(file, number, "json text", "dump() throws on text that is not UTF-8: write jsonText(json) of model/file/json_text.h")
 
     def unverified_headers(self):
         """A header in no CMakeLists.txt is in no header set, so nobody verifies that it stands alone."""

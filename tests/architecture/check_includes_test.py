@@ -97,6 +97,17 @@ class PlantedMistake(unittest.TestCase):
             wanted |= {(file, line, "direction") for line in range(here + 2, len(steps) + 1)}
         self.expect(*wanted)
 
+    def test_a_circle_through_sources(self):
+        self.plant("model/planted_above.h", "#pragma once", "// what both need")
+        self.plant("model/planted_above.cpp", '#include "model/planted_above.h"', '#include "model/planted_below.h"')
+        self.plant("model/planted_below.h", "#pragma once", '#include "model/planted_above.h"')
+        self.list_header("model", "planted_above.h planted_below.h")
+        self.expect(("model/planted_below.h", 2, "circle"))
+
+    def test_json_is_dumped_by_hand(self):
+        self.plant("model/file/planted.cpp", "// json.dump() is a comment", "auto text = json.dump(2);", "auto more = json->dump();")
+        self.expect(("model/file/planted.cpp", 2, "json text"), ("model/file/planted.cpp", 3, "json text"))
+
     def test_log_stands_beside_strokes(self):
         self.plant("importer/log/planted.cpp", '#include "importer/strokes/stroke_pair.h"',
                    '#include "importer/trace/curve_trace.h"', '#include "importer/fit/fit_stroke.h"')

@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "model/disk.h"
+
 namespace detent::playback {
 
 namespace {
@@ -26,15 +28,6 @@ int writeWhole(int descriptor, const std::string& text) {
     done += static_cast<std::size_t>(wrote);
   }
   return 0;
-}
-
-/// A new file's name is on the disk only once its folder is.
-void syncFolderOf(const std::filesystem::path& file) {
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (descriptor < 0) return;
-  ::fsync(descriptor);
-  ::close(descriptor);
 }
 
 }  // namespace
@@ -62,7 +55,7 @@ Result<LineJournal> LineJournal::open(const std::filesystem::path& file) {
     return Failure{FailureCode::unreadableInput, file.string(), "", "is being written by another process",
                    "End that session first, or give another participant's id"};
   }
-  syncFolderOf(file);
+  writeFolderToDisk(file);
   if (Result<Done> ok = journal.readAndCut(); !ok) return ok.failure();
   return journal;
 }

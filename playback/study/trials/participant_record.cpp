@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/file/json_text.h"
 #include "model/file/text_file.h"
 #include "model/sha256.h"
 #include "model/version.h"
@@ -28,7 +29,7 @@ std::string chainOf(const std::string& before, const std::string& body) {
 
 /// `body` is an object; the line is the same object with the chain as its last key.
 std::string chained(const Json& object, std::string& chain) {
-  const std::string body = object.dump();
+  const std::string body = jsonText(object);
   chain = chainOf(chain, body);
   return body.substr(0, body.size() - 1) + std::string(chainKey) + chain + "\"}";
 }
@@ -92,7 +93,8 @@ class Replay {
     if (const int version = json.at("version"); version != journalVersion)
       return wrong("is of version " + std::to_string(version), "Use the program that wrote it");
     if (json.at("participant") != record_.participant)
-      return wrong("is the journal of " + json.at("participant").dump(), "Give the file its own name again");
+      return wrong("is the journal of " + jsonText(json.at("participant")),
+                   "Give the file its own name again");
     if (json.at("study_sha256") != study_.sha256)
       return wrong("belongs to another study, or study.json was changed since",
                    "Restore study.json, or move the journal to its own study");
@@ -131,7 +133,7 @@ class Replay {
     if (record_.sessions.empty()) return wrong("is an answer outside a session", "Restore the journal");
     const Trial* trial = record_.next();
     if (trial == nullptr || json.at("trial") != trial->number)
-      return wrong("answers trial " + json.at("trial").dump() + " out of its turn", "Restore the journal");
+      return wrong("answers trial " + jsonText(json.at("trial")) + " out of its turn", "Restore the journal");
     const std::string chosen = json.at("answer"), x = json.at("x");
     Answer a;
     a.trial = trial->number;

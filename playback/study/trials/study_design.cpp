@@ -6,9 +6,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/disk.h"
 #include "model/file/button_file.h"
+#include "model/file/json_text.h"
 #include "model/file/text_file.h"
 #include "model/sha256.h"
+#include "model/text.h"
 #include "model/version.h"
 #include "playback/measurement/profile_file.h"
 #include "playback/offline/render_press.h"
@@ -106,7 +109,8 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
                           std::to_string(studyVersion),
                       "Use the program that made it");
   if (json.at("generator") != generatorName)
-    return unreadable(file, "was shuffled by " + json.at("generator").dump(), "Use the program that made it");
+    return unreadable(file, "was shuffled by " + jsonText(json.at("generator")),
+                      "Use the program that made it");
   study.program = json.at("program");
   StudyDesign& d = study.design;
   const std::string kind = json.at("kind");
@@ -177,6 +181,8 @@ Result<Done> readButtons(Study& study, const std::vector<std::string>& files) {
     Result<Button> button = buttonFromJson(*text, file);
     if (!button) return button.failure();
     const std::string label = labelOf(file);
+    if (!isUtf8(label))  // it stands in study.json, which names the study's own copy of the file
+      return wrong(file, "has a name that is not UTF-8", "Rename the file");
     if (!labels.insert(label).second)
       return wrong(file, "is the second button called \"" + label + "\"", "Rename one of the files");
     study.buttons.push_back({label, sha256Hex(*text), *std::move(button)});
@@ -189,15 +195,18 @@ Result<Done> writeParts(const fs::path& folder, const Study& study, const std::v
   std::error_code error;
   fs::create_directories(folder / "buttons", error);
   if (!error) fs::create_directory(folder / "participants", error);
-  for (std::size_t i = 0; i < files.size() && !error; ++i)
-    fs::copy_file(files[i], folder / "buttons" / (study.buttons[i].label + buttonEnding), error);
-  if (!error && !profileFile.empty()) fs::copy_file(profileFile, folder / "device.device", error);
+  const auto copy = [&](const std::string& file, const fs::path& to) {
+    if (!error && fs::copy_file(file, to, error)) error = writeToDisk(to);
+  };
+  for (std::size_t i = 0; i < files.size(); ++i)
+    copy(files[i], folder / "buttons" / (study.buttons[i].label + buttonEnding));
+  if (!profileFile.empty()) copy(profileFile, folder / "device.device");
   if (error)
     return unreadable(folder, "cannot be made (" + error.message() + ")",
                       "Check the folder, its rights and the free space");
   const std::string consent = study.design.consent.empty() ? standardConsent : study.design.consent;
   if (Result<Done> ok = writeTextFileAtomically((folder / "consent.txt").string(), consent); !ok) return ok;
-  return writeTextFileAtomically((folder / "study.json").string(), jsonOf(study).dump(2) + "\n");
+  return writeTextFileAtomically((folder / "study.json").string(), jsonText(jsonOf(study), 2) + "\n");
 }
 
 }  // namespace
@@ -291,7 +300,10 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
   Result<Done> written = writeParts(draft, study, buttonFiles, profileFile);
   if (written) {
     fs::rename(draft, folder, error);
-    if (!error) return openStudy(folder);
+    if (!error) {
+      writeFolderToDisk(folder);
+      return openStudy(folder);
+    }
     written = unreadable(folder, "cannot be made (" + error.message() + ")", "Check the folder above it");
   }
   fs::remove_all(draft, error);

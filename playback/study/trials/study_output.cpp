@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "model/file/json_text.h"
 #include "model/file/text_file.h"
 #include "model/version.h"
 #include "playback/measurement/exact_number.h"
@@ -218,12 +219,12 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
                      {"first_press", {{"Description", "from onset to the first press"}, {"Units", "s"}}},
                      {"correct", {{"Description", "1: the answer is X"}}},
                      {"condition", {{"Description", "simulated, rehearsal: no person felt anything"}}}};
-  if (Result<Done> ok =
-          writeTextFileAtomically((folder / "dataset_description.json").string(), dataset.dump(2) + "\n");
+  if (Result<Done> ok = writeTextFileAtomically((folder / "dataset_description.json").string(),
+                                                jsonText(dataset, 2) + "\n");
       !ok)
     return ok;
   if (Result<Done> ok = writeTextFileAtomically((folder / ("task-" + task + "_events.json")).string(),
-                                                columns.dump(2) + "\n");
+                                                jsonText(columns, 2) + "\n");
       !ok)
     return ok;
   std::vector<std::string> participants;
@@ -271,22 +272,22 @@ std::string resultsJson(const StudyResults& results) {
   for (const GroupComparison& c : results.comparisons)
     comparisons.push_back(
         {{"first", c.first}, {"second", c.second}, {"difference", c.difference}, {"p", c.p}});
-  return Json{{"status", "ok"},
-              {"study", results.study},
-              {"kind", nameOf(results.kind)},
-              {"simulated", results.anySimulated},
-              {"rehearsal", results.anyRehearsal},
-              {"labels", results.labels},
-              {"names", results.names},
-              {"trials", results.rows.size()},
-              {"rule",
-               {{"most_errors", results.rule.mostErrors ? Json(*results.rule.mostErrors) : Json(nullptr)},
-                {"trials", results.trialsPerTest},
-                {"p", results.rule.p}}},
-              {"groups", groups},
-              {"comparisons", comparisons},
-              {"warnings", results.warnings}}
-      .dump();
+  const Json json{{"status", "ok"},
+                  {"study", results.study},
+                  {"kind", nameOf(results.kind)},
+                  {"simulated", results.anySimulated},
+                  {"rehearsal", results.anyRehearsal},
+                  {"labels", results.labels},
+                  {"names", results.names},
+                  {"trials", results.rows.size()},
+                  {"rule",
+                   {{"most_errors", results.rule.mostErrors ? Json(*results.rule.mostErrors) : Json(nullptr)},
+                    {"trials", results.trialsPerTest},
+                    {"p", results.rule.p}}},
+                  {"groups", groups},
+                  {"comparisons", comparisons},
+                  {"warnings", results.warnings}};
+  return jsonText(json);
 }
 
 }  // namespace detent::playback

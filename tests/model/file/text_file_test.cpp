@@ -6,37 +6,12 @@
 
 #include <catch2/catch.hpp>
 
+#include "tests/model/file/test_folder.h"
+
 using namespace detent;
 namespace fs = std::filesystem;
 
 namespace {
-
-// A folder of its own per test, gone afterwards.
-class Folder {
- public:
-  Folder() {
-    static int number = 0;
-    path_ = fs::temp_directory_path() /
-            ("detent-text-file-" +
-             std::to_string(std::hash<std::string>{}(fs::current_path().string()) % 100000) + "-" +
-             std::to_string(++number));
-    fs::remove_all(path_);
-    fs::create_directories(path_);
-  }
-  ~Folder() {
-    std::error_code error;
-    fs::permissions(path_, fs::perms::owner_all, error);
-    fs::remove_all(path_, error);
-  }
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::size_t entries() const {
-    return static_cast<std::size_t>(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 void requireFailure(const Result<Done>& result, int exitCode, const std::string& part) {
   REQUIRE_FALSE(result.ok());
@@ -47,7 +22,7 @@ void requireFailure(const Result<Done>& result, int exitCode, const std::string&
 }  // namespace
 
 TEST_CASE("a written file holds exactly the text, and nothing else is left") {
-  const Folder folder;
+  const TestFolder folder;
   const std::string text("a\0b\r\n\xFF", 6);
   REQUIRE(writeTextFileAtomically(folder / "out", text).ok());
   CHECK(readTextFile(folder / "out").value() == text);
@@ -57,7 +32,7 @@ TEST_CASE("a written file holds exactly the text, and nothing else is left") {
 }
 
 TEST_CASE("an existing file keeps its permissions, a link its target") {
-  const Folder folder;
+  const TestFolder folder;
   REQUIRE(writeTextFileAtomically(folder / "target", "old").ok());
   fs::permissions(folder / "target", fs::perms::owner_read | fs::perms::owner_write);
   fs::create_symlink("target", folder / "link");
@@ -68,7 +43,7 @@ TEST_CASE("an existing file keeps its permissions, a link its target") {
 }
 
 TEST_CASE("where nothing can be written, nothing is left and the old file stands") {
-  const Folder folder;
+  const TestFolder folder;
   requireFailure(writeTextFileAtomically(folder.path().string(), "x"), 2, "it is a folder");
   requireFailure(writeTextFileAtomically(folder / "no/such/folder/out", "x"), 2, "its folder does not exist");
   requireFailure(writeTextFileAtomically("/dev/null", "x"), 2, "it is not a regular file");
@@ -77,14 +52,14 @@ TEST_CASE("where nothing can be written, nothing is left and the old file stands
 }
 
 TEST_CASE("long names are written as well") {
-  const Folder folder;
+  const TestFolder folder;
   const std::string name(250, 'n');
   REQUIRE(writeTextFileAtomically(folder / name, "x").ok());
   CHECK(readTextFile(folder / name).value() == "x");
 }
 
 TEST_CASE("what cannot be read is refused by name") {
-  const Folder folder;
+  const TestFolder folder;
   const auto missing = readTextFile(folder / "missing");
   REQUIRE_FALSE(missing.ok());
   CHECK(missing.failure().exitCode() == 3);

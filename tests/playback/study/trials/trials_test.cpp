@@ -75,6 +75,25 @@ void edit(const fs::path& file, const std::string& from, const std::string& to) 
 
 }  // namespace
 
+TEST_CASE(
+    "a button's file whose name is not UTF-8 is refused by name; a study's own folder may have such a name") {
+  const StudyFolder made;
+  const fs::path odd = made.folder().parent_path() / "odd\xFF.button.json";
+  fs::copy_file(sample("A"), odd);
+  const fs::path folder = made.folder().parent_path() / "made\xFF";
+  const Result<Study> refused = createStudy(folder, {odd.string(), sample("B")}, "", {});
+  REQUIRE_FALSE(refused);
+  CHECK(refused.failure().code == FailureCode::wrongUsage);
+  CHECK(english(refused.failure().subject.name) == odd.string());
+  CHECK_FALSE(fs::exists(folder));
+  const Result<Study> study = createStudy(folder, {sample("A"), sample("B")}, "", {});
+  REQUIRE(study);
+  answer(*study, "P01", "perfect", 3);
+  const StudyResults results = resultsOf(*study, *readParticipants(*study));
+  CHECK(resultsJson(results).find("\"made\xEF\xBF\xBD\"") != std::string::npos);
+  CHECK(writeBids(results, folder / "bids"));
+}
+
 TEST_CASE("plan: every pair as often as asked, sides and X balanced independently, the same list each time") {
   StudyDesign design;
   design.seed = 5;
