@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A device at the far end of a serial port: a pty whose other end a program opens, a thread that answers lines late, and a handle
+// with a finger that moves in real time. What a device says is the subclass's.
+
+#include <atomic>
+#include <deque>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/playback/plant/handle.h"
+#include "tests/playback/plant/transport.h"
+
+namespace detent::test {
+
+struct PtySettings {
+  HandleSettings handle;
+  FingerSettings finger;
+  Plan plan = [](double) { return Intent{}; };
+  double start_mm = 0;
+  double replyDelay_s = 0;    ///< from a line to its answer
+  double replyJitter_s = 0;   ///< 0..so much more
+  double brokenAnswers = 0;   ///< share of answers whose bytes are damaged
+  double resetAt_s = -1;      ///< after the first line; < 0: never
+  double unplugAt_s = -1;     ///< after the first line; < 0: never
+  double pluggedAgain_s = 0;  ///< after it was unplugged; 0: never
+  std::uint64_t seed = 1;
+};
+
+/// One moment of the device, taken every millisecond. Its world stands still until the first line comes.
+struct PtyMoment {
+  double time_s = 0;  ///< since the first line
+  double position_mm = 0;
+  double motor_N = 0;  ///< acting on the handle, against pressing
+  double finger_N = 0;
+};
+
+class PtyDevice {
+ public:
+  explicit PtyDevice(const PtySettings& settings);
+  virtual ~PtyDevice();
+  PtyDevice(const PtyDevice&) = delete;
+  PtyDevice& operator=(const PtyDevice&) = delete;
+
+  /// Path of the port, the same after it has been unplugged and plugged in again.
+  const std::string& port() const { return port_; }
+  /// Ends the device's thread; what it has recorded may be read from then on.
+  void halt();
+  const std::vector<PtyMoment>& moments() const { return moments_; }
+  /// Lines as they came, without their ends.
+  const std::vector<std::string>& heard() const { return heard_; }
+  double largestMotor_N() const;
+
+ protected:
+  /// Starts the thread: at the end of a subclass's constructor.
+  void begin();
+  virtual void hear(const std::string& line) = 0;
+  /// A step of the device's own time: the force that its motor is to give.
+  virtual double command_N() = 0;
+  virtual void reset() = 0;
+
+  /// Sends a line, with its end, after the reply delay; a share of them is damaged on the way.
+  void answer(std::string line);
+  double now_s() const { return now_s_; }  ///< since the device was made
+  double truePosition_mm() const { return world_.position_mm(); }
+  double trueSpeed_mm_per_s() const { return world_.velocity_mm_per_s(); }
+
+ private:
+  struct Waiting {
+    double due_s;
+    std::string text;
+  };
+  void run();
+  void plug();
+  void unplug();
+  void events();
+  void read();
+  void move();
+
+  PtySettings settings_;
+  HandleAndFinger world_;
+  Chance chance_;
+  std::string port_, partial_;
+  int master_ = -1;
+  double now_s_ = 0, firstLine_s_ = -1, unplugged_s_ = -1, nextMoment_s_ = 0;
+  bool resetDone_ = false, unplugDone_ = false;
+  std::deque<Waiting> waiting_;
+  std::vector<PtyMoment> moments_;
+  std::vector<std::string> heard_;
+  std::atomic<bool> ending_{false};
+  std::thread thread_;
+};
+
+}  // namespace detent::test
