@@ -32,10 +32,21 @@ class Version(unittest.TestCase):
             self.assertEqual((run.returncode, run.stdout, run.stderr), (0, f"{name} {project}\n", ""))
         released = xml.parse(ROOT / "editor/desktop/org.detent.edit.metainfo.xml").find("releases/release").get("version")
         self.assertEqual(released, project)
-        self.assertTrue((ROOT / "docs/package/changelog.Debian").read_text().startswith(f"detent ({project}-"))
+        self.assertTrue((ROOT / "docs/package/debian/changelog").read_text().startswith(f"detent ({project}-"))
         changelog = (ROOT / "CHANGELOG.md").read_text()
         self.assertIn(f"\n## {project} (", changelog)
         self.assertTrue(changelog.split("\n## ")[1].startswith("Unreleased\n"), "the first part of CHANGELOG.md is what is not released")
+
+
+class DebianSource(unittest.TestCase):
+    # For people who build and run the tests of it: not needed for a package.
+    NOT_BUILD_DEPENDS = {"g++", "ccache", "jq", "tesseract-ocr-eng", "tesseract-ocr-deu", "tesseract-ocr-chi-sim", "qt6-translations-l10n"}
+
+    def test_build_dependencies_are_those_of_the_installer(self):
+        listed = subprocess.run([ROOT / "install-dependencies.sh", "build", "--list"], check=True, capture_output=True, text=True).stdout.split()
+        field = re.search(r"(?m)^Build-Depends:\n((?: .*\n)+)", (ROOT / "docs/package/debian/control").read_text())[1]
+        named = {entry.split()[0] for entry in field.replace(",", "\n").splitlines() if entry.strip()}
+        self.assertEqual(named - {"debhelper-compat", "python3"}, set(listed) - self.NOT_BUILD_DEPENDS)
 
 
 class Fonts(unittest.TestCase):
