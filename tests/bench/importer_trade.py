@@ -175,10 +175,10 @@ def main():
     if a.items:
         Path(a.items).write_text("".join(json.dumps(r) + "\n" for r in items))
     if a.write:
-        intro = ("# Importer: error against time and memory\n\nMade by `tests/bench/importer_trade.py PROGRAM --write docs`; its docstring "
-                 "defines every column. Distances are mean orthogonal distances as a share of the axis span.\n\n"
-                 "![error against time](bench-importer.svg)\n\n")
-        Path(a.write, "bench-importer.md").write_text(intro + "\n".join(lines) + "\n")
+        page = Path(a.write, "bench-importer.md")
+        before, marks, after = page.read_text().partition("<!-- importer_trade.py -->\n")
+        after = after.split("<!-- end -->", 1)[1]
+        page.write_text(before + marks + "\n".join(lines) + "\n<!-- end -->" + after)
         write_picture(Path(a.write), points)
 
 
