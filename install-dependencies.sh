@@ -32,7 +32,7 @@ build_packages=(
 )
 test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
-  git python3 python3-numpy time
+  git python3 python3-numpy python3-jsonschema time
   jackd2 puredata-core
   umockdev libumockdev-dev         # a Falcon that is none
   xvfb xauth xdotool openbox imagemagick fonts-dejavu-core
