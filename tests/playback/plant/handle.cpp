@@ -138,7 +138,7 @@ void HandleAndFinger::advance(double command_N) {
     tipTo_mm_per_s = tip_mm_per_s_ + (muscle_N - pulp_N) * step_s / tipMass;
     tipTo_mm = tip_mm_ + 0.5 * (tip_mm_per_s_ + tipTo_mm_per_s) * step_s;
     xTo_mm = move.to_mm;
-    if (pass > 0 && std::abs(tipTo_mm + xTo_mm - before_mm) < 1e-14) break;
+    if (pass > 0 && std::abs(tipTo_mm + xTo_mm - before_mm) < 1e-12) break;
   }
   const double tipWay_mm = tipTo_mm - tip_mm_;
   energy_.muscle_mJ += muscle_N * tipWay_mm;

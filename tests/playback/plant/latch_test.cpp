@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A self-locking button under 1,000 fingers: once per press, at its drawn force. Issue 25, section 2; [!shouldfail] as in safety_test.cpp.
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "tests/playback/plant/closed_loop.h"
+#include "tests/playback/plant/finger.h"
+
+using namespace detent;
+using namespace detent::test;
+
+namespace {
+
+struct Actuation {
+  std::uint32_t state = 0;
+  double force_N = 0;  ///< strongest the button gave on the way to it
+  std::size_t press = 0;
+};
+struct LatchRun {
+  std::vector<Actuation> actuations;
+  std::size_t mostChangesInOnePress = 0;
+};
+
+LatchRun pressLatch(const playback::ForceProgram& program, Chance& chance) {
+  const playback::ForceDeviceProfile device = playback::simulatedDevice();
+  LoopSettings settings;
+  settings.handle = handleOf(device);
+  settings.sending.delay_s = device.delay_s;
+  settings.finger.mass_kg = chance.between(0.003, 0.009);
+  settings.finger.stiffness_N_per_mm = chance.between(0.25, 0.8);
+  settings.finger.damping_Ns_per_mm = chance.between(0.002, 0.005);
+  settings.finger.tremorShare = 0.02;
+  Presses press;
+  press.to_mm = 25.4 + chance.between(3, 6) / settings.finger.stiffness_N_per_mm;
+  press.wait_s = 0.25;
+  press.down_s = chance.between(0.08, 0.3);
+  press.rest_s = chance.between(0.05, 0.15);
+  press.up_s = chance.between(0.08, 0.3);
+  press.every_s = press.down_s + press.rest_s + press.up_s + 0.15;
+  ClosedLoop loop(program, settings, pressing(press));
+  LatchRun run;
+  double strongest_N = 0;
+  std::uint32_t state = 0;
+  bool actuated = false;
+  std::size_t changes = 0, number = 0;
+  for (const LoopStep& step : loop.runUntil(0.25 + 2 * press.every_s)) {
+    const auto now = static_cast<std::size_t>(std::max(0.0, (step.time_s - press.wait_s) / press.every_s));
+    if (now != number) changes = 0;
+    number = now;
+    // Until the step before: the one that actuates already has the force of what comes after.
+    if (step.actuated && !actuated) run.actuations.push_back({step.state, strongest_N, number});
+    strongest_N = step.finger_N > 0 ? std::max(strongest_N, step.command_N) : 0;
+    if (step.state != state) {
+      run.mostChangesInOnePress = std::max(run.mostChangesInOnePress, ++changes);
+      strongest_N = 0;
+    }
+    state = step.state;
+    actuated = step.actuated;
+  }
+  return run;
+}
+
+const std::vector<LatchRun>& latchRuns() {
+  static const std::vector<LatchRun> all = [] {
+    const playback::ForceProgram program = preparedFor(sampleButton("latch"), playback::simulatedDevice());
+    std::vector<LatchRun> runs;
+    Chance chance(81);
+    for (int i = 0; i < 1000; ++i) runs.push_back(pressLatch(program, chance));
+    return runs;
+  }();
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("1,000 fingers: a latch locks and unlocks once per press at most", "[latch]") {
+  std::size_t actuated = 0, twice = 0;
+  for (const LatchRun& run : latchRuns()) {
+    actuated += run.actuations.size();
+    twice += run.mostChangesInOnePress > 1;
+  }
+  INFO(actuated << " actuations");
+  CHECK(actuated >= 1900);
+  CHECK(twice == 0);
+}
+
+// Not kept yet: issue 25, 2: the wall is softened while the operating point lies inside of it: 0.3 N for 2.29 N drawn.
+TEST_CASE("1,000 fingers: a latch locks and unlocks at its drawn force", "[latch][!shouldfail]") {
+  constexpr double drawn_N = 2.29;  // at 22.9 mm, in both states
+  double lowest_N = 1e9, highest_N = 0;
+  std::size_t off = 0, all = 0;
+  for (const LatchRun& run : latchRuns()) {
+    for (const Actuation& one : run.actuations) {
+      lowest_N = std::min(lowest_N, one.force_N);
+      highest_N = std::max(highest_N, one.force_N);
+      off += std::abs(one.force_N - drawn_N) > 0.05 * drawn_N;
+      ++all;
+    }
+  }
+  INFO(off << " of " << all << " actuations more than 5 % off: " << lowest_N << " to " << highest_N << " N");
+  CHECK(off == 0);
+}
