@@ -29,11 +29,13 @@ build_packages=(
   qt6-base-dev qt6-base-dev-tools qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n libqcustomplot-dev libgl-dev
   portaudio19-dev libjack-jackd2-dev liblo-dev libsndfile1-dev libreaderwriterqueue-dev
   libusb-1.0-0-dev                 # the Novint Falcon
+  clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32  # the engine for browsers (detent-play page)
 )
 test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
   git python3 python3-numpy python3-jsonschema time
   jackd2 puredata-core
+  chromium chromium-driver         # a shared page is opened in it
   umockdev libumockdev-dev         # a Falcon that is none
   xvfb xauth xdotool openbox imagemagick fonts-dejavu-core
   gnuplot-nox                      # tests/accuracy draws with it

@@ -15,7 +15,7 @@
 
 #include "model/button.h"
 #include "model/result.h"
-#include "playback/offline/render_press.h"
+#include "playback/offline/press_files.h"
 #include "playback/prepare/prepare_force.h"
 #include "playback/prepare/spring_button.h"
 #include "playback/prepare/stability.h"

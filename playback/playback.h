@@ -28,6 +28,7 @@
 #include "model/result.h"
 #include "playback/force_feedback.h"
 #include "playback/measurement/spectrogram.h"
+#include "playback/offline/press_files.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/prepare_program.h"
 

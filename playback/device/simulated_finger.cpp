@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "playback/realtime/finger_profile.h"
+
 namespace detent::playback {
 
 namespace {
@@ -18,12 +20,6 @@ constexpr double arrivedWithin_mm = 0.005, arrivedBelow_mm_per_s = 0.5;
 constexpr double aimingStiffness = 10, aimingDamping = 3;
 constexpr double longestHold_s = 0.5;  // a press that never feels the bottom turns back anyway
 constexpr double tremorFrequencies_Hz[] = {8.7, 11.3};  // physiological tremor, 8 to 12 Hz
-
-/// Minimum-jerk course from 0 to 1.
-double minimumJerk(double share) {
-  const double s = std::clamp(share, 0.0, 1.0);
-  return s * s * s * (10 + s * (6 * s - 15));
-}
 
 /// Value of a polyline at a time; `next` moves on with it.
 double along(const std::vector<double>& times, const std::vector<double>& values, double time_s,

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "playback/offline/render_press.h"
+#include "playback/offline/press_files.h"
 
 namespace detent::playback {
 

@@ -2,7 +2,6 @@
 #pragma once
 // Renders a press without a device: the same engine as the live path, driven by a list of readings.
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -27,10 +26,8 @@ struct PressTrace {
   std::vector<PressReading> readings;
 };
 
-/// Reads `time_s,force_N` or `time_s,displacement_mm` (header required; LF or CRLF; blank lines and lines
-/// starting with # are skipped; "nan" is a reading a sensor may send). Failure names the line.
-Result<PressTrace> readPressTrace(const std::filesystem::path& file);
-/// The same from text; `name` for messages.
+/// From `time_s,force_N` or `time_s,displacement_mm` as text (header required; LF or CRLF; blank lines and lines
+/// starting with # are skipped; "nan" is a reading a sensor may send). Failure names the line; `name` for messages.
 Result<PressTrace> parsePressTrace(const std::string& text, const std::string& name);
 
 /// The readings that survive conditioning, with times in samples from `origin_s`. What the live path plays of
@@ -86,19 +83,5 @@ struct RenderedPress {
 };
 Result<RenderedPress> renderPress(const HapticProgram& program, const PressTrace& trace,
                                   const RenderSettings& settings);
-
-/// What a file of this trace will be, at most (FLAC is smaller).
-struct ExpectedSize {
-  double duration_s = 0;
-  double bytes = 0;
-};
-ExpectedSize expectedSize(const PressTrace& trace, const RenderSettings& settings,
-                          const std::filesystem::path& file);
-
-/// The same into a mono WAV, or FLAC, by the file's ending; a WAV that would pass 4 GiB becomes an RF64.
-/// Written beside the target and renamed, so that the target is never half written. Failure: wrongUsage for
-/// another ending, or float samples in a FLAC; unreadableInput where the file cannot be written.
-Result<RenderSummary> renderPressToFile(const HapticProgram& program, const PressTrace& trace,
-                                        const RenderSettings& settings, const std::filesystem::path& file);
 
 }  // namespace detent::playback

@@ -6,7 +6,7 @@
 #include <sndfile.h>
 
 #include "model/staged_file.h"
-#include "playback/offline/render_press.h"
+#include "playback/offline/press_files.h"
 
 namespace detent::playback {
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "playback/realtime/finger_profile.h"
+
 namespace detent::playback {
 
 namespace {
@@ -14,18 +16,14 @@ constexpr double tremor_Hz = 10;
 constexpr double overPress = 1.25;  // a quarter more than the bottom-out needs
 constexpr double rest_s = 0.02;     // before and after, so that onset and end are seen
 
-double minimumJerk(double share) {
-  if (share <= 0) return 0;
-  if (share >= 1) return 1;
-  return share * share * share * (10 + share * (6 * share - 15));
-}
-
 }  // namespace
 
+double standardPeak_N(const HapticProgram& program) {
+  return std::max(overPress * strongestForce_N(program), 4 * program.hysteresis_N);
+}
+
 PressTrace standardPress(const HapticProgram& program, const StandardPress& press) {
-  const double peak_N = press.peak_N > 0
-                            ? press.peak_N
-                            : std::max(overPress * strongestForce_N(program), 4 * program.hysteresis_N);
+  const double peak_N = press.peak_N > 0 ? press.peak_N : standardPeak_N(program);
   PressTrace trace;
   const double up_s = rest_s + press.press_s, hold_s = up_s + press.hold_s, down_s = hold_s + press.release_s;
   const auto count = static_cast<std::size_t>(std::ceil((down_s + rest_s) * press.sensor_Hz));

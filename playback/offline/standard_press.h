@@ -17,6 +17,9 @@ struct StandardPress {
   double sensor_Hz = 425;  ///< K&L, Apparatus
 };
 
+/// Force of a full press: a quarter more than the button's bottom-out needs, and clear of the sensor's noise.
+double standardPeak_N(const HapticProgram& program);
+
 /// The readings of such a press.
 PressTrace standardPress(const HapticProgram& program, const StandardPress& press = {});
 

@@ -12,6 +12,7 @@
 #include "playback/program/identify_command.h"
 #include "playback/program/latency_command.h"
 #include "playback/program/live_command.h"
+#include "playback/program/page_command.h"
 #include "playback/program/render_command.h"
 #include "playback/program/sweep_command.h"
 #include "playback/study/program/study_commands.h"
@@ -27,6 +28,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   Action chosen;
   addLiveCommand(program, chosen);
   addRenderCommand(program, chosen);
+  addPageCommand(program, chosen);
   addDevicesCommand(program, chosen);
   addSweepCommand(program, chosen);
   addLatencyCommand(program, chosen);

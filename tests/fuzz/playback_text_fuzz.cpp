@@ -10,7 +10,7 @@
 
 #include "playback/measurement/calibrate.h"
 #include "playback/measurement/profile_file.h"
-#include "playback/offline/render_press.h"
+#include "playback/offline/press_files.h"
 
 using namespace detent::playback;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "playback/offline/render_press.h"
+#include "playback/offline/press_files.h"
 
 #include <cmath>
 #include <filesystem>

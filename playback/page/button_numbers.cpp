@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/page/button_numbers.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace detent::playback {
+
+namespace {
+
+constexpr std::size_t numbersPerKnot = 4;
+
+void append(const std::vector<Knot>& knots, std::vector<double>& numbers) {
+  for (const Knot& k : knots)
+    numbers.insert(numbers.end(),
+                   {k.displacement_mm, k.force_N, k.slopeBefore_N_per_mm, k.slopeAfter_N_per_mm});
+}
+
+double orNone(const std::optional<double>& place_mm) {
+  return place_mm.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+Failure notAButton() {
+  return {FailureCode::unreadableInput, "button numbers", "", "are not what numbersOf writes",
+          "Write the page anew"};
+}
+
+/// Reads from the front of a row of numbers, and remembers whether it ever ran out.
+class NumberReader {
+ public:
+  explicit NumberReader(const std::vector<double>& numbers) : numbers_(numbers) {}
+
+  double next() {
+    if (at_ < numbers_.size()) return numbers_[at_++];
+    complete_ = false;
+    return 0;
+  }
+  std::size_t count(std::size_t most) {
+    const double value = next();
+    if (value >= 0 && value <= static_cast<double>(most) && value == std::floor(value))
+      return static_cast<std::size_t>(value);
+    complete_ = false;
+    return 0;
+  }
+  std::optional<double> place_mm() {
+    const double value = next();
+    return std::isnan(value) ? std::nullopt : std::optional(value);
+  }
+  std::vector<Knot> knots(std::size_t count) {
+    if (count > (numbers_.size() - at_) / numbersPerKnot) {
+      complete_ = false;
+      return {};
+    }
+    std::vector<Knot> knots(count);
+    for (Knot& k : knots) {
+      k.displacement_mm = next();
+      k.force_N = next();
+      k.slopeBefore_N_per_mm = next();
+      k.slopeAfter_N_per_mm = next();
+    }
+    return knots;
+  }
+  bool complete() const { return complete_; }
+  bool atEnd() const { return at_ == numbers_.size(); }
+
+ private:
+  const std::vector<double>& numbers_;
+  std::size_t at_ = 0;
+  bool complete_ = true;
+};
+
+Result<ButtonState> stateFrom(NumberReader& reader, std::string name) {
+  const auto operating_mm = reader.place_mm(), reset_mm = reader.place_mm();
+  const std::size_t pressCount = reader.count(StrokeCurve::maxKnots),
+                    releaseCount = reader.count(StrokeCurve::maxKnots);
+  const std::vector<Knot> pressKnots = reader.knots(pressCount), releaseKnots = reader.knots(releaseCount);
+  if (!reader.complete()) return notAButton();
+  Result<StrokeCurve> press = StrokeCurve::fromKnots(pressKnots);
+  if (!press) return press.failure();
+  std::optional<StrokeCurve> release;
+  if (!releaseKnots.empty()) {
+    Result<StrokeCurve> curve = StrokeCurve::fromKnots(releaseKnots);
+    if (!curve) return curve.failure();
+    release = std::move(*curve);
+  }
+  Result<ForceGraph> graph = ForceGraph::fromCurves(std::move(*press), std::move(release));
+  if (!graph) return graph.failure();
+  return ButtonState{std::move(name), std::move(*graph), operating_mm, reset_mm, {}};
+}
+
+}  // namespace
+
+std::vector<double> numbersOf(const Button& button) {
+  std::vector<double> numbers{static_cast<double>(button.states().size())};
+  for (const ButtonState& state : button.states()) {
+    const std::optional<StrokeCurve>& release = state.graph.release();
+    numbers.insert(numbers.end(), {orNone(state.operatingPoint_mm), orNone(state.resetPoint_mm),
+                                   static_cast<double>(state.graph.press().knots().size()),
+                                   release ? static_cast<double>(release->knots().size()) : 0.0});
+    append(state.graph.press().knots(), numbers);
+    if (release) append(release->knots(), numbers);
+  }
+  return numbers;
+}
+
+Result<Button> buttonFrom(const std::vector<double>& numbers) {
+  constexpr std::size_t mostStates = 2;
+  NumberReader reader(numbers);
+  std::vector<ButtonState> states;
+  const std::size_t count = reader.count(mostStates);
+  for (std::size_t i = 0; i < count; ++i) {
+    Result<ButtonState> state = stateFrom(reader, count == 1 ? "" : i == 0 ? "unlocked" : "locked");
+    if (!state) return state.failure();
+    states.push_back(std::move(*state));
+  }
+  if (states.empty() || !reader.complete() || !reader.atEnd()) return notAButton();
+  return Button::fromStates("", std::move(states));
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An instance of the engine with its buttons; shared by the page and its audio worklet.
+"use strict";
+
+function detentInstance(module, buttons) {
+  // The engine has no files and asks no clock but for how long a render took.
+  const nothing = () => 0;
+  const system = new Proxy({}, { get: (_, name) => (name === "proc_exit" ? (code) => { throw new Error("engine ended: " + code); } : nothing) });
+  const { exports } = new WebAssembly.Instance(module, { wasi_snapshot_preview1: system });
+  exports._initialize();
+  for (const numbers of buttons) {
+    const at = exports.detent_numbers(numbers.length);
+    new Float64Array(exports.memory.buffer, at, numbers.length).set(numbers);
+    if (exports.detent_add() < 0) throw new Error("a button of this page is damaged");
+  }
+  return exports;
+}

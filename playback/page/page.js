@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page: graph, figures and pad in front of the engine. What is felt is computed by engine and worklet alone.
+"use strict";
+
+(() => {
+  const byId = (id) => document.getElementById(id);
+  const root = document.documentElement;
+  const data = JSON.parse(byId("data").textContent);
+  const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+  const numbers = data.buttons.map((b) => new Float64Array(bytes(b.numbers).buffer));
+  const perNewton = { N: 1, gf: 1 / 0.00980665, cN: 100 };
+  const decimals = { N: 2, gf: 1, cN: 1 };
+  let chosen = 0, unit = "N", held = false, audio = null, node = null, gain = null, engine = null;
+
+  const force = (n) => (n * perNewton[unit]).toFixed(decimals[unit]) + " " + unit;
+  const say = (text) => { byId("status").textContent = text; };
+
+  // -- graph ------------------------------------------------------------------------------------------------------
+  const left = 48, right = 470, top = 10, bottom = 280;
+  const svg = (name, attributes, text) => {
+    const e = document.createElementNS("http://www.w3.org/2000/svg", name);
+    for (const [k, v] of Object.entries(attributes)) e.setAttribute(k, v);
+    if (text !== undefined) e.textContent = text;
+    return e;
+  };
+  const step = (span) => {
+    const rough = span / 5, power = 10 ** Math.floor(Math.log10(rough));
+    return power * [1, 2, 5, 10].find((m) => m * power >= rough);
+  };
+  let scale = null;
+  const at = (x_mm, f_N) => [left + (x_mm - scale.x0) / (scale.x1 - scale.x0) * (right - left),
+                             bottom - (f_N - scale.f0) / (scale.f1 - scale.f0) * (bottom - top)];
+  const path = (points) => points.map((p, i) => (i ? "L" : "M") + at(p[0], p[1]).map((v) => v.toFixed(2)).join(" ")).join("");
+
+  function drawGraph() {
+    const graph = byId("graph"), b = data.buttons[chosen];
+    graph.replaceChildren();
+    const all = b.states.flatMap((s) => [...s.press, ...s.release]);
+    const xs = all.map((p) => p[0]), fs = all.map((p) => p[1]);
+    scale = { x0: Math.min(0, ...xs), x1: Math.max(...xs), f0: Math.min(0, ...fs), f1: Math.max(...fs) * 1.05 || 1 };
+    graph.setAttribute("aria-label", `Force graph of ${b.name}: force in ${unit} over displacement in mm; press and release`);
+    const sx = step(scale.x1 - scale.x0), sf = step((scale.f1 - scale.f0) * perNewton[unit]) / perNewton[unit];
+    for (let x = Math.ceil(scale.x0 / sx) * sx; x <= scale.x1 * 1.0001; x += sx) {
+      const [px] = at(x, scale.f0);
+      graph.append(svg("line", { class: "grid", x1: px, x2: px, y1: top, y2: bottom }),
+                   svg("text", { x: px, y: bottom + 16, "text-anchor": "middle" }, +x.toPrecision(6)));
+    }
+    for (let f = Math.ceil(scale.f0 / sf) * sf; f <= scale.f1; f += sf) {
+      const [, py] = at(scale.x0, f);
+      graph.append(svg("line", { class: "grid", x1: left, x2: right, y1: py, y2: py }),
+                   svg("text", { x: left - 6, y: py + 4, "text-anchor": "end" }, +(f * perNewton[unit]).toPrecision(6)));
+    }
+    graph.append(svg("text", { x: (left + right) / 2, y: bottom + 34, "text-anchor": "middle" }, "Displacement in mm"),
+                 svg("text", { x: 12, y: (top + bottom) / 2, "text-anchor": "middle", transform: `rotate(-90 12 ${(top + bottom) / 2})` }, `Force in ${unit}`));
+    for (const s of b.states) {
+      graph.append(svg("path", { class: "press", d: path(s.press) }));
+      if (s.release.length) graph.append(svg("path", { class: "release", d: path(s.release) }));
+    }
+    graph.append(svg("circle", { class: "here", id: "here", r: 5, cx: -20, cy: -20 }));
+  }
+
+  function showPosition(v) {
+    const [x_mm, f_N, , , , pressJumps, releaseJumps] = v;
+    const [px, py] = at(Math.min(Math.max(x_mm, scale.x0), scale.x1), Math.min(Math.max(f_N, scale.f0), scale.f1));
+    byId("here").setAttribute("cx", px);
+    byId("here").setAttribute("cy", py);
+    byId("reading").textContent = `${x_mm.toFixed(2)} mm, ${force(f_N)}`;
+    // A phone's motor knows on and off only: one short buzz stands for each jump.
+    if (navigator.vibrate && navigator.userActivation?.hasBeenActive && pressJumps + releaseJumps > showPosition.jumps) navigator.vibrate(12);
+    showPosition.jumps = pressJumps + releaseJumps;
+  }
+  showPosition.jumps = 0;
+
+  // -- figures ----------------------------------------------------------------------------------------------------
+  function fillFigures() {
+    const cell = (tag, text) => Object.assign(document.createElement(tag), { textContent: text });
+    const head = document.createElement("tr");
+    head.append(cell("th", ""), ...data.buttons.map((b) => cell("th", b.name)));
+    byId("figures").tHead.replaceChildren(head);
+    const names = [...new Set(data.buttons.flatMap((b) => b.figures.map((f) => f.name)))];
+    byId("figures").tBodies[0].replaceChildren(...names.map((name) => {
+      const row = document.createElement("tr");
+      row.append(cell("th", name), ...data.buttons.map((b) => {
+        const f = b.figures.find((g) => g.name === name);
+        return cell("td", !f ? "–" : f.unit === "N" ? force(f.value) : f.unit === "1" ? (100 * f.value).toFixed(0) + " %" : f.value.toFixed(2) + " " + f.unit);
+      }));
+      return row;
+    }));
+  }
+
+  // -- pressing ---------------------------------------------------------------------------------------------------
+  const send = (message) => { if (node) node.port.postMessage(message); };
+  const wake = () => { if (audio && audio.state !== "running") audio.resume(); };
+  const fullPress_N = () => data.buttons[chosen].fullPress_N;
+
+  function hold(on) {
+    held = on;
+    byId("pad").toggleAttribute("data-held", on);
+  }
+  function down() { if (!held) { wake(); hold(true); send({ down: true }); } }
+  function up() { if (held) { hold(false); send({ down: false }); } }
+
+  function bindPad() {
+    const pad = byId("pad");
+    const byForce = (e) => e.pointerType === "pen" || byId("drive").value === "drag";
+    const forceOf = (e) => {
+      if (e.pointerType === "pen") return e.pressure * fullPress_N();
+      const box = pad.getBoundingClientRect();
+      return Math.min(Math.max((e.clientY - box.top) / box.height, 0), 1) * fullPress_N();
+    };
+    pad.addEventListener("pointerdown", (e) => {
+      if (e.button !== 0) return;
+      pad.setPointerCapture(e.pointerId);
+      if (!byForce(e)) return down();
+      wake(); hold(true); send({ force_N: forceOf(e) });
+    });
+    pad.addEventListener("pointermove", (e) => { if (held && byForce(e)) send({ force_N: forceOf(e) }); });
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) pad.addEventListener(end, up);
+    pad.addEventListener("contextmenu", (e) => e.preventDefault());
+    const isKey = (e) => e.code === "Space" || e.code === "Enter";
+    const elsewhere = (e) => e.target.closest && e.target.closest("select,input,a,#buttons,#sensor");
+    addEventListener("keydown", (e) => {
+      if (/^Digit[1-9]$/.test(e.code) && !elsewhere(e) && !e.ctrlKey && !e.altKey && !e.metaKey && +e.key <= data.buttons.length) return choose(+e.key - 1);
+      if (!isKey(e) || elsewhere(e)) return;
+      e.preventDefault();
+      if (!e.repeat) down();
+    });
+    addEventListener("keyup", (e) => { if (isKey(e) && held) { e.preventDefault(); up(); } });
+    // A finger that cannot be seen any more has let go.
+    addEventListener("blur", up);
+    document.addEventListener("visibilitychange", () => { if (document.hidden) up(); });
+  }
+
+  function choose(i) {
+    up();
+    chosen = i;
+    [...byId("buttons").children].forEach((b, k) => { b.setAttribute("aria-checked", k === i); b.tabIndex = k === i ? 0 : -1; });
+    byId("pad").setAttribute("aria-label", `Press ${data.buttons[i].name}`);
+    send({ use: i });
+    drawGraph();
+  }
+
+  function listButtons() {
+    const list = byId("buttons");
+    data.buttons.forEach((b, i) => {
+      const e = Object.assign(document.createElement("button"), { type: "button", textContent: `${i + 1}  ${b.name}` });
+      e.setAttribute("role", "radio");
+      e.addEventListener("click", () => choose(i));
+      list.append(e);
+    });
+    list.addEventListener("keydown", (e) => {
+      const by = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1 }[e.key];
+      if (!by) return;
+      e.preventDefault();
+      choose((chosen + by + data.buttons.length) % data.buttons.length);
+      list.children[chosen].focus();
+    });
+    list.hidden = data.buttons.length < 2;
+  }
+
+  // -- force sensor (docs/serial-protocol.md) ----------------------------------------------------------------------
+  const sensor = { coefficients: null, circuit: "newtons", fullScale: 1023, counts: 0, offset: 0 };
+
+  function readProfile(text) {
+    const value = {};
+    for (const line of text.split(/\r?\n/)) {
+      const m = /^\s*([a-zA-Z_.]+)\s*=\s*(.*?)\s*$/.exec(line.replace(/#.*/, ""));
+      if (m) value[m[1]] = m[2];
+    }
+    if (!/^detent-device 1\s*$/.test(text.split(/\r?\n/)[0])) throw new Error("its first line is not “detent-device 1”");
+    if (!value["sensor.coefficients"]) throw new Error("it holds no sensor.coefficients: calibrate the sensor first (detent-play calibrate)");
+    const coefficients = value["sensor.coefficients"].split(/\s+/).map(Number);
+    if (!coefficients.every(Number.isFinite)) throw new Error("its sensor.coefficients are not numbers");
+    Object.assign(sensor, { coefficients, circuit: value["sensor.circuit"] || "linear", fullScale: Number(value["sensor.full_scale_counts"] || 1023) });
+  }
+
+  // Newtons of one line, or null: wrong checksum, comment, counts without a profile.
+  function newtonsOf(line) {
+    let body = line.trim();
+    const star = body.lastIndexOf("*");
+    if (star >= 0) {
+      let sum = 0;
+      for (const c of body.slice(0, star)) sum ^= c.charCodeAt(0);
+      if (parseInt(body.slice(star + 1), 16) !== sum) return null;
+      body = body.slice(0, star);
+    }
+    const m = /^(?:\d+,)?([-+]?\d+(?:\.\d+)?)(N?)$/.exec(body);
+    if (!m) return null;
+    const value = Number(m[1]);
+    if (m[2]) return value;
+    sensor.counts = value;
+    if (!sensor.coefficients) return null;
+    const u = sensor.circuit === "divider" ? value / (sensor.fullScale - value) : sensor.circuit === "linear" ? value / sensor.fullScale : value;
+    return sensor.coefficients.reduceRight((sum, c) => sum * u + c, 0);
+  }
+
+  async function readSensor(port) {
+    const reader = port.readable.pipeThrough(new TextDecoderStream()).getReader();
+    let rest = "";
+    for (;;) {
+      const { value, done } = await reader.read();
+      if (done) throw new Error("the port was closed");
+      const lines = (rest + value).split("\n");
+      rest = lines.pop().slice(-96);
+      for (const line of lines) {
+        const n = newtonsOf(line);
+        if (n !== null && n > -2 && n < 30) send({ force_N: n });
+      }
+    }
+  }
+
+  // One known weight: counts at rest and under it make a straight line.
+  function calibrate() {
+    const before = sensor.counts;
+    const grams = Number(prompt("Put a known weight on the sensor, then type its mass in gram:"));
+    const after = sensor.counts;
+    if (!(grams > 0) || after === before) return say("Not calibrated: it needs a weight above 0 g and a reading that changes with it.");
+    const u = (c) => c / sensor.fullScale, slope = grams * 0.00980665 / (u(after) - u(before));
+    Object.assign(sensor, { circuit: "linear", coefficients: [-slope * u(before), slope] });
+    say("Calibrated with one weight: a straight line, rougher than detent-play calibrate.");
+  }
+
+  function bindSensor() {
+    if (!navigator.serial) return;
+    byId("sensor").hidden = false;
+    byId("connect").addEventListener("click", async () => {
+      try {
+        const port = await navigator.serial.requestPort();
+        await port.open({ baudRate: 230400 });
+        wake();
+        byId("calibrate").hidden = false;
+        say(sensor.coefficients ? "Sensor connected." : "Sensor connected. If it sends counts, choose a device profile or calibrate.");
+        await readSensor(port);
+      } catch (e) {
+        send({ force_N: 0 });
+        say(`Force sensor: ${e.message}. Check the cable and connect it again.`);
+      }
+    });
+    byId("calibrate").addEventListener("click", calibrate);
+    byId("profile").addEventListener("change", async (e) => {
+      try { readProfile(await e.target.files[0].text()); say("Device profile read."); }
+      catch (error) { say(`Device profile: ${error.message}.`); }
+    });
+  }
+
+  // -- start ------------------------------------------------------------------------------------------------------
+  async function startAudio(module) {
+    audio = new AudioContext({ latencyHint: "interactive" });
+    const source = byId("worklet").textContent;
+    // As a data URL: a page opened from the disk may not load a blob into a worklet.
+    await audio.audioWorklet.addModule("data:text/javascript;charset=utf-8," + encodeURIComponent(source));
+    node = new AudioWorkletNode(audio, "detent", { numberOfInputs: 0, outputChannelCount: [2], processorOptions: { module, buttons: numbers } });
+    node.onprocessorerror = () => say("The engine stopped. Load the page again.");
+    node.port.onmessage = ({ data: shown }) => showPosition(shown);
+    gain = new GainNode(audio);
+    node.connect(gain).connect(audio.destination);
+    byId("volume").addEventListener("input", (e) => gain.gain.setTargetAtTime(+e.target.value, audio.currentTime, 0.01));
+  }
+
+  async function start() {
+    document.title = data.title;
+    byId("title").textContent = data.title;
+    listButtons();
+    byId("unit").addEventListener("change", (e) => { unit = e.target.value; drawGraph(); fillFigures(); });
+    fillFigures();
+    const module = await WebAssembly.compile(bytes(data.engine));
+    engine = detentInstance(module, numbers);
+    window.detent = {
+      buttons: data.buttons.map((b) => b.name),
+      async render(i) {
+        const count = engine.detent_render(i, 48000);
+        if (count < 0) throw new RangeError(`there is no button ${i}`);
+        return new Float32Array(engine.memory.buffer, engine.detent_rendered(), count).slice();
+      },
+    };
+    choose(0);
+    bindPad();
+    await startAudio(module);
+    bindSensor();
+    if (navigator.vibrate) say("Phones add one short, coarse buzz for each jump.");
+    byId("pad").disabled = false;
+    root.dataset.detent = "ready";
+  }
+
+  start().catch((e) => {
+    root.dataset.detent = "failed";
+    say(`This browser cannot play the page: ${e.message}. A current Chromium, Firefox or Safari can.`);
+  });
+})();

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The product's engine as a WebAssembly module: what share_page.h puts into a page. Compiled for wasm32-wasi only
+// (playback/page/CMakeLists.txt); page.js and worklet.js call what is exported here. One instance renders whole presses
+// in the page's thread, another runs in the audio worklet; each has one thread.
+//
+// Nothing is allocated after detent_start: detent_process, detent_press, detent_lift, detent_push_* and detent_use touch
+// only what is there.
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "playback/offline/standard_press.h"
+#include "playback/page/button_numbers.h"
+#include "playback/prepare/prepare_program.h"
+#include "playback/realtime/finger_profile.h"
+#include "playback/realtime/force_conditioner.h"
+#include "playback/realtime/haptic_engine.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr std::size_t mostFrames = 8192;  // of one call of detent_process
+constexpr double steadier_per_s =
+    60;  // how fast a dragged or measured force is followed between its messages
+
+/// What the page draws, as numbers in a row.
+struct ShownState {
+  double displacement_mm = 0, force_N = 0, releasing = 0, state = 0, contact = 0;
+  double pressJumps = 0, releaseJumps = 0, bottomOuts = 0, peak = 0;
+};
+
+/// Who holds the finger.
+enum class Hand : std::uint8_t { none, timed, steered };
+
+class Page {
+ public:
+  double* numbers(std::size_t count) {
+    numbers_.assign(count, 0);
+    return numbers_.data();
+  }
+
+  int add() {
+    Result<Button> button = buttonFrom(numbers_);
+    if (!button) return -1;
+    Result<PreparedProgram> prepared = prepareProgram(*button, {}, {});
+    if (!prepared) return -1;
+    programs_.push_back(std::make_unique<HapticProgram>(prepared->program));
+    return static_cast<int>(programs_.size()) - 1;
+  }
+
+  int renderStandard(std::size_t index, double sampleRate_Hz) {
+    if (index >= programs_.size()) return -1;
+    Result<RenderedPress> rendered = renderStandardPress(*programs_[index], sampleRate_Hz);
+    if (!rendered) return -1;
+    rendered_ = std::move(rendered->samples);
+    return static_cast<int>(rendered_.size());
+  }
+  const float* rendered() const { return rendered_.data(); }
+
+  int start(double sampleRate_Hz) {
+    if (programs_.empty()) return -1;
+    engine_ = std::make_unique<HapticEngine>(sampleRate_Hz);
+    block_.assign(mostFrames, 0);
+    use(0);
+    return 0;
+  }
+
+  void use(std::size_t index) {
+    if (!engine_ || index >= programs_.size()) return;
+    program_ = programs_[index].get();
+    engine_->use(program_);
+    profile_.peak_N = standardPeak_N(*program_);
+    conditioner_ = ForceConditioner(limitsFor(*program_));
+  }
+
+  /// A finger that presses as a person does, and stays.
+  void press() { move(Hand::timed, true); }
+  void lift() {
+    if (hand_ == Hand::steered) steered_N_ = 0;
+    move(Hand::timed, false);
+  }
+
+  /// A force somebody steers: a drag, a pen, a sensor.
+  void steer(double force_N) {
+    if (!std::isfinite(force_N)) return;
+    hand_ = Hand::steered;
+    steered_N_ = force_N;
+  }
+
+  const float* process(std::size_t frames) {
+    frames = std::min(frames, mostFrames);
+    if (!engine_) return block_.data();
+    feedUntil(static_cast<double>(engine_->frame()) + static_cast<double>(frames));
+    engine_->render(block_.data(), frames);
+    EngineEvent event;
+    while (engine_->nextEvent(event)) {
+    }
+    return block_.data();
+  }
+
+  const ShownState* shown() {
+    if (!engine_) return &shown_;
+    const StrokePosition& at = engine_->position();
+    const EngineCounts& counts = engine_->counts();
+    shown_ = {at.displacement_mm,
+              at.force_N,
+              at.releasing ? 1.0 : 0.0,
+              static_cast<double>(at.state),
+              at.contact ? 1.0 : 0.0,
+              static_cast<double>(counts.pressJumps),
+              static_cast<double>(counts.releaseJumps),
+              static_cast<double>(counts.bottomOuts),
+              static_cast<double>(engine_->takePeak())};
+    return &shown_;
+  }
+
+ private:
+  void move(Hand hand, bool down) {
+    hand_ = hand;
+    down_ = down;
+    from_N_ = force_N_;
+    since_s_ = now_s();
+  }
+
+  double now_s() const {
+    return engine_ ? static_cast<double>(engine_->frame()) / engine_->sampleRate_Hz() : 0;
+  }
+
+  double forceAt(double time_s) const {
+    if (hand_ == Hand::none) return 0;
+    if (hand_ == Hand::steered)
+      return force_N_ + (steered_N_ - force_N_) * (1 - std::exp(-steadier_per_s / profile_.rate_Hz));
+    const double t_s = std::max(0.0, time_s - since_s_);
+    return down_ ? pressedForce(profile_, from_N_, t_s) : releasedForce(profile_, from_N_, t_s);
+  }
+
+  /// Readings at the finger's own rate, each on the time line of the samples.
+  void feedUntil(double end_frames) {
+    const double step_frames = engine_->sampleRate_Hz() / profile_.rate_Hz;
+    for (; nextReading_frames_ < end_frames; nextReading_frames_ += step_frames) {
+      const double time_s = nextReading_frames_ / engine_->sampleRate_Hz();
+      force_N_ = forceAt(time_s);
+      if (conditioner_.judge(time_s, force_N_) == ConditionerVerdict::reject) continue;
+      engine_->push({InputKind::force, nextReading_frames_, conditioner_.value()});
+    }
+  }
+
+  std::vector<double> numbers_;
+  std::vector<std::unique_ptr<HapticProgram>> programs_;
+  std::vector<float> rendered_;
+  std::unique_ptr<HapticEngine> engine_;
+  std::vector<float> block_;
+  const HapticProgram* program_ = nullptr;
+  FingerProfile profile_;
+  ForceConditioner conditioner_;
+  ShownState shown_;
+  Hand hand_ = Hand::none;
+  bool down_ = false;
+  double from_N_ = 0, force_N_ = 0, steered_N_ = 0, since_s_ = 0, nextReading_frames_ = 0;
+};
+
+Page& page() {
+  static Page only;
+  return only;
+}
+
+}  // namespace
+
+}  // namespace detent::playback
+
+#define DETENT_EXPORT(name) extern "C" __attribute__((export_name(#name), visibility("default")))
+
+using detent::playback::page;
+
+/// Room for `count` numbers of a button (button_numbers.h), to be filled before detent_add.
+DETENT_EXPORT(detent_numbers) double* detent_numbers(std::uint32_t count) { return page().numbers(count); }
+/// Index of the button in detent_numbers' room, or -1 where it is none.
+DETENT_EXPORT(detent_add) std::int32_t detent_add() { return page().add(); }
+/// Samples of a standard press (`detent-play render --standard-press`), or -1; detent_rendered is where they lie.
+DETENT_EXPORT(detent_render) std::int32_t detent_render(std::uint32_t index, double sampleRate_Hz) {
+  return page().renderStandard(index, sampleRate_Hz);
+}
+DETENT_EXPORT(detent_rendered) const float* detent_rendered() { return page().rendered(); }
+/// Makes the engine that plays live; 0, or -1 without a button.
+DETENT_EXPORT(detent_start) std::int32_t detent_start(double sampleRate_Hz) {
+  return page().start(sampleRate_Hz);
+}
+DETENT_EXPORT(detent_use) void detent_use(std::uint32_t index) { page().use(index); }
+DETENT_EXPORT(detent_press) void detent_press() { page().press(); }
+DETENT_EXPORT(detent_lift) void detent_lift() { page().lift(); }
+DETENT_EXPORT(detent_steer) void detent_steer(double force_N) { page().steer(force_N); }
+/// The next `frames` samples, at most 8192.
+DETENT_EXPORT(detent_process) const float* detent_process(std::uint32_t frames) {
+  return page().process(frames);
+}
+/// Nine doubles: displacement mm, force N, releasing, state, contact, counts of press jumps, release jumps, bottom-outs, peak.
+DETENT_EXPORT(detent_shown) const double* detent_shown() {
+  return reinterpret_cast<const double*>(page().shown());
+}

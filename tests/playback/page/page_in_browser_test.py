@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""page_in_browser_test.py DETENT_PLAY: a shared page in headless Chromium, driven over WebDriver on loopback.
+
+What the page renders is held against `detent-play render --standard-press`, all samples; the pad is pressed with real
+pointer and key events; names, width and requests are looked at. SKIPPED where Chromium or its driver is missing.
+"""
+import array, json, os, pathlib, shutil, socket, struct, subprocess, sys, tempfile, time, unittest, urllib.error, urllib.request
+
+PROGRAM = sys.argv.pop(1)
+BUTTONS = pathlib.Path(__file__).resolve().parents[3] / "samples" / "buttons"
+QUIET = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+         "--disable-component-update", "--disable-sync", "--autoplay-policy=no-user-gesture-required"]
+
+
+class Browser:
+    """One Chromium with a profile of its own; ends with what it started."""
+
+    def __init__(self, folder):
+        with socket.socket() as s:
+            s.bind(("127.0.0.1", 0))
+            self.port = s.getsockname()[1]
+        self.driver = subprocess.Popen(["chromedriver", f"--port={self.port}"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        wanted = {"browserName": "chrome", "goog:loggingPrefs": {"browser": "ALL", "performance": "ALL"},
+                  "goog:chromeOptions": {"binary": shutil.which("chromium"), "args": QUIET + [f"--user-data-dir={folder}/profile"]}}
+        self.session = None
+        for attempt in range(100):
+            try:
+                self.session = "/session/" + self.call("POST", "/session", {"capabilities": {"alwaysMatch": wanted}})["sessionId"]
+                return
+            except (urllib.error.URLError, ConnectionError):
+                time.sleep(0.1)
+        raise RuntimeError("chromedriver does not answer")
+
+    def call(self, method, path, body=None):
+        request = urllib.request.Request(f"http://127.0.0.1:{self.port}{path}", method=method, headers={"Content-Type": "application/json"},
+                                         data=None if body is None else json.dumps(body).encode())
+        with urllib.request.urlopen(request, timeout=120) as answer:
+            return json.load(answer)["value"]
+
+    def do(self, method, path, body=None):
+        return self.call(method, self.session + path, body)
+
+    def run(self, script):
+        return self.do("POST", "/execute/sync", {"script": script, "args": []})
+
+    def run_async(self, script):
+        return self.do("POST", "/execute/async", {"script": script, "args": []})
+
+    def act(self, kind, *actions):
+        parameters = {"parameters": {"pointerType": "mouse"}} if kind == "pointer" else {}
+        self.do("POST", "/actions", {"actions": [{"type": kind, "id": kind, **parameters, "actions": list(actions)}]})
+
+    def wait(self, script, seconds=20):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            if value := self.run(script):
+                return value
+            time.sleep(0.02)
+        raise AssertionError(f"never true: {script}")
+
+    def close(self):
+        try:
+            if self.session:
+                self.do("DELETE", "")
+        finally:
+            self.driver.terminate()
+            self.driver.wait()
+
+
+def samples_of(wav):
+    data = wav.read_bytes()
+    at = 12
+    while data[at:at + 4] != b"data":
+        at += 8 + struct.unpack("<I", data[at + 4:at + 8])[0]
+    return array.array("f", data[at + 8:at + 8 + struct.unpack("<I", data[at + 4:at + 8])[0]])
+
+
+class PageInBrowser(unittest.TestCase):
+    names = ["A", "B", "C", "D", "E", "latch"]
+
+    @classmethod
+    def setUpClass(cls):
+        if not shutil.which("chromium") or not shutil.which("chromedriver"):
+            raise unittest.SkipTest("Chromium or its driver is not installed")
+        cls.folder = pathlib.Path(tempfile.mkdtemp())
+        cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
+        cls.files = [BUTTONS / f"{n}.button.json" for n in cls.names]
+        hostile = json.loads((BUTTONS / "B.button.json").read_text())
+        hostile["name"] = "</script><script>document.title='taken'</script>"
+        cls.files.append(cls.folder / "hostile.button.json")
+        cls.files[-1].write_text(json.dumps(hostile))
+        cls.page = cls.folder / "page.html"
+        made = subprocess.run([PROGRAM, "page", *map(str, cls.files), "-o", str(cls.page)], capture_output=True, text=True)
+        if made.returncode == 2 and "clang-14" in made.stderr:
+            raise unittest.SkipTest("this build has no engine for browsers")
+        assert made.returncode == 0, made.stderr
+        cls.browser = Browser(cls.folder)
+        cls.addClassCleanup(cls.browser.close)
+
+    def setUp(self):
+        self.browser.do("POST", "/url", {"url": self.page.as_uri()})
+        self.browser.wait("return document.documentElement.dataset.detent")
+        self.assertEqual("ready", self.browser.run("return document.documentElement.dataset.detent"),
+                         self.browser.run("return document.getElementById('status').textContent"))
+
+    def reading(self):
+        return self.browser.run("return document.getElementById('reading').textContent")
+
+    def travel(self):
+        text = self.reading()
+        return float(text.split(" mm")[0]) if text else 0.0
+
+    def press_until(self, deep):
+        end = time.monotonic() + 20
+        while (self.travel() > 0.5) != deep:
+            self.assertLess(time.monotonic(), end, self.reading())
+            time.sleep(0.02)
+
+    def test_renders_what_the_program_renders(self):
+        for i, file in enumerate(self.files):
+            with self.subTest(file.name):
+                wav = self.folder / "reference.wav"
+                subprocess.run([PROGRAM, "render", str(file), "--standard-press", "-o", str(wav)], check=True, capture_output=True)
+                expected = samples_of(wav)
+                got = self.browser.run_async(f"const done = arguments[0]; detent.render({i}).then((a) => done(Array.from(a)))")
+                self.assertEqual(len(expected), len(got))
+                self.assertLessEqual(max(abs(a - b) for a, b in zip(expected, got)), 1e-6)
+                self.assertGreater(max(map(abs, got)), 0.1)
+
+    def test_pointer_presses_and_lifts(self):
+        pad = self.browser.do("POST", "/element", {"using": "css selector", "value": "#pad"})
+        self.browser.act("pointer", {"type": "pointerMove", "origin": pad, "x": 0, "y": 0}, {"type": "pointerDown", "button": 0})
+        self.press_until(deep=True)
+        self.browser.act("pointer", {"type": "pointerUp", "button": 0})
+        self.press_until(deep=False)
+
+    def test_keys_press_and_choose(self):
+        self.browser.act("key", {"type": "keyDown", "value": "2"}, {"type": "keyUp", "value": "2"})
+        self.assertEqual("true", self.browser.run("return document.getElementById('buttons').children[1].getAttribute('aria-checked')"))
+        self.browser.act("key", {"type": "keyDown", "value": " "})
+        self.press_until(deep=True)
+        self.browser.act("key", {"type": "keyUp", "value": " "})
+        self.press_until(deep=False)
+
+    def test_a_name_is_text(self):
+        self.assertNotEqual("taken", self.browser.run("return document.title"))
+        self.assertEqual("</script><script>document.title='taken'</script>", self.browser.run("return detent.buttons.at(-1)"))
+
+    def test_phone_width_and_names(self):
+        self.browser.do("POST", "/goog/cdp/execute", {"cmd": "Emulation.setDeviceMetricsOverride",
+                        "params": {"width": 360, "height": 740, "deviceScaleFactor": 2, "mobile": True}})
+        try:
+            self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), 360)
+        finally:
+            self.browser.do("POST", "/goog/cdp/execute", {"cmd": "Emulation.clearDeviceMetricsOverride", "params": {}})
+        unnamed = self.browser.run("return [...document.querySelectorAll('button,select,input')].filter((e) => !e.hidden && "
+                                   "!(e.getAttribute('aria-label') || e.textContent.trim() || e.labels?.length)).map((e) => e.id)")
+        self.assertEqual([], unnamed)
+
+    def test_nothing_leaves_the_page(self):
+        urls = []
+        for entry in self.browser.do("POST", "/se/log", {"type": "performance"}):
+            message = json.loads(entry["message"])["message"]
+            if message["method"] == "Network.requestWillBeSent":
+                urls.append(message["params"]["request"]["url"][:60])
+        self.assertTrue(urls)
+        self.assertEqual([], [u for u in urls if not u.startswith((self.page.as_uri()[:60], "data:", "chrome:"))])
+
+    def test_size(self):
+        self.assertLessEqual(self.page.stat().st_size, 700_000)
+
+
+if __name__ == "__main__":
+    result = unittest.main(exit=False, verbosity=1).result
+    if result.skipped and not result.testsRun - len(result.skipped):
+        print("SKIPPED:", result.skipped[0][1])
+    sys.exit(not result.wasSuccessful())
