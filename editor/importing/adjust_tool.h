@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "editor/importing/page_tool.h"
+#include "editor/importing/page_view.h"
 
 namespace detent::editor {
 
