@@ -43,7 +43,7 @@ test_packages=(
 )
 ci_packages=(
   clang-14 clang-tidy-14 clang-format-14 libclang-rt-14-dev hyperfine
-  lintian debootstrap              # .ci/nightly package
+  lintian debootstrap debhelper    # .ci/nightly package
   fonts-wqy-zenhei                 # samples/plots/draw.sh
 )
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Front door of the importer.
+// Public interface of the importer.
 //
 // In:  a picture, a PDF or SVG page, or a force meter's CSV, and what the user decided by hand
 // (ImportRequest). Out: a Button, its strokes as traced, and what was found with which confidence
@@ -31,7 +31,7 @@
 
 namespace detent::importer {
 
-/// Strokes that a hand drew along the curve on the page: points in page units, from the start of the press (the
+/// Strokes drawn by hand along the curve on the page: points in page units, from the start of the press (the
 /// end of the release) to the other end; empty where none was drawn. What lies between is followed with a pull
 /// to the ink (trace/follow_drawn.h). A line over part of a traced stroke replaces that part.
 struct DrawnStrokes {
@@ -52,7 +52,7 @@ struct ImportHints {
   bool operator==(const ImportHints&) const = default;
 };
 
-/// Below this confidence an import says notCertain (exit 5) and what to pass, unless its request sets another bar. Set
+/// Below this confidence an import fails with notCertain (exit 5) and what to pass, unless its request sets another bar. Set
 /// from the corpus (docs/decisions/0800-import-confidence.md).
 inline constexpr double confidenceBar = 0.5;
 
@@ -131,7 +131,7 @@ struct ImportReport {
   StrokeReport press;
   std::optional<StrokeReport> release;
   std::vector<Callout> callouts;       ///< operating and reset points that the page points at
-  std::vector<SpecCheck> specChecks;   ///< what the page says in words, beside what was read
+  std::vector<SpecCheck> specChecks;   ///< values printed on the page, beside what was read
   std::optional<PageClass> pageClass;  ///< empty for force logs
   double confidence = 0;
   std::optional<Doubt> doubt;  ///< only with ImportRequest::acceptDoubt: what is not certain, what to do

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Force feedback, as playback's front door offers it: press a button and feel its force, or watch a simulated finger do so.
+// Force feedback, as playback offers it to other rooms: press a button and feel its force, or watch a simulated finger do so.
 //
 // Reading order: prepare/force_device_profile.h   what a device is      prepare/prepare_force.h   button -> program
 //                realtime/force_engine.h          one step of the loop  this file                 running it

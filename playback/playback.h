@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The front door of playback: press a button and feel it.
+// Public interface of playback: press a button and feel it.
 //
 // In:  a model::Button, a device profile, settings, and readings of a finger.
 // Out: vibration on a sound device, or samples.
@@ -11,7 +11,7 @@
 //   offline/render_press.h      program + press -> WAV, FLAC, memory
 //   device/*                    sound, serial sensor, messages
 //   measurement/*              measuring device and latency
-//   study.h, study/*           studies with people: a front door of their own
+//   study.h, study/*           studies with people: a public interface of their own
 //   this file                   everything another room needs, in plain types
 //
 // Threads: every function here belongs to ordinary threads; nothing here may be called from an audio
@@ -50,7 +50,7 @@ struct SoundDevice {
 bool livePlaybackAvailable();
 Result<std::vector<SoundDevice>> listSoundDevices();
 
-/// Rain for the ears, so that the vibration is felt and not heard (K&L's noisy group wore headphones with it).
+/// Masking noise (rain), so that the vibration is felt and not heard (K&L's noisy group wore headphones with it).
 struct MaskingNoise {
   double level = 0;    ///< rms, share of full scale, 0..0.3; 0: none
   std::string device;  ///< the headphones'; empty: the player's, on up to two outputs behind the signal's

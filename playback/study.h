@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The front door of studies with people: can they tell these buttons apart, and will they?
+// Public interface of studies with people: can they tell these buttons apart, and will they?
 //
 // In:  buttons, a design, answers of participants.
 // Out: a journal for each participant, figures with intervals as text, JSON, CSV, BIDS and a page; a forecast without anyone.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Front door of detent-graph: what its four commands do, without arguments, terminal or exit.
+// Interface of detent-graph: what its four commands do, without arguments, terminal or exit.
 
 #include <string>
 
