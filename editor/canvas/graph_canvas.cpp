@@ -152,6 +152,31 @@ void GraphCanvas::setHandlesShown(bool shown) {
   update();
 }
 
+std::unique_ptr<GraphCanvas> GraphCanvas::forPicture(const QPalette& palette) const {
+  auto canvas = std::make_unique<GraphCanvas>(document_, settings());
+  canvas->setFont(font());
+  canvas->setPalette(palette);
+  canvas->setHandlesShown(handlesShown_);
+  canvas->showRange(shownRange());
+  return canvas;
+}
+
+void GraphCanvas::renderTo(QPaintDevice& device, QSize size, const QPalette& palette) const {
+  QCPPainter painter(&device);
+  painter.setMode(QCPPainter::pmVectorized, true);
+  painter.setMode(QCPPainter::pmNoCaching, true);
+  forPicture(palette)->drawAsPicture(painter, size);
+}
+
+QImage GraphCanvas::renderImage(QSize size_px, double devicePixelRatio) const {
+  QImage image(size_px, QImage::Format_ARGB32_Premultiplied);
+  image.fill(colors().background);
+  image.setDevicePixelRatio(devicePixelRatio);
+  QCPPainter painter(&image);
+  forPicture(palette())->drawAsPicture(painter, (QSizeF(size_px) / devicePixelRatio).toSize());
+  return image;
+}
+
 // Pictures for others go without what only a hand needs.
 GraphScene GraphCanvas::scene() const {
   static const CanvasFeedback nothing;

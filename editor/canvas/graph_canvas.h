@@ -50,6 +50,11 @@ class GraphCanvas : public UnitPlot {
   /// Knots and handles; without them the picture is that of a datasheet.
   void setHandlesShown(bool shown);
 
+  /// Draws what is shown as vectors into any device (SVG, printer); `size` in its units. Neither this nor the next
+  /// touches the canvas: a second one, which no window shows, draws.
+  void renderTo(QPaintDevice& device, QSize size, const QPalette& palette) const;
+  QImage renderImage(QSize size_px, double devicePixelRatio) const;
+
  signals:
   void cursorMoved(std::optional<CurvePoint> at);
   void selectionChanged();
@@ -69,6 +74,7 @@ class GraphCanvas : public UnitPlot {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  std::unique_ptr<GraphCanvas> forPicture(const QPalette& palette) const;
   GraphScene scene() const;
   PointerInput inputOf(const QMouseEvent* event) const;
   void takeOrigin();

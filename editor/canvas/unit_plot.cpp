@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "editor/canvas/unit_ticker.h"
+#include "model/check.h"
 
 namespace detent::editor {
 namespace {
@@ -201,25 +202,12 @@ void UnitPlot::fit() {
                 .adjusted(-0.03 * width, -0.06 * height, 0.04 * width, 0.08 * height));
 }
 
-void UnitPlot::renderTo(QPaintDevice& device, QSize size) {
-  QCPPainter painter(&device);
-  painter.setMode(QCPPainter::pmVectorized, true);
-  painter.setMode(QCPPainter::pmNoCaching, true);
+void UnitPlot::drawAsPicture(QCPPainter& painter, QSize size) {
+  DETENT_CHECK(!isVisible(), "a picture is drawn by a plot of its own");
   exporting_ = true;
+  spaceLabels(size);
   toPainter(&painter, size.width(), size.height());
   exporting_ = false;
-}
-
-QImage UnitPlot::renderImage(QSize size_px, double devicePixelRatio) {
-  QImage image(size_px, QImage::Format_ARGB32_Premultiplied);
-  image.fill(colors_.background);
-  image.setDevicePixelRatio(devicePixelRatio);
-  QCPPainter painter(&image);
-  exporting_ = true;
-  toPainter(&painter, static_cast<int>(size_px.width() / devicePixelRatio),
-            static_cast<int>(size_px.height() / devicePixelRatio));
-  exporting_ = false;
-  return image;
 }
 
 // QCustomPlot would fill and blend its buffers with every frame; an opaque copy is laid down at once.
@@ -249,10 +237,14 @@ void UnitPlot::paintEvent(QPaintEvent* event) {
 
 void UnitPlot::resizeEvent(QResizeEvent* event) {
   QCustomPlot::resizeEvent(event);
-  // Labels keep their distance from each other.
-  xTicker_->setTickCount(std::clamp(width() / 90, 2, 12));
-  yTicker_->setTickCount(std::clamp(height() / 60, 2, 10));
+  spaceLabels(size());
   emit viewChanged();
+}
+
+// Labels keep their distance from each other.
+void UnitPlot::spaceLabels(QSize size) {
+  xTicker_->setTickCount(std::clamp(size.width() / 90, 2, 12));
+  yTicker_->setTickCount(std::clamp(size.height() / 60, 2, 10));
 }
 
 void UnitPlot::wheelEvent(QWheelEvent* event) {

@@ -24,7 +24,7 @@ class UnitPlot : public QCustomPlot {
 
   PlotMapping mapping() const;
   const GraphColors& colors() const { return colors_; }
-  const ViewSettings& settings() const { return settings_; }
+  ViewSettings& settings() const { return settings_; }
 
   /// Shows this part of the plane (plot coordinates, normalised); sizes are kept above what doubles resolve.
   void showRange(const QRectF& range);
@@ -37,10 +37,6 @@ class UnitPlot : public QCustomPlot {
   /// Shows all of what the plot has; whoever zooms or pans by hand ends it.
   void fit();
   bool fitted() const { return fitted_; }
-
-  /// Draws ground and content as vectors into any device (SVG, printer); `size` in its units.
-  void renderTo(QPaintDevice& device, QSize size);
-  QImage renderImage(QSize size_px, double devicePixelRatio);
 
  signals:
   /// The shown range or the size changed.
@@ -66,6 +62,9 @@ class UnitPlot : public QCustomPlot {
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
 
+  /// Lays axes and content out in `size` and draws them; only for plots that no window shows, since the layout
+  /// stays that of the picture.
+  void drawAsPicture(QCPPainter& painter, QSize size);
   /// A picture for others is being drawn, not the screen.
   bool exporting() const { return exporting_; }
 
@@ -75,6 +74,7 @@ class UnitPlot : public QCustomPlot {
  private:
   class Content;
   void refreshGround();
+  void spaceLabels(QSize size);
   void applySettings();
   void applyColors();
   double unitOf(PlotQuantity quantity) const;

@@ -5,7 +5,6 @@
 #include <QPainter>
 #include <QPicture>
 #include <QPrinter>
-#include <QScopeGuard>
 
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/button_document.h"
@@ -26,20 +25,12 @@ QStringList valueLines(GraphWorkspace& workspace, const DisplayUnits& units) {
   return lines;
 }
 
-/// Paper is white, whatever the window is.
-QPicture onPaper(GraphCanvas& canvas) {
-  canvas.setPalette(QPalette(Qt::white));
-  const auto asTheWindow = qScopeGuard([&] { canvas.setPalette(QPalette()); });
-  QPicture graph;
-  canvas.renderTo(graph, graph_px);
-  return graph;
-}
-
 }  // namespace
 
 bool printGraph(QPrinter& printer, const ButtonDocument& document, GraphWorkspace& workspace,
                 const ViewSettings& settings) {
-  const QPicture graph = onPaper(workspace.canvas());
+  QPicture graph;
+  workspace.canvas().renderTo(graph, graph_px, QPalette(Qt::white));  // as paper is, whatever the window is
   QPainter painter;
   if (!painter.begin(&printer)) return false;
   const QRectF page = printer.pageRect(QPrinter::DevicePixel);

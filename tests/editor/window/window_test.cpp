@@ -589,6 +589,28 @@ class WindowTest : public QObject {
     QCOMPARE(QApplication::clipboard()->image().size(), QSize(1800, 1200));
   }
 
+  /// What is written, printed or copied is a picture of its own; the window goes on as it was, to the pixel.
+  void exportsLeaveTheWindowAlone() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/C.button.json")});
+    GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
+    canvas.zoomAt(canvas.rect().center(), 1.5, 1.2);
+    QTest::qWait(100);
+    const auto seen = [&] { return canvas.grab().toImage().convertToFormat(QImage::Format_RGB32); };
+    const QImage before = seen();
+    const QPointF place_px = canvas.mapping().toPixel(1.6, 0.65);
+    rig.prompts.printedTo = at("alone.pdf");
+    for (const char* name :
+         {"exportCsv", "exportSvg", "exportPng", "exportWav", "print", "copyPicture", "copyCsv"}) {
+      rig.prompts.saveAnswers = {at(QString("alone.") + QString(name).right(3).toLower())};
+      rig.action(name)->trigger();
+      QVERIFY2(seen() == before, name);
+      QCOMPARE(canvas.mapping().toPixel(1.6, 0.65), place_px);
+      QTest::qWait(20);  // what was put off
+      QVERIFY2(seen() == before, name);
+    }
+  }
+
   void picturesAndPagesGoToTheImport() {
     Rig rig(folder_->path());
     QImage picture(60, 40, QImage::Format_RGB32);
