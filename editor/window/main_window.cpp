@@ -33,6 +33,7 @@
 #include "editor/window/appearance.h"
 #include "editor/window/margin_overlay.h"
 #include "editor/window/stored_view.h"
+#include "editor/window/wheel_guard.h"
 #include "model/edits.h"
 
 namespace detent::editor {
@@ -63,6 +64,7 @@ QPalette currentDesktopPalette() {
 MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
     : QMainWindow(parent), at_(places), systemPalette_(places.desktopPalette()) {
   setObjectName("mainWindow");
+  new WheelGuard(this);  // from the first widget on
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   applyAppearance();  // before there are widgets: those made before would keep

@@ -4,11 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLineEdit>
+#include <QMap>
 #include <QScopeGuard>
+#include <QScrollBar>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QWheelEvent>
 #include <random>
 
 #include "editor/importing/import_dialog.h"
@@ -123,7 +128,7 @@ class FieldsTest : public QObject {
       const QString text = field.text();
       if (text.isEmpty() || !text.front().isDigit()) continue;  // a word for the lowest value
       type(field, text);
-      QVERIFY2(std::abs(field.value() - shown) <= 1e-5 * std::max(std::abs(shown), 1e-9),
+      QVERIFY2(field.value() == shown,
                qPrintable(QString("%1 in %2 shows \"%3\"").arg(field.accessibleName(), where, text)));
     }
   }
@@ -144,7 +149,41 @@ class FieldsTest : public QObject {
     }
   }
 
+  void wheelOver(QWidget& widget) {
+    const QPointF at = widget.rect().center();
+    QWheelEvent wheel(at, widget.mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&widget, &wheel);
+  }
+
+  /// What a person has chosen or typed in this window, by the widget it was chosen in.
+  static QMap<const QWidget*, double> choicesIn(const QWidget& window) {
+    QMap<const QWidget*, double> choices;
+    for (const auto* box : window.findChildren<QComboBox*>()) choices[box] = box->currentIndex();
+    for (const auto* field : window.findChildren<QuantityField*>()) choices[field] = field->value();
+    for (const auto* tabs : window.findChildren<QTabBar*>()) choices[tabs] = tabs->currentIndex();
+    for (const auto* slider : window.findChildren<QAbstractSlider*>())
+      if (!qobject_cast<const QScrollBar*>(slider)) choices[slider] = slider->value();
+    return choices;
+  }
+
+  /// The wheel turns over everything that can be seen, and nothing was clicked.
+  void wheelChangesNothing(QWidget& window, const char* where) {
+    const auto before = choicesIn(window);
+    for (auto* widget : window.findChildren<QWidget*>()) {
+      if (!widget->isEnabled() || qobject_cast<QScrollBar*>(widget)) continue;
+      wheelOver(*widget);
+      ++wheeled_;
+      const auto now = choicesIn(window);
+      for (auto [control, value] : before.asKeyValueRange())
+        QVERIFY2(now.value(control) == value,
+                 qPrintable(QString("the wheel over %1 changes %2 in %3")
+                                .arg(widget->objectName(), control->objectName(), where)));
+    }
+  }
+
   void check(QWidget& window, const char* where) {
+    wheelChangesNothing(window, where);
     const auto restored = qScopeGuard([] { QLocale::setDefault(QLocale::c()); });
     for (const auto* box : window.findChildren<QAbstractSpinBox*>())
       QVERIFY2(qobject_cast<const QuantityField*>(box),
@@ -223,8 +262,29 @@ class FieldsTest : public QObject {
     check(maker, "the study maker");
   }
 
+  void wheelTurnsWhatWasClicked() {
+    view_.setSnap({});
+    GridDialog dialog(view_);
+    dialog.show();
+    QVERIFY(QTest::qWaitForWindowActive(&dialog));
+    auto* length = dialog.findChild<QuantityField*>("gridLength");
+    const double before = length->value();
+    auto* edit = length->findChild<QLineEdit*>();
+    QTest::mouseClick(edit, Qt::LeftButton);
+    wheelOver(*edit);
+    wheelOver(*length);
+    QVERIFY(length->value() < before);
+    // The keyboard went elsewhere: the next turn is a scroll again.
+    dialog.findChild<QuantityField*>("gridForce")->setFocus();
+    const double turned = length->value();
+    wheelOver(*length);
+    QCOMPARE(length->value(), turned);
+    for (const auto* box : dialog.findChildren<QAbstractSpinBox*>())
+      QVERIFY2(!(box->focusPolicy() == Qt::WheelFocus), "the wheel takes the keyboard along");
+  }
+
   void cleanupTestCase() {
-    qInfo("%d fields, %d texts typed", fields_, typed_);
+    qInfo("%d fields, %d texts typed, %d widgets the wheel was turned over", fields_, typed_, wheeled_);
     check(*window_, "the window");
     window_.reset();
   }
@@ -237,7 +297,7 @@ class FieldsTest : public QObject {
   RecoveryStore recovery_{folder_.filePath("recovery")};
   std::unique_ptr<MainWindow> window_;
   std::mt19937 random_{14};
-  int fields_ = 0, typed_ = 0;
+  int fields_ = 0, typed_ = 0, wheeled_ = 0;
 };
 
 QTEST_MAIN(FieldsTest)

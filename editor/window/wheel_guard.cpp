@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/window/wheel_guard.h"
+
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QEvent>
+#include <QScrollBar>
+#include <QTabBar>
+
+namespace detent::editor {
+namespace {
+
+bool changesByWheel(const QWidget& widget) {
+  return qobject_cast<const QComboBox*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget) ||
+         qobject_cast<const QTabBar*>(&widget) ||
+         (qobject_cast<const QAbstractSlider*>(&widget) && !qobject_cast<const QScrollBar*>(&widget));
+}
+
+/// A click lands on the line edit of a field, and on the slider itself.
+QWidget* controlAround(QWidget* widget) {
+  for (; widget; widget = widget->parentWidget()) {
+    if (changesByWheel(*widget)) return widget;
+    if (widget->isWindow()) break;
+  }
+  return nullptr;
+}
+
+bool hasKeyboard(const QWidget& control) {
+  if (!(control.focusPolicy() & Qt::ClickFocus)) return true;  // a click leaves the keyboard where it was
+  const QWidget* focus = QApplication::focusWidget();
+  return focus && (focus == &control || control.isAncestorOf(focus));
+}
+
+}  // namespace
+
+WheelGuard::WheelGuard(QObject* parent) : QObject(parent) {
+  QCoreApplication::instance()->installEventFilter(this);
+}
+
+bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
+  switch (event->type()) {
+    case QEvent::Polish:  // Qt gives the keyboard to what the wheel turns over
+      if (auto* widget = qobject_cast<QWidget*>(watched); widget && widget->focusPolicy() == Qt::WheelFocus)
+        widget->setFocusPolicy(Qt::StrongFocus);
+      return false;
+    case QEvent::MouseButtonPress:
+      if (auto* widget = qobject_cast<QWidget*>(watched)) clicked_ = controlAround(widget);
+      return false;
+    case QEvent::Wheel: {
+      const auto* widget = qobject_cast<QWidget*>(watched);
+      if (!widget || !changesByWheel(*widget) || (widget == clicked_ && hasKeyboard(*widget))) return false;
+      event->ignore();  // Qt goes on with the parent
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Who scrolls past a choice does not change it.
+
+#include <QObject>
+#include <QPointer>
+#include <QWidget>
+
+namespace detent::editor {
+
+/// While it lives, the wheel changes a choice, a number field, a slider or the tab shown only where the last click was
+/// and the keyboard still is; over all others it scrolls what they stand in. Scroll bars and plots are not meant:
+/// they show, and change nothing. One for the whole application. GUI thread.
+class WheelGuard : public QObject {
+ public:
+  explicit WheelGuard(QObject* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  QPointer<QWidget> clicked_;  ///< the control of the last click; null where that was on none
+};
+
+}  // namespace detent::editor
