@@ -2,25 +2,27 @@
 #include "editor/document/message_words.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
+
+#include "editor/document/number_text.h"
 
 namespace detent::editor {
 namespace {
 
+constexpr int digits = 6;  // as a quantity field shows
+
 QString inWords(const MessageValue& value, const DisplayUnits& units) {
-  const QLocale locale;
   switch (value.measure) {
     case Measure::text:
       return QString::fromStdString(value.text);
     case Measure::number:
-      return locale.toString(value.number, 'g', 6);
+      return numberText(value.number, digits);
     case Measure::share:
-      return locale.toString(100 * value.number, 'f', 0) + QStringLiteral(" %");
+      return fixedText(100 * value.number, 0) + QStringLiteral(" %");
     case Measure::displacement_mm:
-      return locale.toString(units.lengthFrom(value.number), 'g', 4) + ' ' + units.lengthSymbol();
+      return numberText(units.lengthFrom(value.number), digits) + ' ' + units.lengthSymbol();
     case Measure::force_N:
-      return locale.toString(units.forceFrom(value.number), 'g', 4) + ' ' + units.forceSymbol();
+      return numberText(units.forceFrom(value.number), digits) + ' ' + units.forceSymbol();
     case Measure::messages:
       break;
   }

@@ -34,6 +34,12 @@ void showRefusal(QLineEdit& edit, const QString& why) {
   QToolTip::showText(edit.mapToGlobal(edit.rect().bottomLeft()), why, &edit);
 }
 
+void giveUpTyping(QLineEdit& edit) {
+  if (!edit.isModified()) return;
+  edit.setModified(false);
+  showRefusal(edit, {});
+}
+
 }  // namespace
 
 AxisBox::AxisBox(ImportState& state, GraphAxis axis, QWidget* parent)
@@ -144,17 +150,47 @@ void AxisBox::takeEnd(bool isMax) {
   if (!edit->isModified()) return;
   const QuantityReading value = typedIn(*edit), other = typedIn(isMax ? *min_ : *max_);
   const AxisQuantity asked = axisQuantity(axis_, unit_->currentText().toStdString());
+  if (!value.value && takeWithUnit(*edit, isMax)) return;
   showRefusal(*edit, value.value ? QString() : refusalOf(value, asked.quantity, asked.units));
   if (!value.value) return;  // as typed, so that it can be mended
   edit->setModified(false);
-  state_.correct(axis_ == GraphAxis::x ? tr("Displacement range") : tr("Force range"), [&](Corrections& c) {
+  setEnd(isMax, value.shown, other.value ? std::optional(other.shown) : std::nullopt, {});
+}
+
+// "60 gf" where no unit is known yet: the number and the unit of the axis in one.
+bool AxisBox::takeWithUnit(QLineEdit& edit, bool isMax) {
+  if (!unit_->currentText().isEmpty()) return false;
+  for (int i = 0; i < unit_->count(); ++i) {
+    const AxisQuantity asked = axisQuantity(axis_, unit_->itemText(i).toStdString());
+    if (!edit.text().trimmed().endsWith(unit_->itemText(i))) continue;
+    const QuantityReading value = readQuantity(edit.text(), asked.quantity, asked.units);
+    if (!value.value) continue;
+    showRefusal(edit, {});
+    edit.setModified(false);
+    setEnd(isMax, value.shown, {}, static_cast<std::size_t>(i));
+    return true;
+  }
+  return false;
+}
+
+void AxisBox::setEnd(bool isMax, double value, std::optional<double> other, std::optional<std::size_t> unit) {
+  const bool isX = axis_ == GraphAxis::x;
+  state_.correct(isX ? tr("Displacement range") : tr("Force range"), [&](Corrections& c) {
     AxisCorrection& correction = c.axis(axis_);
     // Ticks given before say where the other end is; from now on the ends are given.
-    if (!correction.ticks.empty())
-      (isMax ? correction.min : correction.max) = other.value ? std::optional(other.shown) : std::nullopt;
+    if (!correction.ticks.empty()) (isMax ? correction.min : correction.max) = other;
     correction.ticks.clear();
-    (isMax ? correction.max : correction.min) = value.shown;
+    (isMax ? correction.max : correction.min) = value;
+    if (unit && isX) c.xUnit = lengthUnits[*unit];
+    if (unit && !isX) c.yUnit = forceUnits[*unit];
   });
+}
+
+QLineEdit* AxisBox::refusedField() {
+  for (const bool isMax : {false, true}) takeEnd(isMax);
+  for (QLineEdit* edit : {min_, max_})
+    if (edit->isModified() && edit->isVisible()) return edit;
+  return nullptr;
 }
 
 // ---- what is shown
@@ -165,6 +201,10 @@ void AxisBox::follow(bool ofLog) {
                : (ofLog ? tr("Force in the file") : tr("Force axis (vertical)")));
   for (QWidget* each : ofPage_) each->setVisible(!ofLog);
   const ImportGraph* graph = state_.current();
+  if (const auto id = graph ? std::optional(graph->id) : std::nullopt; id != shownGraph_) {
+    shownGraph_ = id;
+    for (QLineEdit* edit : {min_, max_}) giveUpTyping(*edit);
+  }
   const auto shown = graph ? (graph->good ? graph->good : graph->last) : nullptr;
   const Corrections none;
   const Corrections& given = graph ? graph->history.now() : none;

@@ -26,6 +26,9 @@ class AxisBox : public QGroupBox {
   /// The fields a person would be led to.
   QLineEdit* firstField() { return min_; }
   QComboBox* unitField() { return unit_; }
+  /// The first field whose text cannot be read, and what it says of it; null if all can. What was typed and not yet
+  /// taken is taken.
+  QLineEdit* refusedField();
 
  signals:
   /// The values are to be set on the page.
@@ -38,6 +41,8 @@ class AxisBox : public QGroupBox {
   QHBoxLayout* unitRow();
   void nameFields();
   void takeEnd(bool isMax);
+  bool takeWithUnit(QLineEdit& edit, bool isMax);
+  void setEnd(bool isMax, double value, std::optional<double> other, std::optional<std::size_t> unit);
   void takeUnit(std::size_t index);
   void showEnds(const AxisCorrection& given, const importer::AxisReading* found);
   void showUnit(const Corrections& given, const importer::AxisReading* found);
@@ -50,6 +55,7 @@ class AxisBox : public QGroupBox {
   QComboBox* unit_;
   OriginMark *range_, *unitOrigin_;
   QLabel* details_;
+  std::optional<GraphId> shownGraph_;
   std::vector<QWidget*> ofPage_;               ///< what a force meter's log has no use for
   std::optional<double> minShown_, maxShown_;  ///< as they stand, in the printed unit
 };

@@ -192,4 +192,14 @@ void FindingsPanel::focusDpi() {
   curves_->resolutionField()->setFocus();
 }
 
+bool FindingsPanel::acceptable() {
+  QWidget* refused = x_->refusedField();
+  if (!refused) refused = y_->refusedField();
+  if (!refused && !curves_->resolutionField()->acceptable()) refused = curves_->resolutionField();
+  if (!refused) return true;
+  ensureWidgetVisible(refused);
+  refused->setFocus();
+  return false;
+}
+
 }  // namespace detent::editor

@@ -30,6 +30,8 @@ class FindingsPanel : public QScrollArea {
   void focusField(GraphAxis axis);
   void focusUnit(GraphAxis axis);
   void focusDpi();
+  /// Whether all that is typed can be read. Where not, puts the keyboard on the first such field, which says why.
+  bool acceptable();
 
  signals:
   void toolAsked(ToolKind kind);

@@ -341,7 +341,10 @@ void ImportDialog::Impl::build() {
   QObject::connect(pasteButton, &QPushButton::clicked, &dialog, [this] { paste(); });
   QObject::connect(close, &QPushButton::clicked, &dialog, &QDialog::reject);
   QObject::connect(stop, &QPushButton::clicked, &state, &ImportState::cancel);
-  QObject::connect(accept, &QPushButton::clicked, &state, &ImportState::acceptAll);
+  // What stands refused in a field would come in with the value from before.
+  QObject::connect(accept, &QPushButton::clicked, &state, [this] {
+    if (view->takeEditor() && findings->acceptable()) state.acceptAll();
+  });
   QObject::connect(quality, &QComboBox::activated, &state,
                    [this](int index) { state.setQuality(qualities[static_cast<std::size_t>(index)]); });
   QObject::connect(view, &PageView::hint, hint, [this](const QString& text) {

@@ -311,6 +311,13 @@ void PageView::askOrigin(importer::Point at) {
   ask(asked);
 }
 
+bool PageView::takeEditor() {
+  if (auto* editor = findChild<QLineEdit*>(QStringLiteral("tickValue")); editor && editor->isVisibleTo(this))
+    emit editor->returnPressed();
+  const auto* refused = findChild<QLineEdit*>(QStringLiteral("tickValue"));
+  return !refused || !refused->isVisibleTo(this);
+}
+
 bool PageView::closeEditor() {
   auto* editor = findChild<QLineEdit*>(QStringLiteral("tickValue"));
   if (!editor || !editor->isVisibleTo(this)) return false;

@@ -71,6 +71,8 @@ class PageView : public QWidget {
   void askOrigin(importer::Point at);
   /// Where a glass shows the page enlarged; nothing hides it.
   void setMagnifier(std::optional<QPointF> widget);
+  /// As Enter in the value field that is open on the page; false if it cannot be read and stays open.
+  bool takeEditor();
 
  signals:
   void toolChanged(ToolKind kind);

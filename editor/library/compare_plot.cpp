@@ -3,6 +3,7 @@
 
 #include <QApplication>
 
+#include "editor/canvas/unit_ticker.h"
 #include "editor/document/graph_colors.h"
 #include "editor/quantity/quantity.h"
 #include "model/sampling.h"
@@ -34,6 +35,7 @@ ComparePlot::ComparePlot(QWidget* parent)
   constexpr double noMoreThanNeeded = 1e-3;
   plotLayout()->setRowStretchFactor(0, noMoreThanNeeded);
   setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+  for (QCPAxis* axis : {xAxis, yAxis}) axis->setTicker(QSharedPointer<UnitTicker>::create());
   for (QCPItemStraightLine* line : {cursor_, pinned_}) line->setVisible(false);
 }
 

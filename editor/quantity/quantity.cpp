@@ -4,13 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <QCoreApplication>
-#include <QLocale>
 
 namespace detent::editor {
 namespace {
-
-constexpr double largestFixed = 1e9, smallestFixed = 1e-5;  // beyond: powers of ten
-constexpr int mostDecimals = 17;
 
 QString tr(const char* text) { return QCoreApplication::translate("Quantity", text); }
 
@@ -27,20 +23,6 @@ Dimension dimensionOf(Quantity quantity) {
     default:
       return {};
   }
-}
-
-// C digits, and the decimal sign a person of this locale types.
-QString localized(QString text) {
-  const QString sign = QLocale().decimalPoint();
-  if (sign == QLatin1String(",")) text.replace(QLatin1Char('.'), QLatin1Char(','));
-  return text;
-}
-
-QString withoutTrailingZeros(QString text) {
-  if (!text.contains(QLatin1Char('.'))) return text;
-  while (text.endsWith(QLatin1Char('0'))) text.chop(1);
-  if (text.endsWith(QLatin1Char('.'))) text.chop(1);
-  return text == QLatin1String("-0") ? QStringLiteral("0") : text;
 }
 
 QuantityReading refused(QuantityTrouble trouble, const QString& culprit) { return {{}, 0, trouble, culprit}; }
@@ -185,26 +167,6 @@ QString symbolOf(Quantity quantity, const DisplayUnits& units) {
     default:
       return {};
   }
-}
-
-QString numberText(double value, int significant) {
-  if (value == 0 || !std::isfinite(value)) return value == 0 ? QStringLiteral("0") : QStringLiteral("–");
-  const double size = std::abs(value);
-  if (size >= largestFixed || size < smallestFixed)
-    return localized(QString::number(value, 'g', std::max(significant, 1)));
-  const int magnitude = static_cast<int>(std::floor(std::log10(size)));
-  const int decimals = std::clamp(significant - 1 - magnitude, 0, mostDecimals);
-  return localized(withoutTrailingZeros(QString::number(value, 'f', decimals)));
-}
-
-QString fixedText(double value, int decimals) {
-  if (!std::isfinite(value)) return QStringLiteral("–");
-  QString text = QString::number(value, 'f', decimals);
-  const bool isZero = std::all_of(text.cbegin(), text.cend(), [](QChar c) {
-    return c == QLatin1Char('-') || c == QLatin1Char('0') || c == QLatin1Char('.');
-  });
-  if (isZero && text.startsWith(QLatin1Char('-'))) text.remove(0, 1);
-  return localized(text);
 }
 
 QString quantityText(double value, Quantity quantity, const DisplayUnits& units, int significant) {

@@ -10,6 +10,7 @@
 
 #include "editor/document/display_units.h"
 #include "editor/quantity/expression.h"
+#include "editor/document/number_text.h"
 
 namespace detent::editor {
 
@@ -49,12 +50,6 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
 double shownUnitOf(Quantity quantity, const DisplayUnits& units);
 /// "mm", "cN/mm", "N·s/mm", "dpi"; empty where there is none.
 QString symbolOf(Quantity quantity, const DisplayUnits& units);
-
-/// At most `significant` digits, in the decimal sign of the locale, without group separators and trailing
-/// zeros; powers of ten only beyond 1e9 and below 1e-5. Digits before the decimal sign are all shown.
-QString numberText(double value, int significant = 5);
-/// Exactly `decimals` digits after the decimal sign; never "-0".
-QString fixedText(double value, int decimals);
 
 /// A value (mm, N ...) in the shown unit, without the unit.
 QString quantityText(double value, Quantity quantity, const DisplayUnits& units, int significant = 5);

@@ -68,7 +68,10 @@ void QuantityField::take(const QString& typed) {
   if (!reading.value) return refuse(refusalOf(reading, quantity_, units_));
   if (const QString why = rangeRefusal(*reading.value); !why.isEmpty()) return refuse(why);
   refuse({});
-  const double read = std::clamp(*reading.value, range_.lowest, range_.highest);
+  // What stood there, typed again, is the value it stood for, with all its digits.
+  const double read = typed.trimmed() == textOf(before_)
+                          ? before_
+                          : std::clamp(*reading.value, range_.lowest, range_.highest);
   if (read == value_) return;
   value_ = read;
   if (keyboardTracking()) emit valueChanged(value_);

@@ -87,10 +87,11 @@ void DampingView::select(std::optional<std::size_t> index) {
   refused_.clear();
   if (index && *index < points().size()) {
     const DampingPoint& p = points()[*index];
-    const QString name = tr("Damping point %1: %2 mm, %3 N·s/mm")
-                             .arg(*index + 1)
-                             .arg(p.displacement_mm, 0, 'g', 5)
-                             .arg(p.damping_Ns_per_mm, 0, 'g', 5);
+    const QString name =
+        tr("Damping point %1: %2, %3")
+            .arg(*index + 1)
+            .arg(quantityWithUnit(p.displacement_mm, Quantity::length, settings().units()),
+                 quantityWithUnit(p.damping_Ns_per_mm, Quantity::damping, settings().units()));
     setAccessibleName(name);
     emit said(name);
   } else {

@@ -2164,8 +2164,8 @@
         <translation>Ziehen Sie Punkte; ein Doppelklick auf die Linie setzt einen, Entf entfernt den gewählten.</translation>
     </message>
     <message>
-        <source>Damping point %1: %2 mm, %3 N·s/mm</source>
-        <translation>Dämpfungspunkt %1: %2 mm, %3 N·s/mm</translation>
+        <source>Damping point %1: %2, %3</source>
+        <translation>Dämpfungspunkt %1: %2, %3</translation>
     </message>
     <message>
         <source>Move damping point %1</source>

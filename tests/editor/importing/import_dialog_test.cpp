@@ -970,6 +970,19 @@ void ImportDialogTest::theKeyboardReachesEverything() {
   QVERIFY(dialog.isVisible());
   QCOMPARE(history.now().x.max, 5.0);
   QVERIFY(again(dialog.view->state()));
+  // What cannot be read keeps the dialogue open: the value from before is not what stands there.
+  field->selectAll();
+  QTest::keyClicks(field, "six");
+  QVERIFY(dialog.accept->isEnabled());
+  QTest::mouseClick(dialog.accept, Qt::LeftButton);
+  QVERIFY(dialog.isVisible());
+  QCOMPARE(field->text(), QString("six"));
+  QVERIFY(!field->accessibleDescription().isEmpty());
+  QVERIFY(dialog.isVisible());
+  field->selectAll();
+  QTest::keyClicks(field, "5");
+  QTest::keyClick(field, Qt::Key_Return);
+  QVERIFY(field->accessibleDescription().isEmpty());
   dialog.view->setFocus();
   QTest::keyClick(dialog.view, Qt::Key_Tab);
   for (int i = 0; i < 4; ++i) QTest::keyClick(dialog.view, Qt::Key_Tab);

@@ -6,6 +6,7 @@
 
 #include <rapidcheck.h>
 
+#include "editor/document/message_words.h"
 #include "editor/quantity/reading_error.h"
 #include "tests/model/property.h"
 
@@ -71,6 +72,18 @@ TEST_CASE("What is shown is read back, whatever the locale, the unit and the qua
       RC_ASSERT(near(*reading.value, base, 1e-10));
       RC_ASSERT(near(reading.shown, shown, 1e-10));
     }
+  });
+  holdsAlways("in a sentence that refuses or warns", [] {
+    const InLocale here(*rc::gen::elementOf(locales));
+    const DisplayUnits units = *anyUnits();
+    const double length = std::abs(*anyValue()), force = *anyValue();
+    const QString said =
+        inWords(Message("%1|%2", millimetres(units.toMm(length)), newtons(units.toN(force))), units);
+    const auto mm = readQuantity(said.section('|', 0, 0), Quantity::length, units);
+    const auto N = readQuantity(said.section('|', 1, 1), Quantity::force, units);
+    RC_ASSERT(mm.value && N.value);
+    RC_ASSERT(near(mm.shown, length, 6e-6));
+    RC_ASSERT(near(N.shown, force, 6e-6));
   });
   holdsAlways("numbers have no sign between thousands, and only this locale's or a point before decimals",
               [] {
