@@ -20,6 +20,7 @@
 #include "importer/callouts/callouts.h"
 #include "importer/fit/fit_stroke.h"
 #include "importer/log/force_log.h"
+#include "importer/page/document.h"
 #include "importer/page/page.h"
 #include "importer/page/page_class.h"
 #include "importer/page/progress.h"
