@@ -65,7 +65,7 @@
     </message>
     <message>
         <source>Operating force</source>
-        <translation>Betätigungskraft</translation>
+        <translation>Schaltkraft</translation>
     </message>
     <message>
         <source>Tactile force</source>
@@ -860,6 +860,94 @@
     <message>
         <source>Update Detent to open this file</source>
         <translation>Aktualisieren Sie Detent, um diese Datei zu öffnen</translation>
+    </message>
+    <message>
+        <source>Initial force</source>
+        <translation>Anfangskraft</translation>
+    </message>
+    <message>
+        <source>Pre-travel</source>
+        <translation>Vorlaufweg</translation>
+    </message>
+    <message>
+        <source>Operating force</source>
+        <translation>Schaltkraft</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>Travel to the peak</source>
+        <translation>Weg bis zur Spitze</translation>
+    </message>
+    <message>
+        <source>Valley force</source>
+        <translation>Talkraft</translation>
+    </message>
+    <message>
+        <source>Travel to the valley</source>
+        <translation>Weg bis zum Tal</translation>
+    </message>
+    <message>
+        <source>Tactile drop</source>
+        <translation>Kraftabfall</translation>
+    </message>
+    <message>
+        <source>Snap ratio</source>
+        <translation>Schnappverhältnis</translation>
+    </message>
+    <message>
+        <source>Spring rate to the peak</source>
+        <translation>Federrate bis zur Spitze</translation>
+    </message>
+    <message>
+        <source>Spring rate of the drop</source>
+        <translation>Federrate des Abfalls</translation>
+    </message>
+    <message>
+        <source>Spring rate to the bottom-out</source>
+        <translation>Federrate bis zum Anschlag</translation>
+    </message>
+    <message>
+        <source>Reset point</source>
+        <translation>Rückschaltpunkt</translation>
+    </message>
+    <message>
+        <source>Reset force</source>
+        <translation>Rückschaltkraft</translation>
+    </message>
+    <message>
+        <source>Differential travel</source>
+        <translation>Differenzweg</translation>
+    </message>
+    <message>
+        <source>Over-travel</source>
+        <translation>Nachlaufweg</translation>
+    </message>
+    <message>
+        <source>Bottom-out force</source>
+        <translation>Kraft am Anschlag</translation>
+    </message>
+    <message>
+        <source>Travel to the bottom-out</source>
+        <translation>Weg bis zum Anschlag</translation>
+    </message>
+    <message>
+        <source>Total travel</source>
+        <translation>Gesamtweg</translation>
+    </message>
+    <message>
+        <source>Force at the end</source>
+        <translation>Kraft am Ende</translation>
+    </message>
+    <message>
+        <source>Work of a press</source>
+        <translation>Arbeit eines Drucks</translation>
+    </message>
+    <message>
+        <source>Hysteresis</source>
+        <translation>Hysterese</translation>
     </message>
 </context>
 <context>
