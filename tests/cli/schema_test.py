@@ -15,12 +15,10 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import warnings
 from pathlib import Path
 
 import jsonschema
 
-warnings.filterwarnings("ignore", category=DeprecationWarning)  # RefResolver: Debian 12 has nothing newer
 ROOT = BIN = None
 
 
@@ -43,6 +41,7 @@ def closed(schema):
 
 
 def complaints(schema, value, others=()):
+    # RefResolver is old, and all that Debian 12 has.
     resolver = jsonschema.RefResolver("", {}, store={other["$id"]: closed(other) for other in others})
     return [f"{'/'.join(map(str, error.absolute_path)) or '(whole)'}: {error.message}"
             for error in jsonschema.Draft202012Validator(closed(schema), resolver=resolver).iter_errors(value)]
@@ -113,4 +112,4 @@ if __name__ == "__main__":
     parser.add_argument("--bin", type=Path, required=True)
     arguments, rest = parser.parse_known_args()
     ROOT, BIN = arguments.root.resolve(), arguments.bin.resolve()
-    unittest.main(argv=[sys.argv[0], *rest])
+    unittest.main(argv=[sys.argv[0], *rest], warnings="ignore")
