@@ -225,7 +225,7 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
       {ImportStep::strokes, findings.strokes.confidence, findings.strokes.by, findings.strokes.evidence});
   report.evidence = std::make_shared<const GraphEvidence>(
       GraphEvidence{findings.graph.view, findings.graph.frame.value, findings.graph.axes, findings.traces,
-                    switches, std::move(steps)});
+                    switches, std::move(findings.explanation), std::move(steps)});
   report.strokes = std::move(findings.strokes.value);
   return report;
 }

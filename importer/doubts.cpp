@@ -179,6 +179,7 @@ class Doubts {
     sizes();
     signs();
     shapes();
+    leftOver();
     place();
     pageClass();
     return std::move(doubts_);
@@ -254,6 +255,22 @@ class Doubts {
     if (findings_.fitted.release)
       points = std::max(points, findings_.fitted.release->summary.tactilePoints.size());
     if (points > mostTactilePoints) add(DoubtCode::manyTactilePoints, unconfirmed, {points}, helps);
+  }
+
+  /// Ink of a curve's colour that neither the curves nor the plot's lines and words explain; curves that no ink does.
+  void leftOver() {
+    constexpr double likeACurve = 0.5;  // likeness 0..1, docs/decisions/0810
+    if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
+    const Remedies helps{{RemedyKind::addMask, "over what is not a curve"},
+                         {RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}};
+    const auto say = [&](DoubtCode code, Point at_px) {
+      const Point at = findings_.graph.axes.calibration.value.toUnits(at_px);
+      add(code, unconfirmed, {{at.x, Measure::displacement_mm}, {at.y, Measure::force_N}}, helps);
+    };
+    const auto& [left, leaps] = findings_.explanation;
+    if (!left.empty() && left.front().likeness >= likeACurve)
+      say(DoubtCode::inkLeftOver, left.front().box_px.middle());
+    if (!leaps.empty()) say(DoubtCode::curveWithoutInk, 0.5 * (leaps.front().from_px + leaps.front().to_px));
   }
 
   void place() {

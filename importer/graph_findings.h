@@ -10,6 +10,7 @@
 #include "importer/locate_graphs.h"
 #include "importer/specs/printed_spec.h"
 #include "importer/strokes/stroke_pair.h"
+#include "importer/trace/explanation.h"
 
 namespace detent::importer {
 
@@ -28,6 +29,7 @@ struct GraphFindings {
   std::vector<Callout> callouts;
   std::vector<PrintedSpec> specs;
   PageClass pageClass = PageClass::picture;
+  Explanation explanation = {};
 };
 
 }  // namespace detent::importer

@@ -222,6 +222,7 @@ struct ImportSession::Impl {
     TraceHints hints;
     double spacing_px = 0;
     std::vector<CurveTrace> traces;
+    Explanation explanation;
   };
   std::list<Traced> traced;              // the latest last
   std::map<ImportStep, double> seconds;  // of the steps that ran since the last import began
@@ -477,14 +478,23 @@ struct ImportSession::Impl {
     if (kept != traced.end()) return &kept->traces;
     const LocatedGraph& graph = choice.located();
     StepClock time(seconds, ImportStep::trace);
-    auto found =
-        traceCurves(graph.view, graph.frame.value, graph.axes, inView(hints, graph.view), options, progress);
+    const TraceHints onView = inView(hints, graph.view);
+    auto found = traceCurves(graph.view, graph.frame.value, graph.axes, onView, options, progress);
     if (!found) return found.failure();
     if (progress.isCancelled()) return cancelled();  // half a tracing must not be kept for the whole
+    Explanation explanation =
+        explain(graph.view, graph.frame.value, graph.axes.texts, *found, onView.masks_px);
     if (traced.size() == keptTracings) traced.pop_front();
-    traced.push_back(
-        {choice.onPage->serial, choice.graph, hints, options.pointSpacing_px, std::move(found).value()});
+    traced.push_back({choice.onPage->serial, choice.graph, hints, options.pointSpacing_px,
+                      std::move(found).value(), std::move(explanation)});
     return &traced.back().traces;
+  }
+
+  /// What these kept tracings leave over; nothing of others.
+  Explanation explanationOf(const std::vector<CurveTrace>* curves) const {
+    const auto kept =
+        std::ranges::find_if(traced, [&](const Traced& each) { return &each.traces == curves; });
+    return kept == traced.end() ? Explanation{} : kept->explanation;
   }
 
   /// A graph read up to its strokes, for holding copies against each other.
@@ -552,11 +562,13 @@ struct ImportSession::Impl {
   }
 
   /// How far an import came that stops here: what a person needs to see where it went wrong.
-  ImportAttempt stopped(Failure why, const Choice& choice, const std::vector<CurveTrace>& curves) const {
+  ImportAttempt stopped(Failure why, const Choice& choice, const std::vector<CurveTrace>& curves,
+                        Explanation explanation) const {
     const LocatedGraph& graph = choice.located();
     return {placed(std::move(why), choice),
-            std::make_shared<const GraphEvidence>(GraphEvidence{
-                graph.view, graph.frame.value, graph.axes, curves, switchesAmong(curves), graph.findings()})};
+            std::make_shared<const GraphEvidence>(GraphEvidence{graph.view, graph.frame.value, graph.axes,
+                                                                curves, switchesAmong(curves),
+                                                                std::move(explanation), graph.findings()})};
   }
 
   Failure placed(Failure f, const Choice& choice) const {
@@ -617,8 +629,9 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
   step(0.5, ImportStep::trace);
   const std::vector<CurveTrace> none;
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
-  if (!curves && request.hints.drawn.press.empty()) return stopped(curves.failure(), *choice, none);
+  if (!curves && request.hints.drawn.press.empty()) return stopped(curves.failure(), *choice, none, {});
   if (!curves) curves = &none;  // the person drew what could not be traced
+  const Explanation explanation = explanationOf(*curves);
 
   step(0.7, ImportStep::strokes);
   auto strokes = [&] {
@@ -626,7 +639,7 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
     return withDrawn(separateStrokes(**curves, graph.axes, request.hints.strokes), request.hints.drawn,
                      graph);
   }();
-  if (!strokes) return stopped(strokes.failure(), *choice, **curves);
+  if (!strokes) return stopped(strokes.failure(), *choice, **curves, explanation);
 
   step(0.8, ImportStep::fit);
   const StrokePair& pair = strokes->value;
@@ -638,7 +651,7 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
     return fitBoth(pair, fitOptionsFor(press_px, calibration, settings),
                    fitOptionsFor(release_px, calibration, settings));
   }();
-  if (!fitted) return stopped(fitted.failure(), *choice, **curves);
+  if (!fitted) return stopped(fitted.failure(), *choice, **curves, explanation);
   if (progress.isCancelled()) return {cancelled(), {}};
 
   auto callouts = [&] {
@@ -650,10 +663,11 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
   const PageClass pageClass = classOf(*choice, pair, progress);
   const GraphSource source{name(),       buttonName(*choice), document->sha256(),
                            choice->page, choice->graph,       choice->remarks};
-  auto report = assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(),
-                                press_px, release_px, std::move(callouts), printedSpecs(), pageClass},
-                               source, request);
-  if (!report) return stopped(report.failure(), *choice, **curves);
+  auto report =
+      assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(), press_px,
+                      release_px, std::move(callouts), printedSpecs(), pageClass, explanation},
+                     source, request);
+  if (!report) return stopped(report.failure(), *choice, **curves, explanation);
   report->seconds = seconds;
   step(1, ImportStep::fit);
   std::shared_ptr<const GraphEvidence> evidence = report->evidence;

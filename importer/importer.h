@@ -28,6 +28,7 @@
 #include "importer/specs/printed_spec.h"
 #include "importer/strokes/stroke_pair.h"
 #include "importer/strokes/switches.h"
+#include "importer/trace/explanation.h"
 #include "model/button.h"
 
 namespace detent::importer {
@@ -110,7 +111,8 @@ struct GraphEvidence {
   AxesFound axes;
   std::vector<CurveTrace> traces;  ///< empty if it did not come so far
   std::vector<PlotSwitch>
-      switches;  ///< among the traces, numbered from 1; several: StrokeHints::curve takes one
+      switches;             ///< among the traces, numbered from 1; several: StrokeHints::curve takes one
+  Explanation explanation;  ///< what of the plot the curves, its lines and its words leave over
   std::vector<StepFinding> steps;  ///< those that ran, in flow order; an import is as sure as its weakest
 };
 

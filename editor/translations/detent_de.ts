@@ -6076,6 +6076,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine zweite Skala rechts misst etwas anderes</translation>
     </message>
     <message>
+        <source>ink like a curve&apos;s is left over around %1, %2</source>
+        <translation>bei %1, %2 bleibt Tinte übrig, die einer Kurve gleicht</translation>
+    </message>
+    <message>
+        <source>a curve runs over bare paper around %1, %2</source>
+        <translation>bei %1, %2 läuft eine Kurve über leeres Papier</translation>
+    </message>
+    <message>
         <source>press and release share only %1 of their travel</source>
         <translation>Drücken und Rückweg haben nur %1 ihres Weges gemeinsam</translation>
     </message>

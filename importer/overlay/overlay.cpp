@@ -14,8 +14,8 @@ namespace detent::importer {
 namespace {
 
 // Okabe & Ito's palette: told apart by colour-blind eyes. RGB order, as Raster.
-const cv::Scalar pressColor(213, 94, 0), releaseColor(0, 114, 178), frameColor(0, 158, 115),
-    tickColor(204, 121, 167);
+const cv::Scalar leftOverColor(230, 159, 0), pressColor(213, 94, 0), releaseColor(0, 114, 178),
+    frameColor(0, 158, 115), tickColor(204, 121, 167);
 
 constexpr int subPixelBits = 4;
 constexpr double subPixel = 1 << subPixelBits;
@@ -127,20 +127,36 @@ void drawStroke(Canvas& canvas, const StrokeCurve& curve, Stroke stroke, const S
   }
 }
 
-}  // namespace
-
-Raster drawOverlay(const GraphEvidence& evidence, const StrokePair& strokes, const Button& button) {
+/// The page with what every import finds on it, refused or not.
+Canvas canvasOf(const GraphEvidence& evidence) {
   // Small pictures are enlarged, huge ones are not grown further.
   const double width = evidence.view.raster.width_px;
   const double scale = std::clamp(std::round(1800 / std::max(width, 1.0)), 1.0, 4.0);
   Canvas canvas(evidence.view.raster, scale);
+  drawAxes(canvas, evidence.frame, evidence.axes.calibration.value);
+  for (const Remainder& left : evidence.explanation.left) canvas.dots(left.ink_px, leftOverColor);
+  for (const Leap& leap : evidence.explanation.leaps)
+    canvas.polyline({leap.from_px, leap.to_px}, leftOverColor, 4);
+  return canvas;
+}
+
+}  // namespace
+
+Raster drawOverlay(const GraphEvidence& evidence, const StrokePair& strokes, const Button& button) {
+  Canvas canvas = canvasOf(evidence);
   const AxisCalibration& calibration = evidence.axes.calibration.value;
-  drawAxes(canvas, evidence.frame, calibration);
   const ForceGraph& graph = button.states().front().graph;
   if (graph.release() && strokes.release) {
     drawStroke(canvas, *graph.release(), Stroke::release, *strokes.release, calibration);
   }
   drawStroke(canvas, graph.press(), Stroke::press, strokes.press, calibration);
+  return canvas.raster();
+}
+
+Raster drawOverlay(const GraphEvidence& evidence) {
+  Canvas canvas = canvasOf(evidence);
+  for (const CurveTrace& trace : evidence.traces)
+    canvas.polyline(trace.points_px, trace.stroke == Stroke::release ? releaseColor : pressColor, 1);
   return canvas.raster();
 }
 

@@ -106,6 +106,10 @@ Wording wordingOf(DoubtCode code) {
       return {"below-the-axis", words("the force axis begins at %1 and a curve goes below it")};
     case DoubtCode::otherScale:
       return {"other-scale", words("a second scale on the right measures something else")};
+    case DoubtCode::inkLeftOver:
+      return {"ink-left-over", words("ink like a curve's is left over around %1, %2")};
+    case DoubtCode::curveWithoutInk:
+      return {"curve-without-ink", words("a curve runs over bare paper around %1, %2")};
     case DoubtCode::strokeInPart:
       return {"stroke-in-part", words("press and release share only %1 of their travel")};
     case DoubtCode::pageIsScan:

@@ -123,7 +123,10 @@ void addOutputs(CLI::App& app, Arguments& a) {
   app.add_option("-o,--output", a.buttonPath, "button file to write (*.button.json)");
   app.add_option("--csv", a.csvPath, "fitted graph to write: stroke,displacement_mm,force_N");
   app.add_option("--trace-csv", a.tracePath, "traced points before the fit, same columns");
-  app.add_option("--overlay", a.overlayPath, "picture to write: what was found, drawn over the page (png)");
+  app.add_option(
+      "--overlay", a.overlayPath,
+      "picture to write: what was found and what ink is left over, drawn over the page (png); also "
+      "where the graph is not certain enough");
 }
 
 void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {

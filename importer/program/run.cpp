@@ -66,6 +66,16 @@ Result<std::vector<std::string>> writeOutputs(const ImportReport& report, const 
   return outputs.paths();
 }
 
+/// Of a refused import the overlay alone is written: what it looked at and what it left over. Says so, in a line.
+std::string writeRefusal(const GraphEvidence& evidence, const Failure& why, const OutputPaths& paths) {
+  if (paths.overlay.empty() || why.code != FailureCode::notCertain) return {};
+  StagedOutputs outputs;
+  auto done = outputs.stage(paths.overlay, pngBytes(drawOverlay(evidence)));
+  if (done) done = outputs.commit();
+  return done ? "wrote " + paths.overlay + ", where the import was refused\n"
+              : done.failure().sentence() + "\n";
+}
+
 std::string warningLines(const std::vector<Remark>& remarks) {
   std::string lines;
   for (const Remark& remark : remarks) lines += "warning: " + commandLineWords(remark) + "\n";
@@ -83,6 +93,7 @@ int importOne(ImportSession& session, const ImportRequest& request, const Output
     objects.push_back(
         failureJson(failure, request.path, evidence ? evidence->switches : std::vector<PlotSwitch>{}));
     text += failure.sentence() + "\n";
+    if (!report && evidence) text += writeRefusal(*evidence, failure, paths);
     return failure.exitCode();
   }
   objects.push_back(reportJson(*report, request.path, *written));

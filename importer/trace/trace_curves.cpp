@@ -17,6 +17,7 @@
 #include "importer/trace/settled_chroma.h"
 #include "importer/trace/trace_loop.h"
 #include "importer/trace/trace_vector.h"
+#include "importer/trace/walls.h"
 
 namespace detent::importer {
 
@@ -448,13 +449,17 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
   if (!(options.pointSpacing_px > 0 && options.pointSpacing_px <= 16))
     return Failure{FailureCode::wrongUsage, "point spacing", "", "must lie in (0, 16] px", "Leave it at 1"};
   std::vector<CurveTrace> exact = traceVector(view, frame, axes, hints);
-  if (!exact.empty()) return exact;
+  if (!exact.empty()) {
+    addLostWalls(exact, makePlotArea(view.raster, frame, axes.texts, hints.masks_px));
+    return exact;
+  }
   PlotArea area = makePlotArea(view.raster, frame, axes.texts, hints.masks_px);
   if (area.raster.empty()) return noCurve("lies outside the picture or has no area");
   settleChroma(area.raster, rgbOf(paperOf(area)));
   auto traces = traceRaster(area, view, axes, hints, options, progress);
-  if (traces)
-    for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, frame);
+  if (!traces) return traces;
+  for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, frame);
+  addLostWalls(*traces, area);
   return traces;
 }
 

@@ -238,6 +238,16 @@ TEST_CASE("A plot becomes a button, a CSV, a trace and an overlay, with the JSON
   CHECK(folder.files() == Names{"b.button.json", "b.csv", "o.png", "t.csv"});
 }
 
+TEST_CASE("An import that is not certain enough writes its overlay, complete, and nothing else") {
+  const ProgramFolder folder("import_refused_overlay");
+  const ProgramResult run = import(
+      folder, {plot, "--sure", "1", "-o", "b.button.json", "--csv", "b.csv", "--overlay", "o.png", "--json"});
+  CHECK(run.exitCode == 5);
+  CHECK_THAT(run.err, Catch::Contains("wrote o.png"));
+  CHECK(folder.files() == Names{"o.png"});
+  CHECK(folder.read("o.png").substr(1, 3) == "PNG");
+}
+
 TEST_CASE("The same import twice writes the same bytes") {
   const ProgramFolder folder("import_twice");
   REQUIRE(import(folder, {plot, "-o", "1.button.json", "--csv", "1.csv"}).exitCode == 0);

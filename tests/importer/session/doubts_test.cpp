@@ -35,6 +35,7 @@ struct Import {
   ImportHints hints;
   std::size_t tactilePoints = 1;
   PageClass pageClass = PageClass::picture;
+  Explanation explanation;
 
   Import() {
     graph.view.raster.width_px = 700, graph.view.raster.height_px = 600;
@@ -60,7 +61,7 @@ struct Import {
     Found<StrokePair> found;
     found.value = pair;
     found.confidence = 1;
-    return {graph, traces, found, strokes, rms_px, rms_px, {}, {}, pageClass};
+    return {graph, traces, found, strokes, rms_px, rms_px, {}, {}, pageClass, explanation};
   }
   /// What an import with this doubt is worth; empty without it.
   std::optional<double> weighed(DoubtCode kind) const {
@@ -117,6 +118,20 @@ TEST_CASE("sizes no button has are said twice or doubted") {
   Import wide;
   for (CurvePoint& p : wide.press) p.displacement_mm *= 10;
   CHECK(wide.doubted(DoubtCode::implausibleTravel));
+}
+
+TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that no ink does") {
+  Import import;
+  Remainder left;
+  left.box_px = {200, 200, 300, 300}, left.likeness = 0.3;
+  import.explanation.left = {left};
+  CHECK(import.doubts().empty());
+  import.explanation.left.front().likeness = 0.8;
+  CHECK(import.doubted(DoubtCode::inkLeftOver));
+  import.explanation = {{}, { { {200, 200}, {200, 260}, 0.1 } }};
+  CHECK(import.doubted(DoubtCode::curveWithoutInk));
+  import.hints.drawn.press = {{100, 400}, { 400, 200 }};
+  CHECK(import.doubts().empty());
 }
 
 TEST_CASE("travel and force below zero") {

@@ -12,6 +12,7 @@
 
 #include "importer/page/document.h"
 #include "importer/trace/curve_trace.h"
+#include "importer/trace/explanation.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -399,6 +400,116 @@ TEST_CASE("A pale arrow that stands on the curve near its wall is no part of it"
   REQUIRE(traces.ok());
   REQUIRE(traces->size() == 2);
   CHECK(apart(ofColor(*traces, kLime).points_px, up) < 0.3);
+}
+
+namespace {
+
+/// Both strokes of one black ink that end on one line at a share of the width; a thin black grid under them.
+struct Loop {
+  Curve press, release;
+};
+
+Loop loopEndingAt(double x) {
+  Loop loop;
+  for (double t = 0; t <= 1.0001; t += 0.01) {
+    const double bump = 0.12 * std::exp(-std::pow((t - 0.4) / 0.12, 2));
+    loop.press.push_back({x * t, 0.2 + 0.3 * t + bump});
+    loop.release.push_back({x * t, 0.06 + 0.34 * t + 0.8 * bump});
+  }
+  return loop;
+}
+
+const CurveTrace& strokeOf(const std::vector<CurveTrace>& traces, Stroke stroke) {
+  return *std::find_if(traces.begin(), traces.end(), [&](const CurveTrace& t) { return t.stroke == stroke; });
+}
+
+}  // namespace
+
+TEST_CASE("A wall that stands on a gridline, or on the frame's edge, belongs to the strokes that end there",
+          "[trace]") {
+  const double x = GENERATE(0.75, 1.0);
+  Plot plot(700, 430);
+  plot.grid(8, 6, kBlack, 1);
+  Loop loop = loopEndingAt(x);
+  plot.line(plot.at(loop.press), 3, kBlack);
+  plot.line(plot.at(loop.release), 3, kBlack);
+  plot.line(plot.at({{x, loop.release.back().y}, {x, 1}}), 3, kBlack);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+    Curve whole = stroke == Stroke::press ? loop.press : loop.release;
+    whole.push_back({x, 1});
+    CHECK(apart(strokeOf(*traces, stroke).points_px, plot.at(whole)) < 0.6);
+  }
+}
+
+TEST_CASE("A gridline above a curve's end is no wall", "[trace]") {
+  const double x = GENERATE(0.75, 1.0);
+  Plot plot(700, 430);
+  plot.grid(8, 6, kBlack, 2);
+  Loop loop = loopEndingAt(x);
+  plot.line(plot.at(loop.press), 2, kBlack);
+  plot.line(plot.at(loop.release), 2, kBlack);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  for (const CurveTrace& trace : *traces)
+    for (const Point& p : trace.points_px) CHECK(p.y > plot.at(x, 0.65).y);
+}
+
+TEST_CASE("What a result leaves unexplained is found, with its likeness to a curve", "[trace]") {
+  Plot plot(700, 430);
+  plot.grid(8, 6, kGrey, 1);
+  Loop loop = loopEndingAt(0.7);
+  plot.line(plot.at(loop.press), 3, kBlue);
+  CurveTrace press;
+  press.points_px = plot.at(loop.press), press.color = kBlue;
+  const auto worst = [&](const std::vector<CurveTrace>& curves) {
+    const Explanation found = explain(plot.view(), plot.frame(), {}, curves, {});
+    return found.left.empty() ? Remainder{} : found.left.front();
+  };
+  CHECK(worst({press}).likeness < 0.2);
+  SECTION("a curve left out") {
+    plot.line(plot.at(loop.release), 3, kBlue);
+    const Remainder left = worst({press});
+    CHECK(left.likeness > 0.9);
+    CHECK(left.width == Approx(0.7).margin(0.05));
+    CHECK_FALSE(left.ink_px.empty());
+    CurveTrace release = press;
+    release.points_px = plot.at(loop.release);
+    CHECK(worst({press, release}).likeness < 0.2);
+  }
+  SECTION("a stroke that goes on") {
+    plot.line(plot.at({loop.press.back(), {0.72, 0.9}}), 3, kBlue);
+    const Remainder left = worst({press});
+    CHECK(left.atAnEnd);
+    CHECK(left.likeness > 0.9);
+  }
+  SECTION("a straight leader") {
+    plot.line(plot.at({{0.2, 0.9}, {0.35, 0.42}}), 3, kBlue);
+    CHECK(worst({press}).likeness < 0.2);
+  }
+  SECTION("another ink") {
+    plot.line(plot.at(loop.release), 3, kRed);
+    CHECK(worst({press}).likeness < 0.2);
+  }
+}
+
+TEST_CASE("A curve that crosses bare paper where its ink does not lead is seen", "[trace]") {
+  Plot plot(700, 430);
+  Loop loop = loopEndingAt(0.7);
+  plot.line(plot.at(loop.press), 3, kBlue);
+  plot.line(plot.at(loop.release), 3, kBlue);
+  CurveTrace jumping;
+  jumping.color = kBlue;
+  for (const Point& p : loop.release)
+    if (p.x < 0.5) jumping.points_px.push_back(plot.at(p.x, p.y));
+  const auto leaps = [&] { return explain(plot.view(), plot.frame(), {}, {jumping}, {}).leaps; };
+  CHECK(leaps().empty());
+  for (const Point& p : loop.press)
+    if (p.x >= 0.5) jumping.points_px.push_back(plot.at(p.x, p.y));
+  REQUIRE(leaps().size() == 1);
+  CHECK(leaps().front().from_px.x == Approx(plot.at(0.5, 0).x).margin(8));
 }
 
 TEST_CASE("A title across the wall, arrows in the curve's hue, a legend beside its samples", "[trace]") {

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/trace/curve_ink.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "importer/page/quantile.h"
+
+namespace detent::importer::trace {
+
+namespace {
+
+constexpr int kReach_px = 14;      // to either side of a line's middle
+constexpr float kSameHue = 0.93F;  // cosine: other inks have a share of this one's colour
+constexpr float kInked = 0.12F;    // coverage: what has less ends a line
+
+}  // namespace
+
+CurveInkOnArea::CurveInkOnArea(const PlotArea& area, const Backdrop& backdrop, Rgb color)
+    : area_(area), backdrop_(backdrop), ink_(inkOfColor(color, backdrop)) {}
+
+float CurveInkOnArea::at(int x, int y) const {
+  if (x < 0 || y < 0 || x >= area_.raster.width_px || y >= area_.raster.height_px) return 0;
+  const Color3 difference = colorAt(area_.raster, x, y) - backdrop_.paperAt(x, y);
+  const float own = dot(difference, ink_.direction);
+  return own < kSameHue * norm(difference) ? 0.0F : std::min(own / ink_.strength, 1.0F);
+}
+
+InkRun CurveInkOnArea::across(double x, double y, bool plumb) const {
+  const auto value = [&](int along) {
+    return plumb ? at(along, static_cast<int>(std::lround(y))) : at(static_cast<int>(std::lround(x)), along);
+  };
+  const int from = static_cast<int>(std::lround(plumb ? x : y));
+  int middle = from;
+  for (const int near : {from, from - 1, from + 1, from - 2, from + 2})
+    if (value(near) > value(middle)) middle = near;
+  InkRun run;
+  if (value(middle) < kInked) return run;
+  double moment = 0;
+  const auto take = [&](int along) {
+    const double v = static_cast<double>(value(along));
+    run.thickness_px += v;
+    moment += v * along;
+  };
+  take(middle);
+  for (const int step : {-1, 1})
+    for (int k = 1; k <= kReach_px && value(middle + step * k) >= kInked; ++k) take(middle + step * k);
+  run.middle = moment / run.thickness_px;
+  return run;
+}
+
+double CurveInkOnArea::thicknessAlong(const std::vector<Point>& points) const {
+  constexpr std::size_t samples = 120, look = 3, fewest = 6;
+  std::vector<double> runs;
+  const std::size_t step = std::max<std::size_t>(1, points.size() / samples);
+  for (std::size_t i = 0; i + 1 < points.size(); i += step) {
+    const std::size_t to = std::min(points.size() - 1, i + look);
+    const Point along = points[to] - points[i];
+    const double length = norm(along);
+    if (length <= 0) continue;
+    const bool plumb = std::abs(along.y) > std::abs(along.x);
+    const Point middle = 0.5 * (points[i] + points[to]);
+    const double run = across(middle.x, middle.y, plumb).thickness_px;
+    if (run > 0) runs.push_back(run * std::max(std::abs(along.x), std::abs(along.y)) / length);
+  }
+  // Letters, the other stroke and crossing lines make runs longer, never shorter.
+  return runs.size() < fewest ? 0 : quantileOf(runs, 0.35);
+}
+
+bool PlumbLane::onLevelLine(double y) const {
+  constexpr double within_px = 3;
+  return std::ranges::any_of(area_.rows_px, [&](double row) { return std::abs(row - y) <= within_px; });
+}
+
+std::vector<double> PlumbLane::rows(double y0, double y1) const {
+  std::vector<double> thicknesses;
+  for (int y = static_cast<int>(std::ceil(y0)); y <= y1; ++y)
+    if (!onLevelLine(y)) thicknesses.push_back(ink_.across(x_, y, true).thickness_px);
+  return thicknesses;
+}
+
+double PlumbLane::top(double foot, double least_px, double gap_px) const {
+  double last = foot, missed = 0;
+  for (double y = foot; y >= area_.frame.y0 - 0.5 && missed <= gap_px; y -= 1) {
+    if (onLevelLine(y)) continue;
+    if (ink_.across(x_, y, true).thickness_px >= least_px)
+      last = y, missed = 0;
+    else
+      missed += 1;
+  }
+  return last;
+}
+
+double PlumbLane::middle(double y0, double y1) const {
+  std::vector<double> middles;
+  for (int y = static_cast<int>(std::ceil(y0)); y <= y1; ++y)
+    if (const auto run = ink_.across(x_, y, true); !onLevelLine(y) && run.thickness_px > 0)
+      middles.push_back(run.middle);
+  return middles.empty() ? x_ : quantileOf(middles, 0.5);
+}
+
+}  // namespace detent::importer::trace

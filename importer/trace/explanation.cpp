@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/trace/explanation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <opencv2/imgproc.hpp>
+
+#include "importer/page/polyline.h"
+#include "importer/page/quantile.h"
+#include "importer/trace/curve_ink.h"
+#include "importer/trace/plot_text.h"
+
+namespace detent::importer {
+namespace {
+
+using namespace trace;
+
+constexpr float kInked = 0.5F;       // coverage
+constexpr double kBeside_px = 1.5;   // how far a line's edge may be off
+constexpr double kLineTimes = 1.35;  // a plot's own line is drawn no thicker than so
+constexpr int kJoined_px = 2;        // pieces nearer than this hang together
+constexpr std::size_t kMostPoints = 400;
+
+/// One traced curve on the area.
+struct Drawn {
+  std::vector<Point> points;
+  double thickness_px = 1;
+  Rgb color;
+};
+
+void draw(cv::Mat& mask, const std::vector<Point>& points, double thickness_px) {
+  const int width = std::max(1, static_cast<int>(std::ceil(thickness_px)));
+  const auto whole = [](Point p) {
+    return cv::Point(static_cast<int>(std::lround(p.x)), static_cast<int>(std::lround(p.y)));
+  };
+  for (std::size_t i = 1; i < points.size(); ++i)
+    cv::line(mask, whole(points[i - 1]), whole(points[i]), cv::Scalar(255), width);
+}
+
+void fill(cv::Mat& mask, const Box& box, double grown_px) {
+  const Box b = box.grown(grown_px, grown_px);
+  const cv::Rect whole(static_cast<int>(b.x0), static_cast<int>(b.y0), static_cast<int>(b.width()) + 1,
+                       static_cast<int>(b.height()) + 1);
+  const cv::Rect seen = whole & cv::Rect(0, 0, mask.cols, mask.rows);
+  if (seen.area() > 0) mask(seen).setTo(255);
+}
+
+/// The plot of one result, with what explains its ink.
+class ExplainedPlot {
+ public:
+  ExplainedPlot(const PageView& view, const PlotFrame& frame, const std::vector<SeenText>& texts,
+                const std::vector<CurveTrace>& curves, const std::vector<Box>& masks_px)
+      : area_(makePlotArea(view.raster, frame, texts, masks_px)) {
+    if (area_.raster.empty()) return;
+    backdrop_ = Backdrop::measure(area_);
+    for (const CurveTrace& curve : curves) {
+      if (curve.points_px.size() < 2) continue;
+      Drawn drawn{{}, 1, curve.color};
+      for (const Point& p : curve.points_px) drawn.points.push_back(area_.fromView(p));
+      const double seen = inkOf(curve.color).thicknessAlong(drawn.points);
+      drawn.thickness_px = std::max(1.0, seen);
+      drawn_.push_back(std::move(drawn));
+    }
+  }
+
+  bool empty() const { return drawn_.empty(); }
+  const PlotArea& area() const { return area_; }
+  const std::vector<Drawn>& drawn() const { return drawn_; }
+  CurveInkOnArea inkOf(Rgb color) const { return {area_, backdrop_, color}; }
+
+  double thickness() const {
+    std::vector<double> all;
+    for (const Drawn& each : drawn_) all.push_back(each.thickness_px);
+    return quantileOf(all, 0.5);
+  }
+
+  /// 255 where curves, words, masks and the plot's own lines account for what is drawn.
+  cv::Mat explained() const {
+    cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
+    for (const Drawn& each : drawn_) draw(mask, each.points, each.thickness_px + 2 * kBeside_px);
+    for (const Box& word : area_.words) fill(mask, word, 2);
+    const PlotText text = findText(area_, backdrop_);
+    for (std::size_t i = 0; i < text.mask.size(); ++i)
+      if (text.mask[i] || (!area_.masked.empty() && area_.masked[i])) mask.data[i] = 255;
+    return mask;
+  }
+
+  /// Neither ink near a place nor a word that may hide it.
+  bool isBare(Point p) const {
+    constexpr int reach = 2;
+    constexpr float asPaper = 40;  // colour levels
+    if (std::ranges::any_of(area_.words, [&](const Box& word) { return word.grown(4, 4).contains(p); }))
+      return false;
+    const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
+    for (int v = y - reach; v <= y + reach; ++v)
+      for (int u = x - reach; u <= x + reach; ++u) {
+        if (u < 0 || v < 0 || u >= area_.raster.width_px || v >= area_.raster.height_px) return false;
+        if (norm(colorAt(area_.raster, u, v) - backdrop_.paperAt(u, v)) > asPaper) return false;
+      }
+    return true;
+  }
+
+  /// 255 where the ink of one curve is, the plot's own lines apart.
+  cv::Mat inked(const Drawn& curve) const {
+    const CurveInkOnArea ink = inkOf(curve.color);
+    cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
+    if (!ink.distinct()) return mask;
+    for (int y = 0; y < mask.rows; ++y)
+      for (int x = 0; x < mask.cols; ++x)
+        if (ink.at(x, y) > kInked) mask.at<std::uint8_t>(y, x) = 255;
+    for (const double column : area_.columns_px) takeLine(mask, ink, column, true);
+    for (const double row : area_.rows_px) takeLine(mask, ink, row, false);
+    for (int y = 0; y < mask.rows; ++y)
+      for (int x = 0; x < mask.cols; ++x)
+        if (backdrop_.onLine(x, y) && norm(colorAt(area_.raster, x, y) - backdrop_.at(x, y)) < 60)
+          mask.at<std::uint8_t>(y, x) = 0;
+    return mask;
+  }
+
+ private:
+  /// Clears a line of the plot where it is no thicker than it is elsewhere.
+  void takeLine(cv::Mat& mask, const CurveInkOnArea& ink, double at, bool plumb) const {
+    const int length = plumb ? mask.rows : mask.cols, lanes = plumb ? mask.cols : mask.rows;
+    std::vector<double> runs;
+    for (int i = 0; i < length; ++i)
+      runs.push_back(plumb ? ink.across(at, i, true).thickness_px : ink.across(i, at, false).thickness_px);
+    const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.7) + 0.6;
+    const int reach = static_cast<int>(std::ceil(0.5 * most)) + 2;
+    for (int i = 0; i < length; ++i) {
+      if (runs[static_cast<std::size_t>(i)] > most) continue;
+      for (int lane = static_cast<int>(std::lround(at)) - reach; lane <= std::lround(at) + reach; ++lane)
+        if (lane >= 0 && lane < lanes)
+          (plumb ? mask.at<std::uint8_t>(i, lane) : mask.at<std::uint8_t>(lane, i)) = 0;
+    }
+  }
+
+  PlotArea area_;
+  Backdrop backdrop_;
+  std::vector<Drawn> drawn_;
+};
+
+/// 0 at `bad`, 1 at `good`, straight between.
+double ramp(double value, double bad, double good) {
+  return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
+}
+
+/// Spread of points square to their main direction.
+double spreadAcross(const std::vector<Point>& points) {
+  Point mean{};
+  for (const Point& p : points) mean = mean + (1.0 / static_cast<double>(points.size())) * p;
+  double xx = 0, xy = 0, yy = 0;
+  for (const Point& p : points) {
+    const Point off = p - mean;
+    xx += off.x * off.x, xy += off.x * off.y, yy += off.y * off.y;
+  }
+  const double n = static_cast<double>(points.size());
+  const double half = 0.5 * (xx + yy), root = std::hypot(0.5 * (xx - yy), xy);
+  return std::sqrt(std::max(0.0, half - root) / n);
+}
+
+/// The end of a curve and the direction in which it runs out.
+struct End {
+  Point at, ahead;
+  double thickness_px = 1;
+};
+
+std::vector<End> endsOf(const std::vector<Drawn>& drawn) {
+  std::vector<End> ends;
+  for (const Drawn& each : drawn) {
+    const auto add = [&](bool last) {
+      const std::size_t n = each.points.size();
+      const auto point = [&](std::size_t i) { return each.points[last ? n - 1 - i : i]; };
+      std::size_t i = 1;
+      while (i + 1 < n && distance(point(0), point(i)) < 3 * each.thickness_px + 4) ++i;
+      const Point along = point(0) - point(i);
+      if (norm(along) > 0) ends.push_back({point(0), (1 / norm(along)) * along, each.thickness_px});
+    };
+    add(false), add(true);
+  }
+  return ends;
+}
+
+/// Whether ink begins at a curve's end and leads away from it, forwards or up as a wall does.
+bool beginsAt(const std::vector<Point>& ink, const End& end) {
+  constexpr double backwards = -0.2;  // cosine to the curve's own direction
+  const auto [near, far] = std::ranges::minmax(ink, {}, [&](Point p) { return distance(p, end.at); });
+  const double reach_px = 2 * end.thickness_px + 4;
+  if (distance(near, end.at) > reach_px) return false;
+  const Point away = far - end.at;
+  return dot(away, end.ahead) > backwards * norm(away);
+}
+
+Remainder remainderOf(const std::vector<Point>& ink, const ExplainedPlot& plot,
+                      const std::vector<End>& ends) {
+  const Box& frame = plot.area().frame;
+  const Box box = boundsOf(ink);
+  Remainder r;
+  const double extent_px = std::hypot(box.width(), box.height());
+  r.box_px = plot.area().toView.boxOf(box);
+  r.length = extent_px / std::hypot(frame.width(), frame.height());
+  r.width = box.width() / frame.width();
+  r.thickness = static_cast<double>(ink.size()) / std::max(1.0, extent_px) / plot.thickness();
+  r.straight = spreadAcross(ink) < 0.6 * plot.thickness() + 0.8;
+  r.atAnEnd = std::ranges::any_of(ends, [&](const End& end) { return beginsAt(ink, end); });
+  const double thin = ramp(r.thickness, 3.5, 2.2) * ramp(r.thickness, 0.2, 0.45);
+  const double bent = r.straight ? 0 : ramp(r.width, 0.1, 0.3) * ramp(r.length, 0.12, 0.25);
+  const double onwards = r.atAnEnd ? ramp(r.length, 0.03, 0.08) : 0;
+  r.likeness = thin * std::max(bent, onwards);
+  const std::size_t step = std::max<std::size_t>(1, ink.size() / kMostPoints);
+  for (std::size_t i = 0; i < ink.size(); i += step) r.ink_px.push_back(plot.area().toView(ink[i]));
+  return r;
+}
+
+std::vector<Remainder> remaindersOf(const ExplainedPlot& plot) {
+  constexpr double kLeastLength = 0.03;  // of the diagonal
+  const cv::Mat explained = plot.explained();
+  cv::Mat left(explained.size(), CV_8U, cv::Scalar(0));
+  for (const Drawn& each : plot.drawn()) left |= plot.inked(each);
+  left.setTo(0, explained);
+  cv::Mat joined, labels, stats, centroids;
+  cv::dilate(left, joined,
+             cv::getStructuringElement(cv::MORPH_RECT, {2 * kJoined_px + 1, 2 * kJoined_px + 1}));
+  const int count = cv::connectedComponentsWithStats(joined, labels, stats, centroids, 8, CV_32S);
+  const Box& frame = plot.area().frame;
+  const double least_px = kLeastLength * std::hypot(frame.width(), frame.height());
+  std::vector<std::vector<Point>> inks(static_cast<std::size_t>(count));
+  for (int y = 0; y < left.rows; ++y)
+    for (int x = 0; x < left.cols; ++x)
+      if (left.at<std::uint8_t>(y, x))
+        inks[static_cast<std::size_t>(labels.at<int>(y, x))].push_back({double(x), double(y)});
+  const std::vector<End> ends = endsOf(plot.drawn());
+  std::vector<Remainder> all;
+  for (const std::vector<Point>& ink : inks) {
+    if (ink.size() < 4) continue;
+    const Box box = boundsOf(ink);
+    if (std::hypot(box.width(), box.height()) >= least_px) all.push_back(remainderOf(ink, plot, ends));
+  }
+  std::ranges::sort(all, std::greater<>{}, &Remainder::likeness);
+  return all;
+}
+
+/// Whether the way between two points turns sharply out of the curve before it, or into the curve behind it. Points lie a
+/// pixel apart; the line's own rim, to either side, still runs the leap's way.
+bool turnsSharply(const std::vector<Point>& points, std::size_t from, std::size_t to, double thickness_px) {
+  constexpr double mostCosine = 0.5;  // turned by 60 degrees
+  const auto rim = static_cast<std::size_t>(thickness_px + 4), look = 3 * rim;
+  const Point across = points[to] - points[from];
+  const auto turned = [&](Point along) {
+    return norm(along) > 0 && dot(along, across) < mostCosine * norm(along) * norm(across);
+  };
+  const auto before = [&](std::size_t by) { return points[from > by ? from - by : 0]; };
+  const auto behind = [&](std::size_t by) { return points[std::min(to + by, points.size() - 1)]; };
+  return turned(before(rim) - before(look)) || turned(behind(look) - behind(rim));
+}
+
+std::vector<Leap> leapsOf(const ExplainedPlot& plot) {
+  constexpr double kLeastThicknesses = 2, kLeastHeight = 0.03;  // of the frame's
+  const Box& frame = plot.area().frame;
+  std::vector<Leap> leaps;
+  for (const Drawn& each : plot.drawn()) {
+    const std::vector<Point> points = densified(each.points, 1);
+    const double least_px = std::max(kLeastThicknesses * each.thickness_px, kLeastHeight * frame.height());
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      if (!plot.isBare(points[i])) continue;
+      std::size_t to = i;
+      while (to + 1 < points.size() && plot.isBare(points[to])) ++to;
+      const double length_px = distance(points[i - 1], points[to]);
+      if (length_px >= least_px && turnsSharply(points, i - 1, to, each.thickness_px))
+        leaps.push_back({plot.area().toView(points[i - 1]), plot.area().toView(points[to]),
+                         length_px / std::hypot(frame.width(), frame.height())});
+      i = to;
+    }
+  }
+  std::ranges::sort(leaps, std::greater<>{}, &Leap::length);
+  return leaps;
+}
+
+}  // namespace
+
+Explanation explain(const PageView& view, const PlotFrame& frame, const std::vector<SeenText>& texts,
+                    const std::vector<CurveTrace>& curves, const std::vector<Box>& masks_px) {
+  const ExplainedPlot plot(view, frame, texts, curves, masks_px);
+  if (plot.empty()) return {};
+  return {remaindersOf(plot), leapsOf(plot)};
+}
+
+}  // namespace detent::importer

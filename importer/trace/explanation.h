@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What of the page a result leaves unexplained: the curves are drawn back onto the plot with the plot's lines and words,
+// and what ink remains is looked at. Pixels of the view, so that documents and pictures are judged alike.
+
+#include <vector>
+
+#include "importer/trace/curve_trace.h"
+
+namespace detent::importer {
+
+/// Connected ink in a curve's colour that no curve, line or word of the plot explains.
+struct Remainder {
+  Box box_px;                 ///< view pixels
+  std::vector<Point> ink_px;  ///< its pixels, thinned to some hundred; view pixels
+  double length = 0;          ///< of its extent, share of the plot's diagonal
+  double width = 0;           ///< of its extent along the displacement axis, share of the plot's width
+  double thickness = 0;       ///< in thicknesses of the curves
+  bool straight = false;      ///< as leaders, guides and boxes are
+  bool atAnEnd = false;       ///< begins where a curve ends
+  /// How much it looks like a curve, 0..1: long, thin, bent, or the straight continuation of a curve's end.
+  double likeness = 0;
+};
+
+/// Where a curve crosses bare paper in a direction that its ink does not have on both sides.
+struct Leap {
+  Point from_px, to_px;  ///< view pixels
+  double length = 0;     ///< share of the plot's diagonal
+};
+
+/// What of a plot a result does not explain, and what of the result the plot does not.
+struct Explanation {
+  std::vector<Remainder> left;  ///< the most curve-like first
+  std::vector<Leap> leaps;      ///< the longest first
+};
+
+/// `curves`: all that were traced, those of other switches too. `masks_px`: where nothing is looked for, view pixels.
+Explanation explain(const PageView& view, const PlotFrame& frame, const std::vector<SeenText>& texts,
+                    const std::vector<CurveTrace>& curves, const std::vector<Box>& masks_px);
+
+}  // namespace detent::importer
