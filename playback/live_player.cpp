@@ -95,6 +95,8 @@ class Player : public LivePlayer {
     auto taken = std::make_unique<HapticProgram>(program);
     follower_.use(taken.get());
     follower_.placeAtForce(force_N);
+    presses_.use(taken.get());
+    presses_.take(follower_.position());
     routeProgram_ = std::move(taken);
     ownForce_.setSettings(limitsFor(program));
     if (sensor_) sensor_->setConditioner(limitsFor(program));
@@ -247,6 +249,11 @@ class Player : public LivePlayer {
     return events;
   }
 
+  PressCount takePresses() override {
+    const std::lock_guard lock(readingMutex_);
+    return presses_.taken();
+  }
+
  private:
   /// The rain's own device: a stream whose session has no program.
   Result<Done> openRain(const MaskingNoise& masking) {
@@ -342,10 +349,13 @@ class Player : public LivePlayer {
     ++followedCounts_.inputs;
     if (kind == CommandKind::resync) {
       follower_.placeAtForce(value);
+      presses_.use(routeProgram_.get());  // what was done meanwhile is not known
+      presses_.take(follower_.position());
       return;
     }
     const Crossings& crossings =
         kind == CommandKind::force ? follower_.updateForce(value) : follower_.updateDisplacement(value);
+    presses_.take(follower_.position());
     if (route_) route_->send(crossings, *routeProgram_);
     if (sounding_) return;  // the callback reports what it plays
     const double frame = (time_s - began_s_) * session_.sampleRate_Hz();
@@ -474,6 +484,7 @@ class Player : public LivePlayer {
   ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12, 0, 0}};
   std::unique_ptr<HapticProgram> routeProgram_;
   StrokeTracker follower_;  // of routeProgram_
+  PressCounter presses_;    // readingMutex_
   EngineCounts followedCounts_;
   std::deque<EngineEvent> followedEvents_;
   std::unique_ptr<PdRoute> route_;

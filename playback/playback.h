@@ -31,6 +31,7 @@
 #include "playback/offline/press_files.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/prepare_program.h"
+#include "playback/realtime/press_counter.h"
 
 namespace detent::playback {
 
@@ -145,6 +146,8 @@ class LivePlayer {
   virtual PlayerStatus status() = 0;
   /// Everything felt since the last call, oldest first (at most a few thousand are kept).
   virtual std::vector<EngineEvent> takeEvents() = 0;
+  /// What the finger did since the last call, whoever it belongs to.
+  virtual PressCount takePresses() = 0;
 };
 
 // ---- measuring a device

@@ -16,6 +16,7 @@
 //
 // Threads: ordinary threads only. A library built without DETENT_WITH_STUDIES has none of it.
 
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
@@ -38,20 +39,31 @@ struct StudyPlayerSettings {
   SensorCalibration calibration;
 };
 
+/// Why a trial cannot be felt just now.
+enum class StudyTrouble : std::uint8_t { none, soundLost, sensorUnplugged, sensorSilent, sensorStuck };
+/// As the journal keeps it: "sensor silent".
+const char* nameOf(StudyTrouble trouble);
+
 /// What a participant has under the finger: any button of the study, in any of its modes, exchanged at once;
 /// all are prepared before the first trial. One thread.
 class StudyPlayer {
  public:
-  /// Failure: as LivePlayer::start, attachSensor and prepareProgram.
+  /// Failure: as LivePlayer::start, attachSensor and prepareProgram; deviceTrouble: the sensor sends nothing within 3 s.
   static Result<std::unique_ptr<StudyPlayer>> start(const Study& study, const StudyPlayerSettings& settings);
   virtual ~StudyPlayer() = default;
 
   virtual bool sounding() const = 0;  ///< false: a rehearsal
   virtual std::string device() const = 0;
-  /// Puts that button under the finger; without a sensor it is pressed once, as by a hand.
-  virtual void press(std::size_t button, FeedbackMode mode) = 0;
-  /// Whether the sound device went away since this was last asked.
-  virtual bool lostSinceAsked() = 0;
+  virtual StudyRoute route() const = 0;
+  /// Every stimulus begins as it was made: a self-locking button unlocked, X as well as the choice that is the same button.
+  virtual void beginTrial() = 0;
+  /// Puts a button under the finger as the trial's stimulus `slot` (TrialDesk), which keeps its own lock; without a sensor it is
+  /// pressed once, as by a hand.
+  virtual void press(std::size_t slot, std::size_t button, FeedbackMode mode) = 0;
+  /// What the finger has done since press() or since this was last asked.
+  virtual Felt takeFelt() = 0;
+  /// What went wrong since this was last asked, or is wrong.
+  virtual StudyTrouble troubleSinceAsked() = 0;
 };
 
 /// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(); `reason` words what tells a pair apart. Some

@@ -276,6 +276,7 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
   begin.noiseLevel = work.player->sounding() ? settings.player.masking.level : 0;
   begin.device = work.player->device();
   begin.utc_s = wallClock_s();
+  begin.route = work.player->route();
   Result<playback::ParticipantSession> session = playback::ParticipantSession::open(*work.study, id, begin);
   if (!session) return session.failure();
   if (session->trial() == nullptr) return tellDone(id);

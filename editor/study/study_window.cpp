@@ -13,7 +13,7 @@ namespace detent::editor {
 
 namespace {
 
-constexpr int watch_ms = 100;
+constexpr int watch_ms = 30;
 constexpr int largeText_pt = 22, plainText_pt = 15;
 constexpr int pressHeight_px = 110, answerHeight_px = 70, smallHeight_px = 40;
 constexpr int mostColumns = 5;
@@ -228,7 +228,8 @@ void StudyWindow::showTrial() {
     return;
   }
   desk_.emplace(*work_.study, *trial, 0, now_s());
-  work_.player->lostSinceAsked();
+  work_.player->beginTrial();
+  work_.player->troubleSinceAsked();
   mark(nullptr);
   trouble_->hide();
   count_->setText((trial->practice ? tr("Practice: question %1 of %2") : tr("Question %1 of %2"))
@@ -242,6 +243,7 @@ void StudyWindow::showTrial() {
 void StudyWindow::refresh() {
   const bool may = desk_->mayAnswer();
   for (QPushButton* button : answers_) button->setEnabled(may);
+  if (may && !away_) trouble_->hide();
   const QString keys = tr("Keys: %1 and X to feel, %2 to answer.")
                            .arg(keysFrom('1', choices_.size()), keysFrom('A', answers_.size()));
   const QString ask = may ? tr("Which one is X? Feel each as often as you like, then answer below it.")
@@ -259,24 +261,29 @@ void StudyWindow::mark(const QPushButton* underFinger) {
 
 void StudyWindow::pressChoice(std::size_t choice) {
   if (!desk_) return;
-  const playback::Trial& trial = desk_->trial();
-  work_.player->press(trial.choices[choice], trial.mode);
-  desk_->triedChoice(choice, now_s());
+  feel(choice);
   mark(choices_[choice]);
+}
+
+/// Puts it under the finger; what was done with the one before belongs to that one.
+void StudyWindow::feel(std::size_t slot) {
+  desk_->felt(work_.player->takeFelt());
+  work_.player->press(slot, desk_->buttonIn(slot), desk_->trial().mode);
+  desk_->tried(slot, now_s());
+  desk_->felt(work_.player->takeFelt());
   refresh();
 }
 
 void StudyWindow::pressX() {
   if (!desk_ || desk_->physicalTarget()) return;
-  const playback::Trial& trial = desk_->trial();
-  work_.player->press(trial.choices[trial.target], trial.mode);
-  desk_->triedX(now_s());
+  feel(desk_->slotOfX());
   mark(x_);
-  refresh();
 }
 
 void StudyWindow::answer(std::size_t choice) {
-  if (!desk_ || away_ || !desk_->mayAnswer()) return;
+  if (!desk_ || away_) return;
+  desk_->felt(work_.player->takeFelt());
+  if (!desk_->mayAnswer()) return tell(unfeltWords());
   if (const Result<Done> kept = work_.session->record(desk_->answer(choice, now_s())); !kept)
     return tell(tr("Your answer is not kept yet. %1 Then answer again.").arg(sentenceOf(kept.failure())));
   if (work_.session->trial() == nullptr) {
@@ -299,17 +306,35 @@ void StudyWindow::stopForGood() {
   close();
 }
 
+/// Which ones were not pressed through yet, and which of them were let go too early.
+QString StudyWindow::unfeltWords() const {
+  QStringList missing;
+  for (std::size_t slot = 0; slot <= desk_->slotOfX(); ++slot) {
+    if (desk_->feltOf(slot).whole > 0 || (slot == desk_->slotOfX() && desk_->physicalTarget())) continue;
+    const QString name = slot == desk_->slotOfX() ? QStringLiteral("X") : QString::number(slot + 1);
+    missing << (desk_->feltOf(slot).presses > 0 ? tr("%1 (not to the end yet)").arg(name) : name);
+  }
+  return tr("First press to the end and let go: %1.").arg(missing.join(", "));
+}
+
 /// What was half felt is asked anew, once the device is back.
 void StudyWindow::watchDevice() {
-  if (!desk_ || work_.player->lostSinceAsked() == away_) return;
+  if (!desk_) return;
+  desk_->felt(work_.player->takeFelt());
+  if (desk_->mayAnswer() != answers_.front()->isEnabled()) refresh();
+  const playback::StudyTrouble trouble = work_.player->troubleSinceAsked();
+  if ((trouble != playback::StudyTrouble::none) == away_) return;
   away_ = !away_;
   trialPage_->setEnabled(!away_);
   if (!away_) {
     showTrial();
-    return tell(tr("The sound device is back. This question begins anew."));
+    return tell(tr("It is back. This question begins anew."));
   }
-  const Result<Done> noted = work_.session->interrupted("sound device lost");
-  tell(noted ? tr("The sound device went away. Please call the experimenter.") : sentenceOf(noted.failure()));
+  const Result<Done> noted = work_.session->interrupted(nameOf(trouble));
+  const QString words = trouble == playback::StudyTrouble::soundLost
+                            ? tr("The sound device went away. Please call the experimenter.")
+                            : tr("The force sensor went away. Please call the experimenter.");
+  tell(noted ? words : sentenceOf(noted.failure()));
 }
 
 void StudyWindow::keyPressEvent(QKeyEvent* event) {

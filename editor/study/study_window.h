@@ -52,6 +52,8 @@ class StudyWindow : public QWidget {
   void showTrial();
   void pressChoice(std::size_t choice);
   void pressX();
+  void feel(std::size_t slot);
+  QString unfeltWords() const;
   void mark(const QPushButton* underFinger);
   void answer(std::size_t choice);
   void stopForGood();

@@ -5670,8 +5670,20 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Ihre Antwort ist noch nicht festgehalten. %1 Dann antworten Sie noch einmal.</translation>
     </message>
     <message>
-        <source>The sound device is back. This question begins anew.</source>
-        <translation>Das Audiogerät ist wieder da. Diese Frage beginnt von vorn.</translation>
+        <source>%1 (not to the end yet)</source>
+        <translation>%1 (noch nicht bis zum Ende)</translation>
+    </message>
+    <message>
+        <source>First press to the end and let go: %1.</source>
+        <translation>Erst bis zum Ende drücken und loslassen: %1.</translation>
+    </message>
+    <message>
+        <source>It is back. This question begins anew.</source>
+        <translation>Es geht wieder. Diese Frage beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>The force sensor went away. Please call the experimenter.</source>
+        <translation>Der Kraftsensor liefert nichts mehr. Bitte rufen Sie die Versuchsleitung.</translation>
     </message>
     <message>
         <source>The sound device went away. Please call the experimenter.</source>

@@ -128,9 +128,16 @@ TEST_CASE("study: a masked trial at a terminal: rain on the second output, answe
     CHECK(study.shows("press them first", 3));
     for (int trial = 1; trial <= 2; ++trial) {
       const std::size_t from = study.screen().size();
-      study.type("12x");
+      study.type("12x");  // too quick to be felt: the finger has not come up between
       CHECK(study.shows(" X", 3, from));
       study.type("a");
+      CHECK(study.shows("press them first", 3, from));
+      for (const char* key : {"1", "2", "x"}) {
+        sleepUntil(now_s() + 0.6);
+        study.type(key);
+      }
+      sleepUntil(now_s() + 0.6);
+      study.type("A");  // Caps Lock
       CHECK(study.shows("Trial " + std::to_string(trial + 1), 3, from));
     }
     study.type("\x03");

@@ -119,6 +119,7 @@ void addNew(CLI::App& parent, Action& chosen) {
 
 struct RunArguments {
   std::string folder, participant, simulation;
+  std::string condition;  ///< empty: as in the journal
   Listening listening = Listening::quiet;
   StudyDevices devices;
   bool json = false;
@@ -161,10 +162,13 @@ int simulate(const RunArguments& a, const Study& study, const Cancelled& cancell
   return reportProgress(a, session->record());
 }
 
-int runRun(const RunArguments& a, const Cancelled& cancelled) {
+int runRun(RunArguments a, const Cancelled& cancelled) {
   Result<Study> study = openStudy(a.folder);
   if (!study) return fail(study.failure());
   if (Result<Done> ok = checkParticipantId(a.participant); !ok) return fail(ok.failure());
+  a.listening = listeningOf(*study, a.participant,
+                            a.condition.empty() ? std::optional<Listening>() : listenings.at(a.condition));
+  if (a.listening == Listening::quiet) a.devices.player.masking = {};
   if (Result<Done> ok = checkStimuli(*study); !ok) return fail(ok.failure());
   if (!a.simulation.empty()) return simulate(a, *study, cancelled);
   Result<ParticipantRecord> record =
@@ -179,8 +183,11 @@ void addRun(CLI::App& parent, Action& chosen) {
   app->add_option("DIR", a->folder, "Folder of the study")->required();
   app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
   app->add_option("--simulate", a->simulation, "The program answers: guess, perfect or errors=P (0..1)");
-  addChoice(*app, "--condition", a->listening, listenings,
-            "What reaches the ears, kept in every row: silence, or rain from headphones", "quiet");
+  app->add_option("--condition", a->condition,
+                  "What reaches the ears, kept in every row: quiet, or masked by rain from headphones. The "
+                  "same for all of a "
+                  "participant's trials; default: as so far, quiet at first")
+      ->check(CLI::IsMember({"quiet", "masked"}));
   app->add_option("--noise-level", a->devices.player.masking.level,
                   "masked: rms of the rain, share of full scale, 0..0.3; 0: you play a noise yourself")
       ->default_str(CLI::detail::to_string(usualNoiseLevel))
@@ -193,16 +200,13 @@ void addRun(CLI::App& parent, Action& chosen) {
   addSensorOptions(*app, a->devices.sensor);
   app->add_flag("--json", a->json, "One JSON object on stdout");
   a->devices.player.masking.level = usualNoiseLevel;
-  app->callback([&chosen, a] {
-    if (a->listening == Listening::quiet) a->devices.player.masking = {};
-    chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); };
-  });
+  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runRun(*a, cancelled); }; });
 }
 
 // ---- status, report
 
 struct ReadArguments {
-  std::string folder, htmlFile, csvFile, bidsFolder;
+  std::string folder, htmlFile, csvFile, feltFile, bidsFolder;
   bool json = false;
 };
 
@@ -215,6 +219,7 @@ Json jsonOf(const ParticipantRecord& record) {
           {"next_trial", next != nullptr ? Json(next->number) : Json(nullptr)},
           {"kind", record.sessions.empty() ? "none" : nameOf(record.sessions.back().kind)},
           {"ended_early", record.endedEarly},
+          {"unreadable", record.damage ? Json(record.damage->sentence()) : Json(nullptr)},
           {"notes", record.notes}};
 }
 
@@ -236,6 +241,10 @@ int runStatus(const ReadArguments& a) {
   std::printf("%s: %s, %zu buttons, %zu trials for each participant\n", study->name.c_str(),
               nameOf(study->design.kind), study->buttons.size(), countedTrials(*study));
   for (const ParticipantRecord& record : *records) {
+    if (record.damage) {
+      std::printf("  %-16s %s\n", record.participant.c_str(), record.damage->sentence().c_str());
+      continue;
+    }
     std::printf("  %-16s %zu of %zu%s%s\n", record.participant.c_str(), record.answers.size(),
                 record.plan.size(),
                 record.complete()   ? ", complete"
@@ -274,6 +283,10 @@ int runReport(const ReadArguments& a) {
     if (Result<Done> ok = writeTextFileAtomically(a.csvFile, resultsCsv(*results)); !ok)
       return fail(ok.failure());
   }
+  if (!a.feltFile.empty()) {
+    if (Result<Done> ok = writeTextFileAtomically(a.feltFile, feltCsv(*results)); !ok)
+      return fail(ok.failure());
+  }
   if (!a.bidsFolder.empty()) {
     if (Result<Done> ok = writeBids(*results, a.bidsFolder); !ok) return fail(ok.failure());
   }
@@ -299,6 +312,8 @@ void addReading(CLI::App& parent, Action& chosen) {
   }
   report->add_option("-o,--output", a->htmlFile, "One HTML page with the tables and pictures");
   report->add_option("--csv", a->csvFile, "One row for each trial");
+  report->add_option("--felt-csv", a->feltFile,
+                     "One row for each trial and stimulus: presses, force in N, travel in mm");
   report->add_option("--bids", a->bidsFolder, "Folder for BIDS events");
   status->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runStatus(*a); }; });
   report->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runReport(*a); }; });

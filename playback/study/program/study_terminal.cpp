@@ -67,19 +67,26 @@ class Desk {
  private:
   Result<Outcome> ask(RawTerminal& terminal) {
     const Trial& trial = *session_.trial();
+    if (trial.breakBefore && !rested(terminal)) return Outcome::paused;
     TrialDesk desk(study_, trial, began_s_, now_s());
+    player_.beginTrial();
     show(desk);
-    player_.lostSinceAsked();
+    player_.troubleSinceAsked();
     for (;;) {
       if (cancelled_()) return Outcome::paused;
-      if (player_.lostSinceAsked()) {
-        if (Result<Done> ok = session_.interrupted("sound device lost"); !ok) return ok.failure();
-        std::fprintf(stderr, "\nThe sound device went away. This trial begins anew.\n");
-        while (player_.lostSinceAsked() && !cancelled_()) sleepUntil(now_s() + look_s);
+      if (const StudyTrouble trouble = player_.troubleSinceAsked(); trouble != StudyTrouble::none) {
+        if (Result<Done> ok = session_.interrupted(nameOf(trouble)); !ok) return ok.failure();
+        std::fprintf(stderr, "\nInterrupted: %s. This trial begins anew.\n", nameOf(trouble));
+        while (player_.troubleSinceAsked() != StudyTrouble::none && !cancelled_())
+          sleepUntil(now_s() + look_s);
         return ask(terminal);
       }
-      const std::optional<char> key = terminal.key(look_s);
-      if (!key) continue;
+      const std::optional<char> typed = terminal.key(look_s);
+      desk.felt(player_.takeFelt());
+      if (!typed) continue;
+      const char letter =
+          *typed >= 'A' && *typed <= 'Z' ? static_cast<char>(*typed - 'A' + 'a') : *typed;  // Caps Lock
+      const std::optional<char> key = letter;
       if (*key == 'p' || *key == 4) return Outcome::paused;  // Ctrl-D
       if (*key == 'q' && confirmed(terminal)) return Outcome::stopped;
       press(desk, *key);
@@ -110,24 +117,35 @@ class Desk {
 
   void press(TrialDesk& desk, char key) {
     const Trial& trial = desk.trial();
-    if (key == 'x' && !desk.physicalTarget()) {
-      player_.press(trial.choices[trial.target], trial.mode);
-      desk.triedX(now_s());
-      std::fprintf(stderr, " X");
-    }
-    const auto choice = static_cast<std::size_t>(key - '1');
-    if (key < '1' || choice >= trial.choices.size()) return;
-    player_.press(trial.choices[choice], trial.mode);
-    desk.triedChoice(choice, now_s());
-    std::fprintf(stderr, " %c", key);
+    const bool x = key == 'x' && !desk.physicalTarget();
+    const std::size_t slot = x ? desk.slotOfX() : static_cast<std::size_t>(key - '1');
+    if (!x && (key < '1' || slot >= trial.choices.size())) return;
+    player_.press(slot, desk.buttonIn(slot), trial.mode);
+    desk.tried(slot, now_s());
+    std::fprintf(stderr, " %c", x ? 'X' : key);
   }
 
   std::optional<std::size_t> answerOf(const TrialDesk& desk, char key) const {
     const auto choice = static_cast<std::size_t>(key - 'a');
     if (key < 'a' || choice >= desk.trial().choices.size()) return {};
     if (desk.mayAnswer()) return choice;
-    std::fprintf(stderr, "  [press them first: an answer needs what it is about]");
+    std::fprintf(stderr, "  [press them first, each to the end and back:");
+    for (std::size_t slot = desk.physicalTarget() ? 1 : 0; slot <= desk.trial().choices.size(); ++slot) {
+      const std::size_t at = slot == 0 ? desk.slotOfX() : slot - 1;
+      if (desk.feltOf(at).whole > 0) continue;
+      std::fprintf(stderr, at == desk.slotOfX() ? " X" : " %zu", at + 1);
+      if (desk.feltOf(at).presses > 0) std::fprintf(stderr, " (not yet to the end)");
+    }
+    std::fprintf(stderr, "]");
     return {};
+  }
+
+  /// The participant rests; any key goes on. False: the program is to end.
+  bool rested(RawTerminal& terminal) const {
+    std::fprintf(stderr, "\nTime for a rest, as long as you like. Any key goes on. ");
+    while (!cancelled_())
+      if (terminal.key(look_s)) return true;
+    return false;
   }
 
   bool confirmed(RawTerminal& terminal) const {
@@ -180,7 +198,8 @@ Result<ParticipantRecord> askParticipant(const Study& study, const std::string& 
                            (*player)->device(),
                            "",
                            wallClock_s(),
-                           noiseLevel};
+                           noiseLevel,
+                           (*player)->route()};
   Result<ParticipantSession> session = ParticipantSession::open(study, participant, start);
   if (!session) return session.failure();
   for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());

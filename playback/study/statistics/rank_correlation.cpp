@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "model/check.h"
+#include "playback/study/statistics/shuffle.h"
 
 namespace detent::playback {
 
@@ -39,6 +40,22 @@ double spearman(const std::vector<double>& x, const std::vector<double>& y) {
     bb += (b[i] - mean) * (b[i] - mean);
   }
   return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
+}
+
+double spearmanP(const std::vector<double>& x, const std::vector<double>& y) {
+  constexpr std::size_t shuffles = 9999;
+  constexpr std::uint64_t seed = 19040115;
+  constexpr double roundOff = 1e-12;
+  const double observed = spearman(x, y);
+  if (observed == 0) return 1;
+  StudyRandom random(seed);
+  std::vector<double> shuffled = y;
+  std::size_t asHigh = 1;  // the observed order is one of them
+  for (std::size_t i = 0; i < shuffles; ++i) {
+    shuffle(shuffled, random);
+    if (spearman(x, shuffled) >= observed - roundOff) ++asHigh;
+  }
+  return static_cast<double>(asHigh) / static_cast<double>(shuffles + 1);
 }
 
 }  // namespace detent::playback

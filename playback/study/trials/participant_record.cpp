@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -48,9 +50,34 @@ std::string labelOf(const Study& study, const Trial& trial, std::size_t choice) 
   return study.buttons[trial.choices[choice]].label;
 }
 
-SessionKind kindNamed(const std::string& name) {
-  if (name == nameOf(SessionKind::simulated)) return SessionKind::simulated;
-  return name == nameOf(SessionKind::rehearsal) ? SessionKind::rehearsal : SessionKind::real;
+/// The value whose name it is; nothing for a name that does not exist.
+template <class Value>
+std::optional<Value> named(const std::string& name, std::initializer_list<Value> values) {
+  for (const Value value : values)
+    if (name == nameOf(value)) return value;
+  return {};
+}
+
+Json jsonOf(const Felt& felt) {
+  return {{"presses", felt.presses},
+          {"whole", felt.whole},
+          {"peak_N", felt.peak_N},
+          {"travel_mm", felt.travel_mm}};
+}
+
+Felt feltFrom(const Json& json) {
+  return {json.at("presses"), json.at("whole"), json.at("peak_N"), json.at("travel_mm")};
+}
+
+Json jsonOf(const StudyRoute& route) {
+  return {
+      {"sensor", route.sensorPort}, {"sensor_calibration", route.sensorCalibration}, {"sound", route.sound}};
+}
+
+StudyRoute routeFrom(const Json& line) {
+  if (!line.contains("route")) return {};  // journals of version 1 before it was kept
+  const Json& json = line.at("route");
+  return {json.at("sensor"), json.at("sensor_calibration"), json.at("sound")};
 }
 
 /// Reads one journal, line by line. Throws nlohmann's exceptions for values of a wrong type.
@@ -59,7 +86,6 @@ class Replay {
   Replay(const Study& study, const std::string& participant, std::string file)
       : study_(study), file_(std::move(file)) {
     record_.participant = participant;
-    record_.plan = planTrials(study, participant);
   }
 
   Result<Done> take(const std::string& line) {
@@ -99,13 +125,23 @@ class Replay {
       return wrong("belongs to another study, or study.json was changed since",
                    "Restore study.json, or move the journal to its own study");
     record_.program = json.at("program");
+    record_.begunBefore = json.value("begun_before", std::size_t{0});
+    record_.plan = planTrials(study_, record_.participant, record_.begunBefore);
     return Done{};
   }
 
   Result<Done> session(const Json& json) {
     SessionStart s;
-    s.kind = kindNamed(json.at("kind"));
-    s.listening = json.at("listening") == nameOf(Listening::masked) ? Listening::masked : Listening::quiet;
+    const auto kind =
+        named(json.at("kind"), {SessionKind::real, SessionKind::rehearsal, SessionKind::simulated});
+    const auto listening = named(json.at("listening"), {Listening::quiet, Listening::masked});
+    if (!kind || !listening)
+      return wrong("knows a session that this program does not: " + jsonText(json.at("kind")) + ", " +
+                       jsonText(json.at("listening")),
+                   "Use the program that wrote it");
+    s.kind = *kind;
+    s.listening = *listening;
+    s.route = routeFrom(json);
     s.device = json.at("device");
     s.simulation = json.at("simulation");
     s.utc_s = json.at("utc_s");
@@ -144,6 +180,10 @@ class Replay {
       return wrong("does not fit the list of trials", "Restore the journal");
     a.replays = json.at("replays").get<std::vector<std::size_t>>();
     a.replaysX = json.at("replays_x");
+    if (json.contains("felt")) {  // not in journals of version 0.2 and before
+      for (const Json& felt : json.at("felt")) a.felt.push_back(feltFrom(felt));
+      a.feltX = feltFrom(json.at("felt_x"));
+    }
     a.onset_s = json.at("onset_s");
     a.firstPress_s = json.at("first_press_s");
     a.answer_s = json.at("answer_s");
@@ -200,35 +240,68 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
   return record;
 }
 
+namespace {
+
+Result<ParticipantRecord> readParticipant(const Study& study, const std::filesystem::path& file) {
+  Result<std::string> text = readTextFile(file.string());
+  if (!text) return text.failure();
+  const JournalText journal = splitJournal(*text);
+  if (Result<Done> ok = checkHead(file, journal.lines); !ok) return ok.failure();
+  return replayJournal(study, file.stem().string(), journal.lines, journal.unfinished, file.string());
+}
+
+}  // namespace
+
+void Felt::add(const Felt& more) {
+  presses += more.presses;
+  whole += more.whole;
+  peak_N = std::max(peak_N, more.peak_N);
+  travel_mm = std::max(travel_mm, more.travel_mm);
+}
+
+bool feltEnough(const Study& study, const Answer& answer) {
+  const auto whole = [](const Felt& felt) { return felt.whole > 0; };
+  if (study.design.targets == TargetKind::virtualButton && !whole(answer.feltX)) return false;
+  return study.design.kind == StudyKind::abx
+             ? answer.felt.size() == 2 && std::all_of(answer.felt.begin(), answer.felt.end(), whole)
+             : std::any_of(answer.felt.begin(), answer.felt.end(), whole);
+}
+
 Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
   const std::filesystem::path folder = study.folder / "participants";
   std::error_code error;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (entry.path().extension() == ".jsonl") files.push_back(entry.path());
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    std::filesystem::path file = entry.path();
+    if (file.extension() == ".head") file.replace_extension(".jsonl");  // a journal that is gone was there
+    if (file.extension() == ".jsonl") files.insert(file);
+  }
   if (error)
     return Failure{FailureCode::unreadableInput, folder.string(), "",
                    "cannot be read (" + error.message() + ")", "Restore the folder"};
-  std::sort(files.begin(), files.end());
   std::vector<ParticipantRecord> records;
   for (const std::filesystem::path& file : files) {
-    Result<std::string> text = readTextFile(file.string());
-    if (!text) return text.failure();
-    const JournalText journal = splitJournal(*text);
-    Result<ParticipantRecord> record =
-        replayJournal(study, file.stem().string(), journal.lines, journal.unfinished, file.string());
-    if (!record) return record.failure();
+    Result<ParticipantRecord> record = readParticipant(study, file);
+    if (!record) {
+      ParticipantRecord damaged;
+      damaged.participant = file.stem().string();
+      damaged.damage = record.failure();
+      record = std::move(damaged);
+    }
     records.push_back(*std::move(record));
   }
   return records;
 }
 
-std::string headerLine(const Study& study, const std::string& participant, std::string& chain) {
+std::string headerLine(const Study& study, const std::string& participant, std::size_t begunBefore,
+                       const StudyRoute& route, std::string& chain) {
   Json buttons = Json::array();
   for (const StudyButton& b : study.buttons) buttons.push_back({{"label", b.label}, {"sha256", b.sha256}});
   return chained({{"format", "detent-study-journal"},
                   {"version", journalVersion},
                   {"participant", participant},
+                  {"begun_before", begunBefore},
+                  {"route", jsonOf(route)},
                   {"study", study.name},
                   {"study_sha256", study.sha256},
                   {"program", version()},
@@ -245,6 +318,7 @@ std::string sessionLine(const SessionStart& s, std::size_t cutBytes, std::string
                   {"device", s.device},
                   {"noise_level", s.noiseLevel},
                   {"simulation", s.simulation},
+                  {"route", jsonOf(s.route)},
                   {"program", version()},
                   {"utc_s", s.utc_s},
                   {"cut_bytes", cutBytes}},
@@ -252,8 +326,9 @@ std::string sessionLine(const SessionStart& s, std::size_t cutBytes, std::string
 }
 
 std::string answerLine(const Study& study, const Trial& trial, const Answer& a, std::string& chain) {
-  Json choices = Json::array();
+  Json choices = Json::array(), felt = Json::array();
   for (std::size_t i = 0; i < trial.choices.size(); ++i) choices.push_back(labelOf(study, trial, i));
+  for (const Felt& each : a.felt) felt.push_back(jsonOf(each));
   return chained({{"event", "answer"},
                   {"trial", trial.number},
                   {"practice", trial.practice},
@@ -264,6 +339,8 @@ std::string answerLine(const Study& study, const Trial& trial, const Answer& a, 
                   {"correct", a.choice == trial.target},
                   {"replays", a.replays},
                   {"replays_x", a.replaysX},
+                  {"felt", felt},
+                  {"felt_x", jsonOf(a.feltX)},
                   {"onset_s", a.onset_s},
                   {"first_press_s", a.firstPress_s},
                   {"answer_s", a.answer_s}},
@@ -276,6 +353,34 @@ std::string interruptionLine(const Trial& trial, const std::string& reason, std:
 
 std::string endLine(const std::string& reason, std::string& chain) {
   return chained({{"event", "end"}, {"reason", reason}}, chain);
+}
+
+std::filesystem::path headFileOf(const std::filesystem::path& journal) {
+  std::filesystem::path head = journal;
+  return head.replace_extension(".head");
+}
+
+Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, const std::string& chain) {
+  return writeTextFileAtomically(headFileOf(journal).string(), std::to_string(lines) + " " + chain + "\n");
+}
+
+Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<std::string>& lines) {
+  const std::filesystem::path file = headFileOf(journal);
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return Done{};
+  const Result<std::string> text = readTextFile(file.string());
+  if (!text) return text.failure();
+  std::istringstream head(*text);
+  std::size_t count = 0;
+  std::string chain;
+  head >> count >> chain;
+  if (count <= lines.size() &&
+      chainAfter({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count)}) == chain)
+    return Done{};
+  return Failure{
+      FailureCode::unreadableInput, journal.string(), "",
+      "held " + std::to_string(count) + " lines when it was last written, and these are not all there",
+      "Restore the journal from a copy"};
 }
 
 std::string chainAfter(const std::vector<std::string>& lines) {

@@ -24,6 +24,13 @@ enum class Listening : std::uint8_t { quiet, masked };
 const char* nameOf(SessionKind kind);
 const char* nameOf(Listening listening);
 
+/// What presses, and through what it is felt; as the device says it. Kept in the journal's first line and with every stretch.
+struct StudyRoute {
+  std::string sensorPort;         ///< empty: keys and large buttons press
+  std::string sensorCalibration;  ///< "100 g = 0.98 N ..." in one line; empty without a sensor
+  std::string sound;              ///< "DEVICE, 48000 Hz, 256 frames"; empty in rehearsal and simulation
+};
+
 /// One stretch of work without a pause.
 struct SessionStart {
   SessionKind kind = SessionKind::real;
@@ -32,6 +39,17 @@ struct SessionStart {
   std::string simulation;  ///< "guess", "perfect", "errors=0.1"; else empty
   double utc_s = 0;        ///< wall clock, since 1970
   double noiseLevel = 0;   ///< of the masking noise made here, rms share of full scale; 0: none was made
+  StudyRoute route{};
+};
+
+/// What a participant did with one stimulus in one trial, as the sensor (or the key that presses) says.
+struct Felt {
+  std::size_t presses = 0;  ///< begun
+  std::size_t whole = 0;    ///< of those, pressed through, let go, and played
+  double peak_N = 0;        ///< of all presses
+  double travel_mm = 0;     ///< deepest of all presses
+
+  void add(const Felt& more);
 };
 
 /// One answer. Times are of a steady clock, which never steps.
@@ -40,6 +58,8 @@ struct Answer {
   std::size_t choice = 0;            ///< index into Trial::choices
   std::vector<std::size_t> replays;  ///< of each choice
   std::size_t replaysX = 0;
+  std::vector<Felt> felt;   ///< of each choice
+  Felt feltX;               ///< nothing where X is a real switch
   double onset_s = 0;       ///< from the start of this stretch to the trial's first sight
   double firstPress_s = 0;  ///< from there to the first press of anything
   double answer_s = 0;      ///< from there to the answer
@@ -57,7 +77,10 @@ struct RecordedAnswer {
 /// The state of a participant: the replay of the journal.
 struct ParticipantRecord {
   std::string participant;
-  std::string program;  ///< that began it
+  std::string program;          ///< that began it
+  std::size_t begunBefore = 0;  ///< participants who began before: see planTrials
+  /// Why the journal cannot be used; then there is no plan and no answer.
+  std::optional<Failure> damage;
   std::vector<Trial> plan;
   std::vector<SessionStart> sessions;
   std::vector<RecordedAnswer> answers;  ///< answers[i] is of plan[i]
@@ -66,7 +89,7 @@ struct ParticipantRecord {
   std::string endReason;
   std::vector<std::string> notes;  ///< what a reader must know: cut lines, clocks that disagree
 
-  bool complete() const { return answers.size() >= plan.size(); }
+  bool complete() const { return !damage && answers.size() >= plan.size(); }
   /// The trial that comes next; none when complete or ended early (until another session goes on).
   const Trial* next() const;
 };
@@ -77,15 +100,27 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
                                         const std::vector<std::string>& lines, const std::string& unfinished,
                                         const std::string& file);
 
-/// All participants of a study by id; journals are read while they are written, too.
+/// All participants of a study by id; journals are read while they are written, too. One that cannot be used costs that person only:
+/// see ParticipantRecord::damage.
 Result<std::vector<ParticipantRecord>> readParticipants(const Study& study);
 
+/// Whether an answer was felt: X and, in abx, both others pressed through; in matching at least one other.
+bool feltEnough(const Study& study, const Answer& answer);
+
 /// The one place that words journal lines. `chain` is the hash so far and is moved on.
-std::string headerLine(const Study& study, const std::string& participant, std::string& chain);
+std::string headerLine(const Study& study, const std::string& participant, std::size_t begunBefore,
+                       const StudyRoute& route, std::string& chain);
 std::string sessionLine(const SessionStart& session, std::size_t cutBytes, std::string& chain);
 std::string answerLine(const Study& study, const Trial& trial, const Answer& answer, std::string& chain);
 std::string interruptionLine(const Trial& trial, const std::string& reason, std::string& chain);
 std::string endLine(const std::string& reason, std::string& chain);
+
+/// What the journal held when it was last written, beside it: a journal whose end was cut off or that was emptied is noticed. Written after the
+/// journal; a crash between leaves it behind by a line.
+std::filesystem::path headFileOf(const std::filesystem::path& journal);
+Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, const std::string& chain);
+/// Failure unreadableInput: the journal holds less than it held. Without a head nothing is known.
+Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<std::string>& lines);
 
 /// The hash after those lines.
 std::string chainAfter(const std::vector<std::string>& lines);

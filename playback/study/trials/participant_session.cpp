@@ -19,7 +19,28 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
     return Failure{FailureCode::wrongUsage, Subject::option("--participant"), record.participant,
                    simulated ? "was simulated so far" : "is a person's so far", "Give another id"};
   }
+  if (!record.sessions.empty() && record.sessions.back().listening != start.listening)
+    return Failure{FailureCode::wrongUsage, Subject::option("--condition"), record.participant,
+                   std::string("has listened \"") + nameOf(record.sessions.back().listening) +
+                       "\" so far, not \"" + nameOf(start.listening) + "\"",
+                   "Go on in the same condition, or give another id"};
   return Done{};
+}
+
+/// Journals of other participants. Failure: one of them has an id that sounds the same.
+Result<std::size_t> othersIn(const Study& study, const std::string& participant) {
+  std::size_t others = 0;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(study.folder / "participants", error)) {
+    const std::string id = entry.path().stem().string();
+    if (entry.path().extension() != ".jsonl" || id == participant) continue;
+    ++others;
+    if (spokenId(id) == spokenId(participant))
+      return Failure{FailureCode::wrongUsage, Subject::option("--participant"), participant,
+                     "is too like \"" + id + "\", who is in the study already",
+                     "Give an id that is read out differently"};
+  }
+  return others;
 }
 
 }  // namespace
@@ -27,18 +48,27 @@ Result<Done> checkKind(const ParticipantRecord& record, const SessionStart& star
 Result<ParticipantSession> ParticipantSession::open(const Study& study, const std::string& participant,
                                                     const SessionStart& start) {
   if (Result<Done> ok = checkParticipantId(participant); !ok) return ok.failure();
+  const Result<std::size_t> others = othersIn(study, participant);
+  if (!others) return others.failure();
   const std::filesystem::path file = study.folder / "participants" / (participant + ".jsonl");
   Result<LineJournal> journal = LineJournal::open(file);
   if (!journal) return journal.failure();
   const JournalText text = journal->opened();
+  if (Result<Done> ok = checkHead(file, text.lines); !ok) return ok.failure();
   Result<ParticipantRecord> record = replayJournal(study, participant, text.lines, {}, file.string());
   if (!record) return record.failure();
+  if (text.lines.empty()) {
+    record->begunBefore = *others;
+    record->plan = planTrials(study, participant, *others);
+  }
   if (Result<Done> ok = checkKind(*record, start); !ok) return ok.failure();
   ParticipantSession session(study, *std::move(journal), *std::move(record));
   session.chain_ = chainAfter(text.lines);
+  session.file_ = file;
+  session.lines_ = text.lines.size();
   if (text.lines.empty()) {
     std::string chain = session.chain_;
-    const std::string line = headerLine(study, participant, chain);
+    const std::string line = headerLine(study, participant, *others, start.route, chain);
     if (Result<Done> ok = session.append(line, chain); !ok) return ok.failure();
   }
   if (session.record_.complete()) return session;
@@ -52,7 +82,11 @@ Result<ParticipantSession> ParticipantSession::open(const Study& study, const st
 
 Result<Done> ParticipantSession::append(const std::string& line, const std::string& chain) {
   Result<Done> written = journal_.append(line);
-  if (written) chain_ = chain;
+  if (!written) return written;
+  chain_ = chain;
+  (void)writeHead(
+      file_, ++lines_,
+      chain_);  // the answer is kept: a head that is behind costs nothing but what it would notice
   return written;
 }
 
@@ -61,6 +95,10 @@ Result<Done> ParticipantSession::record(const Answer& answer) {
   if (shown == nullptr || answer.trial != shown->number || answer.choice >= shown->choices.size())
     return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
                    "is not the trial that is asked", "Answer the trial that is shown"};
+  if (record_.sessions.back().kind == SessionKind::real && !feltEnough(*study_, answer))
+    return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
+                   "is about something that was not felt",
+                   "Press X and what it is compared with to the end, then answer"};
   std::string chain = chain_;
   const std::string line = answerLine(*study_, *shown, answer, chain);
   if (Result<Done> ok = append(line, chain); !ok) return ok;
@@ -87,6 +125,16 @@ Result<Done> ParticipantSession::end(const std::string& reason) {
   record_.endedEarly = !record_.complete();
   record_.endReason = reason;
   return Done{};
+}
+
+Listening listeningOf(const Study& study, const std::string& participant,
+                      const std::optional<Listening>& asked) {
+  if (asked) return *asked;
+  if (const Result<std::vector<ParticipantRecord>> records = readParticipants(study))
+    for (const ParticipantRecord& record : *records)
+      if (record.participant == participant && !record.sessions.empty())
+        return record.sessions.back().listening;
+  return Listening::quiet;
 }
 
 Result<Simulation> simulationNamed(const std::string& name) {
@@ -119,6 +167,8 @@ Answer simulatedAnswer(const Study& study, const std::string& participant, const
   }
   answer.replays.assign(choices, 1);
   answer.replaysX = 1;
+  answer.felt.assign(choices, {1, 1, 0, 0});
+  answer.feltX = {1, 1, 0, 0};
   answer.answer_s = quickest_s + (slowest_s - quickest_s) * drawShare(random);
   answer.firstPress_s = answer.answer_s / 4;
   answer.onset_s = static_cast<double>(trial.number - 1) * (quickest_s + slowest_s) / 2;

@@ -11,8 +11,8 @@ namespace detent::playback {
 class ParticipantSession {
  public:
   /// Begins or resumes the participant's journal. Failure unreadableInput: see replayJournal and
-  /// LineJournal::open; wrongUsage: the id, or an answer of a person would follow a simulated one (or the
-  /// other way round) in one journal.
+  /// LineJournal::open; wrongUsage: the id, also one that sounds like another's; an answer of a person would follow a simulated one
+  /// (or the other way round) in one journal; or the participant listened otherwise before.
   static Result<ParticipantSession> open(const Study& study, const std::string& participant,
                                          const SessionStart& start);
 
@@ -20,9 +20,10 @@ class ParticipantSession {
   /// The trial to be shown; null when all are answered.
   const Trial* trial() const { return record_.next(); }
 
-  /// Written and synced; on Failure (full disk) nothing has changed and the same answer may be given again.
+  /// Written and synced; on Failure (full disk; a person's answer to what was not felt) nothing has changed and the same answer
+  /// may be given again.
   Result<Done> record(const Answer& answer);
-  /// The device was lost during the trial: it is shown anew, and marked.
+  /// Sound or sensor were lost during the trial: it is shown anew, and marked.
   Result<Done> interrupted(const std::string& reason);
   /// The participant stops for good, or all is answered.
   Result<Done> end(const std::string& reason);
@@ -35,8 +36,14 @@ class ParticipantSession {
   const Study* study_;
   LineJournal journal_;
   ParticipantRecord record_;
+  std::filesystem::path file_;
+  std::size_t lines_ = 0;
   std::string chain_;
 };
+
+/// What a participant listens to: as asked, else as in their journal, else in quiet.
+Listening listeningOf(const Study& study, const std::string& participant,
+                      const std::optional<Listening>& asked);
 
 /// How the program answers in a person's place.
 struct Simulation {

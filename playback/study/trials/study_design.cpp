@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int studyVersion = 1;
+constexpr int studyVersion = 2;  // 1: see planTrials
 constexpr double stimulusRate_Hz = 48000;
 constexpr std::size_t mostTrials = 1000, mostPractice = 100, mostButtons = 64;
 constexpr const char* buttonEnding = ".button.json";
@@ -103,10 +103,11 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
   Study study;
   if (json.at("format") != "detent-study")
     return unreadable(file, "is not a study", "Name a folder made by detent-play study new");
-  if (const int version = json.at("version"); version != studyVersion)
+  study.version = json.at("version");
+  if (study.version < 1 || study.version > studyVersion)
     return unreadable(file,
-                      "is a study of version " + std::to_string(version) + ", this program knows " +
-                          std::to_string(studyVersion),
+                      "is a study of version " + std::to_string(study.version) +
+                          ", this program knows 1 to " + std::to_string(studyVersion),
                       "Use the program that made it");
   if (json.at("generator") != generatorName)
     return unreadable(file, "was shuffled by " + jsonText(json.at("generator")),
@@ -169,6 +170,16 @@ Result<Done> readParts(Study& study, const Json& json) {
                         "Restore the file as it was made");
     study.stimuli.push_back(
         {static_cast<std::size_t>(at - study.buttons.begin()), *mode, entry.at("sha256")});
+  }
+  for (const FeedbackMode mode : study.design.modes) {
+    for (std::size_t b = 0; b < study.buttons.size(); ++b) {
+      if (std::none_of(study.stimuli.begin(), study.stimuli.end(),
+                       [&](const StudyStimulus& s) { return s.button == b && s.mode == mode; }))
+        return unreadable(
+            study.folder / "study.json",
+            "does not say how button \"" + study.buttons[b].label + "\" feels (" + nameOf(mode) + ")",
+            "Restore the file as it was made");
+    }
   }
   return Done{};
 }
@@ -244,6 +255,17 @@ Result<Done> checkParticipantId(const std::string& id) {
                "Give 1 to 32 letters, digits, - or _, such as P01; no name of a person");
 }
 
+std::string spokenId(const std::string& id) {
+  std::string spoken;
+  for (const char c : id) {
+    if (c == '-' || c == '_') continue;
+    const bool number = !spoken.empty() && spoken.back() >= '0' && spoken.back() <= '9';
+    if (c == '0' && !number) continue;  // leading zeros of a number
+    spoken += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  }
+  return spoken;
+}
+
 Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
   if (buttons < 2)
     return wrong("study", "has " + std::to_string(buttons) + " button", "Name at least two button files");
@@ -281,6 +303,7 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
   Study study;
   study.folder = folder;
   study.program = version();
+  study.version = studyVersion;
   study.design = design;
   if (Result<Done> ok = readButtons(study, buttonFiles); !ok) return ok.failure();
   if (!profileFile.empty()) {

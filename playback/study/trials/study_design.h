@@ -58,6 +58,7 @@ struct Study {
   std::string name;     ///< the folder's
   std::string sha256;   ///< of study.json
   std::string program;  ///< version that made it
+  int version = 0;      ///< of study.json; how lists of trials are made hangs on it
   StudyDesign design;
   std::vector<StudyButton> buttons;
   std::optional<DeviceProfile> profile;
@@ -73,6 +74,8 @@ std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t buttons);
 
 /// A participant's id: 1 to 32 of a-z A-Z 0-9 - _, so that it names a file and no person.
 Result<Done> checkParticipantId(const std::string& id);
+/// What remains of an id for reading it out: P-1, P_1, p1 and P01 are one person.
+std::string spokenId(const std::string& id);
 
 /// Range checks of a design for so many buttons. Failure wrongUsage names the value.
 Result<Done> checkDesign(const StudyDesign& design, std::size_t buttons);

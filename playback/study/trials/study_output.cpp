@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/study/trials/study_output.h"
 
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 
@@ -44,17 +45,36 @@ std::string seconds(double s) { return formatted("%.6f", s); }
 
 std::string intervalText(const Interval& i) { return formatted("%.1f-%.1f", 100 * i.low, 100 * i.high); }
 
+/// Labels of at most `width` bytes that still differ: those that would come out alike get a number.
+std::vector<std::string> shortened(const std::vector<std::string>& labels, std::size_t width) {
+  const auto cut = [](const std::string& text, std::size_t length) {
+    while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;  // no half letter
+    return text.substr(0, length);
+  };
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    std::string name = cut(labels[i], width);
+    const auto alike = [&](const std::string& other) { return cut(other, width) == name; };
+    if (std::count_if(labels.begin(), labels.end(), alike) > 1) {
+      const std::string number = "~" + std::to_string(i + 1);
+      name = cut(labels[i], width - number.size()) + number;
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
 std::string table1(const StudyResults& results) {
   std::string text = "Table 1. Summary\n";
   for (const GroupResult& g : results.groups) {
     text += formatted("  %-24s %zu participant%s, avg. time %.1f min (SD %.1f)\n", g.condition.c_str(),
                       g.participantCount, g.participantCount == 1 ? "" : "s", g.meanTime_min, g.sdTime_min);
-    text += formatted("  %-24s errors %zu / %zu (%.2f %%), Wilson %s, Clopper-Pearson %s, participants %s\n",
-                      "", g.errors.errors, g.errors.trials, 100 * rateOf(g.errors),
-                      intervalText(g.wilson).c_str(), intervalText(g.clopperPearson).c_str(),
-                      g.bootstrap ? intervalText(*g.bootstrap).c_str() : "n/a");
+    text += formatted(
+        "    errors %zu / %zu (%.2f %%): Wilson %s, Clopper-Pearson %s,\n    participants resampled %s\n",
+        g.errors.errors, g.errors.trials, 100 * rateOf(g.errors), intervalText(g.wilson).c_str(),
+        intervalText(g.clopperPearson).c_str(), g.bootstrap ? intervalText(*g.bootstrap).c_str() : "n/a");
     if (g.fails.trials > 0)
-      text += formatted("  %-24s ABX tests failed %zu / %zu (%.2f %%), Wilson %s\n", "", g.fails.errors,
+      text += formatted("    ABX tests failed %zu / %zu (%.2f %%), Wilson %s\n", g.fails.errors,
                         g.fails.trials, 100 * rateOf(g.fails), intervalText(wilson(g.fails)).c_str());
   }
   return text;
@@ -68,12 +88,13 @@ const PairResult* pairOf(const GroupResult& group, std::size_t first, std::size_
 
 std::string table2(const StudyResults& results, const GroupResult& group) {
   std::string text = "Table 2, " + group.condition +
-                     ". Errors by all participants (* one failed, ** more)\n" + std::string(10, ' ');
+                     "\n  errors by all participants (* one failed, ** more)\n" + std::string(10, ' ');
   const std::size_t n = results.labels.size();
-  for (std::size_t i = 0; i + 1 < n; ++i) text += formatted("%8.7s", results.labels[i].c_str());
+  const std::vector<std::string> names = shortened(results.labels, 7);
+  for (std::size_t i = 0; i + 1 < n; ++i) text += formatted("%8s", names[i].c_str());
   text += "\n";
   for (std::size_t second = 1; second < n; ++second) {
-    text += formatted("  %-8.8s", results.labels[second].c_str());
+    text += formatted("  %-8s", names[second].c_str());
     for (std::size_t first = 0; first < second; ++first) {
       const PairResult* pair = pairOf(group, first, second);
       text += formatted("%8s",
@@ -85,26 +106,53 @@ std::string table2(const StudyResults& results, const GroupResult& group) {
 }
 
 std::string pairLines(const StudyResults& results, const GroupResult& group) {
-  std::string text =
-      "  pair               errors   rate %   Wilson 95 %   d' differencing   d' independent   fails\n";
+  const std::vector<std::string> names = shortened(results.labels, 8);
+  std::string text = "  pair                 errors rate %  Wilson 95 % d' differ. (low)  indep. fails\n";
+  bool half = false;
   for (const PairResult& pair : group.pairs) {
-    const std::string name = results.labels[pair.first] + "-" + results.labels[pair.second];
-    const char* bound = pair.sensitivity.atLeast ? ">=" : "  ";
-    text += formatted("  %-16.16s %5zu/%-4zu  %5.1f   %11s   %13s%.2f   %12s%.2f   %5s\n", name.c_str(),
+    const std::string name = names[pair.first] + "-" + names[pair.second];
+    const Sensitivity& s = pair.sensitivity;
+    half |= s.noError;
+    text += formatted("  %-17s %4zu/%-5zu %5.1f  %11s %s%7.2f (%.2f)  %6.2f %5s\n", name.c_str(),
                       pair.errors.errors, pair.errors.trials, 100 * rateOf(pair.errors),
-                      intervalText(pair.wilson).c_str(), bound, pair.sensitivity.differencing, bound,
-                      pair.sensitivity.independent,
-                      pair.failCount ? std::to_string(*pair.failCount).c_str() : "-");
+                      intervalText(pair.wilson).c_str(), s.noError ? "~" : " ", s.differencing, s.low,
+                      s.independent, pair.failCount ? std::to_string(*pair.failCount).c_str() : "-");
+  }
+  if (half) text += "  ~ no error was made: what half an error gives; in brackets what 97.5 % are above\n";
+  return text;
+}
+
+std::string pairName(const StudyResults& results, std::size_t pair) {
+  const auto [first, second] = pairsOf(results.labels.size())[pair];
+  return results.labels[first] + "-" + results.labels[second];
+}
+
+std::string comparisonLines(const StudyResults& results) {
+  std::string text = "Conditions against each other (p two-sided; Holm over all, then over all pairs)\n";
+  for (const GroupComparison& c : results.comparisons) {
+    if (!c.pair) {
+      text += "  " + c.first + " - " + c.second + "\n";
+    }
+    text += formatted("    %-24.24s %+6.2f %% errors",
+                      c.pair ? pairName(results, *c.pair).c_str() : "all trials", 100 * c.difference);
+    if (c.interval) text += formatted(" (%+.1f to %+.1f)", 100 * c.interval->low, 100 * c.interval->high);
+    text += formatted(", p = %.4f, Holm %.4f\n", c.p, c.adjusted);
+    if (!c.pair)
+      text += formatted("    %s, %zu participants\n",
+                        c.paired ? "the same people in both: signs of persons flipped"
+                                 : "other people in each: participants permuted",
+                        c.participants);
   }
   return text;
 }
 
 std::string confusionTable(const StudyResults& results, const GroupResult& group) {
   std::string text = "Matches, " + group.condition + " (rows: X, columns: answer)\n" + std::string(10, ' ');
-  for (const std::string& label : results.labels) text += formatted("%8.7s", label.c_str());
+  const std::vector<std::string> names = shortened(results.labels, 7);
+  for (const std::string& name : names) text += formatted("%8s", name.c_str());
   text += "\n";
   for (std::size_t x = 0; x < group.confusion.size(); ++x) {
-    text += formatted("  %-8.8s", results.labels[x].c_str());
+    text += formatted("  %-8s", names[x].c_str());
     for (const std::size_t count : group.confusion[x]) text += formatted("%8zu", count);
     text += "\n";
   }
@@ -124,17 +172,21 @@ Json jsonOf(const StudyResults& results, const GroupResult& g) {
                        {"discriminates", t.discriminates},
                        {"p", t.p},
                        {"p_holm", t.adjusted}});
-    pairs.push_back({{"a", results.labels[p.first]},
-                     {"b", results.labels[p.second]},
-                     {"errors", p.errors.errors},
-                     {"trials", p.errors.trials},
-                     {"wilson", jsonOf(p.wilson)},
-                     {"clopper_pearson", jsonOf(p.clopperPearson)},
-                     {"d_prime_differencing", p.sensitivity.differencing},
-                     {"d_prime_independent", p.sensitivity.independent},
-                     {"d_prime_at_least", p.sensitivity.atLeast},
-                     {"fails", p.failCount ? Json(*p.failCount) : Json(nullptr)},
-                     {"tests", tests}});
+    pairs.push_back(
+        {{"a", results.labels[p.first]},
+         {"b", results.labels[p.second]},
+         {"errors", p.errors.errors},
+         {"trials", p.errors.trials},
+         {"wilson", jsonOf(p.wilson)},
+         {"clopper_pearson", jsonOf(p.clopperPearson)},
+         {"d_prime_differencing", p.sensitivity.noError ? p.sensitivity.low : p.sensitivity.differencing},
+         {"d_prime_independent",
+          p.sensitivity.noError ? p.sensitivity.lowIndependent : p.sensitivity.independent},
+         {"d_prime_at_least", p.sensitivity.noError},
+         {"d_prime_low", p.sensitivity.low},
+         {"d_prime_estimate", p.sensitivity.differencing},
+         {"fails", p.failCount ? Json(*p.failCount) : Json(nullptr)},
+         {"tests", tests}});
   }
   return {{"condition", g.condition},
           {"participants", g.participantCount},
@@ -207,6 +259,23 @@ std::string resultsCsv(const StudyResults& results) {
   return text;
 }
 
+std::string feltCsv(const StudyResults& results) {
+  std::string text = "study,participant,trial,stimulus,button,presses,whole,peak_N,travel_mm,condition\n";
+  for (const TrialRow& r : results.rows) {
+    for (std::size_t i = 0; i < r.felt.size(); ++i) {
+      const bool x = i == r.choices.size();
+      const Felt& felt = r.felt[i];
+      for (const std::string& field : {results.study, r.participant, std::to_string(r.trial),
+                                       x ? std::string("x") : std::to_string(i + 1), x ? r.x : r.choices[i],
+                                       std::to_string(felt.presses), std::to_string(felt.whole),
+                                       exact(felt.peak_N), exact(felt.travel_mm)})
+        text += csvField(field) + ",";
+      text += csvField(r.condition) + "\n";
+    }
+  }
+  return text;
+}
+
 Result<Done> writeBids(const StudyResults& results, const std::filesystem::path& folder) {
   if (Result<Done> ok = makeFolder(folder); !ok) return ok;
   const std::string task = taskName(results);
@@ -214,11 +283,28 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
                      {"BIDSVersion", "1.8.0"},
                      {"DatasetType", "raw"},
                      {"GeneratedBy", Json::array({{{"Name", "Detent"}, {"Version", version()}}})}};
-  const Json columns{{"onset", {{"Description", "when the trial was shown"}, {"Units", "s"}}},
-                     {"duration", {{"Description", "from there to the answer"}, {"Units", "s"}}},
-                     {"first_press", {{"Description", "from onset to the first press"}, {"Units", "s"}}},
-                     {"correct", {{"Description", "1: the answer is X"}}},
-                     {"condition", {{"Description", "simulated, rehearsal: no person felt anything"}}}};
+  Json columns{{"onset", {{"Description", "when the trial was shown"}, {"Units", "s"}}},
+               {"duration", {{"Description", "from there to the answer"}, {"Units", "s"}}},
+               {"first_press", {{"Description", "from onset to the first press"}, {"Units", "s"}}},
+               {"correct", {{"Description", "1: the answer is X"}}},
+               {"condition", {{"Description", "simulated, rehearsal: no person felt anything"}}}};
+  for (const auto& [column, words] :
+       {std::pair{"trial_type", "kind of question: abx or matching"},
+        {"trial", "number within the participant, from 1, practice not counted"},
+        {"pair", "the two buttons compared; matching: the button X was"},
+        {"alpha", "button offered first; n/a in matching"},
+        {"beta", "button offered second; n/a in matching"},
+        {"x", "button that X was"},
+        {"answer", "button that was said to be X"},
+        {"replays_alpha", "times alpha was asked for; matching: all choices together"},
+        {"replays_beta", "times beta was asked for"},
+        {"replays_x", "times X was asked for"}})
+    columns[column] = {{"Description", words}};
+  const Json people{{"study_id", {{"Description", "the participant's id in the study"}}}};
+  if (Result<Done> ok =
+          writeTextFileAtomically((folder / "participants.json").string(), jsonText(people, 2) + "\n");
+      !ok)
+    return ok;
   if (Result<Done> ok = writeTextFileAtomically((folder / "dataset_description.json").string(),
                                                 jsonText(dataset, 2) + "\n");
       !ok)
@@ -254,9 +340,7 @@ std::string resultsText(const StudyResults& results) {
     if (!group.pairs.empty()) text += "\n" + table2(results, group) + "\n" + pairLines(results, group);
     if (!group.confusion.empty()) text += "\n" + confusionTable(results, group);
   }
-  for (const GroupComparison& c : results.comparisons)
-    text += formatted("\n%s against %s: %+.2f %% errors, p = %.4f (participants permuted)\n", c.first.c_str(),
-                      c.second.c_str(), 100 * c.difference, c.p);
+  if (!results.comparisons.empty()) text += "\n" + comparisonLines(results);
   if (results.kind == StudyKind::abx && results.rule.mostErrors)
     text += formatted("\nCan discriminate: at most %zu error%s in %zu (p = %.4f by guessing).\n",
                       *results.rule.mostErrors, *results.rule.mostErrors == 1 ? "" : "s",
@@ -270,24 +354,31 @@ std::string resultsJson(const StudyResults& results) {
   Json groups = Json::array(), comparisons = Json::array();
   for (const GroupResult& g : results.groups) groups.push_back(jsonOf(results, g));
   for (const GroupComparison& c : results.comparisons)
-    comparisons.push_back(
-        {{"first", c.first}, {"second", c.second}, {"difference", c.difference}, {"p", c.p}});
-  const Json json{{"status", "ok"},
-                  {"study", results.study},
-                  {"kind", nameOf(results.kind)},
-                  {"simulated", results.anySimulated},
-                  {"rehearsal", results.anyRehearsal},
-                  {"labels", results.labels},
-                  {"names", results.names},
-                  {"trials", results.rows.size()},
-                  {"rule",
-                   {{"most_errors", results.rule.mostErrors ? Json(*results.rule.mostErrors) : Json(nullptr)},
-                    {"trials", results.trialsPerTest},
-                    {"p", results.rule.p}}},
-                  {"groups", groups},
-                  {"comparisons", comparisons},
-                  {"warnings", results.warnings}};
-  return jsonText(json);
+    comparisons.push_back({{"first", c.first},
+                           {"second", c.second},
+                           {"pair", c.pair ? Json(pairName(results, *c.pair)) : Json(nullptr)},
+                           {"paired", c.paired},
+                           {"participants", c.participants},
+                           {"difference", c.difference},
+                           {"interval", c.interval ? jsonOf(*c.interval) : Json(nullptr)},
+                           {"p", c.p},
+                           {"p_holm", c.adjusted}});
+  return jsonText(
+      Json{{"status", "ok"},
+           {"study", results.study},
+           {"kind", nameOf(results.kind)},
+           {"simulated", results.anySimulated},
+           {"rehearsal", results.anyRehearsal},
+           {"labels", results.labels},
+           {"names", results.names},
+           {"trials", results.rows.size()},
+           {"rule",
+            {{"most_errors", results.rule.mostErrors ? Json(*results.rule.mostErrors) : Json(nullptr)},
+             {"trials", results.trialsPerTest},
+             {"p", results.rule.p}}},
+           {"groups", groups},
+           {"comparisons", comparisons},
+           {"warnings", results.warnings}});
 }
 
 }  // namespace detent::playback

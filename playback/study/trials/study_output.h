@@ -14,6 +14,10 @@ namespace detent::playback {
 /// answer_s,condition`. Fields with commas, quotes or line ends are quoted (RFC 4180); points for decimals.
 std::string resultsCsv(const StudyResults& results);
 
+/// What was felt: one row per trial and stimulus (1, 2, … as shown, x); `study,participant,trial,stimulus,button,presses,whole,peak_N,
+/// travel_mm,condition`. No rows of journals that did not keep it.
+std::string feltCsv(const StudyResults& results);
+
 /// Writes `folder`/dataset_description.json, participants.tsv, task-NAME_events.json and, per participant,
 /// sub-ID/beh/sub-ID_task-NAME_events.tsv (BIDS: onset first, duration second, n/a for what is not there).
 Result<Done> writeBids(const StudyResults& results, const std::filesystem::path& folder);

@@ -22,10 +22,11 @@ th { font-weight: 600; } td:first-child, th:first-child, .words { text-align: le
 td.one { background: #d9dde3; } td.more { background: #8b95a3; color: #fff; }
 caption { caption-side: bottom; text-align: left; color: #56606e; font-size: .85rem; padding-top: .3rem; }
 .band { position: fixed; top: 0; left: 0; right: 0; background: #b3261e; color: #fff; text-align: center; font-weight: 700; padding: .3rem; z-index: 1; }
-.banded { padding-top: 2.2rem; }
+.banded { padding-top: 2.2rem; } .sheet, .sheet > * > tr > td { display: block; border: 0; padding: 0; margin: 0; text-align: left; }
 .notes { border-left: 4px solid #c77700; padding: .2rem 1rem; background: #fff7ea; }
 .small { color: #56606e; font-size: .85rem; } svg text { font: 12px system-ui, "DejaVu Sans", sans-serif; fill: #1c2430; }
-section { break-inside: avoid; } @media print { body { margin: 0; max-width: none; } }
+section { break-inside: avoid; } @media print { body { margin: 0; max-width: none; } .banded { padding-top: 0; }
+  .sheet { display: table; width: 100%; } .sheet > thead { display: table-header-group; } .sheet > thead > tr > td { height: 2.6rem; } }
 )";
 
 __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
@@ -167,7 +168,7 @@ std::string bars(const StudyResults& results, const GroupResult& group) {
 }
 
 std::string sensitivity(const Sensitivity& s, double value) {
-  return formatted("%s%.2f", s.atLeast ? "≥ " : "", value);
+  return formatted("%s%.2f", s.noError ? "≈ " : "", value);
 }
 
 std::string pairTable(const StudyResults& results, const GroupResult& group) {
@@ -179,14 +180,15 @@ std::string pairTable(const StudyResults& results, const GroupResult& group) {
     text += "<tr>" + cell(escaped(results.labels[pair.first] + "–" + results.labels[pair.second])) +
             cell(formatted("%zu / %zu", pair.errors.errors, pair.errors.trials)) +
             cell(interval(pair.wilson)) + cell(interval(pair.clopperPearson)) +
-            cell(sensitivity(pair.sensitivity, pair.sensitivity.differencing)) +
+            cell(sensitivity(pair.sensitivity, pair.sensitivity.differencing) +
+                 formatted(" (%.2f)", pair.sensitivity.low)) +
             cell(sensitivity(pair.sensitivity, pair.sensitivity.independent)) +
             cell(pair.failCount ? std::to_string(*pair.failCount) : "–") + "</tr>\n";
   }
   return text +
          "<caption>d′ of all participants together. Pairs are mixed, so differencing is the model that fits; "
-         "≥ stands "
-         "where no error was made.</caption></table></section>\n";
+         "in brackets what 97.5 % are above. ≈: no error was made, what half an error "
+         "gives.</caption></table></section>\n";
 }
 
 std::string participantTable(const StudyResults& results, const GroupResult& group) {
@@ -256,22 +258,37 @@ std::string foretoldTable(const StudyResults& results, const GroupResult& group,
          "<th class=\"words\">What differs</th></tr>\n" +
          lines +
          formatted(
-             "<caption>Rank correlation (Spearman) of foretold and found: %.2f over %zu pairs. What is found "
+             "<caption>Rank correlation (Spearman) of foretold and found: %.2f over %zu pairs (one-sided p = "
+             "%.3f, pairs permuted). What is found "
              "scatters by itself: a perfect forecast of the paper's noisy group would reach about "
              "0.74.</caption>",
-             spearman(told, found), found.size()) +
+             spearman(told, found), found.size(), spearmanP(told, found)) +
          "</table></section>\n";
 }
 
 std::string comparisons(const StudyResults& results) {
   if (results.comparisons.empty()) return {};
+  const auto pairs = pairsOf(results.labels.size());
   std::string text =
-      "<section><h2>Between groups</h2>\n<table><tr><th>Groups</th><th>Difference of error "
-      "rates</th><th>p</th></tr>\n";
-  for (const GroupComparison& c : results.comparisons)
-    text += "<tr>" + cell(escaped(c.first + " − " + c.second)) +
-            cell(formatted("%+.2f %%", 100 * c.difference)) + cell(formatted("%.4f", c.p)) + "</tr>\n";
-  return text + "<caption>Participants permuted between the groups, two-sided.</caption></table></section>\n";
+      "<section><h2>Conditions against each other</h2>\n<table><tr><th>Conditions</th><th "
+      "class=\"words\">Pair</th><th>People</th>"
+      "<th>Difference of error rates</th><th>95 %</th><th>p</th><th>p, Holm</th></tr>\n";
+  for (const GroupComparison& c : results.comparisons) {
+    const std::string pair =
+        c.pair ? results.labels[pairs[*c.pair].first] + "–" + results.labels[pairs[*c.pair].second] : "all";
+    text += "<tr>" + cell(escaped(c.first + " − " + c.second)) + "<td class=\"words\">" + escaped(pair) +
+            "</td>" + cell(formatted("%zu%s", c.participants, c.paired ? ", in both" : "")) +
+            cell(formatted("%+.2f %%", 100 * c.difference)) +
+            cell(c.interval ? formatted("%+.1f to %+.1f %%", 100 * c.interval->low, 100 * c.interval->high)
+                            : std::string("–")) +
+            cell(formatted("%.4f", c.p)) + cell(formatted("%.4f", c.adjusted)) + "</tr>\n";
+  }
+  return text +
+         "<caption>Two-sided. People who were in both conditions are their own control: the signs of persons "
+         "are flipped, exactly up "
+         "to 20 people. Else participants are permuted between the groups. Holm over all conditions, and "
+         "over all pairs and "
+         "conditions.</caption></table></section>\n";
 }
 
 std::string band(const StudyResults& results) {
@@ -296,7 +313,10 @@ std::string resultsPage(const StudyResults& results, const std::vector<ForetoldP
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
       escaped(results.study) + "</title><style>" + style + "</style></head>\n<body" +
       (warning.empty() ? "" : " class=\"banded\"") + ">\n";
-  if (!warning.empty()) text += "<div class=\"band\">" + warning + "</div>\n";
+  // The head of a table is printed on every page and keeps the band's place free.
+  if (!warning.empty())
+    text += "<div class=\"band\">" + warning +
+            "</div>\n<table class=\"sheet\"><thead><tr><td></td></tr></thead><tbody><tr><td>\n";
   text +=
       "<h1>" + escaped(results.study) + "</h1>\n<p class=\"small\">" + nameOf(results.kind) + ", buttons ";
   for (std::size_t i = 0; i < results.labels.size(); ++i) {
@@ -314,7 +334,9 @@ std::string resultsPage(const StudyResults& results, const std::vector<ForetoldP
     if (!group.confusion.empty()) text += confusionTable(results, group);
     if (!group.participants.empty() && !group.pairs.empty()) text += participantTable(results, group);
   }
-  return text + comparisons(results) + "</body></html>\n";
+  text += comparisons(results);
+  if (!warning.empty()) text += "</td></tr></tbody></table>\n";
+  return text + "</body></html>\n";
 }
 
 }  // namespace detent::playback

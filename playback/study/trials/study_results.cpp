@@ -5,8 +5,10 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <tuple>
 
 #include "playback/study/statistics/abx_sensitivity.h"
+#include "playback/study/statistics/paired_difference.h"
 #include "playback/study/statistics/resampling.h"
 
 namespace detent::playback {
@@ -14,10 +16,6 @@ namespace detent::playback {
 namespace {
 
 constexpr double secondsPerMinute = 60;
-
-std::size_t indexOf(const std::vector<std::string>& labels, const std::string& label) {
-  return static_cast<std::size_t>(std::find(labels.begin(), labels.end(), label) - labels.begin());
-}
 
 std::string conditionOf(const Study& study, const TrialRow& row) {
   std::string text = nameOf(row.listening);
@@ -34,12 +32,19 @@ TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::si
   row.participant = participant.participant;
   row.trial = trial.number - study.design.practice;
   row.x = label(trial.target);
+  row.first = row.second = trial.choices[trial.target];
+  row.answered = trial.choices[recorded.answer.choice];
+  for (std::size_t i = 0; i < trial.choices.size(); ++i) row.choices.push_back(label(i));
+  if (!recorded.answer.felt.empty()) {
+    row.felt = recorded.answer.felt;
+    row.felt.push_back(recorded.answer.feltX);
+  }
   row.answer = label(recorded.answer.choice);
   row.correct = recorded.answer.choice == trial.target;
   const std::vector<std::size_t>& replays = recorded.answer.replays;
   if (study.design.kind == StudyKind::abx) {
-    const auto [first, second] = std::minmax(trial.choices[0], trial.choices[1]);
-    row.pair = study.buttons[first].label + "-" + study.buttons[second].label;
+    std::tie(row.first, row.second) = std::minmax(trial.choices[0], trial.choices[1]);
+    row.pair = study.buttons[row.first].label + "-" + study.buttons[row.second].label;
     row.a = label(0);
     row.b = label(1);
     row.replaysA = !replays.empty() ? replays[0] : 0;
@@ -96,10 +101,10 @@ void addParticipants(GroupResult& group, const Rows& rows) {
 }
 
 void addPairs(GroupResult& group, const Study& study, const Rows& rows, const DiscriminationRule& rule) {
-  std::map<std::string, std::map<std::string, Count>> byPair;
-  for (const TrialRow* row : rows) add(byPair[row->pair][row->participant], *row);
+  std::map<std::pair<std::size_t, std::size_t>, std::map<std::string, Count>> byPair;
+  for (const TrialRow* row : rows) add(byPair[{row->first, row->second}][row->participant], *row);
   for (const auto& [first, second] : pairsOf(study.buttons.size())) {
-    const auto at = byPair.find(study.buttons[first].label + "-" + study.buttons[second].label);
+    const auto at = byPair.find({first, second});
     if (at == byPair.end()) continue;
     Count sum;
     std::vector<AbxTest> tests;
@@ -122,11 +127,12 @@ void addPairs(GroupResult& group, const Study& study, const Rows& rows, const Di
   }
 }
 
-/// Holm over the pairs of each participant.
-void adjust(GroupResult& group) {
+/// Holm over the pairs and modes of each participant.
+void adjustTests(std::vector<GroupResult>& groups) {
   std::map<std::string, std::vector<AbxTest*>> byParticipant;
-  for (PairResult& pair : group.pairs)
-    for (AbxTest& test : pair.tests) byParticipant[test.participant].push_back(&test);
+  for (GroupResult& group : groups)
+    for (PairResult& pair : group.pairs)
+      for (AbxTest& test : pair.tests) byParticipant[test.participant].push_back(&test);
   for (const auto& [id, tests] : byParticipant) {
     std::vector<double> p;
     for (const AbxTest* test : tests) p.push_back(test->p);
@@ -135,9 +141,9 @@ void adjust(GroupResult& group) {
   }
 }
 
-void addConfusion(GroupResult& group, const std::vector<std::string>& labels, const Rows& rows) {
-  group.confusion.assign(labels.size(), std::vector<std::size_t>(labels.size(), 0));
-  for (const TrialRow* row : rows) ++group.confusion[indexOf(labels, row->x)][indexOf(labels, row->answer)];
+void addConfusion(GroupResult& group, std::size_t buttons, const Rows& rows) {
+  group.confusion.assign(buttons, std::vector<std::size_t>(buttons, 0));
+  for (const TrialRow* row : rows) ++group.confusion[row->first][row->answered];
 }
 
 GroupResult groupOf(const Study& study, const StudyResults& results, const Rows& rows) {
@@ -150,16 +156,96 @@ GroupResult groupOf(const Study& study, const StudyResults& results, const Rows&
   addParticipants(group, rows);
   addTimes(group, rows);
   if (study.design.kind == StudyKind::matching) {
-    addConfusion(group, results.labels, rows);
+    addConfusion(group, study.buttons.size(), rows);
   } else {
     addPairs(group, study, rows, results.rule);
-    adjust(group);
   }
   return group;
 }
 
+/// What each person did in a condition, over all trials or those of one pair.
+using People = std::map<std::string, Count>;
+
+People peopleOf(const Rows& rows, const std::pair<std::size_t, std::size_t>* pair) {
+  People people;
+  for (const TrialRow* row : rows)
+    if (pair == nullptr || *pair == std::pair(row->first, row->second)) add(people[row->participant], *row);
+  return people;
+}
+
+std::vector<Count> countsOf(const People& people) {
+  std::vector<Count> counts;
+  for (const auto& [id, count] : people) counts.push_back(count);
+  return counts;
+}
+
+void compare(GroupComparison& c, const People& first, const People& second) {
+  std::vector<double> differences;
+  for (const auto& [id, count] : first)
+    if (const auto other = second.find(id); other != second.end())
+      differences.push_back(rateOf(count) - rateOf(other->second));
+  c.paired = !differences.empty();
+  if (c.paired) {
+    const PairedDifference d = pairedDifference(differences);
+    c.participants = differences.size();
+    c.difference = d.mean;
+    c.interval = d.interval;
+    c.p = d.p;
+    return;
+  }
+  c.participants = first.size() + second.size();
+  const auto rate = [](const People& people) {
+    double sum = 0;
+    for (const auto& [id, count] : people) sum += rateOf(count);
+    return people.empty() ? 0 : sum / static_cast<double>(people.size());
+  };
+  c.difference = rate(first) - rate(second);
+  c.p = groupDifferenceP(countsOf(first), countsOf(second));
+}
+
+void adjust(std::vector<GroupComparison>& comparisons) {
+  std::vector<double> p;
+  for (const GroupComparison& c : comparisons) p.push_back(c.p);
+  const std::vector<double> adjusted = holm(p);
+  for (std::size_t i = 0; i < comparisons.size(); ++i) comparisons[i].adjusted = adjusted[i];
+}
+
+/// Every two conditions of the same kind of session, over all trials and, of abx, pair by pair.
+std::vector<GroupComparison> comparisonsOf(const Study& study, const std::vector<GroupResult>& groups,
+                                           const std::map<std::string, Rows>& rows) {
+  std::vector<GroupComparison> whole, byPair;
+  const auto pairs = study.design.kind == StudyKind::abx ? pairsOf(study.buttons.size())
+                                                         : std::vector<std::pair<std::size_t, std::size_t>>{};
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    for (std::size_t k = i + 1; k < groups.size(); ++k) {
+      if (groups[i].kind != groups[k].kind) continue;
+      const Rows &first = rows.at(groups[i].condition), &second = rows.at(groups[k].condition);
+      GroupComparison c;
+      c.first = groups[i].condition;
+      c.second = groups[k].condition;
+      compare(c, peopleOf(first, nullptr), peopleOf(second, nullptr));
+      whole.push_back(c);
+      for (std::size_t at = 0; at < pairs.size(); ++at) {
+        const People one = peopleOf(first, &pairs[at]), other = peopleOf(second, &pairs[at]);
+        if (one.empty() || other.empty()) continue;
+        c.pair = at;
+        compare(c, one, other);
+        byPair.push_back(c);
+      }
+    }
+  }
+  adjust(whole);
+  adjust(byPair);
+  whole.insert(whole.end(), byPair.begin(), byPair.end());
+  return whole;
+}
+
 void warn(StudyResults& results, const Study& study, const std::vector<ParticipantRecord>& participants) {
   for (const ParticipantRecord& p : participants) {
+    if (p.damage) {
+      results.warnings.push_back(p.participant + " is left out: " + p.damage->sentence());
+      continue;
+    }
     results.warnings.insert(results.warnings.end(), p.notes.begin(), p.notes.end());
     if (!p.complete())
       results.warnings.push_back(p.participant + ": " + std::to_string(p.answers.size()) + " of " +
@@ -199,8 +285,11 @@ DiscriminationRule discriminationRule(std::size_t trials, double level) {
 
 Sensitivity sensitivityOf(const Count& errors) {
   Sensitivity s;
-  s.atLeast = errors.errors == 0 && errors.trials > 0;
-  const double correct = s.atLeast ? 1 - clopperPearson(errors).high : 1 - rateOf(errors);
+  s.noError = errors.errors == 0 && errors.trials > 0;
+  const double correct = s.noError ? 1 - 0.5 / static_cast<double>(errors.trials) : 1 - rateOf(errors);
+  const double least = 1 - clopperPearson(errors).high;
+  s.low = dPrimeOf(least, AbxStrategy::differencing);
+  s.lowIndependent = dPrimeOf(least, AbxStrategy::independentObservations);
   s.differencing = dPrimeOf(correct, AbxStrategy::differencing);
   s.independent = dPrimeOf(correct, AbxStrategy::independentObservations);
   return s;
@@ -233,13 +322,8 @@ StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>&
     results.anyRehearsal |= row.kind == SessionKind::rehearsal;
   }
   for (const auto& [condition, rows] : groups) results.groups.push_back(groupOf(study, results, rows));
-  for (std::size_t i = 0; i < results.groups.size(); ++i) {
-    for (std::size_t k = i + 1; k < results.groups.size(); ++k) {
-      const GroupResult &a = results.groups[i], &b = results.groups[k];
-      results.comparisons.push_back({a.condition, b.condition, rateOf(a.errors) - rateOf(b.errors),
-                                     groupDifferenceP(a.perParticipant, b.perParticipant)});
-    }
-  }
+  adjustTests(results.groups);
+  results.comparisons = comparisonsOf(study, results.groups, groups);
   warn(results, study, participants);
   return results;
 }

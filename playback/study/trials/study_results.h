@@ -14,12 +14,16 @@ namespace detent::playback {
 /// One counted trial.
 struct TrialRow {
   std::string participant;
-  std::size_t trial = 0;  ///< from 1, practice not counted
-  std::string pair;       ///< "A-B" in the study's order; matching: X
-  std::string a, b;       ///< abx: labels of alpha and beta; matching: empty
-  std::string x, answer;  ///< labels
+  std::size_t trial = 0;              ///< from 1, practice not counted
+  std::string pair;                   ///< "A-B" in the study's order; matching: X
+  std::size_t first = 0, second = 0;  ///< abx: the pair's buttons; matching: X twice
+  std::string a, b;                   ///< abx: labels of alpha and beta; matching: empty
+  std::string x, answer;              ///< labels
+  std::size_t answered = 0;           ///< the button that was answered
   bool correct = false;
   std::size_t replaysA = 0, replaysB = 0, replaysX = 0;  ///< matching: replaysA of all choices together
+  std::vector<std::string> choices;                      ///< labels in the order shown
+  std::vector<Felt> felt;  ///< of each choice, then of X; none in journals that did not keep it
   double onset_s = 0, firstPress_s = 0, answer_s = 0;
   FeedbackMode mode = FeedbackMode::full;
   SessionKind kind = SessionKind::real;
@@ -43,7 +47,9 @@ DiscriminationRule discriminationRule(std::size_t trials, double level = 0.05);
 /// How sensitive all participants together were, d' by both strategies.
 struct Sensitivity {
   double differencing = 0, independent = 0;
-  bool atLeast = false;  ///< no error was made: the values are lower bounds (97.5 %)
+  double low = 0, lowIndependent = 0;  ///< from the lower end (97.5 %) of the share correct
+  /// No error was made: the first two are what half an error gives (Macmillan & Kaplan, Psychological Bulletin 1985).
+  bool noError = false;
 };
 Sensitivity sensitivityOf(const Count& errors);
 
@@ -53,7 +59,7 @@ struct AbxTest {
   Count errors;
   bool discriminates = false;
   double p = 1;         ///< exact, of so few errors by guessing
-  double adjusted = 1;  ///< Holm over the participant's pairs
+  double adjusted = 1;  ///< Holm over the participant's pairs and modes
 };
 
 /// One pair of Table 2.
@@ -88,10 +94,16 @@ struct GroupResult {
   Count fails;                                      ///< abx tests not passed, of all complete ones
 };
 
+/// Two conditions against each other. Where the same people were in both, each is their own control.
 struct GroupComparison {
-  std::string first, second;  ///< conditions
-  double difference = 0;      ///< of the error rates, first minus second
-  double p = 1;               ///< participants permuted between the groups
+  std::string first, second;        ///< conditions
+  std::optional<std::size_t> pair;  ///< index into pairsOf(); none: all trials
+  bool paired = false;           ///< signs of persons flipped; else participants permuted between the groups
+  std::size_t participants = 0;  ///< paired: in both; else in either
+  double difference = 0;         ///< of the error rates, first minus second; paired: mean over persons
+  std::optional<Interval> interval;  ///< paired: 95 % of the mean
+  double p = 1;
+  double adjusted = 1;  ///< Holm: over all conditions, or over all pairs and conditions
 };
 
 struct StudyResults {

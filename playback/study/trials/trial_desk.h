@@ -18,24 +18,33 @@ class TrialDesk {
   /// Number of that switch, from 1, in the study's order.
   std::size_t physicalNumber() const { return trial_->choices[trial_->target] + 1; }
 
-  void triedChoice(std::size_t choice, double now_s);
-  void triedX(double now_s);
-  std::size_t triesOf(std::size_t choice) const { return replays_[choice]; }
-  std::size_t triesOfX() const { return replaysX_; }
+  /// What is under the finger is one of so many: the choices, and X behind them.
+  std::size_t slotOfX() const { return trial_->choices.size(); }
+  std::size_t buttonIn(std::size_t slot) const {
+    return trial_->choices[slot == slotOfX() ? trial_->target : slot];
+  }
 
-  /// Nothing may be answered unfelt: X once, and in abx both choices, in matching at least one.
-  bool mayAnswer() const;
+  /// That one is under the finger now.
+  void tried(std::size_t slot, double now_s);
+  /// What the finger has done since tried() or the last call, with the one that is under it.
+  void felt(const Felt& more);
+  const Felt& feltOf(std::size_t slot) const { return felt_[slot]; }
+
+  /// Nothing may be answered unfelt: X and, in abx, both choices (in matching at least one) were pressed through and played.
+  bool mayAnswer() const { return feltEnough(*study_, asFelt()); }
   /// The finished answer. Only while mayAnswer().
   Answer answer(std::size_t choice, double now_s) const;
 
  private:
-  void tried(double now_s);
+  Answer asFelt() const;
 
+  const Study* study_;
   const Trial* trial_;
-  bool abx_, physical_;
+  bool physical_;
   double began_s_, shown_s_, firstPress_s_ = -1;
-  std::vector<std::size_t> replays_;
-  std::size_t replaysX_ = 0;
+  std::vector<std::size_t> tries_;  ///< by slot
+  std::vector<Felt> felt_;          ///< by slot
+  std::size_t underFinger_ = 0;
 };
 
 }  // namespace detent::playback

@@ -2,6 +2,7 @@
 #include "playback/study/trials/trial_plan.h"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include "playback/study/statistics/shuffle.h"
@@ -12,6 +13,8 @@ namespace {
 
 using Pair = std::pair<std::size_t, std::size_t>;
 
+constexpr std::size_t trialsBetweenBreaks = 50;  // K&L, Table 1: 8.4 s a trial, so a rest every seven minutes
+
 /// Half true, half false, in a random order; of an odd number the last one by chance.
 std::vector<bool> balanced(std::size_t count, StudyRandom& random) {
   std::vector<char> sides;
@@ -21,45 +24,110 @@ std::vector<bool> balanced(std::size_t count, StudyRandom& random) {
   return {sides.begin(), sides.end()};
 }
 
-std::vector<Pair> pairsFor(const Study& study, StudyRandom& random) {
+/// What one trial of a pair is: who is alpha, and on which side X falls.
+struct Cell {
+  bool swapped = false;    ///< the pair's second button is alpha
+  bool secondIsX = false;  ///< X is the pair's second button
+  std::size_t side() const { return swapped == secondIsX ? 0 : 1; }
+};
+
+/// Every cell a quarter of the time. What four do not divide: one by chance; two that differ in both, on the side that `toTheRight`
+/// says; three of the four.
+std::vector<Cell> fourCells(std::size_t count, bool toTheRight, StudyRandom& random) {
+  constexpr std::array<Cell, 4> all{
+      {{false, false}, {true, true}, {false, true}, {true, false}}};  // left, left, right, right
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i + 4 <= count; i += 4) cells.insert(cells.end(), all.begin(), all.end());
+  std::vector<Cell> rest(all.begin(), all.end());
+  if (count % 4 == 2) {
+    rest = toTheRight ? std::vector<Cell>{all[2], all[3]} : std::vector<Cell>{all[0], all[1]};
+  } else {
+    shuffle(rest, random);
+  }
+  cells.insert(cells.end(), rest.begin(), rest.begin() + static_cast<std::ptrdiff_t>(count % 4));
+  shuffle(cells, random);
+  return cells;
+}
+
+/// As studies of version 1 were planned: sides balanced, who X is left to chance.
+std::vector<Cell> balancedSides(std::size_t count, StudyRandom& random) {
+  const std::vector<bool> swapped = balanced(count, random), right = balanced(count, random);
+  std::vector<Cell> cells;
+  for (std::size_t i = 0; i < count; ++i) cells.push_back({swapped[i], swapped[i] != right[i]});
+  return cells;
+}
+
+/// Which pairs this participant gets: the next ones of a list that all participants go through in turn.
+std::vector<Pair> pairsFor(const Study& study, std::size_t begunBefore, StudyRandom& random) {
   std::vector<Pair> pairs = pairsOf(study.buttons.size());
-  if (study.design.pairsEach == 0) return pairs;
-  shuffle(pairs, random);
-  pairs.resize(study.design.pairsEach);
+  const std::size_t each = study.design.pairsEach;
+  if (each == 0) return pairs;
+  if (study.version == 1) {
+    shuffle(pairs, random);
+    pairs.resize(each);
+    return pairs;
+  }
+  StudyRandom everyones = randomSeededBy(std::to_string(study.design.seed) + ":pairs");
+  shuffle(pairs, everyones);
+  std::rotate(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(begunBefore * each % pairs.size()),
+              pairs.end());
+  pairs.resize(each);
   return pairs;
 }
 
-void addAbx(const Study& study, StudyRandom& random, std::vector<Trial>& trials) {
-  const std::vector<Pair> pairs = pairsFor(study, random);
-  for (const FeedbackMode mode : study.design.modes) {
-    for (const auto& [first, second] : pairs) {
-      const std::vector<bool> swapped = balanced(study.design.trials, random);
-      const std::vector<bool> second_is_x = balanced(study.design.trials, random);
-      for (std::size_t i = 0; i < study.design.trials; ++i) {
-        Trial trial;
-        trial.mode = mode;
-        trial.choices = swapped[i] ? std::vector{second, first} : std::vector{first, second};
-        trial.target = second_is_x[i] ? 1 : 0;
-        trials.push_back(std::move(trial));
-      }
-    }
-  }
-}
-
-void addMatching(const Study& study, StudyRandom& random, std::vector<Trial>& trials) {
-  std::vector<std::size_t> all(study.buttons.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  for (const FeedbackMode mode : study.design.modes) {
-    for (std::size_t i = 0; i < study.design.trials * all.size(); ++i) {
+std::vector<Trial> abxTrials(const Study& study, const std::vector<Pair>& pairs, FeedbackMode mode,
+                             StudyRandom& random) {
+  std::vector<Trial> trials;
+  bool toTheRight = study.version > 1 && drawBelow(random, 2) == 1;
+  for (const auto& [first, second] : pairs) {
+    const std::vector<Cell> cells = study.version == 1 ? balancedSides(study.design.trials, random)
+                                                       : fourCells(study.design.trials, toTheRight, random);
+    toTheRight = !toTheRight;
+    for (const Cell& cell : cells) {
       Trial trial;
       trial.mode = mode;
-      trial.choices = all;
-      shuffle(trial.choices, random);
-      const auto at = std::find(trial.choices.begin(), trial.choices.end(), i % all.size());
-      trial.target = static_cast<std::size_t>(at - trial.choices.begin());
+      trial.choices = cell.swapped ? std::vector{second, first} : std::vector{first, second};
+      trial.target = cell.side();
       trials.push_back(std::move(trial));
     }
   }
+  return trials;
+}
+
+std::vector<Trial> matchingTrials(const Study& study, FeedbackMode mode, StudyRandom& random) {
+  std::vector<std::size_t> all(study.buttons.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<Trial> trials;
+  for (std::size_t i = 0; i < study.design.trials * all.size(); ++i) {
+    Trial trial;
+    trial.mode = mode;
+    trial.choices = all;
+    shuffle(trial.choices, random);
+    const auto at = std::find(trial.choices.begin(), trial.choices.end(), i % all.size());
+    trial.target = static_cast<std::size_t>(at - trial.choices.begin());
+    trials.push_back(std::move(trial));
+  }
+  return trials;
+}
+
+/// Each mode as often first, second and last as the number of people allows: rotated from one to the next, then the same backwards.
+std::vector<FeedbackMode> modesInTurn(const Study& study, std::size_t begunBefore) {
+  std::vector<FeedbackMode> modes = study.design.modes;
+  if (study.version == 1) return modes;
+  std::rotate(modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(begunBefore % modes.size()),
+              modes.end());
+  if (begunBefore / modes.size() % 2 == 1) std::reverse(modes.begin(), modes.end());
+  return modes;
+}
+
+/// Shuffled, with a rest at the beginning of a block and within long ones.
+void addBlock(const Study& study, std::vector<Trial> block, StudyRandom& random, std::vector<Trial>& trials) {
+  if (study.version > 1) {
+    shuffle(block, random);
+    for (std::size_t i = 0; i < block.size(); ++i)
+      block[i].breakBefore = i % trialsBetweenBreaks == 0 && (i > 0 || !trials.empty());
+  }
+  trials.insert(trials.end(), block.begin(), block.end());
 }
 
 }  // namespace
@@ -71,16 +139,22 @@ std::size_t countedTrials(const Study& study) {
   return cells * d.trials * d.modes.size();
 }
 
-std::vector<Trial> planTrials(const Study& study, const std::string& participant) {
+std::vector<Trial> planTrials(const Study& study, const std::string& participant, std::size_t begunBefore) {
   StudyRandom random = randomSeededBy(std::to_string(study.design.seed) + ":" + participant);
+  std::vector<Pair> pairs;
+  if (study.design.kind == StudyKind::abx) pairs = pairsFor(study, begunBefore, random);
   std::vector<Trial> counted;
-  if (study.design.kind == StudyKind::abx) addAbx(study, random, counted);
-  if (study.design.kind == StudyKind::matching) addMatching(study, random, counted);
-  shuffle(counted, random);
+  for (const FeedbackMode mode : modesInTurn(study, begunBefore))
+    addBlock(study,
+             study.design.kind == StudyKind::abx ? abxTrials(study, pairs, mode, random)
+                                                 : matchingTrials(study, mode, random),
+             random, counted);
+  if (study.version == 1) shuffle(counted, random);
   std::vector<Trial> plan;
   for (std::size_t i = 0; i < study.design.practice; ++i) {
     plan.push_back(counted[drawBelow(random, counted.size())]);
     plan.back().practice = true;
+    plan.back().breakBefore = false;
   }
   plan.insert(plan.end(), counted.begin(), counted.end());
   for (std::size_t i = 0; i < plan.size(); ++i) plan[i].number = i + 1;

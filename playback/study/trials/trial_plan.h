@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The list of trials of one participant: a function of the study's seed and the participant's id, so that it
-// can be made again after a crash and by anyone who doubts it.
+// The list of trials of one participant: a function of the study's seed, the participant's id and how many began before, so
+// that it can be made again after a crash and by anyone who doubts it.
 
 #include <cstddef>
 #include <string>
@@ -18,12 +18,17 @@ struct Trial {
   FeedbackMode mode = FeedbackMode::full;
   std::vector<std::size_t> choices;  ///< indices of buttons in the order shown; abx: alpha, beta
   std::size_t target = 0;            ///< which of `choices` X is
+  bool breakBefore = false;          ///< the participant rests first, as long as they like
 };
 
-/// abx: every pair `trials` times in every mode, shuffled as one list (K&L, Experiment 1). Within a pair and
-/// mode, who is alpha and who is X are balanced independently of each other, by half (an odd one out falls by
-/// chance). matching: every button `trials` times in every mode, the choices in a new order each time.
-std::vector<Trial> planTrials(const Study& study, const std::string& participant);
+/// abx: every pair `trials` times in every mode. Within a pair and mode the four cells of who is alpha and who is X are filled
+/// alike; of two trials that remain each has another alpha and another X, and which side X falls on then alternates from pair to
+/// pair. matching: every button `trials` times in every mode, the choices in a new order each time.
+/// Trials are shuffled within a mode. Modes are blocks with a break between; over participants their order is counterbalanced by
+/// `begunBefore`, the number of those who began before. So are the pairs where each gets some: they differ by at most one.
+/// Studies of version 1 were shuffled as one list, and X was balanced by sides alone.
+std::vector<Trial> planTrials(const Study& study, const std::string& participant,
+                              std::size_t begunBefore = 0);
 
 /// How many of them count.
 std::size_t countedTrials(const Study& study);

@@ -26,7 +26,8 @@ namespace {
 /// What a participant has under the finger in a test.
 struct Finger {
   bool sounding = true, lost = false;
-  std::vector<std::size_t> pressed;
+  bool lets_go_early = false;
+  std::vector<std::size_t> pressed, places;
 };
 
 class FakePlayer : public playback::StudyPlayer {
@@ -34,10 +35,20 @@ class FakePlayer : public playback::StudyPlayer {
   explicit FakePlayer(std::shared_ptr<Finger> finger) : finger_(std::move(finger)) {}
   bool sounding() const override { return finger_->sounding; }
   std::string device() const override { return finger_->sounding ? "test device" : ""; }
-  void press(std::size_t button, playback::FeedbackMode) override { finger_->pressed.push_back(button); }
-  bool lostSinceAsked() override { return finger_->lost; }
+  playback::StudyRoute route() const override { return {"", "", "test device, 48000 Hz, 64 frames"}; }
+  void beginTrial() override { done_ = {}; }
+  void press(std::size_t slot, std::size_t button, playback::FeedbackMode) override {
+    finger_->pressed.push_back(button);
+    finger_->places.push_back(slot);
+    done_ = {1, finger_->lets_go_early ? 0U : 1U, 1.5, 3};
+  }
+  playback::Felt takeFelt() override { return std::exchange(done_, {}); }
+  playback::StudyTrouble troubleSinceAsked() override {
+    return finger_->lost ? playback::StudyTrouble::soundLost : playback::StudyTrouble::none;
+  }
 
  private:
+  playback::Felt done_;
   std::shared_ptr<Finger> finger_;
 };
 
@@ -180,6 +191,30 @@ class StudyTest : public QObject {
     QTRY_VERIFY(!window);
     QTRY_VERIFY(rig.cell(0, 1).contains("complete"));
     QCOMPARE(rig.desk->findChild<QLineEdit*>("studyParticipant")->text(), QString("P02"));
+  }
+
+  /// The sensor, not the key, says what was felt; each stimulus keeps its own lock.
+  void whatWasLetGoTooEarlyIsNotAnswered() {
+    Rig rig;
+    rig.makeStudy();
+    StudyWindow* window = rig.begin();
+    buttonIn(window, "studyBegin")->click();
+    rig.finger->lets_go_early = true;
+    feelAll(window);
+    QTest::keyClick(window, Qt::Key_A);
+    QVERIFY(rig.record().answers.empty());
+    QVERIFY(!buttonIn(window, "studyAnswer1")->isEnabled());
+    const QString words = window->findChild<QLabel*>("studyTrouble")->text();
+    for (const char* name : {"1", "2", "X"}) QVERIFY2(words.contains(name), qPrintable(words));
+    rig.finger->lets_go_early = false;
+    feelAll(window);
+    QCOMPARE(rig.finger->places.back(), std::size_t{2});
+    QVERIFY(!window->findChild<QLabel*>("studyTrouble")->isVisible());
+    QTest::keyClick(window, Qt::Key_A);
+    const playback::Answer answer = rig.record().answers.front().answer;
+    QCOMPARE(answer.feltX.presses, std::size_t{2});
+    QCOMPARE(answer.feltX.whole, std::size_t{1});
+    window->close();
   }
 
   void noLabelIsShown() {

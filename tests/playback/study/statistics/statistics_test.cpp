@@ -6,6 +6,7 @@
 #include "playback/measurement/normal.h"
 #include "playback/study/statistics/abx_sensitivity.h"
 #include "playback/study/statistics/binomial.h"
+#include "playback/study/statistics/paired_difference.h"
 #include "playback/study/statistics/rank_correlation.h"
 #include "playback/study/statistics/resampling.h"
 #include "playback/study/statistics/shuffle.h"
@@ -186,4 +187,68 @@ TEST_CASE("shuffle: every place is equally likely, and the text decides the orde
   for (const std::size_t n : at) CHECK(static_cast<double>(n) == Approx(10000).margin(400));
   CHECK(randomSeededBy("1:P01")() == randomSeededBy("1:P01")());
   CHECK(randomSeededBy("1:P01")() != randomSeededBy("1:P02")());
+}
+
+// p by scipy 1.10.1, stats.permutation_test((d,), mean, permutation_type="samples", n_resamples=inf); limits by sorting the means of all
+// subsets in Python.
+TEST_CASE(
+    "paired: signs of persons flipped, every pattern once; the interval is what the test does not refuse") {
+  const PairedDifference better = pairedDifference({0.02, 0.05, 0.01, 0.08, 0.03, 0.04, 0.06, 0.07});
+  CHECK(better.mean == Approx(0.045));
+  CHECK(better.p == Approx(0.0078125));
+  REQUIRE(better.interval);
+  CHECK(better.interval->low == Approx(0.023333333333333334));
+  CHECK(better.interval->high == Approx(0.06666666666666667));
+  const PairedDifference mixed = pairedDifference({0.1, -0.05, 0.2, 0.0, 0.15, -0.02, 0.3, 0.12, 0.07});
+  CHECK(mixed.p == Approx(0.0390625));
+  CHECK(mixed.interval->low == Approx(0.01));
+  CHECK(mixed.interval->high == Approx(0.19));
+  const PairedDifference tied = pairedDifference({0.1, 0.2, -0.1, 0.1, 0.0, 0.3});
+  CHECK(tied.p == Approx(0.25));
+  CHECK(tied.interval->low == Approx(-0.1));
+}
+
+TEST_CASE("paired: few people, nobody, no difference, many people") {
+  CHECK(pairedDifference({}).p == 1);
+  CHECK(pairedDifference({0, 0, 0, 0, 0, 0, 0}).p == 1);
+  CHECK_FALSE(pairedDifference({0.1, 0.2, 0.3, 0.4, 0.5}).interval);
+  CHECK(pairedDifference({0.1, 0.2, 0.3, 0.4, 0.5}).p == Approx(2.0 / 32));
+  std::vector<double> many;
+  for (int i = 0; i < 40; ++i) many.push_back(0.1 + 0.01 * i);
+  const PairedDifference far = pairedDifference(many);
+  CHECK(far.p < 1e-4);
+  CHECK(far.interval->low > 0.2);
+  CHECK(far.interval->high < 0.4);
+  std::vector<double> around;
+  for (int i = 0; i < 40; ++i) around.push_back(i % 2 == 0 ? 0.1 : -0.1);
+  CHECK(pairedDifference(around).p == 1);
+}
+
+TEST_CASE(
+    "paired: its 5 % are kept where nothing differs, and it finds what the best test of nine people finds") {
+  StudyRandom random(7);
+  const auto normal = [&] { return normalQuantile(std::max(drawShare(random), 1e-12)); };
+  int falseAlarms = 0, covered = 0, found = 0;
+  constexpr int studies = 1500;
+  for (int i = 0; i < studies; ++i) {
+    std::vector<double> d(9);
+    for (double& x : d) x = normal();
+    const PairedDifference null = pairedDifference(d);
+    falseAlarms += null.p <= 0.05 ? 1 : 0;
+    covered += null.interval->low <= 0 && null.interval->high >= 0 ? 1 : 0;
+    for (double& x : d) x += 1;
+    found += pairedDifference(d).p <= 0.05 ? 1 : 0;
+  }
+  CHECK(falseAlarms < 0.065 * studies);  // 4.98 % at most: 25.5 of 512 patterns
+  CHECK(falseAlarms > 0.03 * studies);
+  CHECK(covered > 0.93 * studies);
+  CHECK(found == Approx(0.75 * studies).margin(0.05 * studies));  // t test of nine: 0.75
+}
+
+TEST_CASE("Spearman: its p by shuffling") {
+  const std::vector<double> x{1, 2, 3, 4, 5, 6, 7, 8, 9, 10};
+  CHECK(spearmanP(x, x) == Approx(1e-4));
+  CHECK(spearmanP(x, {10, 9, 8, 7, 6, 5, 4, 3, 2, 1}) == Approx(1).margin(1e-3));
+  CHECK(spearmanP(x, std::vector<double>(10, 1)) == 1);
+  CHECK(spearmanP(x, {2, 1, 4, 3, 6, 5, 7, 10, 9, 8}) < 0.01);
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -12,6 +14,9 @@
 #include <unistd.h>
 
 #include "model/file/text_file.h"
+#include "model/sha256.h"
+#include "playback/realtime/press_counter.h"
+#include "playback/study/statistics/shuffle.h"
 #include "playback/study/trials/participant_session.h"
 #include "playback/study/trials/printed_counts.h"
 #include "playback/study/trials/study_output.h"
@@ -122,14 +127,86 @@ TEST_CASE("plan: every pair as often as asked, sides and X balanced independentl
   CHECK(same < 40);
 }
 
-TEST_CASE("plan: X falls on alpha as often as on beta within each pair") {
-  const StudyFolder made;
-  std::map<std::pair<std::size_t, std::size_t>, int> first;
-  for (const Trial& t : planTrials(*made.study, "P01")) {
-    const auto key = std::minmax(t.choices[0], t.choices[1]);
-    first[{key.first, key.second}] += t.target == 0 ? 1 : 0;
+namespace {
+
+/// Of one pair's trials: how many there are, with the second button as alpha, as X, and with X as alpha.
+struct Balance {
+  int trials = 0, swapped = 0, secondIsX = 0, left = 0;
+};
+std::map<std::pair<std::size_t, std::size_t>, Balance> balanceOf(const std::vector<Trial>& plan) {
+  std::map<std::pair<std::size_t, std::size_t>, Balance> pairs;
+  for (const Trial& t : plan) {
+    const std::pair<std::size_t, std::size_t> key = std::minmax(t.choices[0], t.choices[1]);
+    Balance& b = pairs[key];
+    ++b.trials;
+    b.swapped += t.choices[0] == key.second ? 1 : 0;
+    b.secondIsX += t.choices[t.target] == key.second ? 1 : 0;
+    b.left += t.target == 0 ? 1 : 0;
   }
-  for (const auto& [pair, n] : first) CHECK(n == 5);
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "plan: who is alpha, who is X and on which side it falls are balanced as far as the number allows") {
+  for (const std::size_t trials : {8U, 10U, 9U, 7U}) {
+    StudyDesign design;
+    design.trials = trials;
+    const StudyFolder made(design, {"A", "B", "C", "D"});
+    for (const char* id : {"P01", "P02", "P03"}) {
+      int left = 0;
+      for (const auto& [pair, b] : balanceOf(planTrials(*made.study, id))) {
+        const int half = static_cast<int>(trials / 2), odd = static_cast<int>(trials % 2);
+        CHECK(b.trials == static_cast<int>(trials));
+        CHECK((b.swapped == half || b.swapped == half + odd));
+        CHECK((b.secondIsX == half || b.secondIsX == half + odd));
+        if (trials % 4 == 0) CHECK(b.left == half);
+        CHECK(std::abs(2 * b.left - b.trials) <=
+              2);  // two that remain are another alpha and another X: on one side
+        left += 2 * b.left - b.trials;
+      }
+      if (trials % 2 == 1) continue;
+      CHECK(left == 0);  // over the pairs the sides come out even
+    }
+  }
+}
+
+TEST_CASE("plan: a study of version 1 keeps the lists it was begun with") {
+  const StudyFolder made;
+  Study old = *made.study;
+  old.version = 1;
+  const std::vector<Trial> plan = planTrials(old, "P01"), later = planTrials(old, "P01", 5);
+  for (const auto& [pair, b] : balanceOf(plan)) CHECK(b.left == 5);
+  for (std::size_t i = 0; i < plan.size(); ++i) {
+    CHECK(plan[i].choices == later[i].choices);
+    CHECK_FALSE(plan[i].breakBefore);
+  }
+}
+
+TEST_CASE("plan: modes are blocks with a rest between, each as often first; pairs are shared out alike") {
+  StudyDesign design;
+  design.modes = {FeedbackMode::full, FeedbackMode::clickOnly, FeedbackMode::slopeOnly};
+  design.pairsEach = 2;
+  const StudyFolder made(design, {"A", "B", "C", "D"});
+  std::map<FeedbackMode, int> first;
+  std::map<std::pair<std::size_t, std::size_t>, int> people;
+  for (std::size_t begun = 0; begun < 9; ++begun) {
+    const std::vector<Trial> plan = planTrials(*made.study, "P" + std::to_string(begun), begun);
+    ++first[plan.front().mode];
+    CHECK_FALSE(plan.front().breakBefore);
+    int changes = 0;
+    for (std::size_t i = 1; i < plan.size(); ++i) {
+      const bool changed = plan[i].mode != plan[i - 1].mode;
+      changes += changed ? 1 : 0;
+      CHECK(plan[i].breakBefore == changed);  // blocks of 20 trials need none within
+    }
+    CHECK(changes == 2);
+    for (const auto& [pair, b] : balanceOf(plan)) ++people[pair];
+  }
+  for (const auto& [mode, n] : first) CHECK(n == 3);
+  REQUIRE(people.size() == 6);
+  for (const auto& [pair, n] : people) CHECK(n == 3);
 }
 
 TEST_CASE("plan: modes, practice, a subset of pairs, matching") {
@@ -192,8 +269,8 @@ TEST_CASE("a study with a changed, missing or foreign part is refused by name") 
   }
   {
     const StudyFolder made;
-    edit(made.folder() / "study.json", "\"version\": 1", "\"version\": 2");
-    CHECK(openStudy(made.folder()).failure().sentence().find("version 2") != std::string::npos);
+    edit(made.folder() / "study.json", "\"version\": 2", "\"version\": 3");
+    CHECK(openStudy(made.folder()).failure().sentence().find("version 3") != std::string::npos);
   }
   {
     const StudyFolder made;
@@ -239,8 +316,10 @@ TEST_CASE(
   all << in.rdbuf();
   const std::string text = all.str();
   const std::size_t last = text.rfind('\n', text.size() - 2) + 1;
+  const JournalText whole = splitJournal(text.substr(0, last));
   for (std::size_t length = last; length < text.size(); length += 17) {
     std::ofstream(file, std::ios::binary) << text.substr(0, length);
+    REQUIRE(writeHead(file, whole.lines.size(), chainAfter(whole.lines)));  // as a crash leaves it
     const Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", simulatedStart);
     REQUIRE(session);
     CHECK(session->record().answers.size() == 2);
@@ -253,9 +332,18 @@ TEST_CASE("journal: a line changed, taken out or added by hand is named") {
     const StudyFolder made;
     answer(*made.study, "P01", "guess", 6);
     edit(made.folder() / "participants" / "P01.jsonl", from, to);
+    answer(*made.study, "P02", "guess", 2);
     const auto records = readParticipants(*made.study);
-    REQUIRE_FALSE(records);
-    return records.failure();
+    REQUIRE(records);
+    REQUIRE(records->size() == 2);
+    REQUIRE(records->front().damage);
+    CHECK(records->front().answers.empty());
+    CHECK(records->back().answers.size() == 2);  // it costs that person only
+    const StudyResults results = resultsOf(*made.study, *records);
+    CHECK(results.rows.size() == 2);
+    CHECK(results.warnings.front().find("P01 is left out") == 0);
+    CHECK_FALSE(ParticipantSession::open(*made.study, "P01", simulatedStart));
+    return *records->front().damage;
   };
   CHECK(failureAfter("\"trial\":3", "\"trial\":4").sentence().find("line 5") != std::string::npos);
   CHECK(failureAfter("\"correct\":true", "\"correct\":false").sentence().find("by hand") !=
@@ -264,7 +352,106 @@ TEST_CASE("journal: a line changed, taken out or added by hand is named") {
   const StudyFolder one, other;
   answer(*one.study, "P01", "guess", 2);
   fs::copy_file(one.folder() / "participants" / "P01.jsonl", one.folder() / "participants" / "P02.jsonl");
-  CHECK(readParticipants(*one.study).failure().sentence().find("P01") != std::string::npos);
+  const auto copied = readParticipants(*one.study);
+  REQUIRE(copied);
+  CHECK(copied->front().answers.size() == 2);
+  CHECK(copied->back().damage->sentence().find("P01") != std::string::npos);
+}
+
+TEST_CASE("journal: whole lines cut off its end, emptied or gone, it is noticed") {
+  const StudyFolder made;
+  answer(*made.study, "P01", "guess", 6);
+  const fs::path file = made.folder() / "participants" / "P01.jsonl";
+  const std::string text = *readTextFile(file.string());
+  const auto damaged = [&] {
+    CHECK_FALSE(ParticipantSession::open(*made.study, "P01", simulatedStart));
+    return readParticipants(*made.study)->front().damage.has_value();
+  };
+  std::ofstream(file, std::ios::binary) << text.substr(0, text.rfind('\n', text.size() - 2) + 1);
+  CHECK(damaged());
+  std::ofstream(file, std::ios::binary) << "";
+  CHECK(damaged());
+  fs::remove(file);
+  CHECK(damaged());
+  // A head that is behind by a line is a crash between the two.
+  std::ofstream(file, std::ios::binary) << text;
+  std::ofstream(headFileOf(file)) << "1 " << chainAfter({text.substr(0, text.find('\n'))}) << "\n";
+  CHECK_FALSE(readParticipants(*made.study)->front().damage);
+  CHECK(ParticipantSession::open(*made.study, "P01", simulatedStart));
+}
+
+TEST_CASE("session: ids that sound alike are one person; who listened in one condition goes on in it") {
+  const StudyFolder made;
+  answer(*made.study, "P01", "guess", 2);
+  for (const char* id : {"P1", "P-1", "P_1", "p01", "P001"}) {
+    const auto session = ParticipantSession::open(*made.study, id, simulatedStart);
+    REQUIRE_FALSE(session);
+    CHECK(session.failure().exitCode() == 2);
+    CHECK(session.failure().sentence().find("P01") != std::string::npos);
+  }
+  CHECK(ParticipantSession::open(*made.study, "P10", simulatedStart));
+  SessionStart masked = simulatedStart;
+  masked.listening = Listening::masked;
+  const auto other = ParticipantSession::open(*made.study, "P01", masked);
+  REQUIRE_FALSE(other);
+  CHECK(other.failure().exitCode() == 2);
+  CHECK(ParticipantSession::open(*made.study, "P02", masked));
+  CHECK(listeningOf(*made.study, "P02", {}) == Listening::masked);
+  CHECK(listeningOf(*made.study, "P03", {}) == Listening::quiet);
+}
+
+TEST_CASE("session: a person's answer to what was not felt is not kept; what was felt is") {
+  const StudyFolder made;
+  SessionStart person{SessionKind::real, Listening::quiet, "JACK", "", 1000};
+  person.route = {"/dev/ttyACM0", "linear 0 9.81; residual 0.02 N; 14 weights", "JACK, 48000 Hz, 64 frames"};
+  {
+    Result<ParticipantSession> session = ParticipantSession::open(*made.study, "P01", person);
+    REQUIRE(session);
+    Answer answer = simulatedAnswer(*made.study, "P01", *session->trial(), {});
+    for (Felt* felt : {&answer.felt[0], &answer.felt[1], &answer.feltX}) {
+      const Felt kept = std::exchange(*felt, {1, 0, 1.2, 0.4});  // begun, not pressed through
+      CHECK_FALSE(session->record(answer));
+      *felt = kept;
+    }
+    answer.feltX = {2, 1, 1.75, 3.5};
+    CHECK(session->record(answer));
+  }
+  const ParticipantRecord record = readParticipants(*made.study)->front();
+  REQUIRE(record.answers.size() == 1);
+  CHECK(record.answers[0].answer.feltX.travel_mm == 3.5);
+  CHECK(record.sessions[0].route.sensorCalibration == person.route.sensorCalibration);
+  const std::string journal = *readTextFile((made.folder() / "participants" / "P01.jsonl").string());
+  CHECK(journal.substr(0, journal.find('\n')).find("14 weights") != std::string::npos);  // the first line
+  const std::string csv = feltCsv(resultsOf(*made.study, {record}));
+  CHECK(std::count(csv.begin(), csv.end(), '\n') == 4);
+  CHECK(csv.find(",2,1,1.75,3.5,quiet") != std::string::npos);
+}
+
+TEST_CASE("study: without stimuli, or with a session of a kind nobody knows, it is refused and not run") {
+  const StudyFolder made;
+  const fs::path file = made.folder() / "study.json";
+  std::string text = *readTextFile(file.string());
+  const std::size_t at = text.find("\"stimuli\": [");
+  std::ofstream(file) << text.substr(0, at) << "\"stimuli\": []\n}\n";
+  const Result<Study> study = openStudy(made.folder());
+  REQUIRE_FALSE(study);
+  CHECK(study.failure().exitCode() == 3);
+
+  const StudyFolder other;
+  std::string chain;
+  std::ofstream journal(other.folder() / "participants" / "P01.jsonl");
+  journal << headerLine(*other.study, "P01", 0, {}, chain) << "\n";
+  std::string line = sessionLine(simulatedStart, 0, chain);
+  const std::string body = line.substr(0, line.rfind(",\"chain\"")) + "}";
+  const std::string strange =
+      body.substr(0, body.find("simulated")) + "telepathy" + body.substr(body.find("simulated") + 9);
+  chain = chainAfter({headerLine(*other.study, "P01", 0, {}, *std::make_unique<std::string>())});
+  journal << strange.substr(0, strange.size() - 1) << ",\"chain\":\""
+          << sha256Hex(chain + strange).substr(0, 16) << "\"}\n";
+  journal.close();
+  const auto records = readParticipants(*other.study);
+  REQUIRE(records->front().damage);
+  CHECK(records->front().damage->sentence().find("telepathy") != std::string::npos);
 }
 
 TEST_CASE(
@@ -360,17 +547,28 @@ TEST_CASE("desk: nothing is answered unfelt; times and tries are counted") {
   const Trial trial = planTrials(*made.study, "P01").front();
   TrialDesk desk(*made.study, trial, 100, 110);
   CHECK_FALSE(desk.mayAnswer());
-  desk.triedChoice(0, 111);
-  desk.triedX(112);
+  desk.felt({1, 1, 1, 1});  // nothing is under the finger yet
+  desk.tried(0, 111);
+  desk.felt({1, 1, 1.5, 3});
+  desk.tried(desk.slotOfX(), 112);
+  desk.felt({1, 1, 1.5, 3});
   CHECK_FALSE(desk.mayAnswer());
-  desk.triedChoice(1, 113);
-  desk.triedChoice(1, 114);
+  desk.tried(1, 113);
+  CHECK_FALSE(desk.mayAnswer());
+  desk.felt({1, 0, 0.5, 1});  // let go too early
+  CHECK_FALSE(desk.mayAnswer());
+  desk.tried(1, 114);
+  desk.felt({1, 1, 1.2, 2.5});
   REQUIRE(desk.mayAnswer());
   const Answer a = desk.answer(1, 116);
   CHECK(a.replays == std::vector<std::size_t>{1, 2});
   CHECK(a.onset_s == 10);
   CHECK(a.firstPress_s == 1);
   CHECK(a.answer_s == 6);
+  CHECK(a.felt[1].presses == 2);
+  CHECK(a.felt[1].whole == 1);
+  CHECK(a.felt[1].peak_N == 1.2);
+  CHECK(a.feltX.travel_mm == 3);
 }
 
 TEST_CASE("results: a perfect and a guessing participant, the rule and its p") {
@@ -396,10 +594,69 @@ TEST_CASE("results: a perfect and a guessing participant, the rule and its p") {
   CHECK(*discriminationRule(5).mostErrors == 0);
 }
 
-TEST_CASE("results: no error gives a bound, not infinity") {
+TEST_CASE("results: eight people all better in one mode: p is exact, and Holm counts pairs and modes") {
+  StudyDesign design;
+  design.modes = {FeedbackMode::full, FeedbackMode::clickOnly};
+  const StudyFolder made(design);
+  std::vector<ParticipantRecord> people;
+  for (int i = 0; i < 8; ++i) {
+    ParticipantRecord p;
+    p.participant = "P" + std::to_string(i + 1);
+    p.begunBefore = static_cast<std::size_t>(i);
+    p.plan = planTrials(*made.study, p.participant, p.begunBefore);
+    int wrongInClicks = 1 + i;
+    for (const Trial& trial : p.plan) {
+      const bool wrong = trial.mode == FeedbackMode::clickOnly && wrongInClicks-- > 0;
+      RecordedAnswer given;
+      given.answer.trial = trial.number;
+      given.answer.choice = wrong ? 1 - trial.target : trial.target;
+      p.answers.push_back(given);
+    }
+    people.push_back(p);
+  }
+  const StudyResults results = resultsOf(*made.study, people);
+  REQUIRE(results.comparisons.size() == 4);  // all trials, and three pairs
+  const GroupComparison& all = results.comparisons[0];
+  CHECK(all.paired);
+  CHECK(all.participants == 8);
+  CHECK(all.p == Approx(2.0 / 256));  // 0.0078
+  CHECK(all.adjusted == all.p);
+  REQUIRE(all.interval);
+  CHECK(all.interval->low * all.interval->high > 0);  // zero is outside
+  for (std::size_t i = 1; i < 4; ++i) {
+    CHECK(results.comparisons[i].pair == i - 1);
+    CHECK(results.comparisons[i].adjusted >= results.comparisons[i].p);
+  }
+  CHECK(resultsText(results).find("p = 0.0078") != std::string::npos);
+  CHECK(resultsPage(results, {}).find("8, in both") != std::string::npos);
+  // One person's tests are adjusted over six: three pairs in two modes.
+  CHECK(results.groups[0].pairs[0].tests[0].adjusted >= results.groups[0].pairs[0].tests[0].p);
+  CHECK(results.groups[1].pairs[0].tests[0].adjusted == Approx(6.0 / 1024));
+}
+
+TEST_CASE("results: every line of the text fits 80 columns, and long labels still differ") {
+  StudyResults results;
+  results.labels = {"a very long label one", "a very long label two", "c"};
+  results.names = results.labels;
+  GroupResult group;
+  group.condition = "masked/click-only";
+  for (const auto& [first, second] : pairsOf(3)) group.pairs.push_back(pairResult(first, second, {3, 90}));
+  results.groups.push_back(group);
+  std::istringstream text(resultsText(results));
+  std::set<std::string> lines;
+  for (std::string line; std::getline(text, line);) {
+    CHECK(line.size() <= 80);
+    if (line.find("3/90") != std::string::npos) CHECK(lines.insert(line).second);
+  }
+  CHECK(lines.size() == 3);
+}
+
+TEST_CASE("results: no error is half an error, never infinity, and above one error") {
   const Sensitivity s = sensitivityOf({0, 90});
-  CHECK(s.atLeast);
-  CHECK(s.differencing == Approx(4.31).margin(0.01));
+  CHECK(s.noError);
+  CHECK(s.low == Approx(4.31).margin(0.01));
+  CHECK(s.differencing > sensitivityOf({1, 90}).differencing);
+  CHECK(std::isfinite(s.independent));
   CHECK(sensitivityOf({45, 90}).differencing == 0);
 }
 
@@ -452,4 +709,69 @@ TEST_CASE("page: what was foretold of a mode stands beside what was found in it"
   CHECK(resultsPage(results, {pair}).find("by its click") != std::string::npos);
   pair.mode = FeedbackMode::clickOnly;
   CHECK(resultsPage(results, {pair}).find("by its click") == std::string::npos);
+}
+
+namespace {
+
+enum class Sensor { good, zeros, silent, stuck, lost, light };
+
+/// A person who tries to answer everything while the sensor does this; how many answers the journal holds then.
+std::size_t answersWith(const Study& study, const std::string& id, Sensor sensor) {
+  StudyRandom random = randomSeededBy(id);
+  Result<ParticipantSession> session =
+      ParticipantSession::open(study, id, {SessionKind::real, Listening::quiet, "JACK", "", 1000});
+  REQUIRE(session);
+  for (int tries = 0; tries < 12 && session->trial() != nullptr; ++tries) {
+    const Trial& trial = *session->trial();
+    TrialDesk desk(study, trial, 0, tries);
+    for (std::size_t slot = 0; slot <= desk.slotOfX(); ++slot) {
+      const Result<PreparedProgram> prepared = programFor(study, desk.buttonIn(slot), trial.mode);
+      const auto program = std::make_unique<HapticProgram>(prepared->program);
+      StrokeTracker tracker;
+      PressCounter counter;
+      tracker.use(program.get());
+      counter.use(program.get());
+      const double strongest_N = 1.3 * strongestForce_N(*program), stuck_N = strongest_N * drawShare(random);
+      desk.tried(slot, tries + 0.1);
+      for (int i = 0; i <= 200 && sensor != Sensor::silent; ++i) {
+        const double share = i <= 100 ? i / 100.0 : (200 - i) / 100.0;
+        double force_N = strongest_N * share;
+        if (sensor == Sensor::zeros) force_N = 0.02 * drawShare(random);
+        if (sensor == Sensor::stuck) force_N = stuck_N;
+        if (sensor == Sensor::light) force_N = 0.2 * strongest_N * share;
+        if (sensor == Sensor::lost && i > 120) break;  // on the way up
+        tracker.updateForce(force_N);
+        counter.take(tracker.position());
+      }
+      const PressCount count = counter.taken();
+      desk.felt({count.begun, count.whole, count.peak_N, count.travel_mm});
+    }
+    if (desk.mayAnswer()) {
+      REQUIRE(session->record(desk.answer(drawBelow(random, 2), tries + 1.0)));
+    } else {  // a front end that does not ask the desk comes no further
+      Answer blind = simulatedAnswer(study, id, trial, {});
+      for (std::size_t slot = 0; slot < desk.slotOfX(); ++slot) blind.felt[slot] = desk.feltOf(slot);
+      blind.feltX = desk.feltOf(desk.slotOfX());
+      CHECK_FALSE(session->record(blind));
+    }
+  }
+  return session->record().answers.size();
+}
+
+}  // namespace
+
+TEST_CASE("200 studies with a dead, silent, stuck, lost or barely touched sensor: none is answered as real") {
+  StudyDesign design;
+  design.trials = 2;
+  const StudyFolder made(design);
+  std::size_t answered = 0;
+  for (int i = 0; i < 200; ++i)
+    answered += answersWith(*made.study, "S" + std::to_string(i),
+                            std::array{Sensor::zeros, Sensor::silent, Sensor::stuck, Sensor::lost,
+                                       Sensor::light}[static_cast<std::size_t>(i) % 5]);
+  CHECK(answered == 0);
+  CHECK(answersWith(*made.study, "good", Sensor::good) == 6);
+  const auto records = readParticipants(*made.study);
+  CHECK(std::count_if(records->begin(), records->end(),
+                      [](const ParticipantRecord& r) { return r.complete(); }) == 1);
 }

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the same people did under two conditions. Each person is their own control: only the sign of a difference is up to chance.
+// Deterministic; any thread.
+
+#include <optional>
+#include <vector>
+
+#include "playback/study/statistics/binomial.h"
+
+namespace detent::playback {
+
+/// Mean of the differences with what may be said of it.
+struct PairedDifference {
+  double mean = 0;
+  /// Two-sided, by flipping the signs of whole persons (Fisher 1935): exact up to 20 people, by 100,000 random flips above. 1 for
+  /// nobody.
+  double p = 1;
+  /// Of the mean: what the same test does not refuse, from the means of all subsets (Hartigan, JASA 1969). None where so few people
+  /// can exclude nothing: fewer than six for 95 %.
+  std::optional<Interval> interval;
+};
+
+/// `differences`: one finite number for each person, in any unit. `confidence` in (0, 1).
+PairedDifference pairedDifference(const std::vector<double>& differences, double confidence = 0.95);
+
+}  // namespace detent::playback
