@@ -55,8 +55,13 @@ struct ForcePlayerSettings {
   ForceDeviceChoice device;
   ForceSettings force;
   FingerChoice finger;
-  double seconds = 0;  ///< 0: until stopped
-  bool paced = true;   ///< false: a simulated device runs as fast as it can
+  double seconds = 0;        ///< 0: until stopped
+  bool paced = true;         ///< false: a simulated device runs as fast as it can
+  bool holdToRun = false;    ///< force only while somebody holds: `hold`, the space bar, OSC /detent/hold
+  bool stopKeys = false;     ///< keys of the terminal stop and arm (docs/force-feedback.md)
+  bool stopSignals = false;  ///< SIGUSR1 stops; so does, at once, what ends the program
+  std::optional<std::uint16_t> stopOscPort;  ///< OSC /detent/stop stops; 0: the system chooses
+  std::string stopOscAddress = "127.0.0.1";
 };
 
 /// A snapshot for displays; counts since the start.
@@ -71,7 +76,10 @@ struct ForceStatus {
   double lowestBalance_mJ = 0;  ///< of the passivity observer; below 0: the button gave more than it held
   std::uint64_t droppedRows = 0;
   bool connected = true;
-  bool homing = false;  ///< the person has to move the handle all the way out and in
+  bool homing = false;               ///< the person has to move the handle all the way out and in
+  ForceHalt halt = ForceHalt::none;  ///< why there is no force until somebody arms or holds
+  std::string clearedFault;          ///< an error of the device that was found and cleared
+  std::string fault;                 ///< what the device says keeps it from giving force; empty: nothing
   bool finished = false;
 };
 
@@ -91,6 +99,13 @@ class ForcePlayer {
   /// Appends every step since the last call, in order.
   virtual void takeSteps(std::vector<ForceStep>& steps) = 0;
   virtual void stop() = 0;
+
+  /// No force within 15 ms, and none until `rearm`. Any thread; waits for nothing.
+  virtual void emergencyStop() = 0;
+  /// A person wants force again, after an emergency stop, a fault, or a place that was lost: it rises from nothing.
+  virtual void rearm() = 0;
+  /// Hold-to-run: to be said again at least every 0.1 s.
+  virtual void hold(bool held) = 0;
 };
 
 }  // namespace detent::playback

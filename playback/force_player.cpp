@@ -7,6 +7,7 @@
 #include "playback/device/falcon_force_device.h"
 #include "playback/device/falcon_protocol.h"
 #include "playback/device/force_loop.h"
+#include "playback/device/force_orders.h"
 #include "playback/device/odrive_force_device.h"
 #include "playback/device/serial_force_device.h"
 #include "playback/device/simulated_device.h"
@@ -84,16 +85,14 @@ Result<std::unique_ptr<ForceDevice>> simulatedOn(const Button& button, const Pre
 Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
                                               const ForceDeviceChoice& choice) {
   Result<std::unique_ptr<SerialForceDevice>> device =
-      SerialForceDevice::open(choice.port, choice.baud, prepared.program.period_s);
+      SerialForceDevice::open(choice.port, choice.baud, prepared.program.period_s, prepared.program.limits);
   if (!device) return device.failure();
   const SerialForceInfo& info = (*device)->info();
-  if (prepared.program.step_mm < info.step_mm * 0.999 ||
-      prepared.program.limits.force_N > info.force_N * 1.001) {
-    return Failure{
-        FailureCode::wrongUsage, choice.port, "",
-        "the device has steps of " + std::to_string(1000 * info.step_mm) + " um and gives " +
-            std::to_string(info.force_N) + " N; it was prepared for finer steps or more force",
-        "Give --step-mm " + std::to_string(info.step_mm) + " --max-N " + std::to_string(info.force_N)};
+  if (prepared.program.step_mm < info.step_mm * 0.999) {
+    return Failure{FailureCode::wrongUsage, choice.port, "",
+                   "the device has steps of " + std::to_string(1000 * info.step_mm) +
+                       " um; it was prepared for finer ones",
+                   "Give --step-mm " + std::to_string(info.step_mm)};
   }
   if (choice.uploadTable) {
     if (Result<Done> sent = (*device)->upload(prepared.program); !sent) return sent.failure();
@@ -109,6 +108,8 @@ Result<std::unique_ptr<ForceDevice>> odriveOn(const PreparedForce& prepared,
   settings.axis = choice.axis;
   settings.mmPerTurn = choice.mmPerTurn;
   settings.period_s = prepared.program.period_s;
+  settings.force_N = prepared.program.limits.force_N;
+  settings.speed_mm_per_s = prepared.program.limits.speed_mm_per_s;
   Result<std::unique_ptr<OdriveForceDevice>> device = OdriveForceDevice::open(settings);
   if (!device) return device.failure();
   return std::unique_ptr<ForceDevice>(std::move(*device));
@@ -150,9 +151,22 @@ class RunningForce : public ForcePlayer {
                const ForceProgram& program)
       : settings_(settings),
         summary_(std::move(summary)),
-        loop_(
-            std::move(device), program,
-            {settings.paced, static_cast<std::int64_t>(std::llround(settings.seconds / program.period_s))}) {}
+        loop_(std::move(device), program,
+              {settings.paced, static_cast<std::int64_t>(std::llround(settings.seconds / program.period_s)),
+               settings.holdToRun}) {}
+
+  Result<Done> takeOrders() {
+    ForceOrderSettings orders;
+    orders.keys = settings_.stopKeys;
+    orders.signals = settings_.stopSignals;
+    orders.oscPort = settings_.stopOscPort;
+    orders.oscAddress = settings_.stopOscAddress;
+    orders.holdToRun = settings_.holdToRun;
+    Result<std::unique_ptr<ForceOrders>> started = ForceOrders::start(loop_, orders);
+    if (!started) return started.failure();
+    orders_ = *std::move(started);
+    return Done{};
+  }
 
   Result<Done> setButton(const Button& button) override {
     Result<PreparedForce> prepared = prepareForce(button, settings_.device.profile, settings_.force);
@@ -184,17 +198,25 @@ class RunningForce : public ForcePlayer {
     to.droppedRows = from.droppedRows;
     to.connected = from.device != ForceDeviceState::lost;
     to.homing = from.device == ForceDeviceState::homing;
+    to.halt = from.halt;
+    if (from.device == ForceDeviceState::fault || from.link.fault != 0)
+      to.fault = odriveErrorWords(from.link.fault);
+    if (from.link.clearedFault != 0) to.clearedFault = odriveErrorWords(from.link.clearedFault);
     to.finished = from.finished;
     return to;
   }
 
   void takeSteps(std::vector<ForceStep>& steps) override { loop_.takeSteps(steps); }
   void stop() override { loop_.stop(); }
+  void emergencyStop() override { loop_.emergencyStop(); }
+  void rearm() override { loop_.rearm(); }
+  void hold(bool held) override { loop_.hold(held); }
 
  private:
   ForcePlayerSettings settings_;
   ForceSummary summary_;
   ForceLoop loop_;
+  std::unique_ptr<ForceOrders> orders_;  ///< uses the loop
 };
 
 }  // namespace
@@ -205,8 +227,10 @@ Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button& button,
   if (!prepared) return prepared.failure();
   Result<std::unique_ptr<ForceDevice>> device = openDevice(button, *prepared, settings);
   if (!device) return device.failure();
-  return std::unique_ptr<ForcePlayer>(
-      std::make_unique<RunningForce>(settings, prepared->summary, *std::move(device), prepared->program));
+  auto running =
+      std::make_unique<RunningForce>(settings, prepared->summary, *std::move(device), prepared->program);
+  if (Result<Done> orders = running->takeOrders(); !orders) return orders.failure();
+  return std::unique_ptr<ForcePlayer>(std::move(running));
 }
 
 }  // namespace detent::playback

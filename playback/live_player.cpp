@@ -389,6 +389,9 @@ class Player : public LivePlayer {
         case SignalKind::displacement:
           pushDisplacement(m.value);
           return;
+        case SignalKind::hold:
+          return;
+        case SignalKind::stop:
         case SignalKind::gain: {
           const std::lock_guard lock(controlMutex_);
           gainShare_ = m.value;

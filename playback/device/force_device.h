@@ -17,12 +17,15 @@ struct ForceLinkCounts {
   std::uint64_t repeated = 0;       ///< the same answer again
   std::uint64_t reconnects = 0;     ///< times the device came back
   std::uint64_t firmwareTries = 0;  ///< uploads of a firmware, the successful ones included
+  std::uint64_t clearedFault = 0;   ///< the last one that was found and cleared
+  std::uint64_t fault = 0;          ///< the device's own code of why it gives no force; 0: none
 };
 
 /// What keeps a device from rendering.
 enum class ForceDeviceState : std::uint8_t {
   ready,
   homing,  ///< it does not know where it is: the person has to move the handle all the way out and in
+  fault,   ///< it took the force away by itself and says why (`ForceLinkCounts::fault`); `rearm` clears it
   lost     ///< unplugged or reset; exchanges try to bring it back
 };
 
@@ -34,6 +37,10 @@ class ForceDevice {
   /// Sends a force and gives the newest reading; waits for it no longer than half a period. `fresh` is false where none came.
   /// Never throws; a lost device gives no fresh reading until it is back.
   virtual ForceReading exchange(const ForceCommand& command) = 0;
+
+  /// A person wants force again after an emergency stop, a fault or a lost place: clears what the device itself holds against it. May
+  /// wait a fifth of a second.
+  virtual void rearm() {}
 
   virtual ForceDeviceState state() const { return ForceDeviceState::ready; }
   virtual ForceLinkCounts counts() const { return {}; }

@@ -54,6 +54,26 @@ void ForceLoop::takeProgram() {
   retired_.try_enqueue(std::move(next));  // freed by the other thread
 }
 
+void ForceLoop::hold(bool held) { heldUntil_s_ = held ? now_s() + holdLasts_s : 0; }
+
+void ForceLoop::takeOrders() {
+  if (settings_.holdToRun) engine_.setHeld(now_s() < heldUntil_s_);
+  if (rearming_.exchange(false)) {
+    device_->rearm();
+    engine_.rearm();
+  }
+  if (emergency_.exchange(false)) engine_.emergencyStop();  // last: of both the stop counts
+}
+
+// What a late loop did not see may have moved.
+void ForceLoop::step(ForceReading reading) {
+  if (settings_.paced) {
+    const double before_s = std::exchange(exchanged_s_, now_s());
+    if (before_s > 0) reading.periods = std::max(1.0, (exchanged_s_ - before_s) / program_->period_s);
+  }
+  command_ = engine_.step(reading);
+}
+
 ForceLoopStatus ForceLoop::status() const {
   const std::lock_guard lock(statusMutex_);
   return published_;
@@ -78,6 +98,7 @@ void ForceLoop::publish(bool finished) {
   published_.lowestBalance_mJ = engine_.lowestBalance_mJ();
   published_.droppedRows = dropped_;
   published_.device = device_->state();
+  published_.halt = engine_.halt();
   published_.finished = finished;
 }
 
@@ -116,14 +137,15 @@ void ForceLoop::run() {
       due_s = std::max(due_s, now_s() - program_->period_s) + program_->period_s;
     }
     takeProgram();
-    command_ = engine_.step(device_->exchange(command_));
+    takeOrders();
+    step(device_->exchange(command_));
     keep(engine_.last(), !settings_.paced);
     publish(false);
   }
   engine_.stop();
   for (int i = 0; i < longestFade_steps && !engine_.silent(); ++i) {
     if (settings_.paced) sleepUntil(due_s += program_->period_s);
-    command_ = engine_.step(device_->exchange(command_));
+    step(device_->exchange(command_));
   }
   device_->exchange(ForceCommand{});
   publish(true);

@@ -20,7 +20,11 @@ struct ForceLoopSettings {
   /// false: as fast as the machine can, for devices whose time is their own (the simulated one).
   bool paced = true;
   std::int64_t steps = 0;  ///< 0: until stopped
+  bool holdToRun = false;  ///< force only while `ForceLoop::hold` is said again and again
 };
+
+/// How long one `ForceLoop::hold` lasts: a key that is held down repeats three times in it.
+inline constexpr double holdLasts_s = 0.15;
 
 /// How punctual the loop was. A step is late by how long after its time it began.
 struct DeadlineCounts {
@@ -38,6 +42,7 @@ struct ForceLoopStatus {
   double lowestBalance_mJ = 0;
   std::uint64_t droppedRows = 0;  ///< steps that nobody fetched in time
   ForceDeviceState device = ForceDeviceState::ready;
+  ForceHalt halt = ForceHalt::none;
   bool finished = false;
 };
 
@@ -56,6 +61,12 @@ class ForceLoop {
   ForceLoopStatus status() const;
   /// Appends the steps since the last call.
   void takeSteps(std::vector<ForceStep>& steps);
+  /// No force within a few periods, and none until `rearm`. Any thread; waits for nothing.
+  void emergencyStop() { emergency_ = true; }
+  /// A person wants force again: it rises from nothing. Any thread.
+  void rearm() { rearming_ = true; }
+  /// Hold-to-run: there is force only while the last word was `true`, and that not longer ago than `holdLasts_s`. Any thread.
+  void hold(bool held);
   /// Asks for the end; `status().finished` tells it has come.
   void stop() { stopping_ = true; }
 
@@ -65,6 +76,8 @@ class ForceLoop {
   void keep(const ForceStep& step, bool wait);
   void publish(bool finished);
   void takeProgram();
+  void takeOrders();
+  void step(ForceReading reading);
 
   ForceLoopSettings settings_;
   std::unique_ptr<ForceDevice> device_;
@@ -73,7 +86,9 @@ class ForceLoop {
   ForceCommand command_;
   DeadlineCounts deadlines_;
   std::uint64_t dropped_ = 0;
-  std::atomic<bool> stopping_{false}, abandoned_{false};
+  std::atomic<bool> stopping_{false}, abandoned_{false}, emergency_{false}, rearming_{false};
+  std::atomic<double> heldUntil_s_{0};
+  double exchanged_s_ = 0;
   moodycamel::ReaderWriterQueue<ForceStep> rows_;
   moodycamel::ReaderWriterQueue<std::unique_ptr<ForceProgram>> programs_, retired_;
   mutable std::mutex statusMutex_;  ///< the loop only tries it: a display never makes a step late

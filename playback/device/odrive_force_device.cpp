@@ -17,25 +17,37 @@ namespace detent::playback {
 namespace {
 
 constexpr double answer_s = 0.3, waitOfPeriod = 0.5, mmPerM = 1000;
+constexpr double arming_s = 1, rearming_s = 0.15, shortAnswer_s = 0.02;
+constexpr double velocityRoom = 1.25;  // of the firmware's velocity limit above the engine's
+constexpr double stateAsked_s = 0.02;  // between two looks at the axis's state
 constexpr int tries = 5;
 constexpr int torqueControl = 1, closedLoop = 8, idle = 1;  // CONTROL_MODE_TORQUE_CONTROL, AXIS_STATE_...
 
-/// "c 0 0.0125 *57\n": the checksum is decimal, over everything before the star.
-std::string odriveLine(const std::string& command) {
-  const std::string body = command + " ";
-  return body + "*" + std::to_string(lineChecksum(body)) + "\n";
+/// The text before a good checksum, or all of one that carries none; none where the checksum is wrong.
+std::optional<std::string_view> payloadOf(std::string_view line) {
+  const std::size_t star = line.rfind('*');
+  if (star == std::string_view::npos) return line;
+  unsigned sum = 0;
+  const auto [end, error] = std::from_chars(line.data() + star + 1, line.data() + line.size(), sum);
+  if (error != std::errc() || end != line.data() + line.size() || sum != lineChecksum(line.substr(0, star)))
+    return {};
+  return line.substr(0, star);
+}
+
+/// One number and nothing else: what a question about a property gives.
+std::optional<double> numberIn(std::string_view line) {
+  double value = 0;
+  const char* last = line.data() + line.size();
+  const auto [end, error] = std::from_chars(line.data(), last, value);
+  if (error != std::errc()) return {};
+  for (const char* p = end; p != last; ++p) {
+    if (*p != ' ') return {};
+  }
+  return value;
 }
 
 /// "1.25 -0.5", with or without a checksum: position and velocity in turns.
 std::optional<double> positionIn(std::string_view line) {
-  const std::size_t star = line.rfind('*');
-  if (star != std::string_view::npos) {
-    unsigned sum = 0;
-    const auto [end, error] = std::from_chars(line.data() + star + 1, line.data() + line.size(), sum);
-    if (error != std::errc() || end != line.data() + line.size() || sum != lineChecksum(line.substr(0, star)))
-      return {};
-    line = line.substr(0, star);
-  }
   double position = 0, velocity = 0;
   const char* last = line.data() + line.size();
   const auto first = std::from_chars(line.data(), last, position);
@@ -57,37 +69,153 @@ Result<std::unique_ptr<OdriveForceDevice>> OdriveForceDevice::open(const OdriveS
   }
   Result<SerialLink> link = SerialLink::open(settings.port, settings.baud);
   if (!link) return link.failure();
-  std::unique_ptr<OdriveForceDevice> device(new OdriveForceDevice(std::move(*link), settings));
-  device->configure();
-  for (int i = 0; i < tries; ++i) {
-    if (const std::optional<double> turns = device->feedback_turns(now_s() + answer_s)) {
-      device->rest_turns_ = *turns;
-      return device;
-    }
+  std::unique_ptr<OdriveForceDevice> device(new OdriveForceDevice(*std::move(link), settings));
+  device->link_.forget();
+  std::optional<double> turns;
+  for (int i = 0; i < tries && !turns; ++i) turns = device->feedback_turns(now_s() + answer_s);
+  if (!turns) {
+    return Failure{FailureCode::deviceTrouble, settings.port, "",
+                   "no ODrive answers on axis " + std::to_string(settings.axis),
+                   "Check power, cable and axis, and that the ASCII protocol is on (docs/force-feedback.md)"};
   }
-  return Failure{FailureCode::deviceTrouble, settings.port, "",
-                 "no ODrive answers on axis " + std::to_string(settings.axis),
-                 "Check power, cable and axis, and that the ASCII protocol is on (docs/force-feedback.md)"};
+  if (!device->arm(arming_s)) {
+    return Failure{
+        FailureCode::deviceTrouble, settings.port, "",
+        "axis " + std::to_string(settings.axis) + " does not arm: " + odriveErrorWords(device->counts_.fault),
+        "Mend that with odrivetool (dump_errors), until closed-loop control runs"};
+  }
+  return device;
 }
 
-void OdriveForceDevice::configure() {
-  const std::string axis = "axis" + std::to_string(settings_.axis);
-  const auto write = [&](const std::string& property, const std::string& value) {
-    link_.send(odriveLine("w " + axis + "." + property + " " + value));
+std::string odriveErrorWords(std::uint64_t error) {
+  constexpr std::pair<std::uint64_t, const char*> names[] = {
+      {0x1, "invalid state"},
+      {0x40, "motor failed"},
+      {0x80, "sensorless estimator failed"},
+      {0x100, "encoder failed"},
+      {0x200, "controller failed"},
+      {0x800, "watchdog timer expired"},
+      {0x1000, "end stop pressed (low)"},
+      {0x2000, "end stop pressed (high)"},
+      {0x4000, "emergency stop requested"},
+      {0x20000, "homing without end stop"},
+      {0x40000, "over temperature"},
+      {0x80000, "unknown position"},
   };
+  std::string words;
+  for (const auto& [bit, name] : names) {
+    if ((error & bit) != 0) words += (words.empty() ? "" : ", ") + std::string(name);
+  }
+  if (error == 0) return "it tells no error, and does not reach closed-loop control";
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "error 0x%llX", static_cast<unsigned long long>(error));
+  return number.data() + (words.empty() ? "" : " (" + words + ")");
+}
+
+// "c 0 0.0125 *57\n": the checksum is decimal, over everything before the star.
+template <class... Values>
+void OdriveForceDevice::say(const char* pattern, Values... values) {
+  std::array<char, 110> text{};
+  const int length = std::snprintf(text.data(), text.size() - 8, pattern, values...);
+  if (length < 0 || static_cast<std::size_t>(length) > text.size() - 9) return;
+  const auto end = static_cast<std::size_t>(length);
+  const int tail = std::snprintf(text.data() + end, text.size() - end, "*%u\n",
+                                 static_cast<unsigned>(lineChecksum({text.data(), end})));
+  link_.send({text.data(), end + static_cast<std::size_t>(tail)});
+}
+
+void OdriveForceDevice::write(const char* property, double value) {
+  say("w axis%u.%s %g ", settings_.axis, property, value);
+}
+
+// Commands feed the watchdog; this one asks for nothing.
+void OdriveForceDevice::feed() { say("c %u %.6f ", settings_.axis, 0.0); }
+
+std::optional<double> OdriveForceDevice::ask(const char* property, double wait_s) {
+  feed();
+  say("r axis%u.%s ", settings_.axis, property);
+  for (const double deadline_s = now_s() + wait_s;;) {
+    const std::optional<std::string_view> line = link_.line(deadline_s);
+    if (!line) return {};
+    const std::optional<std::string_view> text = payloadOf(*line);
+    if (text && numberIn(*text)) return numberIn(*text);
+    if (text && !positionIn(*text)) return {};  // "invalid property"
+  }
+}
+
+// Firmware 0.5 calls it error, 0.6 active_errors.
+std::uint64_t OdriveForceDevice::error() {
+  for (int i = 0; i < 2; ++i, olderNames_ = !olderNames_) {
+    const std::optional<double> bits = ask(olderNames_ ? "error" : "active_errors", shortAnswer_s);
+    if (bits && *bits >= 0 && *bits < 1e15) return static_cast<std::uint64_t>(*bits);
+  }
+  return 0;
+}
+
+// The watchdog counts from the moment it is switched on, and an axis that is not armed yet is not fed: so it comes last. Old errors, one of
+// them the watchdog's own from a run before, would keep the axis idle.
+bool OdriveForceDevice::arm(double wait_s) {
+  armed_ = false;
+  const double deadline_s = now_s() + wait_s;
   link_.forget();
-  write("controller.config.control_mode", std::to_string(torqueControl));
-  write("config.watchdog_timeout", std::to_string(settings_.watchdog_s));
-  write("config.enable_watchdog", "1");
-  write("requested_state", std::to_string(closedLoop));
+  write("config.enable_watchdog", 0);
+  counts_.fault = error();
+  if (counts_.fault != 0) counts_.clearedFault = counts_.fault;
+  say("sc ");
+  write("controller.config.control_mode", torqueControl);
+  limit();
+  write("config.watchdog_timeout", settings_.watchdog_s);
+  feed();
+  write("requested_state", closedLoop);
+  while (!armed_ && now_s() < deadline_s) armed_ = ask("current_state", shortAnswer_s) == closedLoop;
+  if (!armed_) {
+    disarmed();
+    return false;
+  }
+  feed();
+  write("config.enable_watchdog", 1);
+  const std::optional<double> turns = feedback_turns(now_s() + shortAnswer_s * tries);
+  if (!turns) return armed_ = false;
+  rest_turns_ = *turns;
+  counts_.fault = 0;
+  asked_s_ = now_s();
+  return true;
+}
+
+// What the motor can give whatever it is asked for. In torque control the firmware brakes above its velocity limit with torque of its own:
+// that limit is moved out of a hand's reach, the engine's own speed limit takes the force away below it.
+void OdriveForceDevice::limit() {
+  const double most_Nm = settings_.force_N * std::abs(settings_.mmPerTurn) / (2 * std::numbers::pi * mmPerM);
+  write("motor.config.torque_lim", most_Nm);  // firmware 0.5
+  write("config.torque_soft_max", most_Nm);   // 0.6
+  write("config.torque_soft_min", -most_Nm);
+  write("controller.config.vel_limit",
+        velocityRoom * settings_.speed_mm_per_s / std::abs(settings_.mmPerTurn));
+  link_.forget();
+}
+
+void OdriveForceDevice::disarmed() {
+  armed_ = false;
+  if (const std::uint64_t bits = error(); bits != 0) counts_.fault = bits;
+}
+
+void OdriveForceDevice::rearm() {
+  if (link_.isOpen() && arm(rearming_s)) last_mm_ = 0;
 }
 
 std::optional<double> OdriveForceDevice::feedback_turns(double deadline_s) {
-  link_.send(odriveLine("f " + std::to_string(settings_.axis)));
+  say("f %u ", settings_.axis);
   for (;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) return {};
-    if (const std::optional<double> position = positionIn(*line)) return position;
+    const std::optional<std::string_view> text = payloadOf(*line);
+    if (text) {
+      if (const std::optional<double> position = positionIn(*text)) return position;
+      if (const std::optional<double> state = numberIn(*text)) {  // what was asked about the axis
+        if (*state != closedLoop && armed_) armed_ = false, zeroLost_ = true;
+        continue;
+      }
+    }
     ++counts_.malformed;
   }
 }
@@ -100,30 +228,38 @@ ForceReading OdriveForceDevice::exchange(const ForceCommand& command) {
   if (!link_.isOpen()) {
     if (link_.reopen()) {
       ++counts_.reconnects;
-      configure();
+      zeroLost_ = true;
+      arm(rearming_s);
     }
     return reading;
   }
   // An answer of the period before, come late, would be taken for this one's.
   link_.forget();
-  const double torque_Nm = -command.force_N * settings_.mmPerTurn / (2 * std::numbers::pi * mmPerM);
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "c %u %.6f", settings_.axis, torque_Nm);
-  link_.send(odriveLine(text.data()));
+  const bool allowed = armed_ && !command.halted;
+  const double torque_Nm =
+      allowed ? -command.force_N * settings_.mmPerTurn / (2 * std::numbers::pi * mmPerM) : 0;
+  say("c %u %.6f ", settings_.axis, torque_Nm);
+  if (armed_ && now_s() - asked_s_ > stateAsked_s) {
+    asked_s_ = now_s();
+    say("r axis%u.current_state ", settings_.axis);
+  }
+  const bool wasArmed = armed_;
   const std::optional<double> turns = feedback_turns(now_s() + waitOfPeriod * settings_.period_s);
+  if (wasArmed && !armed_) disarmed();
   if (!turns) {
     ++counts_.late;
     return reading;
   }
   reading.position_mm = last_mm_ = (*turns - rest_turns_) * settings_.mmPerTurn;
   reading.fresh = true;
+  if (std::exchange(zeroLost_, false)) reading.zero = ForceReading::Zero::lost;
   return reading;
 }
 
 OdriveForceDevice::~OdriveForceDevice() {
-  link_.send(odriveLine("c " + std::to_string(settings_.axis) + " 0"));
-  link_.send(
-      odriveLine("w axis" + std::to_string(settings_.axis) + ".requested_state " + std::to_string(idle)));
+  feed();
+  write("requested_state", idle);
+  write("config.enable_watchdog", 0);
 }
 
 }  // namespace detent::playback

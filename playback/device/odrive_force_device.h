@@ -17,33 +17,53 @@ struct OdriveSettings {
   unsigned axis = 0;       ///< 0 or 1
   double mmPerTurn =
       60;  ///< not 0; travel of the handle per turn, negative where the motor is mounted the other way
+  double force_N = 1,
+         speed_mm_per_s =
+             2000;  ///< > 0; the firmware's own limits: of torque, and of a speed it must not brake below
   double watchdog_s = 0.05;  ///< the motor is off after so much silence
   double period_s = 0.001;
 };
 
 class OdriveForceDevice : public ForceDevice {
  public:
-  /// Opens a port, sets torque control and the watchdog, takes the present position as rest. Trouble where no ODrive answers.
+  /// Opens a port, tells and clears old errors, sets torque control, arms the axis, then switches the watchdog on, and takes the present
+  /// position as rest. Failure where no ODrive answers, or the axis does not arm: with its error.
   static Result<std::unique_ptr<OdriveForceDevice>> open(const OdriveSettings& settings);
   /// No torque, then idle.
   ~OdriveForceDevice() override;
 
   ForceReading exchange(const ForceCommand& command) override;
+  /// Clears the axis's errors, arms it anew and takes the present position as rest.
+  void rearm() override;
   ForceDeviceState state() const override {
-    return link_.isOpen() ? ForceDeviceState::ready : ForceDeviceState::lost;
+    if (!link_.isOpen()) return ForceDeviceState::lost;
+    return armed_ ? ForceDeviceState::ready : ForceDeviceState::fault;
   }
   ForceLinkCounts counts() const override { return counts_; }
 
  private:
   OdriveForceDevice(SerialLink link, const OdriveSettings& settings)
       : link_(std::move(link)), settings_(settings) {}
-  void configure();
+  template <class... Values>
+  void say(const char* pattern, Values... values);
+  void write(const char* property, double value);
+  void feed();
+  std::optional<double> ask(const char* property, double wait_s);
+  std::uint64_t error();
+  bool arm(double wait_s);
+  void limit();
+  void disarmed();
+  void follow(std::string_view line);
   std::optional<double> feedback_turns(double deadline_s);
 
   SerialLink link_;
   OdriveSettings settings_;
   ForceLinkCounts counts_;
-  double rest_turns_ = 0, last_mm_ = 0;
+  double rest_turns_ = 0, last_mm_ = 0, asked_s_ = 0;
+  bool armed_ = false, olderNames_ = true, zeroLost_ = false;
 };
+
+/// Names of an axis's error bits: "watchdog timer expired"; the number alone where none is known.
+std::string odriveErrorWords(std::uint64_t error);
 
 }  // namespace detent::playback

@@ -21,15 +21,23 @@ constexpr double bootPause_s = 2.0;  // an Arduino resets when its port is opene
 constexpr double micro = 1e-6, nmPerMm = 1e6;
 constexpr double waitOfPeriod = 0.5;
 
-std::vector<std::string_view> split(std::string_view text) {
-  std::vector<std::string_view> fields;
-  for (;;) {
-    const std::size_t comma = text.find(',');
-    fields.push_back(text.substr(0, comma));
-    if (comma == std::string_view::npos) return fields;
-    text.remove_prefix(comma + 1);
+constexpr int protocol = 2;  // with limits of the device's own
+constexpr double silence_s = 0.015, silentPeriods = 5;
+constexpr int stoppedState = 1, unlimitedState = 2;  // of an answer
+
+/// Fields between commas; more than there is room for are no line of the protocol.
+struct Fields {
+  std::array<std::string_view, 8> all{};
+  std::size_t count = 0;
+  explicit Fields(std::string_view text) {
+    for (; count < all.size(); text.remove_prefix(text.find(',') + 1)) {
+      all[count++] = text.substr(0, text.find(','));
+      if (text.find(',') == std::string_view::npos) return;
+    }
+    count = 0;
   }
-}
+  std::string_view operator[](std::size_t i) const { return all[i]; }
+};
 
 template <class Integer>
 bool read(std::string_view text, Integer& value) {
@@ -57,21 +65,52 @@ std::optional<std::string_view> forceLineBody(std::string_view line) {
   return line.substr(0, star);
 }
 
+std::string forceLimitLine(const ForceLimits& limits, double period_s) {
+  std::string line = "L";
+  for (const double value : {limits.force_N / micro, limits.slew_N_per_s * 1e3, limits.speed_mm_per_s * 1e3,
+                             limits.startRamp_s * 1e3, std::max(silence_s, silentPeriods * period_s) * 1e3}) {
+    line += "," + std::to_string(whole(std::min(value, 2e9)));
+  }
+  return line;
+}
+
+SerialForceDevice::SerialForceDevice(SerialLink link, double period_s, const ForceLimits& limits)
+    : link_(std::move(link)),
+      period_s_(period_s),
+      limit_N_(limits.force_N),
+      limitLine_(forceLimitLine(limits, period_s)) {}
+
 Result<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::string& port, unsigned baud,
-                                                                   double period_s) {
+                                                                   double period_s,
+                                                                   const ForceLimits& limits) {
   Result<SerialLink> link = SerialLink::open(port, baud);
   if (!link) return link.failure();
-  std::unique_ptr<SerialForceDevice> device(new SerialForceDevice(std::move(*link), period_s));
+  std::unique_ptr<SerialForceDevice> device(new SerialForceDevice(*std::move(link), period_s, limits));
   std::string problem = "does not answer";
   for (const double deadline_s = now_s() + bootPause_s; now_s() < deadline_s;) {
-    if (device->hello(problem)) return device;
+    if (!device->hello(problem)) continue;
+    if (device->info_.force_N < limits.force_N * 0.999) {
+      return Failure{FailureCode::wrongUsage, port, "",
+                     "gives " + std::to_string(device->info_.force_N) + " N; it was prepared for more",
+                     "Give --max-N " + std::to_string(device->info_.force_N)};
+    }
+    if (device->limited()) return device;
+    problem =
+        "does not say back the limits it was given: nothing would hold its force if this program failed";
   }
   return Failure{FailureCode::deviceTrouble, port, "", problem,
                  "Check that the firmware speaks docs/force-protocol.md and the baud rate is the same"};
 }
 
+void SerialForceDevice::send(std::string_view body) {
+  std::array<char, 100> line{};
+  const int length = std::snprintf(line.data(), line.size(), "%.*s*%02X\n", static_cast<int>(body.size()),
+                                   body.data(), static_cast<unsigned>(lineChecksum(body)));
+  link_.send({line.data(), static_cast<std::size_t>(length)});
+}
+
 bool SerialForceDevice::hello(std::string& problem) {
-  link_.send(forceLine("?"));
+  send("?");
   for (const double deadline_s = now_s() + answer_s;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) return false;
@@ -80,11 +119,17 @@ bool SerialForceDevice::hello(std::string& problem) {
       problem = "answers with something that is no line of the protocol";
       continue;
     }
-    const std::vector<std::string_view> f = split(*body);
+    const Fields f(*body);
     long long step_nm = 0, force_uN = 0;
     std::uint32_t rate_Hz = 0;
-    if (f.size() != 6 || f[0] != "I" || !read(f[2], step_nm) || !read(f[3], force_uN) ||
-        !read(f[4], rate_Hz) || !read(f[5], info_.tableRows) || step_nm <= 0 || force_uN <= 0) {
+    int version = 0;
+    if (f.count < 6 || f[0] != "I" || !read(f[2], step_nm) || !read(f[3], force_uN) || !read(f[4], rate_Hz) ||
+        !read(f[5], info_.tableRows) || step_nm <= 0 || force_uN <= 0) {
+      continue;
+    }
+    if (f.count < 7 || !read(f[6], version) || version < protocol) {
+      problem =
+          "speaks an older protocol, without a force limit of its own: flash samples/firmware/force1d anew";
       continue;
     }
     info_.name = f[1];
@@ -95,8 +140,20 @@ bool SerialForceDevice::hello(std::string& problem) {
   }
 }
 
+// Set and read back. A device may be quicker to fall silent than it was asked to be.
+bool SerialForceDevice::limited() {
+  send(limitLine_);
+  for (const double deadline_s = now_s() + answer_s; !limitHeld_;) {
+    const std::optional<std::string_view> line = link_.line(deadline_s);
+    if (!line) return false;
+    ForceReading ignored;
+    take(*line, ignored);
+  }
+  return true;
+}
+
 bool SerialForceDevice::acknowledged(const std::string& line) {
-  link_.send(forceLine(line));
+  send(line);
   for (const double deadline_s = now_s() + answer_s;;) {
     const std::optional<std::string_view> answer = link_.line(deadline_s);
     if (!answer) return false;
@@ -113,7 +170,8 @@ std::vector<std::string> forceTableLines(const ForceProgram& program, std::uint3
   const auto text = [](long long value) { return "," + std::to_string(value); };
   std::vector<std::string> lines{
       "T" + text(rows) + text(whole(t.first_mm * nmPerMm)) + text(whole(spacing_mm * nmPerMm)) +
-      text(whole(program.law.playRadius_mm * nmPerMm)) + text(whole(t.wallSlope_N_per_mm / micro))};
+      text(whole(program.law.playRadius_mm * nmPerMm)) + text(whole(t.wallSlope_N_per_mm / micro)) +
+      text(whole(program.limits.force_N / micro))};
   for (std::uint32_t i = 0; i < rows; ++i) {
     const auto at =
         static_cast<std::uint32_t>(std::lround(static_cast<double>(i) * (t.rowCount - 1) / (rows - 1)));
@@ -138,11 +196,84 @@ Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
     return Failure{FailureCode::wrongUsage, info_.name, "", "holds no force table",
                    "Leave --upload out: the host runs the law"};
   }
+  const double asked_N = program.limits.force_N;
+  if (!(asked_N > 0) || asked_N > limit_N_ * (1 + 1e-9)) {
+    return Failure{FailureCode::wrongUsage, info_.name, "",
+                   "was opened for " + std::to_string(limit_N_) + " N; the table has a limit of " +
+                       std::to_string(asked_N) + " N, or none",
+                   "Prepare the button for the device's limit"};
+  }
   for (const std::string& line : forceTableLines(program, info_.tableRows)) {
     if (!acknowledged(line)) return refused;
   }
   ownLaw_ = true;
   return Done{};
+}
+
+// A device that was away has no table, no limit and no zero.
+bool SerialForceDevice::isBack() {
+  if (!link_.reopen()) return false;
+  ++counts_.reconnects;
+  ownLaw_ = limitHeld_ = false;
+  zeroLost_ = true;
+  lastTime_us_ = -1;
+  return true;
+}
+
+// What the device does by itself follows what the engine allows: an order that got lost is said again with the next state.
+void SerialForceDevice::sendOrders(const ForceCommand& command) {
+  if (!limitHeld_) send(limitLine_);
+  if (command.halted) {
+    send("S");
+    toldStop_ = true;
+  } else if (toldStop_ || arming_) {
+    send("U");
+    toldStop_ = arming_ = false;
+  }
+  std::array<char, 64> body{};
+  int length = 0;
+  if (ownLaw_) {
+    length = std::snprintf(body.data(), body.size(), "H,%u", sequence_);
+  } else {
+    const double force_N = command.halted || !limitHeld_ ? 0 : command.force_N;
+    length = std::snprintf(body.data(), body.size(), "F,%u,%lld", sequence_, whole(force_N / micro));
+  }
+  send({body.data(), static_cast<std::size_t>(length)});
+}
+
+SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceReading& reading) {
+  const std::optional<std::string_view> text = forceLineBody(line);
+  if (!text) return Answer::none;
+  if (*text == "A" || text->starts_with("N,") || text->starts_with("I,")) return Answer::other;
+  if (text->starts_with("L,")) {
+    const std::size_t silence = limitLine_.rfind(',');
+    long long asked_ms = 0, holds_ms = 0;
+    limitHeld_ = text->size() > silence &&
+                 text->substr(0, silence + 1) == limitLine_.substr(0, silence + 1) &&
+                 read(std::string_view(limitLine_).substr(silence + 1), asked_ms) &&
+                 read(text->substr(silence + 1), holds_ms) && holds_ms > 0 && holds_ms <= asked_ms;
+    return Answer::other;
+  }
+  const Fields f(*text);
+  std::uint32_t sequence = 0;
+  long long time_us = 0, position_nm = 0;
+  int state = 0;
+  if (f.count != 5 || f[0] != "P" || !read(f[1], sequence) || !read(f[2], time_us) ||
+      !read(f[3], position_nm) || !read(f[4], state)) {
+    return Answer::none;
+  }
+  // Of an earlier period, or twice; or a device whose clock stands still measures nothing anew.
+  if (sequence != sequence_ || time_us == lastTime_us_) return Answer::old;
+  lastTime_us_ = time_us;
+  if (state == unlimitedState && limitHeld_) {  // it was reset meanwhile
+    limitHeld_ = ownLaw_ = false;
+    zeroLost_ = true;
+  }
+  reading.stopped = state == stoppedState && !toldStop_;
+  reading.position_mm = last_mm_ = static_cast<double>(position_nm) / nmPerMm;
+  reading.fresh = true;
+  if (std::exchange(zeroLost_, false)) reading.zero = ForceReading::Zero::lost;
+  return Answer::reading;
 }
 
 ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
@@ -151,51 +282,34 @@ ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
   reading.fresh = false;
   ++counts_.exchanges;
   if (!link_.isOpen()) {
-    // A device that was away has no table and knows no sequence.
-    if (link_.reopen()) {
-      ++counts_.reconnects;
-      ownLaw_ = false;
-      lastTime_us_ = -1;
-    }
+    isBack();
     return reading;
   }
   ++sequence_;
-  std::array<char, 64> body{};
-  if (ownLaw_) {
-    std::snprintf(body.data(), body.size(), "H,%u", sequence_);
-  } else {
-    std::snprintf(body.data(), body.size(), "F,%u,%lld", sequence_, whole(command.force_N / micro));
-  }
-  link_.send(forceLine(body.data()));
+  sendOrders(command);
   for (const double deadline_s = now_s() + waitOfPeriod * period_s_;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) {
       ++counts_.late;
       return reading;
     }
-    const std::optional<std::string_view> text = forceLineBody(*line);
-    const std::vector<std::string_view> f = split(text.value_or(""));
-    std::uint32_t sequence = 0;
-    long long time_us = 0, position_nm = 0;
-    if (!text || f.size() != 4 || f[0] != "P" || !read(f[1], sequence) || !read(f[2], time_us) ||
-        !read(f[3], position_nm)) {
-      ++counts_.malformed;
-      continue;
+    switch (take(*line, reading)) {
+      case Answer::reading:
+        return reading;
+      case Answer::old:
+        ++counts_.repeated;
+        break;
+      case Answer::none:
+        ++counts_.malformed;
+        break;
+      case Answer::other:
+        break;
     }
-    // Of an earlier period, or twice; or a device whose clock stands still measures nothing anew.
-    if (sequence != sequence_ || time_us == lastTime_us_) {
-      ++counts_.repeated;
-      continue;
-    }
-    lastTime_us_ = time_us;
-    reading.position_mm = last_mm_ = static_cast<double>(position_nm) / nmPerMm;
-    reading.fresh = true;
-    return reading;
   }
 }
 
 SerialForceDevice::~SerialForceDevice() {
-  link_.send(forceLine("X"));  // and where the link is gone, the firmware's own watchdog takes the force away
+  send("X");  // and where the link is gone, the firmware's own watchdog takes the force away
 }
 
 }  // namespace detent::playback

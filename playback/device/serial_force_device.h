@@ -22,37 +22,53 @@ struct SerialForceInfo {
 
 class SerialForceDevice : public ForceDevice {
  public:
-  /// Opens a port and asks who is there. Trouble where nobody answers as the protocol says.
+  /// Opens a port, asks who is there, sets the device's own limits and reads them back. Failure where nobody answers as the protocol
+  /// says, or the device does not hold to the limits.
   static Result<std::unique_ptr<SerialForceDevice>> open(const std::string& port, unsigned baud,
-                                                         double period_s);
+                                                         double period_s, const ForceLimits& limits);
   ~SerialForceDevice() override;
 
   const SerialForceInfo& info() const { return info_; }
 
   /// Sends a law that the device then runs at its own rate; `exchange` only listens from then on, and its force is ignored.
-  /// Trouble where the table does not fit (the device says how many rows it takes) or a row is not acknowledged.
+  /// Failure where the table does not fit (the device says how many rows it takes), has no limit or one above that of `open`, or a
+  /// row is not acknowledged.
   Result<Done> upload(const ForceProgram& program);
 
   ForceReading exchange(const ForceCommand& command) override;
+  void rearm() override { arming_ = true; }
   ForceDeviceState state() const override {
     return link_.isOpen() ? ForceDeviceState::ready : ForceDeviceState::lost;
   }
   ForceLinkCounts counts() const override { return counts_; }
 
  private:
-  SerialForceDevice(SerialLink link, double period_s) : link_(std::move(link)), period_s_(period_s) {}
+  SerialForceDevice(SerialLink link, double period_s, const ForceLimits& limits);
   bool hello(std::string& problem);
+  bool limited();
   bool acknowledged(const std::string& line);
+  void send(std::string_view body);
+  void sendOrders(const ForceCommand& command);
+  enum class Answer : std::uint8_t { reading, old, other, none };
+  Answer take(std::string_view line, ForceReading& reading);
+  bool isBack();
 
   SerialLink link_;
   double period_s_;
   SerialForceInfo info_;
   ForceLinkCounts counts_;
+  double limit_N_ = 0;
+  std::string limitLine_;  ///< without checksum; a device that keeps to it says it back
+  bool limitHeld_ = false;
   bool ownLaw_ = false;
+  bool toldStop_ = false, arming_ = false, zeroLost_ = false;
   std::uint32_t sequence_ = 0;
   long long lastTime_us_ = -1;  ///< of the device, at its last answer
   double last_mm_ = 0;
 };
+
+/// "L,..." without checksum: the limits as a device takes them and says them back.
+std::string forceLimitLine(const ForceLimits& limits, double period_s);
 
 /// The lines, without checksum, that tell a device to run the first state of a program by itself: the table thinned to at most `mostRows` >= 2, its first and
 /// last row included, and the command to begin.

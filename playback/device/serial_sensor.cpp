@@ -16,6 +16,7 @@ namespace {
 constexpr int readerPriority = 60;  // below the audio callback (JACK: 65)
 constexpr double rateWindow_s = 1.0;
 constexpr double healthCheck_s = 0.05;
+constexpr std::string_view whoIsThere = "?\n";  // a sensor that knows no question keeps silent
 }  // namespace
 
 class SerialSensor::Reader {
@@ -45,6 +46,7 @@ class SerialSensor::Reader {
  private:
   void run() {
     requestRealtime(readerPriority);
+    link_.send(whoIsThere);
     while (!stopping_) {
       if (link_.isOpen()) {
         const std::string_view bytes = link_.bytes(now_s() + healthCheck_s);
@@ -64,6 +66,7 @@ class SerialSensor::Reader {
     aligner_.restart();
     reconnected_ = true;
     ++reconnects_;
+    link_.send(whoIsThere);
   }
 
   void takeConditioner() {

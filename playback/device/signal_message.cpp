@@ -15,12 +15,14 @@ struct Name {
   std::string_view fudi;
   SignalKind kind;
 };
-constexpr std::array<Name, 6> names{{{"jump", SignalKind::jump},
+constexpr std::array<Name, 8> names{{{"jump", SignalKind::jump},
                                      {"bottom", SignalKind::bottomOut},
                                      {"grain", SignalKind::grain},
                                      {"force", SignalKind::force},
                                      {"displacement", SignalKind::displacement},
-                                     {"gain", SignalKind::gain}}};
+                                     {"gain", SignalKind::gain},
+                                     {"stop", SignalKind::stop},
+                                     {"hold", SignalKind::hold}}};
 
 bool isBurst(SignalKind kind) {
   return kind == SignalKind::jump || kind == SignalKind::bottomOut || kind == SignalKind::grain;
@@ -29,6 +31,7 @@ bool isBurst(SignalKind kind) {
 bool build(SignalKind kind, const double* arguments, std::size_t count, SignalMessage& message) {
   message = SignalMessage{};
   message.kind = kind;
+  if (kind == SignalKind::stop || kind == SignalKind::hold) return true;
   if (!isBurst(kind)) {
     if (count != 1) return false;
     message.value = arguments[0];
@@ -122,6 +125,7 @@ std::string toFudi(const SignalMessage& message) {
   for (const Name& n : names) {
     if (n.kind == message.kind) text = n.fudi;
   }
+  if (message.kind == SignalKind::stop || message.kind == SignalKind::hold) return text + ";\n";
   if (!isBurst(message.kind)) {
     append(text, message.value);
   } else if (!message.bare) {

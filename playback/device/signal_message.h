@@ -13,7 +13,16 @@
 
 namespace detent::playback {
 
-enum class SignalKind : std::uint8_t { jump, bottomOut, grain, force, displacement, gain };
+enum class SignalKind : std::uint8_t {
+  jump,
+  bottomOut,
+  grain,
+  force,
+  displacement,
+  gain,
+  stop,  ///< emergency: of a force device no force, of a player silence. Whatever arguments it carries
+  hold   ///< somebody holds: for hold-to-run
+};
 
 /// One message. Bursts carry frequency, duration and amplitude; the rest one value.
 struct SignalMessage {

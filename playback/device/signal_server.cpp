@@ -87,7 +87,9 @@ void parseOsc(std::string_view packet, SignalCounts& counts, const Counted& onMe
   int error = 0;
   lo_message parsed = copy.empty() ? nullptr : lo_message_deserialise(copy.data(), copy.size(), &error);
   std::array<double, mostArguments> values{};
-  const int count = parsed == nullptr ? -1 : lo_message_get_argc(parsed);
+  // A stop is a stop, whatever was sent along with it.
+  const bool stop = parsed != nullptr && std::string_view(copy.data()) == "/detent/stop";
+  const int count = stop ? 0 : parsed == nullptr ? -1 : lo_message_get_argc(parsed);
   bool ok = count >= 0 && count <= static_cast<int>(mostArguments);
   for (int i = 0; ok && i < count; ++i) {
     const auto type = static_cast<lo_type>(lo_message_get_types(parsed)[i]);

@@ -2,7 +2,9 @@
 #include "playback/device/signal_watch.h"
 
 #include <atomic>
+#include <mutex>
 #include <thread>
+#include <utility>
 
 #include <pthread.h>
 #include <signal.h>
@@ -21,11 +23,25 @@ constexpr int exitCodeOfSignals = 128;
 sigset_t endingSignals() {
   sigset_t set;
   sigemptyset(&set);
-  for (int number : {SIGINT, SIGTERM, SIGHUP}) sigaddset(&set, number);
+  for (int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) sigaddset(&set, number);
   return set;
 }
 
+std::mutex emergencyMutex;
+std::function<void()> emergencyDeed;
+
+bool emergency() {
+  const std::lock_guard lock(emergencyMutex);
+  if (emergencyDeed) emergencyDeed();
+  return static_cast<bool>(emergencyDeed);
+}
+
 }  // namespace
+
+void setEmergencyDeed(std::function<void()> deed) {
+  const std::lock_guard lock(emergencyMutex);
+  emergencyDeed = std::move(deed);
+}
 
 class SignalWatch::Listener {
  public:
@@ -47,8 +63,10 @@ class SignalWatch::Listener {
  private:
   void listen() {
     int number = 0;
-    ::sigwait(&set_, &number);
-    if (ended_) return;
+    do {
+      ::sigwait(&set_, &number);
+      if (ended_) return;
+    } while (emergency() && number == SIGUSR1);
     seen_ = true;
     const double deadline_s = now_s() + grace_s_;
     while (!ended_) {

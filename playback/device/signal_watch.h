@@ -3,6 +3,7 @@
 // Ctrl-C and its like, heard on a thread of its own: at any moment, once or twice, the program is told, and if
 // it has not ended soon after (a library that waits, a terminal that is read), it is ended.
 
+#include <functional>
 #include <memory>
 
 namespace detent::playback {
@@ -25,5 +26,9 @@ class SignalWatch {
   class Listener;
   std::unique_ptr<Listener> listener_;
 };
+
+/// What SIGUSR1 does while a SignalWatch lives, and a signal that ends the program does first; called on the listening thread. Without one
+/// SIGUSR1 ends the program like the others. An empty one takes it away.
+void setEmergencyDeed(std::function<void()> deed);
 
 }  // namespace detent::playback

@@ -17,6 +17,7 @@
 #include "model/file/text_file.h"
 #include "playback/force_feedback.h"
 #include "playback/program/choice_option.h"
+#include "playback/program/endpoint.h"
 #include "playback/program/force_log.h"
 #include "playback/program/force_plots.h"
 #include "playback/program/force_words.h"
@@ -43,6 +44,8 @@ struct ForceArguments {
   double mmPerTurn = 60;
   bool upload = false;
   std::string firmwareFile;  ///< of a Falcon
+  bool holdToRun = false;
+  std::string stopOsc;  ///< PORT or ADDRESS:PORT
   bool json = false;
 };
 
@@ -112,6 +115,14 @@ void addOptions(CLI::App& app, ForceArguments& a) {
                  "Of an ODrive's capstan; negative where the motor is mounted the other way")
       ->capture_default_str()
       ->group(real);
+  const std::string safety =
+      "Stopping (docs/force-feedback.md): any key, SIGUSR1, Ctrl-C; the key a arms again";
+  app.add_flag("--hold-to-run", a.holdToRun,
+               "Force only while the space bar is held, or /detent/hold keeps coming")
+      ->group(safety);
+  app.add_option("--stop-osc", a.stopOsc,
+                 "Listen for OSC /detent/stop on PORT of this machine, or on ADDRESS:PORT")
+      ->group(safety);
   app.add_flag("--json", a.json, "One JSON object on stdout at the end");
 }
 
@@ -148,9 +159,13 @@ std::string liveText(const ForceStatus& s, const Button& button) {
   std::snprintf(text, sizeof text, "%8.3f mm %8.1f mm/s %7.3f N %8.3f mJ  %-10s %5.1f %% on time%s",
                 s.last.position_mm, s.last.velocity_mm_per_s, s.last.force_N, s.last.energy_mJ,
                 stateName(button, s.last.state).c_str(), percentPunctual(s),
-                !s.connected ? "  DEVICE LOST, no force"
-                : s.homing   ? "  NO FORCE YET: move the handle all the way out and all the way in"
-                             : "");
+                !s.connected                     ? "  DEVICE LOST, no force"
+                : !s.fault.empty()               ? "  NO FORCE: device in error; a arms"
+                : s.halt == ForceHalt::stopped   ? "  STOPPED, no force; a arms"
+                : s.halt == ForceHalt::displaced ? "  NO FORCE: place lost; let go, then a arms"
+                : s.halt == ForceHalt::notHeld   ? "  hold the space bar"
+                : s.homing ? "  NO FORCE YET: move the handle all the way out and all the way in"
+                           : "");
   return text;
 }
 
@@ -218,6 +233,10 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
             {"absurd_readings", s.guard.absurd},
             {"frozen_readings", s.guard.frozen},
             {"fades", s.guard.faded},
+            {"places_lost", s.guard.displaced},
+            {"emergency_stops", s.guard.stopped},
+            {"halt", codeOf(s.halt)},
+            {"fault", s.fault},
             {"too_fast", s.guard.tooFast},
             {"force_limited_steps", s.guard.forceLimited},
             {"slew_limited_steps", s.guard.slewLimited}}},
@@ -260,6 +279,22 @@ void printFigures(const ForceStatus& s, const RunFigures& run, const ForceSummar
   }
 }
 
+// What keeps the force away at the end is told, however short the run was.
+void printHalt(const ForceStatus& s) {
+  if (!s.fault.empty()) std::fprintf(stderr, "no force: the device is in error: %s\n", s.fault.c_str());
+  if (!s.clearedFault.empty())
+    std::fprintf(stderr, "the device was in error, which was cleared: %s\n", s.clearedFault.c_str());
+  if (s.halt == ForceHalt::displaced || s.guard.displaced > 0) {
+    std::fprintf(stderr,
+                 "place lost: the position jumped, or the device was away, %llu times; force comes back only "
+                 "after the "
+                 "key a\n",
+                 static_cast<unsigned long long>(s.guard.displaced));
+  }
+  if (s.guard.stopped > 0)
+    std::fprintf(stderr, "%llu emergency stops\n", static_cast<unsigned long long>(s.guard.stopped));
+}
+
 Result<ForcePlayerSettings> settingsFrom(const ForceArguments& a) {
   ForcePlayerSettings settings;
   Result<ForceDeviceChoice> device = forceDeviceFrom(a.device);
@@ -279,6 +314,14 @@ Result<ForcePlayerSettings> settingsFrom(const ForceArguments& a) {
   if (a.step_mm != 0) settings.device.profile.step_mm = a.step_mm;
   if (a.largest_N != 0) settings.device.profile.limits.force_N = a.largest_N;
   settings.paced = !a.fast;
+  settings.holdToRun = a.holdToRun;
+  settings.stopKeys = settings.stopSignals = true;
+  if (!a.stopOsc.empty()) {
+    Result<Endpoint> endpoint = parseEndpoint(a.stopOsc, "--stop-osc", "127.0.0.1", 0);
+    if (!endpoint) return endpoint.failure();
+    settings.stopOscPort = endpoint->port;
+    settings.stopOscAddress = endpoint->host;
+  }
   if (a.fast && settings.device.kind != ForceDeviceKind::simulated) {
     return Failure{FailureCode::wrongUsage, "--fast", "", "only simulated devices have a time of their own",
                    "Leave it out, or use --device sim"};
@@ -356,6 +399,7 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
   if (Result<Done> pictures = writePictures(a, *button, drawn, 1 / rate_Hz); !pictures)
     return fail(pictures.failure());
   printFigures(status, figures, summary, rate_Hz);
+  printHalt(status);
   if (a.json) print(jsonOf(a, *button, settings->device.profile, summary, status, figures, rate_Hz));
   return 0;
 }

@@ -81,6 +81,20 @@ std::string sentenceOf(const UnstableStretch& u, const Button& button) {
                 u.worst.allowed_N_per_mm, bears);
 }
 
+std::string codeOf(ForceHalt halt) {
+  switch (halt) {
+    case ForceHalt::stopped:
+      return "emergency_stop";
+    case ForceHalt::displaced:
+      return "place_lost";
+    case ForceHalt::notHeld:
+      return "not_held";
+    case ForceHalt::none:
+      break;
+  }
+  return "none";
+}
+
 std::string codeOf(StabilityBound bound) {
   switch (bound) {
     case StabilityBound::damping:

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace detent::playback {
 
@@ -11,6 +12,11 @@ namespace {
 // The controller damps no harder than this: beyond, its own sampling would make energy.
 constexpr double controllerDamping_Ns_per_mm = 0.005;
 constexpr double controllerSpeed_mm_per_s = 0.5;  // below it there is nothing to damp
+
+// An estimator that begins anew says 0 at first: that is no speed yet.
+constexpr double velocityKnown_s = 0.005;
+constexpr std::uint32_t velocityReadings = 5;
+constexpr std::uint32_t mostMissed = 100;
 
 }  // namespace
 
@@ -95,7 +101,8 @@ std::array<double, 2> ForceEngine::guide(const std::array<double, 2>& sideways_m
     if (!std::isfinite(sideways_mm[i])) continue;
     const double velocity = sidewaysVelocity_[i].update(sideways_mm[i]);
     const double wanted_N = -g.stiffness_N_per_mm * sideways_mm[i] - g.damping_Ns_per_mm * velocity;
-    force_N[i] = guard_.gain() * std::clamp(wanted_N, -g.force_N, g.force_N);
+    const double most_N = std::min(g.force_N, program_->limits.force_N);
+    force_N[i] = guard_.gain() * std::clamp(wanted_N, -most_N, most_N);
   }
   return force_N;
 }
@@ -107,35 +114,58 @@ void ForceEngine::restartAt(const ForceReading& reading) {
     sidewaysVelocity_[i].restart(reading.sideways_mm[i]);
   running_ = true;
   resuming_ = false;
+  sinceRestart_ = missed_ = 0;
+}
+
+void ForceEngine::rearm() {
+  guard_.rearm();
+  running_ = false;
+}
+
+std::optional<double> ForceEngine::knownVelocity() const {
+  if (sinceRestart_ < velocityReadings || sinceRestart_ * program_->period_s < velocityKnown_s) return {};
+  return last_.velocity_mm_per_s;
 }
 
 ForceCommand ForceEngine::step(const ForceReading& reading) {
   ++last_.index;
-  const ReadingVerdict verdict = guard_.judge(reading.position_mm, reading.fresh);
+  if (reading.zero == ForceReading::Zero::lost) guard_.displace();
+  if (reading.zero == ForceReading::Zero::found) {
+    guard_.home();
+    running_ = false;
+  }
+  if (reading.stopped) guard_.emergencyStop();
+  const ReadingVerdict verdict = guard_.judge(reading.position_mm, reading.fresh, reading.periods);
   if (verdict != ReadingVerdict::good) {
     // The last force for a moment, then down to nothing.
-    const ForceCommand command = send(guard_.limit(heldForce_N_, 0), {});
+    const ForceCommand command = send(guard_.limit(heldForce_N_, std::nullopt), {});
     resuming_ = resuming_ || guard_.silent();
+    if (missed_ < mostMissed) ++missed_;
     return command;
   }
   if (!running_) law_.restart(reading.position_mm);
   if (!running_ || resuming_) restartAt(reading);
   last_.position_mm = reading.position_mm;
+  const double before_mm = steady_mm_, missedInAll = missed_;
   const double position_mm = steadied_mm(reading.position_mm);
   observe(position_mm);
+  // A way that took several periods is no faster for that.
+  for (; missed_ > 0; --missed_)
+    velocity_.update(position_mm - (position_mm - before_mm) * missed_ / (missedInAll + 1));
   last_.velocity_mm_per_s = velocity_.update(position_mm);
+  if (sinceRestart_ < std::numeric_limits<std::uint32_t>::max()) ++sinceRestart_;
   heldForce_N_ =
       controlled_N(exchanging_N(law_.step(position_mm, last_.velocity_mm_per_s)), last_.velocity_mm_per_s);
   last_.state = law_.state();
   last_.actuated = law_.actuated();
-  return send(guard_.limit(heldForce_N_, last_.velocity_mm_per_s), guide(reading.sideways_mm));
+  return send(guard_.limit(heldForce_N_, knownVelocity()), guide(reading.sideways_mm));
 }
 
 ForceCommand ForceEngine::send(double force_N, std::array<double, 2> sideways_N) {
   last_.force_N = force_N;
   newestSent_ = (newestSent_ + 1) % sent_N_.size();
   sent_N_[newestSent_] = force_N;
-  return {force_N, sideways_N};
+  return {force_N, sideways_N, guard_.halt() != ForceHalt::none};
 }
 
 }  // namespace detent::playback

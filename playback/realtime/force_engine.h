@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 
 #include "playback/realtime/force_guard.h"
 #include "playback/realtime/force_law.h"
@@ -15,15 +16,25 @@ namespace detent::playback {
 
 /// What a device measured in one period.
 struct ForceReading {
+  /// Whether 0 is still where it was.
+  enum class Zero : std::uint8_t {
+    kept,
+    lost,  ///< the device was away or reset
+    found  ///< homed anew with this reading
+  };
   double position_mm = 0;               ///< along the button's axis, 0 at rest, grows with pressing
   std::array<double, 2> sideways_mm{};  ///< of three-axis devices; 0 on the axis
   bool fresh = true;                    ///< false: no new answer in this period
+  double periods = 1;                   ///< since the reading before; more where the loop was late
+  Zero zero = Zero::kept;
+  bool stopped = false;  ///< somebody pressed the device's own emergency switch
 };
 
 /// What it is asked for.
 struct ForceCommand {
   double force_N = 0;                  ///< against pressing
   std::array<double, 2> sideways_N{};  ///< along growing `sideways_mm`
+  bool halted = false;                 ///< there must be none, whatever law the device runs by itself
 };
 
 /// One row of a log.
@@ -55,6 +66,12 @@ class ForceEngine {
   void stop() { guard_.stop(); }
   bool silent() const { return guard_.silent(); }
 
+  /// As in force_guard.h.
+  void emergencyStop() { guard_.emergencyStop(); }
+  void rearm();
+  void setHeld(bool held) { guard_.setHeld(held); }
+  ForceHalt halt() const { return guard_.halt(); }
+
   const ForceGuardCounts& counts() const { return guard_.counts(); }
   /// Lowest balance seen (mJ, <= 0): what a passivity observer reports.
   double lowestBalance_mJ() const { return lowestBalance_mJ_; }
@@ -64,6 +81,7 @@ class ForceEngine {
   void restartAt(const ForceReading& reading);
   void observe(double position_mm);
   double actingForce_N() const;
+  std::optional<double> knownVelocity() const;
   ForceCommand send(double force_N, std::array<double, 2> sideways_N);
   double exchanging_N(double force_N);
   double controlled_N(double force_N, double velocity_mm_per_s) const;
@@ -76,7 +94,9 @@ class ForceEngine {
   std::array<VelocityEstimator, 2> sidewaysVelocity_;
   ForceStep last_;
   bool running_ = false;
-  bool resuming_ = false;  ///< readings were bad until the force was gone: the velocity is not known
+  std::uint32_t missed_ = 0;        ///< periods without a good reading since the last one
+  std::uint32_t sinceRestart_ = 0;  ///< readings the velocity rests on
+  bool resuming_ = false;           ///< readings were bad until the force was gone: the velocity is not known
   std::array<double, 32> sent_N_{};  ///< the newest forces, a ring
   std::size_t newestSent_ = 0;
   double steady_mm_ =

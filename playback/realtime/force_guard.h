@@ -3,6 +3,7 @@
 // What stands between a force law and a person: judges every reading and limits every force. On by default, counted.
 
 #include <cstdint>
+#include <optional>
 
 #include "playback/realtime/force_program.h"
 
@@ -13,19 +14,31 @@ enum class ReadingVerdict : std::uint8_t {
   good,
   missing,  ///< late: no answer, or the same answer again
   notFinite,
-  frozen,  ///< stopped dead out of a swift movement, under force: the encoder counts no more
-  absurd   ///< outside the device's range, or farther away than its speed limit allows
+  frozen,    ///< stopped dead out of a swift movement, under force: the encoder counts no more
+  absurd,    ///< outside the device's range, or where no movement from the last good place leads
+  displaced  ///< any after the place was lost, until it is known again
+};
+
+/// Why there is no force until a person says so. Of several the first one here.
+enum class ForceHalt : std::uint8_t {
+  none,
+  stopped,    ///< emergency stop
+  displaced,  ///< the position jumped, or the device was away or reset: where the handle is, is not known
+  notHeld     ///< hold-to-run, and nobody holds
 };
 
 struct ForceGuardCounts {
   std::uint64_t readings = 0, missing = 0, notFinite = 0, frozen = 0, absurd = 0;
-  std::uint64_t faded = 0;    ///< times the force fell to nothing because readings stayed bad
-  std::uint64_t tooFast = 0;  ///< times it fell because the device moved too fast
+  std::uint64_t displaced = 0;  ///< times the place was lost
+  std::uint64_t stopped = 0;    ///< emergency stops
+  std::uint64_t faded = 0;      ///< times the force fell to nothing because readings stayed bad
+  std::uint64_t tooFast = 0;    ///< times it fell because the device moved too fast
   std::uint64_t forceLimited = 0, slewLimited = 0;  ///< steps
 };
 
 /// Bad readings are bridged for `heldReadings` steps with the last force, then it falls to nothing within `stopRamp_s`; after
-/// as many good ones it rises again over `startRamp_s`, as at the start. One thread; no allocation, lock, clock or exception.
+/// as many good ones it rises again over `startRamp_s`, as at the start. A place that jumped is never believed again by itself:
+/// `rearm` (a person) or `home` (the device found its zero) has to come first. One thread; no allocation, lock, clock or exception.
 class ForceGuard {
  public:
   ForceGuard(const ForceLimits& limits, double period_s, double step_mm);
@@ -33,11 +46,12 @@ class ForceGuard {
   /// Other limits from now on; what was let through and counted stays.
   void setLimits(const ForceLimits& limits, double period_s, double step_mm);
 
-  /// `fresh`: the device answered in this period.
-  ReadingVerdict judge(double position_mm, bool fresh);
+  /// `fresh`: the device answered in this period. `periods` >= 0: since the call before, 1 where the loop is on time.
+  ReadingVerdict judge(double position_mm, bool fresh, double periods = 1);
 
-  /// The force to send: faded, clamped, no faster than the slew limit. Anything not finite becomes 0.
-  double limit(double force_N, double velocity_mm_per_s);
+  /// The force to send: clamped, then faded, no faster than the slew limit; never more than `gain()` times the force limit.
+  /// Anything not finite becomes 0. Without a velocity an over-speed goes on as it was, and no force begins to rise.
+  double limit(double force_N, std::optional<double> velocity_mm_per_s);
   /// 0..1: how much of the force is let through.
   double gain() const { return gain_; }
 
@@ -45,10 +59,27 @@ class ForceGuard {
   void stop() { stopping_ = true; }
   bool silent() const { return gain_ == 0 && output_N_ == 0; }
 
+  /// Emergency: down within `emergencyRamp_s`, and nothing until `rearm`.
+  void emergencyStop();
+  /// The device does not know its place any more: as after a jump.
+  void displace();
+  /// The device has found its zero anew: ends that, not an emergency stop.
+  void home();
+  /// A person's word: the stop is over and the place is what the next reading says. The force rises from nothing.
+  void rearm();
+  /// Hold-to-run: false takes the force away as an emergency stop does, true lets it rise again.
+  void setHeld(bool held) { held_ = held; }
+  ForceHalt halt() const;
+
   const ForceGuardCounts& counts() const { return counts_; }
 
  private:
   ReadingVerdict verdictOn(double position_mm, bool fresh) const;
+  bool reachable(double position_mm) const;
+  bool settling() const { return !running_ && gain_ == 0 && settled_ <= limits_.heldReadings; }
+  void followJumps(ReadingVerdict verdict, double position_mm, double periods);
+  std::uint32_t held() const;
+  void forgetPlace();
   void count(ReadingVerdict verdict);
   bool frozenAt(double position_mm) const;
   void follow(double position_mm);
@@ -63,6 +94,13 @@ class ForceGuard {
   double last_mm_ = 0, output_N_ = 0, gain_ = 0;
   bool started_ = false, stopping_ = false, running_ = false, tooFast_ = false;
   std::uint32_t bad_ = 0, good_ = 0;
+  double pace_mm_ = 0;                 ///< gone per period at the last good reading
+  double since_ = 0;                   ///< periods since the last good reading, this one included
+  double unseen_ = 0;                  ///< of them, those that told nothing
+  double jumps_ = 0;                   ///< absurd readings lately
+  std::optional<double> jumpedTo_mm_;  ///< the last absurd reading
+  std::uint32_t settled_ = 0;          ///< good readings since the place was taken on trust
+  bool stopped_ = false, displaced_ = false, held_ = true, speedKnown_ = false;
 };
 
 }  // namespace detent::playback

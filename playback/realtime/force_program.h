@@ -58,11 +58,15 @@ struct ForceLimits {
   double slew_N_per_s =
       5000;  ///< > 0; fastest change of force; below slope times speed a wall would give more than it took
   double speed_mm_per_s = 2000;  ///< > 0; above it the force fades: no button moves like that
-  double lowest_mm = -50;        ///< readings outside lowest..highest are absurd
+  /// > 0; a handle gains speed no faster: 40 times a free fall, beyond fingers and motors of these forces. It may stop at once.
+  double acceleration_mm_per_s2 = 4e5;
+  double lowest_mm = -50;  ///< readings outside lowest..highest are absurd
   double highest_mm = 150;
   double startRamp_s = 0.2;        ///< > 0; force rises from nothing over this
   double stopRamp_s = 0.01;        ///< > 0; and falls to nothing over this
-  std::uint32_t heldReadings = 3;  ///< so many bad readings in a row are bridged with the last force
+  double emergencyRamp_s = 0.005;  ///< > 0; or over this, at an emergency stop or where nobody holds
+  std::uint32_t heldReadings =
+      3;  ///< at most so many bad readings, and 3 ms, are bridged with the last force
 };
 
 /// Sideways springs of a three-axis device: the motion stays on the axis of the button (Shrestha, Figure 3).

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Force sensor of the mockup: Interlink FSR 400 to the supply, a fixed resistor to ground, the middle to A0.
+// Force sensor of the mockup: Interlink FSR 400 to the voltage of the board's inputs, a fixed resistor to ground, the middle to A0.
+// Never 5 V on a board of 3.3 V (RP2040, Zero): docs/first-button.md says which pin on which board.
 // Sends one line per reading, 1000 times a second, as docs/serial-protocol.md says:
 //
 //     TIME_US,COUNTS*XX        time since start (wraps after 71.6 minutes), reading of the converter, checksum
@@ -13,13 +14,21 @@ const uint32_t baud = 230400;
 
 uint32_t next_us;
 
+// Said whenever somebody asks: who opens the port after the start hears it too.
+void greet() {
+  Serial.println("# detent-force 1 fsr400 divider 1023");
+}
+
 void setup() {
   Serial.begin(baud);
-  Serial.println("# detent-force 1 fsr400 divider 1023");
+  greet();
   next_us = micros();
 }
 
 void loop() {
+  while (Serial.available() > 0) {
+    if (Serial.read() == '?') greet();
+  }
   const uint32_t now_us = micros();
   if ((int32_t)(now_us - next_us) < 0) return;
   next_us += period_us;

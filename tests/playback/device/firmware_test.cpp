@@ -40,4 +40,13 @@ TEST_CASE("firmware: a thousand time-stamped readings a second, each with a good
   firmware::time_us += 1000000;
   for (int i = 0; i < 1000; ++i, firmware::time_us += 10) firmware::loop();
   CHECK(std::count(firmware::sent.begin(), firmware::sent.end(), '\n') < 15);
+  // Who opens the port long after the start is told who is there.
+  CHECK(assembler.greeting() == "detent-force 1 fsr400 divider 1023");
+  detent::playback::LineAssembler late;
+  firmware::sent.clear();
+  for (int i = 0; i < 100; ++i, firmware::time_us += 10) firmware::loop();
+  firmware::incoming = "?\n";
+  for (int i = 0; i < 200; ++i, firmware::time_us += 10) firmware::loop();
+  late.feed(firmware::sent, [](const auto&) {});
+  CHECK(late.greeting() == "detent-force 1 fsr400 divider 1023");
 }

@@ -16,12 +16,13 @@ std::uint32_t time_us = 0;
 std::string sent;
 std::string incoming;
 int direction = 0, pwm = 0;
-constexpr int OUTPUT = 1, CHANGE = 1;
+int stopSwitch = 0;  // 0: closed, as it has to be
+constexpr int OUTPUT = 1, CHANGE = 1, INPUT_PULLUP = 2;
 
 std::uint32_t micros() { return time_us; }
 void pinMode(std::uint8_t, int) {}
 void digitalWrite(std::uint8_t, int value) { direction = value; }
-int digitalRead(std::uint8_t) { return 0; }
+int digitalRead(std::uint8_t pin) { return pin == 6 ? stopSwitch : 0; }
 void analogWrite(std::uint8_t, int value) { pwm = value; }
 int digitalPinToInterrupt(std::uint8_t pin) { return pin; }
 void attachInterrupt(int, void (*)(), int) {}

@@ -101,19 +101,34 @@ std::string sequenceOf(const std::string& body) { return body.substr(2, body.fin
 /// A board that answers as the protocol says; `position_nm` is what it measures.
 std::string goodBoard(const std::string& line, long position_nm) {
   const std::string body = bodyOf(line);
-  if (body == "?") return forceLine("I,fake,10000,5000000,4000,64");
+  if (body == "?") return forceLine("I,fake,10000,5000000,4000,64,2");
   if (body.starts_with("F,") || body.starts_with("H,")) {
-    return forceLine("P," + sequenceOf(body) + "," + sequenceOf(body) + "000," + std::to_string(position_nm));
+    return forceLine("P," + sequenceOf(body) + "," + sequenceOf(body) + "000," + std::to_string(position_nm) +
+                     ",0");
   }
-  return body.empty() || body == "X" ? "" : forceLine("A");
+  if (body.starts_with("L,")) return forceLine(body);
+  return body.empty() || body == "X" || body == "S" || body == "U" ? "" : forceLine("A");
 }
 
 // On a loaded machine the other end may not get its turn within any period: what a test rests on is asked for again.
 constexpr int tries = 30;
 
-std::unique_ptr<SerialForceDevice> opened(const FakeDevice& fake, double period_s = slow_s) {
-  auto device = SerialForceDevice::open(fake.port, 230400, period_s);
-  for (int i = 1; i < tries && !device; ++i) device = SerialForceDevice::open(fake.port, 230400, period_s);
+/// As the devices here have: 5 N.
+ForceLimits benchLimits() { return {}; }
+
+ForceProgram benchProgram(const Button& button, double limit_N = 5) {
+  ForceDeviceProfile device = voiceCoilRig();
+  device.limits.force_N = limit_N;
+  const auto prepared = prepareForce(button, device);
+  REQUIRE(prepared);
+  return prepared->program;
+}
+
+std::unique_ptr<SerialForceDevice> opened(const FakeDevice& fake, double period_s = slow_s,
+                                          const ForceLimits& limits = benchLimits()) {
+  auto device = SerialForceDevice::open(fake.port, 230400, period_s, limits);
+  for (int i = 1; i < tries && !device; ++i)
+    device = SerialForceDevice::open(fake.port, 230400, period_s, limits);
   REQUIRE(device);
   return std::move(*device);
 }
@@ -186,30 +201,30 @@ TEST_CASE("serial force device: late, repeated, broken and half answers are no r
 }
 
 TEST_CASE("serial force device: nobody there, a wrong port and a table that does not fit are told") {
-  CHECK_FALSE(SerialForceDevice::open("/dev/null", 230400, 0.001));
-  CHECK_FALSE(SerialForceDevice::open("/nowhere", 230400, 0.001));
+  CHECK_FALSE(SerialForceDevice::open("/dev/null", 230400, 0.001, benchLimits()));
+  CHECK_FALSE(SerialForceDevice::open("/nowhere", 230400, 0.001, benchLimits()));
   FakeDevice silent([](const std::string&) { return std::string(); });
-  CHECK_FALSE(SerialForceDevice::open(silent.port, 230400, 0.001));
+  CHECK_FALSE(SerialForceDevice::open(silent.port, 230400, 0.001, benchLimits()));
   FakeDevice small([](const std::string& line) {
-    return bodyOf(line) == "?" ? forceLine("I,small,10000,5000000,4000,0") : goodBoard(line, 0);
+    return bodyOf(line) == "?" ? forceLine("I,small,10000,5000000,4000,0,2") : goodBoard(line, 0);
   });
   auto device = opened(small);
-  const auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
-  REQUIRE(prepared);
-  CHECK_FALSE(device->upload(prepared->program));
+  CHECK_FALSE(device->upload(benchProgram(test::linearButton())));
 }
 
 TEST_CASE("serial force device: the sample firmware takes a table and renders the button with it") {
   firmware::setup();
-  CHECK(firmware::exchange("?*3F").starts_with("I,force1d,10000,5000000,4000,256*"));
+  CHECK(firmware::exchange("?*3F").starts_with("I,force1d,10000,5000000,4000,256,2*"));
   CHECK(firmware::exchange("?*00").empty());
   FakeDevice board([](const std::string& line) { return firmware::exchange(line); });
   auto device = opened(board);
   const Button button = test::linearButton();
-  const auto prepared = prepareForce(button, voiceCoilRig());
-  REQUIRE(prepared);
-  REQUIRE(takesTable(*device, prepared->program));
+  REQUIRE(takesTable(*device, benchProgram(button)));
   firmware::counts = 0;
+  for (int i = 0; i < 20; ++i) {  // the ramp
+    answered(*device);
+    firmware::run(10000);
+  }
   for (int i = 0; i <= 200; ++i) {  // 2 mm inwards, slowly
     firmware::counts = i;
     answered(*device);
@@ -226,7 +241,7 @@ TEST_CASE("serial force device: a device whose clock stands still measures nothi
   std::atomic<bool> frozen{false};
   FakeDevice fake([&](const std::string& line) {
     const std::string body = bodyOf(line);
-    return frozen && body.starts_with("F,") ? forceLine("P," + sequenceOf(body) + ",77,1000000")
+    return frozen && body.starts_with("F,") ? forceLine("P," + sequenceOf(body) + ",77,1000000,0")
                                             : goodBoard(line, 1000000);
   });
   auto device = opened(fake, 1);
@@ -245,9 +260,7 @@ TEST_CASE(
     return goodBoard(line, 500000);
   });
   auto device = opened(fake, slow_s);
-  const auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
-  REQUIRE(prepared);
-  REQUIRE(takesTable(*device, prepared->program));
+  REQUIRE(takesTable(*device, benchProgram(test::linearButton())));
   answered(*device);
   CHECK(forces == 0);
   fake.unplug();
@@ -289,6 +302,115 @@ TEST_CASE(
   }
   CHECK(engine.counts().absurd >= 4);
   CHECK(engine.counts().faded == 1);
+  CHECK(engine.silent());
+  for (int i = 0; i < 50; ++i) CHECK(engine.step(device->exchange({})).force_N == 0);
+  CHECK(engine.halt() == ForceHalt::displaced);
+}
+
+TEST_CASE("serial force device: a board without a limit of its own is refused, and gives no force") {
+  FakeDevice older([](const std::string& line) {
+    return bodyOf(line) == "?" ? forceLine("I,old,10000,5000000,4000,64") : goodBoard(line, 0);
+  });
+  const auto old = SerialForceDevice::open(older.port, 230400, 0.001, benchLimits());
+  REQUIRE_FALSE(old);
+  CHECK(old.failure().sentence().find("limit") != std::string::npos);
+  FakeDevice boastful([](const std::string& line) {
+    const std::string body = bodyOf(line);
+    return body.starts_with("L,") ? forceLine("L,9000000" + body.substr(body.find(',', 2)))
+                                  : goodBoard(line, 0);
+  });
+  CHECK_FALSE(SerialForceDevice::open(boastful.port, 230400, 0.001, benchLimits()));
+  firmware::setup();
+  const auto answer = [&](const std::string& body) {
+    std::string text = forceLine(body);
+    text = firmware::exchange(text.substr(0, text.size() - 1));
+    return bodyOf(text.substr(0, text.find('\n')));
+  };
+  CHECK(answer("L,0,0,0,0,0") == "N,limit");
+  CHECK(answer("F,1,2000000").ends_with(",2"));
+  CHECK(firmware::pwm == 0);
+  CHECK(answer("T,2,0,1000000,20000,100,1000000") == "N,limit");
+  CHECK(answer("G").starts_with("N"));
+  CHECK(answer("L,1000000,5000000,2000000,200,15") == "L,1000000,5000000,2000000,200,15");
+  CHECK(answer("T,2,0,1000000,20000,100") == "N,limit");
+  CHECK(answer("T,2,0,1000000,20000,100,1000001") == "N,limit");
+  CHECK(answer("T,2,0,1000000,20000,100,1000000") == "A");
+  answer("F,2,4000000");
+  CHECK(firmware::force_uN == 1000000);
+  firmware::run(16000);  // as long as L said
+  CHECK(firmware::force_uN == 0);
+}
+
+TEST_CASE("serial force device: table, host and simulation keep to the same limit and the same ramp") {
+  const Button button = test::linearButton();
+  for (const double limit_N : {0.3, 1.0, 5.0}) {
+    firmware::setup();
+    FakeDevice board([](const std::string& line) { return firmware::exchange(line); });
+    const ForceProgram program = benchProgram(button, limit_N);
+    auto device = opened(board, slow_s, program.limits);
+    firmware::counts = 0;
+    REQUIRE(takesTable(*device, program));
+    ForceEngine host(program);
+    double highest_N = 0;
+    for (int i = 0; i <= 2500; ++i) {  // at rest for the ramp, then to far beyond the travel, slowly
+      firmware::counts = std::max(0, i - 300) / 2;
+      if (i % 10 == 0) answered(*device);
+      firmware::run(1000);
+      const double table_N = firmware::force_uN * 1e-6,
+                   host_N = host.step({firmware::counts * 0.01, {}, true}).force_N;
+      highest_N = std::max(highest_N, table_N);
+      REQUIRE(std::abs(table_N) <= limit_N);
+      REQUIRE(std::abs(table_N) <= limit_N * i / 200 + 0.001 * limit_N + limit_N / 100);
+      // The table is thinned to what the board holds, and knows no lead.
+      if (i > 300 && i % 2 == 1) CHECK(table_N == Approx(host_N).margin(0.03));
+    }
+    CHECK(highest_N == Approx(limit_N).margin(1e-6));
+  }
+}
+
+TEST_CASE("serial force device: the board's switch and the host's stop end the force until somebody arms") {
+  firmware::setup();
+  FakeDevice board([](const std::string& line) { return firmware::exchange(line); });
+  const ForceProgram program = benchProgram(test::linearButton(), 5);
+  auto device = opened(board, slow_s, program.limits);
+  ForceEngine engine(program);
+  ForceCommand command;
+  const auto exchange = [&] {
+    command = engine.step(answered(*device, command));
+    firmware::run(1000);
+  };
+  firmware::counts = 1500;
+  for (int i = 0; i < 300; ++i) exchange();
+  REQUIRE(firmware::force_uN == 5000000);
+  firmware::stopSwitch = 1;
+  firmware::run(10);
+  CHECK(firmware::pwm == 0);
+  firmware::stopSwitch = 0;
+  for (int i = 0; i < 300; ++i) exchange();
+  CHECK(firmware::pwm == 0);
+  CHECK(engine.halt() == ForceHalt::stopped);
+  device->rearm();
+  engine.rearm();
+  for (int i = 0; i < 300; ++i) exchange();
+  CHECK(firmware::force_uN == 5000000);
+  engine.emergencyStop();
+  for (int i = 0; i < 10; ++i) exchange();
+  CHECK(firmware::force_uN == 0);
+  // The same while the board runs its own table.
+  engine.rearm();
+  REQUIRE(takesTable(*device, program));
+  for (int i = 0; i < 300; ++i) exchange();
+  CHECK(firmware::force_uN == 5000000);
+  engine.emergencyStop();
+  for (int i = 0; i < 3; ++i) exchange();
+  CHECK(firmware::force_uN == 0);
+  for (int i = 0; i < 300; ++i) exchange();
+  CHECK(firmware::force_uN == 0);
+  engine.rearm();
+  for (int i = 0; i < 300; ++i) exchange();
+  CHECK(firmware::force_uN == 5000000);
+  firmware::run(51000);  // a host that died
+  CHECK(firmware::force_uN == 0);
 }
 
 TEST_CASE("serial force device: a table longer than the firmware takes is thinned to what it holds") {
@@ -300,59 +422,158 @@ TEST_CASE("serial force device: a table longer than the firmware takes is thinne
     return goodBoard(line, 0);
   });
   auto device = opened(fake);
-  const auto prepared = prepareForce(test::linearButton(), voiceCoilRig());
-  REQUIRE(prepared);
-  REQUIRE(prepared->program.states[0].rowCount > 64);
-  CHECK(takesTable(*device, prepared->program));
+  const ForceProgram program = benchProgram(test::linearButton());
+  REQUIRE(program.states[0].rowCount > 64);
+  CHECK(takesTable(*device, program));
   CHECK(rows == 64);
   CHECK(announced == 64);
-  CHECK_FALSE(SerialForceDevice::open(fake.port, 12345, 0.001));
+  CHECK_FALSE(SerialForceDevice::open(fake.port, 12345, 0.001, benchLimits()));
 }
 
-TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end") {
-  std::atomic<double> torque_Nm{0};
-  std::atomic<bool> idle{false}, watchdog{false};
-  std::atomic<int> mode{0};
-  std::atomic<double> turns{1.5};
-  FakeDevice fake([&](const std::string& line) -> std::string {
+namespace {
+
+/// An ODrive as its manual describes it: an axis with errors, a state, and a watchdog that counts while it is switched on.
+class FakeOdrive {
+ public:
+  std::atomic<double> torque_Nm{0}, turns{1.5};
+  std::atomic<int> state{1}, mode{0};
+  std::atomic<unsigned> error{0};
+  std::atomic<bool> watchdog{false}, newNames{false}, refusesToArm{false};
+  std::atomic<double> fed_s{0}, longestHunger_s{0};
+
+  std::string answer(const std::string& line) {
     const std::size_t star = line.rfind('*');
     if (star == std::string::npos || std::atoi(line.c_str() + star + 1) != lineChecksum(line.substr(0, star)))
       return "";
-    if (line.starts_with("c 0 ")) torque_Nm = std::atof(line.c_str() + 4);
-    if (line.starts_with("w axis0.requested_state 1 ")) idle = true;
-    if (line.starts_with("w axis0.config.enable_watchdog 1")) watchdog = true;
+    if (watchdog && state == 8) longestHunger_s = std::max(longestHunger_s.load(), now_s() - fed_s);
+    if (line.starts_with("c 0 ")) torque_Nm = state == 8 ? std::atof(line.c_str() + 4) : 0, fed_s = now_s();
+    if (line.starts_with("sc ")) error = 0;
+    if (line.starts_with("w axis0.requested_state 1 ")) state = 1;
+    if (line.starts_with("w axis0.requested_state 8 ") && error == 0 && !refusesToArm) state = 8;
+    if (line.starts_with("w axis0.requested_state 8 ") && refusesToArm) error = 0x40;
+    if (line.starts_with("w axis0.config.enable_watchdog ")) watchdog = line[31] == '1', fed_s = now_s();
+    if (line.starts_with("r axis0.current_state ")) return std::to_string(state) + "\r\n";
+    if (line.starts_with(newNames ? "r axis0.active_errors " : "r axis0.error "))
+      return std::to_string(error) + "\r\n";
+    if (line.starts_with("r ")) return "invalid property\r\n";
     if (!line.starts_with("f 0")) return "";
     if (mode == 1) return "nonsense\n";
     if (mode == 2) return "";
     if (mode == 3) return "nan 0.0\r\n";
     return std::to_string(turns.load()) + " 0.000000\r\n";
-  });
+  }
+};
+
+std::unique_ptr<OdriveForceDevice> openedOdrive(const FakeDevice& fake) {
+  OdriveSettings settings;
+  settings.port = fake.port;
+  settings.period_s = 0.4;
+  auto device = OdriveForceDevice::open(settings);
+  for (int i = 1; i < tries && !device; ++i) device = OdriveForceDevice::open(settings);
+  REQUIRE(device);
+  return *std::move(device);
+}
+
+}  // namespace
+
+TEST_CASE("ODrive: torque out by the capstan, turns back in mm, idle at the end") {
+  FakeOdrive odrive;
+  odrive.error = 0x800;  // the watchdog of a run before
+  odrive.watchdog = true;
+  FakeDevice fake([&](const std::string& line) { return odrive.answer(line); });
   {
-    OdriveSettings settings;
-    settings.port = fake.port;
-    settings.period_s = 0.4;
-    auto device = OdriveForceDevice::open(settings);
-    for (int i = 1; i < tries && !device; ++i) device = OdriveForceDevice::open(settings);
-    REQUIRE(device);
-    CHECK(watchdog);
-    turns = 1.55;
+    auto device = openedOdrive(fake);
+    CHECK(device->state() == ForceDeviceState::ready);
+    CHECK(odrive.state == 8);
+    odrive.turns = 1.55;
     ForceCommand command;
     command.force_N = 2;
     // An ODrive's answers carry no number: one to the opening that comes late is a reading too.
-    ForceReading reading = answered(**device, command);
-    for (int i = 1; i < tries && reading.position_mm == 0; ++i) reading = answered(**device, command);
+    ForceReading reading = answered(*device, command);
+    CHECK(odrive.watchdog);
+    for (int i = 1; i < tries && reading.position_mm == 0; ++i) reading = answered(*device, command);
     CHECK(reading.position_mm == Approx(3).margin(1e-4));
-    CHECK(torque_Nm == Approx(-2 * 60 / (2 * 3.14159265 * 1000)).margin(1e-5));
-    mode = 1;
-    CHECK_FALSE((*device)->exchange({}).fresh);
-    CHECK((*device)->counts().malformed >= 1);
-    mode = 2;
-    CHECK_FALSE((*device)->exchange({}).fresh);
-    CHECK((*device)->counts().late >= 1);
-    mode = 3;  // a number that is none reaches the guard, which holds the force and then takes it away
-    CHECK(std::isnan(answered(**device).position_mm));
+    CHECK(odrive.torque_Nm == Approx(-2 * 60 / (2 * 3.14159265 * 1000)).margin(1e-5));
+    command.halted = true;
+    answered(*device, command);
+    CHECK(odrive.torque_Nm == 0);
+    odrive.mode = 1;
+    CHECK_FALSE(device->exchange({}).fresh);
+    CHECK(device->counts().malformed >= 1);
+    odrive.mode = 2;
+    CHECK_FALSE(device->exchange({}).fresh);
+    CHECK(device->counts().late >= 1);
+    odrive.mode = 3;  // a number that is none reaches the guard, which holds the force and then takes it away
+    CHECK(std::isnan(answered(*device).position_mm));
   }
-  for (const double end_s = now_s() + 20; !idle && now_s() < end_s;) sleepUntil(now_s() + 0.01);
-  CHECK(idle);
-  CHECK(torque_Nm == 0);
+  for (const double end_s = now_s() + 20; odrive.state != 1 && now_s() < end_s;) sleepUntil(now_s() + 0.01);
+  CHECK(odrive.state == 1);
+  CHECK(odrive.torque_Nm == 0);
+}
+
+TEST_CASE("ODrive: an axis that does not arm is told with its error, in both spellings") {
+  for (const bool newNames : {false, true}) {
+    FakeOdrive odrive;
+    odrive.newNames = newNames;
+    odrive.refusesToArm = true;
+    FakeDevice fake([&](const std::string& line) { return odrive.answer(line); });
+    OdriveSettings settings;
+    settings.port = fake.port;
+    std::string said;
+    for (int i = 0; i < tries && said.find("motor failed") == std::string::npos; ++i) {
+      const auto device = OdriveForceDevice::open(settings);
+      REQUIRE_FALSE(device);
+      said = device.failure().sentence();
+    }
+    CHECK(said.find("motor failed") != std::string::npos);
+    CHECK_FALSE(odrive.watchdog);  // nothing that is not armed starves
+  }
+}
+
+TEST_CASE(
+    "ODrive: an axis in error gives no force and says so, until a person arms it and its rest is taken "
+    "anew") {
+  FakeOdrive odrive;
+  FakeDevice fake([&](const std::string& line) { return odrive.answer(line); });
+  auto device = openedOdrive(fake);
+  answered(*device);
+  odrive.error = 0x100;
+  odrive.state = 1;
+  bool lost = false;
+  for (int i = 0; i < tries && device->state() == ForceDeviceState::ready; ++i) {
+    sleepUntil(now_s() + 0.025);
+    lost = device->exchange({}).zero == ForceReading::Zero::lost || lost;
+  }
+  CHECK(device->state() == ForceDeviceState::fault);
+  CHECK(odriveErrorWords(device->counts().fault).find("encoder failed") != std::string::npos);
+  ForceCommand command;
+  command.force_N = 1;
+  for (int i = 0; i < 3; ++i) lost = device->exchange(command).zero == ForceReading::Zero::lost || lost;
+  CHECK(lost);
+  CHECK(odrive.torque_Nm == 0);
+  odrive.turns = 2.5;
+  for (int i = 0; i < tries && device->state() != ForceDeviceState::ready; ++i) device->rearm();
+  CHECK(device->state() == ForceDeviceState::ready);
+  CHECK(device->counts().fault == 0);
+  CHECK(answered(*device).position_mm == Approx(0).margin(1e-6));
+}
+
+TEST_CASE("ODrive: plugged in again its rest is taken anew, and the place counts as lost") {
+  FakeOdrive odrive;
+  FakeDevice fake([&](const std::string& line) { return odrive.answer(line); });
+  auto device = openedOdrive(fake);
+  answered(*device);
+  fake.unplug();
+  for (int i = 0; i < 3; ++i) CHECK_FALSE(device->exchange({}).fresh);
+  CHECK(device->state() == ForceDeviceState::lost);
+  odrive.turns = -7;
+  odrive.state = 1;
+  fake.plugIn();
+  ForceReading reading{.fresh = false};
+  for (const double end_s = now_s() + 10; !reading.fresh && now_s() < end_s; sleepUntil(now_s() + 0.02))
+    reading = device->exchange({});
+  REQUIRE(reading.fresh);
+  CHECK(reading.zero == ForceReading::Zero::lost);
+  for (int i = 0; i < tries && device->state() != ForceDeviceState::ready; ++i) device->rearm();
+  CHECK(answered(*device).position_mm == Approx(0).margin(1e-6));
 }

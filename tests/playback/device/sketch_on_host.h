@@ -15,12 +15,18 @@ std::uint32_t micros();
 int analogRead(std::uint8_t pin);
 
 constexpr std::uint8_t A0 = 14;
-std::string sent;  // what stands on the line
+std::string sent, incoming;  // what stands on the line, both ways
 
 struct SerialPort {
   void begin(std::uint32_t) {}
   void print(const char* text) { sent += text; }
   void println(const char* text) { sent += std::string(text) + "\r\n"; }
+  int available() { return static_cast<int>(incoming.size()); }
+  int read() {
+    const char c = incoming.front();
+    incoming.erase(0, 1);
+    return c;
+  }
 } Serial;
 
 void sendReading(std::uint32_t time_us, int counts);  // the Arduino builder writes this declaration

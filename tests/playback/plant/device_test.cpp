@@ -149,8 +149,7 @@ TEST_CASE("bad bytes, a reset and a pulled plug give no more than the largest fo
   }
 }
 
-// Not kept yet: issue 25, 1.2: the uploaded table and the firmware know no --max-N.
-TEST_CASE("an uploaded table gives no more than the largest force either", "[upload][!shouldfail]") {
+TEST_CASE("an uploaded table gives no more than the largest force either", "[upload]") {
   for (const char* button : {"B", "push", "latch"}) {
     SerialEmulatorSettings settings;
     settings.pty = withFinger();
@@ -252,15 +251,13 @@ TEST_CASE("an ODrive gives the force of the graph and no more", "[odrive]") {
   CHECK(run.largest_N <= 3.01);  // torques have six digits
 }
 
-// Not kept yet: issue 25, 1.2: the firmware's own limit is set at open and read back.
-TEST_CASE("an ODrive is told the largest force", "[odrive][!shouldfail]") {
+TEST_CASE("an ODrive is told the largest force", "[odrive]") {
   const OdriveRun run = odrive(odriveWithFinger(), "1");
   INFO(run.ran.said);
   CHECK(run.firmwareLimit_N <= 1.05);
 }
 
-// Not kept yet: issue 25, 1.4: errors of the axis are not read.
-TEST_CASE("an axis in error is no force, and said", "[odrive][!shouldfail]") {
+TEST_CASE("an axis in error is no force, and said", "[odrive]") {
   OdriveEmulatorSettings failed = odriveWithFinger(), fails = odriveWithFinger();
   failed.errorAtStart = 0x40;  // motor failed; clearing it once is allowed, calling it fine is not
   fails.errorAt_s = 0.7;
@@ -289,9 +286,7 @@ TEST_CASE("an ODrive that answers late: useful force, or a refusal with the reas
   }
 }
 
-// Not kept yet: issue 25, 1.4. In torque control the firmware limits velocity by itself, 2 turns/s as it comes: above, it brakes
-// with its own torque whatever is asked for, and at 2.4 turns/s (144 mm/s of 60 mm a turn, a usual press) it takes the axis off.
-TEST_CASE("an ODrive's own velocity limit is out of a finger's reach", "[odrive][!shouldfail]") {
+TEST_CASE("an ODrive's own velocity limit is out of a finger's reach", "[odrive]") {
   OdriveEmulatorSettings settings = odriveWithFinger();
   settings.velocityLimit = 2;
   const OdriveRun run = odrive(settings);
@@ -301,9 +296,8 @@ TEST_CASE("an ODrive's own velocity limit is out of a finger's reach", "[odrive]
   CHECK(run.velocityLimit_mm_per_s >= 2000);
 }
 
-// Not kept yet: issue 25, 1.4: the rest position is taken anew after every reopen, or the place is lost and said to be.
 TEST_CASE("an ODrive that comes back with another count gives force of the right place, or says why none",
-          "[odrive][!shouldfail]") {
+          "[odrive]") {
   OdriveEmulatorSettings settings = odriveWithFinger();
   settings.pty.unplugAt_s = 0.3;  // before the press: the handle is at rest
   settings.pty.pluggedAgain_s = 0.1;

@@ -16,7 +16,7 @@ struct SerialEmulatorSettings {
   std::int64_t largestForce_uN = 10000000;
   std::uint32_t rate_Hz = 4000;
   std::uint32_t rows = 256;
-  int version = 1;       ///< of the protocol; 2 knows limits, an emergency stop and a state
+  int version = 2;       ///< of the protocol; 2 knows limits, an emergency stop and a state
   double stopAt_s = -1;  ///< its own emergency switch is opened so long after the first line; < 0: never
 };
 

@@ -22,7 +22,7 @@
 namespace {
 
 thread_local int depth = 0;
-std::atomic<std::uint64_t> hits{0};
+std::atomic<std::uint64_t> hits{0}, memory{0};
 std::atomic<const char*> first{nullptr};
 
 #ifndef DETENT_GUARD_OFF
@@ -31,6 +31,10 @@ void note(const char* name) {
   hits.fetch_add(1, std::memory_order_relaxed);
   const char* none = nullptr;
   first.compare_exchange_strong(none, name);
+}
+void noteMemory(const char* name) {
+  note(name);
+  if (depth > 0) memory.fetch_add(1, std::memory_order_relaxed);
 }
 #endif
 
@@ -43,9 +47,10 @@ void leaveGuard() { --depth; }
 GuardedScope::GuardedScope() { enterGuard(); }
 GuardedScope::~GuardedScope() { leaveGuard(); }
 std::uint64_t guardHits() { return hits.load(); }
+std::uint64_t guardedMemoryCalls() { return memory.load(); }
 std::string firstGuardHit() { return first.load() == nullptr ? "" : first.load(); }
 void resetGuard() {
-  hits = 0;
+  hits = memory = 0;
   first = nullptr;
 }
 bool guardWorks() {
@@ -69,27 +74,27 @@ void* __libc_realloc(void*, std::size_t);
 void* __libc_memalign(std::size_t, std::size_t);
 
 void* malloc(std::size_t size) {
-  note("malloc");
+  noteMemory("malloc");
   return __libc_malloc(size);
 }
 void free(void* p) {
-  note("free");
+  noteMemory("free");
   __libc_free(p);
 }
 void* calloc(std::size_t n, std::size_t size) {
-  note("calloc");
+  noteMemory("calloc");
   return __libc_calloc(n, size);
 }
 void* realloc(void* p, std::size_t size) {
-  note("realloc");
+  noteMemory("realloc");
   return __libc_realloc(p, size);
 }
 void* memalign(std::size_t alignment, std::size_t size) {
-  note("memalign");
+  noteMemory("memalign");
   return __libc_memalign(alignment, size);
 }
 void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  note("aligned_alloc");
+  noteMemory("aligned_alloc");
   return __libc_memalign(alignment, size);
 }
 }

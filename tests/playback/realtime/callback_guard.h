@@ -23,6 +23,8 @@ void enterGuard();
 void leaveGuard();
 
 std::uint64_t guardHits();
+/// Of them, those that ask for memory or give it back.
+std::uint64_t guardedMemoryCalls();
 /// Name of the first guarded call since the last reset; empty if none.
 std::string firstGuardHit();
 void resetGuard();
