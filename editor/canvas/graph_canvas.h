@@ -46,7 +46,6 @@ class GraphCanvas : public UnitPlot {
   bool isSelected(MarkId mark) const;
   void showFinger(std::optional<FingerPosition> finger);
   void setMagnifierShown(bool shown);
-  bool magnifierShown() const { return magnifierShown_; }
   /// Knots and handles; without them the picture is that of a datasheet.
   void setHandlesShown(bool shown);
 

@@ -47,7 +47,6 @@ class FeelPlayer : public QObject {
 
   /// Whether a press may open the sound device. Off closes it.
   void setSoundWanted(bool wanted);
-  bool soundWanted() const { return soundWanted_; }
   /// Another device, rate or buffer; opened again if one is open.
   void setOutput(const playback::PlayerSettings& settings);
   const playback::PlayerSettings& output() const { return output_; }

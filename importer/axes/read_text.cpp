@@ -169,11 +169,4 @@ std::vector<SeenText> TextReader::readLineOtherwise(const Box& box, double angle
   return seen;
 }
 
-std::vector<SeenText> TextReader::readWords(const Box& box, double angle_deg) {
-  std::vector<SeenText> words;
-  auto line = readLine(box, TextKind::words, angle_deg);
-  if (!line.utf8.empty()) words.push_back(std::move(line));
-  return words;
-}
-
 }  // namespace detent::importer

@@ -378,13 +378,13 @@ std::vector<double> residualsOf(const KnotChain& chain, const std::vector<SigmaP
   return residuals;
 }
 
-SolveReport chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
-                        const ChoiceSettings& settings) {
+bool chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
+                 const ChoiceSettings& settings) {
   settleJoints(chain);
   // The first cut may be far off in places: there a robust loss would take the points for outliers.
   SolveSettings first = settings.solve;
   first.robustScale *= 10;
-  SolveReport report = solveChain(chain, points, {0, chain.size()}, first);
+  bool converged = solveChain(chain, points, {0, chain.size()}, first);
   dropRedundantKnots(chain);
   SolveSettings local = settings.solve;
   local.associations = 1;
@@ -397,14 +397,14 @@ SolveReport chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points,
     if (!changed) break;
     settleJoints(chain);
     dropRedundantKnots(chain);
-    report = solveChain(chain, points, {0, chain.size()}, settings.solve);
+    converged = solveChain(chain, points, {0, chain.size()}, settings.solve);
     dropRedundantKnots(chain);
   }
-  return report;
+  return converged;
 }
 
-SolveReport reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
-                        const ChoiceSettings& settings) {
+bool reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
+                 const ChoiceSettings& settings) {
   SolveSettings local = settings.solve;
   local.associations = 1;
   const auto count = [&] { return static_cast<int>(chain.size()) - 1; };
@@ -438,9 +438,9 @@ SolveReport reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points,
     if (!added) break;
   }
   settleJoints(chain);
-  const SolveReport report = solveChain(chain, points, {0, chain.size()}, settings.solve);
+  const bool converged = solveChain(chain, points, {0, chain.size()}, settings.solve);
   dropRedundantKnots(chain);
-  return report;
+  return converged;
 }
 
 namespace {

@@ -37,14 +37,14 @@ struct ChoiceSettings {
 
 /// Takes out knots that do not earn their parameters, makes corners smooth that do not earn theirs, adds
 /// knots and corners where the residuals pay for them. Each change is judged by a solve of the knots around
-/// it; then all knots are solved.
-SolveReport chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
-                        const ChoiceSettings& settings);
+/// it; then all knots are solved. False: as solveChain.
+bool chooseKnots(KnotChain& chain, const std::vector<SigmaPoint>& points, const Evidence& evidence,
+                 const ChoiceSettings& settings);
 
 /// Takes out the least useful knots until `pieces` are left; or adds the most useful until there are as many,
-/// if it can.
-SolveReport reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
-                        const ChoiceSettings& settings);
+/// if it can. False: as solveChain.
+bool reachPieces(KnotChain& chain, const std::vector<SigmaPoint>& points, int pieces,
+                 const ChoiceSettings& settings);
 
 /// The last word against a solve that went astray (a few wild points leave a knot undetermined): knots
 /// further than `reach` sigmas from the line through the points go back to it, ends to the points' ends. Returns how many did.

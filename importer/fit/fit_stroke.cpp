@@ -90,18 +90,17 @@ ChosenChain chooseChain(const StrokeSamples& samples, const FitOptions& options)
     cut = segmentStroke(points, options.candidateKnots, evidence.chiSquarePer(parametersPerCut));
   }
   const ChoiceSettings settings = choiceSettings(options);
-  SolveReport solved;
+  bool converged = true;
   if (options.criterion == PieceCriterion::fixed) {
-    solved = reachPieces(cut.chain, points, options.pieces, settings);
+    converged = reachPieces(cut.chain, points, options.pieces, settings);
   } else {
-    solved = chooseKnots(cut.chain, points, evidence, settings);
+    converged = chooseKnots(cut.chain, points, evidence, settings);
     if (static_cast<int>(cut.chain.size()) - 1 > options.maxPieces)
-      solved = reachPieces(cut.chain, points, options.maxPieces, settings);
+      converged = reachPieces(cut.chain, points, options.maxPieces, settings);
   }
   // Corners of drawn lines lie up to the robust scale outside of them.
-  if (returnStrayKnots(cut.chain, points, options.robustScale + 2) > 0) solved.converged = false;
-  return {std::move(cut.chain), evidence,
-          solved.converged ? FitOutcome::converged : FitOutcome::iterationLimit};
+  if (returnStrayKnots(cut.chain, points, options.robustScale + 2) > 0) converged = false;
+  return {std::move(cut.chain), evidence, converged ? FitOutcome::converged : FitOutcome::iterationLimit};
 }
 
 std::vector<Knot> modelKnots(const KnotChain& chain, const StrokeSamples& samples) {

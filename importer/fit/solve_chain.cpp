@@ -307,7 +307,7 @@ KnotChain moved(KnotChain chain, const Step& step) {
 }
 
 /// Levenberg and Marquardt's method. Its rules and values are those of Ceres Solver 2.1, with which all else in the fit was chosen.
-SolveReport minimise(ChainProblem& problem, KnotChain& chain, const SolveSettings& settings) {
+bool minimise(ChainProblem& problem, KnotChain& chain, const SolveSettings& settings) {
   constexpr double firstRadius = 1e4, greatestRadius = 1e16;  // shares of a parameter's own scale
   constexpr double leastShareKept = 1e-3;                     // of the fall a step promised
   constexpr double leastInformation = 1e-6;  // of that at the start, where a parameter loses its influence
@@ -318,7 +318,7 @@ SolveReport minimise(ChainProblem& problem, KnotChain& chain, const SolveSetting
   double radius = firstRadius, shrinking = 2;
   bool stepped = false;
   for (int iteration = 0; iteration < settings.maxIterations && std::isfinite(here.cost); ++iteration) {
-    if (here.steepest() <= 1e-4 * settings.tolerance) return {2 * here.cost, true};
+    if (here.steepest() <= 1e-4 * settings.tolerance) return true;
     const Step step = stepFrom(here, leastDamping, radius);
     double kept = 0;
     if (step.promised > 0) {
@@ -326,7 +326,7 @@ SolveReport minimise(ChainProblem& problem, KnotChain& chain, const SolveSetting
       const double reach = problem.lengthOf(chain) + settings.tolerance;
       if ((stepped && step.length() <= settings.tolerance * reach) ||
           std::abs(fall) <= settings.tolerance * here.cost)
-        return {2 * here.cost, true};
+        return true;
       kept = fall / step.promised;
     }
     if (kept > leastShareKept) {
@@ -339,7 +339,7 @@ SolveReport minimise(ChainProblem& problem, KnotChain& chain, const SolveSetting
       shrinking *= 2;
     }
   }
-  return {2 * here.cost, false};
+  return false;
 }
 
 /// The condition number of a Jacobian, from J'J.
@@ -366,15 +366,15 @@ double chiSquareOf(const KnotChain& chain, const std::vector<SigmaPoint>& points
   return sum;
 }
 
-SolveReport solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRange range,
-                       const SolveSettings& settings) {
-  SolveReport report;
+bool solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRange range,
+                const SolveSettings& settings) {
+  bool converged = true;
   for (int round = 0; round < settings.associations; ++round) {
     ChainProblem problem(chain, points, range, settings);
-    report = minimise(problem, chain, settings);
+    converged = minimise(problem, chain, settings);
     levelDisplacements(chain);
   }
-  return report;
+  return converged;
 }
 
 KnotErrors knotErrors(const KnotChain& chain, const std::vector<SigmaPoint>& points,

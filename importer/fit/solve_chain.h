@@ -18,16 +18,11 @@ struct KnotRange {
   std::size_t from = 0, to = 0;
 };
 
-struct SolveReport {
-  double chiSquare = 0;   ///< robust, over all points the range touches
-  bool converged = true;  ///< false: iteration limit
-};
-
 /// Moves the knots in `range`. Displacements keep their order: a knot may go half the way to its neighbours
 /// per association, so a wall that would lean back ends exactly vertical. Ends keep the points' ends: an end
-/// in a wall keeps its force, any other end its displacement.
-SolveReport solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRange range,
-                       const SolveSettings& settings);
+/// in a wall keeps its force, any other end its displacement. False: the limit of iterations ended it.
+bool solveChain(KnotChain& chain, const std::vector<SigmaPoint>& points, KnotRange range,
+                const SolveSettings& settings);
 
 /// Robust chi-square of all points on the chain as it stands.
 double chiSquareOf(const KnotChain& chain, const std::vector<SigmaPoint>& points, double robustScale);

@@ -30,8 +30,6 @@ class SimulatedForceDevice : public ForceDevice {
   ForceReading exchange(const ForceCommand& command) override;
 
   /// Where it truly is, between the encoder's steps.
-  double truePosition_mm() const { return position_mm_; }
-  double trueVelocity_mm_per_s() const { return velocity_mm_per_s_; }
   /// Work the finger has done on the device so far (mJ): what a person would feel of the energy.
   double fingerWork_mJ() const { return fingerWork_mJ_; }
 

@@ -29,8 +29,6 @@ class StreamClock {
     return running_ ? static_cast<double>(baseFrame_) + (time_s - base_s_) * sampleRate_Hz_ : 0;
   }
 
-  void restart() { running_ = false; }
-
  private:
   static constexpr double follow =
       0.02;  // of the lateness per callback: follows clock drift, ignores single wake-ups

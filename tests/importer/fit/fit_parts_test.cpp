@@ -127,7 +127,7 @@ TEST_CASE("points too far for their squares leave the chain as it is, and the so
   const KnotChain before = chain;
   std::vector<SigmaPoint> points = wave(50);
   for (SigmaPoint& p : points) p.v += 1e200;
-  CHECK_FALSE(solveChain(chain, points, {0, chain.size()}, {}).converged);
+  CHECK_FALSE(solveChain(chain, points, {0, chain.size()}, {}));
   for (std::size_t k = 0; k < chain.size(); ++k) CHECK(chain[k].at == before[k].at);
 }
 
@@ -148,8 +148,8 @@ TEST_CASE("the solver finds moved knots again") {
   SolveSettings settings;
   settings.maxIterations = 100;
   settings.associations = 3;
-  const SolveReport report = solveChain(moved, points, {0, moved.size()}, settings);
-  CHECK(report.chiSquare < 0.1);
+  solveChain(moved, points, {0, moved.size()}, settings);
+  CHECK(chiSquareOf(moved, points, settings.robustScale) < 0.1);
   for (std::size_t k = 0; k < truth.size(); ++k) {
     CHECK(moved[k].u() == Approx(truth[k].u()).margin(0.5));
     CHECK(moved[k].v() == Approx(truth[k].v()).margin(0.2));
