@@ -13,6 +13,7 @@
 #include "importer/locate_graphs.h"
 #include "importer/rest_position.h"
 #include "model/check.h"
+#include "model/text.h"
 
 namespace detent::importer {
 namespace {
@@ -35,10 +36,7 @@ class StepClock {
 };
 
 bool hasSuffix(const std::string& path, std::string_view suffix) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == suffix;
+  return lowered(std::filesystem::path(path).extension().string()) == suffix;
 }
 
 Message placeOf(int page) { return Message("page %1", page); }

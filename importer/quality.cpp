@@ -3,18 +3,6 @@
 
 namespace detent::importer {
 
-const char* nameOf(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return "draft";
-    case Quality::standard:
-      return "standard";
-    case Quality::precise:
-      return "precise";
-  }
-  return "";
-}
-
 QualitySettings settingsFor(Quality quality) {
   QualitySettings s;
   switch (quality) {

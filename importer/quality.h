@@ -6,13 +6,15 @@
 #include "importer/fit/fit_options.h"
 #include "importer/page/page.h"
 #include "importer/trace/curve_trace.h"
+#include "model/named_values.h"
 
 namespace detent::importer {
 
 enum class Quality { draft, standard, precise };
 
-/// "draft", "standard", "precise".
-const char* nameOf(Quality quality);
+inline constexpr auto qualities = named<Quality>(
+    {{"draft", Quality::draft}, {"standard", Quality::standard}, {"precise", Quality::precise}});
+inline const char* nameOf(Quality quality) { return qualities.word(quality); }
 
 /// Settings of one quality level, for all steps.
 struct QualitySettings {

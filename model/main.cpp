@@ -3,11 +3,13 @@
 // code out.
 #include <cstdio>
 #include <exception>
+#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "model/file/graph_program.h"
+#include "model/program/command_line.h"
 #include "model/version.h"
 
 namespace {
@@ -109,6 +111,7 @@ Result<Report> run(const CLI::App& app, Arguments& arguments) {
 
 int main(int argc, char** argv) try {
   CLI::App app{"Force graphs of buttons: displacement in mm, force in N.", "detent-graph"};
+  app.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());
   app.footer(
       "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph in it,\n"
       "5 not certain (says what to pass).");

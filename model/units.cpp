@@ -6,6 +6,7 @@
 #include <string>
 
 #include "model/check.h"
+#include "model/text.h"
 
 namespace detent {
 namespace {
@@ -103,19 +104,6 @@ const UnitEntry<Unit>& entryOf(const UnitEntry<Unit> (&units)[count], Unit unit)
   const auto found = std::ranges::find(units, unit, &UnitEntry<Unit>::unit);
   DETENT_CHECK(found != std::end(units), "unit is one of the enumeration");
   return *found;
-}
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r\n");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
-}
-
-std::string lowered(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return out;
 }
 
 template <class Unit, std::size_t count>

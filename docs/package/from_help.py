@@ -25,7 +25,6 @@ HEADINGS = {"": ("User Commands", "NAME", "DESCRIPTION", "SEE ALSO"), "de": ("Be
 OPTION = re.compile(r"^ +(-{1,2}[A-Za-z][^ ]*(?:, --?[\w-]+)*)(.*)$")
 SECTION = re.compile(r"^(?:\[Option Group: (?P<group>[^\]]+)\]|(?P<title>[A-Z][^:]*):)$")
 # CLI11's spelling of a value that comes from a list: {draft->0,precise->2}.
-ENUM = re.compile(r"ENUM:value in \{([^}]*)\} OR \{[^}]*\}")
 
 
 @dataclass
@@ -46,7 +45,7 @@ def answer(binary, *words):
 
 
 def read_help(binary, *words):
-    text = ENUM.sub(lambda m: "|".join(pair.split("->")[0] for pair in m.group(1).split(",")), answer(binary, *words, "--help"))
+    text = answer(binary, *words, "--help")
     found = Help([binary.name, *words], text.rstrip())
     found.options = sorted(set(re.findall(r"(?m)^ +(?:-\w, ?)?(--[a-z][\w-]*)", text)))
     listed = re.search(r"(?ms)^Subcommands:\n(.*?)(?:\n\n|\Z)", text)

@@ -17,12 +17,6 @@ constexpr double longestRecord_s = 20, recordStep_s = 1e-3;
 constexpr double playLead_s = 0.1;  // until a recorded press begins
 constexpr double goesOn_s = 1;      // how long after the last movement meters stay quick
 
-/// 1 to 0 without jerk at the ends (Flash & Hogan 1985).
-double fading(double share) {
-  const double t = std::clamp(share, 0.0, 1.0);
-  return 1 - t * t * t * (10 + t * (6 * t - 15));
-}
-
 }  // namespace
 
 /// Hands a position on, 1000 times a second while it lives.
@@ -326,7 +320,7 @@ void FeelPlayer::pushFinger() {
       break;
     case Finger::lifting: {
       const double share = std::chrono::duration<double>(Clock::now() - liftedAt_).count() / lift_s;
-      const double value = liftedFrom_ * fading(share);
+      const double value = liftedFrom_ * (1 - playback::minimumJerk(share));
       liftsForce_ ? player_->pushForce(value) : player_->pushDisplacement(value);
       if (share >= 1) finger_ = Finger::none;
       break;

@@ -3,34 +3,18 @@
 
 #include <cmath>
 
+#include "model/named_values.h"
+
 namespace detent::editor {
 namespace {
 
 /// Enumerations are kept as words, so that a new value in the middle changes nothing.
-template <class Value>
-struct Word {
-  Value value;
-  const char* word;
-};
-constexpr Word<Drive> drives[] = {{Drive::time, "time"}, {Drive::depth, "depth"}, {Drive::force, "force"}};
-constexpr Word<playback::FeedbackMode> modes[] = {{playback::FeedbackMode::full, "full"},
-                                                  {playback::FeedbackMode::clickOnly, "click-only"},
-                                                  {playback::FeedbackMode::slopeOnly, "slope-only"},
-                                                  {playback::FeedbackMode::off, "off"}};
-constexpr Word<playback::EventPlacement> placements[] = {
-    {playback::EventPlacement::atOnce, "fast"}, {playback::EventPlacement::timeStamped, "time-stamped"}};
+constexpr auto drives =
+    named<Drive>({{"time", Drive::time}, {"depth", Drive::depth}, {"force", Drive::force}});
 
 template <class Value, std::size_t n>
-QString wordOf(const Word<Value> (&words)[n], Value value) {
-  for (const auto& w : words)
-    if (w.value == value) return QString::fromLatin1(w.word);
-  return {};
-}
-
-template <class Value, std::size_t n>
-void read(const QVariantMap& map, const QString& key, const Word<Value> (&words)[n], Value& value) {
-  for (const auto& w : words)
-    if (map.value(key).toString() == QLatin1String(w.word)) value = w.value;
+void read(const QVariantMap& map, const QString& key, const NamedValues<Value, n>& words, Value& value) {
+  value = words.value(map.value(key).toString().toStdString()).value_or(value);
 }
 
 void read(const QVariantMap& map, const QString& key, double low, double high, double& value) {
@@ -62,11 +46,11 @@ playback::PlayerSettings outputOf(const FeelSettings& settings) {
 }
 
 QVariantMap toMap(const FeelSettings& s) {
-  return {{"drive", wordOf(drives, s.drive)},
+  return {{"drive", QLatin1String(drives.word(s.drive))},
           {"full_N", s.full_N},
           {"followState", s.followState},
-          {"mode", wordOf(modes, s.mode)},
-          {"placement", wordOf(placements, s.placement)},
+          {"mode", QLatin1String(playback::feedbackModes.word(s.mode))},
+          {"placement", QLatin1String(playback::eventPlacements.word(s.placement))},
           {"profileFile", s.profileFile},
           {"sound", s.sound},
           {"device", s.device},
@@ -90,8 +74,8 @@ FeelSettings feelSettingsFrom(const QVariantMap& map) {
   read(map, "drive", drives, s.drive);
   read(map, "full_N", 0, 1000, s.full_N);
   read(map, "followState", s.followState);
-  read(map, "mode", modes, s.mode);
-  read(map, "placement", placements, s.placement);
+  read(map, "mode", playback::feedbackModes, s.mode);
+  read(map, "placement", playback::eventPlacements, s.placement);
   s.profileFile = map.value("profileFile").toString();
   read(map, "sound", s.sound);
   s.device = map.value("device").toString();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "importer/axes/word_match.h"
+#include "model/text.h"
 
 namespace detent::importer {
 namespace {
@@ -179,7 +180,7 @@ struct Piece {
   double sure;  // of being a unit by where it stands
 };
 
-std::string trimmed(std::string_view s) {
+std::string withoutBrackets(std::string_view s) {
   const auto first = s.find_first_not_of(" \t[](){}|:;'"), last = s.find_last_not_of(" \t[](){}|:;'");
   return first == std::string_view::npos ? std::string() : std::string(s.substr(first, last - first + 1));
 }
@@ -189,19 +190,13 @@ std::string withoutBlanks(std::string s) {
   return s;
 }
 
-std::string lowered(std::string s) {
-  for (char& c : s)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return s;
-}
-
 /// "unit: gf", "单位：gf": what stands after the word.
 std::string withoutUnitWord(std::string text) {
   const std::string low = lowered(text);
   for (const std::string_view word :
        {"unit", "einheit", "\xE5\x8D\x95\xE4\xBD\x8D", "\xE5\x8D\x98\xE4\xBD\x8D"}) {
     if (!low.starts_with(word)) continue;
-    return trimmed(std::string_view(text).substr(word.size()));
+    return withoutBrackets(std::string_view(text).substr(word.size()));
   }
   return text;
 }
@@ -217,7 +212,8 @@ std::vector<std::string> bracketed(const std::string& t) {
     auto close = t.find_first_of(")]}|", i + 1);
     const bool closed = close != std::string::npos;
     if (!closed) close = t.size();
-    const std::string inside = withoutBlanks(trimmed(std::string_view(t).substr(i + 1, close - i - 1)));
+    const std::string inside =
+        withoutBlanks(withoutBrackets(std::string_view(t).substr(i + 1, close - i - 1)));
     if (close - i > longest || inside.empty()) continue;
     out.push_back(withoutUnitWord(inside));
     if (!closed && inside.size() > 1 && likeBrackets.find(inside.back()) != std::string_view::npos)
@@ -232,7 +228,7 @@ void addUnopened(const std::string& t, std::vector<Piece>& out) {
     if (t[i] != ']' && t[i] != ')') continue;
     auto open = t.find_last_of(' ', i - 1);
     open = open == std::string::npos ? 0 : open + 1;
-    const std::string inside = trimmed(std::string_view(t).substr(open, i - open));
+    const std::string inside = withoutBrackets(std::string_view(t).substr(open, i - open));
     if (inside.empty()) continue;
     out.push_back({inside, 0.9});
     if (likeBrackets.find(inside.front()) != std::string_view::npos) out.push_back({inside.substr(1), 0.7});
@@ -247,18 +243,18 @@ std::vector<Piece> pieces(const std::string& t) {
   addUnopened(t, out);
   if (!out.empty()) return out;
   if (const auto slash = t.rfind('/'); slash != std::string::npos)
-    out.push_back({withoutBlanks(trimmed(std::string_view(t).substr(slash + 1))), 0.95});
+    out.push_back({withoutBlanks(withoutBrackets(std::string_view(t).substr(slash + 1))), 0.95});
   if (const auto in = t.rfind(" in "); in != std::string::npos)
-    out.push_back({trimmed(std::string_view(t).substr(in + 4)), 0.95});
+    out.push_back({withoutBrackets(std::string_view(t).substr(in + 4)), 0.95});
   else if (const auto joined = t.rfind(" in");
            joined != std::string::npos)  // "Weg inmm": a blank was not seen
-    out.push_back({trimmed(std::string_view(t).substr(joined + 3)), 0.85});
+    out.push_back({withoutBrackets(std::string_view(t).substr(joined + 3)), 0.85});
   if (const auto comma = t.rfind(','); comma != std::string::npos)
-    out.push_back({withoutBlanks(trimmed(std::string_view(t).substr(comma + 1))), 0.85});
+    out.push_back({withoutBlanks(withoutBrackets(std::string_view(t).substr(comma + 1))), 0.85});
   if (const auto blank = t.find_last_of(' '); blank != std::string::npos)
-    out.push_back({trimmed(std::string_view(t).substr(blank + 1)), 0.7});
+    out.push_back({withoutBrackets(std::string_view(t).substr(blank + 1)), 0.7});
   else
-    out.push_back({trimmed(t), 0.6});
+    out.push_back({withoutBrackets(t), 0.6});
   return out;
 }
 

@@ -16,6 +16,7 @@
 #include "importer/axes/graph_reading.h"
 #include "importer/axes/printed_number.h"
 #include "importer/axes/word_match.h"
+#include "model/text.h"
 
 namespace detent::importer {
 namespace {
@@ -203,9 +204,7 @@ bool namesForceOrTravel(const std::vector<SeenText>& texts) {
   constexpr std::array words{"travel", "stroke", "displacement", "deflection", "force",
                              "kraft",  "load",   "weg",          "hub"};
   return std::any_of(texts.begin(), texts.end(), [&](const SeenText& text) {
-    std::string low = text.utf8;
-    std::transform(low.begin(), low.end(), low.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string low = lowered(text.utf8);
     return std::any_of(words.begin(), words.end(), [&](const char* word) { return mentions(low, word); });
   });
 }

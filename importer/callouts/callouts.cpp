@@ -7,6 +7,8 @@
 #include <optional>
 #include <string_view>
 
+#include "model/text.h"
+
 namespace detent::importer {
 namespace {
 
@@ -16,15 +18,6 @@ struct Phrase {
   Box box;
   std::string text;
 };
-
-std::string lowered(const std::string& text) {
-  std::string out = text;
-  for (char& c : out) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 128) c = static_cast<char>(std::tolower(byte));
-  }
-  return out;
-}
 
 bool holds(const std::string& text, std::string_view word) { return text.find(word) != std::string::npos; }
 

@@ -5,17 +5,12 @@
 #include <array>
 #include <cmath>
 
+#include "model/text.h"
+
 namespace detent::importer {
 namespace {
 
 enum class Role { displacement, force, label, time, other, unknown };
-
-std::string lowered(std::string_view text) {
-  std::string low(text);
-  for (char& c : low)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return low;
-}
 
 bool isLetter(char c) {
   const auto byte = static_cast<unsigned char>(c);
@@ -274,7 +269,6 @@ std::optional<LogColumns> columnsOf(const std::vector<std::string>& lines, Table
   found.firstRow = *firstRow;
   std::vector<ColumnFacts> columns;
   std::vector<std::string_view> cells;
-  std::string cellUnits;
   for (std::size_t i = *firstRow; i < lines.size(); ++i) {
     splitCells(lines[i], format.delimiter, cells);
     if (!isNumberRow(cells, format.decimalSign)) continue;

@@ -9,6 +9,8 @@
 #include <set>
 #include <string_view>
 
+#include "model/text.h"
+
 namespace detent::importer {
 namespace {
 
@@ -346,9 +348,7 @@ Message kindName(FileKind kind) {
 FileKind kindOfName(const std::string& name) {
   const std::size_t dot = name.find_last_of('.');
   if (dot == std::string::npos) return FileKind::unknown;
-  std::string extension = name.substr(dot + 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string extension = lowered(name.substr(dot + 1));
   if (extension == "png") return FileKind::png;
   if (extension == "jpg" || extension == "jpeg" || extension == "jpe") return FileKind::jpeg;
   if (extension == "bmp" || extension == "dib") return FileKind::bmp;

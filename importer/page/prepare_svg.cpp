@@ -2,7 +2,6 @@
 #include "importer/page/prepare_svg.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -12,19 +11,12 @@
 #include "importer/page/clip_line.h"
 #include "importer/page/polyline.h"
 #include "importer/page/svg_geometry.h"
+#include "model/text.h"
 
 namespace detent::importer {
 namespace {
 
 constexpr std::size_t deepestNesting = 256;  // MuPDF recurses once per level
-
-bool isSpace(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
-
-std::string_view trimmed(std::string_view s) {
-  while (!s.empty() && isSpace(s.front())) s.remove_prefix(1);
-  while (!s.empty() && isSpace(s.back())) s.remove_suffix(1);
-  return s;
-}
 
 std::string_view withoutPrefix(std::string_view name) {
   const std::size_t colon = name.find(':');
@@ -163,11 +155,11 @@ struct Tag {
 std::optional<Tag> readTag(std::string_view svg, std::size_t& at) {
   Tag tag;
   const auto skipSpace = [&] {
-    while (at < svg.size() && isSpace(svg[at])) ++at;
+    while (at < svg.size() && isBlank(svg[at])) ++at;
   };
   const auto readName = [&] {
     const std::size_t begin = at;
-    while (at < svg.size() && !isSpace(svg[at]) && svg[at] != '=' && svg[at] != '>' && svg[at] != '/') ++at;
+    while (at < svg.size() && !isBlank(svg[at]) && svg[at] != '=' && svg[at] != '>' && svg[at] != '/') ++at;
     return std::string(svg.substr(begin, at - begin));
   };
   if (at < svg.size() && svg[at] == '/') {
@@ -215,7 +207,7 @@ std::string soundPoints(std::string_view points) {
   std::string sound;
   const char *at = points.data(), *const end = at + points.size();
   while (true) {
-    while (at != end && (isSpace(*at) || *at == ',')) ++at;
+    while (at != end && (isBlank(*at) || *at == ',')) ++at;
     if (at != end && *at == '+') ++at;
     double number = 0;
     const auto [past, error] = std::from_chars(at, end, number);
@@ -241,7 +233,7 @@ std::string withoutReferences(std::string_view data) {
     int code = 0;
     const auto [past, error] = std::from_chars(first, last, code, hexadecimal ? 16 : 10);
     const bool ofNumbers = error == std::errc() && past == last && code > 0 && code <= 'z' && code != '<' &&
-                           (code >= '(' || isSpace(static_cast<char>(code)));
+                           (code >= '(' || isBlank(static_cast<char>(code)));
     if (!ofNumbers) return plain;
     plain += static_cast<char>(code);
     at = end;

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "model/program/command_line.h"
 #include "model/version.h"
 
 namespace detent::importer {
@@ -81,8 +83,7 @@ Rgb parseColor(const char* option, const std::string& text) {
           static_cast<std::uint8_t>(value & 255)};
 }
 
-const std::map<std::string, Quality> qualities = {
-    {"draft", Quality::draft}, {"standard", Quality::standard}, {"precise", Quality::precise}};
+CLI::Validator within(double low, double high) { return numberWithin<CLI::Validator>(low, high); }
 
 /// Texts as typed, before they become values.
 struct RawOptions {
@@ -96,10 +97,10 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   app.add_option("INPUT", a.inputs, "png, jpg, bmp, tiff, webp, pdf, svg, or a force meter's csv")
       ->required();
   app.add_option("--page", raw.page, "page, from 1 (default: the page of the most certain graph)")
-      ->check(CLI::Range(1, 1000000));
+      ->check(within(1, 1000000));
   app.add_option("--graph", raw.graph,
                  "graph on its page in reading order, from 1 (default: the most certain)")
-      ->check(CLI::Range(1, 10000));
+      ->check(within(1, 10000));
   app.add_option(
       "--curve", a.request.hints.strokes.curve,
       "NAME|N: of several switches in one plot the one to import, by its name in the legend or by its "
@@ -107,14 +108,14 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   app.add_flag("--all", a.all, "import every graph; page and graph number go into the output names");
   app.add_flag("--list", a.list,
                "only list the graphs found: page, graph, box, axes, units, confidence, switches");
-  app.add_option("--quality", a.request.quality,
-                 "draft, standard or precise (default: standard); what each costs and gives: docs/trade.md")
-      ->transform(CLI::CheckedTransformer(qualities, CLI::ignore_case));
+  addChoice(app, "--quality", a.request.quality, qualities,
+            "draft, standard or precise (default: standard); what each costs and gives: docs/trade.md",
+            "standard");
   app.add_option(
          "--sure", a.request.sure,
          "confidence below which an import is refused with exit 5; docs/import-confidence.md says what a "
          "confidence is worth")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(within(0.0, 1.0))
       ->capture_default_str();
   app.add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
 }
@@ -149,7 +150,7 @@ void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
       ->take_all()
       ->allow_extra_args(false);
   group->add_option("--dpi", raw.dpi, "render documents at this resolution (default: by --quality)")
-      ->check(CLI::Range(10.0, 1200.0));
+      ->check(within(10.0, 1200.0));
   group->add_flag("--swap-strokes", a.request.hints.strokes.swap, "press and release the other way round");
 }
 
@@ -158,36 +159,36 @@ void addBatch(CLI::App& app, Arguments& a) {
   group->add_flag("--batch", a.batch, "import every graph of every INPUT into --out-dir");
   group->add_option("--out-dir", a.outDir, "folder for results and report.jsonl (made if missing)");
   group->add_option("--jobs", a.batchOptions.jobs, "processes at once (default: one per core)")
-      ->check(CLI::Range(1, 1024));
+      ->check(within(1, 1024));
   group->add_flag("--resume", a.resume, "skip inputs that report.jsonl already has");
   group->add_option("--time-limit", a.batchOptions.timeLimit_s, "seconds per input")
-      ->check(CLI::Range(0.1, 86400.0))
+      ->check(within(0.1, 86400.0))
       ->capture_default_str();
   group->add_option("--memory-limit", a.batchOptions.memoryLimit_MB, "MB of address space per input")
-      ->check(CLI::Range(64.0, 1e6))
+      ->check(within(64.0, 1e6))
       ->capture_default_str();
 }
 
 void addLimits(CLI::App& app, PageLimits& limits) {
   auto* group = app.add_option_group("Limits", "Against hostile input");
   group->add_option("--max-megapixels", limits.maxMegapixels, "of a picture or a render")
-      ->check(CLI::Range(0.01, 10000.0))
+      ->check(within(0.01, 10000.0))
       ->capture_default_str();
   group->add_option("--max-pages", limits.maxPages, "of a document")
-      ->check(CLI::Range(1, 1000000))
+      ->check(within(1, 1000000))
       ->capture_default_str();
   group->add_option("--max-file-megabytes", limits.maxFileMegabytes, "of the input file")
-      ->check(CLI::Range(0.001, 1e6))
+      ->check(within(0.001, 1e6))
       ->capture_default_str();
   group
       ->add_option("--max-page-seconds", limits.maxPageSeconds,
                    "of processor time, to interpret one page of a document")
-      ->check(CLI::Range(0.01, 86400.0))
+      ->check(within(0.01, 86400.0))
       ->capture_default_str();
   group
       ->add_option("--max-document-megabytes", limits.maxDocumentMegabytes,
                    "of memory that reading a document may take")
-      ->check(CLI::Range(17.0, 1e6))
+      ->check(within(17.0, 1e6))
       ->capture_default_str();
 }
 
@@ -238,6 +239,7 @@ Parsed parseArguments(int argc, char** argv) {
       "Exit codes: 0 done, 1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph found,\n"
       "5 found but not certain enough (says what to pass), 130 interrupted."};
   app.name("detent-import");
+  app.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());
   app.set_version_flag("--version", std::string("detent-import ") + version(), "Print the version and exit");
   Arguments arguments;
   RawOptions raw;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "model/number_table.h"
 #include "model/sampling.h"
 
 namespace detent {
@@ -37,65 +38,25 @@ void appendRows(std::string& out, std::string_view stroke, const std::vector<Cur
   }
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
-// Cuts the next piece off the front, up to a separator.
-std::string_view nextPart(std::string_view& rest, char separator) {
-  const auto at = rest.find(separator);
-  const std::string_view part = rest.substr(0, at);
-  rest = at == std::string_view::npos ? std::string_view{} : rest.substr(at + 1);
-  return part;
-}
-
-std::optional<double> numberFrom(std::string_view text) {
-  double value = 0;
-  if (!text.empty() && text.front() == '+') text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return {};
-  return value;
-}
-
-struct Row {
-  std::string_view stroke, displacement, force;
-  bool complete = false;
-};
-
-Row rowFrom(std::string_view line) {
-  Row row;
-  const bool threeFields = std::count(line.begin(), line.end(), ',') == 2;
-  row.stroke = trimmed(nextPart(line, ','));
-  row.displacement = trimmed(nextPart(line, ','));
-  row.force = trimmed(nextPart(line, ','));
-  row.complete = threeFields;
-  return row;
-}
-
-std::string quoted(std::string_view text) {
-  std::string out(1, '"');
-  out += text.substr(0, 40);
-  return out += '"';
-}
-
-std::optional<Failure> appendRow(GraphPolylines& lines, std::string_view text, const std::string& subject,
-                                 std::size_t number) {
+std::optional<Failure> appendRow(GraphPolylines& lines, const NumberTable& row, const std::string& subject) {
   const auto refuse = [&](Message problem, Remedies remedies) {
-    return csvFailure(FailureCode::unreadableInput, subject, number, std::move(problem), std::move(remedies));
+    return csvFailure(FailureCode::unreadableInput, subject, row.number(), std::move(problem),
+                      std::move(remedies));
   };
-  const Row row = rowFrom(text);
-  if (!row.complete)
-    return refuse("does not have 3 fields: " + quoted(text), "Write stroke,displacement_mm,force_N");
-  if (row.stroke != "press" && row.stroke != "release")
-    return refuse("names the stroke " + quoted(row.stroke), "Write press or release");
-  const auto x = numberFrom(row.displacement), force = numberFrom(row.force);
+  if (row.fields().size() != 3)
+    return refuse("does not have 3 fields: " + quotedBegin(row.line()),
+                  "Write stroke,displacement_mm,force_N");
+  const std::string_view stroke = row.fields()[0];
+  if (stroke != "press" && stroke != "release")
+    return refuse("names the stroke " + quotedBegin(stroke), "Write press or release");
+  const auto x = row.finite(1), force = row.finite(2);
   if (!x)
-    return refuse("displacement " + quoted(row.displacement) + " is not a finite number",
+    return refuse("displacement " + quotedBegin(row.fields()[1]) + " is not a finite number",
                   "Correct or remove it");
-  if (!force) return refuse("force " + quoted(row.force) + " is not a finite number", "Correct or remove it");
-  (row.stroke == "press" ? lines.press : lines.release).push_back({*x, *force});
+  if (!force)
+    return refuse("force " + quotedBegin(row.fields()[2]) + " is not a finite number",
+                  "Correct or remove it");
+  (stroke == "press" ? lines.press : lines.release).push_back({*x, *force});
   return {};
 }
 
@@ -139,18 +100,14 @@ std::string csvFrom(const ForceGraph& graph) {
 }
 
 Result<GraphPolylines> polylinesFromCsv(std::string_view text, const std::string& subject) {
-  if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-  const std::string_view first = trimmed(nextPart(text, '\n'));
-  if (first != header)
-    return csvFailure(FailureCode::unreadableInput, subject, 1,
-                      "is " + quoted(first) + ", not the header \"" + std::string(header) + "\"",
+  NumberTable table(text);
+  if (!table.next() || table.line() != header)
+    return csvFailure(FailureCode::unreadableInput, subject, std::max<std::size_t>(1, table.number()),
+                      "is " + quotedBegin(table.line()) + ", not the header \"" + std::string(header) + "\"",
                       "Use detent-import for a force meter's own CSV");
   GraphPolylines lines;
-  for (std::size_t number = 2; !text.empty(); ++number) {
-    const std::string_view line = trimmed(nextPart(text, '\n'));
-    if (line.empty()) continue;
-    if (auto problem = appendRow(lines, line, subject, number)) return *problem;
-  }
+  while (table.next())
+    if (auto problem = appendRow(lines, table, subject)) return *problem;
   if (lines.press.empty() && lines.release.empty())
     return csvFailure(FailureCode::noForceGraph, subject, 0, "has a header but no rows",
                       "Give rows of a force graph");

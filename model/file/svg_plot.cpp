@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "model/check.h"
+#include "model/file/markup.h"
 #include "model/metrics.h"
 #include "model/sampling.h"
 
@@ -30,23 +31,6 @@ std::string fixed(double value, int decimals) {
 }
 
 std::string px(double value) { return fixed(value, 2); }
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (static_cast<unsigned char>(c) >= 0x20)
-      out += c;
-  }
-  return out;
-}
 
 struct Spot {
   double x, y;
@@ -115,7 +99,7 @@ class Plot {
   static void text(std::string& out, Spot at, const char* anchor, const std::string& what,
                    const std::string& more = "") {
     out += "<text x=\"" + px(at.x) + "\" y=\"" + px(at.y) + "\" text-anchor=\"" + anchor + "\"" + more + ">" +
-           escaped(what) + "</text>\n";
+           escapedForMarkup(what) + "</text>\n";
   }
 
   void drawGrid(std::string& out) const {
@@ -334,7 +318,7 @@ std::string svgFrom(const Button& button, const SvgPlotStyle& style) {
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
       px(style.width_px) + "\" height=\"" + px(height) + "\" viewBox=\"0 0 " + px(style.width_px) + " " +
       px(height) + "\" font-family=\"DejaVu Sans, Arial, Helvetica, sans-serif\" font-size=\"" +
-      px(fontSize_px) + "\" fill=\"#222\">\n<title>" + escaped(button.name()) +
+      px(fontSize_px) + "\" fill=\"#222\">\n<title>" + escapedForMarkup(button.name()) +
       "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   double top = 0;
   for (const ButtonState& state : button.states()) {

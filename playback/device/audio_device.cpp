@@ -16,6 +16,7 @@
 #include <portaudio.h>
 #include <unistd.h>
 
+#include "model/text.h"
 #include "playback/device/jack_stream.h"
 #include "playback/device/steady_clock.h"
 #include "playback/realtime/stream_clock.h"
@@ -100,12 +101,6 @@ AudioDeviceInfo infoOf(PaDeviceIndex index) {
   info.defaultOutput = index == Pa_GetDefaultOutputDevice();
   info.defaultInput = index == Pa_GetDefaultInputDevice();
   return info;
-}
-
-std::string lowered(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 enum class Direction { input, output };

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "playback/device/steady_clock.h"
+#include "playback/realtime/finger_profile.h"
 
 namespace detent::playback {
 

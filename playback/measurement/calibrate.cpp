@@ -2,16 +2,14 @@
 #include "playback/measurement/calibrate.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
 #include <set>
-#include <sstream>
-#include <string_view>
 
 #include <Eigen/QR>
 
+#include "model/number_table.h"
 #include "playback/measurement/normal.h"
 
 namespace detent::playback {
@@ -137,35 +135,22 @@ Result<SensorCalibration> calibrate(const std::vector<KnownWeight>& weights,
 
 Result<std::vector<KnownWeight>> parseWeights(const std::string& text, const std::string& name) {
   std::vector<KnownWeight> weights;
-  std::istringstream lines(text);
-  std::size_t number = 0;
-  double unit_N = 0;
+  NumberTable table(text);
   const auto bad = [&](const char* problem) {
-    return Failure{FailureCode::unreadableInput, name, "line " + std::to_string(number), problem,
+    return Failure{FailureCode::unreadableInput, name, table.place(), problem,
                    "Give the header force_N,raw or mass_g,raw and two numbers per line"};
   };
-  for (std::string line; std::getline(lines, line);) {
-    ++number;
-    while (!line.empty() && (line.back() == '\r' || line.back() == ' ')) line.pop_back();
-    if (line.empty() || line.front() == '#') continue;
-    if (unit_N == 0) {
-      if (line == "force_N,raw")
-        unit_N = 1;
-      else if (line == "mass_g,raw")
-        unit_N = 1e-3 * standardGravity_m_per_s2;
-      else
-        return bad("the header is missing");
-      continue;
-    }
-    KnownWeight weight;
-    const char* end = line.data() + line.size();
-    const auto first = std::from_chars(line.data(), end, weight.force_N);
-    if (first.ec != std::errc() || first.ptr == end || *first.ptr != ',')
-      return bad("the first number is missing");
-    const auto second = std::from_chars(first.ptr + 1, end, weight.raw);
-    if (second.ec != std::errc() || second.ptr != end) return bad("the second number is missing");
-    weight.force_N *= unit_N;
-    weights.push_back(weight);
+  double unit_N = 1;
+  if (!table.next()) return weights;
+  if (table.line() == "mass_g,raw")
+    unit_N = 1e-3 * standardGravity_m_per_s2;
+  else if (table.line() != "force_N,raw")
+    return bad("the header is missing");
+  while (table.next()) {
+    const auto force = table.finite(0), raw = table.finite(1);
+    if (!force) return bad("the first number is missing");
+    if (!raw || table.fields().size() != 2) return bad("the second number is missing");
+    weights.push_back({unit_N * *force, *raw});
   }
   return weights;
 }

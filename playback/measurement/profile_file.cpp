@@ -3,13 +3,14 @@
 
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "model/file/text_file.h"
+#include "model/number_table.h"
+#include "model/text.h"
 #include "playback/measurement/exact_number.h"
 #include "playback/prepare/prepare_program.h"
 
@@ -17,15 +18,8 @@ namespace detent::playback {
 
 namespace {
 
-constexpr std::uintmax_t largestProfile_bytes = 1 << 20;
+constexpr std::size_t largestProfile_bytes = 1 << 20;
 constexpr std::string_view magic = "detent-device";
-
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 /// All numbers of a value; false if something else stands there.
 bool numbersOf(std::string_view text, std::vector<double>& numbers) {
@@ -76,14 +70,9 @@ class Reader {
   }
 
   std::string circuit(std::string_view value) {
-    if (value == "newtons")
-      profile.sensor.circuit = SensorCircuit::newtons;
-    else if (value == "linear")
-      profile.sensor.circuit = SensorCircuit::linear;
-    else if (value == "divider")
-      profile.sensor.circuit = SensorCircuit::divider;
-    else
-      return "is none of newtons, linear, divider";
+    const auto circuit = sensorCircuits.value(value);
+    if (!circuit) return "is none of newtons, linear, divider";
+    profile.sensor.circuit = *circuit;
     return "";
   }
 
@@ -175,18 +164,10 @@ Result<DeviceProfile> parseDeviceProfile(const std::string& text, const std::str
 }
 
 Result<DeviceProfile> readDeviceProfile(const std::filesystem::path& file) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file, error);
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  if (error || !in || size > largestProfile_bytes || (size > 0 && !(text << in.rdbuf()))) {
-    const std::string why = error                         ? error.message()
-                            : size > largestProfile_bytes ? "larger than 1 MiB"
-                                                          : "cannot be read";
-    return Failure{FailureCode::unreadableInput, file.string(), "", "is not a device profile (" + why + ")",
-                   "Write one with `detent-play sweep` or `detent-play calibrate`"};
-  }
-  return parseDeviceProfile(text.str(), file.string());
+  const auto text = readTable(file.string(), largestProfile_bytes,
+                              "Write a device profile with `detent-play sweep` or `detent-play calibrate`");
+  if (!text) return text.failure();
+  return parseDeviceProfile(*text, file.string());
 }
 
 std::string toText(const DeviceProfile& p) {
@@ -213,8 +194,7 @@ std::string toText(const DeviceProfile& p) {
   }
   const SensorCalibration& s = p.sensor;
   text += "# force_N = c0 + c1 u + c2 u^2 + c3 u^3; u from the circuit\n";
-  const char* circuits[] = {"newtons", "linear", "divider"};
-  text += std::string("sensor.circuit = ") + circuits[static_cast<int>(s.circuit)] + "\n";
+  text += std::string("sensor.circuit = ") + sensorCircuits.word(s.circuit) + "\n";
   put("sensor.full_scale_counts", {s.fullScale_counts});
   put("sensor.coefficients",
       {s.coefficients.begin(), s.coefficients.begin() + static_cast<long>(s.coefficientCount)});

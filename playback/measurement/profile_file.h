@@ -6,10 +6,15 @@
 #include <filesystem>
 #include <string>
 
+#include "model/named_values.h"
 #include "model/result.h"
 #include "playback/prepare/device_profile.h"
 
 namespace detent::playback {
+
+inline constexpr auto sensorCircuits = named<SensorCircuit>({{"newtons", SensorCircuit::newtons},
+                                                             {"linear", SensorCircuit::linear},
+                                                             {"divider", SensorCircuit::divider}});
 
 inline constexpr int deviceProfileVersion = 1;
 

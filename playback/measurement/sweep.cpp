@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "model/file/markup.h"
 #include "playback/measurement/exact_number.h"
 #include "playback/measurement/fourier.h"
 
@@ -274,9 +275,7 @@ std::string responseSvg(const FrequencyResponse& r, const std::string& title) {
       "font-size=\"12\">\n",
       width, height);
   svg += "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-  std::string safe;
-  for (char c : title) safe += c == '<' ? "&lt;" : c == '&' ? "&amp;" : std::string(1, c);
-  svg += "<text x=\"70\" y=\"24\" font-size=\"15\">" + safe + "</text>\n";
+  svg += "<text x=\"70\" y=\"24\" font-size=\"15\">" + escapedForMarkup(title) + "</text>\n";
   for (double g = floor_dB; g <= floor_dB + span + 1e-9; g += span > 60 ? 20 : 10) {
     put("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" "
         "text-anchor=\"end\">%g</text>\n",

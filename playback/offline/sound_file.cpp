@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cctype>
 #include <memory>
 
 #include <sndfile.h>
 
 #include "model/staged_file.h"
+#include "model/text.h"
 #include "playback/offline/press_files.h"
 
 namespace detent::playback {
@@ -22,9 +22,7 @@ constexpr double largestWav_bytes = 4.0 * 1024 * 1024 * 1024 - 4096;  // its len
 enum class Container { wav, flac, unknown };
 
 Container containerOf(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lowered(file.extension().string());
   if (ending == ".wav") return Container::wav;
   return ending == ".flac" ? Container::flac : Container::unknown;
 }

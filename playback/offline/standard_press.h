@@ -5,6 +5,7 @@
 #include "model/result.h"
 #include "playback/offline/render_press.h"
 #include "playback/realtime/haptic_program.h"
+#include "playback/realtime/finger_profile.h"
 
 namespace detent::playback {
 

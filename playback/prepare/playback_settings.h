@@ -4,6 +4,7 @@
 // Kim & Lee, "Haptic Feedback Design for a Virtual Button Along Force-Displacement Curves", UIST 2013; the
 // section follows.
 
+#include "model/named_values.h"
 #include "model/sections.h"
 #include "playback/realtime/haptic_program.h"
 
@@ -17,6 +18,15 @@ enum class FeedbackMode {
   slopeOnly,  ///< grains only
   off         ///< nothing sounds; the position is still followed
 };
+
+inline constexpr auto feedbackModes = named<FeedbackMode>({{"full", FeedbackMode::full},
+                                                           {"click-only", FeedbackMode::clickOnly},
+                                                           {"slope-only", FeedbackMode::slopeOnly},
+                                                           {"off", FeedbackMode::off}});
+inline const char* nameOf(FeedbackMode mode) { return feedbackModes.word(mode); }
+
+inline constexpr auto eventPlacements =
+    named<EventPlacement>({{"fast", EventPlacement::atOnce}, {"time-stamped", EventPlacement::timeStamped}});
 
 /// What the profile's equalizer may flatten.
 enum class EqualizerUse {

@@ -5,20 +5,18 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
+#include "model/number_table.h"
+#include "model/program/command_line.h"
 #include "playback/measurement/calibrate.h"
 #include "playback/measurement/profile_file.h"
-#include "playback/program/choice_option.h"
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
@@ -26,10 +24,6 @@
 namespace detent::playback {
 
 namespace {
-
-const std::map<std::string, SensorCircuit> circuits{{"newtons", SensorCircuit::newtons},
-                                                    {"linear", SensorCircuit::linear},
-                                                    {"divider", SensorCircuit::divider}};
 
 struct CalibrateArguments {
   SensorOptions sensor;
@@ -46,13 +40,13 @@ void addOptions(CLI::App& app, CalibrateArguments& a) {
   addSensorOptions(app, a.sensor);
   app.add_option("--weights", a.weightsFile,
                  "Known weights as CSV: mass_g,raw or force_N,raw; else they are asked for");
-  addChoice(app, "--circuit", a.calibration.circuit, circuits, "How the sensor is wired", "divider");
+  addChoice(app, "--circuit", a.calibration.circuit, sensorCircuits, "How the sensor is wired", "divider");
   app.add_option("--full-scale", a.calibration.fullScale_counts, "Largest reading of the converter")
       ->capture_default_str()
       ->check(numberWithin(1, 1e9));
   app.add_option("--degree", a.calibration.highestDegree, "Highest degree of the curve")
       ->capture_default_str()
-      ->check(CLI::Range(1, 3));
+      ->check(numberWithin(1, 3));
   app.add_option("-o,--output", a.outputFile, "Device profile to write; an existing one keeps its response")
       ->required();
   app.add_flag("--json", a.json, "One JSON object on stdout");
@@ -134,13 +128,10 @@ int run(const CalibrateArguments& a, const Cancelled& cancelled) {
     if (!asked) return fail(asked.failure());
     weighings = *std::move(asked);
   } else {
-    std::ifstream in(a.weightsFile, std::ios::binary);
-    if (!in)
-      return fail(
-          {FailureCode::unreadableInput, a.weightsFile, "", "cannot be read", "Give a CSV of known weights"});
-    std::ostringstream text;
-    text << in.rdbuf();
-    Result<std::vector<KnownWeight>> weights = parseWeights(text.str(), a.weightsFile);
+    constexpr std::size_t largest_bytes = 1U << 20;
+    const auto text = readTable(a.weightsFile, largest_bytes, "Give a CSV of known weights");
+    if (!text) return fail(text.failure());
+    Result<std::vector<KnownWeight>> weights = parseWeights(*text, a.weightsFile);
     if (!weights) return fail(weights.failure());
     weighings.weights = *std::move(weights);
   }

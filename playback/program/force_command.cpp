@@ -15,14 +15,15 @@
 
 #include "model/file/button_file.h"
 #include "model/file/text_file.h"
+#include "model/program/command_line.h"
 #include "playback/force_feedback.h"
-#include "playback/program/choice_option.h"
 #include "playback/program/endpoint.h"
 #include "playback/program/force_log.h"
 #include "playback/program/force_plots.h"
 #include "playback/program/force_words.h"
 #include "playback/program/json_output.h"
 #include "playback/program/live_line.h"
+#include "playback/program/number_option.h"
 
 namespace detent::playback {
 
@@ -49,11 +50,10 @@ struct ForceArguments {
   bool json = false;
 };
 
-const std::map<std::string, ForceLawKind> laws{{"graph", ForceLawKind::graph},
-                                               {"spring", ForceLawKind::spring}};
-const std::map<std::string, VelocityMethod> velocities{{"kalman", VelocityMethod::kalman},
-                                                       {"foaw", VelocityMethod::foaw},
-                                                       {"difference", VelocityMethod::difference}};
+constexpr auto laws = named<ForceLawKind>({{"graph", ForceLawKind::graph}, {"spring", ForceLawKind::spring}});
+constexpr auto velocities = named<VelocityMethod>({{"kalman", VelocityMethod::kalman},
+                                                   {"foaw", VelocityMethod::foaw},
+                                                   {"difference", VelocityMethod::difference}});
 
 void addOptions(CLI::App& app, ForceArguments& a) {
   app.add_option("BUTTON", a.button, "*.button.json, or --stiffness in its place");
@@ -84,7 +84,7 @@ void addOptions(CLI::App& app, ForceArguments& a) {
   addChoice(app, "--velocity", a.force.velocity, velocities, "How velocity is estimated", "kalman");
   app.add_option("--seconds", a.seconds, "End after so many seconds; 0: on Ctrl-C")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(numberWithin(0.0, 1e6));
   app.add_flag("--controller", a.force.passivityController,
                "Damp where the button gives more energy than it took (else this is only measured)");
   app.add_flag("--fast", a.fast,

@@ -13,6 +13,7 @@
 #include "model/file/text_file.h"
 #include "playback/identification/identify.h"
 #include "playback/program/json_output.h"
+#include "playback/program/number_option.h"
 #include "playback/program/xy_plot.h"
 
 namespace detent::playback {
@@ -33,7 +34,7 @@ void addOptions(CLI::App& app, IdentifyArguments& a) {
                  "Haptic profile as SVG: force over position and velocity, velocity over position");
   app.add_option("--knots", a.settings.knots, "Places of k and b over the travel; 1: constants")
       ->capture_default_str()
-      ->check(CLI::Range(1, 32));
+      ->check(numberWithin(1, 32));
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 

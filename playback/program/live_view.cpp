@@ -26,7 +26,6 @@ constexpr double gainStep = 1.1220184543;  // 1 dB
 constexpr double highestGain = 10;
 constexpr double traceLead_s = 0.2;
 constexpr double traceTail_s = 0.6;
-constexpr std::array<const char*, 4> modeNames{"full", "click-only", "slope-only", "off"};
 
 const char* nameOf(SensorCondition condition) {
   switch (condition) {
@@ -214,7 +213,7 @@ class LiveView {
                   buttons_[current_].selfLocking() ? (s.state == 0 ? " (1)" : " (2)") : "", s.force_N,
                   s.displacement_mm, s.releasing ? "up  " : "down", s.contact ? "*" : " ",
                   std::string(bars, '#').c_str(), 20 * std::log10(std::max(gain_, 1e-6)),
-                  modeNames[static_cast<std::size_t>(settings_.mode)],
+                  nameOf(settings_.mode),
                   settings_.placement == EventPlacement::atOnce ? "fast" : "time-stamped",
                   static_cast<unsigned long long>(s.counts.grains),
                   static_cast<unsigned long long>(s.counts.pressJumps + s.counts.releaseJumps), last_,

@@ -2,7 +2,6 @@
 #include "playback/program/render_command.h"
 
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,9 +10,9 @@
 
 #include "model/file/button_file.h"
 #include "model/file/text_file.h"
+#include "model/program/command_line.h"
 #include "playback/measurement/exact_number.h"
 #include "playback/offline/render_press.h"
-#include "playback/program/choice_option.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
 
@@ -21,8 +20,8 @@ namespace detent::playback {
 
 namespace {
 
-const std::map<std::string, SampleFormat> formats{
-    {"16", SampleFormat::bits16}, {"24", SampleFormat::bits24}, {"float", SampleFormat::float32}};
+constexpr auto formats = named<SampleFormat>(
+    {{"16", SampleFormat::bits16}, {"24", SampleFormat::bits24}, {"float", SampleFormat::float32}});
 
 struct RenderArguments {
   std::string button;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/program/run.h"
 
+#include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "model/program/command_line.h"
 #include "model/version.h"
 #include "playback/program/calibrate_command.h"
 #include "playback/program/devices_command.h"
@@ -23,6 +25,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   CLI::App program{
       "Feel a button: a force sensor in, vibration out. Displacement in mm, force in N, time in s."};
   program.name("detent-play");
+  program.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());
   program.set_version_flag("--version", std::string("detent-play ") + version(),
                            "Print the version and exit");
   Action chosen;

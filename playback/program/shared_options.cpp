@@ -3,45 +3,39 @@
 
 #include <fstream>
 
+#include "model/program/command_line.h"
 #include "playback/measurement/profile_file.h"
-#include "playback/program/choice_option.h"
 #include "playback/program/number_option.h"
 
 namespace detent::playback {
 
 namespace {
 
-const std::map<std::string, FeedbackMode> modes{{"full", FeedbackMode::full},
-                                                {"click-only", FeedbackMode::clickOnly},
-                                                {"slope-only", FeedbackMode::slopeOnly},
-                                                {"off", FeedbackMode::off}};
-const std::map<std::string, EventPlacement> placements{{"fast", EventPlacement::atOnce},
-                                                       {"time-stamped", EventPlacement::timeStamped}};
-const std::map<std::string, LowPassPlacement> lowPasses{{"slope", LowPassPlacement::slopeOnly},
-                                                        {"all", LowPassPlacement::wholeChain},
-                                                        {"off", LowPassPlacement::none}};
-const std::map<std::string, GrainCarrier> carriers{{"running", GrainCarrier::running},
-                                                   {"retriggered", GrainCarrier::retriggered}};
-const std::map<std::string, EqualizerUse> equalizers{
-    {"off", EqualizerUse::off}, {"spare-jumps", EqualizerUse::sparingJumps}, {"full", EqualizerUse::full}};
+constexpr auto lowPasses = named<LowPassPlacement>({{"slope", LowPassPlacement::slopeOnly},
+                                                    {"all", LowPassPlacement::wholeChain},
+                                                    {"off", LowPassPlacement::none}});
+constexpr auto carriers =
+    named<GrainCarrier>({{"running", GrainCarrier::running}, {"retriggered", GrainCarrier::retriggered}});
+constexpr auto equalizers = named<EqualizerUse>(
+    {{"off", EqualizerUse::off}, {"spare-jumps", EqualizerUse::sparingJumps}, {"full", EqualizerUse::full}});
 /// What a serial port can be set to; another number would silently leave it as it was.
 const std::vector<unsigned> baudRates{1200,    2400,    4800,    9600,    19200,   38400,   57600,
                                       115200,  230400,  460800,  500000,  576000,  921600,  1000000,
                                       1152000, 1500000, 2000000, 2500000, 3000000, 3500000, 4000000};
-const std::map<std::string, JumpFrequencySource> jumpSources{{"paper", JumpFrequencySource::paper},
-                                                             {"profile", JumpFrequencySource::profile}};
+constexpr auto jumpSources = named<JumpFrequencySource>(
+    {{"paper", JumpFrequencySource::paper}, {"profile", JumpFrequencySource::profile}});
 
 }  // namespace
 
 CLI::Option* addPlacementOption(CLI::App& app, EventPlacement& placement) {
-  return addChoice(app, "--placement", placement, placements,
+  return addChoice(app, "--placement", placement, eventPlacements,
                    "Events at once, or at their own time plus a constant delay", "time-stamped");
 }
 
 void addFeelOptions(CLI::App& app, FeelOptions& options) {
   PlaybackSettings& s = options.settings;
   const std::string group = "How it feels (defaults: Kim & Lee 2013)";
-  addChoice(app, "--mode", s.mode, modes, "What is felt", "full")->group(group);
+  addChoice(app, "--mode", s.mode, feedbackModes, "What is felt", "full")->group(group);
   addPlacementOption(app, s.placement)->group(group);
   app.add_option("--grains-per-mm", s.grainsPerMm, "Grains per mm of slope, 0..1000")
       ->capture_default_str()

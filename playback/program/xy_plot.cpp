@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "model/file/markup.h"
 #include "model/file/svg_plot.h"
 
 namespace detent::playback {
@@ -23,20 +24,6 @@ void append(std::string& out, const char* format, Values... values) {
   char text[400];
   std::snprintf(text, sizeof text, format, values...);
   out += text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '<') {
-      out += "&lt;";
-    } else if (c == '&') {
-      out += "&amp;";
-    } else {
-      out += c;
-    }
-  }
-  return out;
 }
 
 struct Range {
@@ -69,7 +56,7 @@ class Panel {
   std::string svg() const {
     std::string out;
     append(out, "<text x=\"%g\" y=\"%g\" font-weight=\"bold\">%s</text>\n", left, top_ - 14,
-           escaped(plot_.title).c_str());
+           escapedForMarkup(plot_.title).c_str());
     grid(out);
     for (const PlotLine& line : plot_.lines) draw(out, line);
     words(out);
@@ -107,9 +94,9 @@ class Panel {
     append(out, "<rect x=\"%g\" y=\"%.2f\" width=\"%g\" height=\"%g\" fill=\"none\" stroke=\"#444\"/>\n",
            left, top_, width - left - right, plotHeight);
     append(out, "<text x=\"%g\" y=\"%.2f\" text-anchor=\"middle\">%s</text>\n", (left + width - right) / 2,
-           top_ + plotHeight + 34, escaped(plot_.xTitle).c_str());
+           top_ + plotHeight + 34, escapedForMarkup(plot_.xTitle).c_str());
     append(out, "<text transform=\"translate(16 %.2f) rotate(-90)\" text-anchor=\"middle\">%s</text>\n",
-           top_ + plotHeight / 2, escaped(plot_.yTitle).c_str());
+           top_ + plotHeight / 2, escapedForMarkup(plot_.yTitle).c_str());
   }
 
   void draw(std::string& out, const PlotLine& line) const {
@@ -138,11 +125,12 @@ class Panel {
       if (line.name.empty()) continue;
       append(out, "<path d=\"M%g %.2fh24\" stroke=\"%s\" stroke-width=\"2\"%s/>\n", left, y - 4,
              line.color.c_str(), line.dashed ? " stroke-dasharray=\"6 4\"" : "");
-      append(out, "<text x=\"%g\" y=\"%.2f\">%s</text>\n", left + 32, y, escaped(line.name).c_str());
+      append(out, "<text x=\"%g\" y=\"%.2f\">%s</text>\n", left + 32, y, escapedForMarkup(line.name).c_str());
       y += legendHeight;
     }
     for (const std::string& note : plot_.notes) {
-      append(out, "<text x=\"%g\" y=\"%.2f\" fill=\"#444\">%s</text>\n", left, y, escaped(note).c_str());
+      append(out, "<text x=\"%g\" y=\"%.2f\" fill=\"#444\">%s</text>\n", left, y,
+             escapedForMarkup(note).c_str());
       y += noteHeight;
     }
   }

@@ -129,7 +129,7 @@ TEST_CASE("usage: help states defaults and exit codes, nonsense is wrong usage")
   CHECK(contains(help.out, "6 device trouble"));
   CHECK(contains(help.out, "render"));
   const ProgramResult render = play({"render", "--help"});
-  CHECK(contains(render.out, "--grains-per-mm FLOAT=20"));
+  CHECK(contains(render.out, "--grains-per-mm NUMBER=20"));
   CHECK(contains(render.out, "Hz"));
   CHECK(contains(render.out, "click-only|full|off|slope-only=full"));
   CHECK(play({"render", "A.button.json", "--standard-press", "-o", "a.wav", "--mode", "loud"}).exitCode == 2);

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "model/named_values.h"
+
 using namespace detent;
 
 TEST_CASE("blanks go from both ends, and from there alone") {
@@ -34,4 +36,14 @@ TEST_CASE("UTF-8 is told from other bytes") {
     INFO(why);
     CHECK_FALSE(isUtf8(text));
   }
+}
+
+TEST_CASE("a word stands for its value and back, another one for none") {
+  enum class Light { red, green, off };
+  constexpr auto lights = named<Light>({{"red", Light::red}, {"green", Light::green}});
+  static_assert(lights.value("green") == Light::green);
+  CHECK(std::string(lights.word(Light::red)) == "red");
+  CHECK(std::string(lights.word(Light::off)).empty());
+  CHECK_FALSE(lights.value("Red"));
+  CHECK_FALSE(lights.value(""));
 }

@@ -12,7 +12,7 @@
 #include <CLI/CLI.hpp>
 
 #include "model/file/text_file.h"
-#include "playback/program/choice_option.h"
+#include "model/program/command_line.h"
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
@@ -24,12 +24,6 @@
 namespace detent::playback {
 
 namespace {
-
-const std::map<std::string, StudyKind> kinds{{"abx", StudyKind::abx}, {"matching", StudyKind::matching}};
-const std::map<std::string, FeedbackMode> modes{{"full", FeedbackMode::full},
-                                                {"click-only", FeedbackMode::clickOnly},
-                                                {"slope-only", FeedbackMode::slopeOnly}};
-const std::map<std::string, Listening> listenings{{"quiet", Listening::quiet}, {"masked", Listening::masked}};
 
 constexpr double usualNoiseLevel = 0.1;
 
@@ -49,12 +43,12 @@ struct NewArguments {
 Result<std::vector<FeedbackMode>> modesNamed(const std::vector<std::string>& names) {
   std::vector<FeedbackMode> found;
   for (const std::string& name : names) {
-    const auto at = modes.find(name);
-    if (at == modes.end())
+    const auto mode = feedbackModes.value(name);
+    if (!mode || *mode == FeedbackMode::off)
       return Failure{FailureCode::wrongUsage, Subject::option("--modes"), "",
                      "\"" + name + "\" is not one of them",
                      "Give full, click-only, slope-only, separated by commas"};
-    found.push_back(at->second);
+    found.push_back(*mode);
   }
   return found;
 }
@@ -97,7 +91,7 @@ void addNew(CLI::App& parent, Action& chosen) {
   const auto a = std::make_shared<NewArguments>();
   app->add_option("DIR", a->folder, "Folder to make; it holds the whole study and can be copied")->required();
   app->add_option("BUTTON", a->buttons, "*.button.json, at least two")->required();
-  addChoice(*app, "--kind", a->design.kind, kinds, "Which of two is X, or which of all", "abx");
+  addChoice(*app, "--kind", a->design.kind, studyKinds, "Which of two is X, or which of all", "abx");
   app->add_option("--trials", a->design.trials, "Per pair (abx) or button (matching), and mode, 1..1000")
       ->capture_default_str();
   app->add_option("--modes", a->modes, "Base case: full, click-only, slope-only, separated by commas")
@@ -119,7 +113,7 @@ void addNew(CLI::App& parent, Action& chosen) {
 
 struct RunArguments {
   std::string folder, participant, simulation;
-  std::string condition;  ///< empty: as in the journal
+  std::optional<Listening> condition;  ///< empty: as in the journal
   Listening listening = Listening::quiet;
   StudyDevices devices;
   bool json = false;
@@ -166,8 +160,7 @@ int runRun(RunArguments a, const Cancelled& cancelled) {
   Result<Study> study = openStudy(a.folder);
   if (!study) return fail(study.failure());
   if (Result<Done> ok = checkParticipantId(a.participant); !ok) return fail(ok.failure());
-  a.listening = listeningOf(*study, a.participant,
-                            a.condition.empty() ? std::optional<Listening>() : listenings.at(a.condition));
+  a.listening = listeningOf(*study, a.participant, a.condition);
   if (a.listening == Listening::quiet) a.devices.player.masking = {};
   if (Result<Done> ok = checkStimuli(*study); !ok) return fail(ok.failure());
   if (!a.simulation.empty()) return simulate(a, *study, cancelled);
@@ -183,11 +176,11 @@ void addRun(CLI::App& parent, Action& chosen) {
   app->add_option("DIR", a->folder, "Folder of the study")->required();
   app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
   app->add_option("--simulate", a->simulation, "The program answers: guess, perfect or errors=P (0..1)");
-  app->add_option("--condition", a->condition,
-                  "What reaches the ears, kept in every row: quiet, or masked by rain from headphones. The "
-                  "same for all of a "
-                  "participant's trials; default: as so far, quiet at first")
-      ->check(CLI::IsMember({"quiet", "masked"}));
+  addChoice(*app, "--condition", a->condition, listenings,
+            "What reaches the ears, kept in every row: quiet, or masked by rain from headphones. The "
+            "same for all of a "
+            "participant's trials; default: as so far, quiet at first",
+            "");
   app->add_option("--noise-level", a->devices.player.masking.level,
                   "masked: rms of the rain, share of full scale, 0..0.3; 0: you play a noise yourself")
       ->default_str(CLI::detail::to_string(usualNoiseLevel))

@@ -50,14 +50,6 @@ std::string labelOf(const Study& study, const Trial& trial, std::size_t choice) 
   return study.buttons[trial.choices[choice]].label;
 }
 
-/// The value whose name it is; nothing for a name that does not exist.
-template <class Value>
-std::optional<Value> named(const std::string& name, std::initializer_list<Value> values) {
-  for (const Value value : values)
-    if (name == nameOf(value)) return value;
-  return {};
-}
-
 Json jsonOf(const Felt& felt) {
   return {{"presses", felt.presses},
           {"whole", felt.whole},
@@ -132,9 +124,8 @@ class Replay {
 
   Result<Done> session(const Json& json) {
     SessionStart s;
-    const auto kind =
-        named(json.at("kind"), {SessionKind::real, SessionKind::rehearsal, SessionKind::simulated});
-    const auto listening = named(json.at("listening"), {Listening::quiet, Listening::masked});
+    const auto kind = sessionKinds.value(json.at("kind").get<std::string>());
+    const auto listening = listenings.value(json.at("listening").get<std::string>());
     if (!kind || !listening)
       return wrong("knows a session that this program does not: " + jsonText(json.at("kind")) + ", " +
                        jsonText(json.at("listening")),
@@ -210,13 +201,6 @@ class Replay {
 };
 
 }  // namespace
-
-const char* nameOf(SessionKind kind) {
-  if (kind == SessionKind::real) return "real";
-  return kind == SessionKind::rehearsal ? "rehearsal" : "simulated";
-}
-
-const char* nameOf(Listening listening) { return listening == Listening::quiet ? "quiet" : "masked"; }
 
 const Trial* ParticipantRecord::next() const {
   return complete() || endedEarly ? nullptr : &plan[answers.size()];

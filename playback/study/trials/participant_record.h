@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/named_values.h"
 #include "playback/study/trials/trial_plan.h"
 
 namespace detent::playback {
@@ -21,8 +22,13 @@ enum class SessionKind : std::uint8_t {
 /// What reaches the ears. K&L: "Normal" and "Noisy" group.
 enum class Listening : std::uint8_t { quiet, masked };
 
-const char* nameOf(SessionKind kind);
-const char* nameOf(Listening listening);
+inline constexpr auto sessionKinds = named<SessionKind>({{"real", SessionKind::real},
+                                                         {"rehearsal", SessionKind::rehearsal},
+                                                         {"simulated", SessionKind::simulated}});
+inline constexpr auto listenings =
+    named<Listening>({{"quiet", Listening::quiet}, {"masked", Listening::masked}});
+inline const char* nameOf(SessionKind kind) { return sessionKinds.word(kind); }
+inline const char* nameOf(Listening listening) { return listenings.word(listening); }
 
 /// What presses, and through what it is felt; as the device says it. Kept in the journal's first line and with every stretch.
 struct StudyRoute {

@@ -92,8 +92,7 @@ Json jsonOf(const Study& study) {
 }
 
 Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file) {
-  for (const FeedbackMode mode : {FeedbackMode::full, FeedbackMode::clickOnly, FeedbackMode::slopeOnly})
-    if (name == nameOf(mode)) return mode;
+  if (const auto mode = feedbackModes.value(name); mode && *mode != FeedbackMode::off) return *mode;
   return unreadable(file, "knows a mode \"" + name + "\" that does not exist",
                     "Restore the file as it was made");
 }
@@ -115,10 +114,11 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
   study.program = json.at("program");
   StudyDesign& d = study.design;
   const std::string kind = json.at("kind");
-  if (kind != nameOf(StudyKind::abx) && kind != nameOf(StudyKind::matching))
+  const auto known = studyKinds.value(kind);
+  if (!known)
     return unreadable(file, "knows a kind \"" + kind + "\" that does not exist",
                       "Restore the file as it was made");
-  d.kind = kind == nameOf(StudyKind::abx) ? StudyKind::abx : StudyKind::matching;
+  d.kind = *known;
   d.targets = json.at("targets") == "physical" ? TargetKind::physicalButton : TargetKind::virtualButton;
   d.modes.clear();
   for (const Json& name : json.at("modes")) {
@@ -221,22 +221,6 @@ Result<Done> writeParts(const fs::path& folder, const Study& study, const std::v
 }
 
 }  // namespace
-
-const char* nameOf(FeedbackMode mode) {
-  switch (mode) {
-    case FeedbackMode::full:
-      return "full";
-    case FeedbackMode::clickOnly:
-      return "click-only";
-    case FeedbackMode::slopeOnly:
-      return "slope-only";
-    case FeedbackMode::off:
-      break;
-  }
-  return "off";
-}
-
-const char* nameOf(StudyKind kind) { return kind == StudyKind::abx ? "abx" : "matching"; }
 
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t buttons) {
   std::vector<std::pair<std::size_t, std::size_t>> pairs;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "model/button.h"
+#include "model/named_values.h"
 #include "model/result.h"
 #include "playback/prepare/device_profile.h"
 #include "playback/prepare/playback_settings.h"
@@ -21,6 +22,9 @@ enum class StudyKind : std::uint8_t {
   abx,      ///< K&L, Experiment 1: which of two is X?
   matching  ///< K&L, Experiment 2: which of all is X?
 };
+inline constexpr auto studyKinds =
+    named<StudyKind>({{"abx", StudyKind::abx}, {"matching", StudyKind::matching}});
+inline const char* nameOf(StudyKind kind) { return studyKinds.word(kind); }
 
 /// What X is made of. Physical: the experimenter hands over the real switch of that number.
 enum class TargetKind : std::uint8_t { virtualButton, physicalButton };
@@ -65,9 +69,6 @@ struct Study {
   std::string profileSha256;  ///< empty without a profile
   std::vector<StudyStimulus> stimuli;
 };
-
-const char* nameOf(FeedbackMode mode);
-const char* nameOf(StudyKind kind);
 
 /// Unordered pairs in the order A-B, A-C, B-C, ... of the paper's Table 2: by the second, then the first.
 std::vector<std::pair<std::size_t, std::size_t>> pairsOf(std::size_t buttons);

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "model/file/markup.h"
 #include "model/version.h"
 #include "playback/study/statistics/rank_correlation.h"
 
@@ -38,23 +39,6 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   return text;
 }
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 std::string cell(const std::string& text) { return "<td>" + text + "</td>"; }
 std::string head(const std::string& text) { return "<th>" + text + "</th>"; }
 
@@ -75,7 +59,7 @@ std::string count(const Count& c) {
 
 std::string table1(const StudyResults& results) {
   std::string text = "<section><h2>Table 1. Summary</h2>\n<table><tr><th></th>";
-  for (const GroupResult& group : results.groups) text += head(escaped(group.condition));
+  for (const GroupResult& group : results.groups) text += head(escapedForMarkup(group.condition));
   text += "</tr>\n";
   text +=
       row("Participants", results, [](const GroupResult& g) { return std::to_string(g.participantCount); });
@@ -109,12 +93,13 @@ std::string table2Cell(const PairResult* pair) {
 
 std::string table2(const StudyResults& results, const GroupResult& group) {
   const std::size_t n = results.labels.size();
-  std::string text = "<section><h2>Table 2. Errors by all participants: " + escaped(group.condition) +
-                     "</h2>\n<table><tr><th></th>";
-  for (std::size_t i = 0; i + 1 < n; ++i) text += head(escaped(results.labels[i]));
+  std::string text =
+      "<section><h2>Table 2. Errors by all participants: " + escapedForMarkup(group.condition) +
+      "</h2>\n<table><tr><th></th>";
+  for (std::size_t i = 0; i + 1 < n; ++i) text += head(escapedForMarkup(results.labels[i]));
   text += "</tr>\n";
   for (std::size_t second = 1; second < n; ++second) {
-    text += "<tr>" + head(escaped(results.labels[second]));
+    text += "<tr>" + head(escapedForMarkup(results.labels[second]));
     for (std::size_t first = 0; first < second; ++first) text += table2Cell(pairOf(group, first, second));
     text += "</tr>\n";
   }
@@ -143,7 +128,7 @@ std::string bars(const StudyResults& results, const GroupResult& group) {
   const double height = barStep * static_cast<double>(group.pairs.size()) + 30;
   std::string text =
       formatted("<section><h2>Error rate by pair: %s</h2>\n<svg width=\"%.0f\" height=\"%.0f\" role=\"img\">",
-                escaped(group.condition).c_str(), barsLeft + barsWidth + 60, height);
+                escapedForMarkup(group.condition).c_str(), barsLeft + barsWidth + 60, height);
   for (int tick = 0; tick <= 5; ++tick) {
     const double x = barsLeft + barsWidth * tick / 5;
     text += formatted(
@@ -156,7 +141,7 @@ std::string bars(const StudyResults& results, const GroupResult& group) {
     const std::string name = results.labels[pair.first] + "–" + results.labels[pair.second];
     const double middle = y + barHeight / 2, rate = rateOf(pair.errors);
     text += formatted("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%s</text>", barsLeft - 8, middle + 4,
-                      escaped(name.size() > 24 ? name.substr(0, 24) : name).c_str());
+                      escapedForMarkup(name.size() > 24 ? name.substr(0, 24) : name).c_str());
     text += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#3567a8\"/>",
                       barsLeft, y, rate * perShare, barHeight);
     text += formatted(
@@ -173,11 +158,11 @@ std::string sensitivity(const Sensitivity& s, double value) {
 
 std::string pairTable(const StudyResults& results, const GroupResult& group) {
   std::string text =
-      "<section><h2>Pairs: " + escaped(group.condition) +
+      "<section><h2>Pairs: " + escapedForMarkup(group.condition) +
       "</h2>\n<table><tr><th>Pair</th><th>Errors</th><th>Wilson 95 %</th><th>Clopper–Pearson</th>"
       "<th>d′ differencing</th><th>d′ independent</th><th>Failed</th></tr>\n";
   for (const PairResult& pair : group.pairs) {
-    text += "<tr>" + cell(escaped(results.labels[pair.first] + "–" + results.labels[pair.second])) +
+    text += "<tr>" + cell(escapedForMarkup(results.labels[pair.first] + "–" + results.labels[pair.second])) +
             cell(formatted("%zu / %zu", pair.errors.errors, pair.errors.trials)) +
             cell(interval(pair.wilson)) + cell(interval(pair.clopperPearson)) +
             cell(sensitivity(pair.sensitivity, pair.sensitivity.differencing) +
@@ -192,7 +177,7 @@ std::string pairTable(const StudyResults& results, const GroupResult& group) {
 }
 
 std::string participantTable(const StudyResults& results, const GroupResult& group) {
-  std::string text = "<section><h2>Participants: " + escaped(group.condition) +
+  std::string text = "<section><h2>Participants: " + escapedForMarkup(group.condition) +
                      "</h2>\n<table><tr><th>Participant</th><th>Errors</th><th>Pairs told apart</th>"
                      "<th>… after Holm</th></tr>\n";
   for (std::size_t i = 0; i < group.participants.size(); ++i) {
@@ -205,7 +190,7 @@ std::string participantTable(const StudyResults& results, const GroupResult& gro
         if (test.adjusted < 0.05) ++sure;
       }
     }
-    text += "<tr>" + cell(escaped(group.participants[i])) + cell(count(group.perParticipant[i])) +
+    text += "<tr>" + cell(escapedForMarkup(group.participants[i])) + cell(count(group.perParticipant[i])) +
             cell(formatted("%zu of %zu", passed, tests)) + cell(formatted("%zu of %zu", sure, tests)) +
             "</tr>\n";
   }
@@ -221,11 +206,11 @@ std::string participantTable(const StudyResults& results, const GroupResult& gro
 
 std::string confusionTable(const StudyResults& results, const GroupResult& group) {
   std::string text =
-      "<section><h2>Matches: " + escaped(group.condition) + "</h2>\n<table><tr><th>X \\ answer</th>";
-  for (const std::string& label : results.labels) text += head(escaped(label));
+      "<section><h2>Matches: " + escapedForMarkup(group.condition) + "</h2>\n<table><tr><th>X \\ answer</th>";
+  for (const std::string& label : results.labels) text += head(escapedForMarkup(label));
   text += "</tr>\n";
   for (std::size_t x = 0; x < group.confusion.size(); ++x) {
-    text += "<tr>" + head(escaped(results.labels[x]));
+    text += "<tr>" + head(escapedForMarkup(results.labels[x]));
     std::size_t all = 0;
     for (const std::size_t c : group.confusion[x]) all += c;
     for (const std::size_t c : group.confusion[x]) {
@@ -246,14 +231,14 @@ std::string foretoldTable(const StudyResults& results, const GroupResult& group,
     if (seen == nullptr || pair.mode != group.mode) continue;
     found.push_back(rateOf(seen->errors));
     told.push_back(pair.errorRate);
-    lines += "<tr>" + cell(escaped(results.labels[pair.first] + "–" + results.labels[pair.second])) +
+    lines += "<tr>" + cell(escapedForMarkup(results.labels[pair.first] + "–" + results.labels[pair.second])) +
              cell(formatted("%.2f", pair.dPrime)) +
              cell(formatted("%.1f", pair.errorRate * static_cast<double>(seen->errors.trials))) +
-             cell(std::to_string(seen->errors.errors)) + "<td class=\"words\">" + escaped(pair.reason) +
-             "</td></tr>\n";
+             cell(std::to_string(seen->errors.errors)) + "<td class=\"words\">" +
+             escapedForMarkup(pair.reason) + "</td></tr>\n";
   }
   if (lines.empty()) return {};
-  return "<section><h2>Foretold and found: " + escaped(group.condition) +
+  return "<section><h2>Foretold and found: " + escapedForMarkup(group.condition) +
          "</h2>\n<table><tr><th>Pair</th><th>d′ foretold</th><th>Errors foretold</th><th>found</th>"
          "<th class=\"words\">What differs</th></tr>\n" +
          lines +
@@ -276,8 +261,9 @@ std::string comparisons(const StudyResults& results) {
   for (const GroupComparison& c : results.comparisons) {
     const std::string pair =
         c.pair ? results.labels[pairs[*c.pair].first] + "–" + results.labels[pairs[*c.pair].second] : "all";
-    text += "<tr>" + cell(escaped(c.first + " − " + c.second)) + "<td class=\"words\">" + escaped(pair) +
-            "</td>" + cell(formatted("%zu%s", c.participants, c.paired ? ", in both" : "")) +
+    text += "<tr>" + cell(escapedForMarkup(c.first + " − " + c.second)) + "<td class=\"words\">" +
+            escapedForMarkup(pair) + "</td>" +
+            cell(formatted("%zu%s", c.participants, c.paired ? ", in both" : "")) +
             cell(formatted("%+.2f %%", 100 * c.difference)) +
             cell(c.interval ? formatted("%+.1f to %+.1f %%", 100 * c.interval->low, 100 * c.interval->high)
                             : std::string("–")) +
@@ -300,7 +286,7 @@ std::string band(const StudyResults& results) {
 std::string notes(const StudyResults& results) {
   if (results.warnings.empty()) return {};
   std::string text = "<section><h2>To be known</h2>\n<ul class=\"notes\">\n";
-  for (const std::string& warning : results.warnings) text += "<li>" + escaped(warning) + "</li>\n";
+  for (const std::string& warning : results.warnings) text += "<li>" + escapedForMarkup(warning) + "</li>\n";
   return text + "</ul></section>\n";
 }
 
@@ -311,21 +297,21 @@ std::string resultsPage(const StudyResults& results, const std::vector<ForetoldP
   std::string text =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
-      escaped(results.study) + "</title><style>" + style + "</style></head>\n<body" +
+      escapedForMarkup(results.study) + "</title><style>" + style + "</style></head>\n<body" +
       (warning.empty() ? "" : " class=\"banded\"") + ">\n";
   // The head of a table is printed on every page and keeps the band's place free.
   if (!warning.empty())
     text += "<div class=\"band\">" + warning +
             "</div>\n<table class=\"sheet\"><thead><tr><td></td></tr></thead><tbody><tr><td>\n";
-  text +=
-      "<h1>" + escaped(results.study) + "</h1>\n<p class=\"small\">" + nameOf(results.kind) + ", buttons ";
+  text += "<h1>" + escapedForMarkup(results.study) + "</h1>\n<p class=\"small\">" + nameOf(results.kind) +
+          ", buttons ";
   for (std::size_t i = 0; i < results.labels.size(); ++i) {
     const std::string& name = results.names[i];
-    text += (i > 0 ? ", " : "") + escaped(name == results.labels[i] || name.empty()
-                                              ? results.labels[i]
-                                              : results.labels[i] + " (" + name + ")");
+    text += (i > 0 ? ", " : "") + escapedForMarkup(name == results.labels[i] || name.empty()
+                                                       ? results.labels[i]
+                                                       : results.labels[i] + " (" + name + ")");
   }
-  text += ". " + escaped(results.source) + " Detent " + version() + "</p>\n";
+  text += ". " + escapedForMarkup(results.source) + " Detent " + version() + "</p>\n";
   text += notes(results) + table1(results);
   for (const GroupResult& group : results.groups) {
     if (!group.pairs.empty())

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/number_table.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "model/text.h"
+
+namespace detent {
+namespace {
+
+/// Cuts the next piece off the front, up to a separator.
+std::string_view nextPart(std::string_view& rest, char separator) {
+  const std::size_t at = rest.find(separator);
+  const std::string_view part = rest.substr(0, at);
+  rest = at == std::string_view::npos ? std::string_view{} : rest.substr(at + 1);
+  return part;
+}
+
+}  // namespace
+
+NumberTable::NumberTable(std::string_view text) : rest_(text) {
+  if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+}
+
+bool NumberTable::next() {
+  do {
+    if (rest_.empty()) return false;
+    line_ = trimmed(nextPart(rest_, '\n'));
+    ++number_;
+  } while (line_.empty() || line_.front() == '#');
+  fields_.clear();
+  const auto commas = std::count(line_.begin(), line_.end(), ',');
+  std::string_view rest = line_;
+  for (auto field = 0; field <= commas; ++field) fields_.push_back(trimmed(nextPart(rest, ',')));
+  return true;
+}
+
+std::optional<std::vector<std::size_t>> NumberTable::columns(
+    const std::vector<std::string_view>& names) const {
+  std::vector<std::size_t> places;
+  for (const std::string_view name : names) {
+    const auto at = std::find(fields_.begin(), fields_.end(), name);
+    if (at == fields_.end()) return {};
+    places.push_back(static_cast<std::size_t>(at - fields_.begin()));
+  }
+  return places;
+}
+
+std::optional<double> NumberTable::finite(std::size_t field) const {
+  return field < fields_.size() ? finiteNumberFrom(fields_[field]) : std::nullopt;
+}
+
+std::optional<double> numberFrom(std::string_view field) {
+  field = trimmed(field);
+  if (field.starts_with('+')) field.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (field.empty() || end != field.data() + field.size()) return {};
+  if (error == std::errc::result_out_of_range) return std::numeric_limits<double>::infinity();
+  return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<double> finiteNumberFrom(std::string_view field) {
+  const std::optional<double> value = numberFrom(field);
+  return value && std::isfinite(*value) ? value : std::nullopt;
+}
+
+std::string shortestText(double value) {
+  constexpr double largestWritten = 1e16;
+  char text[64];
+  const auto form = std::abs(value) < largestWritten ? std::chars_format::fixed : std::chars_format::general;
+  return {text, std::to_chars(text, text + sizeof text, value, form).ptr};
+}
+
+std::string quotedBegin(std::string_view text) {
+  constexpr std::size_t longest = 60;
+  std::string quoted(1, '"');
+  quoted += text.substr(0, longest);
+  return quoted += '"';
+}
+
+Result<std::string> readTable(const std::string& file, std::size_t most_bytes, const Remedies& remedies) {
+  const auto refused = [&](const std::string& problem) {
+    return Failure{FailureCode::unreadableInput, file, "", problem, remedies};
+  };
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) return refused("cannot be opened (" + error.message() + ")");
+  if (size > most_bytes) return refused("is larger than " + std::to_string(most_bytes >> 20) + " MiB");
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  if (!in || (size > 0 && !(text << in.rdbuf())) || in.bad()) return refused("cannot be read");
+  return text.str();
+}
+
+}  // namespace detent

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the programs' command lines have in common. CLI11's types are parameters: programs of other rooms include this, and a header
+// that rooms share carries no library.
+
+#include <cstddef>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "model/named_values.h"
+#include "model/number_table.h"
+#include "model/text.h"
+
+namespace detent {
+
+/// CLI11's help with values as a reader would write them: "--jobs 1..1024=4", "--gain NUMBER", not "INT:INT in [1 - 1024]=4" and
+/// "FLOAT". Formatter: CLI::Formatter, Option: CLI::Option. For the program itself, before it gets its subcommands.
+template <class Formatter, class Option>
+class PlainHelp : public Formatter {
+ public:
+  PlainHelp() {
+    this->label("INT", "N");
+    this->label("UINT", "N");
+    this->label("FLOAT", "NUMBER");
+  }
+  std::string make_option_opts(const Option* option) const override {
+    const std::string options = Formatter::make_option_opts(option);
+    for (const std::string_view type : {" INT:", " UINT:", " FLOAT:"})
+      if (options.starts_with(type)) return " " + options.substr(type.size());
+    return options;
+  }
+};
+
+/// A number from `low` to `high`, both included, and nothing else: CLI::Range lets "nan" pass, which is neither. Validator:
+/// CLI::Validator.
+template <class Validator>
+Validator numberWithin(double low, double high) {
+  const std::string range = shortestText(low) + ".." + shortestText(high);
+  return Validator(
+      [low, high, range](std::string& text) {
+        const auto value = numberFrom(text);
+        if (value && *value >= low && *value <= high) return std::string();
+        return text + " is not a number from " + range;
+      },
+      range);
+}
+
+/// An option whose value is one of several words, in either case; --help lists them, another word is wrong usage. App: CLI::App.
+/// Target: Enum, or an optional of it where there is no `standard`. `names` and `target` must outlive the parse.
+template <class App, class Target, class Enum, std::size_t count>
+auto addChoice(App& app, const std::string& name, Target& target, const NamedValues<Enum, count>& names,
+               const std::string& help, const std::string& standard) {
+  std::set<std::string> sorted;
+  for (const auto& named : names.all) sorted.insert(named.word);
+  std::string words;
+  for (const std::string& word : sorted) words += (words.empty() ? "" : "|") + word;
+  const auto known = [&names, words](const std::string& word) {
+    return names.value(lowered(word)) ? std::string() : word + " is none of " + words;
+  };
+  const auto take = [&target, &names](const std::string& word) { target = *names.value(lowered(word)); };
+  return app.template add_option_function<std::string>(name, take, help)
+      ->check(known)
+      ->type_name(words)
+      ->default_str(standard);
+}
+
+}  // namespace detent
