@@ -107,14 +107,29 @@ double diagonal_px(const PlotFrame& frame) {
   return std::hypot(box.width(), box.height());
 }
 
+Remedies giveAxes() {
+  return {{RemedyKind::giveXAxis, {}},
+          {RemedyKind::giveYAxis, "(values at the frame's edges)"},
+          {RemedyKind::giveFrame, "if the frame was missed"}};
+}
+
+/// Why the axes are not certain, with what would settle it: where both ranges were given, only a unit or the frame is left.
+Doubt axesInDoubt(const GraphFindings& findings, const std::vector<WeighedDoubt>& doubts) {
+  const auto& calibration = findings.graph.axes.calibration;
+  const bool given = calibration.by == DecidedBy::given;
+  const auto unit = std::find_if(doubts.begin(), doubts.end(), [](const WeighedDoubt& each) {
+    return each.doubt.code == DoubtCode::unitMissing || each.doubt.code == DoubtCode::otherQuantity;
+  });
+  if (given && unit != doubts.end()) return unit->doubt;
+  return {DoubtCode::axesUncertain,
+          {messagesOf(calibration.evidence)},
+          given ? Remedies{{RemedyKind::giveFrame, "if the frame was missed"}} : giveAxes()};
+}
+
 std::optional<Doubt> doubt(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
                            const std::vector<WeighedDoubt>& doubts, bool axesGiven, double sure) {
-  const Remedies giveAxes{{RemedyKind::giveXAxis, {}},
-                          {RemedyKind::giveYAxis, "(values at the frame's edges)"},
-                          {RemedyKind::giveFrame, "if the frame was missed"}};
   const Remedy mask{RemedyKind::addMask, "over what is not a curve"};
-  if (findings.graph.confidence() < sure)
-    return Doubt{DoubtCode::axesUncertain, {messagesOf(findings.graph.axes.calibration.evidence)}, giveAxes};
+  if (findings.graph.confidence() < sure) return axesInDoubt(findings, doubts);
   if (findings.strokes.confidence < sure)
     return Doubt{DoubtCode::curvesUncertain,
                  {messagesOf(findings.strokes.evidence)},
@@ -127,7 +142,7 @@ std::optional<Doubt> doubt(const GraphFindings& findings, const std::vector<Spec
       doubts.begin(), doubts.end(), [](const auto& x, const auto& y) { return x.confidence < y.confidence; });
   if (gravest != doubts.end() && gravest->confidence < sure) return gravest->doubt;
   const SpecCheck* conflict = grossConflict(checks);
-  if (conflict && !axesGiven) return Doubt{DoubtCode::valueContradicts, {messageOf(*conflict)}, giveAxes};
+  if (conflict && !axesGiven) return Doubt{DoubtCode::valueContradicts, {messageOf(*conflict)}, giveAxes()};
   return {};
 }
 

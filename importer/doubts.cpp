@@ -194,6 +194,9 @@ class Doubts {
     const AxisCalibration& axes = findings_.graph.axes.calibration.value;
     unit(axes.x, false, hints_.axes.xUnit.has_value());
     unit(axes.y, true, hints_.axes.yUnit.has_value());
+    // A unit says nothing of what a sign in a number is.
+    if (axes.x.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"x"}, RemedyKind::giveXAxis);
+    if (axes.y.thousandsUnclear) add(DoubtCode::thousandsUnclear, unconfirmed, {"y"}, RemedyKind::giveYAxis);
   }
 
   void unit(const AxisReading& axis, bool force, bool given) {
@@ -263,14 +266,16 @@ class Doubts {
     if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
     const Remedies helps{{RemedyKind::addMask, "over what is not a curve"},
                          {RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}};
-    const auto say = [&](DoubtCode code, Point at_px) {
+    const auto say = [&](DoubtCode code, double share, Point at_px) {
       const Point at = findings_.graph.axes.calibration.value.toUnits(at_px);
-      add(code, unconfirmed, {{at.x, Measure::displacement_mm}, {at.y, Measure::force_N}}, helps);
+      add(code, share, {{at.x, Measure::displacement_mm}, {at.y, Measure::force_N}}, helps);
     };
     const auto& [left, leaps] = findings_.explanation;
     if (!left.empty() && left.front().likeness >= likeACurve)
-      say(DoubtCode::inkLeftOver, left.front().box_px.middle());
-    if (!leaps.empty()) say(DoubtCode::curveWithoutInk, 0.5 * (leaps.front().from_px + leaps.front().to_px));
+      // A curve that goes on is a curve cut short; ink by itself may be another thing of the page: it is said, not refused.
+      say(DoubtCode::inkLeftOver, left.front().atAnEnd ? unconfirmed : inPart, left.front().box_px.middle());
+    if (!leaps.empty())
+      say(DoubtCode::curveWithoutInk, unconfirmed, 0.5 * (leaps.front().from_px + leaps.front().to_px));
   }
 
   void place() {

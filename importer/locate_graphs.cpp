@@ -210,6 +210,15 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
     if (const auto sheet = photographedSheet(page)) readByRegion(sheet);
     if (located.graphs.empty()) located.graphs = askew;
     if (located.graphs.empty()) readByRegion({});
+    // Where no axis is drawn, the lean was told from the curves.
+    if (located.graphs.empty()) readAll(findPlotsByNumbers(page, Homography{}, progress));
+  } else if (located.graphs.empty() && !frameGiven && document.pageCount() == 1) {
+    readAll(findPlotsByNumbers(page, Homography{}, progress));
+    // A sheet without a graph has numbers in rows and columns, too.
+    std::erase_if(located.graphs, [](const LocatedGraph& graph) {
+      const AxisCalibration& c = graph.axes.calibration.value;
+      return !c.x.unitFound || !c.y.unitFound;
+    });
   }
   if (progress.isCancelled()) return Failure::cancelled(page.source);
   return located;

@@ -6096,6 +6096,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>bei %1, %2 läuft eine Kurve über leeres Papier</translation>
     </message>
     <message>
+        <source>the numbers of the %1 axis may be thousands or have three decimals</source>
+        <translation>die Zahlen der %1-Achse können Tausender sein oder drei Nachkommastellen haben</translation>
+    </message>
+    <message>
         <source>press and release share only %1 of their travel</source>
         <translation>Drücken und Rückweg haben nur %1 ihres Weges gemeinsam</translation>
     </message>

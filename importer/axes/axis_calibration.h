@@ -31,6 +31,7 @@ struct AxisReading {
   bool unitFound = false;  ///< false: stated default, which an import must not rest on
   std::string
       otherQuantity;  ///< what its title measures instead of a way or force: "kPa", "Time"; empty if nothing
+  bool thousandsUnclear = false;  ///< "1,000" and "2,000" alone: read as decimals, and may be thousands
   std::vector<TickLabel> ticks;
   std::string title;  ///< as read
 };

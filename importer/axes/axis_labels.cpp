@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "importer/axes/small_labels.h"
 #include "importer/axes/text_lines.h"
@@ -35,9 +36,61 @@ std::vector<Box> labelGlyphs(const GraphReading& r, const Box& band) {
   return glyphsIn(r.glyphs, band, largest);
 }
 
+/// A number set so close to a title that runs upwards that a letter of it was taken up: the letter stands in a column with
+/// others, nearer than one label to the next.
+Box withoutTitleLetter(const Box& word, const std::vector<Box>& glyphs) {
+  constexpr double apart = 0.2, nextLetter = 0.45;  // of the word's height
+  std::vector<Box> members;
+  for (const Box& g : glyphs)
+    if (word.contains(g)) members.push_back(g);
+  std::sort(members.begin(), members.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
+  Box before = members.empty() ? word : members.front();
+  for (std::size_t k = 1; k < members.size(); before = before.joined(members[k]), ++k) {
+    if (members[k].x0 - before.x1 < apart * members[k].height()) continue;
+    const bool inColumn = std::any_of(glyphs.begin(), glyphs.end(), [&](const Box& g) {
+      const double shared = std::min(g.x1, before.x1) - std::max(g.x0, before.x0);
+      const double gap = std::max(g.y0, before.y0) - std::min(g.y1, before.y1);
+      return !word.contains(g) && shared >= 0.5 * std::min(g.width(), before.width()) &&
+             gap <= nextLetter * word.height();
+    });
+    if (!inColumn) return word;
+    Box rest = members[k];
+    for (std::size_t i = k; i < members.size(); ++i) rest = rest.joined(members[i]);
+    return rest;
+  }
+  return word;
+}
+
 /// Words of ink that may be numbers.
-std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band) {
-  return numberBoxes(labelGlyphs(r, band));
+std::vector<Box> inkedLabelWords(const GraphReading& r, const Box& band, Axis axis) {
+  const auto glyphs = labelGlyphs(r, band);
+  auto words = numberBoxes(glyphs);
+  if (axis == Axis::y)
+    for (Box& word : words) word = withoutTitleLetter(word, glyphs);
+  return words;
+}
+
+/// A word left of the axis as far as its last digit reaches: one that touches the axis was taken for a tick, in part or
+/// whole, and "120" would be read as 12. A tick is lower than a digit.
+Box untilAxis(const GraphReading& r, const Box& word) {
+  constexpr double apart = 0.45, digit = 0.5;  // of the word's height
+  const int top = std::max(0, static_cast<int>(std::ceil(word.y0))),
+            foot = std::min(r.ink.rows - 1, static_cast<int>(std::floor(word.y1)));
+  const int margin = foot - top;
+  const auto isInk = [&](int y, int x) {
+    return y >= 0 && y < r.ink.rows && r.ink.at<std::uint8_t>(y, x) != 0;
+  };
+  Box whole = word;
+  const double end = std::min(r.box.x0, r.ink.cols - 1.0);
+  for (int x = static_cast<int>(std::ceil(word.x1)); x < std::min(end, whole.x1 + apart * word.height());
+       ++x) {
+    if (isInk(top - margin / 2, x) || isInk(foot + margin / 2, x)) break;  // the axis
+    int first = foot, last = top;
+    for (int y = top; y <= foot; ++y)
+      if (isInk(y, x)) first = std::min(first, y), last = std::max(last, y);
+    if (last - first >= digit * word.height()) whole.x1 = x + 0.5;
+  }
+  return whole;
 }
 
 SeenText readLabel(GraphReading& r, const Box& word, TextKind kind) {
@@ -115,8 +168,10 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   std::vector<std::string> texts;
   double height = 0;
   for (const auto& w : row.words) height = std::max(height, w.height());
-  for (const auto& w : row.words) {
-    if (w.height() < 0.5 * height) continue;
+  for (const auto& found_px : row.words) {
+    if (found_px.height() < 0.5 * height) continue;
+    const bool beforeAxis = axis == Axis::y && found_px.x1 < r.box.x0;
+    const Box w = beforeAxis ? untilAxis(r, found_px) : found_px;
     auto seen = readLabel(r, w, kind);
     const auto [number, suffix] = numberAndSuffix(seen.utf8);
     if (kind == TextKind::words && found.suffix.empty()) found.suffix = suffix;
@@ -130,6 +185,7 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
     places.push_back(std::move(place));
   }
   expectLostPoints(texts, found.readings);
+  found.thousands = expectThousands(texts, found.readings);
   for (std::size_t i = 0; i < places.size(); ++i) places[i].readings = found.readings[i];
   if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places);
   found.progression = fitProgression(places, ticks, axis == Axis::x);
@@ -209,7 +265,7 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
     best = tryRows(r, axis, own, lines, TextKind::number);
     if (best && agreed(*best) >= 3) return best;
   }
-  const auto words = inkedLabelWords(r, band);
+  const auto words = inkedLabelWords(r, band, axis);
   auto inked = tryRows(r, axis, words, lines, TextKind::number);
   if (inked && (!best || agreed(*inked) > agreed(*best))) best = std::move(inked);
   if (best && agreed(*best) >= 2) return best;

@@ -19,6 +19,7 @@ struct AxisLabels {
   std::vector<SeenText> words;                       ///< in order along the axis
   std::vector<std::vector<NumberReading>> readings;  ///< per word
   Box extent;                                        ///< around the words
+  ThousandsSign thousands = ThousandsSign::none;
   std::string suffix;   ///< unit that stands in the labels themselves ("20gf"), if it does
   int numbers() const;  ///< how many words can be read as numbers
 };

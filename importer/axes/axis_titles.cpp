@@ -37,11 +37,15 @@ bool hasLetters(const SeenText& line) { return lettersIn(line) >= 2; }
 
 bool hasBracket(const SeenText& line) { return line.utf8.find_first_of("([") != std::string::npos; }
 
-/// Without the lines that are a part of a longer one read the other way: the z of "[oz]", lying on its side, is an N.
+/// Without the lines that are a part of a longer one that runs upwards: the z of "[oz]", lying on its side, is an N. A line
+/// that is far higher than wide runs upwards, whatever was read of it.
 std::vector<SeenText> withoutPartsOf(const std::vector<SeenText>& others, std::vector<SeenText> lines) {
+  constexpr double upright = 2;  // times as high as wide
   std::erase_if(lines, [&](const SeenText& line) {
     return std::ranges::any_of(others, [&](const SeenText& other) {
-      return other.box.contains(line.box.middle()) && lettersIn(other) > lettersIn(line);
+      return other.box.contains(line.box.middle()) &&
+             (lettersIn(other) > lettersIn(line) || (other.box.height() > upright * other.box.width() &&
+                                                     other.box.height() > upright * line.box.height()));
     });
   });
   return lines;
@@ -110,6 +114,7 @@ AxisTitle<LengthUnit> readXTitle(GraphReading& r, const Box& labels) {
     readBeside = r.readLines(beside, 0, {b.x1, b.y1}, 4);
     consider(best, readBeside, lengthUnitIn);
   }
+  if (!best.unit) consider(best, r.readLinesOfParts(below, 0, towards, 2), lengthUnitIn);
   if (!best.unit) considerAgain(best, r, read, lengthUnitIn);
   if (!best.unit) considerAgain(best, r, withBracket(readBeside), lengthUnitIn);
   if (!best.unit || best.unit->sure < surePlace)
@@ -136,6 +141,11 @@ AxisTitle<ForceUnit> readYTitle(GraphReading& r, const Box& labels) {
     read = r.readLines(left, 90, towards, 2);
     consider(best, read, forceUnitIn);
     upwards.insert(upwards.end(), read.begin(), read.end());
+  }
+  if (!best.unit) {
+    const auto ofParts = r.readLinesOfParts(left, 90, towards, 1);
+    consider(best, ofParts, forceUnitIn);
+    upwards.insert(upwards.end(), ofParts.begin(), ofParts.end());
   }
   if (!best.unit) consider(best, r.readLines(above, 0, {b.x0, b.y0}, 6), forceUnitIn);
   // Read level, a title that runs upwards makes units of single letters.

@@ -44,14 +44,17 @@ std::optional<LabelSeries> seriesOf(const AxisReading& axis, bool alongX) {
   return s;
 }
 
-/// Whether a word like the labels stands at a place along the axis.
-bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, double place) {
+/// Whether a word like the labels stands at a place along the axis, or flush with it: `inwards` -1 or 1 along the axis.
+bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, double place, int inwards) {
+  constexpr double flush = 0.75;  // of a word's width: half of it, and a little
   const double along = 0.35 * s.height + 2, beside = 0.4 * s.height + 2;
   return std::any_of(words.begin(), words.end(), [&](const Box& w) {
     const double at = alongX ? 0.5 * (w.x0 + w.x1) : 0.5 * (w.y0 + w.y1);
     const double off = (alongX ? 0.5 * (w.y0 + w.y1) : w.x1) - s.across;
-    return std::abs(at - place) <= along && std::abs(off) <= beside && w.height() <= 1.4 * s.height &&
-           w.height() >= 0.7 * s.height && w.width() <= 4.5 * w.height();
+    const double moved = inwards * (at - place);
+    return moved >= -along && moved <= (alongX ? std::max(along, flush * w.width()) : along) &&
+           std::abs(off) <= beside && w.height() <= 1.4 * s.height && w.height() >= 0.7 * s.height &&
+           w.width() <= 4.5 * w.height();
   });
 }
 
@@ -59,7 +62,7 @@ bool wordAt(const std::vector<Box>& words, const LabelSeries& s, bool alongX, do
 double reach(const std::vector<Box>& words, const LabelSeries& s, bool alongX, int direction, double edge) {
   constexpr double clearlyBeyond = 0.4;  // of a step: a last label may stand a little off the grid
   double at = direction > 0 ? s.places.back() : s.places.front();
-  for (int k = 0; k < 20 && wordAt(words, s, alongX, at + direction * s.step_px); ++k)
+  for (int k = 0; k < 20 && wordAt(words, s, alongX, at + direction * s.step_px, -direction); ++k)
     at += direction * s.step_px;
   return direction * (at - edge) > clearlyBeyond * s.step_px ? at : edge;
 }
@@ -81,6 +84,26 @@ double lineContrast(const cv::Mat& darkness, double at, double from, double to, 
     sides += std::max(level(place - beside_px), level(place + beside_px));
   }
   return (line - sides) / (b - a + 1);
+}
+
+/// Whether most gridlines across an edge go on to another place beyond it; the axis that it stands on where `axisTells`.
+bool linesGoOn(const cv::Mat& darkness, const std::vector<GridLine>& across, double axis, bool axisTells,
+               double from, double to, bool upright) {
+  constexpr double seen = 6;  // grey levels
+  constexpr std::size_t fewest = 3;
+  const auto goesOn = [&](double at) {
+    double best = 0;
+    for (int off = -1; off <= 1; ++off)
+      best = std::max(best, lineContrast(darkness, at + off, from, to, !upright));
+    return best >= seen;
+  };
+  std::size_t lines = 0, on = 0;
+  for (const GridLine& line : across) {
+    if (!line.spansFrame) continue;
+    ++lines;
+    on += goesOn(line.position_px);
+  }
+  return (lines >= fewest && 2 * on > lines) || (axisTells && goesOn(axis));
 }
 
 /// Whether an edge is drawn where the numbers want one, if with gaps: a last number may stand off the last line, and the
@@ -111,7 +134,14 @@ std::optional<Box> frameByNumbers(const PageView& view, const PlotFrame& frame, 
   const auto edge = [&](const LabelSeries& s, bool alongX, int direction, double at) {
     const double wider = reach(words, s, alongX, direction, at);
     const double from = alongX ? box.y0 : box.x0, to = alongX ? box.y1 : box.x1;
-    return wider != at && isDrawn(darkness, wider, from, to, alongX) ? wider : at;
+    if (wider == at) return at;
+    const auto& across = alongX ? frame.yLines : frame.xLines;
+    const double axis = alongX ? box.y1 : box.x0;
+    // Above a drawn edge the axis goes on to an arrow.
+    const bool open = !isDrawn(darkness, at, from, to, alongX);
+    const bool goesOn =
+        linesGoOn(darkness, across, axis, open, at + 2.0 * direction, wider - 2.0 * direction, alongX);
+    return goesOn || isDrawn(darkness, wider, from, to, alongX) ? wider : at;
   };
   const Box wide{edge(*x, true, -1, box.x0), edge(*y, false, -1, box.y0), edge(*x, true, 1, box.x1),
                  edge(*y, false, 1, box.y1)};

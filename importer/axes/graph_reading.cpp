@@ -5,16 +5,18 @@
 #include <cctype>
 #include <cmath>
 
+#include "importer/axes/printed_unit.h"
 #include "importer/axes/small_units.h"
 #include "importer/axes/text_lines.h"
+#include "importer/axes/unit_token.h"
 #include "importer/frame/darkness.h"
 #include "importer/frame/glyph_marks.h"
 
 namespace detent::importer {
 namespace {
 
-constexpr double smallPrint_px =
-    9;  // height of a line, brackets and all; the engine reads larger ones as well
+// Heights of a line, brackets and all: the engine reads larger ones as well, and nothing does lower ones.
+constexpr double smallPrint_px = 9, smallestPrint_px = 5;
 
 std::vector<double> positions(const std::vector<GridLine>& lines) {
   std::vector<double> out;
@@ -28,11 +30,56 @@ bool ofUse(const SeenText& t) {
   return t.confidence >= 0.5 && letters >= 2;
 }
 
+int quarterTurnsOf(double angle_deg) { return angle_deg == 90 ? 1 : angle_deg == -90 ? 3 : 0; }
+
+/// The blobs of a region, turned so that lines at this angle read along +x.
+std::vector<Box> turnedLetters(const GraphReading& r, const Box& region, double angle_deg) {
+  auto letters = glyphsIn(r.glyphs, region, r.largestGlyph_px());
+  for (auto& letter : letters) letter = turned(letter, quarterTurnsOf(angle_deg));
+  return letters;
+}
+
+/// Whether two lines lie closer than lines of writing ever do: parts of the same letters.
+bool areParts(const Box& a, const Box& b) {
+  constexpr double closest = 0.13;  // of the height of both together
+  const double along = std::min(a.x1, b.x1) - std::max(a.x0, b.x0);
+  const double gap = std::max(a.y0, b.y0) - std::min(a.y1, b.y1);
+  return along >= 0.5 * std::min(a.width(), b.width()) &&
+         gap <= std::max(1.5, closest * a.joined(b).height());
+}
+
+/// Parts of letters joined to lines; empty if there are none.
+std::vector<Box> joinedParts(std::vector<Box> lines) {
+  const std::size_t before = lines.size();
+  for (std::size_t i = 0; i < lines.size();) {
+    const auto other = std::find_if(lines.begin() + static_cast<std::ptrdiff_t>(i) + 1, lines.end(),
+                                    [&](const Box& line) { return areParts(lines[i], line); });
+    if (other == lines.end()) {
+      ++i;
+      continue;
+    }
+    lines[i] = lines[i].joined(*other);
+    lines.erase(other);
+    i = 0;
+  }
+  if (lines.size() == before) return {};
+  // Parts of a line that were joined to different others stand beside each other now.
+  return textLines(lines, 1.3);
+}
+
+/// Whether a line is long enough to be a title, and says no unit by itself, or one so short that a letter of it may be lost.
+bool mayHideUnit(const Box& line, const std::string& text) {
+  if (line.width() < 2 * line.height() || !otherQuantityIn(text).empty()) return false;
+  const auto force = forceUnitIn(text);
+  if (force) return force->unit == ForceUnit::newton || force->unit == ForceUnit::gramForce;
+  return !lengthUnitIn(text);
+}
+
 }  // namespace
 
 GraphReading::GraphReading(const PageView& v, const PlotFrame& f)
     : view(v), frame(f), box(f.box()), darkness(darknessOf(v.raster, f.paper)), reader(v) {
-  const cv::Mat ink = inkOf(darkness);
+  ink = inkOf(darkness);
   glyphs = glyphBoxes(withoutFrameInk(ink, box, positions(frame.xLines), positions(frame.yLines)), 1,
                       largestGlyph_px());
 }
@@ -41,25 +88,45 @@ double GraphReading::largestGlyph_px() const { return 0.16 * std::min(box.width(
 
 std::vector<SeenText> GraphReading::readLines(const Box& region, double angle_deg, Point towards,
                                               std::size_t atMost) {
-  const int turns = angle_deg == 90 ? 1 : angle_deg == -90 ? 3 : 0;
-  auto inside = glyphsIn(glyphs, region, largestGlyph_px());
-  for (auto& g : inside) g = turned(g, turns);
-  auto lines = textLines(inside, 1.3);
-  for (auto& line : lines) line = turned(line, 4 - turns);
-  std::sort(lines.begin(), lines.end(), [&](const Box& a, const Box& b) {
-    return distance(a.middle(), towards) < distance(b.middle(), towards);
-  });
+  const auto letters = turnedLetters(*this, region, angle_deg);
+  return read(textLines(letters, 1.3), letters, angle_deg, towards, atMost);
+}
+
+std::vector<SeenText> GraphReading::readLinesOfParts(const Box& region, double angle_deg, Point towards,
+                                                     std::size_t atMost) {
+  const auto letters = turnedLetters(*this, region, angle_deg);
+  const auto joined = joinedParts(wordBoxes(letters, 1.3));
+  return joined.empty() ? std::vector<SeenText>{} : read(joined, letters, angle_deg, towards, atMost);
+}
+
+std::vector<SeenText> GraphReading::read(std::vector<Box> lines, const std::vector<Box>& letters,
+                                         double angle_deg, Point towards, std::size_t atMost) {
+  const int turns = quarterTurnsOf(angle_deg);
+  const auto away = [&](const Box& line) { return distance(turned(line, 4 - turns).middle(), towards); };
+  std::sort(lines.begin(), lines.end(), [&](const Box& a, const Box& b) { return away(a) < away(b); });
   if (lines.size() > atMost) lines.resize(atMost);
-  std::vector<SeenText> read;
+  const auto all = wordBoxes(letters, 1.3);
+  std::vector<SeenText> found;
   for (const auto& line : lines) {
-    auto seen = reader.readLine(line, TextKind::words, angle_deg);
+    const bool part = std::any_of(all.begin(), all.end(), [&](const Box& other) {
+      return !line.contains(other) && areParts(line, other);
+    });
+    const Box place = turned(line, 4 - turns);
+    auto seen = reader.readLine(place, TextKind::words, angle_deg);
+    const bool small = line.height() <= smallPrint_px && line.height() >= smallestPrint_px;
+    const auto drawn =
+        small && !part && !seen.utf8.empty() ? bracketedUnit(darkness, place, turns) : std::nullopt;
+    if (drawn) {
+      seen.utf8 = withUnit(seen.utf8, *drawn);
+    } else if (angle_deg >= 0 && mayHideUnit(line, seen.utf8)) {
+      const auto unit = unitAtEnd(reader, glyphsIn(letters, line, largestGlyph_px()), turns, angle_deg);
+      if (unit) seen.utf8 = unit->endOf(seen.utf8);
+    }
     if (seen.utf8.empty()) continue;
-    if (std::min(line.width(), line.height()) <= smallPrint_px)
-      if (const auto unit = bracketedUnit(darkness, line, turns)) seen.utf8 = withUnit(seen.utf8, *unit);
     if (ofUse(seen)) texts.push_back(seen);
-    read.push_back(std::move(seen));
+    found.push_back(std::move(seen));
   }
-  return read;
+  return found;
 }
 
 void GraphReading::setAside(const std::vector<Box>& words) {

@@ -20,6 +20,7 @@ class GraphReading {
   const PlotFrame& frame;
   Box box;           ///< of the frame
   cv::Mat darkness;  ///< of the view
+  cv::Mat ink;       ///< of the view, frame and ticks included: 255, else 0
   std::vector<Box>
       glyphs;  ///< blobs outside the frame, up to the size of large letters; ticks are no part of them
   TextReader reader;
@@ -27,14 +28,23 @@ class GraphReading {
 
   double largestGlyph_px() const;
 
-  /// Lines of writing in a region, read from pixels, nearest to `towards` first. `angle_deg` 0 or 90.
+  /// Lines of writing in a region, read from pixels, nearest to `towards` first. `angle_deg` 0, 90 or -90.
   std::vector<SeenText> readLines(const Box& region, double angle_deg, Point towards, std::size_t atMost);
+
+  /// The same for scripts whose letters are of several parts, one above the other: those that readLines took for lines of
+  /// their own are one line. Nothing where no parts lie so.
+  std::vector<SeenText> readLinesOfParts(const Box& region, double angle_deg, Point towards,
+                                         std::size_t atMost);
 
   /// Labels that were read take part in no other line of writing.
   void setAside(const std::vector<Box>& words);
 
   /// The document's own texts whose middle lies in the region.
   std::vector<SeenText> ownTexts(const Box& region) const;
+
+ private:
+  std::vector<SeenText> read(std::vector<Box> lines, const std::vector<Box>& letters, double angle_deg,
+                             Point towards, std::size_t atMost);
 };
 
 }  // namespace detent::importer

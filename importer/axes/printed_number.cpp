@@ -44,6 +44,24 @@ std::optional<double> parsed(std::string_view s) {
   return value;
 }
 
+/// What the sign in a number can be.
+enum class SignIn {
+  none,       ///< a whole number
+  thousands,  ///< "1,000", "12,500": may be either
+  decimals    ///< "0.125", "1.25", "12.5"
+};
+
+SignIn signIn(std::string_view utf8) {
+  std::string s = plain(utf8);
+  if (s.starts_with('-')) s.erase(0, 1);
+  while (!s.empty() && (s.back() == '.' || s.back() == '-')) s.pop_back();
+  const auto sign = s.find('.');
+  if (sign == std::string::npos) return SignIn::none;
+  const bool three =
+      sign >= 1 && sign <= 3 && s.size() == sign + 4 && s.find('.', sign + 1) == std::string::npos;
+  return three && s.front() != '0' ? SignIn::thousands : SignIn::decimals;
+}
+
 }  // namespace
 
 std::optional<double> printedNumber(std::string_view utf8) {
@@ -92,6 +110,31 @@ void expectLostPoints(const std::vector<std::string>& texts,
     for (NumberReading& reading : readings[i]) reading.weight = 1;
     if (lost(texts[i])) readings[i].erase(readings[i].begin());
   }
+}
+
+ThousandsSign expectThousands(const std::vector<std::string>& texts,
+                              std::vector<std::vector<NumberReading>>& readings) {
+  int hundreds = 0, zeros = 0, thousands = 0, decimals = 0;
+  bool comma = false;
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    if (readings[i].empty()) continue;
+    const SignIn sign = signIn(texts[i]);
+    const std::string digits = digitsOf(texts[i]);
+    zeros += digits == "0";
+    // Four digits may have lost a point, and "050" has.
+    hundreds += sign == SignIn::none && (digits.size() == 2 || digits.size() == 3) && digits.front() != '0';
+    thousands += sign == SignIn::thousands;
+    decimals += sign == SignIn::decimals || (digits.size() > 1 && digits.front() == '0');
+    comma = comma || (sign == SignIn::thousands && texts[i].find(',') != std::string::npos);
+  }
+  if (thousands == 0 || decimals > 0) return ThousandsSign::none;
+  const bool certain = hundreds > 0 || (comma && zeros > 0);
+  // Three decimals of a whole number, printed with a point, are unusual only beside a bare zero.
+  if (!certain) return (comma && thousands > 1) || zeros > 0 ? ThousandsSign::possible : ThousandsSign::none;
+  for (std::size_t i = 0; i < texts.size(); ++i)
+    if (!readings[i].empty() && signIn(texts[i]) == SignIn::thousands)
+      readings[i] = {{1000 * readings[i].front().value, 1.0}};
+  return ThousandsSign::certain;
 }
 
 std::string digitsOf(std::string_view text) {

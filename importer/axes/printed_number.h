@@ -30,6 +30,18 @@ std::vector<NumberReading> numberReadings(std::string_view utf8, double confiden
 void expectLostPoints(const std::vector<std::string>& texts,
                       std::vector<std::vector<NumberReading>>& readings);
 
+/// Three digits behind a sign: a thousand, or three decimals?
+enum class ThousandsSign {
+  none,      ///< no number is written so, or others in the print say that decimals stand there
+  certain,   ///< whole numbers stand beside them: "500", "1,000"
+  possible,  ///< "1,000" and "2,000" alone may be either
+};
+
+/// Readings of numbers in one print where a sign sets thousands apart: "500, 1,000, 1,500" counts by five hundreds. Where it
+/// is certain the decimal reading goes.
+ThousandsSign expectThousands(const std::vector<std::string>& texts,
+                              std::vector<std::vector<NumberReading>>& readings);
+
 /// A text's digits alone, in their order.
 std::string digitsOf(std::string_view text);
 

@@ -39,7 +39,20 @@ constexpr std::array forceMisreadings{Misreading<ForceUnit>{"eN", ForceUnit::cen
                                       Misreading<ForceUnit>{"Ibf", ForceUnit::poundForce, 0.8, false},
                                       Misreading<ForceUnit>{"1bf", ForceUnit::poundForce, 0.8, false},
                                       Misreading<ForceUnit>{"Ib", ForceUnit::poundForce, 0.8, false},
-                                      Misreading<ForceUnit>{"1b", ForceUnit::poundForce, 0.8, false}};
+                                      Misreading<ForceUnit>{"1b", ForceUnit::poundForce, 0.8, false},
+                                      Misreading<ForceUnit>{"02", ForceUnit::ounceForce, 0.6, false},
+                                      Misreading<ForceUnit>{"gef", ForceUnit::gramForce, 0.6, true},
+                                      // Cyrillic, named by the Latin letters it looks like.
+                                      Misreading<ForceUnit>{"H", ForceUnit::newton, 0.8, false},
+                                      Misreading<ForceUnit>{"cH", ForceUnit::centinewton, 0.8, false},
+                                      Misreading<ForceUnit>{"CH", ForceUnit::centinewton, 0.7, false},
+                                      Misreading<ForceUnit>{"MH", ForceUnit::millinewton, 0.8, false},
+                                      Misreading<ForceUnit>{"mH", ForceUnit::millinewton, 0.8, false},
+                                      Misreading<ForceUnit>{"r", ForceUnit::gramForce, 0.7, false},
+                                      Misreading<ForceUnit>{"rc", ForceUnit::gramForce, 0.8, false},
+                                      Misreading<ForceUnit>{"Krc", ForceUnit::kilogramForce, 0.8, false},
+                                      Misreading<ForceUnit>{"krc", ForceUnit::kilogramForce, 0.8, false},
+                                      Misreading<ForceUnit>{"Kr", ForceUnit::kilogramForce, 0.7, false}};
 
 constexpr std::array lengthMisreadings{Misreading<LengthUnit>{"rnm", LengthUnit::millimetre, 0.8, false},
                                        Misreading<LengthUnit>{"mrn", LengthUnit::millimetre, 0.8, false},
@@ -61,7 +74,13 @@ constexpr std::array lengthMisreadings{Misreading<LengthUnit>{"rnm", LengthUnit:
                                        Misreading<LengthUnit>{"jum", LengthUnit::micrometre, 0.8, true},
                                        Misreading<LengthUnit>{"lum", LengthUnit::micrometre, 0.8, true},
                                        Misreading<LengthUnit>{"Hm", LengthUnit::micrometre, 0.8, true},
-                                       Misreading<LengthUnit>{"vm", LengthUnit::micrometre, 0.7, true}};
+                                       Misreading<LengthUnit>{"vm", LengthUnit::micrometre, 0.7, true},
+                                       Misreading<LengthUnit>{"nn", LengthUnit::millimetre, 0.5, true},
+                                       // Cyrillic, named by the Latin letters it looks like.
+                                       Misreading<LengthUnit>{"MKM", LengthUnit::micrometre, 0.8, false},
+                                       Misreading<LengthUnit>{"mkm", LengthUnit::micrometre, 0.8, false},
+                                       Misreading<LengthUnit>{"Mkm", LengthUnit::micrometre, 0.8, false},
+                                       Misreading<LengthUnit>{"MkM", LengthUnit::micrometre, 0.8, false}};
 
 /// No button's graph is printed in these; on a page they are a smaller unit misread, or another quantity.
 constexpr std::array unprintedForces{ForceUnit::micronewton, ForceUnit::meganewton};
@@ -177,7 +196,8 @@ std::string plainTitle(std::string_view s) {
 
 struct Piece {
   std::string text;
-  double sure;  // of being a unit by where it stands
+  double sure;        // of being a unit by where it stands
+  bool last = false;  // nothing but blanks sets it apart from the words before it
 };
 
 std::string withoutBrackets(std::string_view s) {
@@ -188,6 +208,21 @@ std::string withoutBrackets(std::string_view s) {
 std::string withoutBlanks(std::string s) {
   std::erase(s, ' ');
   return s;
+}
+
+/// Without the arrow that some titles end in, as printed or as a recogniser sees it: "Travel (mm) ->".
+std::string withoutArrow(std::string t) {
+  constexpr std::array tails{
+      " ", "-", ">", "=", "_", "\xE2\x86\x92", "\xE2\x86\x91", "\xE2\x80\x94", "\xE2\x80\x93", "\xC2\xBB"};
+  for (bool found = true; found;) {
+    found = false;
+    for (const std::string_view tail : tails)
+      if (t.size() > tail.size() && t.ends_with(tail)) {
+        t.resize(t.size() - tail.size());
+        found = true;
+      }
+  }
+  return t;
 }
 
 /// "unit: gf", "单位：gf": what stands after the word.
@@ -236,7 +271,8 @@ void addUnopened(const std::string& t, std::vector<Piece>& out) {
 }
 
 /// Where units stand in titles, surest first: in brackets; without any after a slash, after "in", as the last word.
-std::vector<Piece> pieces(const std::string& t) {
+std::vector<Piece> pieces(const std::string& title) {
+  const std::string t = withoutArrow(title);
   std::vector<Piece> out;
   for (auto& inside : bracketed(t)) out.push_back({std::move(inside), 1.0});
   if (!out.empty()) return out;
@@ -250,9 +286,9 @@ std::vector<Piece> pieces(const std::string& t) {
            joined != std::string::npos)  // "Weg inmm": a blank was not seen
     out.push_back({withoutBrackets(std::string_view(t).substr(joined + 3)), 0.85});
   if (const auto comma = t.rfind(','); comma != std::string::npos)
-    out.push_back({withoutBlanks(withoutBrackets(std::string_view(t).substr(comma + 1))), 0.85});
+    out.push_back({withoutBlanks(withoutBrackets(std::string_view(t).substr(comma + 1))), 0.9});
   if (const auto blank = t.find_last_of(' '); blank != std::string::npos)
-    out.push_back({withoutBrackets(std::string_view(t).substr(blank + 1)), 0.7});
+    out.push_back({withoutBrackets(std::string_view(t).substr(blank + 1)), 0.7, true});
   else
     out.push_back({withoutBrackets(t), 0.6});
   return out;
@@ -262,6 +298,9 @@ template <std::size_t N>
 bool hasWord(const std::string& low, const std::array<const char*, N>& words) {
   return std::any_of(words.begin(), words.end(), [&](const char* word) { return mentions(low, word); });
 }
+
+/// Misreadings of units that are words, or letters that end a title.
+constexpr std::array<std::string_view, 8> words{"of", "am", "H", "r", "(N", "02", "mi", "af"};
 
 /// A letter that may be a word's end is a unit only where a unit must stand.
 bool mayBeUnit(const Piece& piece) {
@@ -282,7 +321,10 @@ std::optional<PrintedUnit<Unit>> unitIn(std::string_view title,
     const auto unit = fromSymbol(piece.text);
     if (unit && mayBeUnit(piece) && std::ranges::find(unprinted, *unit) == unprinted.end())
       offer(*unit, piece.sure);
-    if (piece.sure < 0.9) continue;
+    // "Load Ibf": a last word that no language has.
+    const bool behindWord =
+        piece.last && hasQuantityWord && std::ranges::find(words, piece.text) == words.end();
+    if (piece.sure < 0.9 && !behindWord) continue;
     for (const auto& m : misreadings)
       if (piece.text == m.text && (hasQuantityWord || !m.needsWord)) offer(m.unit, piece.sure * m.sure);
   }

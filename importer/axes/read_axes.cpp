@@ -172,17 +172,34 @@ double printedShare(const AxisLabels& labels) {
   return p.labels / ((high - low) / p.step + 1);
 }
 
+/// Values of the labels that agree: scales count from a multiple of their step, and near zero as often as not. 48, 68 and 88
+/// beside labels that say otherwise, or 6.1 to 6.3 alone, are digits misread alike.
+double usualOf(const AxisLabels& labels, int readable) {
+  constexpr double misreadAlike = 0.4, farFromZero = 5;  // the last in spans
+  const Progression& p = *labels.progression;
+  double low = HUGE_VAL, high = -HUGE_VAL, offStep = 0;
+  for (std::size_t i = 0; i < p.reading.size(); ++i) {
+    if (p.reading[i] < 0) continue;
+    const double value = labels.readings[i][static_cast<std::size_t>(p.reading[i])].value;
+    low = std::min(low, std::abs(value)), high = std::max(high, std::abs(value));
+    offStep = std::max(offStep, std::abs(value / p.step - std::round(value / p.step)));
+  }
+  const bool stray = offStep > 0.01 && p.labels < readable;
+  return stray || low > farFromZero * (high - low) ? misreadAlike : 1;
+}
+
 /// 1 if everything agrees; falls with labels that do not fit or cannot be read, few labels, a large residual.
 /// `length_px` of the axis.
 double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double length_px) {
   if (rangeGiven) return 1;
   const auto& p = *labels->progression;
   double agreed = 0, all = 0;
-  int contradicting = 0;
+  int contradicting = 0, read = 0;
   for (std::size_t i = 0; i < labels->words.size(); ++i) {
     const bool readable = !labels->readings[i].empty();
     all += readable ? 1 : 0.25;
     if (!readable) continue;
+    ++read;
     const LabelVerdict verdict = verdictOn(*labels, i);
     contradicting += verdict == LabelVerdict::contradicts && labels->words[i].confidence >= readWithCertainty;
     agreed += verdict == LabelVerdict::fits ? 1 : verdict == LabelVerdict::rest ? 0.5 : 0;
@@ -196,7 +213,7 @@ double sureOf(const std::optional<AxisLabels>& labels, bool rangeGiven, double l
   // 0, 102 and 1017 count by threes: powers of ten, read as one number each, lie on a line by chance.
   constexpr double leastPrinted = 0.1;
   const double even = contradicted || printedShare(*labels) < leastPrinted ? uneven : 1;
-  return std::sqrt(agreed / std::max(1.0, all)) * many * sharp * even;
+  return std::sqrt(agreed / std::max(1.0, all)) * many * sharp * even * usualOf(*labels, read);
 }
 
 /// What is written beside the frame names travel or force, if not their units.
@@ -227,6 +244,7 @@ void fillReading(AxisReading& reading, const std::optional<AxisLabels>& labels) 
   if (!hasProgression(labels)) return;
   reading.ticks = tickLabels(*labels);
   reading.residual_px = labels->progression->residual_px;
+  reading.thousandsUnclear = labels->thousands == ThousandsSign::possible;
 }
 
 /// A label that was read with certainty and stands at another value's line: some datasheets print it so. The

@@ -48,6 +48,19 @@ std::optional<LightModel> installedModel() {
   return {};
 }
 
+/// What may stand in a line of this kind; empty: anything.
+std::string lettersOf(TextKind kind) {
+  switch (kind) {
+    case TextKind::number:
+      return "0123456789.,-";
+    case TextKind::unit:  // with the Latin letters that Cyrillic ones look like
+      return "mcMCNdkKgGfFoOzZlLbinhuesrpH()[]/,.";
+    case TextKind::words:
+      break;
+  }
+  return {};
+}
+
 /// One engine per thread. LSTM only; dictionaries would turn "gf" into "of".
 class Engine {
  public:
@@ -73,8 +86,8 @@ class Engine {
     // batch.
     omp_set_max_active_levels(0);
     api_->SetPageSegMode(tesseract::PSM_SINGLE_LINE);
-    const std::string digits = "0123456789.,-", asked = model_ ? model_->renamed(digits) : digits;
-    api_->SetVariable("tessedit_char_whitelist", kind == TextKind::number ? asked.c_str() : "");
+    const std::string letters = lettersOf(kind), asked = model_ ? model_->renamed(letters) : letters;
+    api_->SetVariable("tessedit_char_whitelist", asked.c_str());
     api_->SetImage(grey.data, grey.cols, grey.rows, 1, static_cast<int>(grey.step));
     api_->SetSourceResolution(200);
     if (api_->Recognize(nullptr) != 0) return seen;

@@ -12,7 +12,8 @@ namespace detent::importer {
 
 enum class TextKind {
   number,  ///< digits, sign, decimal point or comma
-  words    ///< anything Latin
+  words,   ///< anything Latin
+  unit     ///< letters that units of force and length are written with, brackets and strokes; no digit
 };
 
 /// One thread at a time; cheap to make, engines are shared per thread.

@@ -31,7 +31,28 @@ struct Series {
   std::vector<Box> words;  // along the axis
   double step_px = 0;
   double height_px = 0;
+  double first_px = 0, last_px = 0;  // places of the outermost numbers along the axis
 };
+
+/// Some programs move the outermost numbers inwards, flush with the axis' ends: their places are a step on all the same.
+void takeFlushEnds(Series& s, const std::vector<Box>& line, const std::vector<double>& places) {
+  constexpr double moved = 0.75;  // of a word's width: half of it, and a little
+  const auto at = [&](double place) {
+    return static_cast<std::size_t>(std::find(places.begin(), places.end(), place) - places.begin());
+  };
+  const std::size_t first = at(s.first_px), last = at(s.last_px);
+  const auto flush = [&](std::size_t k, double away) {
+    return away < s.step_px && s.step_px - away <= moved * line[k].width();
+  };
+  if (last + 1 < places.size() && flush(last + 1, places[last + 1] - s.last_px)) {
+    s.words.push_back(line[last + 1]);
+    s.last_px += s.step_px;
+  }
+  if (first > 0 && first <= places.size() && flush(first - 1, s.first_px - places[first - 1])) {
+    s.words.insert(s.words.begin(), line[first - 1]);
+    s.first_px -= s.step_px;
+  }
+}
 
 /// The longest even progression of places that has no gap; `places` increasing.
 Series evenSeries(const std::vector<Box>& words, const std::vector<double>& places, double height,
@@ -52,7 +73,7 @@ Series evenSeries(const std::vector<Box>& words, const std::vector<double>& plac
         step = (places[k] - places[i]) / static_cast<double>(members.size() - 1);
       }
       if (members.size() <= best.words.size()) continue;
-      best = Series{{}, step, height};
+      best = Series{{}, step, height, places[members.front()], places[members.back()]};
       for (const std::size_t k : members) best.words.push_back(words[k]);
     }
   return best;
@@ -60,7 +81,7 @@ Series evenSeries(const std::vector<Box>& words, const std::vector<double>& plac
 
 template <class Aligned, class Place>
 std::vector<Series> allSeries(const std::vector<Box>& words, Aligned aligned, Place place,
-                              double minStepInHeights) {
+                              double minStepInHeights, bool alongX) {
   std::vector<Series> found;
   for (const Box& seed : words) {
     const bool known = std::any_of(found.begin(), found.end(), [&](const Series& s) {
@@ -74,6 +95,7 @@ std::vector<Series> allSeries(const std::vector<Box>& words, Aligned aligned, Pl
     std::vector<double> places;
     for (const Box& w : line) places.push_back(place(w));
     auto series = evenSeries(line, places, seed.height(), minStepInHeights * seed.height());
+    if (static_cast<int>(series.words.size()) >= fewestLabels && alongX) takeFlushEnds(series, line, places);
     if (static_cast<int>(series.words.size()) >= fewestLabels) found.push_back(std::move(series));
   }
   return found;
@@ -83,8 +105,8 @@ std::vector<Series> allSeries(const std::vector<Box>& words, Aligned aligned, Pl
 /// foot.
 std::optional<LabelledPlot> between(const Series& row, const Series& column) {
   if (!alike(row.words.front(), column.words.front())) return {};
-  const double left = middleX(row.words.front()), right = middleX(row.words.back());
-  const double top = middleY(column.words.front()), bottom = middleY(column.words.back());
+  const double left = row.first_px, right = row.last_px;
+  const double top = column.first_px, bottom = column.last_px;
   double columnEnd = column.words.front().x1;
   for (const Box& w : column.words) columnEnd = std::max(columnEnd, w.x1);
   const double rowTop = row.words.front().y0, width = right - left, height = bottom - top;
@@ -116,14 +138,14 @@ std::vector<LabelledPlot> findLabelledPlots(const cv::Mat& ink, double minWidth_
   const auto rows = allSeries(
       words,
       [](const Box& a, const Box& b) { return std::abs(middleY(a) - middleY(b)) <= 0.3 * b.height() + 1; },
-      middleX, 1.6);
+      middleX, 1.6, true);
   const auto columns = allSeries(
       words,
       [](const Box& a, const Box& b) {
         return std::abs(a.x1 - b.x1) <= 0.4 * b.height() + 2 ||
                std::abs(middleX(a) - middleX(b)) <= 0.3 * b.height() + 1;
       },
-      middleY, 1.2);
+      middleY, 1.2, false);
   std::vector<LabelledPlot> all;
   for (const Series& row : rows)
     for (const Series& column : columns)

@@ -110,6 +110,9 @@ Wording wordingOf(DoubtCode code) {
       return {"ink-left-over", words("ink like a curve's is left over around %1, %2")};
     case DoubtCode::curveWithoutInk:
       return {"curve-without-ink", words("a curve runs over bare paper around %1, %2")};
+    case DoubtCode::thousandsUnclear:
+      return {"thousands-unclear",
+              words("the numbers of the %1 axis may be thousands or have three decimals")};
     case DoubtCode::strokeInPart:
       return {"stroke-in-part", words("press and release share only %1 of their travel")};
     case DoubtCode::pageIsScan:

@@ -76,9 +76,10 @@ enum class DoubtCode {
   leavesThePlot,  ///< force at the edge that it goes on beyond, N
   belowTheAxis,   ///< force at which the axis begins, N
   otherScale,
-  inkLeftOver,      ///< travel and force at the middle of it, mm and N
-  curveWithoutInk,  ///< the same
-  strokeInPart,     ///< share of the travel that both strokes cover
+  inkLeftOver,       ///< travel and force at the middle of it, mm and N
+  curveWithoutInk,   ///< the same
+  thousandsUnclear,  ///< axis
+  strokeInPart,      ///< share of the travel that both strokes cover
   pageIsScan,
   pageIsPhoto
 };

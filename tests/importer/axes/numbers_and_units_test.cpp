@@ -173,3 +173,52 @@ TEST_CASE("a word with one letter misread is still that word") {
   CHECK_FALSE(mentions("", "force"));
   CHECK(lengthUnitIn("Positon (nm)")->unit == LengthUnit::millimetre);
 }
+
+TEST_CASE("a unit is read behind any words, a comma and an arrow, and in Cyrillic letters that look Latin") {
+  const auto force = [](const char* title) {
+    const auto unit = forceUnitIn(title);
+    return unit ? std::string(symbolOf(unit->unit)) : std::string("none");
+  };
+  const auto length = [](const char* title) {
+    const auto unit = lengthUnitIn(title);
+    return unit ? std::string(symbolOf(unit->unit)) : std::string("none");
+  };
+  CHECK(force(": Force, Ibf") == "lbf");
+  CHECK(force("Load Ibf") == "lbf");
+  CHECK(force("Yeunnue, H") == "N");                        // Усилие, Н
+  CHECK(force("Ycunue Haxatua [r]") == "gf");               // Усилие нажатия [г]
+  CHECK(force("Cuna (rc)") == "gf");                        // Сила (гс)
+  CHECK(length("Xog (MKM) \xE2\x80\x94>") == "\xC2\xB5m");  // Ход (мкм) →
+  CHECK(length("Travel, in") == "in");
+  CHECK(length("Displacement / mm \xE2\x86\x92") == "mm");
+  CHECK(length("Depth pm") == "\xC2\xB5m");
+  for (const char* none : {"Load of", "Force H", "Type r", "Play of force"}) CHECK(force(none) == "none");
+  for (const char* none : {"Travel in", "Depth am", "Start, then in two"}) CHECK(length(none) == "none");
+}
+
+namespace {
+
+/// What a row of labels can mean once its signs were looked at together.
+std::vector<std::vector<NumberReading>> readTogether(const std::vector<std::string>& texts,
+                                                     ThousandsSign expected) {
+  std::vector<std::vector<NumberReading>> readings;
+  for (const std::string& text : texts) readings.push_back(numberReadings(text, 0.95));
+  CHECK(expectThousands(texts, readings) == expected);
+  return readings;
+}
+
+}  // namespace
+
+TEST_CASE("three digits behind a sign are thousands where whole numbers stand beside them") {
+  CHECK(readTogether({"0", "500", "1,000", "1,500"}, ThousandsSign::certain)[2].front().value == 1000);
+  CHECK(readTogether({"0", "1,000", "2,000"}, ThousandsSign::certain)[1].front().value == 1000);
+  CHECK(readTogether({"250", "500", "750", "1.000"}, ThousandsSign::certain)[3].front().value == 1000);
+  // Decimals say so themselves.
+  CHECK(readTogether({"0,000", "0,500", "1,000"}, ThousandsSign::none)[2].front().value == 1);
+  CHECK(readTogether({"0.5", "1.000"}, ThousandsSign::none)[1].front().value == 1);
+  CHECK(readTogether({"050", "1.000"}, ThousandsSign::none)[1].front().value == 1);  // lost its point
+  CHECK(readTogether({"1.000", "1.250", "1.500"}, ThousandsSign::none)[1].front().value == 1.25);
+  // Nobody can tell.
+  CHECK(readTogether({"1,000", "2,000", "3,000"}, ThousandsSign::possible)[0].front().value == 1);
+  CHECK(readTogether({"0", "1.000", "2.000"}, ThousandsSign::possible)[1].front().value == 1);
+}

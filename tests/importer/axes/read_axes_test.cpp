@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plots drawn by the test are calibrated; what cannot be read is said.
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 
 #include "importer/axes/axis_calibration.h"
@@ -319,6 +321,100 @@ TEST_CASE("a frame follows its numbers only to an edge that is drawn") {
   const auto wide = widened(canvas.grey());  // a piece of the top edge is there
   REQUIRE(wide);
   CHECK(wide->y0 == Approx(above).margin(3));
+}
+
+TEST_CASE("a frame without edges follows its numbers where its lines go on to them") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  const bool gridlines = GENERATE(false, true);
+  s.xSteps = 5, s.right = 550;
+  s.box = s.grid = gridlines;
+  Canvas canvas(s.width, s.height, s.paperGrey);
+  drawInto(canvas, s);
+  const double beyond = s.right + (s.right - s.left) / s.xSteps;
+  canvas.text("3", beyond, s.bottom + s.labelDrop, 0);
+  const auto rightEnd = [](const cv::Mat& grey) {
+    const auto looked = look(grey);
+    const auto axes = readAxes(looked.view, looked.frame);
+    REQUIRE(axes.ok());
+    return frameByNumbers(looked.view, looked.frame, axes->calibration.value).value_or(looked.frame.box()).x1;
+  };
+  CHECK(rightEnd(canvas.grey()) == Approx(s.right).margin(3));
+  const bool flush = !gridlines && GENERATE(false, true);
+  if (flush) {
+    canvas = Canvas(s.width, s.height, s.paperGrey);
+    drawInto(canvas, s);
+    canvas.text("3.0", beyond - 13, s.bottom + s.labelDrop, 0);
+  }
+  if (!gridlines) canvas.row(s.bottom, s.right, beyond, 1, s.lineGrey);
+  for (int k = 1; gridlines && k < s.ySteps; ++k)
+    canvas.row(s.bottom - (s.bottom - s.top) * k / s.ySteps, s.right, beyond, 1, s.gridGrey);
+  CHECK(rightEnd(canvas.grey()) == Approx(beyond).margin(3));
+}
+
+TEST_CASE("a drawn edge ends the frame though the axis goes on to a number") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.ySteps = 5, s.top = 120;
+  Canvas canvas(s.width, s.height, s.paperGrey);
+  drawInto(canvas, s);
+  const double above = s.top - (s.bottom - s.top) / s.ySteps;
+  canvas.text("120", s.left - 28, above, 0);
+  canvas.column(s.left, above, s.top, 1, s.lineGrey);
+  const auto looked = look(canvas.grey());
+  CHECK_FALSE(
+      frameByNumbers(looked.view, looked.frame, readAxes(looked.view, looked.frame)->calibration.value));
+}
+
+TEST_CASE("digits that touch the axis belong to their numbers") {
+  if (skipWithoutEngine()) return;
+  PlotStyle s;
+  s.ticks = false, s.labels = false, s.lineWidth = 2;
+  Canvas canvas(s.width, s.height, s.paperGrey);
+  drawInto(canvas, s);
+  const auto write = [&](double value, double cx, double cy, bool left) {
+    const std::string text = shown(value);
+    int below = 0;
+    const double wide = cv::getTextSize(text, cv::FONT_HERSHEY_SIMPLEX, 0.4, 1, &below).width;
+    canvas.text(text, left ? cx - 0.5 * wide : cx, cy, 0, 0.4);
+  };
+  for (int k = 0; k <= s.xSteps; ++k)
+    write(k * s.xStep, s.left + (s.right - s.left) * k / s.xSteps, s.bottom + s.labelDrop, false);
+  for (int k = 0; k <= s.ySteps; ++k)
+    write(k * s.yStep, s.left - 1, s.bottom - (s.bottom - s.top) * k / s.ySteps, true);
+  CHECK(read(canvas.grey()).calibration.value.y.max == Approx(120));
+}
+
+TEST_CASE("numbers that were all misread alike make no certain scale") {
+  PlotStyle s;
+  const auto sureWith = [&](const std::vector<std::string>& texts) {
+    auto looked = lookWithoutInk(s);
+    writeBelow(looked.view, s);
+    for (int k = 0; k <= s.ySteps; ++k) {
+      const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+      looked.view.texts.push_back({texts[static_cast<std::size_t>(k)], {60, y - 8, 90, y + 8}, 0});
+    }
+    const auto axes = readAxes(looked.view, looked.frame);
+    REQUIRE(axes.ok());
+    return axes->calibration.confidence;
+  };
+  const double one = sureWith({"0", "20", "40", "60", "80", "100", "126"});
+  CHECK(sureWith({"8", "28", "48", "68", "88", "108", "126"}) < 0.5 * one);
+}
+
+TEST_CASE("thousands among hundreds are read on the axis") {
+  PlotStyle s;
+  auto looked = lookWithoutInk(s);
+  writeBelow(looked.view, s);
+  const std::vector<std::string> texts{"0", "250", "500", "750", "1,000", "1,250", "1,500"};
+  for (int k = 0; k <= s.ySteps; ++k) {
+    const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+    looked.view.texts.push_back({texts[static_cast<std::size_t>(k)], {40, y - 8, 90, y + 8}, 0});
+  }
+  const auto axes = readAxes(looked.view, looked.frame);
+  REQUIRE(axes.ok());
+  CHECK(axes->calibration.value.y.max == Approx(1500));
+  CHECK(std::ranges::all_of(axes->calibration.value.y.ticks, [](const TickLabel& t) { return t.used; }));
 }
 
 TEST_CASE("ranges given by hand are kept") {

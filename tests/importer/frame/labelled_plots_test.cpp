@@ -54,6 +54,19 @@ TEST_CASE("a row and a column of numbers enclose a plot, without any line") {
   }
 }
 
+TEST_CASE("a row's outermost numbers may stand flush with the axis' ends") {
+  cv::Mat grey = numbersOf(0, 5, 255, 0);
+  for (int k = 0; k < 6; ++k) {
+    const double inwards = k == 0 ? 12 : k == 5 ? -12 : 0;
+    cv::putText(grey, "0." + std::to_string(k), {static_cast<int>(100 + 120 * k + inwards) - 15, 466},
+                cv::FONT_HERSHEY_SIMPLEX, 0.55, cv::Scalar(0), 1, cv::LINE_AA);
+  }
+  const auto plots = plotsIn(grey);
+  REQUIRE(plots.size() == 1);
+  CHECK(plots.front().box.x0 == Approx(100).margin(8));
+  CHECK(plots.front().box.x1 == Approx(700).margin(8));
+}
+
 TEST_CASE("a row alone, a column alone, and nothing") {
   CHECK(plotsIn(numbersOf(6, 0, 255, 0)).empty());
   CHECK(plotsIn(numbersOf(0, 5, 255, 0)).empty());

@@ -109,6 +109,17 @@ TEST_CASE("a unit that no title names is doubted, unless the page confirms it or
   CHECK(import.doubts().empty());
 }
 
+TEST_CASE("thousands that may be decimals stay in doubt, whatever the unit") {
+  Import import;
+  const bool force = GENERATE(false, true);
+  AxisCalibration& axes = import.graph.axes.calibration.value;
+  (force ? axes.y : axes.x).thousandsUnclear = true;
+  CHECK(import.doubted(DoubtCode::thousandsUnclear));
+  import.hints.axes.xUnit = LengthUnit::micrometre;
+  import.hints.axes.yUnit = ForceUnit::millinewton;
+  CHECK(import.doubted(DoubtCode::thousandsUnclear));
+}
+
 TEST_CASE("sizes no button has are said twice or doubted") {
   Import import;
   for (CurvePoint& p : import.press) p.force_N *= 1000;

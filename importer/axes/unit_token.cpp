@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/axes/unit_token.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+
+#include "importer/frame/glyph_marks.h"
+
+namespace detent::importer {
+namespace {
+
+/// Spellings a unit may come back in, and what they stand for. Digits are none of the letters asked for.
+struct Spelling {
+  std::string_view seen, unit;
+};
+
+constexpr std::array spellings{
+    Spelling{"N", "N"},      Spelling{"H", "N"},     Spelling{"cN", "cN"},   Spelling{"CN", "cN"},
+    Spelling{"cH", "cN"},    Spelling{"CH", "cN"},   Spelling{"mN", "mN"},   Spelling{"mH", "mN"},
+    Spelling{"MH", "mN"},    Spelling{"kN", "kN"},   Spelling{"dN", "dN"},   Spelling{"g", "gf"},
+    Spelling{"r", "gf"},     Spelling{"gf", "gf"},   Spelling{"gF", "gf"},   Spelling{"rc", "gf"},
+    Spelling{"kg", "kgf"},   Spelling{"kgf", "kgf"}, Spelling{"krc", "kgf"}, Spelling{"Krc", "kgf"},
+    Spelling{"oz", "oz"},    Spelling{"Oz", "oz"},   Spelling{"OZ", "oz"},   Spelling{"oZ", "oz"},
+    Spelling{"ozf", "ozf"},  Spelling{"Ozf", "ozf"}, Spelling{"ib", "lb"},   Spelling{"lb", "lb"},
+    Spelling{"Lb", "lb"},    Spelling{"lbf", "lbf"}, Spelling{"ibf", "lbf"}, Spelling{"Lbf", "lbf"},
+    Spelling{"mm", "mm"},    Spelling{"MM", "mm"},   Spelling{"cm", "cm"},   Spelling{"um", "um"},
+    Spelling{"pm", "um"},    Spelling{"MKM", "um"},  Spelling{"mkm", "um"},  Spelling{"MkM", "um"},
+    Spelling{"Mkm", "um"},   Spelling{"in", "in"},   Spelling{"inch", "in"}, Spelling{"mil", "mil"},
+    Spelling{"mils", "mil"}, Spelling{"of", "gf"},   Spelling{"ef", "gf"},   Spelling{"sf", "gf"}};
+
+bool isBracket(char c) { return c == '(' || c == ')' || c == '[' || c == ']'; }
+bool isMark(char c) { return isBracket(c) || c == '/' || c == ',' || c == '.' || c == ' '; }
+
+/// Blobs above each other (a dot and its i, the parts of a syllable) are one letter.
+std::vector<Box> joinedAlong(std::vector<Box> blobs) {
+  std::sort(blobs.begin(), blobs.end(), [](const Box& a, const Box& b) { return a.x0 < b.x0; });
+  std::vector<Box> letters;
+  for (const Box& b : blobs) {
+    const double shared = letters.empty() ? 0 : std::min(letters.back().x1, b.x1) - b.x0;
+    if (shared > 0.4 * std::min(b.width(), letters.empty() ? b.width() : letters.back().width()))
+      letters.back() = letters.back().joined(b);
+    else
+      letters.push_back(b);
+  }
+  return letters;
+}
+
+/// Where the unit may begin, likeliest first: at the last word, at a bracket within it, behind the last letter as wide as it is
+/// high, and a word earlier, where a stroke or a bracket stands alone.
+std::vector<std::size_t> starts(const std::vector<Box>& letters, double height) {
+  constexpr double blank = 0.22, stroke = 0.45, lone = 0.65, square = 0.75;  // of the line's height
+  constexpr std::size_t longest = 9;  // letters of a unit with its brackets
+  std::vector<std::size_t> out, words;
+  const auto add = [&](std::size_t at) {
+    if (letters.size() - at <= longest && std::find(out.begin(), out.end(), at) == out.end())
+      out.push_back(at);
+  };
+  for (std::size_t i = letters.size() - 1; i > 0; --i)
+    if (letters[i].x0 - letters[i - 1].x1 >= blank * height) words.push_back(i);
+  words.push_back(0);
+  for (std::size_t k = 0; k < std::min<std::size_t>(2, words.size()); ++k) {
+    const std::size_t at = words[k];
+    const bool alone =
+        at > 0 && k + 1 < words.size() && at - words[k + 1] == 1 && letters[at - 1].width() <= lone * height;
+    if (alone) add(at - 1);
+    if (k == 0) add(at);
+  }
+  for (std::size_t i = letters.size() - 1; i-- > 0;) {
+    const Box& b = letters[i];
+    if (b.height() >= 0.9 * height && b.width() <= stroke * height) add(i);
+    if (b.height() >= square * height && b.width() >= square * height) {
+      add(i + 1);
+      break;
+    }
+  }
+  return out;
+}
+
+/// What a reading names; `apart` if a mark in front of it says that a unit stands there, as one within it does.
+std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool apart) {
+  std::string core;
+  std::size_t marks = 0;
+  bool closed = false, opened = false;
+  for (const char c : text) {
+    if (c == ' ') continue;
+    if (!isMark(c)) {
+      if (closed) return {};  // "d/N": the end of one word and the unit behind it
+      core += c;
+      continue;
+    }
+    closed = !core.empty();
+    opened = opened || c == '(' || c == '[';
+    if ((c == ')' || c == ']') && !opened) return {};  // more stands in the brackets: "[x10 gf]"
+    ++marks;
+    apart = apart || c != '.';
+  }
+  const auto known = std::ranges::find(spellings, core, &Spelling::seen);
+  // A letter less than there is ink was lost: the N of "cN".
+  if (known == spellings.end() || blobs > core.size() + marks) return {};
+  // Words of their own, or too short to be more than a word's end.
+  if (!apart && (core.size() < 2 || core == "of" || core == "in")) return {};
+  return UnitToken{std::string(known->unit), apart};
+}
+
+}  // namespace
+
+std::string UnitToken::endOf(const std::string& line) const {
+  const std::string words = line.substr(0, std::min(line.find_last_of(" "), line.find_first_of("([{")));
+  return words + (apart ? " (" + symbol + ")" : " " + symbol);
+}
+
+namespace {
+
+/// Tries the line's last letters as a unit; `letters` in their order.
+std::optional<UnitToken> unitIn(TextReader& reader, const std::vector<Box>& letters, double height,
+                                int quarterTurns, double angle_deg) {
+  constexpr double sure = 0.7;  // of the engine's
+  constexpr std::size_t tries = 3;
+  std::size_t tried = 0;
+  bool behindMark = false;
+  for (const std::size_t from : starts(letters, height)) {
+    if (tried++ == tries) break;
+    Box token = letters[from];
+    for (std::size_t i = from; i < letters.size(); ++i) token = token.joined(letters[i]);
+    const SeenText seen =
+        reader.readLineCarefully(turned(token, 4 - quarterTurns), TextKind::unit, angle_deg);
+    if (seen.confidence >= sure)
+      if (auto unit = named(seen.utf8, letters.size() - from, behindMark)) return unit;
+    behindMark = !seen.utf8.empty() && (isBracket(seen.utf8.front()) || seen.utf8.front() == '/');
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<UnitToken> unitAtEnd(TextReader& reader, std::vector<Box> blobs, int quarterTurns,
+                                   double angle_deg) {
+  std::vector<Box> letters = joinedAlong(std::move(blobs));
+  if (letters.empty()) return {};
+  double height = 0;
+  for (const Box& b : letters) height = std::max(height, b.height());
+  if (auto unit = unitIn(reader, letters, height, quarterTurns, angle_deg)) return unit;
+  // An arrow may stand behind the title.
+  const Box& last = letters.back();
+  if (letters.size() < 2 || last.width() < 1.1 * last.height() || last.height() > 0.7 * height) return {};
+  letters.pop_back();
+  return unitIn(reader, letters, height, quarterTurns, angle_deg);
+}
+
+}  // namespace detent::importer
