@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "importer/fit/choose_knots.h"
+#include "importer/fit/fit_stroke.h"
 #include "importer/fit/segment_stroke.h"
 #include "importer/fit/solve_chain.h"
 #include "importer/fit/stroke_samples.h"
