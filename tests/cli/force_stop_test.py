@@ -47,10 +47,12 @@ class Board:
     def answer(self, body):
         self.lines.append(body)
         if body == "?":
-            os.write(self.master, with_sum("I,test,10000,10000000,1000,0"))
+            os.write(self.master, with_sum("I,test,10000,10000000,1000,0,2"))
+        elif body.startswith("L,"):
+            os.write(self.master, with_sum(body))
         elif match := re.fullmatch(r"F,(\d+),(-?\d+)", body):
             self.forces.append(int(match[2]) * 1e-6)
-            os.write(self.master, with_sum(f"P,{match[1]},{int(time.monotonic() * 1e6)},2000000"))
+            os.write(self.master, with_sum(f"P,{match[1]},{int(time.monotonic() * 1e6)},2000000,0"))
 
     def close(self):
         self.open = False
