@@ -10,6 +10,7 @@
 #include <QScrollBar>
 #include <QToolButton>
 
+#include "editor/document/described.h"
 #include "editor/document/message_words.h"
 #include "editor/feel/feel_clock.h"
 #include "editor/feel/feel_setup.h"
@@ -75,10 +76,8 @@ FeelPanel::FeelPanel(ViewSettings& settings, FeelSession& session, QWidget* pare
 // ---- widgets
 
 QWidget* FeelPanel::padColumn(ViewSettings& settings) {
-  pad_ = new PressPad(settings);
-  pad_->setObjectName("pressPad");
-  strip_ = new PressStrip;
-  strip_->setObjectName("pressStrip");
+  pad_ = described(new PressPad(settings), "pressPad");
+  strip_ = described(new PressStrip, "pressStrip");
   auto* whole = new QWidget;
   auto* column = bare(new QVBoxLayout(whole), 6);
   column->addLayout(choiceRow());
@@ -88,8 +87,7 @@ QWidget* FeelPanel::padColumn(ViewSettings& settings) {
 }
 
 QWidget* FeelPanel::viewColumn() {
-  view_ = new SignalView;
-  view_->setObjectName("signalView");
+  view_ = described(new SignalView, "signalView");
   auto* whole = new QWidget;
   auto* column = bare(new QVBoxLayout(whole), 6);
   column->addLayout(pressRow());
@@ -111,13 +109,12 @@ QWidget* FeelPanel::setupPage(ViewSettings& settings) {
 QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
   setupPage_ = setupPage(settings);
   setupPage_->hide();
-  setupToggle_ = new QToolButton;
-  setupToggle_->setObjectName("setupToggle");
+  setupToggle_ = described(new QToolButton, "setupToggle",
+                           tr("How the pad is pressed, what is felt, devices and force sensor"));
   setupToggle_->setText(tr("Setup"));
   setupToggle_->setCheckable(true);
   setupToggle_->setArrowType(Qt::RightArrow);
   setupToggle_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  setupToggle_->setToolTip(tr("How the pad is pressed, what is felt, devices and force sensor"));
   connect(setupToggle_, &QToolButton::toggled, this, [this](bool open) {
     setupToggle_->setArrowType(open ? Qt::DownArrow : Qt::RightArrow);
     setupPage_->setVisible(open);
@@ -143,22 +140,19 @@ QWidget* FeelPanel::controlColumn(ViewSettings& settings) {
 }
 
 QAction* FeelPanel::ownAction(const char* name, const QString& text, const QString& tip, Qt::Key key) {
-  auto* action = new QAction(text, this);
-  action->setObjectName(name);
+  auto* action = described(new QAction(text, this), name, tip);
   action->setShortcut(key);
   action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  action->setToolTip(tip);
   addAction(action);
   return action;
 }
 
 QToolButton* FeelPanel::buttonOf(QAction* action, const char* name, const QString& text) {
-  auto* button = new QToolButton;
-  button->setObjectName(name);
+  auto* button =
+      described(new QToolButton, name,
+                tr("%1 (%2)").arg(action->toolTip(), action->shortcut().toString(QKeySequence::NativeText)),
+                action->text());
   button->setText(text);
-  button->setAccessibleName(action->text());
-  button->setToolTip(
-      tr("%1 (%2)").arg(action->toolTip(), action->shortcut().toString(QKeySequence::NativeText)));
   button->setEnabled(action->isEnabled());
   connect(button, &QToolButton::clicked, action, &QAction::trigger);
   connect(action, &QAction::enabledChanged, button, &QWidget::setEnabled);
@@ -192,10 +186,8 @@ QLayout* FeelPanel::pressRow() {
   auto* row = bare(new QHBoxLayout, 4);
   auto* group = new QButtonGroup(this);
   const auto choice = [&](const char* name, const QString& text, const QString& tip, bool own) {
-    auto* button = new QToolButton;
-    button->setObjectName(name);
+    auto* button = described(new QToolButton, name, tip);
     button->setText(text);
-    button->setToolTip(tip);
     button->setCheckable(true);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     group->addButton(button);

@@ -14,6 +14,7 @@
 #include <QShowEvent>
 #include <QSignalBlocker>
 
+#include "editor/document/described.h"
 #include "editor/feel/placement_delays.h"
 #include "editor/feel/setup_widgets.h"
 #include "editor/quantity/quantity_field.h"
@@ -45,20 +46,18 @@ void FeelSetup::addPressing(QFormLayout& form) {
   connect(drive_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   form.addRow(tr("&Press with mouse:"), drive_);
 
-  full_ = new QuantityField(Quantity::force, view_.units());
-  full_->setRange({0, 100});
-  full_->setObjectName("fullForce");
-  full_->setLowestText(tr("automatic"));
-  full_->setToolTip(
+  full_ = described(
+      new QuantityField(Quantity::force, view_.units()), "fullForce",
       tr("Force of a full press: at the end of a timed press, at full pen pressure, at the end of a "
          "drag. Automatic: a quarter more than the button's strongest force."));
+  full_->setRange({0, 100});
+  full_->setLowestText(tr("automatic"));
   connect(full_, &QuantityField::valueChanged, this, &FeelSetup::take);
   form.addRow(tr("&Full press:"), full_);
 
-  followState_ = new QCheckBox(tr("Graph follows the state"));
-  followState_->setObjectName("followState");
-  followState_->setToolTip(
-      tr("Of a self-locking button the graph shows the state that is felt: unlocked, locked."));
+  followState_ =
+      described(new QCheckBox(tr("Graph follows the state")), "followState",
+                tr("Of a self-locking button the graph shows the state that is felt: unlocked, locked."));
   connect(followState_, &QCheckBox::toggled, this, &FeelSetup::take);
   form.addRow(QString(), followState_);
 }
@@ -73,13 +72,11 @@ void FeelSetup::addFeeling(QFormLayout& form) {
   connect(mode_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
   form.addRow(tr("F&eedback:"), mode_);
 
-  stamped_ = new QRadioButton(tr("Even: every event equally late"));
-  stamped_->setObjectName("placementStamped");
-  stamped_->setToolTip(
-      tr("Events sound at the time at which the finger passed them, plus a constant delay."));
-  fast_ = new QRadioButton(tr("Fast: every event at once"));
-  fast_->setObjectName("placementFast");
-  fast_->setToolTip(tr("Events sound as soon as a reading shows them: earlier on average, less evenly."));
+  stamped_ =
+      described(new QRadioButton(tr("Even: every event equally late")), "placementStamped",
+                tr("Events sound at the time at which the finger passed them, plus a constant delay."));
+  fast_ = described(new QRadioButton(tr("Fast: every event at once")), "placementFast",
+                    tr("Events sound as soon as a reading shows them: earlier on average, less evenly."));
   stampedDelay_ = noteLabel("placementStampedDelay");
   fastDelay_ = noteLabel("placementFastDelay");
   auto* placement = new QWidget;
@@ -93,15 +90,12 @@ void FeelSetup::addFeeling(QFormLayout& form) {
   connect(stamped_, &QRadioButton::toggled, this, &FeelSetup::take);
   form.addRow(tr("Timing:"), placement);
 
-  profileFile_ = new QPushButton;
-  profileFile_->setObjectName("profileFile");
-  profileFile_->setToolTip(
-      tr("A .device file: response of the transducer, calibration of the sensor, as measured "
-         "by detent-play sweep and calibrate."));
+  profileFile_ =
+      described(new QPushButton, "profileFile",
+                tr("A .device file: response of the transducer, calibration of the sensor, as measured "
+                   "by detent-play sweep and calibrate."));
   connect(profileFile_, &QPushButton::clicked, this, &FeelSetup::chooseProfile);
-  noProfile_ = new QPushButton(tr("None"));
-  noProfile_->setObjectName("noProfile");
-  noProfile_->setToolTip(tr("Play as for a perfect device"));
+  noProfile_ = described(new QPushButton(tr("None")), "noProfile", tr("Play as for a perfect device"));
   connect(noProfile_, &QPushButton::clicked, this, [this] {
     settings_.profileFile.clear();
     tell();
@@ -114,9 +108,8 @@ void FeelSetup::addFeeling(QFormLayout& form) {
 void FeelSetup::addSound(QFormLayout& form) {
   device_ = comboBoxOfNames("soundDevice", tr("Sound device that drives the transducer"));
   connect(device_, &QComboBox::currentIndexChanged, this, &FeelSetup::take);
-  refresh_ = new QPushButton(tr("Look again"));
-  refresh_->setObjectName("refreshDevices");
-  refresh_->setToolTip(tr("Look for sound devices again"));
+  refresh_ =
+      described(new QPushButton(tr("Look again")), "refreshDevices", tr("Look for sound devices again"));
   connect(refresh_, &QPushButton::clicked, &devices_, &SoundDeviceList::refresh);
   form.addRow(tr("&Sound device:"), rowOf({device_, refresh_}));
   deviceNote_ = noteLabel("deviceNote");
@@ -143,10 +136,9 @@ void FeelSetup::addSensor(QFormLayout& form) {
   baud_ = comboBoxOfNames("sensorBaud", tr("Bits per second; USB sensors ignore it"));
   baud_->setEditable(true);
   for (const int baud : {9600, 57600, 115200, 230400, 460800, 921600}) baud_->addItem(QString::number(baud));
-  connect_ = new QPushButton(tr("Connect"));
-  connect_->setObjectName("sensorConnect");
+  connect_ = described(new QPushButton(tr("Connect")), "sensorConnect",
+                       tr("Press with the force sensor; calibrated by the device profile"));
   connect_->setCheckable(true);
-  connect_->setToolTip(tr("Press with the force sensor; calibrated by the device profile"));
   connect(connect_, &QPushButton::clicked, this, &FeelSetup::take);
   form.addRow(tr("Force se&nsor:"), rowOf({port_, connect_}));
   form.addRow(tr("Ba&ud rate:"), baud_);

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
 #include "editor/feel/force_meter.h"
 #include "editor/feel/force_words.h"
 
@@ -14,8 +15,7 @@ namespace detent::editor {
 namespace {
 
 QLabel* wrapped(const char* name) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
+  auto* label = described(new QLabel, name);
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
@@ -25,20 +25,17 @@ QLabel* wrapped(const char* name) {
 
 ForceBox::ForceBox(ViewSettings& settings, ForceSession& session, QWidget* parent)
     : QWidget(parent), settings_(settings), session_(session) {
-  force_ = new QToolButton;
-  force_->setObjectName("forceSwitch");
+  force_ = described(new QToolButton, "forceSwitch");
   force_->setText(tr("Force"));
   force_->setCheckable(true);
   connect(force_, &QToolButton::clicked, this, [this](bool on) { on ? session_.start() : session_.stop(); });
   status_ = wrapped("forceStatus");
-  meter_ = new ForceMeter(settings);
-  meter_->setObjectName("forceMeter");
+  meter_ = described(new ForceMeter(settings), "forceMeter");
   stability_ = wrapped("forceStability");
-  stable_ = new QPushButton(tr("&Nearest stable button"));
-  stable_->setObjectName("nearestStable");
-  stable_->setToolTip(tr(
-      "Change the button as little as the device needs: damping first, then slopes; a peak keeps its force. "
-      "One step that can be undone."));
+  stable_ = described(new QPushButton(tr("&Nearest stable button")), "nearestStable",
+                      tr("Change the button as little as the device needs: damping first, then slopes; a "
+                         "peak keeps its force. "
+                         "One step that can be undone."));
   connect(stable_, &QPushButton::clicked, &session_, &ForceSession::makeStable);
 
   auto* first = new QHBoxLayout;

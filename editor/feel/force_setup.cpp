@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include "editor/document/described.h"
 #include "editor/feel/setup_widgets.h"
 #include "editor/quantity/quantity_field.h"
 
@@ -54,9 +55,8 @@ void ForceSetup::addDevice(QFormLayout& form) {
   connect(port_, &QComboBox::currentTextChanged, this, &ForceSetup::take);
   form.addRow(tr("P&ort:"), port_);
 
-  firmware_ = new QPushButton;
-  firmware_->setObjectName("forceFirmware");
-  firmware_->setToolTip(
+  firmware_ = described(
+      new QPushButton, "forceFirmware",
       tr("A Falcon that was just switched on needs the file that came with its driver, 7 to 9 kB; its "
          "licence forbids us to ship it"));
   connect(firmware_, &QPushButton::clicked, this, &ForceSetup::chooseFirmware);
@@ -72,9 +72,7 @@ void ForceSetup::addDevice(QFormLayout& form) {
 void ForceSetup::addLimits(QFormLayout& form) {
   const auto field = [&](Quantity quantity, const char* name, const QString& tip,
                          const QuantityRange& range) {
-    auto* made = new QuantityField(quantity, view_.units());
-    made->setObjectName(name);
-    made->setToolTip(tip);
+    auto* made = described(new QuantityField(quantity, view_.units()), name, tip);
     made->setRange(range);
     connect(made, &QuantityField::valueChanged, this, &ForceSetup::take);
     return made;
@@ -91,15 +89,13 @@ void ForceSetup::addLimits(QFormLayout& form) {
             tr("Travel of the handle in one turn of the motor; negative where pressing turns it backwards"),
             {-longestTurn_mm, longestTurn_mm});
   form.addRow(tr("Travel per t&urn:"), turn_);
-  upload_ = new QCheckBox(tr("The microcontroller runs the law at its own rate"));
-  upload_->setObjectName("forceUpload");
-  upload_->setToolTip(tr("The force table is uploaded: no USB delay stands between position and force"));
+  upload_ = described(new QCheckBox(tr("The microcontroller runs the law at its own rate")), "forceUpload",
+                      tr("The force table is uploaded: no USB delay stands between position and force"));
   connect(upload_, &QCheckBox::toggled, this, &ForceSetup::take);
   form.addRow(QString(), upload_);
-  controller_ = new QCheckBox(tr("Damp where the button gives more than it took"));
-  controller_->setObjectName("forceController");
-  controller_->setToolTip(
-      tr("Passivity controller: steadier on a device that shakes, duller where a button snaps"));
+  controller_ =
+      described(new QCheckBox(tr("Damp where the button gives more than it took")), "forceController",
+                tr("Passivity controller: steadier on a device that shakes, duller where a button snaps"));
   connect(controller_, &QCheckBox::toggled, this, &ForceSetup::take);
   form.addRow(QString(), controller_);
 }

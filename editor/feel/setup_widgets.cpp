@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QScreen>
 
+#include "editor/document/described.h"
+
 namespace detent::editor {
 
 QFormLayout* setupForm(QWidget* page) {
@@ -23,8 +25,7 @@ void select(QComboBox* box, const QVariant& value) {
 }
 
 QLabel* noteLabel(const QString& name) {
-  auto* label = new QLabel;
-  label->setObjectName(name);
+  auto* label = described(new QLabel, name);
   label->setWordWrap(true);
   QFont font = label->font();
   font.setPointSizeF(0.88 * font.pointSizeF());
@@ -61,9 +62,7 @@ QStringList serialPorts() {
 }
 
 QComboBox* comboBox(const QString& name, const QString& tip) {
-  auto* box = new QComboBox;
-  box->setObjectName(name);
-  box->setToolTip(tip);
+  auto* box = described(new QComboBox, name, tip);
   return box;
 }
 

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
 #include "editor/feel/feel_clock.h"
 #include "editor/feel/level_meter.h"
 #include "editor/quantity/quantity.h"
@@ -37,20 +38,17 @@ SoundBox::SoundBox(FeelSession& session, QWidget* parent) : QWidget(parent), ses
 }
 
 QLayout* SoundBox::levelRow() {
-  sound_ = new QToolButton;
-  sound_->setObjectName("soundSwitch");
+  sound_ = described(new QToolButton, "soundSwitch",
+                     tr("Play what is felt on the sound device. The device is opened by the first press, "
+                        "and closed when this is switched off."));
   sound_->setText(tr("Sound"));
   sound_->setCheckable(true);
-  sound_->setToolTip(
-      tr("Play what is felt on the sound device. The device is opened by the first press, "
-         "and closed when this is switched off."));
   connect(sound_, &QToolButton::toggled, this, [this](bool on) {
     FeelSettings next = session_.settings();
     next.sound = on;
     session_.setSettings(next);
   });
-  meter_ = new LevelMeter;
-  meter_->setObjectName("levelMeter");
+  meter_ = described(new LevelMeter, "levelMeter");
   auto* row = new QHBoxLayout;
   row->addWidget(sound_);
   row->addWidget(meter_, 1);
@@ -59,15 +57,14 @@ QLayout* SoundBox::levelRow() {
 
 QLayout* SoundBox::gainRow() {
   auto* label = new QLabel(tr("&Gain"));
-  gain_ = new QSlider(Qt::Horizontal);
-  gain_->setObjectName("gain");
+  gain_ = described(
+      new QSlider(Qt::Horizontal), "gain",
+      tr("Gain before the limiter, −40 to +20 dB; 0 dB is what the button and the device profile ask for"));
   gain_->setRange(static_cast<int>(lowestGain_dB * gainStepsPer_dB),
                   static_cast<int>(highestGain_dB * gainStepsPer_dB));
   gain_->setPageStep(static_cast<int>(6 * gainStepsPer_dB));
   gain_->setTickInterval(static_cast<int>(20 * gainStepsPer_dB));
   gain_->setTickPosition(QSlider::TicksBelow);
-  gain_->setToolTip(
-      tr("Gain before the limiter, −40 to +20 dB; 0 dB is what the button and the device profile ask for"));
   connect(gain_, &QSlider::valueChanged, this, [this](int steps) {
     FeelSettings next = session_.settings();
     next.gain_dB = steps / gainStepsPer_dB;
@@ -85,13 +82,10 @@ QLayout* SoundBox::gainRow() {
 }
 
 QLayout* SoundBox::statusRow() {
-  status_ = new QLabel;
-  status_->setObjectName("soundStatus");
+  status_ = described(new QLabel, "soundStatus");
   status_->setWordWrap(true);
   status_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  again_ = new QPushButton(tr("Try again"));
-  again_->setObjectName("soundAgain");
-  again_->setToolTip(tr("Open the sound device once more"));
+  again_ = described(new QPushButton(tr("Try again")), "soundAgain", tr("Open the sound device once more"));
   connect(again_, &QPushButton::clicked, &session_.player(), &FeelPlayer::startSound);
   auto* row = new QHBoxLayout;
   row->addWidget(status_, 1);

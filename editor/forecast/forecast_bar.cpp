@@ -4,24 +4,23 @@
 #include <QHBoxLayout>
 #include <QMenu>
 
+#include "editor/document/described.h"
 #include "editor/document/message_words.h"
 #include "editor/forecast/forecast_words.h"
 
 namespace detent::editor {
 
 ForecastBar::ForecastBar(QWidget* parent) : QWidget(parent) {
-  words_ = new QLabel;
-  words_->setObjectName("forecastWords");
-  words_->setAccessibleName(tr("Predicted confusion"));
-  words_->setWordWrap(true);
-  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  words_->setToolTip(
+  words_ = described(
+      new QLabel, "forecastWords",
       tr("What a model of the sense of touch says about the vibration of both; asked of nobody. How far it "
          "is to be "
-         "trusted: predicted-confusion in the documents."));
-  help_ = new QPushButton(tr("Make &distinguishable…"));
-  help_->setObjectName("makeDistinguishable");
-  help_->setToolTip(tr("Look for the smallest change of button A that people will notice"));
+         "trusted: predicted-confusion in the documents."),
+      tr("Predicted confusion"));
+  words_->setWordWrap(true);
+  words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  help_ = described(new QPushButton(tr("Make &distinguishable…")), "makeDistinguishable",
+                    tr("Look for the smallest change of button A that people will notice"));
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(words_, 1);
@@ -75,8 +74,7 @@ void ForecastBar::offer(const Found& found, const Button& searched) {
   help_->setEnabled(confused_);
   // Edited meanwhile: what was found no longer fits.
   if (!changed_ || !(changed_->button() == searched)) return;
-  auto* menu = new QMenu(this);
-  menu->setObjectName("suggestionMenu");
+  auto* menu = described(new QMenu(this), "suggestionMenu");
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (!found) menu->addAction(sentenceOf(found.failure()))->setEnabled(false);
   if (found && found->empty())

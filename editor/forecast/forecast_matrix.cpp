@@ -6,6 +6,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
 #include "editor/document/graph_colors.h"
 #include "editor/forecast/forecast_words.h"
 #include "editor/quantity/quantity.h"
@@ -29,23 +30,18 @@ ForecastMatrix::ForecastMatrix(QWidget* parent) : QDialog(parent) {
                     "is guessing. More "
                     "than 9 (bold): they will probably not tell them apart. Double click: compare the two."));
   title->setWordWrap(true);
-  table_ = new QTableWidget;
-  table_->setObjectName("forecastTable");
-  table_->setAccessibleName(tr("Predicted errors in 90 of every pair"));
+  table_ = described(new QTableWidget, "forecastTable", {}, tr("Predicted errors in 90 of every pair"));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  words_ = new QLabel;
-  words_->setObjectName("matrixWords");
+  words_ = described(new QLabel, "matrixWords");
   words_->setWordWrap(true);
   words_->setMinimumHeight(2 * fontMetrics().lineSpacing());
-  progress_ = new QProgressBar;
-  progress_->setObjectName("matrixProgress");
+  progress_ = described(new QProgressBar, "matrixProgress");
   progress_->setFormat(tr("%v of %m"));
-  stop_ = new QPushButton(tr("&Stop"));
-  stop_->setObjectName("matrixStop");
+  stop_ = described(new QPushButton(tr("&Stop")), "matrixStop",
+                    tr("Give up what is being computed; the next edit begins anew"));
   stop_->setAutoDefault(false);
-  stop_->setToolTip(tr("Give up what is being computed; the next edit begins anew"));
   auto* bottom = new QHBoxLayout;
   bottom->addWidget(progress_, 1);
   bottom->addWidget(stop_);

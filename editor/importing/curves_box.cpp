@@ -5,6 +5,7 @@
 #include <cmath>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
 #include "editor/importing/finding_words.h"
 #include "editor/importing/swatch.h"
 
@@ -58,8 +59,9 @@ QHBoxLayout* CurvesBox::strokeRow(Stroke stroke) {
   button->setObjectName(isPress ? QStringLiteral("pickPress") : QStringLiteral("pickRelease"));
   button->setToolTip(isPress ? tr("Click the press curve on the page")
                              : tr("Click the release curve on the page"));
-  connect(button, &QPushButton::clicked, this,
-          [this, isPress] { emit toolAsked(isPress ? ToolKind::pressColor : ToolKind::releaseColor); });
+  connect(button, &QPushButton::clicked, this, [this, isPress] {
+    emit toolAsked(isPress ? PageToolKind::pressColor : PageToolKind::releaseColor);
+  });
   auto* origin = new OriginMark(state_, button->objectName() + QStringLiteral("Reset"),
                                 isPress ? tr("Reset press curve") : tr("Reset release curve"),
                                 [isPress](Corrections& c) {
@@ -79,11 +81,10 @@ QHBoxLayout* CurvesBox::strokeRow(Stroke stroke) {
 QHBoxLayout* CurvesBox::maskRow() {
   auto* box = new QPushButton(tr("Mask…"));
   box->setToolTip(tr("Drag rectangles over what is not a curve"));
-  connect(box, &QPushButton::clicked, this, [this] { emit toolAsked(ToolKind::maskBox); });
-  noMasks_ = new QToolButton;
+  connect(box, &QPushButton::clicked, this, [this] { emit toolAsked(PageToolKind::maskBox); });
+  noMasks_ = described(new QToolButton, "removeMasks");
   noMasks_->setText(tr("Remove all"));
   noMasks_->setAutoRaise(true);
-  noMasks_->setObjectName(QStringLiteral("removeMasks"));
   connect(noMasks_, &QToolButton::clicked, &state_,
           [this] { state_.correct(tr("Remove masks"), [](Corrections& c) { c.masks.clear(); }); });
   auto* row = new QHBoxLayout;

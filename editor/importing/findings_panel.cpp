@@ -7,6 +7,7 @@
 #include <QScrollBar>
 #include <utility>
 
+#include "editor/document/described.h"
 #include "editor/importing/finding_words.h"
 
 namespace detent::editor {
@@ -47,7 +48,7 @@ void FindingsPanel::build() {
   setWidget(content);
   connect(curves_, &CurvesBox::toolAsked, this, &FindingsPanel::toolAsked);
   for (AxisBox* box : {x_, y_})
-    connect(box, &AxisBox::ticksAsked, this, [this] { emit toolAsked(ToolKind::scale); });
+    connect(box, &AxisBox::ticksAsked, this, [this] { emit toolAsked(PageToolKind::scale); });
 }
 
 // What is said decides how wide it would be, in any language.
@@ -79,10 +80,8 @@ void FindingsPanel::addConfidence(QVBoxLayout& column) {
 
 QGroupBox* FindingsPanel::frameBox() {
   auto* box = new QGroupBox(tr("Plot frame"));
-  auto* draw = new QPushButton(tr("Draw…"));
-  draw->setObjectName(QStringLiteral("drawFrame"));
-  draw->setToolTip(tr("Drag a new plot frame on the page"));
-  connect(draw, &QPushButton::clicked, this, [this] { emit toolAsked(ToolKind::drawFrame); });
+  auto* draw = described(new QPushButton(tr("Draw…")), "drawFrame", tr("Drag a new plot frame on the page"));
+  connect(draw, &QPushButton::clicked, this, [this] { emit toolAsked(PageToolKind::drawFrame); });
   frameOrigin_ = new OriginMark(state_, QStringLiteral("resetFrame"), tr("Reset plot frame"),
                                 [](Corrections& c) { c.frame.reset(); });
   frameDetails_ = wrappedLabel();

@@ -34,7 +34,7 @@ class FindingsPanel : public QScrollArea {
   bool acceptable();
 
  signals:
-  void toolAsked(ToolKind kind);
+  void toolAsked(PageToolKind kind);
   /// What is said now needs more room than before to be seen without scrolling sideways.
   void widthWanted(int width_px);
 

@@ -27,6 +27,7 @@
 #include <utility>
 #include <vector>
 
+#include "editor/document/described.h"
 #include "editor/document/line_icon.h"
 #include "editor/files/input_kind.h"
 #include "editor/importing/advice_bar.h"
@@ -120,8 +121,8 @@ struct ImportDialog::Impl {
   void build();
   void buildTools(QToolBar& bar);
   void fitTools();
-  QAction* addTool(QToolBar& bar, ToolKind kind, const char* name, const QString& text, const QString& tip,
-                   const QKeySequence& key);
+  QAction* addTool(QToolBar& bar, PageToolKind kind, const char* name, const QString& text,
+                   const QString& tip, const QKeySequence& key);
   QAction* addAction(QToolBar& bar, const char* name, const QString& text, const QString& tip,
                      const QKeySequence& key, const std::function<void()>& run);
   void connectState();
@@ -158,7 +159,7 @@ struct ImportDialog::Impl {
   QTimer* workSoon = nullptr;
 };
 
-QAction* ImportDialog::Impl::addTool(QToolBar& bar, ToolKind kind, const char* name, const QString& text,
+QAction* ImportDialog::Impl::addTool(QToolBar& bar, PageToolKind kind, const char* name, const QString& text,
                                      const QString& tip, const QKeySequence& key) {
   auto* action = new QAction(lineIcon(name), text, &dialog);
   action->setCheckable(true);
@@ -186,23 +187,24 @@ QAction* ImportDialog::Impl::addAction(QToolBar& bar, const char* name, const QS
 
 void ImportDialog::Impl::buildTools(QToolBar& bar) {
   tools = new QActionGroup(&dialog);
-  addTool(bar, ToolKind::adjust, "adjust", tr("Adjust"), tr("Drag corners, edges and ticks"),
+  addTool(bar, PageToolKind::adjust, "adjust", tr("Adjust"), tr("Drag corners, edges and ticks"),
           Qt::ALT | Qt::Key_1)
       ->setChecked(true);
-  addTool(bar, ToolKind::scale, "scale", tr("Axis values"), tr("Click ticks and type their values"),
+  addTool(bar, PageToolKind::scale, "scale", tr("Axis values"), tr("Click ticks and type their values"),
           Qt::ALT | Qt::Key_2);
-  addTool(bar, ToolKind::drawFrame, "drawFrame", tr("Frame"), tr("Draw a plot frame"), Qt::ALT | Qt::Key_3);
-  addTool(bar, ToolKind::pressColor, "pressColor", tr("Press curve"), tr("Click the press curve"),
+  addTool(bar, PageToolKind::drawFrame, "drawFrame", tr("Frame"), tr("Draw a plot frame"),
+          Qt::ALT | Qt::Key_3);
+  addTool(bar, PageToolKind::pressColor, "pressColor", tr("Press curve"), tr("Click the press curve"),
           Qt::ALT | Qt::Key_4);
-  addTool(bar, ToolKind::releaseColor, "releaseColor", tr("Release curve"), tr("Click the release curve"),
+  addTool(bar, PageToolKind::releaseColor, "releaseColor", tr("Release curve"), tr("Click the release curve"),
           Qt::ALT | Qt::Key_5);
-  addTool(bar, ToolKind::drawPress, "drawPress", tr("Draw press"),
+  addTool(bar, PageToolKind::drawPress, "drawPress", tr("Draw press"),
           tr("Click points along the press curve, or draw along it"), Qt::ALT | Qt::Key_9);
-  addTool(bar, ToolKind::drawRelease, "drawRelease", tr("Draw release"),
+  addTool(bar, PageToolKind::drawRelease, "drawRelease", tr("Draw release"),
           tr("Click points along the release curve, or draw along it"), Qt::ALT | Qt::Key_0);
-  addTool(bar, ToolKind::maskBox, "maskBox", tr("Mask"), tr("Mask a rectangle"), Qt::ALT | Qt::Key_6);
-  addTool(bar, ToolKind::maskBrush, "maskBrush", tr("Brush"), tr("Paint a mask"), Qt::ALT | Qt::Key_7);
-  addTool(bar, ToolKind::pan, "pan", tr("Pan"), tr("Drag the page"), Qt::ALT | Qt::Key_8);
+  addTool(bar, PageToolKind::maskBox, "maskBox", tr("Mask"), tr("Mask a rectangle"), Qt::ALT | Qt::Key_6);
+  addTool(bar, PageToolKind::maskBrush, "maskBrush", tr("Brush"), tr("Paint a mask"), Qt::ALT | Qt::Key_7);
+  addTool(bar, PageToolKind::pan, "pan", tr("Pan"), tr("Drag the page"), Qt::ALT | Qt::Key_8);
   bar.addSeparator();
   const auto addKey = [this](const char* name, const QString& text, const QKeySequence& keys, auto run) {
     auto* action = new QAction(text, &dialog);
@@ -225,7 +227,7 @@ void ImportDialog::Impl::buildTools(QToolBar& bar) {
             [this] { view->fitPage(); });
   addAction(bar, "zoomIn", tr("In"), tr("Zoom in"), QKeySequence::ZoomIn, [this] { view->zoomBy(1.25); });
   addAction(bar, "zoomOut", tr("Out"), tr("Zoom out"), QKeySequence::ZoomOut, [this] { view->zoomBy(0.8); });
-  QObject::connect(view, &PageView::toolChanged, &dialog, [this](ToolKind kind) {
+  QObject::connect(view, &PageView::toolChanged, &dialog, [this](PageToolKind kind) {
     for (QAction* action : tools->actions())
       action->setChecked(action->data().toInt() == static_cast<int>(kind));
   });
@@ -239,17 +241,15 @@ void ImportDialog::Impl::build() {
   open->setShortcut(QKeySequence::Open);
   open->setToolTip(tr("Open a picture, PDF, SVG or a force meter's CSV (%1)")
                        .arg(QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText)));
-  auto* pasteButton = new QPushButton(tr("&Paste picture"));
-  pasteButton->setObjectName(QStringLiteral("paste"));
-  pasteButton->setToolTip(tr("Import the picture on the clipboard (%1)")
-                              .arg(QKeySequence(QKeySequence::Paste).toString(QKeySequence::NativeText)));
-  document = new QLabel;
-  document->setObjectName(QStringLiteral("documentName"));
+  auto* pasteButton =
+      described(new QPushButton(tr("&Paste picture")), "paste",
+                tr("Import the picture on the clipboard (%1)")
+                    .arg(QKeySequence(QKeySequence::Paste).toString(QKeySequence::NativeText)));
+  document = described(new QLabel, "documentName");
   document->setTextInteractionFlags(Qt::TextSelectableByMouse);
   document->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* qualityLabel = new QLabel(tr("&Quality"));
-  quality = new QComboBox;
-  quality->setObjectName(QStringLiteral("quality"));
+  quality = described(new QComboBox, "quality");
   qualityLabel->setBuddy(quality);
   for (const importer::Quality each : qualities) quality->addItem(describedQuality(each));
   quality->setCurrentIndex(1);
@@ -317,14 +317,10 @@ void ImportDialog::Impl::build() {
   progress->setAccessibleName(tr("Progress of the import"));
   work = new QLabel;
   work->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  stop = new QPushButton(tr("&Stop"));
-  stop->setObjectName(QStringLiteral("stop"));
-  stop->setToolTip(tr("Stop reading; the last result stays"));
-  accept = new QPushButton(tr("&Import"));
-  accept->setObjectName(QStringLiteral("import"));
+  stop = described(new QPushButton(tr("&Stop")), "stop", tr("Stop reading; the last result stays"));
+  accept = described(new QPushButton(tr("&Import")), "import");
   accept->setDefault(true);
-  auto* close = new QPushButton(tr("Close"));
-  close->setObjectName(QStringLiteral("close"));
+  auto* close = described(new QPushButton(tr("Close")), "close");
   close->setAutoDefault(false);
   for (QPushButton* button : {open, pasteButton, stop}) button->setAutoDefault(false);
   bottom->addWidget(progress);
@@ -351,7 +347,7 @@ void ImportDialog::Impl::build() {
     hint->setText(text);
     hint->setToolTip(text);  // a narrow dialogue cuts it
   });
-  QObject::connect(findings, &FindingsPanel::toolAsked, view, [this](ToolKind kind) {
+  QObject::connect(findings, &FindingsPanel::toolAsked, view, [this](PageToolKind kind) {
     view->setTool(kind);
     view->setFocus();
   });
@@ -500,7 +496,7 @@ void ImportDialog::Impl::showAccept() {
 void ImportDialog::Impl::follow(RemedyKind correction) {
   switch (correction) {
     case RemedyKind::giveFrame:
-      return view->setTool(ToolKind::drawFrame);
+      return view->setTool(PageToolKind::drawFrame);
     case RemedyKind::giveXAxis:
       return findings->focusField(GraphAxis::x);
     case RemedyKind::giveYAxis:
@@ -510,11 +506,11 @@ void ImportDialog::Impl::follow(RemedyKind correction) {
     case RemedyKind::giveYUnit:
       return findings->focusUnit(GraphAxis::y);
     case RemedyKind::pickPress:
-      return view->setTool(ToolKind::pressColor);
+      return view->setTool(PageToolKind::pressColor);
     case RemedyKind::pickRelease:
-      return view->setTool(ToolKind::releaseColor);
+      return view->setTool(PageToolKind::releaseColor);
     case RemedyKind::addMask:
-      return view->setTool(ToolKind::maskBrush);
+      return view->setTool(PageToolKind::maskBrush);
     case RemedyKind::setResolution:
       return findings->focusDpi();
     case RemedyKind::swapStrokes:
@@ -562,7 +558,7 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
     if (impl_->state.openFailure()) emit unreadable(path);
   });
   impl_->showDocument();
-  impl_->view->setTool(ToolKind::adjust);
+  impl_->view->setTool(PageToolKind::adjust);
 }
 
 /// Widgets go before the state they look at.

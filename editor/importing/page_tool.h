@@ -12,7 +12,7 @@
 namespace detent::editor {
 
 class PageView;
-enum class ToolKind;
+enum class PageToolKind;
 
 /// Events answer whether they were handled; unhandled ones are the view's. An unfinished action is dropped by
 /// `cancel`.
@@ -44,6 +44,6 @@ class PageTool {
   PageView& view_;
 };
 
-std::unique_ptr<PageTool> makeTool(ToolKind kind, PageView& view);
+std::unique_ptr<PageTool> makeTool(PageToolKind kind, PageView& view);
 
 }  // namespace detent::editor

@@ -213,7 +213,7 @@ class DrawFrameTool : public RectangleTool {
     } else {
       view_.state().addGraph(frame);
     }
-    view_.setTool(ToolKind::adjust);
+    view_.setTool(PageToolKind::adjust);
   }
 };
 
@@ -366,7 +366,7 @@ class DrawCurveTool : public PageTool {
     Corrections next = view_.shown();
     (stroke_ == Stroke::press ? next.drawn.press : next.drawn.release) = points_;
     cancel();
-    view_.setTool(ToolKind::adjust);
+    view_.setTool(PageToolKind::adjust);
     view_.state().apply(next, stroke_ == Stroke::press ? tr("Draw press curve") : tr("Draw release curve"));
     return true;
   }
@@ -392,7 +392,7 @@ class PipetteTool : public PageTool {
     if (!color || !view_.state().current()) return false;
     Corrections next = view_.shown();
     (stroke_ == Stroke::press ? next.pressColor : next.releaseColor) = rgbOf(*color);
-    view_.setTool(ToolKind::adjust);
+    view_.setTool(PageToolKind::adjust);
     view_.state().apply(next, stroke_ == Stroke::press ? tr("Pick press curve") : tr("Pick release curve"));
     return true;
   }
@@ -459,27 +459,27 @@ class PanTool : public PageTool {
 
 }  // namespace
 
-std::unique_ptr<PageTool> makeTool(ToolKind kind, PageView& view) {
+std::unique_ptr<PageTool> makeTool(PageToolKind kind, PageView& view) {
   switch (kind) {
-    case ToolKind::adjust:
+    case PageToolKind::adjust:
       return std::make_unique<AdjustTool>(view);
-    case ToolKind::scale:
+    case PageToolKind::scale:
       return std::make_unique<ScaleTool>(view);
-    case ToolKind::drawFrame:
+    case PageToolKind::drawFrame:
       return std::make_unique<DrawFrameTool>(view);
-    case ToolKind::pressColor:
+    case PageToolKind::pressColor:
       return std::make_unique<PipetteTool>(view, Stroke::press);
-    case ToolKind::releaseColor:
+    case PageToolKind::releaseColor:
       return std::make_unique<PipetteTool>(view, Stroke::release);
-    case ToolKind::drawPress:
+    case PageToolKind::drawPress:
       return std::make_unique<DrawCurveTool>(view, Stroke::press);
-    case ToolKind::drawRelease:
+    case PageToolKind::drawRelease:
       return std::make_unique<DrawCurveTool>(view, Stroke::release);
-    case ToolKind::maskBox:
+    case PageToolKind::maskBox:
       return std::make_unique<MaskBoxTool>(view);
-    case ToolKind::maskBrush:
+    case PageToolKind::maskBrush:
       return std::make_unique<MaskBrushTool>(view);
-    case ToolKind::pan:
+    case PageToolKind::pan:
       return std::make_unique<PanTool>(view);
   }
   return nullptr;

@@ -10,6 +10,7 @@
 #include <QToolTip>
 #include <utility>
 
+#include "editor/document/described.h"
 #include "editor/importing/finding_words.h"
 #include "editor/importing/findings_painting.h"
 #include "editor/importing/page_tool.h"
@@ -39,7 +40,7 @@ QRectF rectOf(const importer::Box& box) { return {QPointF(box.x0, box.y0), QPoin
 }  // namespace
 
 PageView::PageView(ImportState& state, ViewSettings& settings, QWidget* parent)
-    : QWidget(parent), state_(state), settings_(settings), tool_(makeTool(ToolKind::adjust, *this)) {
+    : QWidget(parent), state_(state), settings_(settings), tool_(makeTool(PageToolKind::adjust, *this)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   setObjectName(QStringLiteral("pageView"));
@@ -59,7 +60,7 @@ PageView::PageView(ImportState& state, ViewSettings& settings, QWidget* parent)
 
 PageView::~PageView() = default;
 
-void PageView::setTool(ToolKind kind) {
+void PageView::setTool(PageToolKind kind) {
   tool_->cancel();
   preview_.reset(), magnifier_.reset();
   toolKind_ = kind;
@@ -235,11 +236,8 @@ std::optional<QColor> PageView::inkAt(QPointF widget) const {
 
 void PageView::ask(const AskedValue& asked) {
   closeEditor();
-  auto* editor = new QLineEdit(asked.text, this);
-  editor->setObjectName(QStringLiteral("tickValue"));
-  editor->setAccessibleName(asked.name);
+  auto* editor = described(new QLineEdit(asked.text, this), "tickValue", asked.name, asked.name);
   editor->setPlaceholderText(asked.placeholder);
-  editor->setToolTip(asked.name);
   editor->setFixedWidth(valueField_px);
   QPoint place = toWidget(asked.at).toPoint() + asked.beside;
   place.setX(std::clamp(place.x(), 2, std::max(2, width() - valueField_px - 4)));
@@ -528,7 +526,7 @@ void PageView::mouseMoveEvent(QMouseEvent* event) {
     return;
   }
   tool_->move(*event);
-  const bool overOther = toolKind_ == ToolKind::adjust && !tool_->busy() &&
+  const bool overOther = toolKind_ == PageToolKind::adjust && !tool_->busy() &&
                          (graphAt(event->position()) || rejectedAt(event->position()));
   setCursor(spaceDown_  ? QCursor(Qt::OpenHandCursor)
             : overOther ? QCursor(Qt::PointingHandCursor)
@@ -557,7 +555,8 @@ void PageView::keyPressEvent(QKeyEvent* event) {
     endGesture();
     return;
   }
-  if (event->key() == Qt::Key_Escape && toolKind_ != ToolKind::adjust) return setTool(ToolKind::adjust);
+  if (event->key() == Qt::Key_Escape && toolKind_ != PageToolKind::adjust)
+    return setTool(PageToolKind::adjust);
   if (event->key() == Qt::Key_Space && !event->isAutoRepeat()) {
     spaceDown_ = true;
     setCursor(Qt::OpenHandCursor);

@@ -17,7 +17,7 @@
 namespace detent::editor {
 
 class PageTool;
-enum class ToolKind {
+enum class PageToolKind {
   adjust,
   scale,
   drawFrame,
@@ -40,8 +40,8 @@ class PageView : public QWidget {
   PageView(ImportState& state, ViewSettings& settings, QWidget* parent = nullptr);
   ~PageView() override;
 
-  ToolKind tool() const { return toolKind_; }
-  void setTool(ToolKind kind);
+  PageToolKind tool() const { return toolKind_; }
+  void setTool(PageToolKind kind);
 
   void zoomBy(double factor);
   void fitPage();
@@ -75,7 +75,7 @@ class PageView : public QWidget {
   bool takeEditor();
 
  signals:
-  void toolChanged(ToolKind kind);
+  void toolChanged(PageToolKind kind);
   void hint(const QString& text);  ///< what the tool does, and why something was refused
   void zoomChanged();
 
@@ -126,7 +126,7 @@ class PageView : public QWidget {
   ViewSettings& settings_;
   std::unique_ptr<PageTool> tool_;
   std::unique_ptr<PageTool> retired_;  ///< the tool before: it may have asked for its successor itself
-  ToolKind toolKind_ = ToolKind::adjust;
+  PageToolKind toolKind_ = PageToolKind::adjust;
   std::optional<Corrections> preview_;
   DrawnResult drawn_;
   std::shared_ptr<const ImportedGraph> drawnFrom_;  ///< good result the curves come from

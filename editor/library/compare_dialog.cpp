@@ -9,6 +9,7 @@
 #include <QScreen>
 #include <QSplitter>
 
+#include "editor/document/described.h"
 #include "editor/document/message_words.h"
 #include "editor/library/compare_plot.h"
 #include "editor/library/difference_rows.h"
@@ -23,9 +24,7 @@ constexpr int firstPlot_px = 300, firstTable_px = 220;
 constexpr QSize firstSize_px{860, 640};
 
 QTableWidget* differencesTable() {
-  auto* table = new QTableWidget;
-  table->setObjectName("compareTable");
-  table->setAccessibleName(CompareDialog::tr("Differences"));
+  auto* table = described(new QTableWidget, "compareTable", {}, CompareDialog::tr("Differences"));
   table->verticalHeader()->hide();
   table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowMargin_px);
   table->setWordWrap(false);
@@ -36,9 +35,7 @@ QTableWidget* differencesTable() {
 }
 
 QPushButton* pushButton(const char* name, const QString& text, const QString& tip) {
-  auto* button = new QPushButton(text);
-  button->setObjectName(name);
-  button->setToolTip(tip);
+  auto* button = described(new QPushButton(text), name, tip);
   button->setAutoDefault(false);
   return button;
 }
@@ -60,20 +57,16 @@ CompareDialog::CompareDialog(ViewSettings& settings, QWidget* parent) : QDialog(
 CompareDialog::~CompareDialog() = default;
 
 void CompareDialog::build() {
-  plot_ = new ComparePlot;
-  plot_->setObjectName("comparePlot");
-  plot_->setAccessibleName(tr("The force graphs over each other"));
+  plot_ = described(new ComparePlot, "comparePlot", {}, tr("The force graphs over each other"));
   table_ = differencesTable();
   auto* split = new QSplitter(Qt::Vertical);
   split->addWidget(plot_);
   split->addWidget(table_);
   split->setSizes({firstPlot_px, firstTable_px});
-  distance_ = new QLabel;
-  distance_->setObjectName("compareDistance");
+  distance_ = described(new QLabel, "compareDistance");
   distance_->setWordWrap(true);
   distance_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  reading_ = new QLabel;
-  reading_->setObjectName("compareReading");
+  reading_ = described(new QLabel, "compareReading");
   reading_->setWordWrap(true);
   reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing jumps when it comes
   connect(plot_, &ComparePlot::readingChanged, reading_, [this](const QString& reading) {
@@ -101,8 +94,7 @@ void CompareDialog::build() {
   layout->addWidget(split, 1);
   layout->addWidget(reading_);
   layout->addWidget(distance_);
-  forecast_ = new ForecastBar;
-  forecast_->setObjectName("compareForecast");
+  forecast_ = described(new ForecastBar, "compareForecast");
   layout->addWidget(forecast_);
   layout->addLayout(buttons);
   addSide();

@@ -10,6 +10,8 @@
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
+
 namespace detent::editor {
 namespace {
 
@@ -94,16 +96,13 @@ QWidget* LibraryPanel::folderSection() {
   auto* section = new QWidget;
   auto* layout = new QVBoxLayout(section);
   layout->setContentsMargins(6, 6, 6, 6);
-  folderButton_ = new QToolButton;
-  folderButton_->setObjectName("libraryFolder");
-  folderButton_->setAccessibleName(tr("Folder of the library"));
-  folderButton_->setToolTip(tr("Choose the folder whose buttons are listed here"));
+  folderButton_ =
+      described(new QToolButton, "libraryFolder", tr("Choose the folder whose buttons are listed here"),
+                tr("Folder of the library"));
   folderButton_->setToolButtonStyle(Qt::ToolButtonTextOnly);
   folderButton_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   connect(folderButton_, &QToolButton::clicked, this, &LibraryPanel::askFolder);
-  filter_ = new QLineEdit;
-  filter_->setObjectName("libraryFilter");
-  filter_->setAccessibleName(tr("Filter by name"));
+  filter_ = described(new QLineEdit, "libraryFilter", {}, tr("Filter by name"));
   filter_->setPlaceholderText(tr("Filter by name"));
   filter_->setClearButtonEnabled(true);
   connect(filter_, &QLineEdit::textChanged, &files_, &FolderModel::setFilter);

@@ -7,6 +7,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
 #include "editor/library/graph_picture.h"
 
 namespace detent::editor {
@@ -19,9 +20,7 @@ constexpr QSize pictureSize_px{120, 84};
 TemplateDialog::TemplateDialog(QWidget* parent) : QDialog(parent), templates_(buttonTemplates()) {
   setObjectName("templateDialog");
   setWindowTitle(tr("New button"));
-  list_ = new QListWidget;
-  list_->setObjectName("templateList");
-  list_->setAccessibleName(tr("Templates"));
+  list_ = described(new QListWidget, "templateList", {}, tr("Templates"));
   list_->setIconSize(pictureSize_px);
   list_->setSpacing(2);
   list_->setWordWrap(true);

@@ -16,6 +16,7 @@
 
 #include "editor/canvas/displacement_force_view.h"
 #include "editor/canvas/graph_canvas.h"
+#include "editor/document/described.h"
 #include "editor/document/message_words.h"
 #include "editor/panels/grid_dialog.h"
 #include "editor/panels/operation_menu.h"
@@ -110,16 +111,14 @@ QWidget* GraphWorkspace::makeBar() {
   auto* row = new QHBoxLayout(bar_);
   row->setContentsMargins(10, 4, 14, 4);
   statesLabel_ = new QLabel(tr("&State"));
-  states_ = new QComboBox;
-  states_->setObjectName(QStringLiteral("stateSwitcher"));
-  states_->setAccessibleName(tr("State of the button"));
-  states_->setToolTip(tr("The state that is edited; the other one is drawn pale behind it."));
+  states_ = described(new QComboBox, "stateSwitcher",
+                      tr("The state that is edited; the other one is drawn pale behind it."),
+                      tr("State of the button"));
   statesLabel_->setBuddy(states_);
   underlayLabel_ = new QLabel(tr("&Page"));
-  underlay_ = new QSlider(Qt::Horizontal);
-  underlay_->setObjectName(QStringLiteral("underlayOpacity"));
-  underlay_->setAccessibleName(tr("Opacity of the datasheet page"));
-  underlay_->setToolTip(tr("How strongly the datasheet page shows under the curves, in %"));
+  underlay_ = described(new QSlider(Qt::Horizontal), "underlayOpacity",
+                        tr("How strongly the datasheet page shows under the curves, in %"),
+                        tr("Opacity of the datasheet page"));
   underlay_->setRange(0, 100);
   underlay_->setMaximumWidth(160);
   underlayLabel_->setBuddy(underlay_);
@@ -176,15 +175,13 @@ void GraphWorkspace::makeToolActions() {
 }
 
 void GraphWorkspace::makeEditActions() {
-  deleteAction_ = new QAction(tr("&Delete"), this);
-  deleteAction_->setObjectName(QStringLiteral("editDelete"));
+  deleteAction_ = described(new QAction(tr("&Delete"), this), "editDelete",
+                            tr("Removes the selected knot, jump, operating or reset point"));
   deleteAction_->setShortcut(QKeySequence::Delete);
-  deleteAction_->setToolTip(tr("Removes the selected knot, jump, operating or reset point"));
   connect(deleteAction_, &QAction::triggered, this, [this] { tools_->keyboard().removeSelected(); });
-  cornerAction_ = new QAction(tr("&Corner or smooth"), this);
-  cornerAction_->setObjectName(QStringLiteral("editCorner"));
+  cornerAction_ = described(new QAction(tr("&Corner or smooth"), this), "editCorner",
+                            tr("Turns the selected knot into a corner, or smooths it"));
   cornerAction_->setShortcut(Qt::Key_C);
-  cornerAction_->setToolTip(tr("Turns the selected knot into a corner, or smooths it"));
   connect(cornerAction_, &QAction::triggered, this, [this] { tools_->keyboard().toggleSelectedCorner(); });
   makeSelectionActions();
   editActions_ += {deleteAction_, cornerAction_};
@@ -257,9 +254,7 @@ void GraphWorkspace::paste(const GraphStretch& stretch) {
 
 QAction* GraphWorkspace::addViewAction(const QString& name, const QString& text, const QString& tip,
                                        const QKeySequence& key) {
-  auto* action = new QAction(text, this);
-  action->setObjectName(name);
-  action->setToolTip(tip);
+  auto* action = described(new QAction(text, this), name, tip);
   action->setShortcut(key);
   viewActions_.push_back(action);
   return action;

@@ -11,6 +11,7 @@
 #include <QToolTip>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
 #include "editor/document/graph_colors.h"
 #include "editor/panels/values_model.h"
 
@@ -28,8 +29,7 @@ class ValueDelegate : public QStyledItemDelegate {
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
                         const QModelIndex& index) const override {
-    auto* editor = new QLineEdit(parent);
-    editor->setObjectName(QStringLiteral("valueEditor"));
+    auto* editor = described(new QLineEdit(parent), "valueEditor");
     editor->setFrame(false);
     editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     const QPersistentModelIndex cell(index);

@@ -11,6 +11,7 @@
 #include <QProgressDialog>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
 #include "editor/document/message_words.h"
 #include "editor/feel/setup_widgets.h"
 #include "editor/forecast/forecast_words.h"
@@ -66,11 +67,9 @@ StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), pla
   setObjectName("studyDesk");
   setWindowTitle(tr("Study: experimenter"));
   resize(onScreen(*this, {760, 560}));
-  title_ = new QLabel;
-  title_->setObjectName("studyTitle");
+  title_ = described(new QLabel, "studyTitle");
   title_->setWordWrap(true);
-  trouble_ = new QLabel;
-  trouble_->setObjectName("studyTrouble");
+  trouble_ = described(new QLabel, "studyTrouble");
   trouble_->setWordWrap(true);
   trouble_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* layout = new QVBoxLayout(this);
@@ -87,9 +86,7 @@ StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), pla
 
 QLayout* StudyDesk::folderRow() {
   const auto button = [this](const char* name, const QString& text, const QString& tip, auto act) {
-    auto* made = new QPushButton(text);
-    made->setObjectName(name);
-    made->setToolTip(tip);
+    auto* made = described(new QPushButton(text), name, tip);
     made->setAutoDefault(false);
     connect(made, &QPushButton::clicked, this, act);
     return made;
@@ -104,9 +101,7 @@ QLayout* StudyDesk::folderRow() {
 }
 
 QWidget* StudyDesk::peopleTable() {
-  people_ = new QTableWidget(0, columnCount);
-  people_->setObjectName("studyPeople");
-  people_->setAccessibleName(tr("Participants"));
+  people_ = described(new QTableWidget(0, columnCount), "studyPeople", {}, tr("Participants"));
   people_->setHorizontalHeaderLabels(
       {tr("Participant"), tr("Answered"), tr("Answers by"), tr("To be known")});
   people_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -120,11 +115,10 @@ QWidget* StudyDesk::peopleTable() {
 }
 
 QLayout* StudyDesk::nextForm() {
-  participant_ = new QLineEdit;
-  participant_->setObjectName("studyParticipant");
-  participant_->setToolTip(
-      tr("Letters, digits, - and _; no name of a person. One that is in the list goes on at the "
-         "very question"));
+  participant_ =
+      described(new QLineEdit, "studyParticipant",
+                tr("Letters, digits, - and _; no name of a person. One that is in the list goes on at the "
+                   "very question"));
   answers_ =
       comboBox("studyAnswers", tr("Where nothing is felt, every row and every page of the report says so"));
   addChoice(answers_, tr("a person, with the sound device"), static_cast<int>(Answers::person));
@@ -135,12 +129,11 @@ QLayout* StudyDesk::nextForm() {
   listening_ = comboBox("studyListening", tr("What reaches the ears; kept in every row"));
   addChoice(listening_, tr("quiet"), static_cast<int>(playback::Listening::quiet));
   addChoice(listening_, tr("masked by rain"), static_cast<int>(playback::Listening::masked));
-  headphones_ = new QLineEdit;
-  headphones_->setObjectName("studyHeadphones");
+  headphones_ =
+      described(new QLineEdit, "studyHeadphones",
+                tr("Sound device on which rain is played for the ears; turn it up until the vibration cannot "
+                   "be heard"));
   headphones_->setPlaceholderText(tr("on the outputs behind the vibration's"));
-  headphones_->setToolTip(
-      tr("Sound device on which rain is played for the ears; turn it up until the vibration cannot "
-         "be heard"));
   sensor_ = comboBoxOfNames("studySensor",
                             tr("Serial port of a force sensor under the finger, calibrated by the study's "
                                "device profile; empty: keys and large buttons press"));
@@ -161,13 +154,11 @@ QLayout* StudyDesk::nextForm() {
 }
 
 QLayout* StudyDesk::actionRow() {
-  start_ = new QPushButton(tr("&Begin or go on"));
-  start_->setObjectName("studyStart");
-  start_->setToolTip(tr("Open the participant's window, or let the program answer"));
-  report_ = new QPushButton(tr("Write the &report…"));
-  report_->setObjectName("studyReport");
+  start_ = described(new QPushButton(tr("&Begin or go on")), "studyStart",
+                     tr("Open the participant's window, or let the program answer"));
+  report_ = described(new QPushButton(tr("Write the &report…")), "studyReport",
+                      tr("Write tables and pictures of what was answered so far as one HTML page"));
   report_->setAutoDefault(false);
-  report_->setToolTip(tr("Write tables and pictures of what was answered so far as one HTML page"));
   connect(start_, &QPushButton::clicked, this, &StudyDesk::start);
   connect(report_, &QPushButton::clicked, this, &StudyDesk::writeReport);
   auto* row = new QHBoxLayout;

@@ -11,6 +11,7 @@
 #include <QTemporaryDir>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
 #include "editor/document/message_words.h"
 #include "editor/feel/setup_widgets.h"
 #include "model/file/button_file.h"
@@ -34,19 +35,16 @@ QString labelOf(const QString& title, QSet<QString>& taken) {
 }
 
 QuantityField* countField(const char* name, int least, int most, int value, const QString& tip) {
-  auto* field = new QuantityField(Quantity::count, {});
-  field->setObjectName(name);
+  auto* field = described(new QuantityField(Quantity::count, {}), name, tip);
   field->setRange({static_cast<double>(least), static_cast<double>(most)});
   field->setValue(value);
-  field->setToolTip(tip);
   return field;
 }
 
 QCheckBox* modeBox(const char* name, const QString& text, bool checked) {
-  auto* box = new QCheckBox(text);
-  box->setObjectName(name);
+  auto* box = described(new QCheckBox(text), name,
+                        StudyMaker::tr("Every pair is tried in each of these, mixed and unnamed"));
   box->setChecked(checked);
-  box->setToolTip(StudyMaker::tr("Every pair is tried in each of these, mixed and unnamed"));
   return box;
 }
 
@@ -58,9 +56,7 @@ StudyMaker::StudyMaker(const std::vector<ButtonDocument*>& documents, const QStr
   setObjectName("studyMaker");
   setWindowTitle(tr("New study"));
   resize(onScreen(*this, {520, 560}));
-  list_ = new QListWidget;
-  list_->setObjectName("makerButtons");
-  list_->setAccessibleName(tr("Buttons of the study"));
+  list_ = described(new QListWidget, "makerButtons", {}, tr("Buttons of the study"));
   QSet<QString> taken;
   for (const ButtonDocument* document : documents) {
     buttons_.push_back(document->button());
@@ -68,11 +64,9 @@ StudyMaker::StudyMaker(const std::vector<ButtonDocument*>& documents, const QStr
     item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
     item->setCheckState(Qt::Checked);
   }
-  length_ = new QLabel;
-  length_->setObjectName("makerLength");
+  length_ = described(new QLabel, "makerLength");
   length_->setWordWrap(true);
-  trouble_ = new QLabel;
-  trouble_->setObjectName("makerTrouble");
+  trouble_ = described(new QLabel, "makerTrouble");
   trouble_->setWordWrap(true);
   auto* layout = new QVBoxLayout(this);
   layout->addWidget(new QLabel(tr("Buttons, as they are shown now:")));
@@ -117,13 +111,11 @@ QLayout* StudyMaker::designForm() {
 }
 
 QLayout* StudyMaker::folderRow() {
-  folder_ = new QLineEdit;
-  folder_->setObjectName("makerFolder");
-  folder_->setToolTip(tr("A folder that is not there yet; it holds the whole study and can be copied"));
-  auto* browse = new QPushButton(tr("&Choose…"));
-  browse->setObjectName("makerBrowse");
+  folder_ = described(new QLineEdit, "makerFolder",
+                      tr("A folder that is not there yet; it holds the whole study and can be copied"));
+  auto* browse =
+      described(new QPushButton(tr("&Choose…")), "makerBrowse", tr("Choose where the folder is made"));
   browse->setAutoDefault(false);
-  browse->setToolTip(tr("Choose where the folder is made"));
   connect(browse, &QPushButton::clicked, this, [this] {
     const QString folder = QFileDialog::getSaveFileName(this, tr("Folder of the study"), QDir::homePath());
     if (!folder.isEmpty()) folder_->setText(folder);
@@ -138,11 +130,9 @@ QLayout* StudyMaker::folderRow() {
 }
 
 QLayout* StudyMaker::actionRow() {
-  make_ = new QPushButton(tr("&Make the study"));
-  make_->setObjectName("makerMake");
+  make_ = described(new QPushButton(tr("&Make the study")), "makerMake");
   make_->setDefault(true);
-  auto* cancel = new QPushButton(tr("Cancel"));
-  cancel->setObjectName("makerCancel");
+  auto* cancel = described(new QPushButton(tr("Cancel")), "makerCancel");
   connect(make_, &QPushButton::clicked, this, &StudyMaker::make);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   auto* row = new QHBoxLayout;

@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "editor/canvas/graph_canvas.h"
+#include "editor/document/described.h"
 #include "editor/feel/feel_panel.h"
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
@@ -105,8 +106,7 @@ void MainWindow::makeCentre() {
       if (way->objectName() == name) ways << way;
   welcome_ = new WelcomePage(ways);
   tabs_ = new TabArea(welcome_, at_.view);
-  notices_ = new NoticeBar;
-  notices_->setObjectName("windowNotices");
+  notices_ = described(new NoticeBar, "windowNotices");
   files_ = new FileDesk({*this, *tabs_, *notices_, at_.view, at_.settings, at_.prompts, at_.recovery}, this);
   auto* centre = new QWidget;
   auto* layout = new QVBoxLayout(centre);
@@ -123,8 +123,7 @@ void MainWindow::makeCentre() {
 
 QDockWidget* MainWindow::dock(const char* name, const QString& title, Qt::DockWidgetArea area,
                               const QKeySequence& keys) {
-  auto* dock = new QDockWidget(title);
-  dock->setObjectName(name);
+  auto* dock = described(new QDockWidget(title), name);
   addDockWidget(area, dock);
   QAction* toggle = action((QByteArray(name) + "Toggle").constData(), title,
                            tr("Show or hide: %1").arg(title), keys, [this, dock] { turn(*dock); });
@@ -204,10 +203,9 @@ void MainWindow::makeFeelPanel() {
     if (DocumentTab* tab = tabs_->tabOf(otherDocument_)) tab->workspace().showFinger(finger);
   });
   connect(&session_->force(), &ForceSession::marginChanged, this, &MainWindow::showMargin);
-  other_ = new QComboBox;
-  other_->setObjectName("feelOther");
-  other_->setAccessibleName(tr("Button B to exchange with"));
-  other_->setToolTip(tr("The second button (B): press it in exchange with the one shown"));
+  other_ = described(new QComboBox, "feelOther",
+                     tr("The second button (B): press it in exchange with the one shown"),
+                     tr("Button B to exchange with"));
   connect(other_, &QComboBox::activated, this, &MainWindow::chooseOther);
   auto* label = new QLabel(tr("Exchange &with:"));
   label->setBuddy(other_);
@@ -270,16 +268,12 @@ void MainWindow::updateFeel() {
 }
 
 void MainWindow::makeStatusBar() {
-  cursor_ = new QLabel;
-  cursor_->setObjectName("cursorPosition");
-  cursor_->setAccessibleName(tr("Displacement and force under the mouse"));
-  cursor_->setToolTip(tr("Displacement and force under the mouse"));
+  cursor_ = described(new QLabel, "cursorPosition", tr("Displacement and force under the mouse"),
+                      tr("Displacement and force under the mouse"));
   cursor_->setMinimumWidth(fontMetrics().horizontalAdvance("0000.0000 mm, 00000.00 cN"));
   cursor_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  units_ = new QToolButton;
-  units_->setObjectName("unitButton");
-  units_->setAccessibleName(tr("Units"));
-  units_->setToolTip(tr("Units that everything is shown and typed in"));
+  units_ = described(new QToolButton, "unitButton", tr("Units that everything is shown and typed in"),
+                     tr("Units"));
   units_->setPopupMode(QToolButton::InstantPopup);
   units_->setMenu(unitMenu_);
   units_->setAutoRaise(true);

@@ -10,6 +10,7 @@
 #include <QMessageBox>
 #include <QToolBar>
 
+#include "editor/document/described.h"
 #include "editor/document/line_icon.h"
 #include "editor/window/main_window.h"
 
@@ -36,10 +37,10 @@ QMenu* menuOf(QMenuBar* bar, const QString& title, const char* name) {
 
 QAction* MainWindow::action(const char* name, const QString& text, const QString& tip,
                             const QKeySequence& keys, const std::function<void()>& act) {
-  auto* made = new QAction(text, this);
-  made->setObjectName(name);
+  auto* made =
+      described(new QAction(text, this), name,
+                keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
   made->setShortcut(keys);
-  made->setToolTip(keys.isEmpty() ? tip : tr("%1 (%2)").arg(tip, keys.toString(QKeySequence::NativeText)));
   connect(made, &QAction::triggered, this, act);
   ownActions_ << made;
   return made;

@@ -10,6 +10,7 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include "editor/document/described.h"
 #include "editor/document/graph_colors.h"
 
 namespace detent::editor {
@@ -51,8 +52,7 @@ void NoticeBar::say(const QString& id, Kind kind, const QString& text, const std
   paintGround(*row);
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(10, 5, 6, 5);
-  auto* label = new QLabel(text);
-  label->setObjectName("noticeText");
+  auto* label = described(new QLabel(text), "noticeText");
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -66,10 +66,7 @@ void NoticeBar::say(const QString& id, Kind kind, const QString& text, const std
     });
     layout->addWidget(button);
   }
-  auto* close = new QToolButton;
-  close->setObjectName("noticeClose");
-  close->setAccessibleName(tr("Close this message"));
-  close->setToolTip(tr("Close this message"));
+  auto* close = described(new QToolButton, "noticeClose", tr("Close this message"), tr("Close this message"));
   close->setAutoRaise(true);
   close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
   connect(close, &QToolButton::clicked, this, [this, id] { dismiss(id); });

@@ -10,6 +10,8 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
+
 namespace detent::editor {
 namespace {
 
@@ -46,9 +48,7 @@ std::vector<ShortcutRow> shortcutRows(const QString& group, const QList<QAction*
 ShortcutDialog::ShortcutDialog(const std::vector<ShortcutRow>& rows, QWidget* parent) : QDialog(parent) {
   setObjectName("shortcutDialog");
   setWindowTitle(tr("Keyboard shortcuts"));
-  auto* search = new QLineEdit;
-  search->setObjectName("shortcutSearch");
-  search->setAccessibleName(tr("Search the shortcuts"));
+  auto* search = described(new QLineEdit, "shortcutSearch", {}, tr("Search the shortcuts"));
   search->setPlaceholderText(tr("Search"));
   search->setClearButtonEnabled(true);
   auto* shown = new QSortFilterProxyModel(this);
@@ -56,9 +56,7 @@ ShortcutDialog::ShortcutDialog(const std::vector<ShortcutRow>& rows, QWidget* pa
   shown->setFilterKeyColumn(-1);
   shown->setFilterCaseSensitivity(Qt::CaseInsensitive);
   connect(search, &QLineEdit::textChanged, shown, &QSortFilterProxyModel::setFilterFixedString);
-  auto* list = new QTreeView;
-  list->setObjectName("shortcutList");
-  list->setAccessibleName(tr("Keyboard shortcuts"));
+  auto* list = described(new QTreeView, "shortcutList", {}, tr("Keyboard shortcuts"));
   list->setModel(shown);
   list->setRootIsDecorated(false);
   list->setAlternatingRowColors(true);

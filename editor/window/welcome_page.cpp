@@ -9,6 +9,8 @@
 #include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "editor/document/described.h"
+
 namespace detent::editor {
 namespace {
 
@@ -40,9 +42,7 @@ WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget
            1, false));
   layout->addSpacing(6);
   for (QAction* way : ways) {
-    auto* button = new QPushButton(way->text());
-    button->setObjectName("welcome_" + way->objectName());
-    button->setToolTip(way->toolTip());
+    auto* button = described(new QPushButton(way->text()), "welcome_" + way->objectName(), way->toolTip());
     button->setMinimumHeight(34);
     connect(button, &QPushButton::clicked, way, &QAction::trigger);
     layout->addWidget(button);
@@ -51,9 +51,7 @@ WelcomePage::WelcomePage(const QList<QAction*>& ways, QWidget* parent) : QWidget
   auto* recentLayout = new QVBoxLayout(recentSection_);
   recentLayout->setContentsMargins(0, 12, 0, 0);
   recentLayout->addWidget(line(tr("Opened last"), 1, true));
-  recent_ = new QListWidget;
-  recent_->setObjectName("welcomeRecent");
-  recent_->setAccessibleName(tr("Files opened last"));
+  recent_ = described(new QListWidget, "welcomeRecent", {}, tr("Files opened last"));
   recent_->setFrameShape(QFrame::NoFrame);
   recent_->setMaximumHeight(170);
   recentLayout->addWidget(recent_);

@@ -93,7 +93,7 @@ QImage pictureWithoutNumbers() {
 }
 
 void drawFrame(PageView& view, importer::Point topLeft, importer::Point bottomRight) {
-  view.setTool(ToolKind::drawFrame);
+  view.setTool(PageToolKind::drawFrame);
   const QPoint from = view.toWidget(topLeft).toPoint(), to = view.toWidget(bottomRight).toPoint();
   QTest::mousePress(&view, Qt::LeftButton, {}, from);
   QTest::mouseMove(&view, to);
@@ -273,12 +273,12 @@ void ImportDialogTest::aColourIsPickedOnThePage() {
   QVERIFY(open(state, sample("two-level-legend.png")));
   QVERIFY(QTest::qWaitFor([&] { return state.sheet() != nullptr; }, patience_ms));
   const auto& traced = view.drawn().release->traced;
-  view.setTool(ToolKind::pressColor);
+  view.setTool(PageToolKind::pressColor);
   // The release curve is called the press: strokes change their names.
   const QPoint at = view.pageToWidget().map(traced[traced.size() / 3]).toPoint();
   QTest::mouseMove(&view, at);
   QTest::mouseClick(&view, Qt::LeftButton, {}, at);
-  QCOMPARE(view.tool(), ToolKind::adjust);
+  QCOMPARE(view.tool(), PageToolKind::adjust);
   const auto color = state.current()->history.now().pressColor;
   QVERIFY(color);
   QVERIFY(again(state));
@@ -291,7 +291,7 @@ void ImportDialogTest::aMaskChangesTheTraceAndUndoRestores() {
   ImportState& state = view.state();
   QVERIFY(open(state, sample("two-level-legend.png")));
   const Report before = state.current()->last->report;
-  view.setTool(ToolKind::maskBox);
+  view.setTool(PageToolKind::maskBox);
   const QPointF end = view.pageToWidget().map(view.drawn().press->fit.back());
   const QPoint from = (end - QPointF(40, 20)).toPoint(), to = (end + QPointF(40, 60)).toPoint();
   QTest::mousePress(&view, Qt::LeftButton, {}, from);
@@ -673,7 +673,7 @@ void ImportDialogTest::aFrameBesideTheShownOneAddsAGraph() {
   const bool isLeft = before[0].x < one.width();
   const double by = isLeft ? one.width() : -one.width();
   view.fitPage();
-  view.setTool(ToolKind::drawFrame);
+  view.setTool(PageToolKind::drawFrame);
   const QPoint from = view.toWidget({before[0].x + by, before[0].y}).toPoint();
   const QPoint to = view.toWidget({before[2].x + by, before[2].y}).toPoint();
   QTest::mousePress(&view, Qt::LeftButton, {}, from);
@@ -710,7 +710,7 @@ void ImportDialogTest::aCurveIsDrawnByHand() {
     return view.toWidget(evidence.view.viewToPage(at));
   };
   const auto draw = [&](double from, double to, int points) {
-    view.setTool(ToolKind::drawPress);
+    view.setTool(PageToolKind::drawPress);
     for (int i = 0; i <= points; ++i) {
       const QPoint at = (onPage(from + (to - from) * i / points) + QPointF(0, i % 2 ? 2 : -2)).toPoint();
       QTest::mouseClick(&view, Qt::LeftButton, {}, at);
@@ -720,7 +720,7 @@ void ImportDialogTest::aCurveIsDrawnByHand() {
   };
   const double length = press.travel_mm();
   QVERIFY(draw(press.start_mm() + 0.01 * length, press.start_mm() + 0.95 * length, 24));
-  QCOMPARE(view.tool(), ToolKind::adjust);
+  QCOMPARE(view.tool(), PageToolKind::adjust);
   QVERIFY(!state.current()->history.now().drawn.press.empty());
   Report drawn = state.current()->good->report;
   QVERIFY(drawn != found);
@@ -748,7 +748,7 @@ void ImportDialogTest::thePageLiesStillUnderAGesture() {
   dialog.openFile(sample("two-level-legend.png"));
   QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
   QVERIFY(!dialog.banner->isVisible());
-  dialog.view->setTool(ToolKind::drawPress);
+  dialog.view->setTool(PageToolKind::drawPress);
   const QPoint start = dialog.view->rect().center();
   const importer::Point page = dialog.view->toPage(start);
   const auto onDialog = [&] { return dialog.view->mapTo(&dialog, dialog.view->toWidget(page)); };
@@ -868,7 +868,7 @@ void ImportDialogTest::theOriginSetsBothAxes() {
   ImportState& state = view.state();
   QVERIFY(open(state, sample("white-vector.pdf")));
   const FrameCorners corners = *view.shownCorners();
-  view.setTool(ToolKind::scale);
+  view.setTool(PageToolKind::scale);
   QTest::mouseClick(&view, Qt::LeftButton, {}, view.toWidget(corners[3]).toPoint() + QPoint(3, 2));
   auto* editor = view.findChild<QLineEdit*>("tickValue");
   QVERIFY(editor);

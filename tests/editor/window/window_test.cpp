@@ -1107,8 +1107,8 @@ class WindowTest : public QObject {
     const auto allHints = [&] {
       QStringList all;
       hints.clear();
-      for (int kind = static_cast<int>(ToolKind::pan); kind >= 0; --kind)
-        view->setTool(static_cast<ToolKind>(kind));
+      for (int kind = static_cast<int>(PageToolKind::pan); kind >= 0; --kind)
+        view->setTool(static_cast<PageToolKind>(kind));
       for (const auto& hint : hints) all << hint.front().toString();
       return all;
     };
