@@ -315,6 +315,7 @@ class Doubts {
   /// Curves that the plot shows a part of only.
   void edges(const StrokePoints& stroke) {
     constexpr double atEdge_px = 2, noticeable = 0.03;  // of the axis' range
+    constexpr double plumbShare = 0.02;
     constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge, of a curve that dips there
     constexpr double mostHidden = 0.15;   // of the travel: beyond it another button is felt
     std::vector<Point> line = stroke.points_px;
@@ -323,8 +324,11 @@ class Doubts {
     const auto& [topLeft, topRight, bottomRight, bottomLeft] = findings_.graph.frame.value.corners;
     const Raster& picture = findings_.graph.view.raster;
     const Rgb color = colorOf(stroke);
-    const bool atEdge = line.back().x > std::min(topRight.x, bottomRight.x) - atEdge_px ||
-                        line.back().y < std::max(topLeft.y, topRight.y) + atEdge_px;
+    const Point end = line.back(), towards = end - line[line.size() - std::min<std::size_t>(line.size(), 13)];
+    // A wall on the frame's side runs along it; it leaves the plot at the top only.
+    const bool sidewards = std::abs(towards.x) > plumbShare * std::abs(towards.y);
+    const bool atEdge = (sidewards && end.x > std::min(topRight.x, bottomRight.x) - atEdge_px) ||
+                        end.y < std::max(topLeft.y, topRight.y) + atEdge_px;
     // A frame that cuts its curves, on a scale that a label contradicts, is a part of another frame.
     if (atEdge && goesOn(line, color, picture))
       add(DoubtCode::leavesThePlot, labelContradicts() ? unconfirmed : inPart,

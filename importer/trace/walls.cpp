@@ -19,6 +19,7 @@ constexpr double kThicker = 0.35;      // of it: how much more ink the wall has 
 constexpr double kThicker_px = 0.4;    // the same, at least
 constexpr double kLeastHeight = 0.05;  // of the frame's height
 constexpr std::size_t kLeastRows = 6;  // that tell how thick a line is
+constexpr double kHook = 4;            // widths of the line beside a wall in which a crest is the corner's
 constexpr double kTopReached_px = 3;   // a wall that ends so near to the frame's edge runs into it
 
 /// A curve in area pixels, from left to right, with what its end tells.
@@ -91,6 +92,27 @@ std::optional<Wall> wallAt(const Curve& curve, double lowest, const CurveInkOnAr
   return Wall{lane.middle(top, probe), end.y, atFrame};
 }
 
+/// How many points of the curve's end lead down from a crest beside the wall. Where strokes meet on a wall, the upper one may have been
+/// followed down the ink of the lower one's end; a crest as near to the wall as a few widths of the line is no peak of the button.
+std::size_t pointsOfHook(const Curve& curve, double x) {
+  const double near_px = kHook * curve.thickness_px;
+  const auto& points = curve.points;
+  const auto first = std::ranges::find_if(points, [&](Point p) { return p.x >= x - near_px; });
+  const auto crest = std::min_element(first, points.end(), [](Point a, Point b) { return a.y < b.y; });
+  if (first == points.begin() || crest == first || crest == points.end()) return 0;
+  return static_cast<std::size_t>(points.end() - crest) - 1;
+}
+
+/// Takes points off the trace's right end.
+void shorten(CurveTrace& trace, std::size_t count, bool reversed) {
+  const auto drop = [&](auto& values) {
+    const auto n = static_cast<std::ptrdiff_t>(count);
+    values.erase(reversed ? values.begin() : values.end() - n, reversed ? values.begin() + n : values.end());
+  };
+  drop(trace.points_px);
+  if (!trace.width_px.empty()) drop(trace.width_px);
+}
+
 /// Appends the wall to the trace, at its right end.
 void lengthen(CurveTrace& trace, const Wall& wall, bool reversed, const PlotArea& area) {
   std::vector<Point> rise;
@@ -128,8 +150,14 @@ void addLostWalls(std::vector<CurveTrace>& traces, const PlotArea& area) {
         lowest = std::max(lowest, other.end().y);
     walls[i] = wallAt(curves[i], lowest, ink, area);
   }
-  for (std::size_t i = 0; i < traces.size(); ++i)
-    if (walls[i]) lengthen(traces[i], *walls[i], curves[i].reversed, area);
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (!walls[i]) continue;
+    if (const std::size_t hook = pointsOfHook(curves[i], walls[i]->x)) {
+      shorten(traces[i], hook, curves[i].reversed);
+      walls[i]->foot = curves[i].points[curves[i].points.size() - 1 - hook].y;
+    }
+    lengthen(traces[i], *walls[i], curves[i].reversed, area);
+  }
 }
 
 }  // namespace detent::importer::trace

@@ -269,6 +269,23 @@ TEST_CASE("a plot that shows a part of its curves") {
   CHECK(leaves.doubts().empty());
 }
 
+TEST_CASE("a wall on the frame's side, in the frame's ink, does not leave the plot below its top") {
+  Import wall;
+  wall.press.clear();
+  for (int i = 0; i <= 400; ++i) wall.press.push_back({0.01 * i, 0.2 + 0.002 * i});
+  for (int i = 1; i <= 200; ++i) wall.press.push_back({4, 1 + 0.01 * i});
+  wall.traces.resize(1);
+  wall.traces[0].color = {200, 30, 30};
+  for (const CurvePoint& p : wall.press) wall.traces[0].points_px.push_back(inView(p));
+  Raster& picture = wall.graph.view.raster;
+  picture.rgb.assign(3UL * 700 * 600, 255);
+  for (int y = 100; y < 500; ++y) {
+    std::uint8_t* p = picture.rgb.data() + 3 * (700 * y + 500);
+    p[0] = 200, p[1] = p[2] = 30;
+  }
+  CHECK(!wall.doubted(DoubtCode::leavesThePlot));
+}
+
 TEST_CASE("a curve that ends where the picture does, and a second scale") {
   Import cut;
   cut.graph.view.raster.width_px = 421;
