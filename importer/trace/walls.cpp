@@ -20,6 +20,7 @@ constexpr double kThicker_px = 0.4;    // the same, at least
 constexpr double kLeastHeight = 0.05;  // of the frame's height
 constexpr std::size_t kLeastRows = 6;  // that tell how thick a line is
 constexpr double kHook = 4;            // widths of the line beside a wall in which a crest is the corner's
+constexpr double kHook_px = 4;         // and pixels over which a path bends at a corner
 constexpr double kTopReached_px = 3;   // a wall that ends so near to the frame's edge runs into it
 
 /// A curve in area pixels, from left to right, with what its end tells.
@@ -95,7 +96,7 @@ std::optional<Wall> wallAt(const Curve& curve, double lowest, const CurveInkOnAr
 /// How many points of the curve's end lead down from a crest beside the wall. Where strokes meet on a wall, the upper one may have been
 /// followed down the ink of the lower one's end; a crest as near to the wall as a few widths of the line is no peak of the button.
 std::size_t pointsOfHook(const Curve& curve, double x) {
-  const double near_px = kHook * curve.thickness_px;
+  const double near_px = kHook * curve.thickness_px + kHook_px;
   const auto& points = curve.points;
   const auto first = std::ranges::find_if(points, [&](Point p) { return p.x >= x - near_px; });
   const auto crest = std::min_element(first, points.end(), [](Point a, Point b) { return a.y < b.y; });
