@@ -9,8 +9,8 @@
 #include <QString>
 
 #include "editor/document/display_units.h"
-#include "editor/quantity/expression.h"
 #include "editor/document/number_text.h"
+#include "editor/quantity/expression.h"
 
 namespace detent::editor {
 

@@ -161,7 +161,7 @@ bool OdriveForceDevice::arm(double wait_s) {
   write("config.enable_watchdog", 0);
   counts_.fault = error();
   if (counts_.fault != 0) counts_.clearedFault = counts_.fault;
-  say("sc ");
+  say("%s ", "sc");
   write("controller.config.control_mode", torqueControl);
   limit();
   write("config.watchdog_timeout", settings_.watchdog_s);

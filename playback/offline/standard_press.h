@@ -4,8 +4,8 @@
 
 #include "model/result.h"
 #include "playback/offline/render_press.h"
-#include "playback/realtime/haptic_program.h"
 #include "playback/realtime/finger_profile.h"
+#include "playback/realtime/haptic_program.h"
 
 namespace detent::playback {
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "playback/offline/press_files.h"
-
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +7,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "playback/offline/press_files.h"
 #include "tests/playback/sample_buttons.h"
 
 using namespace detent;
