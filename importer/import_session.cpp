@@ -220,7 +220,7 @@ struct ImportSession::Impl {
     TraceHints hints;
     double spacing_px = 0;
     std::vector<CurveTrace> traces;
-    Explanation explanation;
+    std::optional<Explanation> explanation;  // once asked for: names and colours need none
   };
   std::list<Traced> traced;              // the latest last
   std::map<ImportStep, double> seconds;  // of the steps that ran since the last import began
@@ -480,19 +480,24 @@ struct ImportSession::Impl {
     auto found = traceCurves(graph.view, graph.frame.value, graph.axes, onView, options, progress);
     if (!found) return found.failure();
     if (progress.isCancelled()) return cancelled();  // half a tracing must not be kept for the whole
-    Explanation explanation =
-        explain(graph.view, graph.frame.value, graph.axes.texts, *found, onView.masks_px);
     if (traced.size() == keptTracings) traced.pop_front();
-    traced.push_back({choice.onPage->serial, choice.graph, hints, options.pointSpacing_px,
-                      std::move(found).value(), std::move(explanation)});
+    traced.push_back(
+        {choice.onPage->serial, choice.graph, hints, options.pointSpacing_px, std::move(found).value(), {}});
     return &traced.back().traces;
   }
 
-  /// What these kept tracings leave over; nothing of others.
-  Explanation explanationOf(const std::vector<CurveTrace>* curves) const {
+  /// What these kept tracings of the chosen graph leave over; nothing of others.
+  Explanation explanationOf(const std::vector<CurveTrace>* curves, const Choice& choice) {
     const auto kept =
         std::ranges::find_if(traced, [&](const Traced& each) { return &each.traces == curves; });
-    return kept == traced.end() ? Explanation{} : kept->explanation;
+    if (kept == traced.end()) return {};
+    if (!kept->explanation) {
+      StepClock time(seconds, ImportStep::strokes);
+      const LocatedGraph& graph = choice.located();
+      kept->explanation = explain(graph.view, graph.frame.value, graph.axes.texts, kept->traces,
+                                  inView(kept->hints, graph.view).masks_px);
+    }
+    return *kept->explanation;
   }
 
   /// A graph read up to its strokes, for holding copies against each other.
@@ -629,7 +634,7 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
   auto curves = traces(*choice, request.hints.trace, settings.trace, progress);
   if (!curves && request.hints.drawn.press.empty()) return stopped(curves.failure(), *choice, none, {});
   if (!curves) curves = &none;  // the person drew what could not be traced
-  const Explanation explanation = explanationOf(*curves);
+  const Explanation explanation = explanationOf(*curves, *choice);
 
   step(0.7, ImportStep::strokes);
   auto strokes = [&] {
