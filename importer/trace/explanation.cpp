@@ -101,19 +101,20 @@ class ExplainedPlot {
     return true;
   }
 
-  /// 255 where the ink of one curve is, the plot's own lines apart.
-  cv::Mat inked(const Drawn& curve) const {
-    const CurveInkOnArea ink = inkOf(curve.color);
+  /// 255 where ink of a colour is that is not explained, the plot's own lines apart.
+  cv::Mat inked(Rgb color, const cv::Mat& explained) const {
+    const CurveInkOnArea ink = inkOf(color);
     cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
     if (!ink.distinct()) return mask;
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
-        if (ink.at(x, y) > kInked) mask.at<std::uint8_t>(y, x) = 255;
+        if (!explained.at<std::uint8_t>(y, x) && ink.at(x, y) > kInked) mask.at<std::uint8_t>(y, x) = 255;
     for (const double column : area_.columns_px) takeLine(mask, ink, column, true);
     for (const double row : area_.rows_px) takeLine(mask, ink, row, false);
     for (int y = 0; y < mask.rows; ++y)
       for (int x = 0; x < mask.cols; ++x)
-        if (backdrop_.onLine(x, y) && norm(colorAt(area_.raster, x, y) - backdrop_.at(x, y)) < 60)
+        if (mask.at<std::uint8_t>(y, x) && backdrop_.onLine(x, y) &&
+            norm(colorAt(area_.raster, x, y) - backdrop_.at(x, y)) < 60)
           mask.at<std::uint8_t>(y, x) = 0;
     return mask;
   }
@@ -212,12 +213,18 @@ Remainder remainderOf(const std::vector<Point>& ink, const ExplainedPlot& plot,
   return r;
 }
 
+std::vector<Rgb> colorsOf(const std::vector<Drawn>& drawn) {
+  std::vector<Rgb> colors;
+  for (const Drawn& each : drawn)
+    if (std::ranges::find(colors, each.color) == colors.end()) colors.push_back(each.color);
+  return colors;
+}
+
 std::vector<Remainder> remaindersOf(const ExplainedPlot& plot) {
   constexpr double kLeastLength = 0.03;  // of the diagonal
   const cv::Mat explained = plot.explained();
   cv::Mat left(explained.size(), CV_8U, cv::Scalar(0));
-  for (const Drawn& each : plot.drawn()) left |= plot.inked(each);
-  left.setTo(0, explained);
+  for (const Rgb color : colorsOf(plot.drawn())) left |= plot.inked(color, explained);
   cv::Mat joined, labels, stats, centroids;
   cv::dilate(left, joined,
              cv::getStructuringElement(cv::MORPH_RECT, {2 * kJoined_px + 1, 2 * kJoined_px + 1}));
