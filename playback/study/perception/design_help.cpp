@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "model/edits.h"
@@ -47,39 +48,38 @@ class Search {
          const std::function<bool()>& cancelled)
       : button_(button), other_(other), settings_(settings), cancelled_(cancelled) {}
 
-  /// The first factor on the way from 1 to `farthest` that passes the bar.
+  /// The first factor on the way from 1 to `farthest` at which the two are told apart.
   std::optional<Suggestion> along(Lever lever, double farthest) const {
     constexpr int strides = 6;
-    const double whole = std::log(farthest);
-    double below = 0;  // logarithms of factors
+    int below = 100;
     for (int i = 1; i <= strides; ++i) {
-      const double share = whole * i / strides;
-      std::optional<Suggestion> found = attempt(lever, share);
+      const int percent = static_cast<int>(std::lround(100 * std::pow(farthest, double(i) / strides)));
+      std::optional<Suggestion> found = attempt(lever, percent);
       if (!found) return {};
-      if (found->forecast.dPrime >= settings_.bar_dPrime)
-        return narrowed(lever, below, share, *std::move(found));
-      below = share;
+      if (found->forecast.distinguishable()) return narrowed(lever, below, percent, *std::move(found));
+      below = percent;
     }
     return {};
   }
 
  private:
-  std::optional<Suggestion> attempt(Lever lever, double logFactor) const {
+  std::optional<Suggestion> attempt(Lever lever, int percent) const {
     if (cancelled_ && cancelled_()) return {};
-    Result<Button> changed = changedBy(button_, lever, std::exp(logFactor));
+    const double factor = percent / 100.0;
+    Result<Button> changed = changedBy(button_, lever, factor);
     if (!changed || *changed == button_) return {};
     Result<FeltButton> felt = feel(*changed, settings_.perception, cancelled_);
     if (!felt) return {};
     PredictedPair forecast = predictConfusion(*felt, other_, settings_.confusion);
-    return Suggestion{lever, std::exp(logFactor), *std::move(changed), forecast};
+    return Suggestion{lever, factor, *std::move(changed), forecast};
   }
 
-  Suggestion narrowed(Lever lever, double below, double above, Suggestion found) const {
-    while (std::fabs(above - below) > settings_.resolution) {
-      const double middle = (below + above) / 2;
+  Suggestion narrowed(Lever lever, int below, int above, Suggestion found) const {
+    while (std::abs(above - below) > 1) {
+      const int middle = (below + above) / 2;
       std::optional<Suggestion> tried = attempt(lever, middle);
       if (!tried) break;
-      if (tried->forecast.dPrime >= settings_.bar_dPrime) {
+      if (tried->forecast.distinguishable()) {
         above = middle;
         found = *std::move(tried);
       } else {
@@ -105,7 +105,7 @@ Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const 
   Result<FeltButton> felt = feel(other, settings.perception, cancelled);
   if (!felt) return felt.failure();
   std::vector<Suggestion> suggestions;
-  if (predictConfusion(*itself, *felt, settings.confusion).dPrime >= settings.bar_dPrime) return suggestions;
+  if (predictConfusion(*itself, *felt, settings.confusion).distinguishable()) return suggestions;
   const Search search(button, *felt, settings, cancelled);
   for (const Lever lever : {Lever::snap, Lever::travel, Lever::force})
     for (const double farthest : {settings.largestFactor, 1 / settings.largestFactor})

@@ -19,20 +19,18 @@ enum class Lever : std::uint8_t {
 
 struct Suggestion {
   Lever lever = Lever::snap;
-  double factor = 1;  ///< on the snap ratio, the travel or the forces
+  double factor = 1;  ///< on the snap ratio, the travel or the forces; whole hundredths, as it is told
   Button button;      ///< the changed one
   PredictedPair forecast;
 };
 
 struct DesignHelpSettings {
-  double bar_dPrime = 3.26;  ///< one error in ten in ABX with mixed pairs
   double largestFactor = 2;  ///< and its inverse: what goes further is another button
-  double resolution = 0.01;  ///< of the factor found
   PerceptionSettings perception;
   ConfusionSettings confusion;
 };
 
-/// The least change by each lever that lifts the forecast over the bar, smallest change first; empty where
+/// The least change by each lever that makes the forecast PredictedPair::distinguishable(), smallest change first; empty where
 /// none does, or where the two are far enough apart already. `cancelled` empties it, too. About a second.
 /// Failure: as feel().
 Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const Button& other,

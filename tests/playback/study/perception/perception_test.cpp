@@ -132,6 +132,30 @@ TEST_CASE("all pairs: progress is told, cancelling gives nothing") {
   CHECK_FALSE(feel(sample("A"), {}, [] { return true; }));
 }
 
+TEST_CASE("make distinguishable: every offer, applied by the factor that is told, changes the verdict") {
+  const std::vector<Button> buttons{sample("B"), sample("C"), sample("D"), sample("E")};
+  for (const Button& button : buttons)
+    for (const Button& other : buttons) {
+      const bool apart = predictConfusion(felt(button), felt(other)).distinguishable();
+      const Result<std::vector<Suggestion>> found = makeDistinguishable(button, other);
+      REQUIRE(found);
+      CHECK((!apart || found->empty()));
+      for (const Suggestion& s : *found) {
+        if (s.lever == Lever::snap) continue;  // set point by point
+        const double told = std::round(100 * s.factor) / 100;
+        const Result<Button> changed =
+            s.lever == Lever::travel ? scaleTravel(button, told) : scaleForce(button, told);
+        REQUIRE(changed);
+        CHECK(predictConfusion(felt(*changed), felt(other)).distinguishable());
+        const double less = told + (told > 1 ? -0.01 : 0.01);
+        const Result<Button> nearly =
+            s.lever == Lever::travel ? scaleTravel(button, less) : scaleForce(button, less);
+        REQUIRE(nearly);
+        CHECK_FALSE(predictConfusion(felt(*nearly), felt(other)).distinguishable());
+      }
+    }
+}
+
 TEST_CASE("make distinguishable: the change is within bounds, passes the bar, and least comes first") {
   DesignHelpSettings settings;
   const Button b = sample("B"), c = sample("C");
@@ -140,7 +164,7 @@ TEST_CASE("make distinguishable: the change is within bounds, passes the bar, an
   REQUIRE_FALSE(found->empty());
   double before = 0;
   for (const Suggestion& s : *found) {
-    CHECK(s.forecast.dPrime >= settings.bar_dPrime);
+    CHECK(s.forecast.distinguishable());
     CHECK(std::fabs(std::log(s.factor)) <= std::log(settings.largestFactor) + 1e-9);
     CHECK(std::fabs(std::log(s.factor)) >= before);
     before = std::fabs(std::log(s.factor));
