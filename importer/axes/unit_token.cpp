@@ -108,7 +108,7 @@ std::optional<UnitToken> named(std::string_view text, std::size_t blobs, bool ap
 }  // namespace
 
 std::string UnitToken::endOf(const std::string& line) const {
-  const std::string words = line.substr(0, std::min(line.find_last_of(" "), line.find_first_of("([{")));
+  const std::string words = line.substr(0, std::min(line.find_last_of(' '), line.find_first_of("([{")));
   return words + (apart ? " (" + symbol + ")" : " " + symbol);
 }
 

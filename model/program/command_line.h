@@ -25,7 +25,7 @@ class PlainHelp : public Formatter {
     this->label("FLOAT", "NUMBER");
   }
   std::string make_option_opts(const Option* option) const override {
-    const std::string options = Formatter::make_option_opts(option);
+    std::string options = Formatter::make_option_opts(option);
     for (const std::string_view type : {" INT:", " UINT:", " FLOAT:"})
       if (options.starts_with(type)) return " " + options.substr(type.size());
     return options;

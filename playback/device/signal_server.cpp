@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <mutex>
+#include <string_view>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -29,7 +30,7 @@ namespace {
 constexpr int receiverPriority = 60;  // below the audio callback (JACK: 65)
 constexpr int stopCheck_ms = 50;
 constexpr std::size_t mostArguments = 3, largestPacket = 65536, deepestBundle = 8;
-constexpr std::string_view bundleName{"#bundle", 8};  // with its zero
+constexpr std::array<char, 8> bundleName{"#bundle"};  // with its zero
 constexpr std::size_t bundleHead = 16;                // name and time stamp
 
 std::string systemWords(int error) { return std::system_category().message(error); }
@@ -69,7 +70,7 @@ using Counted = std::function<void(const SignalMessage&)>;
 /// One OSC message or bundle. A bundle's time stamp is of another clock: what it holds counts from arrival.
 void parseOsc(std::string_view packet, SignalCounts& counts, const Counted& onMessage,
               std::size_t depth = 0) {
-  if (packet.starts_with(bundleName) && packet.size() >= bundleHead && depth < deepestBundle) {
+  if (packet.starts_with(std::string_view(bundleName.data(), bundleName.size())) && packet.size() >= bundleHead && depth < deepestBundle) {
     packet.remove_prefix(bundleHead);
     std::uint32_t size = 0;
     while (packet.size() >= sizeof size) {

@@ -142,8 +142,8 @@ std::string filled(std::string_view html,
   return page;
 }
 
-Failure unusable(Message problem, Message remedy) {
-  return {FailureCode::wrongUsage, "page", {}, std::move(problem), std::move(remedy)};
+Failure unusable(Message problem, const Message& remedy) {
+  return {FailureCode::wrongUsage, "page", {}, std::move(problem), remedy};
 }
 
 }  // namespace
