@@ -70,7 +70,8 @@ using Counted = std::function<void(const SignalMessage&)>;
 /// One OSC message or bundle. A bundle's time stamp is of another clock: what it holds counts from arrival.
 void parseOsc(std::string_view packet, SignalCounts& counts, const Counted& onMessage,
               std::size_t depth = 0) {
-  if (packet.starts_with(std::string_view(bundleName.data(), bundleName.size())) && packet.size() >= bundleHead && depth < deepestBundle) {
+  if (packet.starts_with(std::string_view(bundleName.data(), bundleName.size())) &&
+      packet.size() >= bundleHead && depth < deepestBundle) {
     packet.remove_prefix(bundleHead);
     std::uint32_t size = 0;
     while (packet.size() >= sizeof size) {
