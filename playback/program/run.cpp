@@ -10,6 +10,7 @@
 #include "model/version.h"
 #include "playback/program/calibrate_command.h"
 #include "playback/program/devices_command.h"
+#include "playback/program/export_command.h"
 #include "playback/program/force_command.h"
 #include "playback/program/identify_command.h"
 #include "playback/program/latency_command.h"
@@ -32,6 +33,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   addLiveCommand(program, chosen);
   addRenderCommand(program, chosen);
   addPageCommand(program, chosen);
+  addExportCommand(program, chosen);
   addDevicesCommand(program, chosen);
   addSweepCommand(program, chosen);
   addLatencyCommand(program, chosen);

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/interchange/export_loss.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstdio>
+
+#include "playback/measurement/fourier.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double noEnergy = 1e-9;  // of the whole: below, a band of the engine's is rounding
+
+/// Energy within each band.
+template <class Sample>
+std::array<double, feltBands.size()> energies(const std::vector<Sample>& samples, std::size_t length,
+                                              double sampleRate_Hz) {
+  std::vector<std::complex<double>> spectrum(length);
+  for (std::size_t i = 0; i < samples.size() && i < length; ++i)
+    spectrum[i] = static_cast<double>(samples[i]);
+  transform(spectrum, Transform::forward);
+  std::array<double, feltBands.size()> sums{};
+  for (std::size_t i = 1; i < length / 2; ++i) {
+    const double frequency_Hz = static_cast<double>(i) * sampleRate_Hz / static_cast<double>(length);
+    for (std::size_t band = 0; band < feltBands.size(); ++band)
+      if (frequency_Hz >= feltBands[band].low_Hz && frequency_Hz < feltBands[band].high_Hz)
+        sums[band] += std::norm(spectrum[i]);
+  }
+  return sums;
+}
+
+std::string inWords(const std::optional<double>& share) {
+  if (!share) return "none was there";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g %%", 100 * *share);
+  return text;
+}
+
+}  // namespace
+
+std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector<float>& original,
+                                                               const std::vector<double>& played,
+                                                               double sampleRate_Hz) {
+  const std::size_t length = powerOfTwo(std::max<std::size_t>({original.size(), played.size(), 2}));
+  const auto before = energies(original, length, sampleRate_Hz);
+  const auto after = energies(played, length, sampleRate_Hz);
+  double whole = 0;
+  for (const double energy : before) whole += energy;
+  std::array<std::optional<double>, feltBands.size()> kept;
+  for (std::size_t band = 0; band < feltBands.size(); ++band)
+    if (before[band] > noEnergy * whole) kept[band] = after[band] / before[band];
+  return kept;
+}
+
+nlohmann::ordered_json jsonOf(const ExportLoss& loss) {
+  nlohmann::ordered_json kept;
+  for (std::size_t band = 0; band < feltBands.size(); ++band) {
+    kept[feltBands[band].name] = nullptr;
+    if (loss.energyKept[band]) kept[feltBands[band].name] = *loss.energyKept[band];
+  }
+  return {{"energy_kept", kept},
+          {"worst_timing_error_ms", loss.worstTimingError_ms},
+          {"grains_merged", loss.grainsMerged},
+          {"frequency_moved_Hz", loss.frequencyMoved_Hz},
+          {"dropped", loss.dropped}};
+}
+
+std::vector<std::string> linesOf(const ExportLoss& loss) {
+  std::string kept = "energy kept:";
+  for (std::size_t band = 0; band < feltBands.size(); ++band) {
+    char range[32];
+    std::snprintf(range, sizeof range, "%s %g-%g Hz ", band == 0 ? "" : ",", feltBands[band].low_Hz,
+                  feltBands[band].high_Hz);
+    kept += range + inWords(loss.energyKept[band]);
+  }
+  char rest[128];
+  std::snprintf(rest, sizeof rest,
+                "worst timing error %.3g ms; %zu grains merged; frequency moved by up to %.3g Hz",
+                loss.worstTimingError_ms, loss.grainsMerged, loss.frequencyMoved_Hz);
+  std::vector<std::string> lines{kept, rest};
+  for (const std::string& what : loss.dropped) lines.push_back("not carried: " + what);
+  return lines;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What of a press a format does not carry, told with every export.
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+namespace detent::playback {
+
+/// Where fingers feel differently: slow indentation, flutter, the Pacinian band (Kim & Lee's jumps lie in the last).
+struct FeltBand {
+  const char* name;  ///< as JSON spells it
+  double low_Hz, high_Hz;
+};
+inline constexpr std::array<FeltBand, 3> feltBands{
+    {{"20_80_Hz", 20, 80}, {"80_230_Hz", 80, 230}, {"230_500_Hz", 230, 500}}};
+
+struct ExportLoss {
+  /// Energy as played, per band, as a share of the engine's; above 1 where it came from another band. Empty: the engine has none there.
+  std::array<std::optional<double>, feltBands.size()> energyKept;
+  double worstTimingError_ms = 0;    ///< of jumps and bottom-outs
+  std::size_t grainsMerged = 0;      ///< that are no events of their own any more
+  double frequencyMoved_Hz = 0;      ///< at most
+  std::vector<std::string> dropped;  ///< in words
+};
+
+/// Shares of energy of `played` against `original`, both at `sampleRate_Hz`; the shorter one is silent at its end.
+std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector<float>& original,
+                                                               const std::vector<double>& played,
+                                                               double sampleRate_Hz);
+
+/// The loss record as `--json` and the files themselves carry it.
+nlohmann::ordered_json jsonOf(const ExportLoss& loss);
+
+/// The same as lines of text, without a comment's marks.
+std::vector<std::string> linesOf(const ExportLoss& loss);
+
+}  // namespace detent::playback

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/interchange/export_press.h"
+
+#include <charconv>
+#include <filesystem>
+
+#include "model/version.h"
+#include "playback/interchange/reduction.h"
+#include "playback/measurement/exact_number.h"
+#include "playback/offline/standard_press.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr std::string_view humanPress = "human:";
+
+Failure wrongPress(const std::string& name) {
+  return {
+      FailureCode::wrongUsage, Subject::option("--press"), "", Message("%1 is no press", name),
+      "Give standard, human:120ms with 10 ms to 10 s, or a CSV of time_s,force_N or time_s,displacement_mm"};
+}
+
+Reduction reductionOf(const ExportSource& source, const ExportSettings& settings) {
+  switch (settings.format) {
+    case ExportFormat::package:
+      return packageOf(source);
+    case ExportFormat::cHeader:
+      return cHeaderOf(source);
+    case ExportFormat::ahap:
+      return ahapOf(source);
+    case ExportFormat::haptic:
+      return hapticOf(source);
+    case ExportFormat::android:
+      return androidOf(source);
+    case ExportFormat::openxr:
+      return openxrOf(source);
+    case ExportFormat::hjif:
+      return hjifOf(source);
+    case ExportFormat::bos1921:
+      return bos1921Of(source);
+    case ExportFormat::da728x:
+      return da728xOf(source);
+    case ExportFormat::drv2605:
+      return drv2605Of(source);
+    case ExportFormat::pcm:
+      return pcmOf(source, settings.bits);
+    case ExportFormat::touchpad:
+      break;
+  }
+  return touchpadOf(source);
+}
+
+}  // namespace
+
+std::vector<double> playedBy(const std::vector<PlayedWave>& waves, const PressPlan& plan) {
+  std::vector<double> samples(plan.samples.size(), 0);
+  addTo(samples, waves, plan.sampleRate_Hz);
+  return samples;
+}
+
+std::vector<std::string> headLines(const ExportSource& source, const ExportLoss& loss) {
+  std::vector<std::string> lines{std::string("Made by Detent ") + version() + " from button \"" +
+                                 source.plan.button + "\": " + source.plan.press};
+  for (const std::string& line : linesOf(loss)) lines.push_back(line);
+  return lines;
+}
+
+std::string cComment(const std::vector<std::string>& lines) {
+  std::string text = "/*";
+  for (const std::string& line : lines) {
+    text += lines.size() > 1 ? "\n * " : " ";
+    for (const char c : line) {
+      if (static_cast<unsigned char>(c) < ' ') continue;
+      if (c == '/' && text.back() == '*') text += ' ';
+      if (c == '*' && text.back() == '/') text += ' ';
+      text += c;
+    }
+  }
+  return text + " */\n";
+}
+
+std::string cString(const std::string& text) {
+  std::string literal = "\"";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte >= ' ' && byte < 127 && c != '"' && c != '\\' && c != '?') {
+      literal += c;
+      continue;
+    }
+    literal += '\\';
+    for (const unsigned shift : {6U, 3U, 0U}) literal += static_cast<char>('0' + (byte >> shift & 7U));
+  }
+  return literal + "\"";
+}
+
+std::string cFloat(double value) {
+  std::string text = exact(static_cast<double>(static_cast<float>(value)));
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text + "f";
+}
+
+Result<Exported> exportPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
+                             const ExportSettings& settings) {
+  if (settings.bits != 8 && settings.bits != 16)
+    return Failure{FailureCode::wrongUsage, Subject::option("--bits"), "",
+                   Message("%1 bits are no format of samples here", static_cast<std::size_t>(settings.bits)),
+                   "Give 8 or 16"};
+  RenderSettings render;
+  if (settings.format == ExportFormat::pcm) render.sampleRate_Hz = settings.sampleRate_Hz;
+  Result<PressPlan> plan = planPress(button, program, trace, settings.pressName, render);
+  if (!plan) return plan.failure();
+  Reduction reduction = reductionOf({button, program, *plan}, settings);
+  reduction.loss.energyKept = energyKept(plan->samples, reduction.played, plan->sampleRate_Hz);
+  return Exported{reduction.write(reduction.loss), reduction.loss};
+}
+
+std::string pathOf(const std::string& output, const ExportedFile& file) {
+  std::filesystem::path path(output);
+  const std::string ending = file.ending.empty() ? path.extension().string() : file.ending;
+  return path.replace_extension().string() + file.part + ending;
+}
+
+bool namesPress(const std::string& name) { return name == "standard" || name.starts_with(humanPress); }
+
+Result<PressTrace> namedPress(const std::string& name, const HapticProgram& program) {
+  if (name == "standard") return standardPress(program);
+  if (!name.starts_with(humanPress)) return wrongPress(name);
+  double number = 0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + humanPress.size(), end, number);
+  const std::string_view unit(rest, static_cast<std::size_t>(end - rest));
+  StandardPress press;
+  press.press_s = unit == "ms" ? number / 1000 : number;
+  if (error != std::errc() || (unit != "ms" && unit != "s") ||
+      !(press.press_s >= 0.01 && press.press_s <= 10))
+    return wrongPress(name);
+  return standardPress(program, press);
+}
+
+}  // namespace detent::playback

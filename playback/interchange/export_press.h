@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A press of a button in the formats of other devices, each with an account of what it does not carry
+// (docs/export-formats.md: what each file holds, and what a player is taken to make of it).
+
+#include <string>
+#include <vector>
+
+#include "model/button.h"
+#include "model/named_values.h"
+#include "model/result.h"
+#include "playback/interchange/export_loss.h"
+#include "playback/offline/render_press.h"
+#include "playback/realtime/haptic_program.h"
+
+namespace detent::playback {
+
+enum class ExportFormat {
+  package,  ///< thresholds, bursts, curve: everything, as JSON
+  cHeader,  ///< the same for firmware
+  ahap,     ///< Apple, a pair of files
+  haptic,   ///< Lofelt and Meta
+  android,  ///< Kotlin
+  openxr,   ///< XR_EXT_haptic_parametric
+  hjif,     ///< ISO/IEC 23090-31
+  bos1921,  ///< piezo driver, slices
+  da728x,   ///< LRA driver, snippet memory
+  drv2605,  ///< LRA driver, real-time amplitudes
+  pcm,      ///< samples as a C array
+  touchpad  ///< threshold and intensity of a haptic touchpad
+};
+
+inline constexpr auto exportFormats = named<ExportFormat>({{"package", ExportFormat::package},
+                                                           {"c", ExportFormat::cHeader},
+                                                           {"ahap", ExportFormat::ahap},
+                                                           {"haptic", ExportFormat::haptic},
+                                                           {"android", ExportFormat::android},
+                                                           {"openxr", ExportFormat::openxr},
+                                                           {"hjif", ExportFormat::hjif},
+                                                           {"bos1921", ExportFormat::bos1921},
+                                                           {"da728x", ExportFormat::da728x},
+                                                           {"drv2605", ExportFormat::drv2605},
+                                                           {"pcm", ExportFormat::pcm},
+                                                           {"touchpad", ExportFormat::touchpad}});
+
+struct ExportSettings {
+  ExportFormat format = ExportFormat::package;
+  std::string pressName;         ///< what pressed, in words, for the file
+  double sampleRate_Hz = 48000;  ///< of pcm; 8000..192000
+  unsigned bits = 16;            ///< of pcm; 8 or 16
+};
+
+/// One file of an export. Its path is the path asked for with `part` before the ending, and `ending` instead of it where there is one.
+struct ExportedFile {
+  std::string part;    ///< ".press", ".release" or empty
+  std::string ending;  ///< ".h" or empty
+  std::string text;
+};
+
+struct Exported {
+  std::vector<ExportedFile> files;
+  ExportLoss loss;
+};
+
+/// Failure: as planPress; wrongUsage for settings outside their ranges. Any thread; allocates.
+Result<Exported> exportPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
+                             const ExportSettings& settings);
+
+/// Where a file of an export goes.
+std::string pathOf(const std::string& output, const ExportedFile& file);
+
+/// A press by its name: "standard", or "human:120ms" (or "human:0.12s"): a human-like press whose way down takes so long, 10 ms to 10 s.
+/// Failure wrongUsage: a name that is neither.
+Result<PressTrace> namedPress(const std::string& name, const HapticProgram& program);
+/// Whether `name` is such a name, well formed or not; anything else is a file.
+bool namesPress(const std::string& name);
+
+}  // namespace detent::playback

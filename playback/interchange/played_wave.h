@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a player makes of an exported file: sines whose amplitude and frequency run straight between points. Every format is
+// reduced to this, and its losses are those of this.
+
+#include <cstddef>
+#include <vector>
+
+namespace detent::playback {
+
+/// One point of a sine's course.
+struct WavePoint {
+  double time_s = 0;
+  double amplitude = 0;  ///< share of full scale; negative: the opposite phase
+  double frequency_Hz = 0;
+};
+
+/// amplitude(t) * sin(2 pi (phase + integral of the frequency since the first point)) from the first point to the last, silent
+/// outside. Two points at one time are a step.
+struct PlayedWave {
+  std::vector<WavePoint> points;  ///< by time, never falling
+  double phase_cycles = 0;
+};
+
+/// Adds the waves to `samples`; sample i lies at i / sampleRate_Hz.
+void addTo(std::vector<double>& samples, const std::vector<PlayedWave>& waves, double sampleRate_Hz);
+
+}  // namespace detent::playback

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/interchange/press_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace detent::playback {
+
+namespace {
+
+Burst burstOf(const EngineEvent& event, const HapticProgram& program) {
+  const StateProgram& state = program.states[event.state];
+  switch (event.kind) {
+    case EventKind::grain:
+      return program.grain;
+    case EventKind::pressJump:
+      return state.press.jumps[event.jump].burst;
+    case EventKind::releaseJump:
+      return state.release.jumps[event.jump].burst;
+    case EventKind::bottomOut:
+      return program.bottomOut;
+    case EventKind::contactClosed:
+    case EventKind::contactOpened:
+    case EventKind::trigger:
+      break;
+  }
+  return {};
+}
+
+/// The events that sound; the others are marks for displays.
+std::vector<PlannedBurst> sounding(const std::vector<EngineEvent>& events, const HapticProgram& program) {
+  std::vector<PlannedBurst> bursts;
+  for (const EngineEvent& event : events) {
+    const Burst burst = burstOf(event, program);
+    if (!(burst.amplitude > 0 && burst.duration_s > 0)) continue;
+    bursts.push_back({event.kind, event.frame, burst, event.displacement_mm,
+                      event.kind == EventKind::grain ? event.count : 0});
+  }
+  return bursts;
+}
+
+double turn_s(const PressTrace& trace) {
+  const auto strongest =
+      std::max_element(trace.readings.begin(), trace.readings.end(),
+                       [](const PressReading& a, const PressReading& b) { return a.value < b.value; });
+  return strongest == trace.readings.end() ? 0 : strongest->time_s;
+}
+
+}  // namespace
+
+Result<PressPlan> planPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
+                            const std::string& pressName, const RenderSettings& settings) {
+  if (Result<Done> ok = checkRendering(trace, settings); !ok) return ok.failure();
+  const double lasts_s = trace.readings.back().time_s - std::fmin(0, trace.readings.front().time_s);
+  if (!(lasts_s <= longestExport_s))
+    return Failure{FailureCode::wrongUsage, Subject::option("--press"), "",
+                   Message("the press lasts %1 s; an export holds at most %2 s", lasts_s, longestExport_s),
+                   "Give a shorter press"};
+  Result<RenderedPress> rendered = renderPress(program, trace, settings);
+  if (!rendered) return rendered.failure();
+  PressPlan plan;
+  plan.button = button.name();
+  plan.press = pressName;
+  plan.sampleRate_Hz = settings.sampleRate_Hz;
+  plan.turn_frame = std::llround(turn_s(trace) * settings.sampleRate_Hz);
+  plan.bursts = sounding(rendered->summary.events, program);
+  plan.samples = std::move(rendered->samples);
+  if (plan.bursts.empty())
+    return Failure{FailureCode::wrongUsage, Subject::option("--press"), "",
+                   "nothing of the button is felt under this press",
+                   "Press harder or deeper, or choose a mode that plays something"};
+  return plan;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a press becomes in one format, before it is text: so that the file can carry its own loss record.
+
+#include <functional>
+#include <vector>
+
+#include "playback/interchange/export_press.h"
+#include "playback/interchange/played_wave.h"
+#include "playback/interchange/press_plan.h"
+
+namespace detent::playback {
+
+struct Reduction {
+  std::vector<double> played;  ///< what a player makes of it, on the plan's time line and at its rate
+  ExportLoss loss;             ///< all but the energies, which follow from `played`
+  std::function<std::vector<ExportedFile>(const ExportLoss&)> write;
+};
+
+/// What stands at the head of every file.
+struct ExportSource {
+  const Button& button;
+  const HapticProgram& program;
+  const PressPlan& plan;
+};
+
+Reduction packageOf(const ExportSource& source);
+Reduction cHeaderOf(const ExportSource& source);
+Reduction ahapOf(const ExportSource& source);
+Reduction hapticOf(const ExportSource& source);
+Reduction androidOf(const ExportSource& source);
+Reduction openxrOf(const ExportSource& source);
+Reduction hjifOf(const ExportSource& source);
+Reduction bos1921Of(const ExportSource& source);
+Reduction da728xOf(const ExportSource& source);
+Reduction drv2605Of(const ExportSource& source);
+Reduction pcmOf(const ExportSource& source, unsigned bits);
+Reduction touchpadOf(const ExportSource& source);
+
+/// The waves as samples of the plan's length.
+std::vector<double> playedBy(const std::vector<PlayedWave>& waves, const PressPlan& plan);
+
+/// "Made by Detent 0.2.0 from button "B": human-like press of 120 ms" and the loss, for comments.
+std::vector<std::string> headLines(const ExportSource& source, const ExportLoss& loss);
+
+/// A C block comment of these lines; nothing in them can end it.
+std::string cComment(const std::vector<std::string>& lines);
+/// A C string literal of any bytes.
+std::string cString(const std::string& text);
+/// A float literal.
+std::string cFloat(double value);
+/// Numbers in rows of twelve, separated by commas.
+template <class Numbers, class Text>
+std::string rows(const Numbers& numbers, const Text& text) {
+  std::string lines;
+  std::size_t column = 0;
+  for (const auto& number : numbers) {
+    lines += (column % 12 == 0 ? "\n  " : " ") + text(number) + ",";
+    ++column;
+  }
+  return lines + "\n";
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,545 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tables for driver chips and plain samples, as C. What a data sheet leaves open is said in the file.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include <nlohmann/json.hpp>
+
+#include "model/file/json_text.h"
+#include "model/units.h"
+#include "model/version.h"
+#include "playback/interchange/envelope.h"
+#include "playback/interchange/reduction.h"
+
+namespace detent::playback {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* oneRecordedPress =
+    "that a finger's force decides what is felt (the table is one press)";
+// An LRA plays at its own resonance whatever is asked; 205 Hz is the DA7280's default and common.
+constexpr double assumedResonance_Hz = 205;
+
+Stretch wholeOf(const PressPlan& plan) { return {0, static_cast<std::int64_t>(plan.samples.size())}; }
+
+// ---- BOS1921: slices of whole cycles
+
+constexpr double slice_Hz = 3.9;
+constexpr int highestAmplitude = 4095, highestByte = 255;
+
+struct Slice {
+  int amplitude = 0, frequency = 1, cycles = 1;
+  double lasts_s() const { return cycles / (slice_Hz * frequency); }
+};
+
+int frequencyCode(double frequency_Hz) {
+  return std::clamp(static_cast<int>(std::lround(frequency_Hz / slice_Hz)), 1, highestByte);
+}
+
+/// Silence as long as can be had: the frequency and number of cycles that come nearest.
+Slice pause(double time_s) {
+  Slice best{0, highestByte, 1};
+  double least = std::fabs(best.lasts_s() - time_s);
+  for (int cycles = 1; cycles <= highestByte; ++cycles) {
+    const Slice slice{0, frequencyCode(cycles / time_s), cycles};
+    const double error = std::fabs(slice.lasts_s() - time_s);
+    if (error >= least) continue;
+    least = error;
+    best = slice;
+  }
+  return best;
+}
+
+class SliceWriter {
+ public:
+  SliceWriter(const PressPlan& plan, const std::vector<EnvelopeStep>& steps)
+      : rate_Hz_(plan.sampleRate_Hz), steps_(steps), course_(smoothed(steps, rate_Hz_, 0)) {}
+
+  void write() {
+    const double end_s = static_cast<double>(steps_.back().to) / rate_Hz_;
+    while (now_s_ < end_s) {
+      const double next_s = nextOnset_s();
+      const EnvelopeStep& step = stepAt(now_s_);
+      const Slice cycle{amplitudeCode(step), frequencyCode(step.frequency_Hz), 1};
+      const double left_s = std::fmin(next_s, end_s) - now_s_;
+      if (left_s < shortestPause_s) {
+        now_s_ += left_s;
+        owed_s_ += left_s;
+      } else if (cycle.amplitude == 0) {
+        put(pause(std::fmin(left_s, static_cast<double>(step.to) / rate_Hz_ - now_s_ + owed_s_)));
+      } else if (cycle.lasts_s() <= left_s) {
+        put(cycle);
+      } else {
+        put(pause(left_s));  // a jump begins sooner than the cycle would end
+      }
+    }
+  }
+
+  std::vector<Slice> slices;
+  std::vector<PlayedWave> waves;
+  std::vector<std::int64_t> onsets;
+
+ private:
+  static constexpr double shortestPause_s = 1.0 / (slice_Hz * highestByte) / 2;
+
+  double nextOnset_s() const {
+    for (const EnvelopeStep& step : steps_) {
+      const double from_s = static_cast<double>(step.from) / rate_Hz_;
+      if (step.onset && from_s > now_s_ + shortestPause_s) return from_s;
+    }
+    return 1e9;
+  }
+  const EnvelopeStep& stepAt(double time_s) const {
+    const double frame = time_s * rate_Hz_ + 1;
+    for (const EnvelopeStep& step : steps_)
+      if (frame < static_cast<double>(step.to)) return step;
+    return steps_.back();
+  }
+  int amplitudeCode(const EnvelopeStep& step) const {
+    const double amplitude = step.onset ? firstAmplitude(step) : step.amplitude;
+    return std::clamp(static_cast<int>(std::lround(amplitude * highestAmplitude)), 0, highestAmplitude);
+  }
+  /// Of the envelope where a jump begins.
+  double firstAmplitude(const EnvelopeStep& step) const {
+    const double from_s = static_cast<double>(step.from) / rate_Hz_;
+    double amplitude = step.amplitude;
+    for (const WavePoint& point : course_.points)
+      if (std::fabs(point.time_s - from_s) < 1e-9) amplitude = std::fmax(step.amplitude, point.amplitude);
+    return amplitude;
+  }
+  void put(const Slice& slice) {
+    if (slice.amplitude > 0) {
+      const double amplitude = static_cast<double>(slice.amplitude) / highestAmplitude;
+      const double frequency_Hz = slice_Hz * slice.frequency;
+      const double from_s = now_s_ - owed_s_;
+      waves.push_back(
+          {{{from_s, amplitude, frequency_Hz}, {from_s + slice.lasts_s(), amplitude, frequency_Hz}}, 0});
+      if (stepAt(now_s_).onset) onsets.push_back(std::llround(from_s * rate_Hz_));
+    }
+    slices.push_back(slice);
+    now_s_ += slice.lasts_s();
+  }
+
+  double rate_Hz_;
+  const std::vector<EnvelopeStep>& steps_;
+  PlayedWave course_;
+  double now_s_ = 0;   // of the press
+  double owed_s_ = 0;  // by which the slices are ahead of it: pauses too short to be written
+};
+
+std::string bos1921Text(const ExportSource& source, const std::vector<Slice>& slices,
+                        const ExportLoss& loss) {
+  std::vector<std::string> head = headLines(source, loss);
+  head.emplace_back(
+      "BOS1921 slices {amplitude, frequency, cycles}: amplitude of 4095 = 190 V peak to peak, frequency in "
+      "3.9 Hz,");
+  head.emplace_back(
+      "whole cycles. An amplitude of 0 waits. Full scale here is the chip's: scale it to what your actuator "
+      "bears.");
+  head.emplace_back(
+      "Not certain from the data sheet, and therefore not used: the times behind the rise and fall nibbles "
+      "(shape fields 0).");
+  std::string text = cComment(head) +
+                     "#include <stdint.h>\n\ntypedef struct { uint16_t amplitude; uint8_t frequency, cycles; "
+                     "} detent_bos1921_slice;\n\n"
+                     "static const detent_bos1921_slice detent_slices[] = {\n";
+  for (const Slice& slice : slices)
+    text += "  {" + std::to_string(slice.amplitude) + ", " + std::to_string(slice.frequency) + ", " +
+            std::to_string(slice.cycles) + "},\n";
+  return text + "};\nstatic const unsigned detent_slice_count = " + std::to_string(slices.size()) + "u;\n";
+}
+
+// ---- DA728x: two sequences of straight lines in 100 bytes
+
+constexpr std::size_t daBytes = 100;
+constexpr std::size_t daPartBytes = 46;  // what two headers, four end pointers and two frames leave each
+constexpr double daTimebase_s = 0.00136;
+constexpr std::array<int, 4> daMultiples{1, 4, 16, 32};  // 1.36, 5.44, 21.76, 43.52 ms
+constexpr int daLevels = 15, daLongest = 8;
+
+struct DaPoint {
+  bool ramp = false;
+  int units = 1, level = 0;
+};
+
+struct DaPart {
+  std::int64_t zero = 0;
+  int timebase = 0;
+  std::vector<DaPoint> points;
+  std::vector<std::int64_t> onsets;
+};
+
+double daUnit_s(const DaPart& part) {
+  return daTimebase_s * daMultiples[static_cast<std::size_t>(part.timebase)];
+}
+
+/// Whether a straight line to `levels[to]` passes all levels between within `tolerance`.
+bool straight(const std::vector<int>& levels, std::size_t from, std::size_t to, int start, int tolerance) {
+  const double span = static_cast<double>(to - from + 1);
+  for (std::size_t i = from; i <= to; ++i) {
+    const double line = start + (levels[to] - start) * static_cast<double>(i - from + 1) / span;
+    if (std::fabs(line - levels[i]) > tolerance) return false;
+  }
+  return true;
+}
+
+bool level(const std::vector<int>& levels, std::size_t from, std::size_t to, int tolerance) {
+  for (std::size_t i = from; i <= to; ++i)
+    if (std::abs(levels[i] - levels[from]) > tolerance) return false;
+  return true;
+}
+
+/// The fewest pieces a greedy walk finds.
+std::vector<DaPoint> pieces(const std::vector<int>& levels, int tolerance) {
+  std::vector<DaPoint> points;
+  int before = 0;
+  for (std::size_t from = 0; from < levels.size();) {
+    std::size_t flat = from, sloped = from;
+    for (std::size_t to = from; to < levels.size() && to < from + daLongest; ++to) {
+      if (level(levels, from, to, tolerance)) flat = to;
+      if (straight(levels, from, to, before, tolerance)) sloped = to;
+    }
+    const bool ramp = sloped > flat;
+    const std::size_t to = ramp ? sloped : flat;
+    points.push_back({ramp, static_cast<int>(to - from + 1), ramp ? levels[to] : levels[from]});
+    before = points.back().level;
+    from = to + 1;
+  }
+  return points;
+}
+
+std::vector<int> levelsOf(const PressPlan& plan, const Stretch& stretch, double unit_s) {
+  std::vector<int> levels;
+  const double unit = unit_s * plan.sampleRate_Hz;
+  const PlayedWave course = smoothed(stepsOf(plan, stretch, 0.005, 0.001), plan.sampleRate_Hz, 0);
+  std::size_t at = 0;
+  for (double frame = static_cast<double>(stretch.from); frame < static_cast<double>(stretch.to);
+       frame += unit) {
+    const double time_s = (frame + unit / 2) / plan.sampleRate_Hz;
+    while (at + 2 < course.points.size() && course.points[at + 1].time_s <= time_s) ++at;
+    const WavePoint& a = course.points[at];
+    const WavePoint& b = course.points[at + 1];
+    const double share =
+        b.time_s > a.time_s ? std::clamp((time_s - a.time_s) / (b.time_s - a.time_s), 0.0, 1.0) : 1;
+    levels.push_back(
+        static_cast<int>(std::lround(daLevels * (a.amplitude + share * (b.amplitude - a.amplitude)))));
+  }
+  while (!levels.empty() && levels.back() == 0) levels.pop_back();
+  if (!levels.empty()) levels.push_back(0);
+  return levels;
+}
+
+/// The finest units and the smallest tolerance that fit the memory.
+DaPart daPart(const PressPlan& plan, const Stretch& all) {
+  const std::int64_t first = firstOnsetOnGrid(plan, all, daTimebase_s);
+  DaPart part{first, 0, {{false, 1, 0}}, {}};
+  if (first >= all.to) return part;
+  const auto fits = [&](int tolerance) {
+    part.points = pieces(levelsOf(plan, {first, all.to}, daUnit_s(part)), tolerance);
+    return part.points.size() <= daPartBytes;
+  };
+  // Time before level: a coarser unit only where no tolerance helps.
+  bool done = false;
+  for (int unit = 0; !done && unit < static_cast<int>(daMultiples.size()); ++unit) {
+    part.timebase = unit;
+    for (int tolerance = 0; !done && tolerance <= 2; ++tolerance) done = fits(tolerance);
+  }
+  if (part.points.empty()) part.points.push_back({false, 1, 0});
+  for (const PlannedBurst& planned : plan.bursts) {
+    if (planned.kind == EventKind::grain || planned.frame < first || planned.frame >= all.to) continue;
+    const double unit = daUnit_s(part) * plan.sampleRate_Hz;
+    part.onsets.push_back(first +
+                          std::llround(std::round(static_cast<double>(planned.frame - first) / unit) * unit));
+  }
+  return part;
+}
+
+PlayedWave waveOf(const DaPart& part, double sampleRate_Hz) {
+  PlayedWave wave;
+  double time_s = static_cast<double>(part.zero) / sampleRate_Hz, before = 0;
+  for (const DaPoint& point : part.points) {
+    const double amplitude = static_cast<double>(point.level) / daLevels;
+    wave.points.push_back({time_s, point.ramp ? before : amplitude, assumedResonance_Hz});
+    time_s += point.units * daUnit_s(part);
+    wave.points.push_back({time_s, amplitude, assumedResonance_Hz});
+    before = amplitude;
+  }
+  return wave;
+}
+
+std::array<int, daBytes> memoryOf(const DaPart& press, const DaPart& release) {
+  std::array<int, daBytes> memory{};
+  std::size_t at = 0;
+  memory[at++] = 2;  // snippets
+  memory[at++] = 2;  // sequences
+  const std::size_t pressEnd = 5 + press.points.size(), releaseEnd = pressEnd + release.points.size();
+  for (const std::size_t end : {pressEnd, releaseEnd, releaseEnd + 1, releaseEnd + 2})
+    memory[at++] = static_cast<int>(end);
+  for (const DaPart* part : {&press, &release})
+    for (const DaPoint& point : part->points)
+      memory[at++] = (point.ramp ? 0x80 : 0) | (point.units - 1) << 4 | point.level;
+  memory[at++] = press.timebase << 3 | 1;    // full gain, snippet 1
+  memory[at++] = release.timebase << 3 | 2;  // snippet 2
+  return memory;
+}
+
+std::string byteText(int value) {
+  constexpr const char* digits = "0123456789ABCDEF";
+  return std::string("0x") + digits[value >> 4 & 15] + digits[value & 15];
+}
+
+std::string da728xText(const ExportSource& source, const DaPart& press, const DaPart& release,
+                       const ExportLoss& loss) {
+  std::vector<std::string> head = headLines(source, loss);
+  head.emplace_back(
+      "DA7280/2 waveform memory, 100 bytes (device tree: dlg,mem-array): sequence 0 is the press, sequence 1 "
+      "the release.");
+  head.emplace_back(
+      "Set ACCELERATION_EN = 1 (amplitudes 0..15) and FREQ_WAVEFORM_TIMEBASE = 1 (1.36 ms). The motor plays "
+      "at its own");
+  head.emplace_back(
+      "resonance, for the loss taken as 205 Hz. Verify the full scale: what a driver gives may differ from "
+      "its data sheet.");
+  const auto memory = memoryOf(press, release);
+  return cComment(head) + "#include <stdint.h>\n\nstatic const uint8_t detent_da728x_memory[100] = {" +
+         rows(memory, byteText) + "};\n";
+}
+
+// ---- DRV2605: an amplitude every 5 ms
+
+constexpr double rtp_s = 0.005;
+constexpr int rtpFull = 127;
+
+struct RtpPart {
+  std::int64_t zero = 0;
+  std::vector<int> amplitudes;
+  std::vector<std::int64_t> onsets;
+};
+
+RtpPart rtpPart(const PressPlan& plan, const Stretch& all) {
+  const std::int64_t first = firstOnsetOnGrid(plan, all, rtp_s);
+  RtpPart part{first, {}, {}};
+  const std::int64_t step = std::llround(rtp_s * plan.sampleRate_Hz);
+  for (std::int64_t from = first; from < all.to; from += step) {
+    const std::vector<EnvelopeStep> steps =
+        stepsOf(plan, {from, std::min(all.to, from + step)}, rtp_s, rtp_s);
+    part.amplitudes.push_back(static_cast<int>(std::lround(rtpFull * steps.front().amplitude)));
+  }
+  while (!part.amplitudes.empty() && part.amplitudes.back() == 0) part.amplitudes.pop_back();
+  part.amplitudes.push_back(0);
+  for (const PlannedBurst& planned : plan.bursts)
+    if (planned.kind != EventKind::grain && planned.frame >= first && planned.frame < all.to)
+      part.onsets.push_back(first + (planned.frame - first) / step * step);
+  return part;
+}
+
+PlayedWave waveOf(const RtpPart& part, double sampleRate_Hz) {
+  PlayedWave wave;
+  double time_s = static_cast<double>(part.zero) / sampleRate_Hz;
+  for (const int code : part.amplitudes) {
+    const double amplitude = static_cast<double>(code) / rtpFull;
+    wave.points.push_back({time_s, amplitude, assumedResonance_Hz});
+    time_s += rtp_s;
+    wave.points.push_back({time_s, amplitude, assumedResonance_Hz});
+  }
+  return wave;
+}
+
+std::string drv2605Text(const ExportSource& source, const RtpPart& press, const RtpPart& release,
+                        const ExportLoss& loss) {
+  std::vector<std::string> head = headLines(source, loss);
+  head.emplace_back(
+      "DRV2605(L), real-time playback: write one value to RTP_INPUT every 5 ms (signed format, 0..127). The "
+      "motor plays at its");
+  head.emplace_back(
+      "own resonance, for the loss taken as 205 Hz. Set rated voltage and overdrive clamp for your motor "
+      "first.");
+  const auto array = [](const char* name, const RtpPart& part) {
+    return "static const uint8_t " + std::string(name) + "[] = {" +
+           rows(part.amplitudes, [](int value) { return std::to_string(value); }) +
+           "};\nstatic const unsigned " + name + "_count = " + std::to_string(part.amplitudes.size()) +
+           "u;\n";
+  };
+  return cComment(head) + "#include <stdint.h>\n\n" + array("detent_press", press) +
+         array("detent_release", release);
+}
+
+// ---- the losses chips share
+
+ExportLoss lraLoss(const PressPlan& plan, const std::vector<std::int64_t>& press,
+                   const std::vector<std::int64_t>& release) {
+  ExportLoss loss;
+  loss.worstTimingError_ms = std::fmax(worstTimingError_ms(plan, pressOf(plan), press),
+                                       worstTimingError_ms(plan, releaseOf(plan), release));
+  loss.grainsMerged = grainsWithin(plan, wholeOf(plan));
+  for (const PlannedBurst& planned : plan.bursts)
+    loss.frequencyMoved_Hz =
+        std::fmax(loss.frequencyMoved_Hz, std::fabs(planned.burst.frequency_Hz - assumedResonance_Hz));
+  loss.dropped = {oneRecordedPress, "every frequency (the motor plays its own)"};
+  return loss;
+}
+
+// ---- touchpad
+
+constexpr double lowestThreshold_g = 110, highestThreshold_g = 190;
+
+struct Touchpad {
+  std::optional<double> asked_g;
+  double threshold_g = lowestThreshold_g;
+  double releaseRatio = 0.9;  // what systems assume where nothing is said
+  bool releaseKnown = false;
+  int pressIntensity = 0, releaseIntensity = 0;
+};
+
+int intensityOf(const StrokeTable& table) {
+  double strongest = 0;
+  for (std::uint32_t i = 0; i < table.jumpCount; ++i)
+    strongest = std::fmax(strongest, table.jumps[i].burst.amplitude);
+  return strongest > 0 ? std::clamp(static_cast<int>(std::lround(4 * strongest)), 1, 4) : 0;
+}
+
+Touchpad touchpadFrom(const ExportSource& source) {
+  Touchpad pad;
+  const ButtonState& state = source.button.states().front();
+  const StateProgram& program = source.program.states[0];
+  const auto jumpForce = [](const StrokeTable& table, const StrokeCurve& curve) -> std::optional<double> {
+    if (table.jumpCount == 0) return {};
+    return curve.force_N(table.jumps[0].from_mm);
+  };
+  std::optional<double> press_N = jumpForce(program.press, state.graph.press());
+  if (!press_N && program.hasOperatingPoint) press_N = state.graph.press().force_N(program.operating_mm);
+  if (!press_N && program.hasBottomOut) press_N = state.graph.press().force_N(program.bottomOut_mm);
+  if (press_N) {
+    pad.asked_g = *press_N / newtonsPer(ForceUnit::gramForce);
+    pad.threshold_g = std::clamp(*pad.asked_g, lowestThreshold_g, highestThreshold_g);
+  }
+  if (state.graph.release()) {
+    std::optional<double> release_N = jumpForce(program.release, *state.graph.release());
+    if (!release_N && program.hasResetPoint) release_N = state.graph.release()->force_N(program.reset_mm);
+    if (release_N && press_N && *release_N > 0 && *press_N > 0) {
+      pad.releaseRatio = std::clamp(*release_N / *press_N, 0.05, 1.0);
+      pad.releaseKnown = true;
+    }
+  }
+  pad.pressIntensity = intensityOf(program.press);
+  pad.releaseIntensity = intensityOf(program.release);
+  return pad;
+}
+
+std::string touchpadText(const ExportSource& source, const Touchpad& pad, const ExportLoss& loss) {
+  const double perGram = newtonsPer(ForceUnit::gramForce);
+  const Json file{
+      {"format", "detent-touchpad"},
+      {"version", 1},
+      {"made_by", std::string("Detent ") + version()},
+      {"button", source.plan.button},
+      {"press_threshold_g", pad.threshold_g},
+      {"press_threshold_N", pad.threshold_g * perGram},
+      {"press_threshold_of_button_g", pad.asked_g ? Json(*pad.asked_g) : Json(nullptr)},
+      {"release_ratio", pad.releaseRatio},
+      {"release_ratio_known", pad.releaseKnown},
+      {"release_threshold_g", pad.threshold_g * pad.releaseRatio},
+      {"intensity", {{"press", pad.pressIntensity}, {"release", pad.releaseIntensity}, {"range", {0, 4}}}},
+      {"waveforms", {{"press", "0x1006"}, {"release", "0x1007"}}},
+      {"loss", jsonOf(loss)}};
+  return jsonText(file, 1) + "\n";
+}
+
+}  // namespace
+
+Reduction bos1921Of(const ExportSource& source) {
+  const PressPlan& plan = source.plan;
+  const std::vector<EnvelopeStep> steps = stepsOf(plan, wholeOf(plan), 0.0025, 0.001);
+  SliceWriter writer(plan, steps);
+  writer.write();
+  Reduction reduction;
+  reduction.played = playedBy(writer.waves, plan);
+  reduction.loss.worstTimingError_ms = worstTimingError_ms(plan, wholeOf(plan), writer.onsets);
+  reduction.loss.grainsMerged = grainsWithin(plan, wholeOf(plan));
+  for (const PlannedBurst& planned : plan.bursts)
+    reduction.loss.frequencyMoved_Hz = std::fmax(
+        reduction.loss.frequencyMoved_Hz,
+        std::fabs(slice_Hz * frequencyCode(planned.burst.frequency_Hz) - planned.burst.frequency_Hz));
+  reduction.loss.dropped = {oneRecordedPress, "all but the strongest where several bursts overlap"};
+  reduction.write = [source, slices = writer.slices](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", bos1921Text(source, slices, loss)}};
+  };
+  return reduction;
+}
+
+Reduction da728xOf(const ExportSource& source) {
+  const PressPlan& plan = source.plan;
+  const DaPart press = daPart(plan, pressOf(plan)), release = daPart(plan, releaseOf(plan));
+  Reduction reduction;
+  reduction.played = playedBy({waveOf(press, plan.sampleRate_Hz), waveOf(release, plan.sampleRate_Hz)}, plan);
+  reduction.loss = lraLoss(plan, press.onsets, release.onsets);
+  reduction.write = [source, press, release](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", da728xText(source, press, release, loss)}};
+  };
+  return reduction;
+}
+
+Reduction drv2605Of(const ExportSource& source) {
+  const PressPlan& plan = source.plan;
+  const RtpPart press = rtpPart(plan, pressOf(plan)), release = rtpPart(plan, releaseOf(plan));
+  Reduction reduction;
+  reduction.played = playedBy({waveOf(press, plan.sampleRate_Hz), waveOf(release, plan.sampleRate_Hz)}, plan);
+  reduction.loss = lraLoss(plan, press.onsets, release.onsets);
+  reduction.write = [source, press, release](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", drv2605Text(source, press, release, loss)}};
+  };
+  return reduction;
+}
+
+Reduction pcmOf(const ExportSource& source, unsigned bits) {
+  const PressPlan& plan = source.plan;
+  const int full = bits == 8 ? 127 : 32767;
+  std::vector<int> samples;
+  for (const float sample : plan.samples)
+    samples.push_back(
+        static_cast<int>(std::lround(std::clamp(static_cast<double>(sample), -1.0, 1.0) * full)));
+  Reduction reduction;
+  for (const int sample : samples) reduction.played.push_back(static_cast<double>(sample) / full);
+  reduction.loss.dropped = {oneRecordedPress};
+  reduction.write = [source, samples, bits, full](const ExportLoss& loss) {
+    std::vector<std::string> head = headLines(source, loss);
+    head.push_back("Samples of " + std::to_string(bits) + " bits, full scale " + std::to_string(full));
+    const std::string type = bits == 8 ? "int8_t" : "int16_t";
+    return std::vector<ExportedFile>{
+        {"", "",
+         cComment(head) + "#include <stdint.h>\n\nstatic const unsigned detent_sample_rate_Hz = " +
+             std::to_string(std::lround(source.plan.sampleRate_Hz)) + "u;\nstatic const " + type +
+             " detent_samples[" + std::to_string(samples.size()) + "] = {" +
+             rows(samples, [](int sample) { return std::to_string(sample); }) + "};\n"}};
+  };
+  return reduction;
+}
+
+Reduction touchpadOf(const ExportSource& source) {
+  const Touchpad pad = touchpadFrom(source);
+  Reduction reduction;
+  reduction.played.assign(source.plan.samples.size(), 0);
+  reduction.loss.grainsMerged = grainsWithin(source.plan, wholeOf(source.plan));
+  reduction.loss.dropped = {"the shape of every wave (the pad plays its own Press and Release)",
+                            "the bottom-out", "the slope"};
+  if (pad.asked_g && *pad.asked_g != pad.threshold_g)
+    reduction.loss.dropped.push_back("the button's own press force of " +
+                                     std::to_string(std::lround(*pad.asked_g)) +
+                                     " g, outside the 110 to 190 g that pads offer");
+  if (!pad.asked_g)
+    reduction.loss.dropped.emplace_back(
+        "a press force: the button has no jump, operating point or bottom-out");
+  if (!pad.releaseKnown)
+    reduction.loss.dropped.emplace_back("a release force: the button has none; 0.9 is what systems assume");
+  reduction.write = [source, pad](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", touchpadText(source, pad, loss)}};
+  };
+  return reduction;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ISO/IEC 23090-31, interchange form (JSON), profile Main. Jumps and bottom-outs are vectorial waves of their own, exact in time
+// (timescale 48000), frequency and envelope; filtered grains, and whatever else the engine adds, are two waves a quarter turn apart.
+// No Curve and no Transient band: players disagree about them.
+
+#include <cmath>
+#include <numbers>
+
+#include <nlohmann/json.hpp>
+
+#include "model/file/json_text.h"
+#include "playback/interchange/envelope.h"
+#include "playback/interchange/quadrature_wave.h"
+#include "playback/interchange/reduction.h"
+
+namespace detent::playback {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double tolerance = 3e-4;  // of full scale
+
+struct Effect {
+  std::int64_t from = 0, to = 0;  ///< samples, both included
+  double phase_rad = 0, frequency_Hz = 0;
+  std::vector<std::pair<std::int64_t, double>> amplitudes;  ///< sample after `from`, share of full scale
+};
+
+PlayedWave waveOf(const Effect& effect, double sampleRate_Hz) {
+  PlayedWave wave;
+  wave.phase_cycles = effect.phase_rad / (2 * std::numbers::pi);
+  for (const auto& [frame, amplitude] : effect.amplitudes)
+    wave.points.push_back(
+        {static_cast<double>(effect.from + frame) / sampleRate_Hz, amplitude, effect.frequency_Hz});
+  // The last keyframe's own sample sounds too.
+  WavePoint after = wave.points.back();
+  after.time_s += 0.5 / sampleRate_Hz;
+  wave.points.push_back(after);
+  return wave;
+}
+
+Effect effectOf(const PlannedBurst& planned, double gain, double sampleRate_Hz) {
+  const double length = planned.burst.duration_s * sampleRate_Hz;
+  const auto last = static_cast<std::int64_t>(std::ceil(length - 1e-9)) - 1;
+  const auto level = [&](std::int64_t frame) {
+    const double share = static_cast<double>(frame) / length;
+    return gain * planned.burst.amplitude * (planned.burst.envelope == Envelope::falling ? 1 - share : share);
+  };
+  Effect effect{
+      planned.frame, planned.frame + last, 0, std::round(planned.burst.frequency_Hz), {{0, level(0)}}};
+  if (last > 0) effect.amplitudes.emplace_back(last, level(last));
+  return effect;
+}
+
+/// Two effects: the sine's and the cosine's amplitudes of one piece.
+std::pair<Effect, Effect> effectsOf(const QuadraturePiece& piece, double frequency_Hz, double sampleRate_Hz) {
+  const std::int64_t from = piece.front().frame;
+  const double turned = std::fmod(frequency_Hz * static_cast<double>(from) / sampleRate_Hz, 1);
+  Effect sine{from, piece.back().frame, 2 * std::numbers::pi * turned, frequency_Hz, {}};
+  Effect cosine = sine;
+  cosine.phase_rad += std::numbers::pi / 2;
+  for (const QuadraturePoint& point : piece) {
+    sine.amplitudes.emplace_back(point.frame - from, point.sine);
+    cosine.amplitudes.emplace_back(point.frame - from, point.cosine);
+  }
+  return {sine, cosine};
+}
+
+/// A band plays one effect at a time: what overlaps gets another band.
+void place(std::vector<std::vector<Effect>>& bands, Effect effect) {
+  for (std::vector<Effect>& band : bands) {
+    if (band.back().to >= effect.from) continue;
+    band.push_back(std::move(effect));
+    return;
+  }
+  bands.push_back({std::move(effect)});
+}
+
+Json jsonOf(const Effect& effect) {
+  Json keyframes = Json::array();
+  for (const auto& [frame, amplitude] : effect.amplitudes)
+    keyframes.push_back({{"relative_position", frame},
+                         {"amplitude_modulation", amplitude},
+                         {"frequency_modulation", static_cast<int>(effect.frequency_Hz)}});
+  return {{"effect_type", "Basis"},
+          {"position", effect.from},
+          {"phase", effect.phase_rad},
+          {"base_signal", "Sine"},
+          {"keyframes", keyframes}};
+}
+
+Json jsonOf(const std::vector<std::vector<Effect>>& bands) {
+  Json list = Json::array();
+  for (const std::vector<Effect>& band : bands) {
+    Json effects = Json::array();
+    for (const Effect& effect : band) effects.push_back(jsonOf(effect));
+    list.push_back({{"band_type", "VectorialWave"},
+                    {"lower_frequency_limit", 0},
+                    {"upper_frequency_limit", 2000},
+                    {"effects", effects}});
+  }
+  return list;
+}
+
+std::string textOf(const ExportSource& source, const std::vector<std::vector<Effect>>& bands,
+                   const ExportLoss& loss) {
+  std::string description;
+  for (const std::string& line : headLines(source, loss))
+    description += (description.empty() ? "" : "; ") + line;
+  const Json channel{{"id", 0},
+                     {"description", "button"},
+                     {"gain", 1},
+                     {"mixing_weight", 1},
+                     {"body_part_mask", 0},
+                     {"vertices", Json::array()},
+                     {"bands", jsonOf(bands)}};
+  const Json perception{{"id", 0},
+                        {"avatar_id", 0},
+                        {"description", source.plan.button},
+                        {"perception_modality", "Vibrotactile"},
+                        {"unit_exponent", 0},
+                        {"perception_unit_exponent", 0},
+                        {"effect_library", Json::array()},
+                        {"reference_devices", Json::array()},
+                        {"channels", Json::array({channel})}};
+  const Json file{{"version", "2023"},
+                  {"profile", "Main"},
+                  {"level", 1},
+                  {"date", ""},
+                  {"description", description},
+                  {"timescale", 48000},
+                  {"avatars", Json::array({Json{{"id", 0}, {"lod", 0}, {"type", "Vibration"}}})},
+                  {"perceptions", Json::array({perception})},
+                  {"syncs", Json::array()}};
+  return jsonText(file, 1) + "\n";
+}
+
+/// Bursts that nothing filters stand as they are; with an equalizer, or a low-pass over all, none does.
+bool burstsPassUnfiltered(const HapticProgram& program) {
+  return program.equalizerBandCount == 0 && program.lowPass.placement != LowPassPlacement::wholeChain;
+}
+
+}  // namespace
+
+Reduction hjifOf(const ExportSource& source) {
+  const PressPlan& plan = source.plan;
+  Reduction reduction;
+  std::vector<std::vector<Effect>> bands;
+  if (burstsPassUnfiltered(source.program)) {
+    for (const PlannedBurst& planned : plan.bursts) {
+      if (planned.kind == EventKind::grain) continue;
+      Effect effect = effectOf(planned, source.program.gain, plan.sampleRate_Hz);
+      reduction.loss.frequencyMoved_Hz = std::fmax(
+          reduction.loss.frequencyMoved_Hz, std::fabs(effect.frequency_Hz - planned.burst.frequency_Hz));
+      place(bands, std::move(effect));
+    }
+  }
+  std::vector<PlayedWave> waves;
+  for (const std::vector<Effect>& band : bands)
+    for (const Effect& effect : band) waves.push_back(waveOf(effect, plan.sampleRate_Hz));
+  reduction.played = playedBy(waves, plan);
+  std::vector<double> rest(plan.samples.size());
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    rest[i] = static_cast<double>(plan.samples[i]) - reduction.played[i];
+  const double carrier_Hz =
+      std::round(source.program.grain.frequency_Hz > 0 ? source.program.grain.frequency_Hz
+                                                       : plan.bursts.front().burst.frequency_Hz);
+  std::vector<PlayedWave> pieces;
+  for (const QuadraturePiece& piece : quadraturePieces(rest, plan.sampleRate_Hz, carrier_Hz, tolerance)) {
+    auto [sine, cosine] = effectsOf(piece, carrier_Hz, plan.sampleRate_Hz);
+    pieces.push_back(waveOf(sine, plan.sampleRate_Hz));
+    pieces.push_back(waveOf(cosine, plan.sampleRate_Hz));
+    place(bands, std::move(sine));
+    place(bands, std::move(cosine));
+  }
+  addTo(reduction.played, pieces, plan.sampleRate_Hz);
+  reduction.loss.dropped = {"that a finger's force decides what is felt (the file is one press)"};
+  reduction.write = [source, bands](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", textOf(source, bands, loss)}};
+  };
+  return reduction;
+}
+
+}  // namespace detent::playback

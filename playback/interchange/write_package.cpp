@@ -1,0 +1,414 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The force-triggered package: at which force what is to be played, for devices that sense force themselves. As JSON and as a C header.
+
+#include <cmath>
+#include <optional>
+
+#include <nlohmann/json.hpp>
+
+#include "model/file/json_text.h"
+#include "model/metrics.h"
+#include "model/units.h"
+#include "model/version.h"
+#include "playback/interchange/reduction.h"
+#include "playback/realtime/biquad.h"
+#include "playback/realtime/grain_voice.h"
+#include "playback/realtime/voice.h"
+
+namespace detent::playback {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What is played where on a stroke.
+struct Trigger {
+  const char* kind = "";  ///< "jump" or "bottom_out"
+  bool release = false;
+  double at_mm = 0, to_mm = 0, at_N = 0;
+  double rearm_mm = 0, rearm_N = 0;
+  Burst burst;
+};
+
+struct StatePackage {
+  std::string name;
+  std::vector<Trigger> triggers;  ///< in the order travelled, press first
+  std::optional<double> press_N, press_mm, release_N, release_mm;
+  StateMetrics metrics;
+  std::optional<double> operating_mm, operating_N, reset_mm, reset_N;
+};
+
+double inGrams(double force_N) { return force_N / newtonsPer(ForceUnit::gramForce); }
+
+double forceAt(const StrokeTable& table, double displacement_mm) {
+  if (table.pointCount == 0) return 0;
+  for (std::uint32_t i = 1; i < table.pointCount; ++i) {
+    const TablePoint& a = table.points[i - 1];
+    const TablePoint& b = table.points[i];
+    if (displacement_mm > b.displacement_mm) continue;
+    const double width = b.displacement_mm - a.displacement_mm;
+    const double share = width > 0 ? (displacement_mm - a.displacement_mm) / width : 1;
+    return a.force_N + (b.force_N - a.force_N) * std::fmax(0, share);
+  }
+  return table.points[table.pointCount - 1].force_N;
+}
+
+std::vector<Trigger> triggersOf(const StrokeTable& table, bool release) {
+  std::vector<Trigger> triggers;
+  for (std::uint32_t i = 0; i < table.jumpCount; ++i) {
+    const JumpEntry& jump = table.jumps[i];
+    triggers.push_back({"jump", release, jump.from_mm, jump.to_mm, forceAt(table, jump.from_mm),
+                        jump.rearm_mm, forceAt(table, jump.rearm_mm), jump.burst});
+  }
+  return triggers;
+}
+
+StatePackage packageOf(const ButtonState& state, const StateProgram& program, const HapticProgram& whole) {
+  StatePackage package;
+  package.name = state.name;
+  package.metrics = metricsOf(state);
+  package.triggers = triggersOf(program.press, false);
+  if (program.hasBottomOut)
+    package.triggers.push_back({"bottom_out", false, program.bottomOut_mm, program.bottomOut_mm,
+                                forceAt(program.press, program.bottomOut_mm), program.bottomOutRearm_mm,
+                                forceAt(program.press, program.bottomOutRearm_mm), whole.bottomOut});
+  for (const Trigger& trigger : triggersOf(program.release, true)) package.triggers.push_back(trigger);
+  if (program.hasOperatingPoint) {
+    package.operating_mm = program.operating_mm;
+    package.operating_N = forceAt(program.press, program.operating_mm);
+  }
+  if (program.hasResetPoint) {
+    package.reset_mm = program.reset_mm;
+    package.reset_N = forceAt(program.release, program.reset_mm);
+  }
+  // What a device switches at is what is felt: the first jump; without one the operating point, then the bottom-out.
+  for (const Trigger& trigger : package.triggers) {
+    auto& at_N = trigger.release ? package.release_N : package.press_N;
+    auto& at_mm = trigger.release ? package.release_mm : package.press_mm;
+    const bool clicks = std::string_view(trigger.kind) == "jump";
+    if (at_N || !clicks) continue;
+    at_N = trigger.at_N;
+    at_mm = trigger.at_mm;
+  }
+  if (!package.press_N) {
+    package.press_N = package.operating_N;
+    package.press_mm = package.operating_mm;
+  }
+  if (!package.press_N && program.hasBottomOut) {
+    package.press_N = forceAt(program.press, program.bottomOut_mm);
+    package.press_mm = program.bottomOut_mm;
+  }
+  if (!package.release_N) {
+    package.release_N = package.reset_N;
+    package.release_mm = package.reset_mm;
+  }
+  return package;
+}
+
+std::vector<StatePackage> statesOf(const ExportSource& source) {
+  std::vector<StatePackage> states;
+  for (std::size_t i = 0; i < source.program.stateCount; ++i)
+    states.push_back(packageOf(source.button.states()[i], source.program.states[i], source.program));
+  return states;
+}
+
+Json orNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json jsonOf(const Burst& burst) {
+  const bool falling = burst.envelope == Envelope::falling;
+  const double lasts_ms = 1000 * burst.duration_s;
+  return {{"frequency_Hz", burst.frequency_Hz}, {"duration_ms", lasts_ms},
+          {"amplitude", burst.amplitude},       {"envelope", falling ? "falling" : "rising"},
+          {"rise_ms", falling ? 0 : lasts_ms},  {"fall_ms", falling ? lasts_ms : 0}};
+}
+
+Json jsonOf(const Trigger& trigger) {
+  return {{"stroke", trigger.release ? "release" : "press"},
+          {"kind", trigger.kind},
+          {"force_N", trigger.at_N},
+          {"force_g", inGrams(trigger.at_N)},
+          {"displacement_mm", trigger.at_mm},
+          {"to_displacement_mm", trigger.to_mm},
+          {"rearm_displacement_mm", trigger.rearm_mm},
+          {"rearm_force_N", trigger.rearm_N},
+          {"wave", jsonOf(trigger.burst)}};
+}
+
+Json threshold(const std::optional<double>& force_N, const std::optional<double>& displacement_mm) {
+  if (!force_N) return nullptr;
+  return {
+      {"force_N", *force_N}, {"force_g", inGrams(*force_N)}, {"displacement_mm", orNull(displacement_mm)}};
+}
+
+/// The figures under the names that data sheets of tact switches use.
+Json tactFigures(const StatePackage& state) {
+  Json figures{{"Fa_N", nullptr},
+               {"Fra_N", nullptr},
+               {"click_ratio_percent", nullptr},
+               {"travel_to_make_mm", nullptr}};
+  const std::vector<TactileEvent>& events = state.metrics.press.tactile;
+  if (!events.empty()) {
+    figures["Fa_N"] = events.front().point.force_N;
+    if (events.front().snapRatio) figures["click_ratio_percent"] = 100 * *events.front().snapRatio;
+  } else if (state.operating_N) {
+    figures["Fa_N"] = *state.operating_N;
+  }
+  figures["Fra_N"] = orNull(state.release_N);
+  figures["travel_to_make_mm"] = orNull(state.operating_mm);
+  return figures;
+}
+
+Json pointsOf(const StrokeTable& table) {
+  Json points = Json::array();
+  for (std::uint32_t i = 0; i < table.pointCount; ++i)
+    points.push_back({table.points[i].displacement_mm, table.points[i].force_N});
+  return points;
+}
+
+Json coefficients(const BiquadCoefficients& c) {
+  return {{"b0", c.b0}, {"b1", c.b1}, {"b2", c.b2}, {"a1", c.a1}, {"a2", c.a2}};
+}
+
+/// What the bursts go through, so that a reader can make the engine's samples of them.
+Json chainOf(const HapticProgram& program, double sampleRate_Hz) {
+  Json equalizer = Json::array();
+  for (std::uint32_t i = 0; i < program.equalizerBandCount; ++i) {
+    const EqualizerBand& band = program.equalizer[i];
+    equalizer.push_back(
+        {{"frequency_Hz", band.frequency_Hz},
+         {"q", band.q},
+         {"gain_dB", band.gain_dB},
+         {"coefficients", coefficients(peaking(sampleRate_Hz, band.frequency_Hz, band.q, band.gain_dB))}});
+  }
+  const LowPass& low = program.lowPass;
+  const char* acts = low.placement == LowPassPlacement::none        ? "none"
+                     : low.placement == LowPassPlacement::slopeOnly ? "grains"
+                                                                    : "all";
+  return {{"sample_rate_Hz", sampleRate_Hz},
+          {"grain_low_pass",
+           {{"acts_on", acts},
+            {"cutoff_Hz", low.cutoff_Hz},
+            {"order", low.order},
+            {"coefficients", coefficients(lowPass(sampleRate_Hz, low.cutoff_Hz, low.order))}}},
+          {"grain_high_pass",
+           {{"cutoff_Hz", program.highPass_Hz},
+            {"coefficients", coefficients(highPass(sampleRate_Hz, program.highPass_Hz))}}},
+          {"grain_carrier", program.grainCarrier == GrainCarrier::running ? "running" : "retriggered"},
+          {"equalizer", equalizer},
+          {"gain", program.gain},
+          {"limiter_ceiling", program.limiterCeiling}};
+}
+
+const char* eventName(EventKind kind) {
+  return kind == EventKind::grain       ? "grain"
+         : kind == EventKind::pressJump ? "press_jump"
+         : kind == EventKind::bottomOut ? "bottom_out"
+                                        : "release_jump";
+}
+
+Json examplePress(const PressPlan& plan) {
+  Json events = Json::array();
+  for (const PlannedBurst& planned : plan.bursts)
+    events.push_back({{"sample", planned.frame},
+                      {"time_s", plan.time_s(planned.frame)},
+                      {"kind", eventName(planned.kind)},
+                      {"displacement_mm", planned.displacement_mm},
+                      {"wave", jsonOf(planned.burst)}});
+  return {{"press", plan.press}, {"samples", plan.samples.size()}, {"events", events}};
+}
+
+std::string packageText(const ExportSource& source, const ExportLoss& loss) {
+  Json states = Json::array();
+  const std::vector<StatePackage> packages = statesOf(source);
+  for (std::size_t i = 0; i < packages.size(); ++i) {
+    const StatePackage& state = packages[i];
+    const StateProgram& program = source.program.states[i];
+    Json triggers = Json::array();
+    for (const Trigger& trigger : state.triggers) triggers.push_back(jsonOf(trigger));
+    states.push_back({{"name", state.name},
+                      {"press_threshold", threshold(state.press_N, state.press_mm)},
+                      {"release_threshold", threshold(state.release_N, state.release_mm)},
+                      {"operating_point", threshold(state.operating_N, state.operating_mm)},
+                      {"reset_point", threshold(state.reset_N, state.reset_mm)},
+                      {"tact_switch_figures", tactFigures(state)},
+                      {"triggers", triggers},
+                      {"curve",
+                       {{"columns", {"displacement_mm", "force_N"}},
+                        {"press", pointsOf(program.press)},
+                        {"release", pointsOf(program.release)}}}});
+  }
+  const Json file{{"format", "detent-force-triggered-package"},
+                  {"version", 1},
+                  {"made_by", std::string("Detent ") + version()},
+                  {"button", source.plan.button},
+                  {"self_locking", source.program.stateCount > 1},
+                  {"states", states},
+                  {"grains",
+                   {{"per_mm", source.program.grainsPerMm},
+                    {"origin_mm", source.program.gridOrigin_mm},
+                    {"wave", jsonOf(source.program.grain)}}},
+                  {"chain", chainOf(source.program, source.plan.sampleRate_Hz)},
+                  {"example_press", examplePress(source.plan)},
+                  {"loss", jsonOf(loss)}};
+  return jsonText(file, 1) + "\n";
+}
+
+// ---- the same for firmware
+
+Burst heard(Burst burst, const HapticProgram& program) {
+  burst.amplitude *= program.gain;
+  return burst;
+}
+
+/// A grain as strong as the filters leave a long one.
+Burst heardGrain(const ExportSource& source) {
+  Burst grain = heard(source.program.grain, source.program);
+  const double rate_Hz = source.plan.sampleRate_Hz;
+  const LowPass& low = source.program.lowPass;
+  if (low.placement != LowPassPlacement::none)
+    grain.amplitude *= magnitude(lowPass(rate_Hz, low.cutoff_Hz, low.order), rate_Hz, grain.frequency_Hz);
+  grain.amplitude *= magnitude(highPass(rate_Hz, source.program.highPass_Hz), rate_Hz, grain.frequency_Hz);
+  return grain;
+}
+
+std::string cBurst(const Burst& burst) {
+  const bool falling = burst.envelope == Envelope::falling;
+  const double lasts_ms = 1000 * burst.duration_s;
+  return "{" + cFloat(burst.frequency_Hz) + ", " + cFloat(lasts_ms) + ", " + cFloat(burst.amplitude) + ", " +
+         cFloat(falling ? 0 : lasts_ms) + ", " + cFloat(falling ? lasts_ms : 0) + "}";
+}
+
+std::string cTable(const char* name, std::size_t state, const StrokeTable& table) {
+  if (table.pointCount == 0) return {};
+  const auto column = [&](const char* what, auto member) {
+    std::string text = "static const float detent_" + std::string(name) + "_" + what + "_" +
+                       std::to_string(state) + "[] = {";
+    std::vector<double> numbers;
+    for (std::uint32_t i = 0; i < table.pointCount; ++i) numbers.push_back(table.points[i].*member);
+    return text + rows(numbers, cFloat) + "};\n";
+  };
+  return column("mm", &TablePoint::displacement_mm) + column("N", &TablePoint::force_N);
+}
+
+std::string cTriggers(std::size_t index, const StatePackage& state, const HapticProgram& program) {
+  std::string text = "static const detent_trigger detent_triggers_" + std::to_string(index) + "[] = {\n";
+  for (const Trigger& t : state.triggers)
+    text += "  {" + std::string(t.release ? "1" : "0") + ", " +
+            (std::string_view(t.kind) == "jump" ? "0" : "1") + ", " + cFloat(t.at_N) + ", " +
+            cFloat(t.rearm_N) + ", " + cFloat(t.at_mm) + ", " + cFloat(t.rearm_mm) + ", " +
+            cBurst(heard(t.burst, program)) + "},\n";
+  // C has no empty arrays: a trigger no force reaches.
+  if (state.triggers.empty())
+    text += "  {0, 0, 1.0e30f, 0.0f, 1.0e30f, 0.0f, {0.0f, 0.0f, 0.0f, 0.0f, 0.0f}},\n";
+  return text + "};\n";
+}
+
+std::string cState(std::size_t index, const StatePackage& state, const StateProgram& program) {
+  const std::string n = std::to_string(index);
+  const auto number = [](const std::optional<double>& value) { return cFloat(value.value_or(-1)); };
+  const auto column = [&](const char* name, const StrokeTable& table, const char* what) {
+    return table.pointCount == 0 ? std::string("0") : "detent_" + std::string(name) + "_" + what + "_" + n;
+  };
+  return "  {" + cString(state.name) + ", " + number(state.press_N) + ", " + number(state.release_N) + ", " +
+         number(state.operating_N) + ", " + number(state.reset_N) + ", detent_triggers_" + n + ", " +
+         std::to_string(state.triggers.size()) + "u, " + column("press", program.press, "mm") + ", " +
+         column("press", program.press, "N") + ", " + std::to_string(program.press.pointCount) + "u, " +
+         column("release", program.release, "mm") + ", " + column("release", program.release, "N") + ", " +
+         std::to_string(program.release.pointCount) + "u},\n";
+}
+
+constexpr const char* cTypes = R"(#ifndef DETENT_BUTTON_H
+#define DETENT_BUTTON_H
+
+/* A sine of frequency_Hz for duration_ms whose amplitude (share of full scale) rises over rise_ms and falls over fall_ms. */
+typedef struct { float frequency_Hz, duration_ms, amplitude, rise_ms, fall_ms; } detent_wave;
+
+/* Play `wave` when the force passes force_N: upwards on a press (release == 0), downwards on a release; again only after it
+   has been back at rearm_N. kind: 0 jump, 1 bottom-out. */
+typedef struct {
+  unsigned char release, kind;
+  float force_N, rearm_N, displacement_mm, rearm_displacement_mm;
+  detent_wave wave;
+} detent_trigger;
+
+/* Forces that a state does not have are -1. Curves by rising displacement. */
+typedef struct {
+  const char* name;
+  float press_threshold_N, release_threshold_N, operating_N, reset_N;
+  const detent_trigger* triggers;
+  unsigned trigger_count;
+  const float *press_mm, *press_N;
+  unsigned press_points;
+  const float *release_mm, *release_N;
+  unsigned release_points;
+} detent_state;
+
+)";
+
+std::string headerText(const ExportSource& source, const ExportLoss& loss) {
+  const std::vector<StatePackage> states = statesOf(source);
+  std::string tables, list;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const StateProgram& program = source.program.states[i];
+    tables += cTriggers(i, states[i], source.program) + cTable("press", i, program.press) +
+              cTable("release", i, program.release);
+    list += cState(i, states[i], program);
+  }
+  return cComment(headLines(source, loss)) + cTypes + tables +
+         "\nstatic const detent_state detent_states[] = {\n" + list +
+         "};\nstatic const unsigned detent_state_count = " + std::to_string(states.size()) +
+         "u;\n\n/* The slope: a grain every 1/grains_per_mm. */\nstatic const float detent_grains_per_mm = " +
+         cFloat(source.program.grainsPerMm) +
+         ";\nstatic const detent_wave detent_grain = " + cBurst(heardGrain(source)) + ";\n\n#endif\n";
+}
+
+/// The header as a small device plays it: no filters, the grain as strong as they leave it, a new grain in place of the last.
+std::vector<double> unfiltered(const ExportSource& source) {
+  const PressPlan& plan = source.plan;
+  std::vector<double> samples(plan.samples.size(), 0);
+  GrainVoice grain;
+  std::size_t at = 0;
+  const auto play = [&](std::size_t until) {
+    if (until > at) grain.addTo(samples.data() + at, until - at);
+    at = std::max(at, until);
+  };
+  for (const PlannedBurst& planned : plan.bursts) {
+    const auto frame =
+        std::min(static_cast<std::size_t>(std::max<std::int64_t>(0, planned.frame)), samples.size());
+    if (planned.kind == EventKind::grain) {
+      play(frame);
+      grain.start(heardGrain(source), source.program.grainCarrier, plan.sampleRate_Hz);
+      continue;
+    }
+    Voice voice;
+    voice.start(heard(planned.burst, source.program), plan.sampleRate_Hz);
+    voice.addTo(samples.data() + frame, samples.size() - frame);
+  }
+  play(samples.size());
+  return samples;
+}
+
+std::vector<double> asPlayed(const PressPlan& plan) { return {plan.samples.begin(), plan.samples.end()}; }
+
+}  // namespace
+
+Reduction packageOf(const ExportSource& source) {
+  Reduction reduction;
+  reduction.played = asPlayed(source.plan);
+  reduction.write = [source](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", packageText(source, loss)}};
+  };
+  return reduction;
+}
+
+Reduction cHeaderOf(const ExportSource& source) {
+  Reduction reduction;
+  reduction.played = unfiltered(source);
+  reduction.loss.dropped = {"the grains' filters, equalizer and limiter (the package has them)"};
+  reduction.write = [source](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", headerText(source, loss)}};
+  };
+  return reduction;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,475 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Time lines of phones and headsets: AHAP, .haptic, OpenXR, Android.
+
+#include <algorithm>
+#include <cmath>
+
+#include <nlohmann/json.hpp>
+
+#include "model/file/json_text.h"
+#include "model/version.h"
+#include "playback/interchange/envelope.h"
+#include "playback/interchange/reduction.h"
+#include "playback/measurement/exact_number.h"
+
+namespace detent::playback {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* oneRecordedPress = "that a finger's force decides what is felt (the file is one press)";
+
+// Sharpness and the frequencies it stands for; .haptic's frequency is converted to it one to one.
+constexpr double lowest_Hz = 80, highest_Hz = 230;
+double sharpnessOf(double frequency_Hz) {
+  return std::clamp((frequency_Hz - lowest_Hz) / (highest_Hz - lowest_Hz), 0.0, 1.0);
+}
+double frequencyOf(double sharpness) { return lowest_Hz + (highest_Hz - lowest_Hz) * sharpness; }
+
+double rounded(double value, double step) { return std::round(value / step) * step; }
+
+double frequencyMoved_Hz(const PressPlan& plan) {
+  double worst = 0;
+  for (const PlannedBurst& planned : plan.bursts)
+    worst = std::fmax(
+        worst, std::fabs(planned.burst.frequency_Hz - frequencyOf(sharpnessOf(planned.burst.frequency_Hz))));
+  return worst;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : "; ") + line;
+  return text;
+}
+
+// ---- AHAP. Jumps up to 40 ms are transients; everything else is a row of short continuous events, each of one intensity: a
+// parameter curve would scale every event under it, transients too.
+
+constexpr double longestTransient_s = 0.040;
+constexpr double transient_s = 0.022;  // what players make of one: two cycles of 90 Hz
+constexpr double slopeStep_s = 0.010, ahapStep_s = 0.005;
+
+struct AhapEvent {
+  bool transient = false;
+  std::int64_t from = 0, to = 0;
+  double intensity = 0, sharpness = 0;
+};
+
+struct AhapPart {
+  std::int64_t zero = 0;
+  std::vector<AhapEvent> events;
+};
+
+bool isJump(const PlannedBurst& planned) {
+  return planned.kind == EventKind::pressJump || planned.kind == EventKind::releaseJump;
+}
+
+bool isTransient(const PlannedBurst& planned) {
+  return isJump(planned) && planned.burst.duration_s <= longestTransient_s;
+}
+
+AhapEvent continuous(std::int64_t from, std::int64_t to, double amplitude, double frequency_Hz) {
+  return {false, from, to, rounded(std::sqrt(amplitude), 1e-6), rounded(sharpnessOf(frequency_Hz), 1e-6)};
+}
+
+/// A burst's own envelope in steps of one intensity each.
+void addBurst(const PlannedBurst& planned, double sampleRate_Hz, std::vector<AhapEvent>& events) {
+  const double length = planned.burst.duration_s * sampleRate_Hz;
+  const auto count = std::max<std::int64_t>(1, std::llround(planned.burst.duration_s / ahapStep_s));
+  for (std::int64_t i = 0; i < count; ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    const auto at = [&](std::int64_t k) {
+      return planned.frame + std::llround(length * static_cast<double>(k) / static_cast<double>(count));
+    };
+    const double level = planned.burst.envelope == Envelope::falling ? 1 - share : share;
+    events.push_back(
+        continuous(at(i), at(i + 1), planned.burst.amplitude * level, planned.burst.frequency_Hz));
+  }
+}
+
+AhapPart ahapPart(const PressPlan& plan, const Stretch& stretch) {
+  AhapPart part{stretch.from, {}};
+  for (const PlannedBurst& planned : plan.bursts) {
+    if (planned.frame < stretch.from || planned.frame >= stretch.to || planned.kind == EventKind::grain)
+      continue;
+    if (isTransient(planned))
+      part.events.push_back(
+          {true, planned.frame, planned.frame + std::llround(transient_s * plan.sampleRate_Hz),
+           rounded(std::sqrt(planned.burst.amplitude), 1e-6), sharpnessOf(planned.burst.frequency_Hz)});
+    else
+      addBurst(planned, plan.sampleRate_Hz, part.events);
+  }
+  for (const EnvelopeStep& step : stepsOf(plan, stretch, slopeStep_s, ahapStep_s))
+    if (step.strongest == EventKind::grain && step.amplitude >= 1e-3)
+      part.events.push_back(continuous(step.from, step.to, step.amplitude, step.frequency_Hz));
+  std::stable_sort(part.events.begin(), part.events.end(),
+                   [](const AhapEvent& a, const AhapEvent& b) { return a.from < b.from; });
+  return part;
+}
+
+void addWaves(const AhapPart& part, double sampleRate_Hz, std::vector<PlayedWave>& waves) {
+  for (const AhapEvent& event : part.events) {
+    const double from_s = static_cast<double>(event.from) / sampleRate_Hz;
+    const double to_s = static_cast<double>(event.to) / sampleRate_Hz;
+    const double amplitude = event.intensity * event.intensity, frequency = frequencyOf(event.sharpness);
+    waves.push_back(
+        {{{from_s, amplitude, frequency}, {to_s, event.transient ? 0 : amplitude, frequency}}, 0});
+  }
+}
+
+std::string ahapText(const ExportSource& source, const AhapPart& part, const char* which,
+                     const ExportLoss& loss) {
+  Json pattern = Json::array();
+  const auto seconds = [&](std::int64_t frames) {
+    return rounded(static_cast<double>(frames) / source.plan.sampleRate_Hz, 1e-6);
+  };
+  for (const AhapEvent& event : part.events) {
+    const Json parameters =
+        Json::array({Json{{"ParameterID", "HapticIntensity"}, {"ParameterValue", event.intensity}},
+                     Json{{"ParameterID", "HapticSharpness"}, {"ParameterValue", event.sharpness}}});
+    Json entry{{"Time", seconds(event.from - part.zero)},
+               {"EventType", event.transient ? "HapticTransient" : "HapticContinuous"}};
+    if (!event.transient) entry["EventDuration"] = seconds(event.to - event.from);
+    entry["EventParameters"] = parameters;
+    pattern.push_back({{"Event", entry}});
+  }
+  const Json file{{"Version", 1.0},
+                  {"Metadata",
+                   {{"Project", source.plan.button},
+                    {"Created", std::string("Detent ") + version()},
+                    {"Description", std::string(which) + ". " + joined(headLines(source, loss))}}},
+                  {"Pattern", pattern}};
+  return jsonText(file, 1) + "\n";
+}
+
+std::vector<std::int64_t> transientOnsets(const AhapPart& part) {
+  std::vector<std::int64_t> onsets;
+  for (const AhapEvent& event : part.events) onsets.push_back(event.from);
+  return onsets;
+}
+
+// ---- .haptic and OpenXR: one voice, an envelope and a frequency
+
+constexpr double envelopeStep_s = 0.005;
+
+struct OneVoice {
+  std::int64_t zero = 0;
+  std::vector<WavePoint> points;  ///< from `zero`, as written
+};
+
+double clampedAmplitude(double amplitude) { return rounded(std::clamp(amplitude, 0.0, 1.0), 1e-6); }
+
+std::string hapticText(const ExportSource& source, const OneVoice& voice, const ExportLoss& loss) {
+  Json amplitude = Json::array(), frequency = Json::array();
+  for (const WavePoint& point : voice.points) {
+    amplitude.push_back({{"time", point.time_s}, {"amplitude", point.amplitude}});
+    frequency.push_back({{"time", point.time_s}, {"frequency", sharpnessOf(point.frequency_Hz)}});
+  }
+  const Json file{
+      {"version", {{"major", 1}, {"minor", 0}, {"patch", 0}}},
+      {"metadata",
+       {{"editor", std::string("Detent ") + version()},
+        {"author", ""},
+        {"source", source.plan.press},
+        {"project", source.plan.button},
+        {"tags", Json::array()},
+        {"description", joined(headLines(source, loss))}}},
+      {"signals", {{"continuous", {{"envelopes", {{"amplitude", amplitude}, {"frequency", frequency}}}}}}}};
+  return jsonText(file, 1) + "\n";
+}
+
+constexpr double openxrLowest_Hz = 1, openxrHighest_Hz = 1000;
+constexpr std::size_t openxrPoints = 500;
+constexpr double openxrStep_s = 0.0025;
+
+double openxrValue(double frequency_Hz) {
+  return std::clamp((frequency_Hz - openxrLowest_Hz) / (openxrHighest_Hz - openxrLowest_Hz), 0.0, 1.0);
+}
+
+std::int64_t nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
+
+/// Frequencies change at steps only: where they do not, a point would say nothing.
+std::vector<WavePoint> turningPoints(const std::vector<WavePoint>& points) {
+  std::vector<WavePoint> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool outer = i == 0 || i + 1 == points.size();
+    if (outer || points[i - 1].frequency_Hz != points[i].frequency_Hz ||
+        points[i + 1].frequency_Hz != points[i].frequency_Hz)
+      kept.push_back(points[i]);
+  }
+  return kept;
+}
+
+std::string openxrJson(const ExportSource& source, const OneVoice& voice, const ExportLoss& loss) {
+  Json amplitude = Json::array(), frequency = Json::array();
+  for (const WavePoint& point : voice.points)
+    amplitude.push_back({{"time", nanoseconds(point.time_s)}, {"value", point.amplitude}});
+  for (const WavePoint& point : turningPoints(voice.points))
+    frequency.push_back({{"time", nanoseconds(point.time_s)}, {"value", openxrValue(point.frequency_Hz)}});
+  const Json file{{"type", "XR_TYPE_HAPTIC_PARAMETRIC_VIBRATION_EXT"},
+                  {"next", nullptr},
+                  {"amplitudePointCount", amplitude.size()},
+                  {"amplitudePoints", amplitude},
+                  {"frequencyPointCount", frequency.size()},
+                  {"frequencyPoints", frequency},
+                  {"transientCount", 0},
+                  {"transients", Json::array()},
+                  {"minFrequencyHz", openxrLowest_Hz},
+                  {"maxFrequencyHz", openxrHighest_Hz},
+                  {"streamFrameType", "XR_HAPTIC_PARAMETRIC_STREAM_FRAME_TYPE_NONE_EXT"},
+                  {"metadata", joined(headLines(source, loss))}};
+  return jsonText(file, 1) + "\n";
+}
+
+std::string openxrInitializer(const ExportSource& source, const OneVoice& voice, const ExportLoss& loss) {
+  const auto list = [](const char* name, const std::vector<WavePoint>& points, auto value) {
+    std::string text = "static const XrHapticParametricPointEXT " + std::string(name) + "[] = {\n";
+    for (const WavePoint& point : points)
+      text += "  {" + std::to_string(nanoseconds(point.time_s)) + ", " + cFloat(value(point)) + "},\n";
+    return text + "};\n";
+  };
+  const std::vector<WavePoint> turns = turningPoints(voice.points);
+  return cComment(headLines(source, loss)) + "#include <openxr/openxr.h>\n\n" +
+         list("detent_amplitude", voice.points, [](const WavePoint& p) { return p.amplitude; }) +
+         list("detent_frequency", turns, [](const WavePoint& p) { return openxrValue(p.frequency_Hz); }) +
+         "static const XrHapticParametricVibrationEXT detent_vibration = {\n"
+         "  XR_TYPE_HAPTIC_PARAMETRIC_VIBRATION_EXT, NULL,\n  " +
+         std::to_string(voice.points.size()) + ", detent_amplitude,\n  " + std::to_string(turns.size()) +
+         ", detent_frequency,\n  0, NULL,\n  1.0f, 1000.0f,\n"
+         "  XR_HAPTIC_PARAMETRIC_STREAM_FRAME_TYPE_NONE_EXT};\n";
+}
+
+/// Steps of frequency need two points; players want times that rise.
+void spread(std::vector<WavePoint>& points, double apart_s) {
+  for (std::size_t i = 1; i < points.size(); ++i)
+    if (points[i].time_s < points[i - 1].time_s + apart_s) points[i].time_s = points[i - 1].time_s + apart_s;
+}
+
+OneVoice voiceOf(const std::vector<EnvelopeStep>& steps, const PressPlan& plan, double timeStep_s,
+                 double apart_s) {
+  OneVoice voice{steps.empty() ? 0 : steps.front().from, {}};
+  voice.points = smoothed(steps, plan.sampleRate_Hz, voice.zero).points;
+  for (WavePoint& point : voice.points) {
+    point.time_s = rounded(point.time_s, timeStep_s);
+    point.amplitude = clampedAmplitude(point.amplitude);
+  }
+  spread(voice.points, apart_s);
+  return voice;
+}
+
+Reduction oneVoice(const PressPlan& plan, const std::vector<EnvelopeStep>& steps, const OneVoice& voice,
+                   double (*heard_Hz)(double)) {
+  Reduction reduction;
+  PlayedWave wave{voice.points, 0};
+  for (WavePoint& point : wave.points) point.frequency_Hz = heard_Hz(point.frequency_Hz);
+  reduction.played = playedBy({wave}, plan);
+  const Stretch whole{0, static_cast<std::int64_t>(plan.samples.size())};
+  reduction.loss.worstTimingError_ms = worstTimingError_ms(plan, whole, onsetsOf(steps));
+  reduction.loss.grainsMerged = grainsWithin(plan, whole);
+  for (const PlannedBurst& planned : plan.bursts)
+    reduction.loss.frequencyMoved_Hz =
+        std::fmax(reduction.loss.frequencyMoved_Hz,
+                  std::fabs(heard_Hz(planned.burst.frequency_Hz) - planned.burst.frequency_Hz));
+  reduction.loss.dropped = {oneRecordedPress, "all but the strongest where several bursts overlap"};
+  return reduction;
+}
+
+// ---- Android: envelopes of at most 16 points at least 20 ms apart, and amplitudes by the millisecond for what has none
+
+constexpr std::size_t androidPoints = 16;
+constexpr double androidStep_s = 0.020;
+
+struct AndroidPoint {
+  double amplitude = 0, frequency_Hz = 0;
+  std::int64_t duration_ms = 0;
+};
+
+struct AndroidPart {
+  std::int64_t zero = 0;
+  std::vector<AndroidPoint> envelope;
+  std::vector<std::pair<std::int64_t, int>> waveform;  ///< ms, 0..255
+  std::vector<std::int64_t> onsets;
+};
+
+/// The coarsest steps that fit: 20 ms, or as long as 15 of them need.
+std::vector<EnvelopeStep> androidSteps(const PressPlan& plan, const Stretch& stretch) {
+  for (double step_s = androidStep_s;; step_s *= 1.25) {
+    std::vector<EnvelopeStep> steps = stepsOf(plan, stretch, step_s, androidStep_s);
+    if (steps.size() < androidPoints) return steps;
+  }
+}
+
+std::int64_t milliseconds(std::int64_t frames, double sampleRate_Hz) {
+  return std::llround(1000 * static_cast<double>(frames) / sampleRate_Hz);
+}
+
+/// Grains that leave a jump no 20 ms are given up for its moment.
+std::int64_t androidStart(const PressPlan& plan, const Stretch& stretch) {
+  const std::int64_t first = firstOnset(plan, stretch);
+  for (const PlannedBurst& planned : plan.bursts)
+    if (planned.kind != EventKind::grain && planned.frame >= first && planned.frame < stretch.to &&
+        plan.time_s(planned.frame - first) < androidStep_s)
+      return planned.frame;
+  return first;
+}
+
+AndroidPart androidPart(const PressPlan& plan, const Stretch& all) {
+  const std::int64_t first = androidStart(plan, all);
+  AndroidPart part{first, {}, {}, {}};
+  if (first >= all.to) return part;
+  const Stretch stretch{first, all.to};
+  const auto at_ms = [&](std::int64_t frame) { return milliseconds(frame - first, plan.sampleRate_Hz); };
+  std::int64_t last_ms = 0;
+  for (const EnvelopeStep& step : androidSteps(plan, stretch)) {
+    const std::int64_t end_ms = std::max(last_ms + 20, at_ms(step.to));
+    part.envelope.push_back({clampedAmplitude(step.amplitude), step.frequency_Hz, end_ms - last_ms});
+    if (step.onset)
+      part.onsets.push_back(first + std::llround(static_cast<double>(last_ms) * plan.sampleRate_Hz / 1000));
+    last_ms = end_ms;
+  }
+  part.envelope.back().amplitude = 0;  // the builder refuses what does not end at rest
+  last_ms = 0;
+  for (const EnvelopeStep& step : stepsOf(plan, stretch, envelopeStep_s, 0.002)) {
+    const std::int64_t end_ms = std::max(last_ms + 1, at_ms(step.to));
+    part.waveform.emplace_back(end_ms - last_ms, static_cast<int>(std::lround(255 * step.amplitude)));
+    last_ms = end_ms;
+  }
+  return part;
+}
+
+PlayedWave waveOf(const AndroidPart& part, double sampleRate_Hz) {
+  PlayedWave wave;
+  double time_s = static_cast<double>(part.zero) / sampleRate_Hz;
+  if (part.envelope.empty()) return wave;
+  wave.points.push_back({time_s, 0, part.envelope.front().frequency_Hz});
+  for (const AndroidPoint& point : part.envelope) {
+    time_s += static_cast<double>(point.duration_ms) / 1000;
+    wave.points.push_back({time_s, point.amplitude, point.frequency_Hz});
+  }
+  return wave;
+}
+
+std::string kotlinPart(const char* name, const AndroidPart& part) {
+  const auto builder = [&] {
+    std::string text =
+        "        VibrationEffect.WaveformEnvelopeBuilder()\n            .setInitialFrequencyHz(" +
+        cFloat(part.envelope.front().frequency_Hz) + ")\n";
+    for (const AndroidPoint& point : part.envelope)
+      text += "            .addControlPoint(" + cFloat(point.amplitude) + ", " + cFloat(point.frequency_Hz) +
+              ", " + std::to_string(point.duration_ms) + "L)\n";
+    return text + "            .build()\n";
+  };
+  const std::string function = "    fun " + std::string(name) + "(vibrator: Vibrator): VibrationEffect? =\n";
+  if (part.envelope.empty()) return function + "        null  // nothing is felt here\n";
+  std::string timings, amplitudes;
+  for (const auto& [time_ms, amplitude] : part.waveform) {
+    timings += (timings.empty() ? "" : ", ") + std::to_string(time_ms);
+    amplitudes += (amplitudes.empty() ? "" : ", ") + std::to_string(amplitude);
+  }
+  return function + "      if (Build.VERSION.SDK_INT >= 36 && vibrator.areEnvelopeEffectsSupported())\n" +
+         builder() + "      else\n        VibrationEffect.createWaveform(\n            longArrayOf(" +
+         timings + "),\n            intArrayOf(" + amplitudes + "), -1)\n";
+}
+
+std::string kotlinComment(std::string text) {
+  for (std::size_t at = 0; (at = text.find("*/", at)) != std::string::npos;) text.replace(at, 2, "* /");
+  for (std::size_t at = 0; (at = text.find("/*", at)) != std::string::npos;) text.replace(at, 2, "/ *");
+  return text;
+}
+
+std::string kotlinText(const ExportSource& source, const AndroidPart& press, const AndroidPart& release,
+                       const ExportLoss& loss) {
+  std::string head = "/*\n";
+  for (const std::string& line : headLines(source, loss)) {
+    std::string clean;
+    for (const char c : line)
+      if (static_cast<unsigned char>(c) >= ' ') clean += c;
+    head += " * " + kotlinComment(clean) + "\n";
+  }
+  return head +
+         " * Envelopes are played only where the device's frequency range holds them "
+         "(Vibrator.getFrequencyProfile()): the framework\n"
+         " * neither moves nor replaces a frequency that is out of range. VibrationEffect.Builder (newer "
+         "systems) puts press and\n"
+         " * release on one time line; test for the class, not for a version.\n"
+         " */\n"
+         "import android.os.Build\nimport android.os.VibrationEffect\nimport android.os.Vibrator\n\nobject "
+         "DetentButton {\n" +
+         kotlinPart("press", press) + "\n" + kotlinPart("release", release) + "}\n";
+}
+
+}  // namespace
+
+Reduction ahapOf(const ExportSource& source) {
+  const PressPlan& plan = source.plan;
+  const AhapPart press = ahapPart(plan, pressOf(plan)), release = ahapPart(plan, releaseOf(plan));
+  std::vector<PlayedWave> waves;
+  addWaves(press, plan.sampleRate_Hz, waves);
+  addWaves(release, plan.sampleRate_Hz, waves);
+  Reduction reduction;
+  reduction.played = playedBy(waves, plan);
+  reduction.loss.worstTimingError_ms =
+      std::fmax(worstTimingError_ms(plan, pressOf(plan), transientOnsets(press)),
+                worstTimingError_ms(plan, releaseOf(plan), transientOnsets(release)));
+  reduction.loss.grainsMerged = grainsWithin(plan, {0, static_cast<std::int64_t>(plan.samples.size())});
+  reduction.loss.frequencyMoved_Hz = frequencyMoved_Hz(plan);
+  reduction.loss.dropped = {oneRecordedPress, "frequencies above 230 Hz", "the length of a transient"};
+  reduction.write = [source, press, release](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{".press", "", ahapText(source, press, "Press", loss)},
+                                     {".release", "", ahapText(source, release, "Release", loss)}};
+  };
+  return reduction;
+}
+
+Reduction hapticOf(const ExportSource& source) {
+  const PressPlan& plan = source.plan;
+  const std::vector<EnvelopeStep> steps =
+      stepsOf(plan, {0, static_cast<std::int64_t>(plan.samples.size())}, envelopeStep_s, 0.001);
+  const OneVoice voice = voiceOf(steps, plan, 1e-6, 0);
+  Reduction reduction = oneVoice(plan, steps, voice,
+                                 [](double frequency_Hz) { return frequencyOf(sharpnessOf(frequency_Hz)); });
+  reduction.loss.dropped.emplace_back("frequencies above 230 Hz");
+  reduction.write = [source, voice](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", hapticText(source, voice, loss)}};
+  };
+  return reduction;
+}
+
+Reduction openxrOf(const ExportSource& source) {
+  const PressPlan& plan = source.plan;
+  const Stretch whole{0, static_cast<std::int64_t>(plan.samples.size())};
+  std::vector<EnvelopeStep> steps;
+  OneVoice voice;
+  for (double step_s = openxrStep_s, apart_s = 0.001;
+       voice.points.empty() || voice.points.size() > openxrPoints; step_s *= 1.25, apart_s *= 1.25) {
+    steps = stepsOf(plan, whole, step_s, apart_s);
+    voice = voiceOf(steps, plan, 1e-9, 1e-6);
+  }
+  Reduction reduction = oneVoice(plan, steps, voice, [](double frequency_Hz) {
+    return std::clamp(frequency_Hz, openxrLowest_Hz, openxrHighest_Hz);
+  });
+  reduction.write = [source, voice](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", openxrJson(source, voice, loss)},
+                                     {"", ".h", openxrInitializer(source, voice, loss)}};
+  };
+  return reduction;
+}
+
+Reduction androidOf(const ExportSource& source) {
+  const PressPlan& plan = source.plan;
+  const AndroidPart press = androidPart(plan, pressOf(plan)), release = androidPart(plan, releaseOf(plan));
+  Reduction reduction;
+  reduction.played = playedBy({waveOf(press, plan.sampleRate_Hz), waveOf(release, plan.sampleRate_Hz)}, plan);
+  reduction.loss.worstTimingError_ms = std::fmax(worstTimingError_ms(plan, pressOf(plan), press.onsets),
+                                                 worstTimingError_ms(plan, releaseOf(plan), release.onsets));
+  reduction.loss.grainsMerged = grainsWithin(plan, {0, static_cast<std::int64_t>(plan.samples.size())});
+  reduction.loss.dropped = {oneRecordedPress, "rises and falls shorter than 20 ms",
+                            "frequency, on devices without envelopes"};
+  reduction.write = [source, press, release](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", kotlinText(source, press, release, loss)}};
+  };
+  return reduction;
+}
+
+}  // namespace detent::playback

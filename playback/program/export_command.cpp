@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/export_command.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "model/file/button_file.h"
+#include "model/file/text_file.h"
+#include "model/program/command_line.h"
+#include "playback/interchange/export_press.h"
+#include "playback/offline/press_files.h"
+#include "playback/program/json_output.h"
+#include "playback/program/shared_options.h"
+
+namespace detent::playback {
+
+namespace {
+
+struct ExportArguments {
+  std::string button, press = "standard", outputFile;
+  FeelOptions feel;
+  ExportSettings settings;
+  bool json = false;
+};
+
+void addOptions(CLI::App& app, ExportArguments& a) {
+  app.add_option("BUTTON", a.button, "*.button.json")->required();
+  addChoice(app, "--format", a.settings.format, exportFormats, "What for (docs/export-formats.md)", "")
+      ->required();
+  app.add_option("--press", a.press,
+                 "standard, human:120ms (a human-like press whose way down takes 10 ms to 10 s), or a press "
+                 "trace CSV")
+      ->capture_default_str();
+  app.add_option("-o,--output", a.outputFile,
+                 "The file; ahap writes two, with .press and .release before the ending")
+      ->required();
+  app.add_option("--rate", a.settings.sampleRate_Hz, "Samples per second of pcm, 8000..192000")
+      ->capture_default_str();
+  app.add_option("--bits", a.settings.bits, "Bits per sample of pcm, 8 or 16")->capture_default_str();
+  addFeelOptions(app, a.feel);
+  app.add_flag("--json", a.json, "One JSON object on stdout");
+}
+
+Result<PressTrace> pressOf(const std::string& press, const HapticProgram& program) {
+  return namesPress(press) ? namedPress(press, program) : readPressTrace(press);
+}
+
+std::string inWords(const std::string& press) {
+  if (press == "standard") return "human-like press of 0.3 s";
+  if (namesPress(press)) return "human-like press, " + press.substr(press.find(':') + 1) + " down";
+  return "recorded press " + std::filesystem::path(press).filename().string();
+}
+
+/// All files, or none where one of them cannot be written.
+Result<std::vector<std::string>> written(const Exported& exported, const std::string& output) {
+  std::vector<std::string> paths;
+  for (const ExportedFile& file : exported.files) {
+    const std::string path = pathOf(output, file);
+    if (Result<Done> done = writeTextFileAtomically(path, file.text); !done) {
+      std::error_code ignored;
+      for (const std::string& earlier : paths) std::filesystem::remove(earlier, ignored);
+      return done.failure();
+    }
+    paths.push_back(path);
+  }
+  return paths;
+}
+
+int run(const ExportArguments& a, const Cancelled& cancelled) {
+  Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
+  if (!profile) return fail(profile.failure());
+  Result<Button> button = readButtonFile(a.button);
+  if (!button) return fail(button.failure());
+  Result<PreparedProgram> prepared = prepareProgram(*button, *profile, a.feel.settings);
+  if (!prepared) return fail(prepared.failure());
+  for (const PrepareWarning& w : prepared->summary.warnings)
+    std::fprintf(stderr, "warning: %s\n", english(w.message).c_str());
+  Result<PressTrace> trace = pressOf(a.press, prepared->program);
+  if (!trace) return fail(trace.failure());
+  ExportSettings settings = a.settings;
+  settings.pressName = inWords(a.press);
+  Result<Exported> exported = exportPress(*button, prepared->program, *trace, settings);
+  if (!exported) return fail(exported.failure());
+  if (cancelled && cancelled()) return fail(Failure::cancelled("export"));
+  Result<std::vector<std::string>> paths = written(*exported, a.outputFile);
+  if (!paths) return fail(paths.failure());
+  for (const std::string& path : *paths) std::fprintf(stderr, "%s\n", path.c_str());
+  for (const std::string& line : linesOf(exported->loss)) std::fprintf(stderr, "  %s\n", line.c_str());
+  if (a.json)
+    print({{"status", "ok"},
+           {"format", exportFormats.word(settings.format)},
+           {"outputs", *paths},
+           {"press", settings.pressName},
+           {"loss", jsonOf(exported->loss)}});
+  return 0;
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& program, Action& chosen) {
+  CLI::App* app = program.add_subcommand(
+      "export", "A press in the formats of phones, headsets, driver chips and touchpads");
+  const auto arguments = std::make_shared<ExportArguments>();
+  addOptions(*app, *arguments);
+  app->callback([&chosen, arguments] {
+    chosen = [arguments](const Cancelled& cancelled) { return run(*arguments, cancelled); };
+  });
+}
+
+}  // namespace detent::playback

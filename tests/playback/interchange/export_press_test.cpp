@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/interchange/export_press.h"
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "model/file/button_file.h"
+#include "playback/prepare/prepare_program.h"
+
+using namespace detent;
+using namespace detent::playback;
+
+namespace {
+
+Button sample(const std::string& name) {
+  return readButtonFile(DETENT_SOURCE_DIR "/samples/buttons/" + name + ".button.json").value();
+}
+
+Result<Exported> exported(const Button& button, ExportFormat format, const std::string& press = "standard") {
+  const HapticProgram program = prepareProgram(button, {}, {}).value().program;
+  const Result<PressTrace> trace = namedPress(press, program);
+  if (!trace) return trace.failure();
+  ExportSettings settings;
+  settings.format = format;
+  settings.pressName = press;
+  return exportPress(button, program, *trace, settings);
+}
+
+Button named(const std::string& name) { return Button::fromStates(name, sample("B").states()).value(); }
+
+}  // namespace
+
+TEST_CASE("Every format of every sample is written, twice the same, with a loss record") {
+  for (const char* name : {"A", "B", "C", "D", "E", "EF", "F", "latch", "push"}) {
+    for (const auto& format : exportFormats.all) {
+      INFO(name << " " << format.word);
+      const Result<Exported> first = exported(sample(name), format.value);
+      REQUIRE(first.ok());
+      REQUIRE_FALSE(first->files.empty());
+      const Result<Exported> second = exported(sample(name), format.value);
+      for (std::size_t i = 0; i < first->files.size(); ++i) {
+        CHECK_FALSE(first->files[i].text.empty());
+        CHECK(first->files[i].text == second->files[i].text);
+      }
+      for (const auto& kept : first->loss.energyKept) CHECK((!kept || (*kept >= 0 && *kept < 100)));
+    }
+  }
+}
+
+TEST_CASE("Presses from 10 ms to 10 s are written in every format") {
+  for (const char* press : {"human:10ms", "human:60ms", "human:0.5s", "human:10s"}) {
+    for (const auto& format : exportFormats.all) {
+      INFO(press << " " << format.word);
+      CHECK(exported(sample("C"), format.value, press).ok());
+    }
+  }
+}
+
+TEST_CASE("A press by name is read with its unit, and refused by name") {
+  const HapticProgram program = prepareProgram(sample("B"), {}, {}).value().program;
+  const Result<PressTrace> milliseconds = namedPress("human:120ms", program),
+                           seconds = namedPress("human:0.12s", program);
+  REQUIRE(milliseconds.ok());
+  REQUIRE(seconds.ok());
+  CHECK(milliseconds->readings.size() == seconds->readings.size());
+  for (const char* wrong : {"human:", "human:120", "human:9ms", "human:11s", "human:-5ms", "human:nans",
+                            "human:1e9s", "human:120 ms", "human:infs"}) {
+    INFO(wrong);
+    const Result<PressTrace> refused = namedPress(wrong, program);
+    REQUIRE_FALSE(refused.ok());
+    CHECK(refused.failure().code == FailureCode::wrongUsage);
+    CHECK(refused.failure().sentence().find(wrong) != std::string::npos);
+  }
+  CHECK_FALSE(namesPress("press.csv"));
+}
+
+TEST_CASE("A press under which nothing is felt, or that never ends, is refused") {
+  const Button button = sample("B");
+  const HapticProgram program = prepareProgram(button, {}, {}).value().program;
+  const PressTrace light{PressTrace::Quantity::force_N, {{0, 0}, {0.1, 1e-4}, {0.2, 0}}};
+  const Result<Exported> nothing = exportPress(button, program, light, {});
+  REQUIRE_FALSE(nothing.ok());
+  CHECK(nothing.failure().code == FailureCode::wrongUsage);
+  const PressTrace endless{PressTrace::Quantity::force_N, {{0, 0}, {31, 1}}};
+  const Result<Exported> refused = exportPress(button, program, endless, {});
+  REQUIRE_FALSE(refused.ok());
+  CHECK(refused.failure().sentence().find("31") != std::string::npos);
+}
+
+TEST_CASE("A name cannot end a comment, a string or a document") {
+  const std::string hostile = "*/ int x; /* \" \\ ?\?/ \n\r </script> \xFF";
+  for (const auto& format : exportFormats.all) {
+    INFO(format.word);
+    const Result<Exported> files = exported(named(hostile), format.value);
+    REQUIRE(files.ok());
+    for (const ExportedFile& file : files->files) {
+      const std::string& text = file.text;
+      if (text.front() == '{') {
+        CHECK(nlohmann::json::accept(text));
+        continue;
+      }
+      // One comment at the head: its end is the first one, and it is followed by code.
+      const auto end = text.find("*/");
+      REQUIRE(end != std::string::npos);
+      CHECK(text.find("int x", 0) < end);
+      CHECK(text.find("int x", end) == std::string::npos);
+    }
+  }
+}
+
+TEST_CASE("What pads, phones and headsets bear is never exceeded") {
+  for (const char* name : {"A", "C", "F", "latch", "push"}) {
+    for (const char* press : {"human:10ms", "human:200ms", "human:3s"}) {
+      INFO(name << " " << press);
+      const auto json = [&](ExportFormat format, std::size_t file = 0) {
+        return nlohmann::json::parse(exported(sample(name), format, press).value().files[file].text);
+      };
+      const auto openxr = json(ExportFormat::openxr);
+      CHECK(openxr["amplitudePoints"].size() <= 500);
+      CHECK(openxr["frequencyPoints"].size() <= 500);
+      std::int64_t last = -1;
+      for (const auto& point : openxr["amplitudePoints"]) {
+        CHECK(point["value"] >= 0);
+        CHECK(point["value"] <= 1);
+        CHECK(point["time"].get<std::int64_t>() > last);
+        last = point["time"];
+      }
+      const auto touchpad = json(ExportFormat::touchpad);
+      CHECK(touchpad["press_threshold_g"] >= 110);
+      CHECK(touchpad["press_threshold_g"] <= 190);
+      CHECK(touchpad["intensity"]["press"] <= 4);
+      for (const std::size_t part : {0U, 1U})
+        for (const auto& entry : json(ExportFormat::ahap, part)["Pattern"]) {
+          const auto& event = entry["Event"];
+          CHECK(event["Time"] >= 0);
+          CHECK(event["Time"] <= 30);
+          for (const auto& parameter : event["EventParameters"]) {
+            CHECK(parameter["ParameterValue"] >= 0);
+            CHECK(parameter["ParameterValue"] <= 1);
+          }
+        }
+    }
+  }
+}
+
+TEST_CASE("Files of a pair stand beside each other under the name asked for") {
+  CHECK(pathOf("x/click.ahap", {".press", "", ""}) == "x/click.press.ahap");
+  CHECK(pathOf("click.json", {"", ".h", ""}) == "click.h");
+  CHECK(pathOf("click", {".release", "", ""}) == "click.release");
+}

@@ -1,0 +1,332 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads every exported file by a reader written from the format's description (docs/export-formats.md names it) and plays it.
+
+    formats_test.py DETENT_PLAY
+
+Lossless formats must give the samples of `detent-play render` within 1e-3 of full scale; of the others, the energy that the reader
+finds in each band must be the energy that the loss record tells, within 2 %. Needs Debian's python3-numpy: without it, SKIPPED.
+"""
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+try:
+    import numpy
+except ImportError:
+    print("SKIPPED: needs python3-numpy")
+    sys.exit(0)
+
+PLAY = sys.argv.pop(1)
+SAMPLES = Path(__file__).resolve().parents[3] / "samples/buttons"
+RATE = 48000
+BANDS = {"20_80_Hz": (20, 80), "80_230_Hz": (80, 230), "230_500_Hz": (230, 500)}
+
+
+def floats_of_wav(path):
+    """32 bit float WAV, as `render` writes it."""
+    data = Path(path).read_bytes()
+    at = 12
+    while at < len(data):
+        name, size = data[at:at + 4], int.from_bytes(data[at + 4:at + 8], "little")
+        if name == b"data":
+            return numpy.frombuffer(data[at + 8:at + 8 + size], "<f4").astype(float)
+        at += 8 + size + size % 2
+    raise AssertionError("no data")
+
+
+def sine(time, points, phase=0.0):
+    """A sine whose amplitude and frequency run straight between (t, a, f): phase is the integral of the frequency."""
+    out = numpy.zeros(len(time))
+    for (t0, a0, f0), (t1, a1, f1) in zip(points, points[1:]):
+        if t1 <= t0:
+            continue
+        inside = (time >= t0 - 1e-9) & (time < t1 - 1e-9)
+        t = time[inside] - t0
+        slope = (f1 - f0) / (t1 - t0)
+        out[inside] += (a0 + (a1 - a0) * t / (t1 - t0)) * numpy.sin(2 * math.pi * (phase + f0 * t + slope * t * t / 2))
+        phase += f0 * (t1 - t0) + slope * (t1 - t0) ** 2 / 2
+    return out
+
+
+def energies(samples, length):
+    spectrum = numpy.abs(numpy.fft.rfft(samples, length)) ** 2
+    frequency = numpy.fft.rfftfreq(length, 1 / RATE)
+    return {name: spectrum[(frequency >= low) & (frequency < high)].sum() for name, (low, high) in BANDS.items()}
+
+
+class Formats(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.mkdtemp()
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def run_play(self, *arguments):
+        return subprocess.run([PLAY, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+    def export(self, button, name, ending=".out", *more):
+        out = os.path.join(self.folder, f"{button}-{name}{ending}")
+        done = self.run_play("export", SAMPLES / f"{button}.button.json", "--format", name, "-o", out, "--json", *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        answer = json.loads(done.stdout)
+        return [Path(path).read_text(encoding="utf-8") for path in answer["outputs"]], answer["loss"]
+
+    def rendered(self, button):
+        out = os.path.join(self.folder, button + ".wav")
+        done = self.run_play("render", SAMPLES / f"{button}.button.json", "--standard-press", "-o", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return floats_of_wav(out)
+
+    def assert_same(self, played, original):
+        self.assertEqual(len(played), len(original))
+        self.assertLess(numpy.abs(played - original).max(), 1e-3)
+
+    def assert_told(self, played, original, loss):
+        length = 1 << max(1, (len(original) - 1)).bit_length()
+        before, after = energies(original, length), energies(played[:length], length)
+        for band in BANDS:
+            if loss["energy_kept"][band] is None:
+                continue
+            self.assertAlmostEqual(after[band] / before[band], loss["energy_kept"][band], delta=0.02 * max(1, loss["energy_kept"][band]),
+                                   msg=band)
+
+    # ---- lossless
+
+    def test_hjif(self):
+        """ISO/IEC 23090-31 as its reference software evaluates vectorial waves: linear amplitudes, phase in radians, one effect of a
+        band at a time."""
+        for button in ("A", "B", "F", "latch"):
+            (text,), _ = self.export(button, "hjif", ".hjif")
+            file, original = json.loads(text), self.rendered(button)
+            played = numpy.zeros(len(original))
+            scale = RATE / file["timescale"]
+            for channel in file["perceptions"][0]["channels"]:
+                for band in channel["bands"]:
+                    self.assertEqual(band["band_type"], "VectorialWave")
+                    end = -1
+                    for effect in band["effects"]:
+                        position = effect["position"]
+                        self.assertGreater(position, end, "effects of one band overlap")
+                        places = [position + k["relative_position"] for k in effect["keyframes"]]
+                        end = places[-1]
+                        at = numpy.arange(places[0], min(end, len(played) - 1) + 1)
+                        amplitude = numpy.interp(at, places, [k["amplitude_modulation"] for k in effect["keyframes"]])
+                        self.assertEqual(len({k["frequency_modulation"] for k in effect["keyframes"]}), 1)
+                        frequency = effect["keyframes"][0]["frequency_modulation"]
+                        self.assertIsInstance(frequency, int)
+                        played[at] += channel["gain"] * amplitude * numpy.sin(
+                            2 * math.pi * frequency * (at - position) * scale / RATE + effect["phase"])
+            self.assert_same(played, original)
+
+    def test_pcm(self):
+        for bits, full in (("16", 32767), ("8", 127)):
+            (text,), _ = self.export("B", "pcm", ".h", "--bits", bits)
+            numbers = re.search(r"detent_samples\[(\d+)\] = \{(.*?)\}", text, re.S)
+            samples = numpy.array([int(n) for n in numbers.group(2).split(",") if n.strip()])
+            self.assertEqual(len(samples), int(numbers.group(1)))
+            original = self.rendered("B")
+            self.assertEqual(len(samples), len(original))
+            self.assertLess(numpy.abs(samples / full - original).max(), 0.51 / full)
+
+    def test_package(self):
+        """The example press, made anew from its bursts and the filters that the package states."""
+        for button in ("A", "B", "F"):
+            (text,), _ = self.export(button, "package", ".json")
+            package, original = json.loads(text), self.rendered(button)
+            self.assertEqual(package["example_press"]["samples"], len(original))
+            chain = package["chain"]
+            grains, bursts = numpy.zeros(len(original)), numpy.zeros(len(original))
+            events = package["example_press"]["events"]
+            slope = [e for e in events if e["kind"] == "grain"]
+            started = 0.0  # where the running carrier began
+            for i, event in enumerate(slope):
+                wave_, first = event["wave"], event["sample"]
+                length = wave_["duration_ms"] / 1000 * RATE
+                last = min(first + math.ceil(length - 1e-9), len(original))
+                if i + 1 < len(slope):
+                    last = min(last, slope[i + 1]["sample"])
+                before = slope[i - 1]["sample"] + slope[i - 1]["wave"]["duration_ms"] / 1000 * RATE if i else -1
+                if not i or first >= math.ceil(before - 1e-9) or chain["grain_carrier"] != "running":
+                    started = first
+                t = numpy.arange(first, last)
+                grains[t] = wave_["amplitude"] * (1 - (t - first) / length) * numpy.sin(
+                    2 * math.pi * wave_["frequency_Hz"] * (t - started) / RATE)
+            for event in events:
+                if event["kind"] == "grain":
+                    continue
+                wave_, first = event["wave"], event["sample"]
+                length = wave_["duration_ms"] / 1000 * RATE
+                t = numpy.arange(first, min(first + math.ceil(length - 1e-9), len(original)))
+                share = (t - first) / length
+                level = share if wave_["envelope"] == "rising" else 1 - share
+                bursts[t] += wave_["amplitude"] * level * numpy.sin(2 * math.pi * wave_["frequency_Hz"] * (t - first) / RATE)
+            for stage in (chain["grain_low_pass"], chain["grain_high_pass"]):
+                c, out, s1, s2 = stage["coefficients"], numpy.zeros(len(grains)), 0.0, 0.0
+                for i, x in enumerate(grains):
+                    y = c["b0"] * x + s1
+                    s1, s2 = c["b1"] * x - c["a1"] * y + s2, c["b2"] * x - c["a2"] * y
+                    out[i] = y
+                grains = out
+            played = chain["gain"] * (grains + bursts)
+            if numpy.abs(played).max() <= chain["limiter_ceiling"]:
+                self.assert_same(played, original)
+            else:  # the limiter's course is not the package's
+                self.assertLess(numpy.abs(original).max(), chain["limiter_ceiling"] + 1e-6)
+
+    # ---- lossy
+
+    def test_ahap(self):
+        for button in ("B", "C", "latch"):
+            parts, loss = self.export(button, "ahap", ".ahap")
+            original = self.rendered(button)
+            time = numpy.arange(len(original)) / RATE
+            played = numpy.zeros(len(original))
+            peak = json.loads(self.export(button, "package", ".json")[0][0])
+            self.assertTrue(peak["states"])
+            for text, zero in zip(parts, (0.0, self.turn_s(button))):
+                file = json.loads(text)
+                self.assertEqual(file["Version"], 1.0)
+                for entry in file["Pattern"]:
+                    event = entry["Event"]
+                    values = {p["ParameterID"]: p["ParameterValue"] for p in event["EventParameters"]}
+                    amplitude = values["HapticIntensity"] ** 2
+                    frequency = 80 + 150 * values["HapticSharpness"]
+                    transient = event["EventType"] == "HapticTransient"
+                    start = zero + event["Time"]
+                    end = start + (0.022 if transient else event["EventDuration"])
+                    played += sine(time, [(start, amplitude, frequency), (end, 0 if transient else amplitude, frequency)])
+            self.assert_told(played, original, loss)
+
+    def turn_s(self, button):
+        """Of the standard press: 20 ms of rest, 120 ms down, 80 ms of hold with a tremor of 1 % at 10 Hz, sampled at 425 Hz."""
+        del button
+        readings = [i / 425 for i in range(math.ceil(0.34 * 425) + 1)]
+        force = [1 + 0.01 * math.sin(2 * math.pi * 10 * (t - 0.14)) if 0.14 < t < 0.22 else 0.5 for t in readings]
+        return round(readings[force.index(max(force))] * RATE) / RATE
+
+    def test_haptic(self):
+        for button in ("B", "F"):
+            (text,), loss = self.export(button, "haptic", ".haptic")
+            file, original = json.loads(text), self.rendered(button)
+            envelopes = file["signals"]["continuous"]["envelopes"]
+            times = [p["time"] for p in envelopes["amplitude"]]
+            self.assertEqual(times, sorted(times))
+            points = [(a["time"], a["amplitude"], 80 + 150 * f["frequency"])
+                      for a, f in zip(envelopes["amplitude"], envelopes["frequency"])]
+            self.assert_told(sine(numpy.arange(len(original)) / RATE, points), original, loss)
+
+    def test_openxr(self):
+        for button in ("A", "B", "latch"):
+            (text, header), loss = self.export(button, "openxr", ".json")
+            file, original = json.loads(text), self.rendered(button)
+            self.assertIn("XrHapticParametricVibrationEXT", header)
+            low, high = file["minFrequencyHz"], file["maxFrequencyHz"]
+            self.assertEqual(file["amplitudePointCount"], len(file["amplitudePoints"]))
+            at = [p["time"] / 1e9 for p in file["frequencyPoints"]]
+            hertz = [low + (high - low) * p["value"] for p in file["frequencyPoints"]]
+            for frequency in hertz:
+                self.assertLess(min(abs(frequency - known) for known in (150, 200, 390, 410)), 0.1)
+            points = [(p["time"] / 1e9, p["value"], float(numpy.interp(p["time"] / 1e9, at, hertz))) for p in file["amplitudePoints"]]
+            self.assert_told(sine(numpy.arange(len(original)) / RATE, points), original, loss)
+
+    def test_bos1921(self):
+        for button in ("A", "C", "F"):
+            (text,), loss = self.export(button, "bos1921", ".h")
+            slices = [tuple(map(int, m)) for m in re.findall(r"\{(\d+), (\d+), (\d+)\}", text)]
+            original = self.rendered(button)
+            time, played, now = numpy.arange(len(original)) / RATE, numpy.zeros(len(original)), 0.0
+            for amplitude, frequency, cycles in slices:
+                self.assertTrue(0 <= amplitude <= 4095 and 1 <= frequency <= 255 and 1 <= cycles <= 255)
+                end = now + cycles / (3.9 * frequency)
+                played += sine(time, [(now, amplitude / 4095, 3.9 * frequency), (end, amplitude / 4095, 3.9 * frequency)])
+                now = end
+            self.assert_told(played, original, loss)
+
+    def test_da728x(self):
+        """The memory as the maker's decoder walks it: end pointers are indices of last bytes, a ramp starts where the last one ended."""
+        for button in ("A", "B", "latch"):
+            (text,), loss = self.export(button, "da728x", ".h")
+            memory = [int(b, 16) for b in re.findall(r"0x([0-9A-F]{2})", text)]
+            self.assertEqual(len(memory), 100)
+            snippets, sequences = memory[0], memory[1]
+            snippet_ends, sequence_ends = memory[2:2 + snippets], memory[2 + snippets:2 + snippets + sequences]
+            self.assertLess(sequence_ends[-1], 100)
+            original = self.rendered(button)
+            lasts = []
+            for number in range(sequences):
+                first = (snippet_ends[-1] if number == 0 else sequence_ends[number - 1]) + 1
+                self.assertEqual(first, sequence_ends[number], "one frame of one byte")
+                frame = memory[first]
+                self.assertEqual(frame & 0x80, 0)
+                snippet, base, gain = frame & 7, frame >> 3 & 3, frame >> 5 & 3
+                self.assertEqual(gain, 0)
+                begin = 2 + snippets + sequences if snippet == 1 else snippet_ends[snippet - 2] + 1
+                points = memory[begin:snippet_ends[snippet - 1] + 1]
+                self.assertTrue(points)
+                lasts.append(sum((p >> 4 & 7) + 1 for p in points) * 0.00136 * (1, 4, 16, 32)[base])
+                self.assertEqual(points[-1] & 15, 0, "ends at rest")
+            self.assertLess(sum(lasts), len(original) / RATE + 0.2)
+            self.assertLess(loss["worst_timing_error_ms"], 0.7 * 4)
+
+    def test_drv2605(self):
+        (text,), loss = self.export("A", "drv2605", ".h")
+        for name in ("detent_press", "detent_release"):
+            numbers = re.search(name + r"\[\] = \{(.*?)\}", text, re.S).group(1)
+            values = [int(n) for n in numbers.split(",") if n.strip()]
+            self.assertTrue(all(0 <= v <= 127 for v in values))
+            self.assertEqual(values[-1], 0)
+        self.assertIn("every frequency", " ".join(loss["dropped"]))
+
+    def test_android(self):
+        for button in ("A", "B", "latch"):
+            (text,), loss = self.export(button, "android", ".kt")
+            for part in re.findall(r"WaveformEnvelopeBuilder\(\)(.*?)\.build", text, re.S):
+                points = re.findall(r"addControlPoint\(([\d.e+-]+)f, ([\d.e+-]+)f, (\d+)L\)", part)
+                self.assertTrue(1 <= len(points) <= 16)
+                self.assertTrue(all(int(lasts) >= 20 for _, _, lasts in points))
+                self.assertTrue(all(0 <= float(a) <= 1 for a, _, _ in points))
+                self.assertEqual(float(points[-1][0]), 0)
+            self.assertLess(loss["worst_timing_error_ms"], 20)
+
+    def test_header_compiles_as_c_and_cpp(self):
+        compilers = [(shutil.which("gcc"), ["-std=c99", "-x", "c"]), (shutil.which("g++"), ["-std=c++11", "-x", "c++"])]
+        for button in ("A", "B", "latch"):
+            for name in ("c", "pcm", "bos1921", "da728x", "drv2605"):
+                out = os.path.join(self.folder, "button.h")
+                self.assertEqual(self.run_play("export", SAMPLES / f"{button}.button.json", "--format", name, "-o", out).returncode, 0)
+                for compiler, standard in compilers:
+                    if not compiler:
+                        continue
+                    done = subprocess.run([compiler, *standard, "-Wall", "-Wextra", "-Werror", "-Wno-unused-variable",
+                                           "-Wno-unused-const-variable", "-fsyntax-only", "-"],
+                                          input=f'#include "{out}"\nint main(void) {{ return 0; }}\n', text=True, capture_output=True,
+                                          check=False)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+
+    # ---- refusals
+
+    def test_refusals_write_nothing(self):
+        button = SAMPLES / "B.button.json"
+        out = os.path.join(self.folder, "no.json")
+        for arguments, code in ((["--format", "midi"], 2), (["--format", "package", "--press", "human:1ms"], 2),
+                                (["--format", "package", "--press", "missing.csv"], 3),
+                                (["--format", "pcm", "--bits", "12"], 2), (["--format", "pcm", "--rate", "1"], 2)):
+            done = self.run_play("export", button, *arguments, "-o", out)
+            self.assertEqual(done.returncode, code, done.stderr)
+            self.assertFalse(os.path.exists(out))
+            self.assertTrue(done.stderr.strip())
+
+    def test_a_second_file_that_cannot_be_written_takes_the_first_with_it(self):
+        os.mkdir(os.path.join(self.folder, "x.release.ahap"))
+        done = self.run_play("export", SAMPLES / "B.button.json", "--format", "ahap", "-o", os.path.join(self.folder, "x.ahap"))
+        self.assertNotEqual(done.returncode, 0)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "x.press.ahap")))
+
+
+unittest.main()
