@@ -10,6 +10,7 @@
 #include "model/named_values.h"
 #include "model/result.h"
 #include "playback/interchange/export_loss.h"
+#include "playback/interchange/exported_file.h"
 #include "playback/offline/render_press.h"
 #include "playback/realtime/haptic_program.h"
 
@@ -48,13 +49,6 @@ struct ExportSettings {
   std::string pressName;         ///< what pressed, in words, for the file
   double sampleRate_Hz = 48000;  ///< of pcm; 8000..192000
   unsigned bits = 16;            ///< of pcm; 8 or 16
-};
-
-/// One file of an export. Its path is the path asked for with `part` before the ending, and `ending` instead of it where there is one.
-struct ExportedFile {
-  std::string part;    ///< ".press", ".release" or empty
-  std::string ending;  ///< ".h" or empty
-  std::string text;
 };
 
 struct Exported {

@@ -3,9 +3,12 @@
 // What a press becomes in one format, before it is text: so that the file can carry its own loss record.
 
 #include <functional>
+#include <string>
 #include <vector>
 
-#include "playback/interchange/export_press.h"
+#include "model/button.h"
+#include "playback/interchange/export_loss.h"
+#include "playback/interchange/exported_file.h"
 #include "playback/interchange/played_wave.h"
 #include "playback/interchange/press_plan.h"
 
