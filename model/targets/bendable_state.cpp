@@ -1,0 +1,476 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/targets/bendable_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Cholesky>
+
+#include "model/edits.h"
+#include "model/metrics.h"
+
+namespace detent {
+namespace {
+
+constexpr std::size_t mostHandles = 40;  // of a stroke
+constexpr double bulgeStiffness = 0.25;  // a bulge against a landmark that moves as far
+constexpr double narrowest = 0.1;        // share of its width that a piece keeps
+constexpr double lowest = 0.02;          // share of its height that a rise or a fall keeps
+constexpr double same = 1e-9;            // shares of travel and range at which ends are one place
+constexpr double sameFoot = 0.03;        // share of the travel within which both strokes meet one wall
+constexpr double contactRoom = 1e-6;     // share of the travel between contacts and ends
+constexpr double leastDropAhead = 0.01;  // of the largest drop, over the next one
+
+bool isTwin(const std::vector<Knot>& knots, std::size_t i) {
+  return i > 0 && knots[i].displacement_mm == knots[i - 1].displacement_mm;
+}
+
+// A knot exactly at an extremum, level there, so that it stays the extremum however its flanks are stretched.
+StrokeCurve withTurnAt(const StrokeCurve& curve, CurvePoint turn) {
+  const auto inserted = insertKnot(curve, turn.displacement_mm);
+  if (!inserted) return curve;
+  std::vector<Knot> knots = inserted->knots();
+  for (Knot& knot : knots)
+    if (knot.displacement_mm == turn.displacement_mm)
+      knot.slopeBefore_N_per_mm = knot.slopeAfter_N_per_mm = 0;
+  const auto level = StrokeCurve::fromKnots(std::move(knots));
+  return level ? *level : *inserted;
+}
+
+StrokeCurve withKnotAt(const StrokeCurve& curve, double at_mm) {
+  const auto inserted = insertKnot(curve, at_mm);
+  return inserted ? *inserted : curve;
+}
+
+// What a piece's slopes are multiplied by when it is stretched; empty where it has no direction of its own.
+std::optional<double> slopeScale(const Knot& a, const Knot& b, const Knot& newA, const Knot& newB) {
+  const double width = b.displacement_mm - a.displacement_mm,
+               newWidth = newB.displacement_mm - newA.displacement_mm;
+  const double rise = b.force_N - a.force_N;
+  const bool oneWay = a.slopeAfter_N_per_mm * rise >= 0 && b.slopeBefore_N_per_mm * rise >= 0;
+  if (!(width > 0) || !(newWidth > 0) || rise == 0 || !oneWay) return {};
+  return (newB.force_N - newA.force_N) / rise * (width / newWidth);
+}
+
+struct Slopes {
+  double before, after;
+};
+
+// A smooth knot stays smooth, and no piece gets steeper ends than a monotone cubic allows.
+Slopes joined(const Knot& old, Slopes scaled, double chordBefore, double chordAfter) {
+  if (old.slopeBefore_N_per_mm != old.slopeAfter_N_per_mm || scaled.before == scaled.after) return scaled;
+  const double most = 3 * std::min(std::abs(chordBefore), std::abs(chordAfter));
+  if (std::max(std::abs(scaled.before), std::abs(scaled.after)) >
+      3 * std::max(std::abs(chordBefore), std::abs(chordAfter)))
+    return scaled;
+  const double mean = std::clamp(0.5 * (scaled.before + scaled.after), -most, most);
+  return {mean, mean};
+}
+
+void reslope(const std::vector<Knot>& old, std::vector<Knot>& knots) {
+  const std::size_t count = old.size();
+  std::vector<double> chords(count + 1, 0);
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    Knot &a = knots[i], &b = knots[i + 1];
+    const double width = b.displacement_mm - a.displacement_mm;
+    if (!(width > 0)) continue;
+    chords[i + 1] = (b.force_N - a.force_N) / width;
+    if (const auto scale = slopeScale(old[i], old[i + 1], a, b)) {
+      a.slopeAfter_N_per_mm = old[i].slopeAfter_N_per_mm * *scale;
+      b.slopeBefore_N_per_mm = old[i + 1].slopeBefore_N_per_mm * *scale;
+      continue;
+    }
+    const double oldWidth = old[i + 1].displacement_mm - old[i].displacement_mm;
+    const double added = oldWidth > 0 ? chords[i + 1] - (old[i + 1].force_N - old[i].force_N) / width : 0;
+    const double narrower = oldWidth > 0 ? oldWidth / width : 1;
+    a.slopeAfter_N_per_mm = old[i].slopeAfter_N_per_mm * narrower + added;
+    b.slopeBefore_N_per_mm = old[i + 1].slopeBefore_N_per_mm * narrower + added;
+  }
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    if (isTwin(old, i) || isTwin(old, i + 1)) continue;
+    const Slopes both = joined(old[i], {knots[i].slopeBefore_N_per_mm, knots[i].slopeAfter_N_per_mm},
+                               chords[i], chords[i + 1]);
+    knots[i].slopeBefore_N_per_mm = both.before;
+    knots[i].slopeAfter_N_per_mm = both.after;
+  }
+}
+
+// Places of a stroke that a person would name, in any order.
+std::vector<double> landmarksOf(const StrokeCurve& curve, Stroke stroke, const SectionSettings& settings) {
+  std::vector<double> places{curve.start_mm(), curve.end_mm()};
+  const StrokeMetrics metrics = metricsOf(curve, stroke, settings);
+  for (const TactileEvent& event : metrics.tactile) {
+    places.push_back(event.point.displacement_mm);
+    if (event.following) places.push_back(event.following->displacement_mm);
+  }
+  if (metrics.bottomOut.wall) places.push_back(metrics.bottomOut.displacement_mm);
+  return places;
+}
+
+// How far along a stretch each of its knots stands, 0 at the first and 1 at the last: by what it has climbed.
+std::vector<double> climbed(const std::vector<Knot>& knots, std::size_t first, std::size_t last) {
+  std::vector<double> way{0};
+  double whole = 0;
+  for (std::size_t i = first; i < last; ++i) whole += std::abs(knots[i + 1].force_N - knots[i].force_N);
+  const double wide = knots[last].displacement_mm - knots[first].displacement_mm;
+  double height = 0;
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    height += std::abs(knots[i].force_N - knots[i - 1].force_N);
+    const double across = wide > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / wide : 1;
+    way.push_back(whole > 0 ? height / whole : across);
+  }
+  way.back() = 1;
+  return way;
+}
+
+std::vector<double> crossed(const std::vector<Knot>& knots, std::size_t first, std::size_t last) {
+  std::vector<double> way;
+  const double wide = knots[last].displacement_mm - knots[first].displacement_mm;
+  for (std::size_t i = first; i <= last; ++i)
+    way.push_back(wide > 0 ? (knots[i].displacement_mm - knots[first].displacement_mm) / wide : 0);
+  return way;
+}
+
+// Press less release, before a wall that stands there; at their common start after one.
+double gapAt(const ForceGraph& graph, double x) {
+  const StrokeCurve &press = graph.press(), &release = graph.curve(Stroke::release);
+  const auto force_N = [x](const StrokeCurve& curve) {
+    return x > curve.start_mm() ? curve.forceBefore_N(x) : curve.force_N(curve.start_mm());
+  };
+  return force_N(press) - force_N(release);
+}
+
+}  // namespace
+
+// The cost, while unknowns are still being found.
+struct BendableState::Unknowns {
+  struct Entry {
+    Eigen::Index a, b;
+    double cost;
+  };
+  Eigen::Index count = 0;
+  std::vector<Entry> entries;
+
+  Eigen::Index one(double cost) {
+    entries.push_back({count, count, cost});
+    return count++;
+  }
+  Eigen::Index free() { return count++; }
+  // A spring between two bulges; -1: a landmark, where there is none.
+  void spring(Eigen::Index a, Eigen::Index b, double cost) {
+    if (a >= 0) entries.push_back({a, a, cost});
+    if (b >= 0) entries.push_back({b, b, cost});
+    if (a < 0 || b < 0) return;
+    entries.push_back({a, b, -cost});
+    entries.push_back({b, a, -cost});
+  }
+};
+
+BendableState::BendableState(const ButtonState& state, const SectionSettings& settings, Bulges bulges)
+    : state_(state), settings_(settings) {
+  const StrokeCurve& press = state.graph.press();
+  travel_mm_ = press.travel_mm();
+  double low_N = press.knots().front().force_N, high_N = low_N;
+  const double foot_mm = bottomOutOf(press, settings).displacement_mm;
+  for (int i = 0; i <= 200; ++i) {
+    const double force_N = press.forceBefore_N(press.start_mm() + (foot_mm - press.start_mm()) * i / 200);
+    low_N = std::min(low_N, force_N);
+    high_N = std::max(high_N, force_N);
+  }
+  range_N_ = std::max({high_N - low_N, 0.1 * std::abs(high_N), 1e-6});
+
+  press_ = lineOf(press, Stroke::press, bulges);
+  if (const auto& release = state.graph.release()) release_ = lineOf(*release, Stroke::release, bulges);
+  Unknowns unknowns;
+  addLine(press_, nullptr, unknowns);
+  if (release_) addLine(*release_, &press_, unknowns);
+  if (state.operatingPoint_mm) operating_ = unknowns.one(1);
+  if (state.resetPoint_mm) reset_ = unknowns.one(1);
+  unknowns_ = unknowns.count;
+  for (Line* line : {&press_, release_ ? &*release_ : nullptr}) {
+    if (!line) continue;
+    line->mm.conservativeResizeLike(Eigen::MatrixXd::Zero(line->mm.rows(), unknowns_));
+    line->N.conservativeResizeLike(Eigen::MatrixXd::Zero(line->N.rows(), unknowns_));
+  }
+  Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
+  for (const Unknowns::Entry& entry : unknowns.entries) cost(entry.a, entry.b) += entry.cost;
+  inverseCost_ = cost.ldlt().solve(Eigen::MatrixXd::Identity(unknowns_, unknowns_));
+
+  addRulesOf(press_);
+  if (release_) addRulesOf(*release_);
+  addRulesOfEvents(press_, press);
+  addRulesOfContacts();
+  findGaps();
+}
+
+BendableState::Line BendableState::lineOf(const StrokeCurve& curve, Stroke stroke, Bulges bulges) const {
+  std::vector<double> landmarks = landmarksOf(curve, stroke, settings_);
+  StrokeCurve prepared = curve;
+  std::vector<CurvePoint> turns = curve.localMaxima();
+  for (const CurvePoint& turn : curve.localMinima()) turns.push_back(turn);
+  for (const CurvePoint& turn : turns)
+    if (turns.size() <= mostHandles / 2 ||
+        std::count(landmarks.begin(), landmarks.end(), turn.displacement_mm) > 0)
+      prepared = withTurnAt(prepared, turn);
+  for (const double place : landmarks) prepared = withKnotAt(prepared, place);
+  if (bulges == Bulges::finer) {
+    std::sort(landmarks.begin(), landmarks.end());
+    for (std::size_t i = 0; i + 1 < landmarks.size(); ++i)
+      for (const double share : {0.25, 0.5, 0.75})
+        if (landmarks[i + 1] - landmarks[i] > 0.02 * travel_mm_)
+          prepared = withKnotAt(prepared, landmarks[i] + share * (landmarks[i + 1] - landmarks[i]));
+  }
+  Line line{prepared.knots(), {}, {}, {}};
+  const std::size_t step = (line.knots.size() + mostHandles - 1) / mostHandles;
+  for (std::size_t i = 0; i < line.knots.size(); ++i) {
+    const bool landmark = std::count(landmarks.begin(), landmarks.end(), line.knots[i].displacement_mm) > 0;
+    const bool wall = isTwin(line.knots, i) || (i + 1 < line.knots.size() && isTwin(line.knots, i + 1));
+    if (landmark || wall || i % step == 0) line.handles.push_back({i, landmark || wall});
+  }
+  return line;
+}
+
+// Rows of moves: landmarks move by their unknown, what lies between in proportion and by its bulge.
+void BendableState::spread(Line& line, const std::vector<Eigen::Index>& mm,
+                           const std::vector<Eigen::Index>& N, Unknowns& unknowns) {
+  const std::size_t count = line.handles.size();
+  std::vector<Eigen::Index> bulges_mm(count, -1), bulges_N(count, -1);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (line.handles[i].landmark) continue;
+    bulges_mm[i] = unknowns.free();
+    bulges_N[i] = unknowns.free();
+  }
+  const auto rows = static_cast<Eigen::Index>(count);
+  line.mm = line.N = Eigen::MatrixXd::Zero(rows, unknowns.count);
+  std::size_t left = 0;
+  for (std::size_t right = 1; right < count; ++right) {
+    if (!line.handles[right].landmark) continue;
+    const std::size_t first = line.handles[left].knot, last = line.handles[right].knot;
+    const std::vector<double> up = climbed(line.knots, first, last), along = crossed(line.knots, first, last);
+    for (std::size_t i = left; i <= right; ++i) {
+      const auto row = static_cast<Eigen::Index>(i);
+      const std::size_t at = line.handles[i].knot - first;
+      const auto put = [&](Eigen::MatrixXd& moves, const std::vector<Eigen::Index>& of, double share,
+                           Eigen::Index bulge) {
+        moves.row(row).setZero();
+        if (of[left] >= 0) moves(row, of[left]) += 1 - share;
+        if (of[right] >= 0) moves(row, of[right]) += share;
+        if (bulge >= 0) moves(row, bulge) += 1;
+      };
+      put(line.mm, mm, along[at], bulges_mm[i]);
+      put(line.N, N, up[at], bulges_N[i]);
+      if (i == left) continue;
+      const std::size_t before = line.handles[i - 1].knot - first;
+      const double least = 0.02;  // of the stretch: what stands close together does not become rigid
+      unknowns.spring(bulges_mm[i - 1], bulges_mm[i],
+                      bulgeStiffness / std::max(least, along[at] - along[before]));
+      unknowns.spring(bulges_N[i - 1], bulges_N[i],
+                      bulgeStiffness / std::max(least, along[at] - along[before]));
+    }
+    left = right;
+  }
+}
+
+void BendableState::addLine(Line& line, const Line* met, Unknowns& unknowns) {
+  std::vector<Eigen::Index> mm(line.handles.size(), -1), N(line.handles.size(), -1);
+  const auto single = [](const Eigen::MatrixXd& moves, Eigen::Index row) {
+    Eigen::Index column = -1;
+    moves.row(row).cwiseAbs().maxCoeff(&column);
+    return moves(row, column) == 1 ? column : Eigen::Index{-1};
+  };
+  const double foot_mm = bottomOutOf(state_.graph.press(), settings_).displacement_mm;
+  for (std::size_t i = 0; i < line.handles.size(); ++i) {
+    if (!line.handles[i].landmark) continue;
+    const Knot& knot = line.knots[line.handles[i].knot];
+    const bool start = knot.displacement_mm == line.knots.front().displacement_mm;
+    const bool twin = isTwin(line.knots, line.handles[i].knot);
+    for (std::size_t k = 0; met && k < met->handles.size(); ++k) {
+      const Knot& other = met->knots[met->handles[k].knot];
+      const double apart = std::abs(other.displacement_mm - knot.displacement_mm) / travel_mm_;
+      const bool ends = (i == 0 && k == 0) || (i + 1 == line.handles.size() && k + 1 == met->handles.size());
+      const bool foot =
+          i > 0 && other.displacement_mm == foot_mm && met->handles[k].landmark && apart < sameFoot &&
+          i + 1 < line.handles.size() &&
+          bottomOutOf(*state_.graph.release(), settings_).displacement_mm == knot.displacement_mm;
+      if ((ends && apart < same) || foot) {
+        if (!start) mm[i] = single(met->mm, static_cast<Eigen::Index>(k));
+        if (ends && std::abs(other.force_N - knot.force_N) < same * range_N_)
+          N[i] = single(met->N, static_cast<Eigen::Index>(k));
+      }
+    }
+    if (twin && i > 0) mm[i] = mm[i - 1];
+    if (!start && mm[i] < 0) mm[i] = unknowns.one(1);
+    if (N[i] < 0) N[i] = unknowns.one(1);
+  }
+  spread(line, mm, N, unknowns);
+}
+
+void BendableState::addRule(const Eigen::RowVectorXd& row, double bound) {
+  if (row.squaredNorm() > 0) rules_.push_back({row.transpose(), bound, false});
+}
+
+void BendableState::addRulesOf(const Line& line) {
+  bool positive = true;
+  for (const Knot& knot : line.knots) positive = positive && knot.force_N >= 0;
+  for (std::size_t i = 0; i < line.handles.size(); ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    const Knot& at = line.knots[line.handles[i].knot];
+    if (positive) addRule(line.N.row(row), -at.force_N / range_N_);
+    if (i == 0) continue;
+    const Knot& before = line.knots[line.handles[i - 1].knot];
+    const double wide = (at.displacement_mm - before.displacement_mm) / travel_mm_;
+    if (wide > 0) addRule(line.mm.row(row) - line.mm.row(row - 1), (narrowest - 1) * wide);
+    const double rise = (at.force_N - before.force_N) / range_N_;
+    if (std::abs(rise) < same) continue;
+    const double sign = rise > 0 ? 1 : -1;
+    addRule(sign * (line.N.row(row) - line.N.row(row - 1)), (lowest - 1) * std::abs(rise));
+  }
+}
+
+std::size_t BendableState::handleAt(const Line& line, CurvePoint place) const {
+  std::size_t best = line.handles.size();
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < line.handles.size(); ++i) {
+    const Knot& knot = line.knots[line.handles[i].knot];
+    if (knot.displacement_mm != place.displacement_mm) continue;
+    if (const double apart = std::abs(knot.force_N - place.force_N); apart < least) {
+      least = apart;
+      best = i;
+    }
+  }
+  return best;
+}
+
+void BendableState::addRulesOfEvents(const Line& line, const StrokeCurve& press) {
+  struct Event {
+    Eigen::RowVectorXd peak, drop;
+    double peak_N, drop_N;
+  };
+  std::vector<Event> events;
+  for (const TactileEvent& event : metricsOf(press, Stroke::press, settings_).tactile) {
+    if (!event.following) continue;
+    const CurvePoint peak{event.point.displacement_mm, event.point.force_N};
+    const std::size_t top = handleAt(line, peak), valley = handleAt(line, *event.following);
+    if (top == line.handles.size() || valley == line.handles.size()) continue;
+    const Eigen::RowVectorXd up = line.N.row(static_cast<Eigen::Index>(top));
+    events.push_back({up, up - line.N.row(static_cast<Eigen::Index>(valley)), peak.force_N / range_N_,
+                      (peak.force_N - event.following->force_N) / range_N_});
+  }
+  for (std::size_t i = 0; i + 1 < events.size(); ++i) {
+    const double higher = events[i + 1].peak_N - events[i].peak_N;
+    if (higher > 0) addRule(events[i + 1].peak - events[i].peak, (lowest - 1) * higher);
+  }
+  const auto main = std::max_element(events.begin(), events.end(),
+                                     [](const Event& a, const Event& b) { return a.drop_N < b.drop_N; });
+  for (auto event = events.begin(); event != events.end(); ++event) {
+    if (event == main) continue;
+    const double ahead = main->drop_N - event->drop_N;
+    addRule(main->drop - event->drop, std::min(leastDropAhead * main->drop_N, ahead) - ahead);
+  }
+}
+
+void BendableState::addRulesOfContacts() {
+  const auto unit = [this](Eigen::Index unknown) {
+    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(unknowns_);
+    row[unknown] = 1;
+    return row;
+  };
+  const auto within = [&](Eigen::Index unknown, double at_mm, const Line& line) {
+    const double fromStart = (at_mm - line.knots.front().displacement_mm) / travel_mm_;
+    const double toEnd = (line.knots.back().displacement_mm - at_mm) / travel_mm_;
+    addRule(unit(unknown), std::min(contactRoom, fromStart) - fromStart);
+    addRule(line.mm.row(line.mm.rows() - 1) - unit(unknown), std::min(contactRoom, toEnd) - toEnd);
+  };
+  if (operating_ >= 0) within(operating_, *state_.operatingPoint_mm, press_);
+  if (reset_ >= 0) within(reset_, *state_.resetPoint_mm, release_ ? *release_ : press_);
+  if (operating_ < 0 || reset_ < 0) return;
+  const double differential = (*state_.operatingPoint_mm - *state_.resetPoint_mm) / travel_mm_;
+  if (differential >= 0) addRule(unit(operating_) - unit(reset_), -differential);
+}
+
+void BendableState::findGaps() {
+  if (!release_) return;
+  const StrokeCurve &press = state_.graph.press(), &release = *state_.graph.release();
+  double wall_mm =
+      std::numeric_limits<double>::infinity();  // from there on a hair of displacement is any force
+  for (const StrokeCurve* curve : {&press, &release})
+    if (const BottomOut foot = bottomOutOf(*curve, settings_); foot.wall)
+      wall_mm = std::min(wall_mm, foot.displacement_mm);
+  const double from_mm = std::max(press.start_mm(), release.start_mm());
+  const double to_mm = std::min({press.end_mm(), release.end_mm(), wall_mm});
+  const auto below = [&](const Line& line, std::vector<std::size_t>& found) {
+    for (std::size_t i = 0; i < line.handles.size(); ++i) {
+      const double x = line.knots[line.handles[i].knot].displacement_mm;
+      if (isTwin(line.knots, line.handles[i].knot) || x < from_mm || x > to_mm) continue;
+      if (gapAt(state_.graph, x) >= -same * range_N_) found.push_back(i);
+    }
+  };
+  below(press_, pressGaps_);
+  below(*release_, releaseGaps_);
+}
+
+Eigen::VectorXd BendableState::gaps(const Eigen::VectorXd& z, const ButtonState& bent) const {
+  Eigen::VectorXd gaps(static_cast<Eigen::Index>(pressGaps_.size() + releaseGaps_.size()));
+  Eigen::Index next = 0;
+  const auto measure = [&](const Line& line, const std::vector<std::size_t>& handles) {
+    for (const std::size_t i : handles) {
+      const double x = line.knots[line.handles[i].knot].displacement_mm +
+                       travel_mm_ * line.mm.row(static_cast<Eigen::Index>(i)).dot(z);
+      gaps[next++] = gapAt(bent.graph, x);
+    }
+  };
+  measure(press_, pressGaps_);
+  if (release_) measure(*release_, releaseGaps_);
+  return gaps;
+}
+
+std::optional<StrokeCurve> BendableState::bent(const Line& line, const Eigen::VectorXd& z) const {
+  const Eigen::VectorXd mm = travel_mm_ * (line.mm * z), N = range_N_ * (line.N * z);
+  std::vector<Knot> knots = line.knots;
+  for (std::size_t i = 0; i + 1 < line.handles.size(); ++i) {
+    const std::size_t first = line.handles[i].knot, last = line.handles[i + 1].knot;
+    const auto row = static_cast<Eigen::Index>(i);
+    if (last == first + 1) {
+      knots[first].displacement_mm += mm[row];
+      knots[first].force_N += N[row];
+      continue;
+    }
+    const std::vector<double> up = climbed(line.knots, first, last), along = crossed(line.knots, first, last);
+    for (std::size_t k = first; k < last; ++k) {
+      knots[k].displacement_mm += mm[row] + along[k - first] * (mm[row + 1] - mm[row]);
+      knots[k].force_N += N[row] + up[k - first] * (N[row + 1] - N[row]);
+    }
+  }
+  knots.back().displacement_mm += mm[mm.size() - 1];
+  knots.back().force_N += N[N.size() - 1];
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    if (isTwin(line.knots, i)) knots[i].displacement_mm = knots[i - 1].displacement_mm;
+  reslope(line.knots, knots);
+  const auto curve = StrokeCurve::fromKnots(std::move(knots));
+  if (!curve) return {};
+  return *curve;
+}
+
+std::optional<ButtonState> BendableState::at(const Eigen::VectorXd& z) const {
+  const auto press = bent(press_, z);
+  if (!press) return {};
+  std::optional<StrokeCurve> release;
+  if (release_) {
+    release = bent(*release_, z);
+    if (!release) return {};
+  }
+  auto graph = ForceGraph::fromCurves(*press, std::move(release));
+  if (!graph) return {};
+  ButtonState next{state_.name, *std::move(graph), state_.operatingPoint_mm, state_.resetPoint_mm,
+                   state_.damping};
+  // Damping covers the travel as it did.
+  const double start_mm = press->start_mm(), longer = press->travel_mm() / travel_mm_;
+  for (DampingPoint& point : next.damping)
+    if (longer != 1) point.displacement_mm = start_mm + (point.displacement_mm - start_mm) * longer;
+  if (operating_ >= 0) *next.operatingPoint_mm += travel_mm_ * z[operating_];
+  if (reset_ >= 0) *next.resetPoint_mm += travel_mm_ * z[reset_];
+  return next;
+}
+
+}  // namespace detent

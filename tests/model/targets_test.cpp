@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "model/targets/targets.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "model/file/button_file.h"
+#include "model/templates.h"
+#include "model/validation.h"
+
+using namespace detent;
+
+namespace {
+
+constexpr double gramForce_N = 0.00980665;
+constexpr double bar_N = 0.1 * gramForce_N, bar_mm = 0.001;
+
+struct Sample {
+  std::string name;
+  Button button;
+  std::size_t state;
+};
+
+// Every state of every sample; those without contacts get them, so that each figure is tried.
+std::vector<Sample> samples() {
+  std::vector<Sample> all;
+  for (const char* name : {"A", "B", "C", "D", "E", "EF", "F", "push", "latch"}) {
+    const auto button =
+        readButtonFile(DETENT_SOURCE_DIR "/samples/buttons/" + std::string(name) + ".button.json");
+    REQUIRE(button.ok());
+    for (std::size_t state = 0; state < button->states().size(); ++state) {
+      std::vector<ButtonState> states = button->states();
+      const double travel_mm = states[state].graph.travel_mm();
+      if (!states[state].operatingPoint_mm) states[state].operatingPoint_mm = 0.55 * travel_mm;
+      const double back_mm = states[state].graph.curve(Stroke::release).start_mm();
+      if (!states[state].resetPoint_mm)
+        states[state].resetPoint_mm = back_mm + 0.8 * (*states[state].operatingPoint_mm - back_mm);
+      const auto made = Button::fromStates(name, std::move(states));
+      INFO(name << (made.ok() ? "" : made.failure().sentence()));
+      REQUIRE(made.ok());
+      all.push_back({name, *made, state});
+    }
+  }
+  return all;
+}
+
+std::set<Rule> rulesBroken(const Button& button) {
+  std::set<Rule> rules;
+  for (const Warning& warning : validate(button)) rules.insert(warning.rule);
+  return rules;
+}
+
+FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
+
+// Two to six figures, some kept as they are, others up to a fifth of their value away.
+std::vector<FigureTarget> anyTargets(const KeyFigures& figures, std::mt19937& random) {
+  std::vector<KeyFigure> there;
+  for (const KeyFigureName& name : keyFigureNames())
+    if (figures[name.figure]) there.push_back(name.figure);
+  std::shuffle(there.begin(), there.end(), random);
+  const std::size_t count = std::min<std::size_t>(there.size(), 2 + random() % 5);
+  std::uniform_real_distribution<double> change(-0.2, 0.2);
+  std::vector<FigureTarget> targets;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double now = *figures[there[i]];
+    targets.push_back({there[i], random() % 3 == 0 ? now : now * (1 + change(random))});
+  }
+  return targets;
+}
+
+// How far a figure is from its target, in shares of what the bar allows; what is no force and no length, of 0.1 %.
+double missed(const KeyFigures& figures, const FigureTarget& target) {
+  const auto& value = figures[target.figure];
+  if (!value) return 1e9;
+  const double off = std::abs(*value - target.value);
+  if (unitOf(target.figure) == FigureUnit::N) return off / bar_N;
+  if (unitOf(target.figure) == FigureUnit::mm) return off / bar_mm;
+  return off / (1e-3 * std::max(std::abs(target.value), 0.01));
+}
+
+std::string textOf(const std::vector<FigureTarget>& targets, const KeyFigures& now) {
+  std::string text;
+  for (const FigureTarget& target : targets)
+    text += std::string(keyFigureNames()[static_cast<std::size_t>(target.figure)].key) + " " +
+            std::to_string(now[target.figure].value_or(0)) + " -> " + std::to_string(target.value) + "; ";
+  return text;
+}
+
+int setsToTry() {
+  const char* sets = std::getenv("DETENT_TARGET_SETS");
+  return sets ? std::atoi(sets) : 60;
+}
+
+}  // namespace
+
+// DETENT_TARGET_SETS=1000 tries as many, and prints what became of them.
+TEST_CASE("random sets of targets are met, or those that contradict are named") {
+  const std::vector<Sample> all = samples();
+  std::mt19937 random(20131008);
+  int met = 0, refused = 0, single = 0;
+  double slowest_ms = 0, worst = 0;
+  for (int i = 0; i < setsToTry(); ++i) {
+    const Sample& sample = all[random() % all.size()];
+    const KeyFigures now = keyFiguresOf(sample.button.states()[sample.state]);
+    const std::vector<FigureTarget> targets = anyTargets(now, random);
+    INFO(i << " " << sample.name << " state " << sample.state << ": " << textOf(targets, now));
+    const auto begun = std::chrono::steady_clock::now();
+    const TargetOutcome outcome = bentToTargets(sample.button, sample.state, targets);
+    const double took_ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    slowest_ms = std::max(slowest_ms, took_ms);
+    REQUIRE(outcome.button.has_value() != outcome.conflict.has_value());
+    if (outcome.button) {
+      ++met;
+      const KeyFigures then = keyFiguresOf(outcome.button->states()[sample.state]);
+      for (const FigureTarget& target : targets) {
+        CHECK(missed(then, target) <= 1);
+        worst = std::max(worst, missed(then, target));
+      }
+      const std::set<Rule> before = rulesBroken(sample.button), after = rulesBroken(*outcome.button);
+      CHECK(std::includes(before.begin(), before.end(), after.begin(), after.end()));
+      continue;
+    }
+    ++refused;
+    const std::vector<KeyFigure>& named = outcome.conflict->figures;
+    REQUIRE(!named.empty());
+    single += named.size() == 1;
+    if (std::getenv("DETENT_TARGET_SETS"))
+      std::cout << i << " " << sample.name << " " << outcome.conflict->failure.sentence() << " <- "
+                << textOf(targets, now) << " " << took_ms << " ms\n";
+    // What is named does contradict: all of it is asked for, and without any one of it the rest can be met.
+    std::vector<FigureTarget> those;
+    for (const FigureTarget& target : targets)
+      if (std::count(named.begin(), named.end(), target.figure) > 0) those.push_back(target);
+    CHECK(those.size() == named.size());
+    for (std::size_t k = 0; k < those.size() && those.size() > 1; ++k) {
+      std::vector<FigureTarget> without = those;
+      without.erase(without.begin() + static_cast<std::ptrdiff_t>(k));
+      CHECK(bentToTargets(sample.button, sample.state, without).button.has_value());
+    }
+  }
+  if (std::getenv("DETENT_TARGET_SETS"))
+    std::cout << met << " met, " << refused << " refused (" << single << " for one figure alone), worst "
+              << worst << " of the bar, slowest " << slowest_ms << " ms\n";
+  CHECK(met > refused);
+}
+
+TEST_CASE("one figure, the rest free", "[.single]") {
+  for (const Sample& sample : samples()) {
+    const KeyFigures now = keyFiguresOf(sample.button.states()[sample.state]);
+    for (const KeyFigureName& name : keyFigureNames()) {
+      if (!now[name.figure]) continue;
+      for (const double factor : {0.9, 1.1}) {
+        const auto outcome =
+            bentToTargets(sample.button, sample.state, {{name.figure, *now[name.figure] * factor}});
+        if (!outcome.button)
+          std::cout << sample.name << sample.state << " " << name.key << " " << *now[name.figure] << " x "
+                    << factor << "\n";
+      }
+    }
+  }
+}
