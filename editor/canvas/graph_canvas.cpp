@@ -136,6 +136,12 @@ void GraphCanvas::showSelection() {
   update();
 }
 
+void GraphCanvas::showPreview(std::optional<ButtonState> preview) {
+  if (preview == preview_) return;
+  preview_ = std::move(preview);
+  replot();
+}
+
 void GraphCanvas::showFinger(std::optional<FingerPosition> finger) {
   if (!finger && !finger_) return;
   finger_ = finger;
@@ -198,6 +204,7 @@ GraphScene GraphCanvas::scene() const {
   }
   const auto& states = document_.button().states();
   if (states.size() > 1) scene.otherState = &states[document_.activeState() == 0 ? 1 : 0];
+  if (preview_) scene.preview = &*preview_;
   if (settings().residualsShown()) {
     scene.tracedPress = traced_->of(Stroke::press);
     scene.tracedRelease = traced_->of(Stroke::release);

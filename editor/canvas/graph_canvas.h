@@ -45,6 +45,8 @@ class GraphCanvas : public UnitPlot {
   void setSelection(std::vector<MarkId> marks);
   bool isSelected(MarkId mark) const;
   void showFinger(std::optional<FingerPosition> finger);
+  /// What the active state would be, drawn dashed over what it is; none: nothing. Never in a picture for others.
+  void showPreview(std::optional<ButtonState> preview);
   void setMagnifierShown(bool shown);
   /// Knots and handles; without them the picture is that of a datasheet.
   void setHandlesShown(bool shown);
@@ -97,6 +99,7 @@ class GraphCanvas : public UnitPlot {
   std::vector<MarkId> selectionThere_;
   std::size_t selectedState_ = 0;
   std::optional<FingerPosition> finger_;
+  std::optional<ButtonState> preview_;
   bool magnifierShown_ = true, handlesShown_ = true;
 };
 

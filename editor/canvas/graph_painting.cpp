@@ -118,6 +118,17 @@ void paintStrokes(QPainter& painter, const PlotMapping& map, const GraphScene& s
   drawPolylines(painter, curvePolylines(graph.press(), map));
 }
 
+// In the colour of what is selected, since it is neither stroke yet.
+void paintPreview(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  painter.setBrush(Qt::NoBrush);
+  for (const Stroke stroke : {Stroke::release, Stroke::press}) {
+    const ForceGraph& graph = scene.preview->graph;
+    if (stroke == Stroke::release && !graph.release()) continue;
+    painter.setPen(QPen(scene.colors.selection, stroke == Stroke::press ? 2 : 1.5, Qt::DashLine));
+    drawPolylines(painter, curvePolylines(graph.curve(stroke), map));
+  }
+}
+
 // ---- residuals
 
 double squared(QPointF v) { return v.x() * v.x() + v.y() * v.y(); }
@@ -590,6 +601,7 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   if (!scene.tracedRelease.empty() && scene.state.graph.release())
     paintResiduals(painter, map, *scene.state.graph.release(), scene.tracedRelease, scene.colors.residual);
   paintStrokes(painter, map, scene);
+  if (scene.preview) paintPreview(painter, map, scene);
   painter.restore();
 }
 

@@ -29,6 +29,7 @@ struct GraphScene {
   std::span<const CurvePoint> tracedPress, tracedRelease;  ///< residuals are drawn to these; empty: none
   bool handlesShown = true;                  ///< knots and handles; pictures for others go without
   std::optional<ReadingError> readingError;  ///< of a graph read off a page: decides the digits of its forces
+  const ButtonState* preview = nullptr;      ///< what the state would be: drawn dashed over it
 };
 
 /// Sections, wall, curves, points, handles and feedback, clipped to the map.

@@ -2,17 +2,15 @@
 #include "editor/panels/values_panel.h"
 
 #include <algorithm>
+#include <QEvent>
 #include <QHeaderView>
-#include <QKeyEvent>
 #include <QLabel>
-#include <QLineEdit>
-#include <QStyledItemDelegate>
 #include <QTableView>
 #include <QToolTip>
 #include <QVBoxLayout>
 
-#include "editor/document/described.h"
 #include "editor/document/graph_colors.h"
+#include "editor/panels/value_delegate.h"
 #include "editor/panels/values_model.h"
 
 namespace detent::editor {
@@ -21,54 +19,6 @@ namespace {
 constexpr int measuredRows = 200;      // of a long table: the first ones tell how wide its columns are
 constexpr int leastNumber = 6;         // characters that a column of numbers has room for
 constexpr int roomBesideText_px = 12;  // of a cell
-
-/// Keeps a cell open, marked, with the reason beside it, as long as what is typed there is refused.
-class ValueDelegate : public QStyledItemDelegate {
- public:
-  ValueDelegate(ValuesModel& model, QObject* parent) : QStyledItemDelegate(parent), model_(model) {}
-
-  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&,
-                        const QModelIndex& index) const override {
-    auto* editor = described(new QLineEdit(parent), "valueEditor");
-    editor->setFrame(false);
-    editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    const QPersistentModelIndex cell(index);
-    connect(editor, &QLineEdit::textEdited, editor,
-            [this, editor, cell] { mark(*editor, refusal(*editor, cell)); });
-    return editor;
-  }
-
- protected:
-  bool eventFilter(QObject* object, QEvent* event) override {
-    auto* editor = qobject_cast<QLineEdit*>(object);
-    if (!editor || event->type() != QEvent::KeyPress) return QStyledItemDelegate::eventFilter(object, event);
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    const bool ends =
-        key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Backtab;
-    const auto* table = qobject_cast<QTableView*>(parent());
-    if (!ends || !table) return QStyledItemDelegate::eventFilter(object, event);
-    const QString why = refusal(*editor, table->currentIndex());
-    if (why.isEmpty()) return QStyledItemDelegate::eventFilter(object, event);
-    mark(*editor, why);
-    emit model_.refused(table->currentIndex(), why);
-    return true;
-  }
-
- private:
-  QString refusal(const QLineEdit& editor, const QModelIndex& cell) const {
-    return model_.typed(cell, editor.text()).refusal;
-  }
-  static void mark(QLineEdit& editor, const QString& why) {
-    QPalette colors = editor.palette();
-    const bool dark = isDark(editor.parentWidget()->palette());
-    colors.setColor(QPalette::Text, why.isEmpty() ? editor.parentWidget()->palette().color(QPalette::Text)
-                                                  : graphColors(dark).refused);
-    editor.setPalette(colors);
-    editor.setAccessibleDescription(why);
-  }
-
-  ValuesModel& model_;
-};
 
 }  // namespace
 
@@ -81,7 +31,11 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   table_->setObjectName(QStringLiteral("valuesTable"));
   table_->setAccessibleName(tr("Exact values of the force graph"));
   table_->setModel(model_);
-  table_->setItemDelegate(new ValueDelegate(*model_, table_));
+  auto* delegate = new ValueDelegate(
+      [this](const QModelIndex& cell, const QString& text) { return model_->typed(cell, text).refusal; },
+      table_);
+  table_->setItemDelegate(delegate);
+  connect(delegate, &ValueDelegate::refused, model_, &ValuesModel::refused);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);  // a thousand rows are not measured

@@ -6,6 +6,8 @@
 #include "editor/canvas/graph_canvas.h"
 #include "editor/panels/checks_panel.h"
 #include "editor/panels/history_panel.h"
+#include "editor/panels/key_figures_model.h"
+#include "editor/panels/key_figures_panel.h"
 #include "editor/panels/values_model.h"
 #include "editor/panels/values_panel.h"
 #include "editor/tools/hit_test.h"
@@ -28,6 +30,7 @@ DocumentTab::DocumentTab(std::unique_ptr<ButtonDocument> document, ViewSettings&
 
 DocumentTab::~DocumentTab() {
   delete values_;
+  delete figures_;
   delete history_;
   delete checks_;
   delete workspace_;
@@ -46,6 +49,16 @@ QWidget* DocumentTab::valuesPanel() {
             [values, &canvas] { values->showMark(canvas.selected()); });
   }
   return values_;
+}
+
+QWidget* DocumentTab::figuresPanel() {
+  if (!figures_) {
+    auto* figures = new KeyFiguresPanel(*document_, settings_, nullptr);
+    figures_ = figures;
+    connect(&figures->model(), &KeyFiguresModel::previewChanged, this,
+            [this, figures] { workspace_->canvas().showPreview(figures->model().preview()); });
+  }
+  return figures_;
 }
 
 QWidget* DocumentTab::checksPanel() {

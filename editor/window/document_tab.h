@@ -26,6 +26,7 @@ class DocumentTab : public QWidget {
   GraphWorkspace& workspace() { return *workspace_; }
   NoticeBar& notices() { return *notices_; }
   QWidget* valuesPanel();
+  QWidget* figuresPanel();
   QWidget* historyPanel();
   QWidget* checksPanel();
 
@@ -36,7 +37,7 @@ class DocumentTab : public QWidget {
   GraphWorkspace* workspace_;
   void showPlace(const WarningPlace& place);
 
-  QPointer<QWidget> values_, history_, checks_;
+  QPointer<QWidget> values_, figures_, history_, checks_;
 };
 
 }  // namespace detent::editor

@@ -41,7 +41,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int messageTime_ms = 8000;
-constexpr int stateVersion = 2;  // of the docks' arrangement; changes when docks do
+constexpr int stateVersion = 3;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
 constexpr QSize roomForFrame_px{8, 40};  // of the window, around what is ours
 constexpr int firstLibrary_px = 230, firstValues_px = 480;
@@ -144,6 +144,7 @@ void MainWindow::turn(QDockWidget& dock) {
 void MainWindow::makeDocks() {
   libraryDock_ = dock("libraryDock", tr("Library"), Qt::LeftDockWidgetArea, QKeySequence("Alt+1"));
   valuesDock_ = dock("valuesDock", tr("Values"), Qt::RightDockWidgetArea, QKeySequence("Alt+2"));
+  figuresDock_ = dock("figuresDock", tr("Key figures"), Qt::RightDockWidgetArea, QKeySequence("Alt+6"));
   historyDock_ = dock("historyDock", tr("History"), Qt::RightDockWidgetArea, QKeySequence("Alt+3"));
   checksDock_ = dock("checksDock", tr("Checks"), Qt::RightDockWidgetArea, QKeySequence("Alt+5"));
   feelDock_ = dock("feelDock", tr("Feel it"), Qt::BottomDockWidgetArea, QKeySequence("Alt+4"));
@@ -151,11 +152,14 @@ void MainWindow::makeDocks() {
   libraryDock_->setWidget(library_);
   values_ = new QStackedWidget;
   valuesDock_->setWidget(values_);
+  figures_ = new QStackedWidget;
+  figuresDock_->setWidget(figures_);
   history_ = new QStackedWidget;
   historyDock_->setWidget(history_);
   checks_ = new QStackedWidget;
   checksDock_->setWidget(checks_);
-  tabifyDockWidget(valuesDock_, historyDock_);
+  tabifyDockWidget(valuesDock_, figuresDock_);
+  tabifyDockWidget(figuresDock_, historyDock_);
   tabifyDockWidget(historyDock_, checksDock_);
   valuesDock_->raise();
   // Brought to the front, it has what the page says in words.
@@ -325,6 +329,8 @@ void MainWindow::showTab(DocumentTab* tab) {
   if (tab) {
     values_->addWidget(tab->valuesPanel());
     values_->setCurrentWidget(tab->valuesPanel());
+    figures_->addWidget(tab->figuresPanel());
+    figures_->setCurrentWidget(tab->figuresPanel());
     history_->addWidget(tab->historyPanel());
     history_->setCurrentWidget(tab->historyPanel());
     checks_->addWidget(tab->checksPanel());
@@ -574,7 +580,7 @@ void MainWindow::print(DocumentTab& tab) {
 void MainWindow::focusNextPanel(int by) {
   QList<QWidget*> panels;
   if (DocumentTab* tab = tabs_->current()) panels << &tab->workspace().canvas();
-  for (QDockWidget* dock : {valuesDock_, historyDock_, checksDock_, feelDock_, libraryDock_})
+  for (QDockWidget* dock : {valuesDock_, figuresDock_, historyDock_, checksDock_, feelDock_, libraryDock_})
     if (dock->isVisible() && !dock->visibleRegion().isEmpty() && dock->widget()) panels << dock->widget();
   if (panels.isEmpty()) return;
   const QWidget* focus = QApplication::focusWidget();

@@ -142,9 +142,9 @@ class MainWindow : public QMainWindow {
   CompareDialog* comparison_ = nullptr;
   ForecastMatrix* forecasts_ = nullptr;
   StudyDesk* study_ = nullptr;
-  QStackedWidget *values_ = nullptr, *history_ = nullptr, *checks_ = nullptr;
-  QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *historyDock_ = nullptr,
-              *checksDock_ = nullptr, *feelDock_ = nullptr;
+  QStackedWidget *values_ = nullptr, *figures_ = nullptr, *history_ = nullptr, *checks_ = nullptr;
+  QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *figuresDock_ = nullptr,
+              *historyDock_ = nullptr, *checksDock_ = nullptr, *feelDock_ = nullptr;
   bool docksAreNew_ = false;    // nothing was kept of how they were arranged
   QComboBox* other_ = nullptr;  // which button is B of the feel panel
   QPointer<MarginOverlay> margin_;

@@ -1,0 +1,319 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/key_figures_model.h"
+
+#include <algorithm>
+#include <QCoreApplication>
+#include <QFont>
+#include <QPalette>
+
+#include "editor/document/graph_colors.h"
+#include "editor/document/message_words.h"
+#include "editor/panels/figure_drawing.h"
+#include "editor/quantity/reading_error.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr int dragPause_ms = 80;
+constexpr int editedDigits = 12;  // what is typed comes back as typed
+constexpr int shownDigits = 4;
+constexpr QSize pictureSize(34, 22);
+
+FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
+
+Quantity quantityOf(KeyFigure figure) {
+  switch (unitOf(figure)) {
+    case FigureUnit::mm:
+      return Quantity::length;
+    case FigureUnit::N:
+      return Quantity::force;
+    case FigureUnit::N_per_mm:
+      return Quantity::slope;
+    case FigureUnit::share:
+      return Quantity::share;
+    case FigureUnit::mJ:
+      return Quantity::number;
+  }
+  return Quantity::number;
+}
+
+}  // namespace
+
+QString termOf(KeyFigure figure) {
+  return QCoreApplication::translate("detent", keyFigureNames()[static_cast<std::size_t>(figure)].term);
+}
+
+QString definitionOf(KeyFigure figure) {
+  using enum KeyFigure;
+  switch (figure) {
+    case initialForce:
+      return KeyFiguresModel::tr("Force at the start of the press; with a preload, the preload.");
+    case preTravel:
+      return KeyFiguresModel::tr("From the start of the press to the operating point (PT).");
+    case operatingForce:
+      return KeyFiguresModel::tr(
+          "Force of the press at the operating point; keyboards call it actuation force.");
+    case peakForce:
+      return KeyFiguresModel::tr("Force of the tactile point with the largest drop after it.");
+    case peakTravel:
+      return KeyFiguresModel::tr("Displacement of the tactile point with the largest drop after it.");
+    case valleyForce:
+      return KeyFiguresModel::tr(
+          "Lowest force between the peak and the next tactile point, or the end of the press.");
+    case valleyTravel:
+      return KeyFiguresModel::tr("Displacement of the lowest force after the peak.");
+    case drop:
+      return KeyFiguresModel::tr("Peak force less valley force: what a finger feels as the event.");
+    case snapRatio:
+      return KeyFiguresModel::tr("Tactile drop over peak force; also tactile or click ratio.");
+    case slopeToPeak:
+      return KeyFiguresModel::tr("Mean slope from the start to the peak; without a peak, to the bottom-out.");
+    case slopeOfDrop:
+      return KeyFiguresModel::tr("Mean slope from the peak to the valley; below 0.");
+    case slopeToBottomOut:
+      return KeyFiguresModel::tr("Mean slope from the valley to the bottom-out.");
+    case resetTravel:
+      return KeyFiguresModel::tr("Displacement at which the contact opens on the release.");
+    case resetForce:
+      return KeyFiguresModel::tr("Force of the release at the reset point (RF).");
+    case differentialTravel:
+      return KeyFiguresModel::tr("Operating point less reset point (MD).");
+    case overTravel:
+      return KeyFiguresModel::tr("From the operating point to the end of the press (OT).");
+    case bottomOutForce:
+      return KeyFiguresModel::tr(
+          "Force at the foot of the wall; where there is none, at the end of the travel.");
+    case bottomOutTravel:
+      return KeyFiguresModel::tr(
+          "Displacement of the foot of the wall; where there is none, the end of the travel.");
+    case totalTravel:
+      return KeyFiguresModel::tr("From the start to the end of the press (TT).");
+    case endForce:
+      return KeyFiguresModel::tr("Force at the end of the press.");
+    case pressWork:
+      return KeyFiguresModel::tr("Area under the press.");
+    case hysteresis:
+      return KeyFiguresModel::tr("Area between press and release: the energy lost in one actuation.");
+  }
+  return {};
+}
+
+KeyFiguresModel::KeyFiguresModel(ButtonDocument& document, ViewSettings& settings, QObject* parent)
+    : QAbstractTableModel(parent), document_(document), settings_(settings) {
+  pause_.setSingleShot(true);
+  pause_.setInterval(dragPause_ms);
+  connect(&pause_, &QTimer::timeout, this, &KeyFiguresModel::follow);
+  connect(&document_, &ButtonDocument::changed, this, [this] {
+    if (!document_.history().dragging()) return follow();
+    if (!pause_.isActive()) pause_.start();
+  });
+  connect(&document_, &ButtonDocument::activeStateChanged, this, [this] {
+    giveUp();
+    follow();
+  });
+  connect(&settings_, &ViewSettings::changed, this, [this] {
+    emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
+    emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+  });
+  follow();
+}
+
+const ButtonState& KeyFiguresModel::state() const {
+  return document_.button().states()[document_.activeState()];
+}
+
+void KeyFiguresModel::follow() {
+  pause_.stop();
+  figures_ = keyFiguresOf(state());
+  if (anyWanted() && !document_.history().dragging()) lookAhead();
+  emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+}
+
+bool KeyFiguresModel::anyWanted() const {
+  return std::any_of(wanted_.begin(), wanted_.end(), [](const auto& value) { return value.has_value(); });
+}
+
+std::vector<FigureTarget> KeyFiguresModel::kept() const {
+  std::vector<FigureTarget> targets;
+  for (std::size_t i = 0; i < keyFigureCount; ++i)
+    if (const auto value = figures_.values[i]; kept_[i] && value)
+      targets.push_back({static_cast<KeyFigure>(i), *value});
+  return targets;
+}
+
+void KeyFiguresModel::lookAhead() {
+  preview_.reset();
+  previewed_.reset();
+  conflict_.clear();
+  if (anyWanted()) {
+    std::vector<FigureTarget> targets = kept();
+    for (std::size_t i = 0; i < keyFigureCount; ++i)
+      if (wanted_[i]) targets.push_back({static_cast<KeyFigure>(i), *wanted_[i]});
+    const TargetOutcome outcome =
+        bentToTargets(document_.history().committed(), document_.activeState(), targets);
+    previewed_ = outcome.button;
+    if (previewed_) preview_ = previewed_->states()[document_.activeState()];
+    if (preview_) ahead_ = keyFiguresOf(*preview_);
+    if (outcome.conflict) conflict_ = sentenceOf(outcome.conflict->failure, settings_.units());
+  }
+  emit dataChanged(index(0, wanted), index(rowCount() - 1, wanted));
+  emit previewChanged();
+}
+
+void KeyFiguresModel::take() {
+  if (!previewed_ || document_.history().dragging()) return;
+  const Button next = *previewed_;
+  giveUp();
+  document_.history().apply(next, tr("Set key figures"));
+}
+
+void KeyFiguresModel::giveUp() {
+  if (!anyWanted()) return;
+  wanted_.fill({});
+  lookAhead();
+}
+
+int KeyFiguresModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(keyFigureCount);
+}
+
+int KeyFiguresModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : columns; }
+
+QString KeyFiguresModel::shown(double value, KeyFigure which, bool exact) const {
+  const Quantity quantity = quantityOf(which);
+  const int digits = exact ? editedDigits : shownDigits;
+  if (quantity == Quantity::share) return numberText(100 * value, digits) + QStringLiteral(" %");
+  if (quantity == Quantity::number) return numberText(value, digits);
+  if (exact) return quantityText(value, quantity, settings_.units(), digits);
+  return readText(value, quantity, settings_.units(), readingErrorOf(document_.button()), digits);
+}
+
+QVariant KeyFiguresModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) return {};
+  const KeyFigure which = figureOf(index);
+  const auto at = static_cast<std::size_t>(index.row());
+  const std::optional<double> value = figures_[which];
+  if (role == Qt::ToolTipRole) return definitionOf(which);
+  switch (index.column()) {
+    case figure:
+      if (role == Qt::DisplayRole) {
+        if (unitOf(which) == FigureUnit::mJ) return tr("%1 (mJ)").arg(termOf(which));
+        return termOf(which);
+      }
+      if (role == Qt::DecorationRole)
+        return keyFigurePicture(pictureSize, 2, which, graphColors(isDark(QPalette())));
+      return {};
+    case now:
+    case wanted: {
+      if (role == Qt::TextAlignmentRole) return QVariant(Qt::AlignRight | Qt::AlignVCenter);
+      if (!value) return {};
+      const bool exact = role == Qt::EditRole;
+      if (role != Qt::DisplayRole && role != Qt::EditRole && role != Qt::FontRole) return {};
+      if (index.column() == now) return role == Qt::FontRole ? QVariant() : shown(*value, which, exact);
+      if (role == Qt::FontRole) {
+        QFont font;
+        font.setBold(wanted_[at].has_value());
+        font.setItalic(!wanted_[at].has_value());
+        return font;
+      }
+      if (wanted_[at]) return shown(*wanted_[at], which, exact);
+      if (exact || !preview_ || !ahead_[which]) return QString();
+      const QString then = shown(*ahead_[which], which, false);
+      return then == shown(*value, which, false) ? QString() : then;
+    }
+    case keep:
+      if (role == Qt::CheckStateRole && value) return kept_[at] ? Qt::Checked : Qt::Unchecked;
+      if (role == Qt::AccessibleTextRole) return tr("Keep: %1").arg(termOf(which));
+      return {};
+    default:
+      return {};
+  }
+}
+
+QVariant KeyFiguresModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::ToolTipRole) {
+    if (section == now) return tr("What is typed here is done at once; what is kept stays");
+    if (section == wanted)
+      return tr("Values that are to be had together: shown dashed in the graph before they are taken");
+    if (section == keep) return tr("Figures that stay as they are while others are given");
+  }
+  if (role != Qt::DisplayRole) return {};
+  const DisplayUnits& units = settings_.units();
+  const QString symbols = QStringLiteral("%1, %2").arg(units.lengthSymbol(), units.forceSymbol());
+  switch (section) {
+    case figure:
+      return tr("Key figure");
+    case now:
+      return tr("Now") + '\n' + symbols;
+    case wanted:
+      return tr("Wanted") + '\n' + symbols;
+    case keep:
+      return tr("Keep");
+    default:
+      return {};
+  }
+}
+
+Qt::ItemFlags KeyFiguresModel::flags(const QModelIndex& index) const {
+  if (!index.isValid() || index.row() >= rowCount()) return Qt::NoItemFlags;
+  if (!figures_[figureOf(index)]) return Qt::ItemIsSelectable;
+  Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
+  if (index.column() == now || index.column() == wanted) flags |= Qt::ItemIsEditable;
+  if (index.column() == keep) flags |= Qt::ItemIsUserCheckable;
+  return flags;
+}
+
+std::optional<double> KeyFiguresModel::read(const QModelIndex& index, const QString& text) const {
+  return readQuantity(text, quantityOf(figureOf(index)), settings_.units(), figures_[figureOf(index)]).value;
+}
+
+QString KeyFiguresModel::refusalOf(const QModelIndex& index, const QString& text) const {
+  if (index.column() == wanted && text.trimmed().isEmpty()) return {};
+  const Quantity quantity = quantityOf(figureOf(index));
+  const QuantityReading reading = readQuantity(text, quantity, settings_.units(), figures_[figureOf(index)]);
+  return reading.value ? QString() : editor::refusalOf(reading, quantity, settings_.units());
+}
+
+bool KeyFiguresModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || !(flags(index) & Qt::ItemIsEnabled)) return false;
+  if (role == Qt::CheckStateRole && index.column() == keep) {
+    kept_[static_cast<std::size_t>(index.row())] = value.toInt() == Qt::Checked;
+    emit dataChanged(index, index);
+    if (anyWanted()) lookAhead();
+    return true;
+  }
+  if (role != Qt::EditRole || document_.history().dragging()) return false;  // another hand holds the button
+  if (const QString why = refusalOf(index, value.toString()); !why.isEmpty()) {
+    emit refused(index, why);
+    return false;
+  }
+  return index.column() == now ? setNow(index, value.toString()) : setWanted(index, value.toString());
+}
+
+bool KeyFiguresModel::setNow(const QModelIndex& index, const QString& text) {
+  if (text == data(index, Qt::EditRole).toString()) return true;
+  std::vector<FigureTarget> targets = kept();
+  targets.push_back({figureOf(index), *read(index, text)});
+  const TargetOutcome outcome =
+      bentToTargets(document_.history().committed(), document_.activeState(), targets);
+  if (!outcome.button) {
+    emit refused(index, sentenceOf(outcome.conflict->failure, settings_.units()));
+    return false;
+  }
+  emit accepted();
+  document_.history().apply(*outcome.button, tr("Set: %1").arg(termOf(figureOf(index))));
+  return true;
+}
+
+bool KeyFiguresModel::setWanted(const QModelIndex& index, const QString& text) {
+  auto& value = wanted_[static_cast<std::size_t>(index.row())];
+  const std::optional<double> next = text.trimmed().isEmpty() ? std::nullopt : read(index, text);
+  if (value == next) return true;
+  value = next;
+  emit accepted();
+  lookAhead();
+  return true;
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/key_figures_panel.h"
+
+#include <algorithm>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "editor/document/described.h"
+#include "editor/document/graph_colors.h"
+#include "editor/panels/figure_drawing.h"
+#include "editor/panels/key_figures_model.h"
+#include "editor/panels/value_delegate.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr QSize pictureSize(132, 84);
+constexpr int widestNumber = 9;  // characters that a column of numbers has room for
+constexpr int roomBesideText_px = 12;
+
+}  // namespace
+
+KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent)
+    : QWidget(parent),
+      model_(new KeyFiguresModel(document, settings, this)),
+      table_(described(new QTableView, "keyFiguresTable", {}, tr("Key figures of the button"))),
+      picture_(described(new QLabel, "keyFigurePicture")),
+      meaning_(described(new QLabel, "keyFigureMeaning")),
+      trouble_(described(new QLabel, "keyFiguresTrouble")),
+      take_(described(new QPushButton(tr("&Take over")), "takeFigures",
+                      tr("Change the curve so that it has what is wanted"))),
+      giveUp_(described(new QPushButton(tr("Give &up")), "giveUpFigures", tr("Want nothing any more"))) {
+  setObjectName(QStringLiteral("keyFiguresPanel"));
+  table_->setModel(model_);
+  auto* delegate = new ValueDelegate(
+      [this](const QModelIndex& cell, const QString& text) { return model_->refusalOf(cell, text); }, table_);
+  table_->setItemDelegate(delegate);
+  table_->setIconSize({34, 22});
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(std::max(24, fontMetrics().height() + 8));
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->setWordWrap(false);
+  table_->setShowGrid(false);
+  table_->setTabKeyNavigation(false);  // Tab leaves the table; arrows go through it
+  table_->setAlternatingRowColors(true);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                          QAbstractItemView::AnyKeyPressed);
+  meaning_->setWordWrap(true);
+  trouble_->setWordWrap(true);
+  trouble_->setMargin(6);
+  trouble_->hide();
+  setFocusProxy(table_);
+
+  auto* about = new QHBoxLayout;
+  about->setContentsMargins(6, 6, 6, 6);
+  about->addWidget(picture_);
+  about->addWidget(meaning_, 1);
+  auto* buttons = new QHBoxLayout;
+  buttons->setContentsMargins(6, 0, 6, 6);
+  buttons->addStretch(1);
+  buttons->addWidget(take_);
+  buttons->addWidget(giveUp_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(table_, 1);
+  layout->addWidget(trouble_);
+  layout->addLayout(buttons);
+  layout->addLayout(about);
+
+  connect(delegate, &ValueDelegate::refused, this, &KeyFiguresPanel::showRefusal);
+  connect(model_, &KeyFiguresModel::refused, this, &KeyFiguresPanel::showRefusal);
+  connect(model_, &KeyFiguresModel::accepted, this, [this] { setTrouble({}); });
+  connect(model_, &KeyFiguresModel::previewChanged, this, &KeyFiguresPanel::showPreview);
+  connect(&document, &ButtonDocument::changed, this, [this] { setTrouble(model_->conflict()); });
+  connect(model_, &QAbstractItemModel::headerDataChanged, this, &KeyFiguresPanel::layOut);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          &KeyFiguresPanel::showMeaning);
+  connect(take_, &QPushButton::clicked, model_, &KeyFiguresModel::take);
+  connect(giveUp_, &QPushButton::clicked, model_, &KeyFiguresModel::giveUp);
+  table_->viewport()->installEventFilter(this);
+  layOut();
+  showPreview();
+  table_->setCurrentIndex(model_->index(static_cast<int>(KeyFigure::peakForce), KeyFiguresModel::now));
+  showMeaning();
+}
+
+// Numbers have the room they need, names what the panel has left.
+void KeyFiguresPanel::layOut() {
+  const int number_px = widestNumber * fontMetrics().horizontalAdvance(QLatin1Char('0')) + roomBesideText_px;
+  int others = 0;
+  for (const int column : {KeyFiguresModel::now, KeyFiguresModel::wanted, KeyFiguresModel::keep}) {
+    const int header_px = table_->horizontalHeader()->sectionSizeHint(column);
+    const int width = column == KeyFiguresModel::keep ? header_px : std::max(number_px, header_px);
+    table_->setColumnWidth(column, width);
+    others += width;
+  }
+  int name_px = 0;
+  for (int row = 0; row < model_->rowCount(); ++row)
+    name_px = std::max(name_px, fontMetrics().horizontalAdvance(
+                                    model_->index(row, KeyFiguresModel::figure).data().toString()));
+  name_px += table_->iconSize().width() + 2 * roomBesideText_px;
+  table_->setColumnWidth(KeyFiguresModel::figure, std::max(name_px, table_->viewport()->width() - others));
+}
+
+// The viewport has its size only when the table is shown.
+bool KeyFiguresPanel::eventFilter(QObject* object, QEvent* event) {
+  if (object == table_->viewport() && event->type() == QEvent::Resize) layOut();
+  return QWidget::eventFilter(object, event);
+}
+
+void KeyFiguresPanel::showMeaning() {
+  const QModelIndex current = table_->currentIndex();
+  if (!current.isValid()) return;
+  const KeyFigure figure = KeyFiguresModel::figureOf(current);
+  const GraphColors colors = graphColors(isDark(palette()));
+  picture_->setPixmap(keyFigurePicture(pictureSize, devicePixelRatioF(), figure, colors));
+  picture_->setAccessibleName(termOf(figure));
+  meaning_->setText(QStringLiteral("<b>%1</b><br>%2").arg(termOf(figure), definitionOf(figure)));
+}
+
+void KeyFiguresPanel::showPreview() {
+  take_->setEnabled(model_->preview().has_value());
+  giveUp_->setEnabled(model_->anyWanted());
+  setTrouble(model_->conflict());
+}
+
+void KeyFiguresPanel::setTrouble(const QString& why) {
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText, graphColors(isDark(palette())).refused);
+  trouble_->setPalette(colors);
+  trouble_->setText(why);
+  trouble_->setAccessibleName(why);
+  trouble_->setVisible(!why.isEmpty());
+}
+
+void KeyFiguresPanel::showRefusal(const QModelIndex& index, const QString& why) {
+  setTrouble(why);
+  table_->scrollTo(index);
+}
+
+}  // namespace detent::editor

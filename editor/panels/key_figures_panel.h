@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The key figures: typed, kept, and wanted together.
+
+#include <QWidget>
+
+#include "editor/document/button_document.h"
+#include "editor/document/view_settings.h"
+
+class QLabel;
+class QPushButton;
+class QTableView;
+
+namespace detent::editor {
+
+class KeyFiguresModel;
+
+/// A table, below it what the chosen figure measures, and whether what is wanted can be had. GUI thread.
+class KeyFiguresPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  KeyFiguresPanel(ButtonDocument& document, ViewSettings& settings, QWidget* parent = nullptr);
+  KeyFiguresModel& model() { return *model_; }
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  void showRefusal(const QModelIndex& index, const QString& why);
+  void showMeaning();
+  void showPreview();
+  void layOut();
+  void setTrouble(const QString& why);
+
+  KeyFiguresModel* model_;
+  QTableView* table_;
+  QLabel *picture_, *meaning_, *trouble_;
+  QPushButton *take_, *giveUp_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/value_delegate.h"
+
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QTableView>
+#include <utility>
+
+#include "editor/document/described.h"
+#include "editor/document/graph_colors.h"
+
+namespace detent::editor {
+
+ValueDelegate::ValueDelegate(Refusal refusal, QObject* parent)
+    : QStyledItemDelegate(parent), refusal_(std::move(refusal)) {}
+
+QWidget* ValueDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                     const QModelIndex& index) const {
+  auto* editor = described(new QLineEdit(parent), "valueEditor");
+  editor->setFrame(false);
+  editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  const QPersistentModelIndex cell(index);
+  connect(editor, &QLineEdit::textEdited, editor,
+          [this, editor, cell] { mark(*editor, refusal_(cell, editor->text())); });
+  return editor;
+}
+
+bool ValueDelegate::eventFilter(QObject* object, QEvent* event) {
+  auto* editor = qobject_cast<QLineEdit*>(object);
+  if (!editor || event->type() != QEvent::KeyPress) return QStyledItemDelegate::eventFilter(object, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  const bool ends =
+      key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Backtab;
+  const auto* table = qobject_cast<QTableView*>(parent());
+  if (!ends || !table) return QStyledItemDelegate::eventFilter(object, event);
+  const QString why = refusal_(table->currentIndex(), editor->text());
+  if (why.isEmpty()) return QStyledItemDelegate::eventFilter(object, event);
+  mark(*editor, why);
+  emit refused(table->currentIndex(), why);
+  return true;
+}
+
+void ValueDelegate::mark(QLineEdit& editor, const QString& why) {
+  QPalette colors = editor.palette();
+  const bool dark = isDark(editor.parentWidget()->palette());
+  colors.setColor(QPalette::Text, why.isEmpty() ? editor.parentWidget()->palette().color(QPalette::Text)
+                                                : graphColors(dark).refused);
+  editor.setPalette(colors);
+  editor.setAccessibleDescription(why);
+}
+
+}  // namespace detent::editor
