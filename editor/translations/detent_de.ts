@@ -949,6 +949,38 @@
         <source>Hysteresis</source>
         <translation>Hysterese</translation>
     </message>
+    <message>
+        <source>%1 cannot have this value: the button would lose its shape</source>
+        <translation>%1 kann diesen Wert nicht haben: Der Taster verlöre seine Form</translation>
+    </message>
+    <message>
+        <source>Give a value nearer to the present one</source>
+        <translation>Einen Wert näher am jetzigen angeben</translation>
+    </message>
+    <message>
+        <source>%1 and %2 contradict each other</source>
+        <translation>%1 und %2 widersprechen einander</translation>
+    </message>
+    <message>
+        <source>Leave one of the two free, or give it another value</source>
+        <translation>Eines der beiden freilassen oder ihm einen anderen Wert geben</translation>
+    </message>
+    <message>
+        <source>%1 and %2 contradict each other as long as this is kept as well: %3</source>
+        <translation>%1 und %2 widersprechen einander, solange auch dies bleibt: %3</translation>
+    </message>
+    <message>
+        <source>Leave one of them free, or give it another value</source>
+        <translation>Eines davon freilassen oder ihm einen anderen Wert geben</translation>
+    </message>
+    <message>
+        <source>the button has no such figure: %1</source>
+        <translation>Der Taster hat diese Kennzahl nicht: %1</translation>
+    </message>
+    <message>
+        <source>Add what it measures to the curve first</source>
+        <translation>Zuerst der Kurve geben, was sie misst</translation>
+    </message>
 </context>
 <context>
     <name>detent::Button</name>
@@ -3799,6 +3831,164 @@
     </message>
 </context>
 <context>
+    <name>detent::editor::KeyFiguresModel</name>
+    <message>
+        <source>Force at the start of the press; with a preload, the preload.</source>
+        <translation>Kraft am Anfang des Drucks; mit Vorspannung die Vorspannung.</translation>
+    </message>
+    <message>
+        <source>From the start of the press to the operating point (PT).</source>
+        <translation>Vom Anfang des Drucks bis zum Schaltpunkt (PT).</translation>
+    </message>
+    <message>
+        <source>Force of the press at the operating point; keyboards call it actuation force.</source>
+        <translation>Kraft des Drucks am Schaltpunkt; bei Tastaturen Betätigungskraft.</translation>
+    </message>
+    <message>
+        <source>Force of the tactile point with the largest drop after it.</source>
+        <translation>Kraft des Druckpunkts mit dem größten Abfall danach.</translation>
+    </message>
+    <message>
+        <source>Displacement of the tactile point with the largest drop after it.</source>
+        <translation>Weg des Druckpunkts mit dem größten Abfall danach.</translation>
+    </message>
+    <message>
+        <source>Lowest force between the peak and the next tactile point, or the end of the press.</source>
+        <translation>Kleinste Kraft zwischen der Spitze und dem nächsten Druckpunkt oder dem Ende des Drucks.</translation>
+    </message>
+    <message>
+        <source>Displacement of the lowest force after the peak.</source>
+        <translation>Weg der kleinsten Kraft nach der Spitze.</translation>
+    </message>
+    <message>
+        <source>Peak force less valley force: what a finger feels as the event.</source>
+        <translation>Spitzenkraft weniger Talkraft: was ein Finger als Ereignis fühlt.</translation>
+    </message>
+    <message>
+        <source>Tactile drop over peak force; also tactile or click ratio.</source>
+        <translation>Kraftabfall durch Spitzenkraft; auch Click Ratio.</translation>
+    </message>
+    <message>
+        <source>Mean slope from the start to the peak; without a peak, to the bottom-out.</source>
+        <translation>Mittlere Steigung vom Anfang bis zur Spitze; ohne Spitze bis zum Anschlag.</translation>
+    </message>
+    <message>
+        <source>Mean slope from the peak to the valley; below 0.</source>
+        <translation>Mittlere Steigung von der Spitze bis zum Tal; unter 0.</translation>
+    </message>
+    <message>
+        <source>Mean slope from the valley to the bottom-out.</source>
+        <translation>Mittlere Steigung vom Tal bis zum Anschlag.</translation>
+    </message>
+    <message>
+        <source>Displacement at which the contact opens on the release.</source>
+        <translation>Weg, bei dem der Kontakt beim Loslassen öffnet.</translation>
+    </message>
+    <message>
+        <source>Force of the release at the reset point (RF).</source>
+        <translation>Kraft des Loslassens am Rückschaltpunkt (RF).</translation>
+    </message>
+    <message>
+        <source>Operating point less reset point (MD).</source>
+        <translation>Schaltpunkt weniger Rückschaltpunkt (MD).</translation>
+    </message>
+    <message>
+        <source>From the operating point to the end of the press (OT).</source>
+        <translation>Vom Schaltpunkt bis zum Ende des Drucks (OT).</translation>
+    </message>
+    <message>
+        <source>Force at the foot of the wall; where there is none, at the end of the travel.</source>
+        <translation>Kraft am Fuß der Wand; wo keine ist, am Ende des Wegs.</translation>
+    </message>
+    <message>
+        <source>Displacement of the foot of the wall; where there is none, the end of the travel.</source>
+        <translation>Weg des Fußes der Wand; wo keine ist, das Ende des Wegs.</translation>
+    </message>
+    <message>
+        <source>From the start to the end of the press (TT).</source>
+        <translation>Vom Anfang bis zum Ende des Drucks (TT).</translation>
+    </message>
+    <message>
+        <source>Force at the end of the press.</source>
+        <translation>Kraft am Ende des Drucks.</translation>
+    </message>
+    <message>
+        <source>Area under the press.</source>
+        <translation>Fläche unter dem Druck.</translation>
+    </message>
+    <message>
+        <source>Area between press and release: the energy lost in one actuation.</source>
+        <translation>Fläche zwischen Druck und Loslassen: die Energie, die eine Betätigung kostet.</translation>
+    </message>
+    <message>
+        <source>Set key figures</source>
+        <translation>Kennzahlen setzen</translation>
+    </message>
+    <message>
+        <source>%1 (mJ)</source>
+        <translation>%1 (mJ)</translation>
+    </message>
+    <message>
+        <source>Keep: %1</source>
+        <translation>Behalten: %1</translation>
+    </message>
+    <message>
+        <source>What is typed here is done at once; what is kept stays</source>
+        <translation>Was hier eingegeben wird, geschieht sofort; was behalten wird, bleibt</translation>
+    </message>
+    <message>
+        <source>Values that are to be had together: shown dashed in the graph before they are taken</source>
+        <translation>Werte, die zusammen gelten sollen: im Graphen gestrichelt zu sehen, bevor sie übernommen werden</translation>
+    </message>
+    <message>
+        <source>Figures that stay as they are while others are given</source>
+        <translation>Kennzahlen, die bleiben, während andere gegeben werden</translation>
+    </message>
+    <message>
+        <source>Key figure</source>
+        <translation>Kennzahl</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Wanted</source>
+        <translation>Gewünscht</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Set: %1</source>
+        <translation>Setzen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::KeyFiguresPanel</name>
+    <message>
+        <source>Key figures of the button</source>
+        <translation>Kennzahlen des Tasters</translation>
+    </message>
+    <message>
+        <source>&amp;Take over</source>
+        <translation>Ü&amp;bernehmen</translation>
+    </message>
+    <message>
+        <source>Change the curve so that it has what is wanted</source>
+        <translation>Die Kurve so ändern, dass sie hat, was gewünscht ist</translation>
+    </message>
+    <message>
+        <source>Give &amp;up</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Want nothing any more</source>
+        <translation>Nichts mehr wünschen</translation>
+    </message>
+</context>
+<context>
     <name>detent::editor::Keyboard</name>
     <message numerus="yes">
         <source>Move %n points</source>
@@ -4420,6 +4610,10 @@
     <message>
         <source>Write what a standard press feels like that begins in the state shown: mono, 48 kHz</source>
         <translation>Schreiben, wie sich ein Normdruck anfühlt, der im gezeigten Zustand beginnt: mono, 48 kHz</translation>
+    </message>
+    <message>
+        <source>Key figures</source>
+        <translation>Kennzahlen</translation>
     </message>
 </context>
 <context>
@@ -6382,6 +6576,13 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 dpi and import that</source>
         <translation>Bauen Sie mit DETENT_WITH_MUPDF=ON, oder exportieren Sie die Seite als PNG mit mindestens 300 dpi, und importieren Sie das</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::Doubts</name>
+    <message>
+        <source>Draw the whole curve by hand: --press-line</source>
+        <translation>Die ganze Kurve von Hand ziehen: --press-line</translation>
     </message>
 </context>
 <context>

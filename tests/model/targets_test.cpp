@@ -150,19 +150,3 @@ TEST_CASE("random sets of targets are met, or those that contradict are named") 
               << worst << " of the bar, slowest " << slowest_ms << " ms\n";
   CHECK(met > refused);
 }
-
-TEST_CASE("one figure, the rest free", "[.single]") {
-  for (const Sample& sample : samples()) {
-    const KeyFigures now = keyFiguresOf(sample.button.states()[sample.state]);
-    for (const KeyFigureName& name : keyFigureNames()) {
-      if (!now[name.figure]) continue;
-      for (const double factor : {0.9, 1.1}) {
-        const auto outcome =
-            bentToTargets(sample.button, sample.state, {{name.figure, *now[name.figure] * factor}});
-        if (!outcome.button)
-          std::cout << sample.name << sample.state << " " << name.key << " " << *now[name.figure] << " x "
-                    << factor << "\n";
-      }
-    }
-  }
-}

@@ -144,7 +144,7 @@ void KeyFiguresPanelTest::whatIsShownIsWhatCanBeTyped() {
           const QModelIndex at = model.index(row, KeyFiguresModel::now);
           const QString text = at.data(Qt::EditRole).toString();
           QVERIFY2(model.refusalOf(at, text).isEmpty(), qPrintable(text));
-          // Typed with a zero more, it is another text and the same value: no step.
+          // What the cell offers for editing, given back as it is, is no step.
           QVERIFY(model.setData(at, text, Qt::EditRole));
         }
         QCOMPARE(rig.steps(), 0);
