@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <QPainterPath>
 
 #include "model/metrics.h"
 #include "model/templates.h"
