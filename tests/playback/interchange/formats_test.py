@@ -309,6 +309,35 @@ class Formats(unittest.TestCase):
                                           check=False)
                     self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_example_firmware_plays_each_jump_once(self):
+        """A press and a release of the sample: as many waves begin as the engine plays jumps and bottom-outs."""
+        compiler = shutil.which("gcc")
+        if not compiler:
+            self.skipTest("needs gcc")
+        firmware = SAMPLES.parent / "firmware/triggered/triggered.c"
+        self.assertEqual(self.run_play("export", SAMPLES / "B.button.json", "--format", "c", "-o",
+                                       os.path.join(self.folder, "button.h")).returncode, 0)
+        board = os.path.join(self.folder, "board.c")
+        Path(board).write_text("""
+            #include <math.h>
+            #include <stdio.h>
+            static int at; static float last; static int silent = 1000, begun;
+            float board_force_N(void) { double t = at / 8000.0; return (float)(t < 5 ? 0.3 * t : 0.3 * (10 - t)); }
+            void board_play(float s) {
+              if (s != 0 && silent > 4) ++begun;
+              silent = s == 0 ? silent + 1 : 0; last = s; (void)last;
+            }
+            void step(float);
+            int main(void) { for (at = 0; at < 80000; ++at) step(8000); printf("%d\\n", begun); return 0; }
+        """.replace("\\\\n", "\\n"), encoding="utf-8")
+        program = os.path.join(self.folder, "firmware")
+        done = subprocess.run([compiler, "-std=c99", "-Wall", "-Wextra", "-Werror", "-Wno-unused-variable", "-Wno-unused-const-variable",
+                               "-I", self.folder, str(firmware), board, "-lm", "-o", program], capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        begun = int(subprocess.run([program], capture_output=True, text=True, check=True).stdout)
+        package = json.loads(self.export("B", "package", ".json")[0][0])
+        self.assertEqual(begun, len(package["states"][0]["triggers"]))
+
     # ---- refusals
 
     def test_refusals_write_nothing(self):
