@@ -136,6 +136,19 @@ double fallAtEnd(const StrokePoints& press) {
   return force.span() > 0 ? (highest - press.points.back().force_N) / force.span() : 0;
 }
 
+/// Sizes of a press that no button at hand comes near.
+bool implausibleTravel(double travel_mm) { return travel_mm > mostTravel_mm || travel_mm < leastTravel_mm; }
+bool implausibleForce(double force_N) { return force_N > mostForce_N || force_N < leastForce_N; }
+
+/// A press that begins or pulls on the wrong side of zero by more than noise does.
+bool wrongSide(const Extent& travel) { return travel.low < -negativeShare * travel.span(); }
+bool pulls(const Extent& force) { return force.low < -2 * negativeShare * force.span(); }
+
+std::size_t mostTactilePointsOf(const FittedStrokes& fitted) {
+  const std::size_t press = fitted.press.summary.tactilePoints.size();
+  return fitted.release ? std::max(press, fitted.release->summary.tactilePoints.size()) : press;
+}
+
 bool touchesPictureEdge(const std::vector<Point>& line, const Raster& picture) {
   if (line.empty()) return false;
   const auto at = [&](Point p) {
@@ -216,11 +229,10 @@ class Doubts {
     const double force_N = forceOf(findings_.strokes.value.press).high;
     const bool travelGiven = given.xUnit || (given.xMin && given.xMax),
                forceGiven = given.yUnit || given.yMin;
-    if ((travel_mm > mostTravel_mm || travel_mm < leastTravel_mm) && !travelGiven &&
-        !confirmedBySpec(checks_, false))
+    if (implausibleTravel(travel_mm) && !travelGiven && !confirmedBySpec(checks_, false))
       add(DoubtCode::implausibleTravel, unconfirmed, {{travel_mm, Measure::displacement_mm}},
           {{RemedyKind::giveXUnit, {}}, {RemedyKind::giveXAxis, "if it is"}});
-    if ((force_N > mostForce_N || force_N < leastForce_N) && !forceGiven && !confirmedBySpec(checks_, true))
+    if (implausibleForce(force_N) && !forceGiven && !confirmedBySpec(checks_, true))
       add(DoubtCode::implausibleForce, unconfirmed, {{force_N, Measure::force_N}},
           {{RemedyKind::giveYUnit, {}}, {RemedyKind::giveYAxis, "if it is"}});
   }
@@ -228,10 +240,10 @@ class Doubts {
   void signs() {
     const Extent travel = travelOf(findings_.strokes.value.press),
                  force = forceOf(findings_.strokes.value.press);
-    if (travel.low < -negativeShare * travel.span())
+    if (wrongSide(travel))
       add(DoubtCode::negativeTravel, contradicted, {{travel.low, Measure::displacement_mm}},
           {{RemedyKind::giveXAxis, "if the axis was misread"}});
-    if (force.low < -2 * negativeShare * force.span())
+    if (pulls(force))
       add(DoubtCode::negativeForce, contradicted, {{force.low, Measure::force_N}},
           {{RemedyKind::giveYAxis, "if the axis was misread"}});
   }
@@ -254,9 +266,7 @@ class Doubts {
     if (strokes.release) along = std::max(along, shareAlongAnAxis(strokes.release->points_px));
     if (along > alongAxisShare) add(DoubtCode::alongAnAxis, unconfirmed, {}, helps);
     if (fallAtEnd(strokes.press) > endFallShare) add(DoubtCode::endsInAFall, unconfirmed, {}, helps);
-    std::size_t points = findings_.fitted.press.summary.tactilePoints.size();
-    if (findings_.fitted.release)
-      points = std::max(points, findings_.fitted.release->summary.tactilePoints.size());
+    const std::size_t points = mostTactilePointsOf(findings_.fitted);
     if (points > mostTactilePoints) add(DoubtCode::manyTactilePoints, unconfirmed, {points}, helps);
   }
 
@@ -392,6 +402,29 @@ class Doubts {
 std::vector<WeighedDoubt> doubtsOf(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
                                    const ImportHints& hints) {
   return Doubts(findings, checks, hints).all();
+}
+
+std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStrokes& fitted,
+                                      const ImportHints& hints) {
+  std::vector<WeighedDoubt> doubts;
+  const auto add = [&](DoubtCode code, double confidence, std::vector<MessageValue> values, Remedies helps) {
+    doubts.push_back({{code, std::move(values), std::move(helps)}, confidence});
+  };
+  const Remedies takeOut(Message("Take out of the file what the sensor did not measure"));
+  const Extent travel = travelOf(strokes.press), force = forceOf(strokes.press);
+  if (implausibleTravel(travel.span()) && !hints.axes.xUnit)
+    add(DoubtCode::implausibleTravel, unconfirmed, {{travel.span(), Measure::displacement_mm}},
+        {{RemedyKind::giveXUnit, "if it is"}});
+  if (implausibleForce(force.high) && !hints.axes.yUnit)
+    add(DoubtCode::implausibleForce, unconfirmed, {{force.high, Measure::force_N}},
+        {{RemedyKind::giveYUnit, "if it is"}});
+  if (wrongSide(travel))
+    add(DoubtCode::negativeTravel, contradicted, {{travel.low, Measure::displacement_mm}}, takeOut);
+  if (pulls(force)) add(DoubtCode::negativeForce, contradicted, {{force.low, Measure::force_N}}, takeOut);
+  if (fallAtEnd(strokes.press) > endFallShare) add(DoubtCode::endsInAFall, unconfirmed, {}, takeOut);
+  if (const std::size_t points = mostTactilePointsOf(fitted); points > mostTactilePoints)
+    add(DoubtCode::manyTactilePoints, unconfirmed, {points}, takeOut);
+  return doubts;
 }
 
 }  // namespace detent::importer

@@ -19,4 +19,8 @@ struct WeighedDoubt {
 std::vector<WeighedDoubt> doubtsOf(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
                                    const ImportHints& hints);
 
+/// The same of a force meter's log, which has no page to hold it against: sizes, signs and shape of its strokes.
+std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStrokes& fitted,
+                                      const ImportHints& hints);
+
 }  // namespace detent::importer

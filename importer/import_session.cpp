@@ -6,6 +6,7 @@
 #include <list>
 
 #include "importer/assemble_report.h"
+#include "importer/doubts.h"
 #include "importer/drawn_strokes.h"
 #include "importer/graph_copies.h"
 #include "importer/graph_title.h"
@@ -701,6 +702,16 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   provenance.quality = nameOf(request.quality);
   provenance.confidence = 1;
   provenance.given = givenByHand(request.hints);
+  std::optional<Doubt> gravest;
+  for (const WeighedDoubt& each : doubtsOfLog(log->strokes, *fitted, request.hints)) {
+    if (each.confidence < request.sure && each.confidence < provenance.confidence) gravest = each.doubt;
+    if (each.confidence >= request.sure)
+      log->remarks.push_back({RemarkCode::doubted, {messageOf(each.doubt)}, each.doubt.remedies});
+    provenance.confidence = std::min(provenance.confidence, each.confidence);
+  }
+  if (gravest && !request.acceptDoubt) {
+    return failureOf(*gravest, name());
+  }
   provenance.warnings = recorded(log->remarks);
   auto button = buttonFrom(stem(), *fitted, {}, provenance);
   if (!button) return button.failure();
@@ -708,7 +719,8 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   report.strokes = std::move(log->strokes);
   report.press = {fitted->press.summary, 0};
   if (fitted->release) report.release = StrokeReport{fitted->release->summary, 0};
-  report.confidence = 1;
+  report.confidence = report.button.provenance()->confidence;
+  report.doubt = std::move(gravest);
   report.quality = request.quality;
   report.remarks = std::move(log->remarks);
   report.seconds = seconds;

@@ -6577,6 +6577,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Build with DETENT_WITH_MUPDF=ON, or export the page as a PNG of at least 300 dpi and import that</source>
         <translation>Bauen Sie mit DETENT_WITH_MUPDF=ON, oder exportieren Sie die Seite als PNG mit mindestens 300 dpi, und importieren Sie das</translation>
     </message>
+    <message>
+        <source>Take out of the file what the sensor did not measure</source>
+        <translation>Aus der Datei nehmen, was der Sensor nicht gemessen hat</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Doubts</name>
