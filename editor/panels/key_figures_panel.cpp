@@ -57,10 +57,13 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   trouble_->hide();
   setFocusProxy(table_);
 
-  auto* about = new QHBoxLayout;
-  about->setContentsMargins(6, 6, 6, 6);
-  about->addWidget(picture_);
-  about->addWidget(meaning_, 1);
+  // Where the screen is small, the figures come first: what explains them gives way.
+  auto* about = new QWidget;
+  about->setMinimumHeight(1);
+  auto* aboutLayout = new QHBoxLayout(about);
+  aboutLayout->setContentsMargins(6, 6, 6, 6);
+  aboutLayout->addWidget(picture_);
+  aboutLayout->addWidget(meaning_, 1);
   auto* buttons = new QHBoxLayout;
   buttons->setContentsMargins(6, 0, 6, 6);
   buttons->addStretch(1);
@@ -72,7 +75,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   layout->addWidget(table_, 1);
   layout->addWidget(trouble_);
   layout->addLayout(buttons);
-  layout->addLayout(about);
+  layout->addWidget(about);
 
   connect(delegate, &ValueDelegate::refused, this, &KeyFiguresPanel::showRefusal);
   connect(model_, &KeyFiguresModel::refused, this, &KeyFiguresPanel::showRefusal);
