@@ -129,8 +129,9 @@ TEST_CASE("What pads, phones and headsets bear is never exceeded") {
       CHECK(touchpad["press_threshold_g"] >= 110);
       CHECK(touchpad["press_threshold_g"] <= 190);
       CHECK(touchpad["intensity"]["press"] <= 4);
-      for (const std::size_t part : {0U, 1U})
-        for (const auto& entry : json(ExportFormat::ahap, part)["Pattern"]) {
+      for (const std::size_t part : {0U, 1U}) {
+        const auto ahap = json(ExportFormat::ahap, part);
+        for (const auto& entry : ahap["Pattern"]) {
           const auto& event = entry["Event"];
           CHECK(event["Time"] >= 0);
           CHECK(event["Time"] <= 30);
@@ -139,6 +140,7 @@ TEST_CASE("What pads, phones and headsets bear is never exceeded") {
             CHECK(parameter["ParameterValue"] <= 1);
           }
         }
+      }
     }
   }
 }
