@@ -38,7 +38,7 @@ QString shortForecastWords(const playback::PredictedPair& pair) {
 }
 
 QString reasonWords(const playback::PredictedPair& pair) {
-  if (pair.dPrime <= 0) return tr("Nothing differs.");
+  if (pair.dPrime <= 0) return tr("Nothing differs in the vibration.");
   return (pair.onPress ? tr("Most differs on the press: %1.") : tr("Most differs on the release: %1."))
       .arg(cueWords(pair.cue));
 }

@@ -1307,8 +1307,8 @@
         <translation>verwechselt: %1</translation>
     </message>
     <message>
-        <source>Nothing differs.</source>
-        <translation>Nichts unterscheidet sich.</translation>
+        <source>Nothing differs in the vibration.</source>
+        <translation>In der Vibration unterscheidet sich nichts.</translation>
     </message>
     <message>
         <source>Most differs on the press: %1.</source>

@@ -80,6 +80,18 @@ double tunedSensitivity(const std::vector<FeltButton>& felt, std::size_t leftOut
   return best;
 }
 
+/// What says the same of every pair: the mean of the others' errors, or of all.
+std::vector<double> sameForAll(bool leaveOneOut) {
+  double all = 0;
+  for (const double errors : found) all += errors;
+  std::vector<double> forecast;
+  for (const double own : found) {
+    const double pairs = static_cast<double>(found.size());
+    forecast.push_back(leaveOneOut ? (all - own) / (pairs - 1) : all / pairs);
+  }
+  return forecast;
+}
+
 double rms(const std::vector<double>& forecast) {
   double sum = 0;
   for (std::size_t i = 0; i < found.size(); ++i) sum += (forecast[i] - found[i]) * (forecast[i] - found[i]);
@@ -144,5 +156,7 @@ int main() {
   line("the same, each pair left out", leftOut);
   std::printf("sensitivity %.2f; rms of errors in 90: untuned %.2f, tuned %.2f, left out %.2f\n",
               tuned.sensitivity, rms(errorsOf(pairs)), rms(fitted), rms(leftOut));
+  std::printf("the same number for every pair: rms %.2f, left out %.2f\n", rms(sameForAll(false)),
+              rms(sameForAll(true)));
   return 0;
 }

@@ -189,6 +189,18 @@ TEST_CASE("usage: ports, channels, rates and numbers are looked at before any de
   CHECK_FALSE(play.has("a.wav"));
 }
 
+TEST_CASE("confusion: a button beside itself differs in nothing, and no cue is named") {
+  const Play play;
+  const ProgramResult same = play({"confusion", "A.button.json", "A.button.json", "--json"});
+  REQUIRE(same.exitCode == 0);
+  const json pair = json::parse(same.out)["pairs"][0];
+  CHECK(pair["d_prime"] == 0);
+  CHECK(pair["reason"] == "nothing differs in the vibration");
+  const ProgramResult other = play({"confusion", "A.button.json", "B.button.json", "--json"});
+  REQUIRE(other.exitCode == 0);
+  CHECK(contains(json::parse(other.out)["pairs"][0]["reason"], "most on the "));
+}
+
 TEST_CASE("calibrate: known weights become a profile that keeps what it had") {
   const Play play;
   play.write("weights.csv", "mass_g,raw\n20,38\n50,91\n100,168\n200,290\n500,513\n1000,680\n");

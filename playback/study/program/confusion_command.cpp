@@ -115,6 +115,7 @@ const char* strokeName(bool press) { return press ? "press" : "release"; }
 }  // namespace
 
 std::string reasonOf(const PredictedPair& pair) {
+  if (pair.dPrime <= 0) return "nothing differs in the vibration";
   const StrokeDifference& stroke = pair.onPress ? pair.press : pair.release;
   const char* cue = pair.cue == Cue::strength ? "how strong it is"
                     : pair.cue == Cue::timing ? "when the click comes"

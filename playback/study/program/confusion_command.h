@@ -11,7 +11,7 @@ namespace detent::playback {
 
 void addConfusionCommand(CLI::App& program, Action& chosen);
 
-/// What differs most, as a clause: "the press differs in strength (2.3 noticeable steps)".
+/// What differs most, as a clause: "most on the press: how strong it is (2.3 noticeable steps)"; that nothing does, where d' is 0.
 std::string reasonOf(const PredictedPair& pair);
 
 }  // namespace detent::playback

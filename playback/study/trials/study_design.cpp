@@ -252,7 +252,7 @@ std::string spokenId(const std::string& id) {
 
 Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
   if (buttons < 2)
-    return wrong("study", "has " + std::to_string(buttons) + " button", "Name at least two button files");
+    return wrong("study", buttons == 1 ? "has 1 button" : "has no button", "Name at least two button files");
   if (buttons > mostButtons)
     return wrong("study", "has " + std::to_string(buttons) + " buttons", "Name at most 64");
   if (d.trials < 1 || d.trials > mostTrials)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 
 #include <catch2/catch.hpp>
 
@@ -38,6 +39,17 @@ std::vector<float> sine(double frequency_Hz, double amplitude, double seconds) {
 
 double steadyLevel(double frequency_Hz, double amplitude, std::size_t channel) {
   return excitationOf(sine(frequency_Hz, amplitude, 0.5)).level_dB[80][channel];
+}
+
+/// Spearman's coefficient as docs/predicted-confusion.md prints it in the row that begins with `forecast`.
+double printedSpearman(const std::string& forecast) {
+  std::ifstream page(std::string(DETENT_SOURCE_DIR) + "/docs/predicted-confusion.md");
+  for (std::string line; std::getline(page, line);) {
+    line.erase(std::remove(line.begin(), line.end(), '*'), line.end());
+    const std::string begin = "| " + forecast + " | ";
+    if (line.rfind(begin, 0) == 0) return std::stod(line.substr(begin.size()));
+  }
+  throw std::runtime_error("docs/predicted-confusion.md has no row '" + forecast + "'");
 }
 
 }  // namespace
@@ -105,6 +117,11 @@ TEST_CASE(
   CHECK(spearman(forecast, found) > spearman(stSim, found));
   CHECK(spearman(forecast, found) > spearman(spqi, found));
   CHECK(spearman(forecast, found) > spearman(spectral, found));
+  constexpr double asPrinted = 0.0051;
+  CHECK(spearman(forecast, found) == Approx(printedSpearman("untuned")).margin(asPrinted));
+  CHECK(spearman(stSim, found) == Approx(printedSpearman("1 − ST-SIM")).margin(asPrinted));
+  CHECK(spearman(spqi, found) == Approx(printedSpearman("1 − SPQI")).margin(asPrinted));
+  CHECK(spearman(spectral, found) == Approx(printedSpearman("spectral distance")).margin(asPrinted));
 }
 
 TEST_CASE("baselines: equal signals are no distance apart, different ones are") {
