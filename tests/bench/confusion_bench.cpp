@@ -92,6 +92,27 @@ std::vector<double> sameForAll(bool leaveOneOut) {
   return forecast;
 }
 
+/// Factor on d' at which a pair's forecast is what was found; no error found counts as half a one.
+double ownSensitivity(const std::vector<FeltButton>& felt, std::size_t pair) {
+  double low = 0.05, high = 20;
+  while (high > 1.0001 * low) {
+    ConfusionSettings settings;
+    settings.sensitivity = std::sqrt(low * high);
+    const double errors = errorsOf(predictAll(felt, {}, settings))[pair];
+    (errors > std::max(found[pair], 0.5) ? low : high) = settings.sensitivity;
+  }
+  return std::sqrt(low * high);
+}
+
+void printRange(const std::vector<FeltButton>& felt) {
+  std::vector<double> own;
+  for (std::size_t i = 0; i < found.size(); ++i) own.push_back(ownSensitivity(felt, i));
+  std::sort(own.begin(), own.end());
+  std::printf("sensitivities of single pairs:");
+  for (const double s : own) std::printf(" %.3f", s);
+  std::printf("\n");
+}
+
 double rms(const std::vector<double>& forecast) {
   double sum = 0;
   for (std::size_t i = 0; i < found.size(); ++i) sum += (forecast[i] - found[i]) * (forecast[i] - found[i]);
@@ -158,5 +179,6 @@ int main() {
               tuned.sensitivity, rms(errorsOf(pairs)), rms(fitted), rms(leftOut));
   std::printf("the same number for every pair: rms %.2f, left out %.2f\n", rms(sameForAll(false)),
               rms(sameForAll(true)));
+  printRange(felt);
   return 0;
 }

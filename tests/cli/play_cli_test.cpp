@@ -198,7 +198,11 @@ TEST_CASE("confusion: a button beside itself differs in nothing, and no cue is n
   CHECK(pair["reason"] == "nothing differs in the vibration");
   const ProgramResult other = play({"confusion", "A.button.json", "B.button.json", "--json"});
   REQUIRE(other.exitCode == 0);
-  CHECK(contains(json::parse(other.out)["pairs"][0]["reason"], "most on the "));
+  const json told = json::parse(other.out)["pairs"][0];
+  CHECK(contains(told["reason"], "most on the "));
+  CHECK(told["errors_low"] < told["errors_per_90"]);
+  CHECK(told["errors_per_90"] < told["errors_high"]);
+  CHECK(told["errors_high"] <= 45);
 }
 
 TEST_CASE("calibrate: known weights become a profile that keeps what it had") {

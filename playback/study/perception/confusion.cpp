@@ -94,6 +94,8 @@ void addTo(StrokeDifference& sum, const StrokeDifference& d, double share) {
   sum.travel += share * d.travel;
 }
 
+double shareWrong(double dPrime) { return 1 - shareCorrect(dPrime, AbxStrategy::differencing); }
+
 PredictedPair predictState(const FeltButton& a, const FeltButton& b, std::size_t state,
                            const ConfusionSettings& settings) {
   const auto& pressesA = a.states[state % a.states.size()];
@@ -107,7 +109,9 @@ PredictedPair predictState(const FeltButton& a, const FeltButton& b, std::size_t
     addTo(pair.press, press, share);
     addTo(pair.release, release, share);
     pair.dPrime += share * d;
-    pair.shareOfErrors += share * (1 - shareCorrect(d, AbxStrategy::differencing));
+    pair.shareOfErrors += share * shareWrong(d);
+    pair.leastShareOfErrors += share * shareWrong(settings.range.most * d);
+    pair.mostShareOfErrors += share * shareWrong(settings.range.least * d);
   }
   pair.onPress = pair.press.largest() >= pair.release.largest();
   pair.cue = (pair.onPress ? pair.press : pair.release).cue();

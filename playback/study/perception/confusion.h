@@ -24,6 +24,12 @@ struct StrokeDifference {
   Cue cue() const;
 };
 
+/// Factors on d' that bring the untuned forecast of single pairs to what K&L's noisy group did (Table 2 (b)): the least and the most of
+/// the 15 pairs. A further pair like them lies within in 14 of 16 cases. `confusion_bench` prints them.
+struct SensitivityRange {
+  double least = 0.72, most = 2.6;
+};
+
 struct ConfusionSettings {
   /// Just noticeable differences of level: Weber fraction 0.58 at 10 Hz (RA), 0.20 at 125 Hz (P).
   std::array<double, channelCount> noticeable_dB{3.97, 1.58};
@@ -32,17 +38,22 @@ struct ConfusionSettings {
   double travelWeber = 0.25;   ///< of the number of grains
   double alignment_s = 0.02;   ///< time is warped by at most so much
   double sensitivity = 1;      ///< factor on every d'; 1: not tuned
+  SensitivityRange range;      ///< further factors, for the range of errors
 };
 
 /// One forecast. "Errors" are those of an ABX test with mixed pairs.
 struct PredictedPair {
-  double dPrime = 0;                ///< mean over quick and slow presses
-  double shareOfErrors = 0;         ///< [0, 0.5]
+  double dPrime = 0;              ///< mean over quick and slow presses
+  double shareOfErrors = 0;       ///< [0, 0.5]
+  double leastShareOfErrors = 0,  ///< at the sensitivity range's ends
+      mostShareOfErrors = 0;
   StrokeDifference press, release;  ///< mean over the presses
   bool onPress = true;              ///< which stroke says more
   Cue cue = Cue::strength;          ///< and by what
 
   double errorsPer90() const { return 90 * shareOfErrors; }
+  double leastErrorsPer90() const { return 90 * leastShareOfErrors; }
+  double mostErrorsPer90() const { return 90 * mostShareOfErrors; }
   /// People probably tell them apart: d' at which one error in ten is expected, the bar of K&L's test.
   bool distinguishable() const { return shareOfErrors <= 0.1; }
 };

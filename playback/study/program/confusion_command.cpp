@@ -52,14 +52,17 @@ Json jsonOf(const std::string& a, const std::string& b, const PredictedPair& pai
           {"b", b},
           {"d_prime", pair.dPrime},
           {"errors_per_90", pair.errorsPer90()},
+          {"errors_low", pair.leastErrorsPer90()},
+          {"errors_high", pair.mostErrorsPer90()},
           {"reason", reasonOf(pair)}};
 }
 
 void say(const std::string& a, const std::string& b, const PredictedPair& pair) {
   std::fprintf(stderr,
-               "%s | %s: people will probably %stell these apart: about %.0f errors in 90 (d' %.1f); %s\n",
-               a.c_str(), b.c_str(), pair.distinguishable() ? "" : "not ", pair.errorsPer90(), pair.dPrime,
-               reasonOf(pair).c_str());
+               "%s | %s: people will probably %stell these apart: about %.0f errors in 90, %.0f to %.0f (d' "
+               "%.1f); %s\n",
+               a.c_str(), b.c_str(), pair.distinguishable() ? "" : "not ", pair.errorsPer90(),
+               pair.leastErrorsPer90(), pair.mostErrorsPer90(), pair.dPrime, reasonOf(pair).c_str());
 }
 
 const char* nameOf(Lever lever) {

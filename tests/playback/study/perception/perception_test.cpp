@@ -41,6 +41,9 @@ double steadyLevel(double frequency_Hz, double amplitude, std::size_t channel) {
   return excitationOf(sine(frequency_Hz, amplitude, 0.5)).level_dB[80][channel];
 }
 
+/// K&L, Table 2 (b): errors in 90 by A-B, A-C, B-C, A-D, ...
+const std::vector<double> noisyGroup{3, 2, 5, 1, 3, 10, 0, 4, 5, 5, 1, 4, 1, 0, 2};
+
 /// Spearman's coefficient as docs/predicted-confusion.md prints it in the row that begins with `forecast`.
 double printedSpearman(const std::string& forecast) {
   std::ifstream page(std::string(DETENT_SOURCE_DIR) + "/docs/predicted-confusion.md");
@@ -95,8 +98,35 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "confusion: the range of errors covers the noisy group's pairs, and a narrower one leaves out one at "
+    "each end") {
+  std::vector<FeltButton> buttons;
+  for (const char* name : {"A", "B", "C", "D", "E", "F"}) buttons.push_back(felt(sample(name)));
+  std::size_t below = 0, above = 0;
+  const auto count = [&](const SensitivityRange& range) {
+    ConfusionSettings settings;
+    settings.range = range;
+    const std::vector<PredictedPair> pairs = predictAll(buttons, {}, settings);
+    below = above = 0;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      const double found = std::max(noisyGroup[i], 0.5);
+      below += found < pairs[i].leastErrorsPer90() ? 1 : 0;
+      above += found > pairs[i].mostErrorsPer90() ? 1 : 0;
+      CHECK(pairs[i].leastErrorsPer90() <= pairs[i].errorsPer90());
+      CHECK(pairs[i].errorsPer90() <= pairs[i].mostErrorsPer90());
+    }
+  };
+  count({});
+  CHECK(below == 0);
+  CHECK(above == 0);
+  count({0.75, 2.5});
+  CHECK(below == 1);
+  CHECK(above == 1);
+}
+
+TEST_CASE(
     "confusion: untuned, the forecast ranks the noisy group's pairs better than the measures of others") {
-  const std::vector<double> found{3, 2, 5, 1, 3, 10, 0, 4, 5, 5, 1, 4, 1, 0, 2};  // K&L, Table 2 (b)
+  const std::vector<double>& found = noisyGroup;
   std::vector<FeltButton> buttons;
   for (const char* name : {"A", "B", "C", "D", "E", "F"}) buttons.push_back(felt(sample(name)));
   std::vector<double> forecast, stSim, spqi, spectral;
