@@ -83,6 +83,14 @@ struct ForceStatus {
   bool finished = false;
 };
 
+/// What the link asks for; all 0 where it is as quick as the device was prepared for.
+struct ForceLinkPace {
+  double roundTrip_s = 0;  ///< measured: nine of ten answers take no longer
+  double asked_Hz = 0;     ///< the rate that was asked for
+  double addedDamping_Ns_per_mm = 0,
+         largestForceChange_N = 0;  ///< what the button lost to it, besides slopes
+};
+
 /// A button under a finger. Destroying it lets the force fall to nothing within 10 ms and joins its thread.
 class ForcePlayer {
  public:
@@ -95,6 +103,9 @@ class ForcePlayer {
   virtual Result<Done> setButton(const Button& button) = 0;
   /// What the device could not render as the button has it, its slope limit, its play radius.
   virtual const ForceSummary& summary() const = 0;
+  /// The device as the force was prepared for it: its rate and delay are the measured ones where the link is slow.
+  virtual const ForceDeviceProfile& device() const = 0;
+  virtual ForceLinkPace pace() const = 0;
   virtual ForceStatus status() const = 0;
   /// Appends every step since the last call, in order.
   virtual void takeSteps(std::vector<ForceStep>& steps) = 0;

@@ -2,6 +2,7 @@
 // ForcePlayer: the front door's way to prepare/, realtime/ and device/.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <utility>
 
 #include "playback/device/falcon_force_device.h"
@@ -145,14 +146,96 @@ Result<std::unique_ptr<ForceDevice>> openDevice(const Button& button, const Prep
   return falconOn(prepared, settings.device);
 }
 
+// Of a period that the link decides: the answer comes in this share, the step and the next question in the rest.
+constexpr double answerOfSlowPeriod = 0.8, answerOfPeriod = 0.5;
+// The link's own scatter.
+constexpr double roundTripRoom = 1.05, roundTripRoom_s = 50e-6;
+
+/// The slope that a graph cannot do without: a straight line from nothing to its strongest force over its travel.
+double plainestSlope_N_per_mm(const Button& button, double largest_N) {
+  double plainest = 0;
+  for (const ButtonState& state : button.states()) {
+    const StrokeCurve& press = state.graph.press();
+    plainest = std::max(plainest, std::min(press.forceRange_N().second, largest_N) / press.travel_mm());
+  }
+  return plainest;
+}
+
+/// A button prepared for a device, and for the link where that is what decides.
+struct FittedForce {
+  PreparedForce prepared;
+  ForceDeviceProfile device;
+  ForceLinkPace pace;
+};
+
+/// The nearest button that the margin allows at the measured round trip. Failure deviceTrouble where that is none worth feeling.
+Result<FittedForce> fittedTo(const Button& button, const ForceDeviceProfile& device,
+                             const ForceSettings& settings, const ForceLinkPace& pace) {
+  Result<StableButton> stable = nearestStable(button, device, device.rate_Hz);
+  const double needed = plainestSlope_N_per_mm(button, device.limits.force_N);
+  double allowed = 0;
+  if (stable) allowed = stabilityOf(stable->button, device, device.rate_Hz).least.allowed_N_per_mm;
+  if (allowed < needed) {
+    char text[200];
+    std::snprintf(text, sizeof text,
+                  "answers after %.1f ms: the force would act %.1f ms late, where %.2g N/mm is the steepest "
+                  "that is steady; this button needs %.2g N/mm",
+                  1e3 * pace.roundTrip_s, 1e3 * device.delay_s, allowed, needed);
+    return Failure{FailureCode::deviceTrouble, device.name, "", text,
+                   "Make the link quicker: native USB, a higher --baud, an FTDI latency timer of 1 ms; or "
+                   "--upload, so that the device runs the law"};
+  }
+  ForceDeviceProfile softened = device;
+  softened.largestSlope_N_per_mm = std::min(device.largestSlope_N_per_mm, allowed);
+  ForceSettings atRate = settings;
+  atRate.rate_Hz = device.rate_Hz;
+  Result<PreparedForce> prepared = prepareForce(stable->button, softened, atRate);
+  if (!prepared) return prepared.failure();
+  FittedForce fitted{*std::move(prepared), softened, pace};
+  for (const StabilityChange& c : stable->changes) {
+    fitted.pace.addedDamping_Ns_per_mm =
+        std::max(fitted.pace.addedDamping_Ns_per_mm, c.addedDamping_Ns_per_mm);
+    fitted.pace.largestForceChange_N = std::max(fitted.pace.largestForceChange_N, c.largestForceChange_N);
+  }
+  return fitted;
+}
+
+/// Measures the link; where its answers do not come within half a period, the loop runs as slowly as they do.
+Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings& settings,
+                                 PreparedForce prepared, ForceDevice& opened) {
+  FittedForce asked{std::move(prepared), settings.device.profile, {}};
+  const double period_s = asked.prepared.program.period_s;
+  asked.device.rate_Hz = 1 / period_s;
+  const std::optional<double> roundTrip_s = opened.measureRoundTrip_s();
+  if (!roundTrip_s || *roundTrip_s <= answerOfPeriod * period_s) return asked;
+  ForceDeviceProfile slower = asked.device;
+  const double slow_s =
+      std::max(period_s, (roundTripRoom * *roundTrip_s + roundTripRoom_s) / answerOfSlowPeriod);
+  slower.rate_Hz = 1 / slow_s;
+  slower.delay_s = std::max(slower.delay_s, slow_s);
+  ForceLinkPace pace;
+  pace.roundTrip_s = *roundTrip_s;
+  pace.asked_Hz = 1 / period_s;
+  Result<FittedForce> fitted = fittedTo(button, slower, settings.force, pace);
+  if (!fitted) return fitted;
+  if (!opened.setPace(slow_s, answerOfSlowPeriod * slow_s)) {
+    return Failure{FailureCode::deviceTrouble, settings.device.port, "",
+                   "does not take limits for a slow link",
+                   "Check that the firmware speaks docs/force-protocol.md"};
+  }
+  return fitted;
+}
+
 class RunningForce : public ForcePlayer {
  public:
-  RunningForce(const ForcePlayerSettings& settings, ForceSummary summary, std::unique_ptr<ForceDevice> device,
-               const ForceProgram& program)
+  RunningForce(const ForcePlayerSettings& settings, FittedForce fitted, std::unique_ptr<ForceDevice> device)
       : settings_(settings),
-        summary_(std::move(summary)),
-        loop_(std::move(device), program,
-              {settings.paced, static_cast<std::int64_t>(std::llround(settings.seconds / program.period_s)),
+        summary_(std::move(fitted.prepared.summary)),
+        device_(std::move(fitted.device)),
+        pace_(fitted.pace),
+        loop_(std::move(device), fitted.prepared.program,
+              {settings.paced,
+               static_cast<std::int64_t>(std::llround(settings.seconds / fitted.prepared.program.period_s)),
                settings.holdToRun}) {}
 
   Result<Done> takeOrders() {
@@ -169,14 +252,26 @@ class RunningForce : public ForcePlayer {
   }
 
   Result<Done> setButton(const Button& button) override {
-    Result<PreparedForce> prepared = prepareForce(button, settings_.device.profile, settings_.force);
-    if (!prepared) return prepared.failure();
-    summary_ = std::move(prepared->summary);
-    loop_.setProgram(prepared->program);
+    if (pace_.roundTrip_s == 0) {
+      Result<PreparedForce> prepared = prepareForce(button, settings_.device.profile, settings_.force);
+      if (!prepared) return prepared.failure();
+      summary_ = std::move(prepared->summary);
+      loop_.setProgram(prepared->program);
+      return Done{};
+    }
+    ForceDeviceProfile unsoftened = device_;
+    unsoftened.largestSlope_N_per_mm = settings_.device.profile.largestSlope_N_per_mm;
+    Result<FittedForce> fitted = fittedTo(button, unsoftened, settings_.force, pace_);
+    if (!fitted) return fitted.failure();
+    summary_ = std::move(fitted->prepared.summary);
+    device_ = std::move(fitted->device);
+    loop_.setProgram(fitted->prepared.program);
     return Done{};
   }
 
   const ForceSummary& summary() const override { return summary_; }
+  const ForceDeviceProfile& device() const override { return device_; }
+  ForceLinkPace pace() const override { return pace_; }
 
   ForceStatus status() const override {
     const ForceLoopStatus from = loop_.status();
@@ -215,6 +310,8 @@ class RunningForce : public ForcePlayer {
  private:
   ForcePlayerSettings settings_;
   ForceSummary summary_;
+  ForceDeviceProfile device_;
+  ForceLinkPace pace_;
   ForceLoop loop_;
   std::unique_ptr<ForceOrders> orders_;  ///< uses the loop
 };
@@ -227,8 +324,14 @@ Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button& button,
   if (!prepared) return prepared.failure();
   Result<std::unique_ptr<ForceDevice>> device = openDevice(button, *prepared, settings);
   if (!device) return device.failure();
-  auto running =
-      std::make_unique<RunningForce>(settings, prepared->summary, *std::move(device), prepared->program);
+  FittedForce fitted{*std::move(prepared), settings.device.profile, {}};
+  // A device that runs the law itself does not wait for the link.
+  if (!settings.device.uploadTable) {
+    Result<FittedForce> onLink = fittedToLink(button, settings, std::move(fitted.prepared), **device);
+    if (!onLink) return onLink.failure();
+    fitted = *std::move(onLink);
+  }
+  auto running = std::make_unique<RunningForce>(settings, std::move(fitted), *std::move(device));
   if (Result<Done> orders = running->takeOrders(); !orders) return orders.failure();
   return std::unique_ptr<ForcePlayer>(std::move(running));
 }

@@ -3,6 +3,7 @@
 // A force-feedback device as the loop sees it: one exchange per period. Everything that is particular to a device stays behind
 // this.
 
+#include <optional>
 #include <string>
 
 #include "playback/realtime/force_engine.h"
@@ -34,9 +35,15 @@ class ForceDevice {
  public:
   virtual ~ForceDevice() = default;
 
-  /// Sends a force and gives the newest reading; waits for it no longer than half a period. `fresh` is false where none came.
+  /// Sends a force and gives the newest reading; waits for it no longer than half a period, or as `setPace` says. `fresh` is false where none came.
   /// Never throws; a lost device gives no fresh reading until it is back.
   virtual ForceReading exchange(const ForceCommand& command) = 0;
+
+  /// Time from a question to its answer, without force: nine of ten take no longer. None where the device has no link of its own, 0.1 s
+  /// where it answers no sooner. Before the first `exchange`; takes a third of a second at most.
+  virtual std::optional<double> measureRoundTrip_s() { return {}; }
+  /// Another period, of which an answer may take up `wait_s`. False where the device does not take it. Before the first `exchange`.
+  virtual bool setPace(double /*period_s*/, double /*wait_s*/) { return true; }
 
   /// A person wants force again after an emergency stop, a fault or a lost place: clears what the device itself holds against it. May
   /// wait a fifth of a second.

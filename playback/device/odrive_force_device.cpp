@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "playback/device/round_trips.h"
 #include "playback/device/sensor_line.h"
 #include "playback/device/steady_clock.h"
 
@@ -16,10 +17,11 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double answer_s = 0.3, waitOfPeriod = 0.5, mmPerM = 1000;
+constexpr double answer_s = 0.3, mmPerM = 1000;
 constexpr double arming_s = 1, rearming_s = 0.15, shortAnswer_s = 0.02;
 constexpr double velocityRoom = 1.25;  // of the firmware's velocity limit above the engine's
 constexpr double stateAsked_s = 0.02;  // between two looks at the axis's state
+constexpr double feedEvery_s = 0.015;  // well within the watchdog
 constexpr int tries = 5;
 constexpr int torqueControl = 1, closedLoop = 8, idle = 1;  // CONTROL_MODE_TORQUE_CONTROL, AXIS_STATE_...
 
@@ -205,6 +207,10 @@ void OdriveForceDevice::rearm() {
 
 std::optional<double> OdriveForceDevice::feedback_turns(double deadline_s) {
   say("f %u ", settings_.axis);
+  return nextFeedback_turns(deadline_s);
+}
+
+std::optional<double> OdriveForceDevice::nextFeedback_turns(double deadline_s) {
   for (;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) return {};
@@ -218,6 +224,28 @@ std::optional<double> OdriveForceDevice::feedback_turns(double deadline_s) {
     }
     ++counts_.malformed;
   }
+}
+
+// What is asked is as long as in the loop, a force with each question; feeding goes on while the answer is awaited.
+std::optional<double> OdriveForceDevice::measureRoundTrip_s() {
+  RoundTrips trips;
+  while (trips.goOn()) {
+    const double asked_s = now_s();
+    feed();
+    std::optional<double> turns = feedback_turns(asked_s + feedEvery_s);
+    while (!turns && now_s() < asked_s + slowestRoundTrip_s) {
+      feed();
+      turns = nextFeedback_turns(now_s() + feedEvery_s);
+    }
+    trips.add(now_s() - asked_s);
+  }
+  return trips.usual_s();
+}
+
+bool OdriveForceDevice::setPace(double period_s, double wait_s) {
+  settings_.period_s = period_s;
+  wait_s_ = wait_s;
+  return true;
 }
 
 ForceReading OdriveForceDevice::exchange(const ForceCommand& command) {
@@ -244,7 +272,7 @@ ForceReading OdriveForceDevice::exchange(const ForceCommand& command) {
     say("r axis%u.current_state ", settings_.axis);
   }
   const bool wasArmed = armed_;
-  const std::optional<double> turns = feedback_turns(now_s() + waitOfPeriod * settings_.period_s);
+  const std::optional<double> turns = feedback_turns(now_s() + wait_s_);
   if (wasArmed && !armed_) disarmed();
   if (!turns) {
     ++counts_.late;

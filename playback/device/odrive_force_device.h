@@ -33,6 +33,8 @@ class OdriveForceDevice : public ForceDevice {
   ~OdriveForceDevice() override;
 
   ForceReading exchange(const ForceCommand& command) override;
+  std::optional<double> measureRoundTrip_s() override;
+  bool setPace(double period_s, double wait_s) override;
   /// Clears the axis's errors, arms it anew and takes the present position as rest.
   void rearm() override;
   ForceDeviceState state() const override {
@@ -43,7 +45,7 @@ class OdriveForceDevice : public ForceDevice {
 
  private:
   OdriveForceDevice(SerialLink link, const OdriveSettings& settings)
-      : link_(std::move(link)), settings_(settings) {}
+      : link_(std::move(link)), settings_(settings), wait_s_(settings.period_s / 2) {}
   template <class... Values>
   void say(const char* pattern, Values... values);
   void write(const char* property, double value);
@@ -55,9 +57,11 @@ class OdriveForceDevice : public ForceDevice {
   void disarmed();
   void follow(std::string_view line);
   std::optional<double> feedback_turns(double deadline_s);
+  std::optional<double> nextFeedback_turns(double deadline_s);
 
   SerialLink link_;
   OdriveSettings settings_;
+  double wait_s_;  ///< for an answer
   ForceLinkCounts counts_;
   double rest_turns_ = 0, last_mm_ = 0, asked_s_ = 0;
   bool armed_ = false, olderNames_ = true, zeroLost_ = false;

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "playback/device/round_trips.h"
 #include "playback/device/sensor_line.h"
 #include "playback/device/steady_clock.h"
 
@@ -22,7 +23,7 @@ constexpr double micro = 1e-6, nmPerMm = 1e6;
 constexpr double waitOfPeriod = 0.5;
 
 constexpr int protocol = 2;  // with limits of the device's own
-constexpr double silence_s = 0.015, silentPeriods = 5;
+constexpr double silence_s = 0.015, silentPeriods = 5, longestSilence_s = 0.05;
 constexpr int stoppedState = 1, unlimitedState = 2;  // of an answer
 
 /// Fields between commas; more than there is room for are no line of the protocol.
@@ -67,8 +68,9 @@ std::optional<std::string_view> forceLineBody(std::string_view line) {
 
 std::string forceLimitLine(const ForceLimits& limits, double period_s) {
   std::string line = "L";
-  for (const double value : {limits.force_N / micro, limits.slew_N_per_s * 1e3, limits.speed_mm_per_s * 1e3,
-                             limits.startRamp_s * 1e3, std::max(silence_s, silentPeriods * period_s) * 1e3}) {
+  for (const double value :
+       {limits.force_N / micro, limits.slew_N_per_s * 1e3, limits.speed_mm_per_s * 1e3,
+        limits.startRamp_s * 1e3, std::clamp(silentPeriods * period_s, silence_s, longestSilence_s) * 1e3}) {
     line += "," + std::to_string(whole(std::min(value, 2e9)));
   }
   return line;
@@ -76,8 +78,8 @@ std::string forceLimitLine(const ForceLimits& limits, double period_s) {
 
 SerialForceDevice::SerialForceDevice(SerialLink link, double period_s, const ForceLimits& limits)
     : link_(std::move(link)),
-      period_s_(period_s),
-      limit_N_(limits.force_N),
+      wait_s_(waitOfPeriod * period_s),
+      limits_(limits),
       limitLine_(forceLimitLine(limits, period_s)) {}
 
 Result<std::unique_ptr<SerialForceDevice>> SerialForceDevice::open(const std::string& port, unsigned baud,
@@ -197,9 +199,9 @@ Result<Done> SerialForceDevice::upload(const ForceProgram& program) {
                    "Leave --upload out: the host runs the law"};
   }
   const double asked_N = program.limits.force_N;
-  if (!(asked_N > 0) || asked_N > limit_N_ * (1 + 1e-9)) {
+  if (!(asked_N > 0) || asked_N > limits_.force_N * (1 + 1e-9)) {
     return Failure{FailureCode::wrongUsage, info_.name, "",
-                   "was opened for " + std::to_string(limit_N_) + " N; the table has a limit of " +
+                   "was opened for " + std::to_string(limits_.force_N) + " N; the table has a limit of " +
                        std::to_string(asked_N) + " N, or none",
                    "Prepare the button for the device's limit"};
   }
@@ -276,6 +278,33 @@ SerialForceDevice::Answer SerialForceDevice::take(std::string_view line, ForceRe
   return Answer::reading;
 }
 
+std::optional<double> SerialForceDevice::measureRoundTrip_s() {
+  RoundTrips trips;
+  while (trips.goOn()) {
+    ++sequence_;
+    const double asked_s = now_s();
+    sendOrders(ForceCommand{});
+    ForceReading reading;
+    reading.fresh = false;
+    while (!reading.fresh) {
+      const std::optional<std::string_view> line = link_.line(asked_s + slowestRoundTrip_s);
+      if (!line) break;
+      take(*line, reading);
+    }
+    trips.add(now_s() - asked_s);
+  }
+  return trips.usual_s();
+}
+
+bool SerialForceDevice::setPace(double period_s, double wait_s) {
+  wait_s_ = wait_s;
+  const std::string line = forceLimitLine(limits_, period_s);
+  if (line == limitLine_) return true;
+  limitLine_ = line;
+  limitHeld_ = false;
+  return limited();
+}
+
 ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
   ForceReading reading;
   reading.position_mm = last_mm_;
@@ -287,7 +316,7 @@ ForceReading SerialForceDevice::exchange(const ForceCommand& command) {
   }
   ++sequence_;
   sendOrders(command);
-  for (const double deadline_s = now_s() + waitOfPeriod * period_s_;;) {
+  for (const double deadline_s = now_s() + wait_s_;;) {
     const std::optional<std::string_view> line = link_.line(deadline_s);
     if (!line) {
       ++counts_.late;

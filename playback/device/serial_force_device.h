@@ -36,6 +36,8 @@ class SerialForceDevice : public ForceDevice {
   Result<Done> upload(const ForceProgram& program);
 
   ForceReading exchange(const ForceCommand& command) override;
+  std::optional<double> measureRoundTrip_s() override;
+  bool setPace(double period_s, double wait_s) override;
   void rearm() override { arming_ = true; }
   ForceDeviceState state() const override {
     return link_.isOpen() ? ForceDeviceState::ready : ForceDeviceState::lost;
@@ -54,10 +56,10 @@ class SerialForceDevice : public ForceDevice {
   bool isBack();
 
   SerialLink link_;
-  double period_s_;
+  double wait_s_;  ///< for an answer
+  ForceLimits limits_;
   SerialForceInfo info_;
   ForceLinkCounts counts_;
-  double limit_N_ = 0;
   std::string limitLine_;  ///< without checksum; a device that keeps to it says it back
   bool limitHeld_ = false;
   bool ownLaw_ = false;

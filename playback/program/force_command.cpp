@@ -190,7 +190,8 @@ Json stabilityJson(const StabilityMargin& margin, const Button& button) {
 }
 
 Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProfile& device,
-            const ForceSummary& summary, const ForceStatus& s, const RunFigures& run, double rate_Hz) {
+            const ForceLinkPace& pace, const ForceSummary& summary, const ForceStatus& s,
+            const RunFigures& run, double rate_Hz) {
   Json remarks = Json::array();
   for (const ForceRemark& r : summary.remarks) {
     remarks.push_back({{"code", codeOf(r.kind)},
@@ -241,7 +242,8 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
             {"force_limited_steps", s.guard.forceLimited},
             {"slew_limited_steps", s.guard.slewLimited}}},
           {"link",
-           {{"late", s.lateAnswers},
+           {{"round_trip_ms", 1e3 * pace.roundTrip_s},
+            {"late", s.lateAnswers},
             {"malformed", s.malformedAnswers},
             {"repeated", s.repeatedAnswers},
             {"reconnects", s.reconnects},
@@ -369,8 +371,19 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
   for (const ForceRemark& r : summary.remarks) {
     std::fprintf(stderr, "note: %s: %s.\n", shownAs.c_str(), sentenceOf(r, *button).c_str());
   }
-  const double rate_Hz = settings->force.rate_Hz.value_or(settings->device.profile.rate_Hz);
-  for (const UnstableStretch& u : stabilityOf(*button, settings->device.profile, rate_Hz).unstable) {
+  const ForceDeviceProfile device = (*player)->device();
+  const ForceLinkPace pace = (*player)->pace();
+  const double rate_Hz =
+      pace.roundTrip_s > 0 ? device.rate_Hz : settings->force.rate_Hz.value_or(device.rate_Hz);
+  if (pace.roundTrip_s > 0) {
+    std::fprintf(stderr,
+                 "link: answers after %.1f ms: %.0f Hz instead of %.0f, the force acts %.1f ms late; slopes "
+                 "up to %.2g "
+                 "N/mm, %.2g N·s/mm of damping added\n",
+                 1e3 * pace.roundTrip_s, rate_Hz, pace.asked_Hz, 1e3 * device.delay_s,
+                 device.largestSlope_N_per_mm, pace.addedDamping_Ns_per_mm);
+  }
+  for (const UnstableStretch& u : stabilityOf(*button, device, rate_Hz).unstable) {
     std::fprintf(stderr, "stability: %s: %s.\n", shownAs.c_str(), sentenceOf(u, *button).c_str());
   }
   RunFigures figures;
@@ -400,7 +413,7 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
     return fail(pictures.failure());
   printFigures(status, figures, summary, rate_Hz);
   printHalt(status);
-  if (a.json) print(jsonOf(a, *button, settings->device.profile, summary, status, figures, rate_Hz));
+  if (a.json) print(jsonOf(a, *button, device, pace, summary, status, figures, rate_Hz));
   return 0;
 }
 
