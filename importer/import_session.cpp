@@ -303,7 +303,7 @@ struct ImportSession::Impl {
     StepClock time(seconds, ImportStep::view);
     auto itsPage = page(number, progress);
     if (!itsPage) return itsPage.failure();
-    auto view = viewOf(*document, **itsPage, graph.candidate.value, onPage.key.view);
+    auto view = viewOf(*document, **itsPage, graph.candidate.value, onPage.key.view, progress);
     if (!view) return view.failure();
     graph.view = std::move(view).value();
     return Done{};

@@ -61,8 +61,9 @@ constexpr double leastFramePixels = 7e5;
 
 /// A region around the candidate. Of a picture that shows the frame larger than any plot needs pixels are averaged.
 Result<PageView> viewOf(const Document& document, const Page& page, const Box& region,
-                        const FrameCandidate& candidate, const ViewOptions& options) {
-  auto view = document.view(page, region, candidate.quarterTurns, options, candidate.levelToPage);
+                        const FrameCandidate& candidate, const ViewOptions& options,
+                        const Progress& progress) {
+  auto view = document.view(page, region, candidate.quarterTurns, options, candidate.levelToPage, progress);
   if (!view || page.unit != PageUnit::pixel) return view;
   const double scale = view->viewToPage.scaleAt({0.5 * view->raster.width_px, 0.5 * view->raster.height_px});
   const int factor = static_cast<int>(std::sqrt(candidate.uprightBox.area() / leastFramePixels) / scale);
@@ -76,7 +77,7 @@ Result<PageView> viewOf(const Document& document, const Page& page, const Box& r
 
 /// Titles that the plot's own view cuts: units that were not found are looked for farther out.
 void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Page& page,
-                         const LocateOptions& options) {
+                         const LocateOptions& options, const Progress& progress) {
   constexpr double farther = 0.4;  // of the region's size, on every side
   const AxisCalibration& cal = graph.axes.calibration.value;
   const FrameCandidate& candidate = graph.candidate.value;
@@ -85,7 +86,7 @@ void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Pa
                                                farther * candidate.regionBox.height());
   const Box whole = candidate.levelToPage.inverse().boxOf({-0.5, -0.5, page.width, page.height});
   if (candidate.regionBox.contains(region.common(whole))) return;
-  const auto wide = viewOf(document, page, region.common(whole), candidate, options.view);
+  const auto wide = viewOf(document, page, region.common(whole), candidate, options.view, progress);
   if (!wide) return;
   const Homography toWide = wide->viewToPage.inverse().after(graph.view.viewToPage);
   readMissingUnits(graph.axes, *wide, inView(graph.frame.value, toWide), toWide);
@@ -94,7 +95,7 @@ void lookFartherForUnits(LocatedGraph& graph, const Document& document, const Pa
 Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
                                    Found<FrameCandidate> candidate, const LocateOptions& options,
                                    const Progress& progress) {
-  auto view = viewOf(document, page, candidate.value, options.view);
+  auto view = viewOf(document, page, candidate.value, options.view, progress);
   if (!view) return view.failure();
   auto frame = locatePlotFrame(*view, page, candidate.value, progress);
   if (!frame) return frame.failure();
@@ -104,7 +105,7 @@ Result<LocatedGraph> readCandidate(const Document& document, const Page& page,
                      std::move(axes).value()};
   if (graph.candidate.by != DecidedBy::given)
     if (auto wider = readWider(graph, page, options, progress)) graph = std::move(*wider);
-  lookFartherForUnits(graph, document, page, options);
+  lookFartherForUnits(graph, document, page, options, progress);
   return graph;
 }
 
@@ -154,8 +155,8 @@ bool moreTelling(const Failure& a, const std::optional<Failure>& b) {
 }  // namespace
 
 Result<PageView> viewOf(const Document& document, const Page& page, const FrameCandidate& candidate,
-                        const ViewOptions& options) {
-  return viewOf(document, page, candidate.regionBox, candidate, options);
+                        const ViewOptions& options, const Progress& progress) {
+  return viewOf(document, page, candidate.regionBox, candidate, options, progress);
 }
 
 double LocatedGraph::confidence() const {

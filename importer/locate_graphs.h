@@ -27,7 +27,7 @@ struct LocatedGraph {
 
 /// The region of a candidate, as it is read.
 Result<PageView> viewOf(const Document& document, const Page& page, const FrameCandidate& candidate,
-                        const ViewOptions& options);
+                        const ViewOptions& options, const Progress& progress = {});
 
 /// What came of one page: graphs in reading order, what was rejected, and why the best of those was.
 struct LocatedPage {

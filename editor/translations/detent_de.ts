@@ -6706,6 +6706,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>sie zeichnet mehr Objekte als jede wirkliche Seite</translation>
     </message>
     <message>
+        <source>it takes too long to draw</source>
+        <translation>es dauert zu lange, sie zu zeichnen</translation>
+    </message>
+    <message>
         <source>it takes too long to interpret</source>
         <translation>es dauert zu lange, sie zu lesen</translation>
     </message>

@@ -81,10 +81,6 @@ class Collector {
     if (control_->stop != CollectStop::none) return false;
     ++operations_;
     if (operations_ > control_->maxOperations) return halt(CollectStop::tooManyOperations);
-    if (operations_ % 256 == 0) {
-      if (processorSeconds() > control_->endAt_s) return halt(CollectStop::tooSlow);
-      if (control_->progress && control_->progress->isCancelled()) return halt(CollectStop::cancelled);
-    }
     return true;
   }
 
@@ -154,8 +150,13 @@ class Collector {
     pushUnknownClip();
   }
 
-  void beginTile(const Box& area, const Box& cell, double stepX, double stepY, const fz_matrix& matrix) {
+  /// False: more cells than a page may draw objects. They are one object to MuPDF, which does not ask its cookie between them.
+  bool beginTile(const Box& area, const Box& cell, double stepX, double stepY, const fz_matrix& matrix) {
+    const double cells = (area.width() / std::abs(stepX) + 1) * (area.height() / std::abs(stepY) + 1);
+    if (!(cells <= static_cast<double>(control_->maxOperations))) return halt(CollectStop::tooManyOperations);
+    operations_ += static_cast<std::size_t>(cells);
     tiles_.push_back({area, cell, stepX, stepY, toAffine(matrix), page_->paths.size()});
+    return true;
   }
   void endTile() {
     if (tiles_.empty()) return;
@@ -430,9 +431,8 @@ void endGroup(fz_context* context, fz_device* device) {
 
 int beginTile(fz_context* context, fz_device* device, fz_rect area, fz_rect view, float stepX, float stepY,
               fz_matrix matrix, int id) {
-  inCollector(context, device, [&](Collector& c) {
-    return c.beginTile(toBox(area), toBox(view), stepX, stepY, matrix), true;
-  });
+  inCollector(context, device,
+              [&](Collector& c) { return c.beginTile(toBox(area), toBox(view), stepX, stepY, matrix); });
   // The recorder would answer "known already" for a repeated id; the paths are wanted each time.
   static_cast<void>(id);
   fz_begin_tile(context, self(device).recorder, area, view, stepX, stepY, matrix);

@@ -3,12 +3,10 @@
 // A MuPDF device that notes paths and images of a page while it records the page for later rendering.
 // Private to importer/page.
 
-#include <ctime>
 #include <vector>
 
 #include "importer/page/mupdf_context.h"
 #include "importer/page/page.h"
-#include "importer/page/progress.h"
 
 namespace detent::importer {
 
@@ -34,16 +32,11 @@ enum class CollectStop {
   outOfMemory
 };
 
-/// Processor time of the program: a page is not slow because the machine has other work.
-inline double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
-
 /// Bounds on what one page may ask for, and where the device says that it was stopped.
 struct CollectControl {
   std::size_t maxPathPoints = 0;
   std::size_t maxOperations = 0;
   double maxImagePixels = 0;
-  double endAt_s = 0;  ///< of processorSeconds()
-  const Progress* progress = nullptr;
   fz_cookie* cookie = nullptr;
   CollectStop stop = CollectStop::none;
   int imageWidth_px = 0, imageHeight_px = 0;  ///< of the image that was too large

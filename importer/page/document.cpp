@@ -173,7 +173,8 @@ Result<Page> Document::page(int number, const Progress& progress) const {
 }
 
 Result<PageView> Document::view(const Page& page, const Box& region, int quarterTurns,
-                                const ViewOptions& options, const Homography& levelToPage) const {
+                                const ViewOptions& options, const Homography& levelToPage,
+                                const Progress& progress) const {
   DETENT_CHECK(levelToPage == Homography{} || page.unit == PageUnit::pixel, "only pictures stand askew");
   DETENT_CHECK(quarterTurns >= 0 && quarterTurns <= 3, "quarter turns are 0 to 3");
   DETENT_CHECK(page.number >= 1 && page.number <= pageCount(),
@@ -182,7 +183,7 @@ Result<PageView> Document::view(const Page& page, const Box& region, int quarter
     return Failure{FailureCode::wrongUsage, name(), "", "the region is not a box",
                    "Give left, top, right, bottom"};
   try {
-    return impl_->source->view(page, region, quarterTurns, options, levelToPage);
+    return impl_->source->view(page, region, quarterTurns, options, levelToPage, progress);
   } catch (const std::bad_alloc&) {
     return outOfMemory(name());
   }

@@ -29,7 +29,8 @@ class Document {
   /// page shows that image; the view's pixels are then interpolated, and of a photograph (a map that is not affine) uneven
   /// light is divided away.
   Result<PageView> view(const Page& page, const Box& region, int quarterTurns = 0,
-                        const ViewOptions& options = {}, const Homography& levelToPage = {}) const;
+                        const ViewOptions& options = {}, const Homography& levelToPage = {},
+                        const Progress& progress = {}) const;
 
   const std::string& name() const;
   std::string sha256() const;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <list>
 #include <string_view>
 
@@ -11,6 +12,7 @@
 #include "importer/page/mupdf_context.h"
 #include "importer/page/page_source.h"
 #include "importer/page/prepare_svg.h"
+#include "importer/page/stoppable_run.h"
 #include "importer/page/text_boxes.h"
 #include "importer/page/view_grid.h"
 
@@ -62,20 +64,28 @@ class MupdfSource : public PageSource {
   int pageCount() const override { return pageCount_; }
   Result<Page> page(int number, const Progress& progress) override;
   Result<PageView> view(const Page& page, const Box& region, int quarterTurns, const ViewOptions& options,
-                        const Homography&) override;
+                        const Homography&, const Progress& progress) override;
 
  private:
   std::string kind() const { return magic_ == std::string_view("application/pdf") ? "PDF" : "SVG"; }
   std::string placeOf(int number) const { return "page " + std::to_string(number); }
   Failure damaged(const std::string& place, const std::string& error) const;
   std::optional<Failure> refusal(const CollectControl& control, int number) const;
+  Remedies simplify() const;
+  double endOfPage_s() const {
+    return processorSeconds() + std::clamp(file_.limits.maxPageSeconds, 0.0, 1e6);
+  }
 
   Result<RecordedPage*> recorded(int number, const Progress& progress);
   Result<std::unique_ptr<RecordedPage>> record(int number, const Progress& progress);
   bool measure(RecordedPage& page, fz_page* loaded, std::string& error);
-  bool runIntoList(RecordedPage& page, fz_page* loaded, CollectControl& control, std::string& error);
-  Result<std::vector<TextBox>> textsOf(const RecordedPage& page);
-  Result<Raster> render(const RecordedPage& page, const ViewGrid& grid, int antialiasBits);
+  bool runIntoList(RecordedPage& page, fz_page* loaded, CollectControl& control, const Progress& progress,
+                   std::string& error);
+  std::optional<Failure> drawn(const RecordedPage& page, const Progress& progress,
+                               const std::function<void(fz_cookie&)>& draw);
+  Result<std::vector<TextBox>> textsOf(const RecordedPage& page, const Progress& progress);
+  Result<Raster> render(const RecordedPage& page, const ViewGrid& grid, int antialiasBits,
+                        const Progress& progress);
   std::vector<Remark> remarksFor(int number) const;
 
   SourceFile file_;
@@ -134,10 +144,12 @@ std::optional<Failure> MupdfSource::open() {
   return std::nullopt;
 }
 
+Remedies MupdfSource::simplify() const {
+  return {{RemedyKind::advice, Message("Export the page as a picture of at least 300 dpi and import that")},
+          {RemedyKind::raiseLimit, {}}};
+}
+
 std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int number) const {
-  const Remedies simplify{
-      {RemedyKind::advice, Message("Export the page as a picture of at least 300 dpi and import that")},
-      {RemedyKind::raiseLimit, {}}};
   switch (control.stop) {
     case CollectStop::none:
       return std::nullopt;
@@ -147,20 +159,21 @@ std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int n
       return unreadable(file_.name, placeOf(number),
                         Message("its drawing has more than the limit of %1 points",
                                 std::to_string(file_.limits.maxPathPoints)),
-                        simplify);
+                        simplify());
     case CollectStop::tooManyOperations:
       return unreadable(file_.name, placeOf(number), Message("it draws more objects than any real page does"),
-                        simplify);
+                        simplify());
     case CollectStop::tooSlow:
-      return unreadable(file_.name, placeOf(number), Message("it takes too long to interpret"), simplify);
+      return unreadable(file_.name, placeOf(number), Message("it takes too long to interpret"), simplify());
     case CollectStop::imageTooLarge:
       return unreadable(
           file_.name, placeOf(number),
           Message("an image on it claims %1 x %2 pixels, which is more than the limit",
                   std::to_string(control.imageWidth_px), std::to_string(control.imageHeight_px)),
-          simplify);
+          simplify());
     case CollectStop::outOfMemory:
-      return unreadable(file_.name, placeOf(number), Message("it needs more memory than allowed"), simplify);
+      return unreadable(file_.name, placeOf(number), Message("it needs more memory than allowed"),
+                        simplify());
   }
   return std::nullopt;
 }
@@ -177,12 +190,13 @@ bool MupdfSource::measure(RecordedPage& page, fz_page* loaded, std::string& erro
 }
 
 bool MupdfSource::runIntoList(RecordedPage& page, fz_page* loaded, CollectControl& control,
-                              std::string& error) {
+                              const Progress& progress, std::string& error) {
   fz_context* context = context_.get();
   fz_cookie cookie{};
   control.cookie = &cookie;
   const Box bounds{0, 0, page.width, page.height};
-  const bool done = guarded(context, error, [&] {
+  bool done = false;
+  auto run = [&] {
     fz_device* recorder = nullptr;
     fz_device* device = nullptr;
     fz_var(recorder);
@@ -200,8 +214,12 @@ bool MupdfSource::runIntoList(RecordedPage& page, fz_page* loaded, CollectContro
       fz_drop_device(context, recorder);
     }
     fz_catch(context) fz_rethrow(context);
-  });
+  };
+  const RunStop stop =
+      runStoppable(cookie, endOfPage_s(), progress, [&] { done = guarded(context, error, run); });
   control.cookie = nullptr;
+  if (stop != RunStop::none)
+    control.stop = stop == RunStop::cancelled ? CollectStop::cancelled : CollectStop::tooSlow;
   return done;
 }
 
@@ -217,14 +235,12 @@ Result<std::unique_ptr<RecordedPage>> MupdfSource::record(int number, const Prog
   control.maxPathPoints = static_cast<std::size_t>(std::max(0, file_.limits.maxPathPoints));
   control.maxOperations = control.maxPathPoints / 4 + 1000;
   control.maxImagePixels = file_.limits.maxMegapixels * 1e6;
-  control.endAt_s = processorSeconds() + std::clamp(file_.limits.maxPageSeconds, 0.0, 1e6);
-  control.progress = &progress;
-  bool done = measure(*page, loaded, error) && runIntoList(*page, loaded, control, error);
+  bool done = measure(*page, loaded, error) && runIntoList(*page, loaded, control, progress, error);
   if (!done && control.stop == CollectStop::none) {
     if (const int broken = leaveOutBrokenImages(context, loaded); broken > 0) {
       brokenImages_ += broken;
       page->startOver();
-      done = runIntoList(*page, loaded, control, error);
+      done = runIntoList(*page, loaded, control, progress, error);
     }
   }
   fz_drop_page(context, loaded);
@@ -248,26 +264,40 @@ Result<RecordedPage*> MupdfSource::recorded(int number, const Progress& progress
   return recorded_.front().get();
 }
 
-Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page) {
+/// Runs the display list somewhere, under the limit on time. The failure: why there is nothing to use.
+std::optional<Failure> MupdfSource::drawn(const RecordedPage& page, const Progress& progress,
+                                          const std::function<void(fz_cookie&)>& draw) {
+  fz_cookie cookie{};
+  std::string error;
+  bool done = false;
+  const RunStop stop = runStoppable(cookie, endOfPage_s(), progress,
+                                    [&] { done = guarded(context_.get(), error, [&] { draw(cookie); }); });
+  if (stop == RunStop::cancelled) return Failure::cancelled(file_.name);
+  if (stop == RunStop::tooSlow)
+    return unreadable(file_.name, placeOf(page.number), Message("it takes too long to draw"), simplify());
+  if (!done) return damaged(placeOf(page.number), error);
+  return std::nullopt;
+}
+
+Result<std::vector<TextBox>> MupdfSource::textsOf(const RecordedPage& page, const Progress& progress) {
   fz_context* context = context_.get();
   fz_stext_page* text = nullptr;
-  std::string error;
-  const bool done = guarded(context, error, [&] {
+  const auto failure = drawn(page, progress, [&](fz_cookie& cookie) {
     fz_device* device = nullptr;
     fz_var(device);
     fz_try(context) {
       const fz_rect box = fz_make_rect(0, 0, static_cast<float>(page.width), static_cast<float>(page.height));
       text = fz_new_stext_page(context, box);
       device = fz_new_stext_device(context, text, nullptr);
-      fz_run_display_list(context, page.list, device, fz_identity, fz_infinite_rect, nullptr);
+      fz_run_display_list(context, page.list, device, fz_identity, fz_infinite_rect, &cookie);
       fz_close_device(context, device);
     }
     fz_always(context) fz_drop_device(context, device);
     fz_catch(context) fz_rethrow(context);
   });
-  if (!done) {
+  if (failure) {
     fz_drop_stext_page(context, text);
-    return damaged(placeOf(page.number), error);
+    return *failure;
   }
   try {
     std::vector<TextBox> boxes = textBoxes(*text, {0, 0, page.width, page.height});
@@ -291,7 +321,8 @@ Raster copyPixels(const unsigned char* samples, std::ptrdiff_t stride, int width
   return raster;
 }
 
-Result<Raster> MupdfSource::render(const RecordedPage& page, const ViewGrid& grid, int antialiasBits) {
+Result<Raster> MupdfSource::render(const RecordedPage& page, const ViewGrid& grid, int antialiasBits,
+                                   const Progress& progress) {
   fz_context* context = context_.get();
   fz_set_aa_level(context, antialiasBits);
   const int width = grid.rect.width, height = grid.rect.height;
@@ -300,8 +331,7 @@ Result<Raster> MupdfSource::render(const RecordedPage& page, const ViewGrid& gri
   const fz_matrix matrix = fz_make_matrix(f(toPixels.a), f(toPixels.b), f(toPixels.c), f(toPixels.d),
                                           f(toPixels.e - grid.rect.x), f(toPixels.f - grid.rect.y));
   fz_pixmap* pixmap = nullptr;
-  std::string error;
-  const bool done = guarded(context, error, [&] {
+  const auto failure = drawn(page, progress, [&](fz_cookie& cookie) {
     fz_device* device = nullptr;
     fz_var(device);
     fz_try(context) {
@@ -310,15 +340,15 @@ Result<Raster> MupdfSource::render(const RecordedPage& page, const ViewGrid& gri
       fz_clear_pixmap_with_value(context, pixmap, 255);
       device = fz_new_draw_device(context, fz_identity, pixmap);
       const fz_rect area = fz_make_rect(0, 0, static_cast<float>(width), static_cast<float>(height));
-      fz_run_display_list(context, page.list, device, matrix, area, nullptr);
+      fz_run_display_list(context, page.list, device, matrix, area, &cookie);
       fz_close_device(context, device);
     }
     fz_always(context) fz_drop_device(context, device);
     fz_catch(context) fz_rethrow(context);
   });
-  if (!done) {
+  if (failure) {
     fz_drop_pixmap(context, pixmap);
-    return damaged(placeOf(page.number), error);
+    return *failure;
   }
   try {
     Raster raster =
@@ -341,10 +371,10 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
   auto found = recorded(number, progress);
   if (!found) return found.failure();
   RecordedPage& source = **found;
-  auto texts = textsOf(source);
+  auto texts = textsOf(source, progress);
   if (!texts) return texts.failure();
   const ViewGrid grid = overviewGrid(source.width, source.height, overviewDpi / 72, overviewMaxSide_px);
-  auto overview = render(source, grid, overviewAntialiasBits);
+  auto overview = render(source, grid, overviewAntialiasBits, progress);
   if (!overview) return overview.failure();
 
   Page page;
@@ -365,8 +395,8 @@ Result<Page> MupdfSource::page(int number, const Progress& progress) {
 }
 
 Result<PageView> MupdfSource::view(const Page& page, const Box& region, int quarterTurns,
-                                   const ViewOptions& options, const Homography&) {
-  auto found = recorded(page.number, {});
+                                   const ViewOptions& options, const Homography&, const Progress& progress) {
+  auto found = recorded(page.number, progress);
   if (!found) return found.failure();
   const RecordedPage& source = **found;
   const auto grid = chooseGrid(region, quarterTurns, page, source.collected.images, options,
@@ -376,7 +406,7 @@ Result<PageView> MupdfSource::view(const Page& page, const Box& region, int quar
                    "the region lies outside the page",
                    "Give a region inside " + std::to_string(page.width) + " x " +
                        std::to_string(page.height) + " points"};
-  auto upright = render(source, *grid, 8);
+  auto upright = render(source, *grid, 8, progress);
   if (!upright) return upright.failure();
   PageView view;
   view.raster = quarterTurns == 0

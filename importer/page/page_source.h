@@ -22,7 +22,8 @@ class PageSource {
   virtual int pageCount() const = 0;
   virtual Result<Page> page(int number, const Progress& progress) = 0;
   virtual Result<PageView> view(const Page& page, const Box& region, int quarterTurns,
-                                const ViewOptions& options, const Homography& levelToPage) = 0;
+                                const ViewOptions& options, const Homography& levelToPage,
+                                const Progress& progress) = 0;
 };
 
 /// What openers are given.

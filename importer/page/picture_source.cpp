@@ -57,7 +57,7 @@ class PictureSource : public PageSource {
   }
 
   Result<PageView> view(const Page& page, const Box& region, int quarterTurns, const ViewOptions&,
-                        const Homography& levelToPage) override {
+                        const Homography& levelToPage, const Progress&) override {
     if (levelToPage != Homography{}) return levelView(page, region, quarterTurns, levelToPage);
     const Result<const Raster*> pixels = pixelsOf(page);
     if (!pixels) return pixels.failure();

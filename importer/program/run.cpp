@@ -13,6 +13,7 @@
 
 #include "importer/overlay/encode_png.h"
 #include "importer/overlay/overlay.h"
+#include "importer/program/forced_end.h"
 #include "importer/program/progress_line.h"
 #include "importer/program/report_json.h"
 #include "importer/program/staged_outputs.h"
@@ -410,6 +411,7 @@ int run(const Arguments& arguments, const std::function<bool()>& cancelled) {
   if (arguments.batch) return runBatch(arguments, cancelled);
   int exitCode = 0;
   {
+    const ForcedEnd end(cancelled);
     ProgressLine line;
     Progress progress;
     progress.report = [&](double fraction, ImportStep step) { line.show(fraction, inProgress(step)); };

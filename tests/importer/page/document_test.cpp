@@ -3,7 +3,9 @@
 
 #include "importer/page/document.h"
 
+#include <chrono>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include <catch2/catch.hpp>
@@ -443,4 +445,69 @@ TEST_CASE("what a style sheet quotes stays inside of its attribute") {
   CHECK(out.problem.empty());
   CHECK(out.text.find("font-family='&apos;Arial&apos;,\"O&apos;Neil\"'") != std::string::npos);
   CHECK(out.text.find("stroke=\"url(&lt;a>)\"") != std::string::npos);
+}
+
+namespace {
+
+/// Thousands of objects that take long to draw and next to nothing to interpret.
+std::string slowToDraw() {
+  std::string content = "0.5 w ";
+  for (int i = 0; i < 300000; ++i)
+    content += std::to_string(i % 200) + " 0 m 200 " + std::to_string(i % 100) + " l 0 100 l 190 3 l f ";
+  return onePage(content);
+}
+
+/// A pattern whose cells stand `step` points apart, over the whole page.
+std::string tiled(const std::string& step) {
+  return pdfOf(
+      {"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>",
+       "<</Type/Page/Parent 2 0 R/MediaBox[0 0 200 100]/Contents 4 0 R/Resources<</Pattern<</P 5 0 R>>>>>>",
+       streamObject("", "/Pattern cs /P scn 0 0 200 100 re f"),
+       streamObject("/Type/Pattern/PatternType 1/PaintType 1/TilingType 1/BBox[0 0 10 10]/XStep " + step +
+                        "/YStep " + step + "/Resources<<>>",
+                    "1 0 0 rg 0 0 5 5 re f")});
+}
+
+double secondsSince(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+TEST_CASE("drawing a page ends when it is cancelled, within half a second") {
+  using Clock = std::chrono::steady_clock;
+  const auto document = Document::fromBytes(bytesOf(slowToDraw()), "plot.pdf");
+  REQUIRE(document.ok());
+  const auto start = Clock::now();
+  std::optional<Clock::time_point> asked;
+  Progress progress;
+  progress.cancelled = [&] {  // interpreting takes less
+    if (secondsSince(start) < 2) return false;
+    if (!asked) asked = Clock::now();
+    return true;
+  };
+  const auto page = document->page(1, progress);
+  REQUIRE(asked);
+  CHECK(secondsSince(*asked) < 0.5);
+  REQUIRE_FALSE(page.ok());
+  CHECK(page.failure().code == FailureCode::cancelled);
+}
+
+TEST_CASE("the limit on a page's time covers what is drawn") {
+  PageLimits limits;
+  limits.maxPageSeconds = 1.5;
+  const auto start = std::chrono::steady_clock::now();
+  const Failure failure = refusalOf(slowToDraw(), "plot.pdf", limits);
+  CHECK(secondsSince(start) < 10);
+  CHECK(failure.code == FailureCode::unreadableInput);
+  CHECK(failure.sentence().find("plot.pdf, page 1: it takes too long to") == 0);
+}
+
+TEST_CASE("a pattern of more cells than any page has objects is refused before it is drawn") {
+  for (const char* const step : {"0.000001", "0.001", "0.05"}) {
+    const auto start = std::chrono::steady_clock::now();
+    CHECK(refusalOf(tiled(step), "plot.pdf").code == FailureCode::unreadableInput);
+    CHECK(secondsSince(start) < 1);
+  }
+  CHECK(open(tiled("2"), "plot.pdf").page.count == 1);
 }

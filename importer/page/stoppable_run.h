@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// MuPDF works without asking anybody whether it should; its cookie lets another thread tell it to stop.
+// Private to importer/page.
+
+#include <ctime>
+#include <functional>
+
+#include "importer/page/mupdf_context.h"
+#include "importer/page/progress.h"
+
+namespace detent::importer {
+
+/// Processor time of the program: a page is not slow because the machine has other work.
+inline double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+enum class RunStop { none, cancelled, tooSlow };
+
+/// Does `work` on a thread of its own, while the calling one asks `progress` (first of all) and the clock, and returns when it has ended.
+/// `work` passes `cookie` to MuPDF, which ends at the next object of the page once it is told to abort; it must not throw.
+/// `endAt_s`: of processorSeconds(). The fault `std::system_error`:
+/// the machine gives no thread.
+RunStop runStoppable(fz_cookie& cookie, double endAt_s, const Progress& progress,
+                     const std::function<void()>& work);
+
+}  // namespace detent::importer
