@@ -36,10 +36,6 @@ class StepClock {
   std::chrono::steady_clock::time_point start_;
 };
 
-bool hasSuffix(const std::string& path, std::string_view suffix) {
-  return lowered(std::filesystem::path(path).extension().string()) == suffix;
-}
-
 Message placeOf(int page) { return Message("page %1", page); }
 Message placeOf(int page, int graph) { return Message("page %1, graph %2", page, graph); }
 
@@ -678,12 +674,23 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
   return {std::move(report), std::move(evidence)};
 }
 
+/// The contact points a log keeps, as a page would call them out.
+std::vector<Callout> contactsOf(const ForceLog& log) {
+  std::vector<Callout> contacts;
+  if (log.operatingPoint_mm)
+    contacts.push_back({CalloutKind::operatingPoint, {*log.operatingPoint_mm, 0}, {}, 1, {}});
+  if (log.resetPoint_mm) contacts.push_back({CalloutKind::resetPoint, {*log.resetPoint_mm, 0}, {}, 1, {}});
+  return contacts;
+}
+
 Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request, const Progress& progress) {
   seconds.clear();
   auto log = [&] {
     StepClock time(seconds, ImportStep::read);
-    return readForceLog(
-        path, {request.hints.axes.xUnit, request.hints.axes.yUnit, request.hints.strokes.swap}, progress);
+    return readForceLog(path,
+                        {request.hints.axes.xUnit, request.hints.axes.yUnit, request.hints.strokes.swap,
+                         request.hints.strokes.curve},
+                        progress);
   }();
   if (!log) return log.failure();
   const QualitySettings settings = settingsFor(request.quality);
@@ -713,7 +720,7 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
     return failureOf(*gravest, name());
   }
   provenance.warnings = recorded(log->remarks);
-  auto button = buttonFrom(stem(), *fitted, {}, provenance);
+  auto button = buttonFrom(stem(), *fitted, contactsOf(*log), provenance);
   if (!button) return button.failure();
   ImportReport report(std::move(button).value());
   report.strokes = std::move(log->strokes);
@@ -737,7 +744,7 @@ Result<ImportSession> ImportSession::open(const std::string& path, const PageLim
   impl->path = path;
   impl->fileName = std::filesystem::path(path).filename().string();
   impl->limits = limits;
-  if (!hasSuffix(path, ".csv")) {
+  if (!isForceLogPath(path)) {
     auto document = Document::open(path, limits);
     if (!document) return document.failure();
     impl->document = std::move(document).value();

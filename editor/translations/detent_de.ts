@@ -6378,6 +6378,10 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>das Protokoll enthält keinen Rückweg</translation>
     </message>
     <message>
+        <source>testers that write this format read forces off by up to 30 gf against other laboratories</source>
+        <translation>Prüfgeräte, die dieses Format schreiben, weichen in der Kraft um bis zu 30 gf von anderen Labors ab</translation>
+    </message>
+    <message>
         <source>the same graph is drawn %1 times (%2); the one on page %3 is taken, which reads best</source>
         <translation>derselbe Graph ist %1 Mal gezeichnet (%2); genommen wurde der auf Seite %3, der sich am besten liest</translation>
     </message>

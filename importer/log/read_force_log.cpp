@@ -8,9 +8,12 @@
 
 #include "importer/log/force_log.h"
 #include "importer/log/log_columns.h"
+#include "importer/log/recorded_switches.h"
 #include "importer/log/split_strokes.h"
 #include "importer/log/text_lines.h"
 #include "importer/strokes/calmed_points.h"
+#include "model/number_table.h"
+#include "model/text.h"
 
 namespace detent::importer {
 namespace {
@@ -72,10 +75,11 @@ class LogReader {
       : path_(path), hints_(hints), progress_(progress) {}
 
   Result<ForceLog> read() {
-    if (const auto failure = readRows()) return *failure;
+    if (const auto failure = holdsRecordedSwitches(path_) ? readRecorded() : readRows()) return *failure;
     if (const auto failure = settleUnits()) return *failure;
     if (const auto failure = formStrokes()) return *failure;
     removePreload();
+    placeContacts();
     noteRows();
     return std::move(log_);
   }
@@ -83,6 +87,40 @@ class LogReader {
  private:
   Failure failure(FailureCode code, Message place, Message problem, Remedies remedies) const {
     return {code, nameOf(path_), std::move(place), std::move(problem), std::move(remedies)};
+  }
+
+  /// The one of several switches that is asked for.
+  Result<const RecordedSwitch*> chosen(const std::vector<RecordedSwitch>& switches) const {
+    if (switches.size() == 1 && hints_.curve.empty()) return &switches.front();
+    std::string all;
+    for (std::size_t i = 0; i < switches.size(); ++i) {
+      if (!hints_.curve.empty() &&
+          (hints_.curve == std::to_string(i + 1) || lowered(hints_.curve) == lowered(switches[i].name)))
+        return &switches[i];
+      all += (i > 0 ? ", " : "") + std::to_string(i + 1) +
+             (switches[i].name.empty() ? "" : " \"" + switches[i].name + "\"");
+    }
+    return failure(hints_.curve.empty() ? FailureCode::notCertain : FailureCode::wrongUsage, "",
+                   Message("it holds %1 switches: %2", switches.size(), all),
+                   "Pass --curve NAME|N for one of them");
+  }
+
+  std::optional<Failure> readRecorded() {
+    const auto switches = recordedSwitches(path_);
+    if (!switches) return switches.failure();
+    const auto one = chosen(*switches);
+    if (!one) return one.failure();
+    const RecordedSwitch& recorded = **one;
+    for (const CurvePoint& p : recorded.press) rows_.press.add(p);
+    for (const CurvePoint& p : recorded.release) rows_.release.add(p);
+    for (const CurvePoint& p : recorded.run) rows_.run.add(p);
+    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release}) run->flush();
+    rows_.isSplit = recorded.run.empty();
+    rows_.rows = static_cast<long>(recorded.press.size() + recorded.release.size() + recorded.run.size());
+    columns_.xUnit = recorded.xUnit, columns_.yUnit = recorded.yUnit;
+    log_.operatingPoint_mm = recorded.operatingPoint, log_.resetPoint_mm = recorded.resetPoint;
+    if (recorded.scaleDoubtful) log_.remarks.push_back({RemarkCode::forceScaleDoubtful});
+    return {};
   }
 
   std::optional<Failure> readRows() {
@@ -189,6 +227,8 @@ class LogReader {
     const double mm = millimetresPer(xUnit), newton = newtonsPer(yUnit);
     for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
       for (CurvePoint& p : run->samples()) p.displacement_mm *= mm, p.force_N *= newton;
+    for (std::optional<double>* contact_mm : {&log_.operatingPoint_mm, &log_.resetPoint_mm})
+      if (*contact_mm) **contact_mm *= mm;
     return {};
   }
 
@@ -258,6 +298,8 @@ class LogReader {
       together += (p.displacement_mm - mean.displacement_mm) * (p.force_N - mean.force_N);
     const bool reversed = turned ? together > 0 : together < 0;
     if (reversed) log_.remarks.push_back({RemarkCode::displacementTurned});
+    for (std::optional<double>* contact_mm : {&log_.operatingPoint_mm, &log_.resetPoint_mm})
+      if (reversed && *contact_mm) **contact_mm = -**contact_mm;
     for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
       for (CurvePoint& p : run->samples()) {
         if (turned) p.force_N = -p.force_N;
@@ -325,6 +367,8 @@ class LogReader {
     if (least >= 0) return;
     for (std::vector<CurvePoint>* stroke : {&press, &release})
       for (CurvePoint& p : *stroke) p.displacement_mm -= least;
+    for (std::optional<double>* contact_mm : {&log_.operatingPoint_mm, &log_.resetPoint_mm})
+      if (*contact_mm) **contact_mm -= least;
     log_.remarks.push_back({RemarkCode::displacementShifted, {{least, Measure::displacement_mm}}});
   }
 
@@ -337,6 +381,18 @@ class LogReader {
     if (log_.strokes.release)
       for (CurvePoint& p : log_.strokes.release->points) p.force_N -= *offset;
     log_.remarks.push_back({RemarkCode::preloadTakenOff, {{*offset, Measure::force_N}}});
+  }
+
+  /// A contact outside of its stroke's travel is none.
+  void placeContacts() {
+    const auto keepWithin = [](std::optional<double>& contact_mm, const std::vector<CurvePoint>& stroke) {
+      const auto [least, most] = std::ranges::minmax(stroke, {}, &CurvePoint::displacement_mm);
+      if (contact_mm && !(*contact_mm >= least.displacement_mm && *contact_mm <= most.displacement_mm))
+        contact_mm.reset();
+    };
+    keepWithin(log_.operatingPoint_mm, log_.strokes.press.points);
+    keepWithin(log_.resetPoint_mm,
+               log_.strokes.release ? log_.strokes.release->points : log_.strokes.press.points);
   }
 
   void noteRows() {
@@ -362,6 +418,10 @@ class LogReader {
 };
 
 }  // namespace
+
+bool isForceLogPath(const std::string& path) {
+  return holdsRecordedSwitches(path) || lowered(std::filesystem::path(path).extension().string()) == ".csv";
+}
 
 Result<ForceLog> readForceLog(const std::string& path, const LogHints& hints, const Progress& progress) {
   return LogReader(path, hints, progress).read();

@@ -173,6 +173,10 @@ Wording wordingOf(RemarkCode code) {
           words("%1 of %2 rows hold no two finite numbers and were left out, the first in line %3 (\"%4\")")};
     case RemarkCode::noRelease:
       return {"no-release", words("the log holds no release stroke")};
+    case RemarkCode::forceScaleDoubtful:
+      return {
+          "force-scale-doubtful",
+          words("testers that write this format read forces off by up to 30 gf against other laboratories")};
     case RemarkCode::sameGraphSeveralTimes:
       return {"same-graph-several-times",
               words("the same graph is drawn %1 times (%2); the one on page %3 is taken, which reads best")};

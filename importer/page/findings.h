@@ -117,6 +117,7 @@ enum class RemarkCode {
   rowsAveraged,         ///< rows in each
   rowsLeftOut,          ///< how many, of how many, line of the first, its text
   noRelease,
+  forceScaleDoubtful,
   // graphs of a document
   sameGraphSeveralTimes,  ///< how often, where (messages), page taken
   severalGraphs,          ///< how many, page and graph taken

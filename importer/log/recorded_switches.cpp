@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/log/recorded_switches.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string_view>
+
+#include <nlohmann/json.hpp>
+
+#include "importer/log/sheet_columns.h"
+#include "importer/log/zip_member.h"
+#include "model/text.h"
+
+namespace detent::importer {
+namespace {
+
+constexpr std::size_t largestFile_bytes = std::size_t{32} << 20, largestSheet_bytes = std::size_t{64} << 20;
+
+std::string endingOf(const std::string& path) {
+  return lowered(std::filesystem::path(path).extension().string());
+}
+
+Failure without(const std::string& subject, Message problem, Remedies remedies = {}) {
+  return {FailureCode::noForceGraph, subject, {}, std::move(problem), std::move(remedies)};
+}
+
+Result<std::string> bytesOf(const std::string& path, const std::string& subject) {
+  const auto unreadable = [&](Message problem) {
+    return Failure{FailureCode::unreadableInput, subject, {}, std::move(problem), {}};
+  };
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(path, error)) return unreadable("it is missing or no file");
+  if (std::filesystem::file_size(path, error) > largestFile_bytes || error)
+    return unreadable("it is larger than 32 MB");
+  std::ifstream file(path, std::ios::binary);
+  std::string bytes{std::istreambuf_iterator<char>(file), {}};
+  if (!file.is_open() || file.bad()) return unreadable("it cannot be read");
+  return bytes;
+}
+
+// -- spreadsheets ------------------------------------------------------------------------------------------------
+
+enum class ColumnKind { other, travel, force, contact };
+
+struct NamedColumn {
+  ColumnKind kind = ColumnKind::other;
+  std::optional<Stroke> stroke;
+  std::string name;  // what is left of the heading: which switch
+  LengthUnit unit = LengthUnit::millimetre;
+};
+
+bool takeOut(std::string& text, std::string_view words) {
+  const std::size_t at = lowered(text).find(words);
+  if (at == std::string::npos) return false;
+  text.erase(at, words.size());
+  return true;
+}
+
+/// The words of a title beside those that say the stroke: "Corrected Upstroke (U4T)" is of U4T.
+std::string nameIn(std::string title) {
+  for (const std::string_view words :
+       {"corrected", "(downstroke)", "(upstroke)", "downstroke", "upstroke", "raw data"})
+    takeOut(title, words);
+  std::string_view name = trimmed(title);
+  while (!name.empty() && (name.front() == '(' || name.front() == '-')) name = trimmed(name.substr(1));
+  while (!name.empty() &&
+         (name.back() == '-' || (name.back() == ')' && name.find('(') == std::string_view::npos)))
+    name = trimmed(name.substr(0, name.size() - 1));
+  return std::string(name);
+}
+
+NamedColumn named(const SheetColumn& column) {
+  NamedColumn is;
+  if (column.heading.empty()) return is;
+  const std::string heading = lowered(column.heading), both = lowered(column.title) + " " + heading;
+  if (both.find("downstroke") != std::string::npos)
+    is.stroke = Stroke::press;
+  else if (both.find("upstroke") != std::string::npos)
+    is.stroke = Stroke::release;
+  if (heading.find("arrow") != std::string::npos || heading.find("points") != std::string::npos) return is;
+  if (heading.find("actuated") != std::string::npos)
+    is.kind = ColumnKind::contact;
+  else if (heading.find("force") != std::string::npos)
+    is.kind = ColumnKind::force;
+  else if (heading.starts_with("x ") || heading.find(" x ") != std::string::npos)
+    is.kind = ColumnKind::travel;
+  if (heading.find("micron") != std::string::npos) is.unit = LengthUnit::micrometre;
+  is.name = nameIn(column.title);
+  return is;
+}
+
+/// Travel, force and contact columns that stand together.
+struct StrokeColumns {
+  std::size_t travel = 0, force = 0;
+  std::optional<std::size_t> contact;
+  Stroke stroke = Stroke::press;
+};
+
+std::vector<StrokeColumns> strokesIn(const std::vector<NamedColumn>& columns) {
+  std::vector<StrokeColumns> strokes;
+  for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+    if (columns[i].kind != ColumnKind::travel || !columns[i].stroke ||
+        columns[i + 1].kind != ColumnKind::force)
+      continue;
+    StrokeColumns found{i, i + 1, {}, *columns[i].stroke};
+    if (i + 2 < columns.size() && columns[i + 2].kind == ColumnKind::contact &&
+        columns[i + 2].stroke == columns[i].stroke)
+      found.contact = i + 2;
+    strokes.push_back(found);
+  }
+  return strokes;
+}
+
+std::vector<CurvePoint> pointsOf(const std::vector<SheetColumn>& sheet, const StrokeColumns& stroke) {
+  std::vector<CurvePoint> points;
+  for (std::size_t row = 0; row < sheet[stroke.travel].values.size(); ++row) {
+    const CurvePoint p{sheet[stroke.travel].values[row], sheet[stroke.force].values[row]};
+    if (std::isfinite(p.displacement_mm) && std::isfinite(p.force_N)) points.push_back(p);
+  }
+  return points;
+}
+
+/// Travel where the contact closes (press) or opens (release); empty where it does neither.
+std::optional<double> contactOf(const std::vector<SheetColumn>& sheet, const StrokeColumns& stroke) {
+  if (!stroke.contact) return {};
+  const double wanted = stroke.stroke == Stroke::press ? 1 : 0;
+  const std::vector<double>& states = sheet[*stroke.contact].values;
+  bool other = false;  // a contact that never changes says nothing
+  for (std::size_t row = 0; row < states.size(); ++row) {
+    const double travel = sheet[stroke.travel].values[row];
+    if (!std::isfinite(states[row]) || !std::isfinite(travel)) continue;
+    if (states[row] != wanted)
+      other = true;
+    else if (other)
+      return travel;
+  }
+  return {};
+}
+
+/// Of a sheet whose strokes were never filled in, what the meter wrote; nothing where there are several such runs (of springs, say).
+std::vector<RecordedSwitch> rawRunOf(const std::vector<SheetColumn>& sheet,
+                                     const std::vector<NamedColumn>& columns) {
+  std::vector<RecordedSwitch> runs;
+  for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
+    if (columns[i].kind != ColumnKind::travel || columns[i].stroke ||
+        columns[i + 1].kind != ColumnKind::force)
+      continue;
+    RecordedSwitch raw;
+    raw.run = pointsOf(sheet, {i, i + 1, {}, Stroke::press});
+    raw.xUnit = columns[i].unit;
+    if (i + 2 < columns.size() && columns[i + 2].kind == ColumnKind::contact) {
+      raw.operatingPoint = contactOf(sheet, {i, i + 1, i + 2, Stroke::press});
+      if (raw.operatingPoint) raw.resetPoint = contactOf(sheet, {i, i + 1, i + 2, Stroke::release});
+    }
+    if (raw.run.size() > 1) runs.push_back(std::move(raw));
+  }
+  if (runs.size() != 1) runs.clear();
+  return runs;
+}
+
+Result<std::vector<RecordedSwitch>> switchesOfSheet(const std::vector<SheetColumn>& sheet,
+                                                    const std::string& subject) {
+  std::vector<NamedColumn> columns;
+  std::ranges::transform(sheet, std::back_inserter(columns), named);
+  std::vector<RecordedSwitch> switches;
+  for (const StrokeColumns& stroke : strokesIn(columns)) {
+    const NamedColumn& column = columns[stroke.travel];
+    if (stroke.stroke == Stroke::press) {
+      RecordedSwitch one;
+      one.name = column.name, one.xUnit = column.unit;
+      one.press = pointsOf(sheet, stroke);
+      one.operatingPoint = contactOf(sheet, stroke);
+      switches.push_back(std::move(one));
+    } else if (!switches.empty() && switches.back().release.empty()) {
+      switches.back().release = pointsOf(sheet, stroke);
+      switches.back().resetPoint = contactOf(sheet, stroke);
+      if (switches.back().name.empty()) switches.back().name = column.name;
+    }
+  }
+  std::erase_if(switches, [](const RecordedSwitch& each) { return each.press.size() < 2; });
+  if (switches.empty()) switches = rawRunOf(sheet, columns);
+  if (switches.empty())
+    return without(subject, "no columns are headed as a switch's downstroke",
+                   "Export the columns of one switch as CSV: \"displacement_mm,force_N\"");
+  return switches;
+}
+
+// -- JSON --------------------------------------------------------------------------------------------------------
+
+std::vector<double> numbersAt(const nlohmann::json& object, const char* key) {
+  std::vector<double> numbers;
+  const auto list = object.find(key);
+  if (list == object.end() || !list->is_array()) return numbers;
+  for (const nlohmann::json& each : *list)
+    numbers.push_back(each.is_number() ? each.get<double>() : std::nan(""));
+  return numbers;
+}
+
+std::optional<double> firstOf(const nlohmann::json& object, const char* key) {
+  const std::vector<double> numbers = numbersAt(object, key);
+  return !numbers.empty() && std::isfinite(numbers.front()) ? std::optional(numbers.front()) : std::nullopt;
+}
+
+std::vector<CurvePoint> paired(const std::vector<double>& x, const std::vector<double>& y) {
+  std::vector<CurvePoint> points;
+  for (std::size_t i = 0; i < std::min(x.size(), y.size()); ++i)
+    if (std::isfinite(x[i]) && std::isfinite(y[i])) points.push_back({x[i], y[i]});
+  return points;
+}
+
+Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, const std::string& subject) {
+  const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (json.is_discarded()) return Failure{FailureCode::unreadableInput, subject, {}, "it is no JSON", {}};
+  if (!json.is_object() || !json.contains("down_x") || !json.contains("down_y"))
+    return without(subject, "it holds no strokes", "A recording has the lists down_x, down_y and up_y");
+  RecordedSwitch one;
+  const std::vector<double> x = numbersAt(json, "down_x");
+  one.press = paired(x, numbersAt(json, "down_y"));
+  // The tester writes the forces of the way up from the deepest place on, beside the travel of the way down.
+  one.release = paired({x.rbegin(), x.rend()}, numbersAt(json, "up_y"));
+  one.operatingPoint = firstOf(json, "pressPoint");
+  one.resetPoint = firstOf(json, "releasePoint");
+  one.scaleDoubtful = true;
+  if (one.press.size() < 2) return without(subject, "its lists hold no press");
+  return std::vector{std::move(one)};
+}
+
+}  // namespace
+
+bool holdsRecordedSwitches(const std::string& path) {
+  const std::string ending = endingOf(path);
+  return ending == ".ods" || ending == ".json";
+}
+
+Result<std::vector<RecordedSwitch>> recordedSwitches(const std::string& path) {
+  const std::string subject = std::filesystem::path(path).filename().string();
+  auto bytes = bytesOf(path, subject);
+  if (!bytes) return bytes.failure();
+  if (endingOf(path) == ".json") return switchesOfJson(*bytes, subject);
+  auto xml = zipMember(*bytes, "content.xml", largestSheet_bytes, subject);
+  if (!xml) return xml.failure();
+  auto sheet = sheetColumns(*xml, subject);
+  if (!sheet) return sheet.failure();
+  return switchesOfSheet(*sheet, subject);
+}
+
+}  // namespace detent::importer
