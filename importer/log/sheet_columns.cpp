@@ -114,9 +114,17 @@ class RowReader {
   std::string_view rest_;
 };
 
-std::size_t numbersIn(const Row& row) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(row, [](const Cell& cell) { return !std::isnan(cell.value); }));
+/// Three numbers or more, and not more texts than numbers: headings may have results of the measurement beside them.
+bool isOfNumbers(const Row& row) {
+  constexpr int leastNumbers = 3;
+  int numbers = 0, texts = 0;
+  for (const Cell& cell : row) {
+    if (!std::isnan(cell.value))
+      ++numbers;
+    else if (!cell.text.empty())
+      ++texts;
+  }
+  return numbers >= leastNumbers && numbers >= texts;
 }
 
 std::string textAt(const Row& row, std::size_t column) {
@@ -138,7 +146,6 @@ std::vector<SheetColumn> headed(const std::vector<Row>& above, std::size_t width
 }  // namespace
 
 Result<std::vector<SheetColumn>> sheetColumns(std::string_view xml, const std::string& subject) {
-  constexpr std::size_t numbersOfARow = 3;
   std::vector<Row> above;
   std::vector<SheetColumn> columns;
   RowReader reader(xml);
@@ -146,7 +153,7 @@ Result<std::vector<SheetColumn>> sheetColumns(std::string_view xml, const std::s
   std::size_t times = 0, rows = 0;
   while (rows < mostRows && reader.next(row, times)) {
     if (columns.empty()) {
-      if (numbersIn(row) < numbersOfARow) {
+      if (!isOfNumbers(row)) {
         if (!row.empty()) above.push_back(row);
         if (above.size() > 8) above.erase(above.begin());
         continue;

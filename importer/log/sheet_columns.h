@@ -18,7 +18,7 @@ struct SheetColumn {
 };
 
 /// Columns of the first table of an OpenDocument spreadsheet, from the XML in its archive. The heading is what stands above the
-/// first row with three numbers. What repeats is bounded: at most 256 columns and 2^20 rows. Failure noForceGraph about `subject`:
+/// first row of three numbers or more, and no fewer numbers than texts. What repeats is bounded: at most 256 columns and 2^20 rows. Failure noForceGraph about `subject`:
 /// no such row. Any thread.
 Result<std::vector<SheetColumn>> sheetColumns(std::string_view xml, const std::string& subject);
 

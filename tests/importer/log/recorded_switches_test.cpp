@@ -123,6 +123,21 @@ TEST_CASE("What is no measurement is refused, whatever an archive claims") {
   CHECK(zipMember(bomb, "content.xml", std::size_t{9} << 20, "large").ok());
 }
 
+TEST_CASE("Results beside the headings do not pass for the first row of numbers") {
+  const std::vector<std::string> titles{"Corrected Downstroke", "", "Corrected Upstroke", ""};
+  std::string xml = sheetXml({titles}, {});
+  const std::string headings =
+      "<table:table-row>" + cellOf("X (mm)") + cellOf("Force (gf)") + cellOf("X (mm)") +
+      cellOf("Force (gf)") + cellOf(2.1) + cellOf(70.) + cellOf(2.0) + "</table:table-row><table:table-row>" +
+      cellOf(0.) + cellOf(10.) + cellOf(1.) + cellOf(40.) + "</table:table-row><table:table-row>" +
+      cellOf(1.) + cellOf(45.) + cellOf(0.) + cellOf(5.) + "</table:table-row>";
+  xml.insert(xml.find("<table:table-row table:number-rows-repeated"), headings);
+  const WrittenFile file(".ods", zipOf("content.xml", xml));
+  const auto switches = recordedSwitches(file.path());
+  REQUIRE(switches.ok());
+  CHECK(switches->front().press == std::vector<CurvePoint>{{0, 10}, {1, 45}});
+}
+
 TEST_CASE("Cells that claim to repeat without end are bounded") {
   const std::string xml =
       "<table:table table:name=\"a\"><table:table-row table:number-rows-repeated=\"99999999999\">"
