@@ -17,6 +17,8 @@ QString cueWords(playback::Cue cue) {
       return tr("how strong it is");
     case playback::Cue::timing:
       return tr("when the click comes");
+    case playback::Cue::force:
+      return tr("how hard one has to press");
     case playback::Cue::travel:
       break;
   }
@@ -24,10 +26,10 @@ QString cueWords(playback::Cue cue) {
 }
 
 QString errorWords(const playback::PredictedPair& pair) {
-  const double errors = pair.errorsPer90();
-  if (errors < 0.5) return tr("hardly an error in 90");
-  if (errors < 1.5) return tr("about 1 error in 90");
-  return tr("about %1 errors in 90").arg(fixedText(errors, 0));
+  const QString least = fixedText(pair.leastErrorsPer90(), 0), most = fixedText(pair.mostErrorsPer90(), 0);
+  if (most == "0") return tr("hardly an error in 90");
+  if (least == most) return tr("about %1 errors in 90").arg(most);
+  return tr("%1 to %2 errors in 90").arg(least, most);
 }
 
 }  // namespace
@@ -38,7 +40,7 @@ QString shortForecastWords(const playback::PredictedPair& pair) {
 }
 
 QString reasonWords(const playback::PredictedPair& pair) {
-  if (pair.dPrime <= 0) return tr("Nothing differs in the vibration.");
+  if (pair.dPrime <= 0) return tr("Nothing differs.");
   return (pair.onPress ? tr("Most differs on the press: %1.") : tr("Most differs on the release: %1."))
       .arg(cueWords(pair.cue));
 }

@@ -8,15 +8,15 @@
 
 namespace detent::editor {
 
-/// "People will probably tell these apart: about 2 errors in 90. Most differs on the release: how strong it is."
+/// "People will probably tell these apart: 0 to 7 errors in 90. Most differs on the release: how strong it is."
 QString forecastWords(const playback::PredictedPair& pair);
 /// "Most differs on the press: when the click comes."
 QString reasonWords(const playback::PredictedPair& pair);
-/// "told apart: about 2 errors in 90", for a line of a list.
+/// "told apart: 0 to 7 errors in 90", for a line of a list.
 QString shortForecastWords(const playback::PredictedPair& pair);
 /// "Snap ratio × 1.25": the name of the undo step.
 QString suggestionWords(const playback::Suggestion& suggestion);
-/// "Snap ratio × 1.25: about 8 errors in 90": an entry of a menu.
+/// "Snap ratio × 1.25: 0 to 8 errors in 90": an entry of a menu.
 QString offerWords(const playback::Suggestion& suggestion);
 
 }  // namespace detent::editor

@@ -1291,10 +1291,6 @@
         <translation>kaum ein Fehler in 90</translation>
     </message>
     <message>
-        <source>about 1 error in 90</source>
-        <translation>etwa 1 Fehler in 90</translation>
-    </message>
-    <message>
         <source>about %1 errors in 90</source>
         <translation>etwa %1 Fehler in 90</translation>
     </message>
@@ -1305,10 +1301,6 @@
     <message>
         <source>confused: %1</source>
         <translation>verwechselt: %1</translation>
-    </message>
-    <message>
-        <source>Nothing differs in the vibration.</source>
-        <translation>In der Vibration unterscheidet sich nichts.</translation>
     </message>
     <message>
         <source>Most differs on the press: %1.</source>
@@ -1837,6 +1829,18 @@
     <message>
         <source>Remove: %1</source>
         <translation>Entfernen: %1</translation>
+    </message>
+    <message>
+        <source>how hard one has to press</source>
+        <translation>wie fest man drücken muss</translation>
+    </message>
+    <message>
+        <source>%1 to %2 errors in 90</source>
+        <translation>%1 bis %2 Fehler in 90</translation>
+    </message>
+    <message>
+        <source>Nothing differs.</source>
+        <translation>Nichts unterscheidet sich.</translation>
     </message>
 </context>
 <context>

@@ -164,6 +164,18 @@ int main() {
                     : "forecast without travel",
          errorsOf(predictAll(felt, {}, without)));
   }
+  for (const double weber : {0.1, 0.2, 0.25, 0.4, 1e9}) {
+    ConfusionSettings other;
+    other.forceWeber = weber;
+    line(("forecast, Weber fraction of force " + std::to_string(weber)).c_str(),
+         errorsOf(predictAll(felt, {}, other)));
+  }
+  for (const double least_N : {0.0, 1.0, 1.5, 2.0, 2.5, 3.0}) {
+    PerceptionSettings other;
+    other.hand.least_N.fill(least_N);
+    line(("forecast, a hand of " + std::to_string(least_N) + " N at any speed").c_str(),
+         errorsOf(predictAll(feelAll(other))));
+  }
   ConfusionSettings tuned;
   tuned.sensitivity = tunedSensitivity(felt, found.size());
   const std::vector<double> fitted = errorsOf(predictAll(felt, {}, tuned));

@@ -15,6 +15,8 @@ using Levels = std::vector<std::array<double, channelCount>>;
 
 constexpr double onset_dB = 6;  // above threshold: clearly felt
 
+constexpr double faintForce_N = 0.02;  // two grams: less is not felt as a force
+
 /// From the first clearly felt frame on.
 Levels fromOnset(const Levels& levels) {
   double loudest = 0;
@@ -85,6 +87,7 @@ StrokeDifference differenceOf(const FeltStroke& a, const FeltStroke& b, const Co
   if (whenA_s > 0 && whenB_s > 0) d.timing = ratio(whenA_s, whenB_s, frame_s) / settings.timingWeber;
   d.travel =
       ratio(1 + static_cast<double>(a.grains), 1 + static_cast<double>(b.grains), 1) / settings.travelWeber;
+  d.force = ratio(a.meanForce_N, b.meanForce_N, faintForce_N) / settings.forceWeber;
   return d;
 }
 
@@ -92,6 +95,7 @@ void addTo(StrokeDifference& sum, const StrokeDifference& d, double share) {
   sum.strength += share * d.strength;
   sum.timing += share * d.timing;
   sum.travel += share * d.travel;
+  sum.force += share * d.force;
 }
 
 double shareWrong(double dPrime) { return 1 - shareCorrect(dPrime, AbxStrategy::differencing); }
@@ -120,11 +124,13 @@ PredictedPair predictState(const FeltButton& a, const FeltButton& b, std::size_t
 
 }  // namespace
 
-double StrokeDifference::largest() const { return std::max({strength, timing, travel}); }
+double StrokeDifference::largest() const { return std::max({strength, timing, travel, force}); }
 
 Cue StrokeDifference::cue() const {
-  if (strength >= timing && strength >= travel) return Cue::strength;
-  return timing >= travel ? Cue::timing : Cue::travel;
+  const double most = largest();
+  if (strength == most) return Cue::strength;
+  if (timing == most) return Cue::timing;
+  return travel == most ? Cue::travel : Cue::force;
 }
 
 PredictedPair predictConfusion(const FeltButton& a, const FeltButton& b, const ConfusionSettings& settings) {

@@ -14,12 +14,13 @@ namespace detent::playback {
 enum class Cue : std::uint8_t {
   strength,  ///< how strong it is, at the same place of the stroke
   timing,    ///< when in the stroke its weight comes
-  travel     ///< how far it seems to yield: how many grains are passed
+  travel,    ///< how far it seems to yield: how many grains are passed
+  force      ///< how hard one presses on the way
 };
 
 /// One stroke's differences, each in units of what is just noticed (d' = 1).
 struct StrokeDifference {
-  double strength = 0, timing = 0, travel = 0;
+  double strength = 0, timing = 0, travel = 0, force = 0;
   double largest() const;
   Cue cue() const;
 };
@@ -27,7 +28,7 @@ struct StrokeDifference {
 /// Factors on d' that bring the untuned forecast of single pairs to what K&L's noisy group did (Table 2 (b)): the least and the most of
 /// the 15 pairs. A further pair like them lies within in 14 of 16 cases. `confusion_bench` prints them.
 struct SensitivityRange {
-  double least = 0.72, most = 2.6;
+  double least = 0.72, most = 3.1;
 };
 
 struct ConfusionSettings {
@@ -36,9 +37,11 @@ struct ConfusionSettings {
   double integration_s = 0.2;  ///< temporal summation of P: frames within are one look
   double timingWeber = 0.1;    ///< of the time since the stroke began
   double travelWeber = 0.25;   ///< of the number of grains
-  double alignment_s = 0.02;   ///< time is warped by at most so much
-  double sensitivity = 1;      ///< factor on every d'; 1: not tuned
-  SensitivityRange range;      ///< further factors, for the range of errors
+  /// Of the finger's own mean force in two presses of one's own: each varies by 0.2, and force is felt to 0.1 of it.
+  double forceWeber = 0.32;
+  double alignment_s = 0.02;  ///< time is warped by at most so much
+  double sensitivity = 1;     ///< factor on every d'; 1: not tuned
+  SensitivityRange range;     ///< further factors, for the range of errors
 };
 
 /// One forecast. "Errors" are those of an ABX test with mixed pairs.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "model/metrics.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/prepare_program.h"
 #include "playback/realtime/biquad.h"
@@ -48,9 +49,11 @@ FeltStroke strokeOf(const std::vector<float>& moved, const std::vector<EngineEve
   return stroke;
 }
 
-Result<FeltPress> feelPress(const HapticProgram& program, double press_s,
+Result<FeltPress> feelPress(const HapticProgram& program, std::size_t length,
                             const PerceptionSettings& settings) {
   StandardPress press;
+  const double press_s = pressLengths_s[length];
+  press.peak_N = std::max(settings.hand.least_N[length], standardPeak_N(program));
   press.press_s = press_s;
   press.hold_s = hold_s;
   press.release_s = releaseShare * press_s;
@@ -65,6 +68,16 @@ Result<FeltPress> feelPress(const HapticProgram& program, double press_s,
   felt.press.length_s = press.press_s;
   felt.release.length_s = press.release_s;
   return felt;
+}
+
+/// What the finger meets on its way. Without a release curve the button comes up as it went down.
+void feelForces(FeltPress& felt, const ForceGraph& graph) {
+  const auto meanOf = [](const StrokeCurve& curve, Stroke stroke) {
+    return metricsOf(curve, stroke).work_mJ / curve.travel_mm();
+  };
+  felt.press.meanForce_N = meanOf(graph.press(), Stroke::press);
+  felt.release.meanForce_N =
+      graph.release() ? meanOf(*graph.release(), Stroke::release) : felt.press.meanForce_N;
 }
 
 }  // namespace
@@ -89,8 +102,9 @@ Result<FeltButton> feel(const Button& button, const PerceptionSettings& settings
     for (std::size_t i = 0; i < pressLengths_s.size(); ++i) {
       if (cancelled && cancelled())
         return Failure{FailureCode::wrongUsage, button.name(), "", "was cancelled", "Start it again"};
-      Result<FeltPress> press = feelPress(program, pressLengths_s[i], settings);
+      Result<FeltPress> press = feelPress(program, i, settings);
       if (!press) return press.failure();
+      feelForces(*press, button.states()[s].graph);
       felt.states.back()[i] = *std::move(press);
     }
     if (program.stateCount > 1) std::swap(program.states[0], program.states[1]);

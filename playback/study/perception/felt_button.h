@@ -19,11 +19,18 @@ namespace detent::playback {
 /// Lengths of the presses that are averaged; people press in 60 to 300 ms.
 inline constexpr std::array<double, 4> pressLengths_s{0.06, 0.10, 0.17, 0.30};
 
+/// One hand for all buttons: how hard it presses at least, by the lengths above; a quick press is a hard one. A button that asks for
+/// more gets a quarter more than its strongest force. docs/predicted-confusion.md has the range over hands.
+struct Hand {
+  std::array<double, pressLengths_s.size()> least_N{3, 2, 1.5, 1};
+};
+
 /// One stroke of one press.
 struct FeltStroke {
   std::vector<float> samples;  ///< at perceptionRate_Hz, as the surface moves
   Excitation excitation;       ///< after masking
   std::size_t grains = 0;      ///< steps of travel that were felt
+  double meanForce_N = 0;      ///< over the travel, of the button's curve
   double length_s = 0;         ///< of the finger's movement; it begins at sample 0
 };
 
@@ -49,6 +56,7 @@ struct PerceptionSettings {
   PlaybackSettings playback;
   ThresholdSettings thresholds;
   MaskingSettings masking;
+  Hand hand;
 };
 
 /// Renders and feels the presses; some ten milliseconds. Failure: wrongUsage "was cancelled", or what

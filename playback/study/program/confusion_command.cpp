@@ -118,10 +118,11 @@ const char* strokeName(bool press) { return press ? "press" : "release"; }
 }  // namespace
 
 std::string reasonOf(const PredictedPair& pair) {
-  if (pair.dPrime <= 0) return "nothing differs in the vibration";
+  if (pair.dPrime <= 0) return "nothing differs";
   const StrokeDifference& stroke = pair.onPress ? pair.press : pair.release;
   const char* cue = pair.cue == Cue::strength ? "how strong it is"
                     : pair.cue == Cue::timing ? "when the click comes"
+                    : pair.cue == Cue::force  ? "how hard one has to press"
                                               : "how far it seems to yield";
   char text[160];
   std::snprintf(text, sizeof text, "most on the %s: %s (%.1f noticeable steps)", strokeName(pair.onPress),

@@ -50,7 +50,10 @@ double printedSpearman(const std::string& forecast) {
   for (std::string line; std::getline(page, line);) {
     line.erase(std::remove(line.begin(), line.end(), '*'), line.end());
     const std::string begin = "| " + forecast + " | ";
-    if (line.rfind(begin, 0) == 0) return std::stod(line.substr(begin.size()));
+    if (line.rfind(begin, 0) != 0) continue;
+    std::string number = line.substr(begin.size());
+    if (const std::string minus = "−"; number.rfind(minus, 0) == 0) number.replace(0, minus.size(), "-");
+    return std::stod(number);
   }
   throw std::runtime_error("docs/predicted-confusion.md has no row '" + forecast + "'");
 }
@@ -95,6 +98,35 @@ TEST_CASE(
   const FeltButton c = felt(sample("C")), f = felt(sample("F"));
   CHECK(predictConfusion(b, c).dPrime == Approx(predictConfusion(c, b).dPrime));
   CHECK(predictConfusion(b, f).dPrime > predictConfusion(b, c).dPrime);
+}
+
+TEST_CASE("confusion: a force is felt as such: more of it is told apart, step by step, and said to be it") {
+  const Button a = sample("A");
+  const FeltButton itself = felt(a);
+  double before = 0;
+  for (const double factor : {1.5, 2.0, 3.0}) {
+    const Result<Button> stronger = scaleForce(a, factor);
+    REQUIRE(stronger);
+    const PredictedPair pair = predictConfusion(itself, felt(*stronger));
+    CHECK(pair.dPrime > before);
+    CHECK(pair.cue == Cue::force);
+    before = pair.dPrime;
+    if (factor == 3.0) CHECK(pair.distinguishable());
+  }
+}
+
+TEST_CASE("confusion: a millinewton more is hardly a difference, where it counts as a force") {
+  const Button a = sample("A");
+  const Result<Button> stronger = scaleForce(a, 2);
+  REQUIRE(stronger);
+  const FeltButton itself = felt(a);
+  FeltButton other = felt(*stronger);
+  const double before = predictConfusion(itself, other).dPrime;
+  for (auto& press : other.states[0]) {
+    press.press.meanForce_N += 0.001;
+    press.release.meanForce_N += 0.001;
+  }
+  CHECK(std::fabs(predictConfusion(itself, other).dPrime - before) <= 0.02);
 }
 
 TEST_CASE(
