@@ -150,9 +150,14 @@ class Collector {
     pushUnknownClip();
   }
 
+  /// Cells of one step each that begin within an extent, and one more; without end where the step is none.
+  static double cellsAlong(double extent, double step) {
+    return step != 0 ? extent / std::abs(step) + 1 : std::numeric_limits<double>::infinity();
+  }
+
   /// False: more cells than a page may draw objects. They are one object to MuPDF, which does not ask its cookie between them.
   bool beginTile(const Box& area, const Box& cell, double stepX, double stepY, const fz_matrix& matrix) {
-    const double cells = (area.width() / std::abs(stepX) + 1) * (area.height() / std::abs(stepY) + 1);
+    const double cells = cellsAlong(area.width(), stepX) * cellsAlong(area.height(), stepY);
     if (!(cells <= static_cast<double>(control_->maxOperations))) return halt(CollectStop::tooManyOperations);
     operations_ += static_cast<std::size_t>(cells);
     tiles_.push_back({area, cell, stepX, stepY, toAffine(matrix), page_->paths.size()});

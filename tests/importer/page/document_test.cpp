@@ -457,14 +457,14 @@ std::string slowToDraw() {
   return onePage(content);
 }
 
-/// A pattern whose cells stand `step` points apart, over the whole page.
-std::string tiled(const std::string& step) {
+/// A pattern over the whole page whose cells stand `stepX` and `stepY` points apart.
+std::string tiled(const std::string& stepX, const std::string& stepY) {
   return pdfOf(
       {"<</Type/Catalog/Pages 2 0 R>>", "<</Type/Pages/Kids[3 0 R]/Count 1>>",
        "<</Type/Page/Parent 2 0 R/MediaBox[0 0 200 100]/Contents 4 0 R/Resources<</Pattern<</P 5 0 R>>>>>>",
        streamObject("", "/Pattern cs /P scn 0 0 200 100 re f"),
-       streamObject("/Type/Pattern/PatternType 1/PaintType 1/TilingType 1/BBox[0 0 10 10]/XStep " + step +
-                        "/YStep " + step + "/Resources<<>>",
+       streamObject("/Type/Pattern/PatternType 1/PaintType 1/TilingType 1/BBox[0 0 10 10]/XStep " + stepX +
+                        "/YStep " + stepY + "/Resources<<>>",
                     "1 0 0 rg 0 0 5 5 re f")});
 }
 
@@ -504,10 +504,13 @@ TEST_CASE("the limit on a page's time covers what is drawn") {
 }
 
 TEST_CASE("a pattern of more cells than any page has objects is refused before it is drawn") {
-  for (const char* const step : {"0.000001", "0.001", "0.05"}) {
+  const std::pair<const char*, const char*> steps[] = {
+      {"0.000001", "0.000001"}, {"0.001", "0.001"}, {"0.05", "0.05"}, {"0", "2"}, {"2", "0"}};
+  for (const auto& [stepX, stepY] : steps) {
+    INFO("steps " << stepX << ", " << stepY);
     const auto start = std::chrono::steady_clock::now();
-    CHECK(refusalOf(tiled(step), "plot.pdf").code == FailureCode::unreadableInput);
+    CHECK(refusalOf(tiled(stepX, stepY), "plot.pdf").code == FailureCode::unreadableInput);
     CHECK(secondsSince(start) < 1);
   }
-  CHECK(open(tiled("2"), "plot.pdf").page.count == 1);
+  CHECK(open(tiled("2", "2"), "plot.pdf").page.count == 1);
 }
