@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "model/edits.h"
+#include "model/metrics.h"
 
 namespace detent {
 namespace {
@@ -198,6 +199,22 @@ Result<Button> scaleTravel(const Button& button, double factor) {
     for (DampingPoint& p : s.damping) p.displacement_mm *= factor;
     return {};
   });
+}
+
+Result<Button> scaleSnapRatios(const Button& button, double factor) {
+  Result<Button> changed = button;
+  for (std::size_t s = 0; s < button.states().size(); ++s) {
+    const StrokeMetrics press = metricsOf(button.states()[s].graph.press(), Stroke::press);
+    for (std::size_t t = 0; t < press.tactile.size() && changed; ++t) {
+      if (!press.tactile[t].snapRatio) continue;
+      changed = editGraph(*changed, s, [&](const ForceGraph& graph) {
+        return editStroke(graph, Stroke::press, [&](const StrokeCurve& curve) {
+          return setSnapRatio(curve, t, *press.tactile[t].snapRatio * factor);
+        });
+      });
+    }
+  }
+  return changed;
 }
 
 }  // namespace detent

@@ -138,5 +138,7 @@ Result<Button> removeState(const Button& button, std::size_t state);
 Result<Button> scaleForce(const Button& button, double factor);
 /// All states together, with operating points, reset points and damping.
 Result<Button> scaleTravel(const Button& button, double factor);
+/// The snap ratio of every tactile point of every press that has one (setSnapRatio). A button without any stays as it is.
+Result<Button> scaleSnapRatios(const Button& button, double factor);
 
 }  // namespace detent

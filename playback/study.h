@@ -10,6 +10,7 @@
 //   study/trials/participant_record.h  what a journal says (study/journal: lines that are on the disk)
 //   study/trials/trial_desk.h          one trial as it is worked on
 //   study/trials/participant_session.h one participant at work
+//   study/trials/figure_table.h        a table that every format reads; answer_tables.h makes those of thresholds and ratings
 //   study/trials/study_results.h       rows and figures (study/statistics), study_output.h and study_page.h show them
 //   study/perception/*                 what is felt, who is confused with whom, what would help
 //   this file                          the button under the participant's finger; the forecast of a study
@@ -66,7 +67,7 @@ class StudyPlayer {
   virtual StudyTrouble troubleSinceAsked() = 0;
 };
 
-/// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(); `reason` words what tells a pair apart. Some
+/// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(), nothing where nobody says which one X is; `reason` words what tells a pair apart. Some
 /// ten milliseconds a button and mode. Failure: as feel(). Any thread.
 Result<std::vector<ForetoldPair>> foretold(const Study& study,
                                            const std::function<std::string(const PredictedPair&)>& reason);

@@ -199,7 +199,8 @@ void StudyDesk::refresh() {
   const Result<playback::Study> study = playback::openStudy(folder_.toStdString());
   if (!study) return tell(sentenceOf(study.failure()));
   QStringList labels;
-  for (const playback::StudyButton& button : study->buttons) labels << QString::fromStdString(button.label);
+  for (std::size_t i = 0; i < study->givenButtons(); ++i)
+    labels << QString::fromStdString(study->buttons[i].label);
   title_->setText(
       tr("<b>%1</b>: %2. Questions for each participant: %3")
           .arg(QString::fromStdString(study->name).toHtmlEscaped(), labels.join(", ").toHtmlEscaped())
@@ -244,6 +245,10 @@ void StudyDesk::start() {
 }
 
 Result<Done> StudyDesk::startPerson(playback::Study opened) {
+  if (!playback::asksForX(opened.design.kind))
+    return Failure{FailureCode::wrongUsage, opened.name, "",
+                   "asks for thresholds or ratings, which this window does not",
+                   "Run it in a terminal with detent-play study run"};
   StudyWork work;
   work.study = std::make_unique<playback::Study>(std::move(opened));
   const std::string id = participant_->text().trimmed().toStdString();

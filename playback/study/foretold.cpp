@@ -25,6 +25,7 @@ Result<std::vector<FeltButton>> feltIn(const Study& study, FeedbackMode mode) {
 Result<std::vector<ForetoldPair>> foretold(const Study& study,
                                            const std::function<std::string(const PredictedPair&)>& reason) {
   std::vector<ForetoldPair> told;
+  if (!asksForX(study.design.kind)) return told;
   for (const FeedbackMode mode : study.design.modes) {
     Result<std::vector<FeltButton>> felt = feltIn(study, mode);
     if (!felt) return felt.failure();

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A simulated study, killed at random moments: no answer that was confirmed may be missing, and work must go on at the very
-trial. The whole of it is 1,000 kills: study_kill_test.py --detent-play BIN --samples DIR --kills 1000."""
+trial. The whole of it is 1,000 kills: study_kill_test.py --detent-play BIN --samples DIR --kind abx --kills 1000."""
 
 import argparse
 import json
@@ -13,6 +13,12 @@ import tempfile
 import time
 
 TRIALS = 150
+# Kinds whose simulated participants answer 150 trials; in a threshold study the next question hangs on all answers before it.
+KINDS = {
+    "abx": (list("ABCDEF"), [], "errors=0.1"),
+    "threshold": (["C"], ["--kind", "threshold", "--trials", "150"], "threshold=0.1"),
+    "rating": (["A", "B", "C"], ["--kind", "rating", "--trials", "50"], "errors=0.1"),
+}
 
 
 def confirmed(text):
@@ -31,14 +37,16 @@ def answers(journal):
 
 
 class Study:
-    def __init__(self, program, samples, folder):
+    def __init__(self, program, samples, folder, kind):
         self.program = program
         self.folder = folder
-        buttons = [str(samples / f"{name}.button.json") for name in "ABCDEF"]
-        subprocess.run([program, "study", "new", str(folder), *buttons, "--seed", "12"], check=True, stderr=subprocess.DEVNULL)
+        names, options, self.simulation = KINDS[kind]
+        buttons = [str(samples / f"{name}.button.json") for name in names]
+        subprocess.run([program, "study", "new", str(folder), *buttons, "--seed", "12", *options], check=True,
+                       stderr=subprocess.DEVNULL)
 
     def command(self, participant):
-        return [self.program, "study", "run", str(self.folder), "--participant", participant, "--simulate", "errors=0.1"]
+        return [self.program, "study", "run", str(self.folder), "--participant", participant, "--simulate", self.simulation]
 
     def journal(self, participant):
         return self.folder / "participants" / f"{participant}.jsonl"
@@ -91,12 +99,15 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--detent-play", required=True)
     parser.add_argument("--samples", required=True, type=pathlib.Path)
-    parser.add_argument("--kills", type=int, default=40)
+    parser.add_argument("--kind", choices=KINDS, action="append", help="default: all")
+    parser.add_argument("--kills", type=int, default=20, help="of each kind")
     parser.add_argument("--seed", type=int, default=1)
     given = parser.parse_args()
+    kinds = given.kind or list(KINDS)
     with tempfile.TemporaryDirectory() as folder:
-        study = Study(given.detent_play, given.samples, pathlib.Path(folder) / "study")
-        sys.exit(0 if run(study, given.kills, given.seed) else 1)
+        passed = [run(Study(given.detent_play, given.samples, pathlib.Path(folder) / kind, kind), given.kills, given.seed)
+                  for kind in kinds]
+        sys.exit(0 if all(passed) else 1)
 
 
 if __name__ == "__main__":

@@ -7,32 +7,15 @@
 #include <utility>
 
 #include "model/edits.h"
-#include "model/metrics.h"
 
 namespace detent::playback {
 
 namespace {
 
-Result<Button> withSnap(const Button& button, double factor) {
-  Result<Button> changed = button;
-  for (std::size_t s = 0; s < button.states().size(); ++s) {
-    const StrokeMetrics press = metricsOf(button.states()[s].graph.press(), Stroke::press);
-    for (std::size_t t = 0; t < press.tactile.size() && changed; ++t) {
-      if (!press.tactile[t].snapRatio) continue;
-      changed = editGraph(*changed, s, [&](const ForceGraph& graph) {
-        return editStroke(graph, Stroke::press, [&](const StrokeCurve& curve) {
-          return setSnapRatio(curve, t, *press.tactile[t].snapRatio * factor);
-        });
-      });
-    }
-  }
-  return changed;
-}
-
 Result<Button> changedBy(const Button& button, Lever lever, double factor) {
   switch (lever) {
     case Lever::snap:
-      return withSnap(button, factor);
+      return scaleSnapRatios(button, factor);
     case Lever::travel:
       return scaleTravel(button, factor);
     case Lever::force:

@@ -34,6 +34,7 @@ struct NewArguments {
   std::vector<std::string> buttons;
   StudyDesign design;
   std::optional<std::uint64_t> seed;
+  std::optional<std::size_t> trials;
   std::vector<std::string> modes;
   bool physical = false;
   std::string profileFile, consentFile;
@@ -55,6 +56,7 @@ Result<std::vector<FeedbackMode>> modesNamed(const std::vector<std::string>& nam
 
 int runNew(NewArguments a) {
   a.design.seed = a.seed ? *a.seed : std::random_device{}();
+  a.design.trials = a.trials.value_or(usualTrials(a.design.kind));
   a.design.targets = a.physical ? TargetKind::physicalButton : TargetKind::virtualButton;
   if (!a.modes.empty()) {
     Result<std::vector<FeedbackMode>> named = modesNamed(a.modes);
@@ -69,11 +71,11 @@ int runNew(NewArguments a) {
   Result<Study> study = createStudy(a.folder, a.buttons, a.profileFile, a.design);
   if (!study) return fail(study.failure());
   std::fprintf(stderr, "%s: %s, %zu buttons, %zu trials for each participant, seed %llu\n", a.folder.c_str(),
-               nameOf(study->design.kind), study->buttons.size(), countedTrials(*study),
+               nameOf(study->design.kind), study->givenButtons(), countedTrials(*study),
                static_cast<unsigned long long>(study->design.seed));
   if (a.json) {
     Json labels = Json::array();
-    for (const StudyButton& b : study->buttons) labels.push_back(b.label);
+    for (std::size_t i = 0; i < study->givenButtons(); ++i) labels.push_back(study->buttons[i].label);
     print({{"status", "ok"},
            {"study", study->name},
            {"kind", nameOf(study->design.kind)},
@@ -90,10 +92,20 @@ void addNew(CLI::App& parent, Action& chosen) {
   CLI::App* app = parent.add_subcommand("new", "Make the folder of a study");
   const auto a = std::make_shared<NewArguments>();
   app->add_option("DIR", a->folder, "Folder to make; it holds the whole study and can be copied")->required();
-  app->add_option("BUTTON", a->buttons, "*.button.json, at least two")->required();
-  addChoice(*app, "--kind", a->design.kind, studyKinds, "Which of two is X, or which of all", "abx");
-  app->add_option("--trials", a->design.trials, "Per pair (abx) or button (matching), and mode, 1..1000")
-      ->capture_default_str();
+  app->add_option("BUTTON", a->buttons, "*.button.json, at least two; one will do for thresholds and scales")
+      ->required();
+  addChoice(*app, "--kind", a->design.kind, studyKinds,
+            "Which of two is X (abx), or which of all (matching); which of two has more (threshold); how "
+            "good, how strong, which is better "
+            "(rating)",
+            "abx");
+  addChoice(*app, "--quantity", a->design.quantity, levelQuantities,
+            "threshold: what there is more of; the differences follow the answers", "peak-force");
+  addChoice(*app, "--scale", a->design.scale, ratingScales,
+            "rating: 1 to 7, any number that is as great as it feels strong, or which of two is preferred",
+            "preference");
+  app->add_option("--trials", a->trials, "Per pair (abx, pairwise) or button (else), and mode, 1..1000")
+      ->default_str("10; threshold 60; rating 4");
   app->add_option("--modes", a->modes, "Base case: full, click-only, slope-only, separated by commas")
       ->delimiter(',')
       ->default_str("full");
@@ -139,6 +151,7 @@ int reportProgress(const RunArguments& a, const ParticipantRecord& record) {
 int simulate(const RunArguments& a, const Study& study, const Cancelled& cancelled) {
   Result<Simulation> simulation = simulationNamed(a.simulation);
   if (!simulation) return fail(simulation.failure());
+  if (Result<Done> ok = checkSimulation(study, *simulation); !ok) return fail(ok.failure());
   SessionStart start{SessionKind::simulated, a.listening, "", a.simulation, wallClock_s()};
   Result<ParticipantSession> session = ParticipantSession::open(study, a.participant, start);
   if (!session) return fail(session.failure());
@@ -175,7 +188,9 @@ void addRun(CLI::App& parent, Action& chosen) {
   const auto a = std::make_shared<RunArguments>();
   app->add_option("DIR", a->folder, "Folder of the study")->required();
   app->add_option("--participant", a->participant, "Anonymous id: letters, digits, - and _")->required();
-  app->add_option("--simulate", a->simulation, "The program answers: guess, perfect or errors=P (0..1)");
+  app->add_option("--simulate", a->simulation,
+                  "The program answers: guess, perfect, errors=P (0..1); threshold studies also threshold=T, "
+                  "the increase told in 75 of 100 (0.1 is a tenth)");
   addChoice(*app, "--condition", a->condition, listenings,
             "What reaches the ears, kept in every row: quiet, or masked by rain from headphones. The "
             "same for all of a "
@@ -232,7 +247,7 @@ int runStatus(const ReadArguments& a) {
     return 0;
   }
   std::printf("%s: %s, %zu buttons, %zu trials for each participant\n", study->name.c_str(),
-              nameOf(study->design.kind), study->buttons.size(), countedTrials(*study));
+              nameOf(study->design.kind), study->givenButtons(), countedTrials(*study));
   for (const ParticipantRecord& record : *records) {
     if (record.damage) {
       std::printf("  %-16s %s\n", record.participant.c_str(), record.damage->sentence().c_str());
@@ -266,6 +281,8 @@ Result<std::vector<ForetoldPair>> foretoldIn(const std::string& folder) {
   if (holdsPrintedCounts(folder)) return std::vector<ForetoldPair>{};
   Result<Study> study = openStudy(folder);
   if (!study) return study.failure();
+  if (!asksForX(study->design.kind))
+    return std::vector<ForetoldPair>{};  // it foretells who is taken for whom
   return foretold(*study, reasonOf);
 }
 

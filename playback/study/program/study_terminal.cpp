@@ -2,8 +2,10 @@
 #include "playback/study/program/study_terminal.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "model/file/text_file.h"
 #include "playback/device/steady_clock.h"
@@ -18,6 +20,12 @@ constexpr double look_s = 0.05;
 constexpr std::size_t mostKeys = 9;  // 1..9 press, a..i answer
 
 enum class Outcome : std::uint8_t { answered, paused, stopped };
+
+/// What the participant said.
+struct Given {
+  std::size_t choice = 0;
+  std::optional<double> rating;
+};
 
 /// What the device settings come to: a player, or a rehearsal where there is no device and never was one.
 Result<std::unique_ptr<StudyPlayer>> playerFor(const Study& study, const StudyDevices& devices,
@@ -69,6 +77,7 @@ class Desk {
     const Trial& trial = *session_.trial();
     if (trial.breakBefore && !rested(terminal)) return Outcome::paused;
     TrialDesk desk(study_, trial, began_s_, now_s());
+    typed_.clear();
     player_.beginTrial();
     show(desk);
     player_.troubleSinceAsked();
@@ -90,47 +99,124 @@ class Desk {
       if (*key == 'p' || *key == 4) return Outcome::paused;  // Ctrl-D
       if (*key == 'q' && confirmed(terminal)) return Outcome::stopped;
       press(desk, *key);
-      const std::optional<std::size_t> choice = answerOf(desk, *key);
-      if (!choice) continue;
-      Result<Done> kept = session_.record(desk.answer(*choice, now_s()));
+      const std::optional<Given> given = answerOf(desk, *key);
+      if (!given) continue;
+      Answer answer = desk.answer(given->choice, now_s());
+      answer.rating = given->rating;
+      Result<Done> kept = session_.record(answer);
       if (kept) return Outcome::answered;
       std::fprintf(stderr, "\n%s. Your answer is not kept yet: answer again.\n",
                    kept.failure().sentence().c_str());
     }
   }
 
+  bool onScale() const {
+    return study_.design.kind == StudyKind::rating && study_.design.scale != RatingScale::pairwise;
+  }
+
   void show(const TrialDesk& desk) const {
     const Trial& trial = desk.trial();
     std::fprintf(stderr, "\n%s %zu of %zu%s\n", trial.practice ? "Practice" : "Trial", trial.number,
                  session_.record().plan.size(), player_.sounding() ? "" : "   [REHEARSAL: nothing is felt]");
+    if (onScale())
+      showScale();
+    else
+      showChoices(desk);
+    std::fprintf(stderr, "  p pauses, q stops for good\n");
+  }
+
+  void showScale() const {
+    std::fprintf(stderr, "  press:  the space bar\n  answer: %s, then Enter\n",
+                 study_.design.scale == RatingScale::magnitude
+                     ? "a number as great as it feels strong (twice as strong: twice the number)"
+                     : "how much you like it, 1 (not at all) to 7 (very much)");
+  }
+
+  void showChoices(const TrialDesk& desk) const {
+    const Trial& trial = desk.trial();
     std::fprintf(stderr, "  press: ");
     for (std::size_t i = 0; i < trial.choices.size(); ++i) std::fprintf(stderr, " %zu", i + 1);
     if (desk.physicalTarget())
-      std::fprintf(stderr, "   X is the real switch number %zu\n", desk.physicalNumber());
-    else
-      std::fprintf(stderr, "  and x for X\n");
-    std::fprintf(stderr, "  answer:");
-    for (std::size_t i = 0; i < trial.choices.size(); ++i)
-      std::fprintf(stderr, "  %c = X is %zu", static_cast<char>('a' + i), i + 1);
-    std::fprintf(stderr, "\n  p pauses, q stops for good\n");
+      std::fprintf(stderr, "   X is the real switch number %zu", desk.physicalNumber());
+    else if (desk.hasX())
+      std::fprintf(stderr, "  and x for X");
+    std::fprintf(stderr, "\n  answer:");
+    for (std::size_t i = 0; i < trial.choices.size(); ++i) {
+      const char key = static_cast<char>('a' + i);
+      if (asksForX(study_.design.kind))
+        std::fprintf(stderr, "  %c = X is %zu", key, i + 1);
+      else
+        std::fprintf(stderr, "  %c = %zu %s", key, i + 1, comparison());
+    }
+    std::fprintf(stderr, "\n");
+  }
+
+  /// What is said of one of two.
+  const char* comparison() const {
+    if (study_.design.kind == StudyKind::rating) return "is better";
+    switch (study_.design.quantity) {
+      case LevelQuantity::peakForce:
+        return "needs more force";
+      case LevelQuantity::eventSize:
+        return "has the stronger click";
+      case LevelQuantity::travel:
+        return "goes deeper";
+      case LevelQuantity::snap:
+        return "snaps more";
+      case LevelQuantity::grainStrength:
+        break;
+    }
+    return "feels rougher on the way";
   }
 
   void press(TrialDesk& desk, char key) {
     const Trial& trial = desk.trial();
-    const bool x = key == 'x' && !desk.physicalTarget();
+    const bool x = key == 'x' && desk.hasX();
+    if (onScale()) key = key == ' ' ? '1' : '\0';  // digits are the answer
     const std::size_t slot = x ? desk.slotOfX() : static_cast<std::size_t>(key - '1');
     if (!x && (key < '1' || slot >= trial.choices.size())) return;
     player_.press(slot, desk.buttonIn(slot), trial.mode);
     desk.tried(slot, now_s());
-    std::fprintf(stderr, " %c", x ? 'X' : key);
+    std::fprintf(stderr, " %c", x ? 'X' : onScale() ? '*' : key);
   }
 
-  std::optional<std::size_t> answerOf(const TrialDesk& desk, char key) const {
+  /// The answer a key completes, felt or not.
+  std::optional<Given> givenBy(const TrialDesk& desk, char key) {
+    if (onScale()) return numberBy(key);
     const auto choice = static_cast<std::size_t>(key - 'a');
     if (key < 'a' || choice >= desk.trial().choices.size()) return {};
-    if (desk.mayAnswer()) return choice;
-    std::fprintf(stderr, "  [press them first, each to the end and back:");
-    for (std::size_t slot = desk.physicalTarget() ? 1 : 0; slot <= desk.trial().choices.size(); ++slot) {
+    return Given{choice, {}};
+  }
+
+  /// Digits and a point are collected until Enter.
+  std::optional<Given> numberBy(char key) {
+    constexpr std::size_t longest = 9;
+    const bool digit = (key >= '0' && key <= '9') || key == '.' || key == ',';
+    if (digit && typed_.size() < longest) {
+      typed_ += key == ',' ? '.' : key;
+      std::fprintf(stderr, "%c", key);
+    }
+    if (key == '\b' || key == '\x7f') {
+      typed_.clear();
+      std::fprintf(stderr, " [taken back] ");
+    }
+    if (key != '\n' && key != '\r') return {};
+    const std::string typed = std::exchange(typed_, {});
+    double number = 0;
+    const auto [stop, error] = std::from_chars(typed.data(), typed.data() + typed.size(), number);
+    if (error == std::errc() && stop == typed.data() + typed.size() && ratingFits(study_, number))
+      return Given{0, number};
+    std::fprintf(stderr, study_.design.scale == RatingScale::magnitude
+                             ? "  [type a number above 0, then Enter]"
+                             : "  [type 1, 2, 3, 4, 5, 6 or 7, then Enter]");
+    return {};
+  }
+
+  std::optional<Given> answerOf(const TrialDesk& desk, char key) {
+    const std::optional<Given> given = givenBy(desk, key);
+    if (!given || desk.mayAnswer()) return given;
+    std::fprintf(stderr, "  [press %s first, each to the end and back:", onScale() ? "it" : "them");
+    for (std::size_t slot = desk.hasX() ? 0 : 1; slot <= desk.trial().choices.size(); ++slot) {
       const std::size_t at = slot == 0 ? desk.slotOfX() : slot - 1;
       if (desk.feltOf(at).whole > 0) continue;
       std::fprintf(stderr, at == desk.slotOfX() ? " X" : " %zu", at + 1);
@@ -161,6 +247,7 @@ class Desk {
   StudyPlayer& player_;
   const Cancelled& cancelled_;
   const double began_s_;
+  std::string typed_;  ///< of a number
 };
 
 bool answeredForReal(const std::vector<ParticipantRecord>& records, const std::string& participant) {

@@ -119,6 +119,7 @@ class Replay {
     record_.program = json.at("program");
     record_.begunBefore = json.value("begun_before", std::size_t{0});
     record_.plan = planTrials(study_, record_.participant, record_.begunBefore);
+    placeNextLevel(study_, record_);
     return Done{};
   }
 
@@ -161,13 +162,17 @@ class Replay {
     const Trial* trial = record_.next();
     if (trial == nullptr || json.at("trial") != trial->number)
       return wrong("answers trial " + jsonText(json.at("trial")) + " out of its turn", "Restore the journal");
-    const std::string chosen = json.at("answer"), x = json.at("x");
+    takeLevel(json);
+    const std::string chosen = json.at("answer");
     Answer a;
     a.trial = trial->number;
     a.choice = trial->choices.size();
     for (std::size_t i = 0; i < trial->choices.size(); ++i)
       if (labelOf(study_, *trial, i) == chosen) a.choice = i;
-    if (a.choice == trial->choices.size() || x != labelOf(study_, *trial, trial->target))
+    if (json.contains("rating")) a.rating = json.at("rating").get<double>();
+    const bool rated = study_.design.kind == StudyKind::rating;
+    if (a.choice == trial->choices.size() || !ratingFits(study_, a.rating) ||
+        (!rated && json.at("x") != labelOf(study_, *trial, trial->target)))
       return wrong("does not fit the list of trials", "Restore the journal");
     a.replays = json.at("replays").get<std::vector<std::size_t>>();
     a.replaysX = json.at("replays_x");
@@ -182,7 +187,18 @@ class Replay {
     record_.answers.push_back({a, s.kind, s.listening, record_.interruptions, start_s_ + a.onset_s});
     spent_s_ = start_s_ + a.onset_s + a.answer_s;
     record_.interruptions = 0;
+    placeNextLevel(study_, record_);
     return Done{};
+  }
+
+  /// What was felt counts, not what this machine would have asked: where two levels promise the same, the last digit of a logarithm decides.
+  void takeLevel(const Json& json) {
+    if (study_.design.kind != StudyKind::threshold) return;
+    Trial& trial = record_.plan[record_.answers.size()];
+    const std::size_t reference = trial.choices[1 - trial.target];
+    for (const StudyLevel& level : study_.levels)
+      if (level.reference == reference && json.at("x") == study_.buttons[level.button].label)
+        trial.choices[trial.target] = level.button;
   }
 
   Result<Done> end(const Json& json) {
@@ -245,10 +261,20 @@ void Felt::add(const Felt& more) {
 
 bool feltEnough(const Study& study, const Answer& answer) {
   const auto whole = [](const Felt& felt) { return felt.whole > 0; };
+  if (!asksForX(study.design.kind))
+    return !answer.felt.empty() && std::all_of(answer.felt.begin(), answer.felt.end(), whole);
   if (study.design.targets == TargetKind::virtualButton && !whole(answer.feltX)) return false;
   return study.design.kind == StudyKind::abx
              ? answer.felt.size() == 2 && std::all_of(answer.felt.begin(), answer.felt.end(), whole)
              : std::any_of(answer.felt.begin(), answer.felt.end(), whole);
+}
+
+bool ratingFits(const Study& study, const std::optional<double>& rating) {
+  const StudyDesign& d = study.design;
+  if (d.kind != StudyKind::rating || d.scale == RatingScale::pairwise) return !rating;
+  if (!rating) return false;
+  if (d.scale == RatingScale::magnitude) return *rating > 0 && *rating <= greatestMagnitude;
+  return *rating >= 1 && *rating <= bestPreference && *rating == std::floor(*rating);
 }
 
 Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
@@ -280,7 +306,8 @@ Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
 std::string headerLine(const Study& study, const std::string& participant, std::size_t begunBefore,
                        const StudyRoute& route, std::string& chain) {
   Json buttons = Json::array();
-  for (const StudyButton& b : study.buttons) buttons.push_back({{"label", b.label}, {"sha256", b.sha256}});
+  for (std::size_t i = 0; i < study.givenButtons(); ++i)
+    buttons.push_back({{"label", study.buttons[i].label}, {"sha256", study.buttons[i].sha256}});
   return chained({{"format", "detent-study-journal"},
                   {"version", journalVersion},
                   {"participant", participant},
@@ -313,22 +340,24 @@ std::string answerLine(const Study& study, const Trial& trial, const Answer& a, 
   Json choices = Json::array(), felt = Json::array();
   for (std::size_t i = 0; i < trial.choices.size(); ++i) choices.push_back(labelOf(study, trial, i));
   for (const Felt& each : a.felt) felt.push_back(jsonOf(each));
-  return chained({{"event", "answer"},
-                  {"trial", trial.number},
-                  {"practice", trial.practice},
-                  {"mode", nameOf(trial.mode)},
-                  {"choices", choices},
-                  {"x", labelOf(study, trial, trial.target)},
-                  {"answer", labelOf(study, trial, a.choice)},
-                  {"correct", a.choice == trial.target},
-                  {"replays", a.replays},
-                  {"replays_x", a.replaysX},
-                  {"felt", felt},
-                  {"felt_x", jsonOf(a.feltX)},
-                  {"onset_s", a.onset_s},
-                  {"first_press_s", a.firstPress_s},
-                  {"answer_s", a.answer_s}},
-                 chain);
+  Json line{{"event", "answer"},
+            {"trial", trial.number},
+            {"practice", trial.practice},
+            {"mode", nameOf(trial.mode)},
+            {"choices", choices}};
+  const bool rated = study.design.kind == StudyKind::rating;  // nothing is right or wrong
+  if (!rated) line["x"] = labelOf(study, trial, trial.target);
+  line["answer"] = labelOf(study, trial, a.choice);
+  if (!rated) line["correct"] = a.choice == trial.target;
+  if (a.rating) line["rating"] = *a.rating;
+  line["replays"] = a.replays;
+  line["replays_x"] = a.replaysX;
+  line["felt"] = felt;
+  line["felt_x"] = jsonOf(a.feltX);
+  line["onset_s"] = a.onset_s;
+  line["first_press_s"] = a.firstPress_s;
+  line["answer_s"] = a.answer_s;
+  return chained(line, chain);
 }
 
 std::string interruptionLine(const Trial& trial, const std::string& reason, std::string& chain) {

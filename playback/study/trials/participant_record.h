@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/named_values.h"
+#include "playback/study/statistics/quest_plus.h"
 #include "playback/study/trials/trial_plan.h"
 
 namespace detent::playback {
@@ -61,7 +62,8 @@ struct Felt {
 /// One answer. Times are of a steady clock, which never steps.
 struct Answer {
   std::size_t trial = 0;             ///< Trial::number
-  std::size_t choice = 0;            ///< index into Trial::choices
+  std::size_t choice = 0;            ///< index into Trial::choices; 0 where one button is rated
+  std::optional<double> rating;      ///< of a scale: 1..7, or a number above 0
   std::vector<std::size_t> replays;  ///< of each choice
   std::size_t replaysX = 0;
   std::vector<Felt> felt;   ///< of each choice
@@ -110,8 +112,22 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
 /// see ParticipantRecord::damage.
 Result<std::vector<ParticipantRecord>> readParticipants(const Study& study);
 
-/// Whether an answer was felt: X and, in abx, both others pressed through; in matching at least one other.
+/// Whether an answer was felt: X and both others pressed through; in matching at least one other; where there is no X, all choices.
 bool feltEnough(const Study& study, const Answer& answer);
+
+/// Whether a rating lies on the study's scale; none where it has none.
+bool ratingFits(const Study& study, const std::optional<double>& rating);
+
+// ---- what is compared next, where that follows from the answers so far: thresholds (next_level.cpp)
+
+/// What is believed of one button's threshold in one mode after a participant's first `answers` answers; practice does not count.
+QuestPlus beliefAfter(const Study& study, const ParticipantRecord& record, std::size_t reference,
+                      FeedbackMode mode, std::size_t answers);
+
+/// Puts the level that tells most into the trial that comes next. Does nothing where nothing adapts or all is answered.
+void placeNextLevel(const Study& study, ParticipantRecord& record);
+
+// ---- lines
 
 /// The one place that words journal lines. `chain` is the hash so far and is moved on.
 std::string headerLine(const Study& study, const std::string& participant, std::size_t begunBefore,

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/study/trials/participant_session.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 
+#include "playback/study/statistics/quest_plus.h"
 #include "playback/study/statistics/shuffle.h"
 
 namespace detent::playback {
@@ -60,6 +63,7 @@ Result<ParticipantSession> ParticipantSession::open(const Study& study, const st
   if (text.lines.empty()) {
     record->begunBefore = *others;
     record->plan = planTrials(study, participant, *others);
+    placeNextLevel(study, *record);
   }
   if (Result<Done> ok = checkKind(*record, start); !ok) return ok.failure();
   ParticipantSession session(study, *std::move(journal), *std::move(record));
@@ -95,6 +99,11 @@ Result<Done> ParticipantSession::record(const Answer& answer) {
   if (shown == nullptr || answer.trial != shown->number || answer.choice >= shown->choices.size())
     return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
                    "is not the trial that is asked", "Answer the trial that is shown"};
+  if (!ratingFits(*study_, answer.rating))
+    return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
+                   answer.rating ? "does not lie on the scale" : "gives no number",
+                   study_->design.scale == RatingScale::magnitude ? "Give a number above 0, at most a million"
+                                                                  : "Give 1, 2, 3, 4, 5, 6 or 7"};
   if (record_.sessions.back().kind == SessionKind::real && !feltEnough(*study_, answer))
     return Failure{FailureCode::wrongUsage, "answer", "trial " + std::to_string(answer.trial),
                    "is about something that was not felt",
@@ -105,6 +114,7 @@ Result<Done> ParticipantSession::record(const Answer& answer) {
   const SessionStart& s = record_.sessions.back();
   record_.answers.push_back({answer, s.kind, s.listening, record_.interruptions, answer.onset_s});
   record_.interruptions = 0;
+  placeNextLevel(*study_, record_);
   return Done{};
 }
 
@@ -137,19 +147,71 @@ Listening listeningOf(const Study& study, const std::string& participant,
   return Listening::quiet;
 }
 
-Result<Simulation> simulationNamed(const std::string& name) {
-  if (name == "guess") return Simulation{0, true, name};
-  if (name == "perfect") return Simulation{0, false, name};
-  const std::string_view prefix = "errors=";
-  double rate = -1;
-  if (name.starts_with(prefix)) {
-    const char* end = name.data() + name.size();
-    const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, rate);
-    if (error == std::errc() && stop == end && rate >= 0 && rate <= 1) return Simulation{rate, false, name};
+namespace {
+
+/// The number behind "NAME=", if it lies in the range.
+std::optional<double> numberBehind(const std::string& text, std::string_view name, double low, double high) {
+  if (!text.starts_with(name)) return {};
+  double value = 0;
+  const char* end = text.data() + text.size();
+  const auto [stop, error] = std::from_chars(text.data() + name.size(), end, value);
+  if (error != std::errc() || stop != end || !(value >= low && value <= high)) return {};
+  return value;
+}
+
+/// Whether a simulated person errs. A threshold of `threshold`: as QUEST+ takes people to be, in the middle of its slopes and lapses.
+bool errs(const Study& study, const Trial& trial, const Simulation& simulation, StudyRandom& random) {
+  double share = simulation.errorRate;
+  if (simulation.threshold > 0) {
+    constexpr double slope = 2, lapse = 0.02;
+    share = 1 - shareToldApart(levelOf(study, trial.choices[trial.target])->increase, simulation.threshold,
+                               slope, lapse);
   }
+  return drawShare(random) < share;
+}
+
+/// Each button is a step better than the one named before it; errors put it anywhere on the scale.
+void simulateRating(const Study& study, const Trial& trial, const Simulation& simulation, StudyRandom& random,
+                    Answer& answer) {
+  const bool anything = simulation.guess || errs(study, trial, simulation, random);
+  if (study.design.scale == RatingScale::pairwise) {
+    const std::size_t better = trial.choices[0] > trial.choices[1] ? 0 : 1;
+    answer.choice = anything ? drawBelow(random, 2) : better;
+    return;
+  }
+  const auto steps = static_cast<std::uint64_t>(bestPreference);
+  const std::size_t step =
+      anything ? drawBelow(random, steps) : std::min<std::size_t>(trial.choices[0], steps - 1);
+  const bool magnitude = study.design.scale == RatingScale::magnitude;
+  answer.rating = magnitude ? std::exp2(static_cast<double>(step)) : static_cast<double>(step + 1);
+}
+
+/// Which one is X, or has more.
+std::size_t simulatedChoice(const Study& study, const Trial& trial, const Simulation& simulation,
+                            StudyRandom& random) {
+  const std::size_t choices = trial.choices.size();
+  if (simulation.guess) return drawBelow(random, choices);
+  if (!errs(study, trial, simulation, random)) return trial.target;
+  return (trial.target + 1 + drawBelow(random, choices - 1)) % choices;
+}
+
+}  // namespace
+
+Result<Simulation> simulationNamed(const std::string& name) {
+  if (name == "guess") return Simulation{0, true, 0, name};
+  if (name == "perfect") return Simulation{0, false, 0, name};
+  if (const auto rate = numberBehind(name, "errors=", 0, 1)) return Simulation{*rate, false, 0, name};
+  if (const auto threshold = numberBehind(name, "threshold=", 0.001, 10))
+    return Simulation{0, false, *threshold, name};
   return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
                  "\"" + name + "\" is not a way to answer",
-                 "Give guess, perfect or errors=P with P from 0 to 1"};
+                 "Give guess, perfect, errors=P with P from 0 to 1, or threshold=T with T from 0.001 to 10"};
+}
+
+Result<Done> checkSimulation(const Study& study, const Simulation& simulation) {
+  if (simulation.threshold == 0 || study.design.kind == StudyKind::threshold) return Done{};
+  return Failure{FailureCode::wrongUsage, Subject::option("--simulate"), "",
+                 "a threshold answers threshold studies only", "Give guess, perfect or errors=P"};
 }
 
 Answer simulatedAnswer(const Study& study, const std::string& participant, const Trial& trial,
@@ -159,16 +221,16 @@ Answer simulatedAnswer(const Study& study, const std::string& participant, const
   const std::size_t choices = trial.choices.size();
   Answer answer;
   answer.trial = trial.number;
-  answer.choice = trial.target;
-  if (simulation.guess) {
-    answer.choice = drawBelow(random, choices);
-  } else if (drawShare(random) < simulation.errorRate) {
-    answer.choice = (trial.target + 1 + drawBelow(random, choices - 1)) % choices;
-  }
+  if (study.design.kind == StudyKind::rating)
+    simulateRating(study, trial, simulation, random, answer);
+  else
+    answer.choice = simulatedChoice(study, trial, simulation, random);
   answer.replays.assign(choices, 1);
-  answer.replaysX = 1;
   answer.felt.assign(choices, {1, 1, 0, 0});
-  answer.feltX = {1, 1, 0, 0};
+  if (asksForX(study.design.kind)) {
+    answer.replaysX = 1;
+    answer.feltX = {1, 1, 0, 0};
+  }
   answer.answer_s = quickest_s + (slowest_s - quickest_s) * drawShare(random);
   answer.firstPress_s = answer.answer_s / 4;
   answer.onset_s = static_cast<double>(trial.number - 1) * (quickest_s + slowest_s) / 2;

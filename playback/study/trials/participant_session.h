@@ -49,11 +49,15 @@ Listening listeningOf(const Study& study, const std::string& participant,
 struct Simulation {
   double errorRate = 0;  ///< 0 perfect, 0.5 guess (abx)
   bool guess = false;    ///< any choice is as likely as any other
-  std::string name;      ///< as given
+  double threshold =
+      0;  ///< threshold studies: as someone who tells so great an increase in 75 of 100; 0: errors as above
+  std::string name;  ///< as given
 };
 
-/// "guess", "perfect" or "errors=P" with P in [0, 1]. Failure wrongUsage.
+/// "guess", "perfect", "errors=P" with P in [0, 1], or "threshold=T" with T in [0.001, 10]. Failure wrongUsage.
 Result<Simulation> simulationNamed(const std::string& name);
+/// Failure wrongUsage: the study asks for no threshold.
+Result<Done> checkSimulation(const Study& study, const Simulation& simulation);
 
 /// The answer of a simulated participant: a function of study, participant and trial alone, so that a crash
 /// changes nothing. Times are made up and marked as simulated.

@@ -66,29 +66,55 @@ Result<std::vector<StudyStimulus>> stimuliOf(const Study& study) {
   return stimuli;
 }
 
+/// Without a jump there is nothing to snap more, without slopes nothing to be rougher.
+Result<Done> checkLevelsDiffer(const Study& study) {
+  const auto hashIn = [&](std::size_t button, FeedbackMode mode) {
+    for (const StudyStimulus& s : study.stimuli)
+      if (s.button == button && s.mode == mode) return s.sha256;
+    return std::string();
+  };
+  for (const StudyLevel& level : study.levels)
+    for (const FeedbackMode mode : study.design.modes)
+      if (hashIn(level.button, mode) == hashIn(level.reference, mode))
+        return wrong("--quantity",
+                     "\"" + study.buttons[level.reference].label + "\" (" + nameOf(mode) +
+                         ") feels the same with more of \"" + nameOf(study.design.quantity) + "\"",
+                     "Choose another quantity, mode or button");
+  return Done{};
+}
+
 Json jsonOf(const Study& study) {
   Json modes = Json::array(), buttons = Json::array(), stimuli = Json::array();
   for (const FeedbackMode mode : study.design.modes) modes.push_back(nameOf(mode));
-  for (const StudyButton& b : study.buttons)
+  for (std::size_t i = 0; i < study.givenButtons(); ++i) {
+    const StudyButton& b = study.buttons[i];
     buttons.push_back({{"label", b.label}, {"name", b.button.name()}, {"sha256", b.sha256}});
+  }
   for (const StudyStimulus& s : study.stimuli)
     stimuli.push_back(
         {{"button", study.buttons[s.button].label}, {"mode", nameOf(s.mode)}, {"sha256", s.sha256}});
   const StudyDesign& d = study.design;
-  return {{"format", "detent-study"},
-          {"version", studyVersion},
-          {"program", study.program},
-          {"kind", nameOf(d.kind)},
-          {"targets", d.targets == TargetKind::physicalButton ? "physical" : "virtual"},
-          {"modes", modes},
-          {"trials", d.trials},
-          {"practice", d.practice},
-          {"pairs_each", d.pairsEach},
-          {"seed", d.seed},
-          {"generator", generatorName},
-          {"profile_sha256", study.profileSha256},
-          {"buttons", buttons},
-          {"stimuli", stimuli}};
+  Json json{{"format", "detent-study"},
+            {"version", studyVersion},
+            {"program", study.program},
+            {"kind", nameOf(d.kind)},
+            {"targets", d.targets == TargetKind::physicalButton ? "physical" : "virtual"},
+            {"modes", modes},
+            {"trials", d.trials},
+            {"practice", d.practice},
+            {"pairs_each", d.pairsEach},
+            {"seed", d.seed},
+            {"generator", generatorName},
+            {"profile_sha256", study.profileSha256},
+            {"buttons", buttons},
+            {"stimuli", stimuli}};
+  if (d.kind == StudyKind::rating) json["scale"] = nameOf(d.scale);
+  if (d.kind != StudyKind::threshold) return json;
+  json["quantity"] = nameOf(d.quantity);
+  Json& levels = json["levels"] = Json::array();
+  for (const StudyLevel& level : study.levels)
+    levels.push_back({{"button", study.buttons[level.reference].label}, {"increase", level.increase}});
+  return json;
 }
 
 Result<FeedbackMode> modeNamed(const std::string& name, const std::string& file) {
@@ -119,6 +145,20 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
     return unreadable(file, "knows a kind \"" + kind + "\" that does not exist",
                       "Restore the file as it was made");
   d.kind = *known;
+  if (d.kind == StudyKind::threshold) {
+    const auto quantity = levelQuantities.value(json.at("quantity").get<std::string>());
+    if (!quantity)
+      return unreadable(file, "knows a quantity " + jsonText(json.at("quantity")) + " that does not exist",
+                        "Restore the file as it was made");
+    d.quantity = *quantity;
+  }
+  if (d.kind == StudyKind::rating) {
+    const auto scale = ratingScales.value(json.at("scale").get<std::string>());
+    if (!scale)
+      return unreadable(file, "knows a scale " + jsonText(json.at("scale")) + " that does not exist",
+                        "Restore the file as it was made");
+    d.scale = *scale;
+  }
   d.targets = json.at("targets") == "physical" ? TargetKind::physicalButton : TargetKind::virtualButton;
   d.modes.clear();
   for (const Json& name : json.at("modes")) {
@@ -132,6 +172,28 @@ Result<Study> studyFrom(const Json& json, const std::string& file) {
   d.seed = json.at("seed");
   study.profileSha256 = json.at("profile_sha256");
   return study;
+}
+
+/// The levels of a threshold study, made again of its buttons.
+Result<Done> readLevels(Study& study, const Json& json) {
+  if (study.design.kind != StudyKind::threshold) return Done{};
+  const std::size_t given = study.buttons.size();
+  for (const Json& entry : json.at("levels")) {
+    const std::string label = entry.at("button");
+    std::size_t reference = 0;
+    while (reference < given && study.buttons[reference].label != label) ++reference;
+    if (reference == given)
+      return unreadable(study.folder / "study.json",
+                        "has levels of a button \"" + label + "\" it does not hold",
+                        "Restore the file as it was made");
+    if (Result<Done> ok = addLevel(study, reference, entry.at("increase")); !ok) return ok;
+  }
+  for (std::size_t reference = 0; reference < given; ++reference)
+    if (increasesOf(study, reference).size() < 2)
+      return unreadable(study.folder / "study.json",
+                        "has no levels of button \"" + study.buttons[reference].label + "\"",
+                        "Restore the file as it was made");
+  return Done{};
 }
 
 /// The files of a study against what study.json says of them.
@@ -159,6 +221,7 @@ Result<Done> readParts(Study& study, const Json& json) {
     if (!profile) return profile.failure();
     study.profile = *std::move(profile);
   }
+  if (Result<Done> ok = readLevels(study, json); !ok) return ok;
   for (const Json& entry : json.at("stimuli")) {
     const std::string label = entry.at("button");
     const auto at = std::find_if(study.buttons.begin(), study.buttons.end(),
@@ -250,9 +313,29 @@ std::string spokenId(const std::string& id) {
   return spoken;
 }
 
+bool asksForPairs(const StudyDesign& d) {
+  return d.kind == StudyKind::abx || (d.kind == StudyKind::rating && d.scale == RatingScale::pairwise);
+}
+
+std::size_t usualTrials(StudyKind kind) {
+  switch (kind) {
+    case StudyKind::abx:
+    case StudyKind::matching:
+      break;
+    case StudyKind::threshold:
+      return 60;
+    case StudyKind::rating:
+      return 4;
+  }
+  return 10;
+}
+
 Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
-  if (buttons < 2)
-    return wrong("study", buttons == 1 ? "has 1 button" : "has no button", "Name at least two button files");
+  const bool oneWillDo =
+      d.kind == StudyKind::threshold || (d.kind == StudyKind::rating && d.scale != RatingScale::pairwise);
+  if (buttons == 0 || (buttons == 1 && !oneWillDo))
+    return wrong("study", buttons == 1 ? "has 1 button" : "has no button",
+                 oneWillDo ? "Name a button file" : "Name at least two button files");
   if (buttons > mostButtons)
     return wrong("study", "has " + std::to_string(buttons) + " buttons", "Name at most 64");
   if (d.trials < 1 || d.trials > mostTrials)
@@ -260,6 +343,8 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
   if (d.practice > mostPractice)
     return wrong("--practice", std::to_string(d.practice) + " lies outside 0..100", "Give a number inside");
   const std::size_t pairs = buttons * (buttons - 1) / 2;
+  if (d.pairsEach > 0 && !asksForPairs(d))
+    return wrong("--pairs-each", "has no meaning where no pairs are asked for", "Leave it out");
   if (d.pairsEach > pairs)
     return wrong("--pairs-each", std::to_string(d.pairsEach) + " of " + std::to_string(pairs) + " pairs",
                  "Give fewer, or 0 for all");
@@ -275,6 +360,10 @@ Result<Done> checkDesign(const StudyDesign& d, std::size_t buttons) {
 Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode) {
   PlaybackSettings settings;
   settings.mode = mode;
+  if (study.design.kind == StudyKind::threshold) {
+    const StudyLevel* level = levelOf(study, button);
+    settings = raised(settings, study.design.quantity, level != nullptr ? level->increase : 0);
+  }
   return prepareProgram(study.buttons[button].button, study.profile.value_or(DeviceProfile{}), settings);
 }
 
@@ -298,9 +387,12 @@ Result<Study> createStudy(const fs::path& folder, const std::vector<std::string>
     study.profile = *std::move(profile);
     study.profileSha256 = sha256Hex(*text);
   }
+  if (design.kind == StudyKind::threshold)
+    if (Result<Done> ok = addUsualLevels(study); !ok) return ok.failure();
   Result<std::vector<StudyStimulus>> stimuli = stimuliOf(study);
   if (!stimuli) return stimuli.failure();
   study.stimuli = *std::move(stimuli);
+  if (Result<Done> ok = checkLevelsDiffer(study); !ok) return ok.failure();
   fs::path draft = folder;
   draft += ".part";
   fs::remove_all(draft, error);
@@ -331,7 +423,7 @@ Result<Study> openStudy(const fs::path& folder) {
     study->name = fs::weakly_canonical(folder).filename().string();
     study->sha256 = sha256Hex(*text);
     if (Result<Done> ok = readParts(*study, json); !ok) return ok.failure();
-    if (Result<Done> ok = checkDesign(study->design, study->buttons.size()); !ok)
+    if (Result<Done> ok = checkDesign(study->design, study->givenButtons()); !ok)
       return unreadable(file, Message("%1 %2", ok.failure().subject.name, ok.failure().problem),
                         "Restore the file as it was made");
     return study;

@@ -19,12 +19,46 @@
 namespace detent::playback {
 
 enum class StudyKind : std::uint8_t {
-  abx,      ///< K&L, Experiment 1: which of two is X?
-  matching  ///< K&L, Experiment 2: which of all is X?
+  abx,        ///< K&L, Experiment 1: which of two is X?
+  matching,   ///< K&L, Experiment 2: which of all is X?
+  threshold,  ///< which of two has more of a quantity? The differences follow the answers (QUEST+)
+  rating      ///< how good is it, how strong is it, which of two is preferred?
 };
-inline constexpr auto studyKinds =
-    named<StudyKind>({{"abx", StudyKind::abx}, {"matching", StudyKind::matching}});
+inline constexpr auto studyKinds = named<StudyKind>({{"abx", StudyKind::abx},
+                                                     {"matching", StudyKind::matching},
+                                                     {"threshold", StudyKind::threshold},
+                                                     {"rating", StudyKind::rating}});
 inline const char* nameOf(StudyKind kind) { return studyKinds.word(kind); }
+/// Whether an answer says which one X is.
+inline bool asksForX(StudyKind kind) { return kind == StudyKind::abx || kind == StudyKind::matching; }
+
+/// What there is more of; threshold.
+enum class LevelQuantity : std::uint8_t {
+  peakForce,     ///< all forces of the button
+  eventSize,     ///< strength of the vibration at its jumps
+  travel,        ///< the whole travel
+  snap,          ///< snap ratio of every jump of the press
+  grainStrength  ///< strength of the vibration along its slopes
+};
+inline constexpr auto levelQuantities =
+    named<LevelQuantity>({{"peak-force", LevelQuantity::peakForce},
+                          {"event-size", LevelQuantity::eventSize},
+                          {"travel", LevelQuantity::travel},
+                          {"snap", LevelQuantity::snap},
+                          {"grain-strength", LevelQuantity::grainStrength}});
+inline const char* nameOf(LevelQuantity quantity) { return levelQuantities.word(quantity); }
+
+/// How a rating is given.
+enum class RatingScale : std::uint8_t {
+  preference,  ///< 1 (worst) to 7 (best), one button at a time
+  magnitude,   ///< any number above 0, twice as strong is twice the number (Stevens), one button at a time
+  pairwise     ///< which of two is preferred?
+};
+inline constexpr auto ratingScales = named<RatingScale>({{"preference", RatingScale::preference},
+                                                         {"magnitude", RatingScale::magnitude},
+                                                         {"pairwise", RatingScale::pairwise}});
+inline const char* nameOf(RatingScale scale) { return ratingScales.word(scale); }
+inline constexpr double bestPreference = 7, greatestMagnitude = 1e6;
 
 /// What X is made of. Physical: the experimenter hands over the real switch of that number.
 enum class TargetKind : std::uint8_t { virtualButton, physicalButton };
@@ -34,12 +68,17 @@ struct StudyDesign {
   StudyKind kind = StudyKind::abx;
   TargetKind targets = TargetKind::virtualButton;       ///< physical: matching only
   std::vector<FeedbackMode> modes{FeedbackMode::full};  ///< each pair (or button) is tried in each; not off
-  std::size_t trials = 10;    ///< per pair (abx) or button (matching), and mode; 1..1000
+  LevelQuantity quantity = LevelQuantity::peakForce;    ///< threshold
+  RatingScale scale = RatingScale::preference;          ///< rating
+  std::size_t trials = 10;    ///< per pair (abx, pairwise) or button (else), and mode; 1..1000
   std::size_t practice = 0;   ///< trials before the first that counts; 0..100
   std::size_t pairsEach = 0;  ///< a random subset of so many pairs for each participant; 0: all
   std::uint64_t seed = 0;
   std::string consent;  ///< shown before the first trial; empty: a short standard text
 };
+
+/// Trials a kind usually needs. Threshold: docs/studies.md has what they come to.
+std::size_t usualTrials(StudyKind kind);
 
 /// One button of a study.
 struct StudyButton {
@@ -56,6 +95,13 @@ struct StudyStimulus {
   std::string sha256;
 };
 
+/// A button with more of the study's quantity; threshold. Made of the button each time a study is opened.
+struct StudyLevel {
+  std::size_t button = 0;     ///< what is felt
+  std::size_t reference = 0;  ///< the button it has more than
+  double increase = 0;        ///< share of the reference's: 0.1 is a tenth more
+};
+
 /// A study as it stands in its folder. Plain value, any thread.
 struct Study {
   std::filesystem::path folder;
@@ -64,10 +110,14 @@ struct Study {
   std::string program;  ///< version that made it
   int version = 0;      ///< of study.json; how lists of trials are made hangs on it
   StudyDesign design;
-  std::vector<StudyButton> buttons;
+  std::vector<StudyButton> buttons;  ///< those it was made of, then one for each level
+  std::vector<StudyLevel> levels;    ///< threshold: by reference, rising
   std::optional<DeviceProfile> profile;
   std::string profileSha256;  ///< empty without a profile
   std::vector<StudyStimulus> stimuli;
+
+  /// Buttons it was made of.
+  std::size_t givenButtons() const { return buttons.size() - levels.size(); }
 };
 
 /// Unordered pairs in the order A-B, A-C, B-C, ... of the paper's Table 2: by the second, then the first.
@@ -78,10 +128,14 @@ Result<Done> checkParticipantId(const std::string& id);
 /// What remains of an id for reading it out: P-1, P_1, p1 and P01 are one person.
 std::string spokenId(const std::string& id);
 
+/// Whether two buttons at a time are asked about, as pairsOf() lists them.
+bool asksForPairs(const StudyDesign& design);
+
 /// Range checks of a design for so many buttons. Failure wrongUsage names the value.
 Result<Done> checkDesign(const StudyDesign& design, std::size_t buttons);
 
-/// Makes the folder, whole or not at all. `buttonFiles`: at least two (abx, matching), labels unique.
+/// Makes the folder, whole or not at all. `buttonFiles`: at least two (threshold and scales:
+/// one), labels unique.
 /// `profileFile` may be empty. Failure wrongUsage: the folder exists, or a value is outside its range.
 Result<Study> createStudy(const std::filesystem::path& folder, const std::vector<std::string>& buttonFiles,
                           const std::string& profileFile, const StudyDesign& design);
@@ -96,5 +150,23 @@ Result<Done> checkStimuli(const Study& study);
 
 /// What a participant feels for a button in a mode.
 Result<PreparedProgram> programFor(const Study& study, std::size_t button, FeedbackMode mode);
+
+// ---- levels of a threshold study: buttons with more of one quantity than the one they are compared with (study_levels.cpp)
+
+/// The settings with so much more of the quantity; those of quantities of the button itself stay. Jumps whose size is asked about play at half
+/// their strength, so that there is room for more. `increase` >= 0; 0: the reference.
+PlaybackSettings raised(PlaybackSettings settings, LevelQuantity quantity, double increase);
+
+/// Puts a level behind the study's buttons. `reference`: one of the given buttons; `increase` > 0. Failure: as the edit.
+Result<Done> addLevel(Study& study, std::size_t reference, double increase);
+
+/// A hundredth to the double, twelve a decade, as far as the button can be changed and the vibration is not at full scale. Failure wrongUsage
+/// names a button that has too few such levels.
+Result<Done> addUsualLevels(Study& study);
+
+/// Of a button, rising.
+std::vector<double> increasesOf(const Study& study, std::size_t reference);
+/// The level a button is; null: a button the study was made of.
+const StudyLevel* levelOf(const Study& study, std::size_t button);
 
 }  // namespace detent::playback

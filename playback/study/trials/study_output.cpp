@@ -27,13 +27,6 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   return text;
 }
 
-std::string csvField(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string tsvField(std::string text) {
   for (char& c : text)
     if (c == '\t' || c == '\n' || c == '\r') c = ' ';
@@ -204,6 +197,21 @@ Json jsonOf(const StudyResults& results, const GroupResult& g) {
           {"confusion", g.confusion}};
 }
 
+/// What rows of a kind hold beyond those of all.
+struct KindColumn {
+  const char* name;
+  const char* description;
+  std::optional<double> TrialRow::*value;
+};
+
+std::vector<KindColumn> kindColumns(StudyKind kind) {
+  if (kind == StudyKind::threshold)
+    return {{"level", "share by which x has more of the quantity: 0.1 is a tenth", &TrialRow::level}};
+  if (kind == StudyKind::rating)
+    return {{"rating", "number that was given; nothing where two were compared", &TrialRow::rating}};
+  return {};
+}
+
 std::string taskName(const StudyResults& results) {
   std::string task;  // BIDS: letters and digits only
   for (const char c : results.study)
@@ -227,19 +235,29 @@ Result<Done> makeFolder(const std::filesystem::path& folder) {
                  "Check the folder, its rights and the free space"};
 }
 
+/// 1 or 0; nothing where nothing is right or wrong.
+std::string correctness(StudyKind kind, const TrialRow& row, const char* nothing) {
+  return kind == StudyKind::rating ? nothing : row.correct ? "1" : "0";
+}
+
 std::string eventsOf(const StudyResults& results, const std::string& participant) {
   std::string text =
       "onset\tduration\ttrial_type\ttrial\tpair\talpha\tbeta\tx\tanswer\tcorrect\treplays_alpha\treplays_"
       "beta\t"
-      "replays_x\tfirst_press\tcondition\n";
+      "replays_x\tfirst_press\tcondition";
+  const std::vector<KindColumn> more = kindColumns(results.kind);
+  for (const KindColumn& column : more) text.append("\t").append(column.name);
+  text += "\n";
   for (const TrialRow& r : results.rows) {
     if (r.participant != participant) continue;
-    text += seconds(r.onset_s) + "\t" + seconds(r.answer_s) + "\t" +
-            (results.kind == StudyKind::abx ? "abx" : "matching") + "\t" + std::to_string(r.trial) + "\t" +
-            tsvField(r.pair) + "\t" + tsvField(r.a) + "\t" + tsvField(r.b) + "\t" + tsvField(r.x) + "\t" +
-            tsvField(r.answer) + "\t" + (r.correct ? "1" : "0") + "\t" + std::to_string(r.replaysA) + "\t" +
-            std::to_string(r.replaysB) + "\t" + std::to_string(r.replaysX) + "\t" + seconds(r.firstPress_s) +
-            "\t" + tsvField(r.condition) + "\n";
+    text += seconds(r.onset_s) + "\t" + seconds(r.answer_s) + "\t" + nameOf(results.kind) + "\t" +
+            std::to_string(r.trial) + "\t" + tsvField(r.pair) + "\t" + tsvField(r.a) + "\t" + tsvField(r.b) +
+            "\t" + tsvField(r.x) + "\t" + tsvField(r.answer) + "\t" + correctness(results.kind, r, "n/a") +
+            "\t" + std::to_string(r.replaysA) + "\t" + std::to_string(r.replaysB) + "\t" +
+            std::to_string(r.replaysX) + "\t" + seconds(r.firstPress_s) + "\t" + tsvField(r.condition);
+    for (const KindColumn& column : more)
+      text += "\t" + (r.*column.value ? exact(*(r.*column.value)) : std::string("n/a"));
+    text += "\n";
   }
   return text;
 }
@@ -248,13 +266,20 @@ std::string eventsOf(const StudyResults& results, const std::string& participant
 
 std::string resultsCsv(const StudyResults& results) {
   std::string text =
-      "study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,answer_s,condition\n";
+      "study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,answer_s,condition";
+  const std::vector<KindColumn> more = kindColumns(results.kind);
+  for (const KindColumn& column : more) text.append(",").append(column.name);
+  text += "\n";
   for (const TrialRow& r : results.rows) {
     for (const std::string& field :
          {results.study, r.participant, std::to_string(r.trial), r.pair, r.a, r.b, r.x, r.answer})
       text += csvField(field) + ",";
-    text += (r.correct ? "1," : "0,") + std::to_string(r.replaysA) + "," + std::to_string(r.replaysB) + "," +
-            std::to_string(r.replaysX) + "," + exact(r.answer_s) + "," + csvField(r.condition) + "\n";
+    text += correctness(results.kind, r, "") + "," + std::to_string(r.replaysA) + "," +
+            std::to_string(r.replaysB) + "," + std::to_string(r.replaysX) + "," + exact(r.answer_s) + "," +
+            csvField(r.condition);
+    for (const KindColumn& column : more)
+      text += "," + (r.*column.value ? exact(*(r.*column.value)) : std::string());
+    text += "\n";
   }
   return text;
 }
@@ -289,17 +314,20 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
                {"correct", {{"Description", "1: the answer is X"}}},
                {"condition", {{"Description", "simulated, rehearsal: no person felt anything"}}}};
   for (const auto& [column, words] :
-       {std::pair{"trial_type", "kind of question: abx or matching"},
+       {std::pair{"trial_type", "kind of question: abx, matching, threshold or rating"},
         {"trial", "number within the participant, from 1, practice not counted"},
-        {"pair", "the two buttons compared; matching: the button X was"},
-        {"alpha", "button offered first; n/a in matching"},
-        {"beta", "button offered second; n/a in matching"},
-        {"x", "button that X was"},
-        {"answer", "button that was said to be X"},
+        {"pair",
+         "the two buttons compared; matching: the button X was; threshold, scales: the button asked about"},
+        {"alpha", "button offered first; n/a in matching and scales"},
+        {"beta", "button offered second; n/a in matching and scales"},
+        {"x", "button that X was; threshold: the one that has more; n/a in rating"},
+        {"answer", "button that was said to be X, or to have more, or preferred, or rated"},
         {"replays_alpha", "times alpha was asked for; matching: all choices together"},
         {"replays_beta", "times beta was asked for"},
         {"replays_x", "times X was asked for"}})
     columns[column] = {{"Description", words}};
+  for (const KindColumn& column : kindColumns(results.kind))
+    columns[column.name] = {{"Description", column.description}};
   const Json people{{"study_id", {{"Description", "the participant's id in the study"}}}};
   if (Result<Done> ok =
           writeTextFileAtomically((folder / "participants.json").string(), jsonText(people, 2) + "\n");
@@ -335,7 +363,8 @@ std::string resultsText(const StudyResults& results) {
   if (results.anySimulated) text += "SIMULATED: the program answered in place of people.\n";
   if (results.anyRehearsal) text += "REHEARSAL: there was no sound device; nothing was felt.\n";
   if (!results.source.empty()) text += results.source + "\n";
-  text += "\n" + table1(results);
+  if (!results.groups.empty()) text += "\n" + table1(results);
+  for (const FigureTable& table : results.tables) text += "\n" + tableText(table);
   for (const GroupResult& group : results.groups) {
     if (!group.pairs.empty()) text += "\n" + table2(results, group) + "\n" + pairLines(results, group);
     if (!group.confusion.empty()) text += "\n" + confusionTable(results, group);
@@ -351,7 +380,8 @@ std::string resultsText(const StudyResults& results) {
 }
 
 std::string resultsJson(const StudyResults& results) {
-  Json groups = Json::array(), comparisons = Json::array();
+  Json groups = Json::array(), comparisons = Json::array(), tables = Json::array();
+  for (const FigureTable& table : results.tables) tables.push_back(Json::parse(tableJson(table)));
   for (const GroupResult& g : results.groups) groups.push_back(jsonOf(results, g));
   for (const GroupComparison& c : results.comparisons)
     comparisons.push_back({{"first", c.first},
@@ -378,6 +408,7 @@ std::string resultsJson(const StudyResults& results) {
              {"p", results.rule.p}}},
            {"groups", groups},
            {"comparisons", comparisons},
+           {"tables", tables},
            {"warnings", results.warnings}});
 }
 

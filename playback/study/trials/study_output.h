@@ -11,7 +11,7 @@
 namespace detent::playback {
 
 /// One row per trial; `study,participant,trial,pair,a,b,x,answer,correct,replays_a,replays_b,replays_x,
-/// answer_s,condition`. Fields with commas, quotes or line ends are quoted (RFC 4180); points for decimals.
+/// answer_s,condition`, and `level` or `rating` for those kinds. Fields with commas, quotes or line ends are quoted (RFC 4180); points for decimals.
 std::string resultsCsv(const StudyResults& results);
 
 /// What was felt: one row per trial and stimulus (1, 2, … as shown, x); `study,participant,trial,stimulus,button,presses,whole,peak_N,

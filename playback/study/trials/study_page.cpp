@@ -312,7 +312,9 @@ std::string resultsPage(const StudyResults& results, const std::vector<ForetoldP
                                                        : results.labels[i] + " (" + name + ")");
   }
   text += ". " + escapedForMarkup(results.source) + " Detent " + version() + "</p>\n";
-  text += notes(results) + table1(results);
+  text += notes(results);
+  if (!results.groups.empty()) text += table1(results);
+  for (const FigureTable& table : results.tables) text += tableMarkup(table);
   for (const GroupResult& group : results.groups) {
     if (!group.pairs.empty())
       text += table2(results, group) + bars(results, group) + pairTable(results, group) +

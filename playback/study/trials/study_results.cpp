@@ -10,6 +10,7 @@
 #include "playback/study/statistics/abx_sensitivity.h"
 #include "playback/study/statistics/paired_difference.h"
 #include "playback/study/statistics/resampling.h"
+#include "playback/study/trials/answer_tables.h"
 
 namespace detent::playback {
 
@@ -17,11 +18,39 @@ namespace {
 
 constexpr double secondsPerMinute = 60;
 
-std::string conditionOf(const Study& study, const TrialRow& row) {
-  std::string text = nameOf(row.listening);
-  if (study.design.modes.size() > 1) text += std::string("/") + nameOf(row.mode);
-  if (row.kind != SessionKind::real) text += std::string("/") + nameOf(row.kind);
+std::string conditionOf(const Study& study, Listening listening, FeedbackMode mode, SessionKind kind) {
+  std::string text = nameOf(listening);
+  if (study.design.modes.size() > 1) text += std::string("/") + nameOf(mode);
+  if (kind != SessionKind::real) text += std::string("/") + nameOf(kind);
   return text;
+}
+
+std::string conditionOf(const Study& study, const TrialRow& row) {
+  return conditionOf(study, row.listening, row.mode, row.kind);
+}
+
+/// What is compared in a trial, and what was asked for how often.
+void describe(const Study& study, const Trial& trial, const Answer& answer, TrialRow& row) {
+  const StudyKind kind = study.design.kind;
+  const auto label = [&](std::size_t choice) { return study.buttons[trial.choices[choice]].label; };
+  const std::vector<std::size_t>& replays = answer.replays;
+  row.x = kind == StudyKind::rating ? std::string() : label(trial.target);
+  row.first = row.second = trial.choices[trial.target];
+  row.pair = label(trial.target);
+  row.replaysA = std::accumulate(replays.begin(), replays.end(), std::size_t{0});
+  if (const StudyLevel* level = levelOf(study, row.first)) {
+    row.level = level->increase;
+    row.pair = study.buttons[level->reference].label;
+  }
+  row.rating = answer.rating;
+  if (kind == StudyKind::matching || trial.choices.size() != 2) return;
+  row.a = label(0);
+  row.b = label(1);
+  row.replaysA = !replays.empty() ? replays[0] : 0;
+  row.replaysB = replays.size() > 1 ? replays[1] : 0;
+  if (kind == StudyKind::threshold) return;
+  std::tie(row.first, row.second) = std::minmax(trial.choices[0], trial.choices[1]);
+  row.pair = study.buttons[row.first].label + "-" + study.buttons[row.second].label;
 }
 
 TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::size_t at) {
@@ -31,8 +60,7 @@ TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::si
   TrialRow row;
   row.participant = participant.participant;
   row.trial = trial.number - study.design.practice;
-  row.x = label(trial.target);
-  row.first = row.second = trial.choices[trial.target];
+  describe(study, trial, recorded.answer, row);
   row.answered = trial.choices[recorded.answer.choice];
   for (std::size_t i = 0; i < trial.choices.size(); ++i) row.choices.push_back(label(i));
   if (!recorded.answer.felt.empty()) {
@@ -40,19 +68,7 @@ TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::si
     row.felt.push_back(recorded.answer.feltX);
   }
   row.answer = label(recorded.answer.choice);
-  row.correct = recorded.answer.choice == trial.target;
-  const std::vector<std::size_t>& replays = recorded.answer.replays;
-  if (study.design.kind == StudyKind::abx) {
-    std::tie(row.first, row.second) = std::minmax(trial.choices[0], trial.choices[1]);
-    row.pair = study.buttons[row.first].label + "-" + study.buttons[row.second].label;
-    row.a = label(0);
-    row.b = label(1);
-    row.replaysA = !replays.empty() ? replays[0] : 0;
-    row.replaysB = replays.size() > 1 ? replays[1] : 0;
-  } else {
-    row.pair = row.x;
-    row.replaysA = std::accumulate(replays.begin(), replays.end(), std::size_t{0});
-  }
+  row.correct = study.design.kind != StudyKind::rating && recorded.answer.choice == trial.target;
   row.replaysX = recorded.answer.replaysX;
   row.onset_s = recorded.onset_s;
   row.firstPress_s = recorded.answer.firstPress_s;
@@ -265,6 +281,10 @@ void warn(StudyResults& results, const Study& study, const std::vector<Participa
 
 }  // namespace
 
+std::string conditionOf(const Study& study, const RecordedAnswer& answer, FeedbackMode mode) {
+  return conditionOf(study, answer.listening, mode, answer.kind);
+}
+
 std::vector<TrialRow> rowsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
   std::vector<TrialRow> rows;
   for (const ParticipantRecord& p : participants)
@@ -308,12 +328,12 @@ StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>&
   StudyResults results;
   results.study = study.name;
   results.kind = study.design.kind;
-  for (const StudyButton& b : study.buttons) {
-    results.labels.push_back(b.label);
-    results.names.push_back(b.button.name());
+  for (std::size_t i = 0; i < study.givenButtons(); ++i) {
+    results.labels.push_back(study.buttons[i].label);
+    results.names.push_back(study.buttons[i].button.name());
   }
   results.trialsPerTest = study.design.trials;
-  results.rule = discriminationRule(study.design.trials);
+  if (asksForX(study.design.kind)) results.rule = discriminationRule(study.design.trials);
   results.rows = rowsOf(study, participants);
   std::map<std::string, Rows> groups;
   for (const TrialRow& row : results.rows) {
@@ -321,9 +341,14 @@ StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>&
     results.anySimulated |= row.kind == SessionKind::simulated;
     results.anyRehearsal |= row.kind == SessionKind::rehearsal;
   }
-  for (const auto& [condition, rows] : groups) results.groups.push_back(groupOf(study, results, rows));
-  adjustTests(results.groups);
-  results.comparisons = comparisonsOf(study, results.groups, groups);
+  if (asksForX(study.design.kind)) {
+    for (const auto& [condition, rows] : groups) results.groups.push_back(groupOf(study, results, rows));
+    adjustTests(results.groups);
+    results.comparisons = comparisonsOf(study, results.groups, groups);
+  } else if (!results.rows.empty()) {
+    results.tables = study.design.kind == StudyKind::threshold ? thresholdTables(study, participants)
+                                                               : ratingTables(study, participants);
+  }
   warn(results, study, participants);
   return results;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "playback/study/statistics/binomial.h"
+#include "playback/study/trials/figure_table.h"
 #include "playback/study/trials/participant_record.h"
 
 namespace detent::playback {
@@ -14,13 +15,15 @@ namespace detent::playback {
 /// One counted trial.
 struct TrialRow {
   std::string participant;
-  std::size_t trial = 0;              ///< from 1, practice not counted
-  std::string pair;                   ///< "A-B" in the study's order; matching: X
+  std::size_t trial = 0;  ///< from 1, practice not counted
+  std::string pair;       ///< "A-B" in the study's order; matching: X; threshold, scales: the button
   std::size_t first = 0, second = 0;  ///< abx: the pair's buttons; matching: X twice
-  std::string a, b;                   ///< abx: labels of alpha and beta; matching: empty
-  std::string x, answer;              ///< labels
+  std::string a, b;                   ///< labels of the two choices; matching, scales: empty
+  std::string x, answer;              ///< labels; threshold: x has more; rating: x is empty
   std::size_t answered = 0;           ///< the button that was answered
-  bool correct = false;
+  bool correct = false;               ///< nothing in rating
+  std::optional<double> level;        ///< threshold: by what share x has more
+  std::optional<double> rating;       ///< of a scale
   std::size_t replaysA = 0, replaysB = 0, replaysX = 0;  ///< matching: replaysA of all choices together
   std::vector<std::string> choices;                      ///< labels in the order shown
   std::vector<Felt> felt;  ///< of each choice, then of X; none in journals that did not keep it
@@ -33,6 +36,9 @@ struct TrialRow {
   /// study has several; what is not a real answer; repeated after the device was lost.
   std::string condition;
 };
+
+/// The condition of an answer, without "repeated".
+std::string conditionOf(const Study& study, const RecordedAnswer& answer, FeedbackMode mode);
 
 std::vector<TrialRow> rowsOf(const Study& study, const std::vector<ParticipantRecord>& participants);
 
@@ -112,8 +118,9 @@ struct StudyResults {
   StudyKind kind = StudyKind::abx;
   std::vector<std::string> labels, names;  ///< of the buttons
   std::vector<TrialRow> rows;
-  std::vector<GroupResult> groups;
-  std::vector<GroupComparison> comparisons;
+  std::vector<GroupResult> groups;           ///< abx, matching
+  std::vector<GroupComparison> comparisons;  ///< abx, matching
+  std::vector<FigureTable> tables;           ///< threshold, rating
   DiscriminationRule rule;
   std::size_t trialsPerTest = 0;
   std::vector<std::string> warnings;  ///< what a reader must know before believing a figure

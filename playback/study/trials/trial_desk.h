@@ -18,6 +18,8 @@ class TrialDesk {
   /// Number of that switch, from 1, in the study's order.
   std::size_t physicalNumber() const { return trial_->choices[trial_->target] + 1; }
 
+  /// Whether there is an X to be felt.
+  bool hasX() const { return asksForX(study_->design.kind) && !physical_; }
   /// What is under the finger is one of so many: the choices, and X behind them.
   std::size_t slotOfX() const { return trial_->choices.size(); }
   std::size_t buttonIn(std::size_t slot) const {
@@ -30,7 +32,7 @@ class TrialDesk {
   void felt(const Felt& more);
   const Felt& feltOf(std::size_t slot) const { return felt_[slot]; }
 
-  /// Nothing may be answered unfelt: X and, in abx, both choices (in matching at least one) were pressed through and played.
+  /// Nothing may be answered unfelt: see feltEnough.
   bool mayAnswer() const { return feltEnough(*study_, asFelt()); }
   /// The finished answer. Only while mayAnswer().
   Answer answer(std::size_t choice, double now_s) const;

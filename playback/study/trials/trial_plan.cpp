@@ -110,6 +110,68 @@ std::vector<Trial> matchingTrials(const Study& study, FeedbackMode mode, StudyRa
   return trials;
 }
 
+std::vector<Trial> thresholdTrials(const Study& study, FeedbackMode mode, StudyRandom& random) {
+  std::vector<Trial> trials;
+  for (std::size_t reference = 0; reference < study.givenButtons(); ++reference) {
+    for (const bool second : balanced(study.design.trials, random)) {
+      Trial trial;
+      trial.mode = mode;
+      trial.choices = {reference, reference};
+      trial.target = second ? 1 : 0;
+      trials.push_back(std::move(trial));
+    }
+  }
+  return trials;
+}
+
+/// What is rated: buttons, or pairs of them.
+std::vector<std::vector<std::size_t>> ratedThings(const Study& study, const std::vector<Pair>& pairs) {
+  std::vector<std::vector<std::size_t>> things;
+  if (study.design.scale == RatingScale::pairwise) {
+    for (const auto& [first, second] : pairs) things.push_back({first, second});
+  } else {
+    for (std::size_t i = 0; i < study.buttons.size(); ++i) things.push_back({i});
+  }
+  return things;
+}
+
+/// In rounds: all once, in a new order each time.
+std::vector<Trial> ratingTrials(const Study& study, const std::vector<Pair>& pairs, FeedbackMode mode,
+                                StudyRandom& random) {
+  const std::vector<std::vector<std::size_t>> things = ratedThings(study, pairs);
+  std::vector<std::vector<bool>> turned;
+  for (std::size_t i = 0; i < things.size(); ++i) turned.push_back(balanced(study.design.trials, random));
+  std::vector<Trial> trials;
+  std::vector<std::size_t> order(things.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  for (std::size_t round = 0; round < study.design.trials; ++round) {
+    shuffle(order, random);
+    for (const std::size_t i : order) {
+      Trial trial;
+      trial.mode = mode;
+      trial.choices = things[i];
+      if (turned[i][round]) std::reverse(trial.choices.begin(), trial.choices.end());
+      trials.push_back(std::move(trial));
+    }
+  }
+  return trials;
+}
+
+std::vector<Trial> trialsOf(const Study& study, const std::vector<Pair>& pairs, FeedbackMode mode,
+                            StudyRandom& random) {
+  switch (study.design.kind) {
+    case StudyKind::abx:
+      break;
+    case StudyKind::matching:
+      return matchingTrials(study, mode, random);
+    case StudyKind::threshold:
+      return thresholdTrials(study, mode, random);
+    case StudyKind::rating:
+      return ratingTrials(study, pairs, mode, random);
+  }
+  return abxTrials(study, pairs, mode, random);
+}
+
 /// Each mode as often first, second and last as the number of people allows: rotated from one to the next, then the same backwards.
 std::vector<FeedbackMode> modesInTurn(const Study& study, std::size_t begunBefore) {
   std::vector<FeedbackMode> modes = study.design.modes;
@@ -123,7 +185,7 @@ std::vector<FeedbackMode> modesInTurn(const Study& study, std::size_t begunBefor
 /// Shuffled, with a rest at the beginning of a block and within long ones.
 void addBlock(const Study& study, std::vector<Trial> block, StudyRandom& random, std::vector<Trial>& trials) {
   if (study.version > 1) {
-    shuffle(block, random);
+    if (study.design.kind != StudyKind::rating) shuffle(block, random);
     for (std::size_t i = 0; i < block.size(); ++i)
       block[i].breakBefore = i % trialsBetweenBreaks == 0 && (i > 0 || !trials.empty());
   }
@@ -134,21 +196,18 @@ void addBlock(const Study& study, std::vector<Trial> block, StudyRandom& random,
 
 std::size_t countedTrials(const Study& study) {
   const StudyDesign& d = study.design;
-  const std::size_t buttons = study.buttons.size(), pairs = buttons * (buttons - 1) / 2;
-  const std::size_t cells = d.kind == StudyKind::matching ? buttons : d.pairsEach > 0 ? d.pairsEach : pairs;
+  const std::size_t buttons = study.givenButtons(), pairs = buttons * (buttons - 1) / 2;
+  const std::size_t cells = !asksForPairs(d) ? buttons : d.pairsEach > 0 ? d.pairsEach : pairs;
   return cells * d.trials * d.modes.size();
 }
 
 std::vector<Trial> planTrials(const Study& study, const std::string& participant, std::size_t begunBefore) {
   StudyRandom random = randomSeededBy(std::to_string(study.design.seed) + ":" + participant);
   std::vector<Pair> pairs;
-  if (study.design.kind == StudyKind::abx) pairs = pairsFor(study, begunBefore, random);
+  if (asksForPairs(study.design)) pairs = pairsFor(study, begunBefore, random);
   std::vector<Trial> counted;
   for (const FeedbackMode mode : modesInTurn(study, begunBefore))
-    addBlock(study,
-             study.design.kind == StudyKind::abx ? abxTrials(study, pairs, mode, random)
-                                                 : matchingTrials(study, mode, random),
-             random, counted);
+    addBlock(study, trialsOf(study, pairs, mode, random), random, counted);
   if (study.version == 1) shuffle(counted, random);
   std::vector<Trial> plan;
   for (std::size_t i = 0; i < study.design.practice; ++i) {

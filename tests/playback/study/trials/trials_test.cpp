@@ -22,50 +22,17 @@
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"
 #include "playback/study/trials/trial_desk.h"
+#include "tests/playback/study/trials/study_folder.h"
 
 using namespace detent;
 using namespace detent::playback;
 namespace fs = std::filesystem;
+using detent::test::answer;
+using detent::test::sample;
+using detent::test::simulatedStart;
+using detent::test::StudyFolder;
 
 namespace {
-
-std::string sample(const std::string& name) {
-  return std::string(DETENT_SOURCE_DIR) + "/samples/buttons/" + name + ".button.json";
-}
-
-class StudyFolder {
- public:
-  explicit StudyFolder(StudyDesign design = {}, const std::vector<std::string>& names = {"A", "B", "C"}) {
-    static int count = 0;
-    root_ = fs::temp_directory_path() /
-            ("detent_trials_" + std::to_string(::getpid()) + "_" + std::to_string(count++));
-    fs::create_directories(root_);
-    std::vector<std::string> files;
-    for (const std::string& name : names) files.push_back(sample(name));
-    Result<Study> made = createStudy(root_ / "study", files, "", design);
-    if (!made) throw std::runtime_error(made.failure().sentence());
-    study = std::make_unique<Study>(*std::move(made));
-  }
-  ~StudyFolder() { fs::remove_all(root_); }
-  fs::path folder() const { return root_ / "study"; }
-  std::unique_ptr<Study> study;
-
- private:
-  fs::path root_;
-};
-
-const SessionStart simulatedStart{SessionKind::simulated, Listening::quiet, "", "perfect", 1000};
-
-/// Answers up to `count` trials in the person's or program's place.
-void answer(const Study& study, const std::string& id, const std::string& how, std::size_t count,
-            const SessionStart& start = simulatedStart) {
-  Result<ParticipantSession> session = ParticipantSession::open(study, id, start);
-  REQUIRE(session);
-  const Result<Simulation> simulation = simulationNamed(how);
-  REQUIRE(simulation);
-  for (std::size_t i = 0; i < count && session->trial() != nullptr; ++i)
-    REQUIRE(session->record(simulatedAnswer(study, id, *session->trial(), *simulation)));
-}
 
 void edit(const fs::path& file, const std::string& from, const std::string& to) {
   std::ifstream in(file);

@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/trials/answer_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numeric>
+#include <optional>
+
+#include "playback/measurement/normal.h"
+#include "playback/study/statistics/bradley_terry.h"
+#include "playback/study/statistics/paired_difference.h"
+#include "playback/study/trials/study_results.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double percent = 100, confidence = 0.95;
+
+FigureCell cell(const std::optional<double>& value) { return value ? FigureCell(*value) : FigureCell(); }
+FigureCell count(std::size_t n) { return static_cast<double>(n); }
+
+/// A mean over participants with Student's interval; none for fewer than two.
+struct MeanOverPeople {
+  double mean = 0;
+  std::optional<Interval> interval;
+};
+
+MeanOverPeople meanOver(const std::vector<double>& values) {
+  MeanOverPeople result;
+  const auto n = static_cast<double>(values.size());
+  result.mean = std::accumulate(values.begin(), values.end(), 0.0) / n;
+  if (values.size() < 2) return result;
+  double squares = 0;
+  for (const double v : values) squares += (v - result.mean) * (v - result.mean);
+  const double half =
+      studentQuantile(0.5 + confidence / 2, values.size() - 1) * std::sqrt(squares / (n - 1) / n);
+  result.interval = Interval{result.mean - half, result.mean + half};
+  return result;
+}
+
+/// Answers that count, by condition.
+struct Counted {
+  const ParticipantRecord* participant = nullptr;
+  std::size_t person = 0;
+  std::size_t at = 0;  ///< of the answer
+  const Trial& trial() const { return participant->plan[at]; }
+  const Answer& answer() const { return participant->answers[at].answer; }
+};
+using Conditions = std::map<std::string, std::vector<Counted>>;
+
+Conditions conditionsOf(const Study& study, const std::vector<ParticipantRecord>& participants) {
+  Conditions conditions;
+  for (std::size_t person = 0; person < participants.size(); ++person) {
+    const ParticipantRecord& p = participants[person];
+    for (std::size_t i = 0; i < p.answers.size(); ++i)
+      if (!p.plan[i].practice)
+        conditions[conditionOf(study, p.answers[i], p.plan[i].mode)].push_back({&p, person, i});
+  }
+  return conditions;
+}
+
+// ---- thresholds
+
+struct PersonThreshold {
+  std::size_t trials = 0, right = 0;
+  ThresholdEstimate estimate;
+};
+
+std::size_t referenceOf(const Trial& trial) { return trial.choices[1 - trial.target]; }
+
+/// By reference and person.
+std::map<std::pair<std::size_t, std::size_t>, PersonThreshold> thresholdsIn(
+    const Study& study, const std::vector<Counted>& answers) {
+  std::map<std::pair<std::size_t, std::size_t>, PersonThreshold> found;
+  std::map<std::pair<std::size_t, std::size_t>, const Counted*> any;
+  for (const Counted& c : answers) {
+    const std::pair key{referenceOf(c.trial()), c.person};
+    PersonThreshold& t = found[key];
+    ++t.trials;
+    if (c.answer().choice == c.trial().target) ++t.right;
+    any[key] = &c;
+  }
+  for (auto& [key, t] : found) {
+    const Counted& c = *any.at(key);
+    t.estimate = beliefAfter(study, *c.participant, key.first, c.trial().mode, c.participant->answers.size())
+                     .estimate(confidence);
+  }
+  return found;
+}
+
+FigureTable personTable(const Study& study) {
+  return {
+      "thresholds",
+      "Threshold of each participant: the increase of " + std::string(nameOf(study.design.quantity)) +
+          " told in 75 of 100",
+      "95 % credible, equal tails (QUEST+). Open: the interval reaches an end of what was thought possible.",
+      {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
+       {"participant", "participant", 0, "anonymous id"},
+       {"button", "button", 0, "what it was compared with"},
+       {"trials", "trials", 0, "questions that count"},
+       {"right", "right", 0, "of those, told rightly"},
+       {"threshold_percent", "threshold %", 1, "increase told in 75 of 100, lapses aside; median"},
+       {"low_percent", "low", 1, "2.5 % are below"},
+       {"high_percent", "high", 1, "2.5 % are above"},
+       {"open", "open", 0, "yes: the interval reaches an end of what was thought possible"}},
+      {}};
+}
+
+FigureTable overPeopleTable() {
+  return {"thresholds_over_people",
+          "Thresholds over participants",
+          "Geometric mean, with Student's 95 % interval of its logarithm.",
+          {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
+           {"button", "button", 0, "what it was compared with"},
+           {"participants", "people", 0, "participants with any answer"},
+           {"threshold_percent", "threshold %", 1, "geometric mean of the participants' medians"},
+           {"low_percent", "low", 1, "lower end"},
+           {"high_percent", "high", 1, "upper end"}},
+          {}};
+}
+
+// ---- ratings
+
+/// What one person gave one button or pair on average: a rating, the logarithm of one, or 1 where the pair's first was preferred.
+using PersonMeans = std::map<std::size_t, std::map<std::size_t, double>>;  // by thing, by person
+
+PersonMeans meansOf(const std::vector<Counted>& answers,
+                    const std::function<std::pair<std::size_t, double>(const Counted&)>& valueOf) {
+  std::map<std::size_t, std::map<std::size_t, std::pair<double, double>>> sums;
+  for (const Counted& c : answers) {
+    const auto [thing, value] = valueOf(c);
+    auto& [sum, n] = sums[thing][c.person];
+    sum += value;
+    ++n;
+  }
+  PersonMeans means;
+  for (const auto& [thing, people] : sums)
+    for (const auto& [person, sum] : people) means[thing][person] = sum.first / sum.second;
+  return means;
+}
+
+/// Everybody uses numbers of their own: what a person's logarithms are beyond the person's mean, added to the mean of all (Stevens;
+/// Lane, Catania & Stevens, JASA 1961). Persons who did not rate every button are left out.
+PersonMeans onOneScale(const PersonMeans& logs, std::size_t things) {
+  std::map<std::size_t, std::pair<double, std::size_t>> byPerson;
+  for (const auto& [thing, people] : logs)
+    for (const auto& [person, value] : people) {
+      byPerson[person].first += value;
+      ++byPerson[person].second;
+    }
+  double all = 0, persons = 0;
+  for (const auto& [person, sum] : byPerson)
+    if (sum.second == things) {
+      all += sum.first / static_cast<double>(things);
+      ++persons;
+    }
+  PersonMeans scaled;
+  for (const auto& [thing, people] : logs)
+    for (const auto& [person, value] : people) {
+      const auto& [sum, n] = byPerson[person];
+      if (n == things) scaled[thing][person] = value - sum / static_cast<double>(things) + all / persons;
+    }
+  return scaled;
+}
+
+std::vector<double> valuesOf(const std::map<std::size_t, double>& people) {
+  std::vector<double> values;
+  for (const auto& [person, value] : people) values.push_back(value);
+  return values;
+}
+
+FigureTable scoreTable(const Study& study) {
+  const bool pairwise = study.design.scale == RatingScale::pairwise;
+  const bool magnitude = study.design.scale == RatingScale::magnitude;
+  FigureTable table{
+      "ratings",
+      magnitude  ? "Magnitude of each button"
+      : pairwise ? "Preference of each button (Bradley-Terry)"
+                 : "Preference of each button, 1 to 7",
+      magnitude  ? "Geometric mean over participants, each on the scale of all; Student's 95 % interval of "
+                   "the logarithm."
+      : pairwise ? "Log odds against the mean of all: a difference of 1 is preferred in 73 of 100. 95 %, "
+                   "persons independent; "
+                   "below six people trials are taken as independent, which is too narrow."
+                 : "Mean over participants with Student's 95 % interval.",
+      {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
+       {"button", "button", 0, "what was rated"},
+       {"participants", "people", 0, "participants that count"},
+       {"value",
+        pairwise    ? "score"
+        : magnitude ? "magnitude"
+                    : "mean",
+        2, "see the table's note"},
+       {"low", "low", 2, "lower end, 95 %"},
+       {"high", "high", 2, "upper end, 95 %"}},
+      {}};
+  return table;
+}
+
+FigureTable differenceTable(const Study& study) {
+  const bool pairwise = study.design.scale == RatingScale::pairwise;
+  const bool magnitude = study.design.scale == RatingScale::magnitude;
+  return {"rating_differences",
+          "Every two buttons against each other",
+          "Two-sided p by flipping the signs of whole persons, exact up to 20 people; Holm over the pairs of "
+          "a condition. "
+          "Interval: what this test does not refuse, from six people on.",
+          {{"condition", "condition", 0, "what reached the ears, mode, and whether a person answered"},
+           {"first", "first", 0, "button"},
+           {"second", "second", 0, "button"},
+           {"participants", "people", 0, "participants who rated both"},
+           {"difference",
+            pairwise    ? "first preferred, %"
+            : magnitude ? "ratio"
+                        : "difference",
+            pairwise ? 1 : 2,
+            pairwise    ? "share of choices for the first, mean over persons"
+            : magnitude ? "first over second, geometric mean over persons"
+                        : "first minus second, mean over persons"},
+           {"low", "low", pairwise ? 1 : 2, "lower end, 95 %"},
+           {"high", "high", pairwise ? 1 : 2, "upper end, 95 %"},
+           {"p", "p", 4, "two-sided"},
+           {"p_holm", "p, Holm", 4, "for all pairs of the condition together"}},
+          {}};
+}
+
+/// How a mean of logarithms, shares or ratings is told.
+double told(RatingScale scale, double value) {
+  switch (scale) {
+    case RatingScale::preference:
+      break;
+    case RatingScale::magnitude:
+      return std::exp(value);
+    case RatingScale::pairwise:
+      return percent * (value + 0.5);
+  }
+  return value;
+}
+
+void addDifferences(const Study& study, const std::string& condition,
+                    const std::vector<std::vector<double>>& differences, FigureTable& table) {
+  const auto pairs = pairsOf(study.buttons.size());
+  const RatingScale scale = study.design.scale;
+  std::vector<double> p;
+  const std::size_t before = table.rows.size();
+  for (std::size_t at = 0; at < pairs.size(); ++at) {
+    if (differences[at].empty()) continue;
+    const PairedDifference d = pairedDifference(differences[at], confidence);
+    p.push_back(d.p);
+    table.rows.push_back(
+        {condition, study.buttons[pairs[at].first].label, study.buttons[pairs[at].second].label,
+         count(differences[at].size()), told(scale, d.mean),
+         cell(d.interval ? std::optional(told(scale, d.interval->low)) : std::nullopt),
+         cell(d.interval ? std::optional(told(scale, d.interval->high)) : std::nullopt), d.p, FigureCell()});
+  }
+  const std::vector<double> adjusted = holm(p);
+  for (std::size_t i = 0; i < adjusted.size(); ++i) table.rows[before + i].back() = adjusted[i];
+}
+
+std::size_t pairAt(std::size_t first, std::size_t second) { return second * (second - 1) / 2 + first; }
+
+void addPairwise(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
+                 FigureTable& scores, FigureTable& differences) {
+  std::vector<Preference> preferences;
+  std::map<std::size_t, std::size_t> persons;  // numbered without gaps
+  for (const Counted& c : answers) persons.emplace(c.person, persons.size());
+  for (const Counted& c : answers)
+    preferences.push_back({persons.at(c.person), c.trial().choices[c.answer().choice],
+                           c.trial().choices[1 - c.answer().choice]});
+  const PreferenceScores found = bradleyTerry(preferences, study.buttons.size(), confidence);
+  for (std::size_t i = 0; i < found.scores.size(); ++i)
+    scores.rows.push_back({condition, study.buttons[i].label, count(persons.size()), found.scores[i],
+                           found.intervals[i].low, found.intervals[i].high});
+  const PersonMeans shares = meansOf(answers, [](const Counted& c) {
+    const auto [first, second] = std::minmax(c.trial().choices[0], c.trial().choices[1]);
+    return std::pair{pairAt(first, second), c.trial().choices[c.answer().choice] == first ? 0.5 : -0.5};
+  });
+  std::vector<std::vector<double>> byPair(pairsOf(study.buttons.size()).size());
+  for (const auto& [pair, people] : shares) byPair[pair] = valuesOf(people);
+  addDifferences(study, condition, byPair, differences);
+}
+
+void addScale(const Study& study, const std::string& condition, const std::vector<Counted>& answers,
+              FigureTable& scores, FigureTable& differences) {
+  const bool magnitude = study.design.scale == RatingScale::magnitude;
+  PersonMeans means = meansOf(answers, [&](const Counted& c) {
+    const double rating = c.answer().rating.value_or(1);
+    return std::pair{c.trial().choices[0], magnitude ? std::log(rating) : rating};
+  });
+  if (magnitude) means = onOneScale(means, study.buttons.size());
+  for (const auto& [button, people] : means) {
+    const MeanOverPeople m = meanOver(valuesOf(people));
+    const auto end = [&](double Interval::*side) {
+      return cell(m.interval ? std::optional(told(study.design.scale, (*m.interval).*side)) : std::nullopt);
+    };
+    scores.rows.push_back({condition, study.buttons[button].label, count(people.size()),
+                           told(study.design.scale, m.mean), end(&Interval::low), end(&Interval::high)});
+  }
+  std::vector<std::vector<double>> byPair;
+  for (const auto& [first, second] : pairsOf(study.buttons.size())) {
+    std::vector<double>& values = byPair.emplace_back();
+    for (const auto& [person, value] : means[first])
+      if (const auto other = means[second].find(person); other != means[second].end())
+        values.push_back(value - other->second);
+  }
+  addDifferences(study, condition, byPair, differences);
+}
+
+}  // namespace
+
+std::vector<FigureTable> thresholdTables(const Study& study,
+                                         const std::vector<ParticipantRecord>& participants) {
+  FigureTable persons = personTable(study), over = overPeopleTable();
+  for (const auto& [condition, answers] : conditionsOf(study, participants)) {
+    std::map<std::size_t, std::vector<double>> logs;
+    for (const auto& [key, t] : thresholdsIn(study, answers)) {
+      const auto& [reference, person] = key;
+      persons.rows.push_back({condition, participants[person].participant, study.buttons[reference].label,
+                              count(t.trials), count(t.right), percent * t.estimate.threshold,
+                              percent * t.estimate.credible.low, percent * t.estimate.credible.high,
+                              t.estimate.beyondLevels ? "yes" : "no"});
+      logs[reference].push_back(std::log(t.estimate.threshold));
+    }
+    for (const auto& [reference, values] : logs) {
+      const MeanOverPeople m = meanOver(values);
+      const auto end = [&](double Interval::*side) {
+        return cell(m.interval ? std::optional(percent * std::exp((*m.interval).*side)) : std::nullopt);
+      };
+      over.rows.push_back({condition, study.buttons[reference].label, count(values.size()),
+                           percent * std::exp(m.mean), end(&Interval::low), end(&Interval::high)});
+    }
+  }
+  return {persons, over};
+}
+
+std::vector<FigureTable> ratingTables(const Study& study,
+                                      const std::vector<ParticipantRecord>& participants) {
+  FigureTable scores = scoreTable(study), differences = differenceTable(study);
+  for (const auto& [condition, answers] : conditionsOf(study, participants)) {
+    if (study.design.scale == RatingScale::pairwise)
+      addPairwise(study, condition, answers, scores, differences);
+    else
+      addScale(study, condition, answers, scores, differences);
+  }
+  if (study.buttons.size() < 2) return {scores};
+  return {scores, differences};
+}
+
+}  // namespace detent::playback

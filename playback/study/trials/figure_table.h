@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A table of figures as data: what a study found is put into such tables once, and text, CSV, JSON and pages read them all alike. Any
+// thread.
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace detent::playback {
+
+/// Empty where there is nothing to say; words; a number.
+using FigureCell = std::variant<std::monostate, std::string, double>;
+
+struct FigureColumn {
+  std::string key;          ///< "threshold", "low_percent": unit in the name; for JSON and CSV
+  std::string heading;      ///< "threshold, %"; for people
+  int decimals = 0;         ///< of numbers as people read them; files hold them whole
+  std::string description;  ///< one clause
+};
+
+struct FigureTable {
+  std::string key;    ///< "thresholds"
+  std::string title;  ///< "Thresholds of each participant"
+  std::string note;   ///< what must be known to read it; may be empty
+  std::vector<FigureColumn> columns;
+  std::vector<std::vector<FigureCell>> rows;  ///< each as long as `columns`
+};
+
+/// Aligned columns under the title.
+std::string tableText(const FigureTable& table);
+/// Keys, then a line for each row (RFC 4180); numbers to the last digit.
+std::string tableCsv(const FigureTable& table);
+/// A section of a page.
+std::string tableMarkup(const FigureTable& table);
+/// {"key", "title", "note", "columns": [{"key", "heading", "description"}], "rows": [{key: value or null}]}
+std::string tableJson(const FigureTable& table);
+
+/// One field of a CSV line, quoted where it has to be.
+std::string csvField(const std::string& text);
+
+}  // namespace detent::playback
