@@ -49,9 +49,12 @@ std::vector<Contact> contactsOf(const std::vector<Point>& upper, const std::vect
   return contacts;
 }
 
-/// A stretch of a line beside a contact: its direction by least squares, and its far end.
+/// A stretch of a line beside a contact: its direction and middle by least squares, its far end and the one at the contact.
 struct Arm {
-  Point direction, end;
+  Point direction, middle, end, atContact;
+
+  /// How far a place lies beside the straight line of this arm.
+  double beside_px(Point p) const { return std::abs(cross(direction, p - middle)); }
 };
 
 /// Of the points [from, to).
@@ -67,7 +70,7 @@ Arm armOf(const std::vector<Point>& line, std::size_t from, std::size_t to, bool
   const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
   Point along{std::cos(angle), std::sin(angle)};
   if (dot(along, line[to - 1] - line[from]) < 0) along = -1.0 * along;
-  return {along, towardsEnd ? line[to - 1] : line[from]};
+  return {along, mean, towardsEnd ? line[to - 1] : line[from], towardsEnd ? line[from] : line[to - 1]};
 }
 
 constexpr std::size_t kFewest = 4;  // points of an arm
@@ -96,9 +99,15 @@ double turn_deg(Point from, Point to) {
 struct Meeting {
   double turn_deg = 0;     ///< by which each bends away from the other, the smaller one
   double through_deg = 0;  ///< by which a line bends that changes sides, the larger one
+  double shift_px = 0;     ///< by which such a line stands beside itself behind the contact, the larger one
   double contact_px = 0;   ///< length over which they are one band
   double apart_px = 0;     ///< between the ends of the arms before and behind, the smaller one
 };
+
+/// How far a line that changes sides has come off itself behind the contact; `arms`: before and behind.
+double shiftOf(const Arm& before, const Arm& behind) {
+  return std::min(before.beside_px(behind.atContact), behind.beside_px(before.atContact));
+}
 
 std::optional<Meeting> meetingAt(const Contact& c, const std::vector<Point>& upper,
                                  const std::vector<Point>& lower, double arm_px) {
@@ -111,6 +120,7 @@ std::optional<Meeting> meetingAt(const Contact& c, const std::vector<Point>& upp
                         -turn_deg(lowerIn->direction, lowerOut->direction));
   m.through_deg = std::max(std::abs(turn_deg(upperIn->direction, lowerOut->direction)),
                            std::abs(turn_deg(lowerIn->direction, upperOut->direction)));
+  m.shift_px = std::max(shiftOf(*upperIn, *lowerOut), shiftOf(*lowerIn, *upperOut));
   m.contact_px = distance(upper[c.upperFrom], upper[c.upperTo]);
   m.apart_px = std::min(apart_px(*upperIn), apart_px(*upperOut));
   return m;
@@ -128,7 +138,9 @@ constexpr std::array<Look, 2> kLooks{{{0.035, 8}, {0.02, 15}}};
 
 bool linesCross(const std::vector<Point>& upper, const std::vector<Point>& lower, double width_px,
                 double size_px) {
-  constexpr double straightThrough = 0.5;                // of the turn
+  constexpr double straightThrough = 0.5;  // of the turn
+  constexpr double mostShift_px = 0.5,
+                   mostShift = 1;  // and in widths; steep strokes beside each other have more
   constexpr double leastContact = 1, leastApart = 2;     // in widths; tips that touch have less
   constexpr double bandWidths = 1.3, bandBeyond_px = 1;  // lines nearer than this are one band
   const std::vector<Contact> contacts = contactsOf(upper, lower, bandWidths * width_px + bandBeyond_px);
@@ -136,7 +148,8 @@ bool linesCross(const std::vector<Point>& upper, const std::vector<Point>& lower
     return std::ranges::any_of(kLooks, [&](const Look& look) {
       const auto m = meetingAt(contact, upper, lower, look.arm * size_px);
       return m && m->turn_deg >= look.leastTurn_deg && m->through_deg <= straightThrough * m->turn_deg &&
-             m->contact_px >= leastContact * width_px && m->apart_px >= leastApart * width_px;
+             m->shift_px <= mostShift_px + mostShift * width_px && m->contact_px >= leastContact * width_px &&
+             m->apart_px >= leastApart * width_px;
     });
   });
 }

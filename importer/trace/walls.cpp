@@ -15,8 +15,15 @@ namespace {
 constexpr double kLeastOfCurve = 0.6;  // of the curve's thickness, for a row to be the wall's
 constexpr double kMostOfCurve = 1.7;   // of it: bars and shaded areas are thicker
 constexpr double kLean_px = 0.75;      // between a wall's halves: what leans more is no wall
-constexpr double kThicker = 0.35;      // of it: how much more ink the wall has than the line it stands on
-constexpr double kThicker_px = 0.4;    // the same, at least
+constexpr double kMuch_px =
+    0.4;  // more ink than the plot's own line has: a wall's, whatever the curve's thickness
+constexpr double kMuch = 0.35;  // the same, of the curve's thickness, at least
+constexpr double kLittle_px =
+    0.3;  // more ink than that line has, where all rows and the curve's thickness tell
+constexpr double kThinRows =
+    0.15;  // of a lane's rows: a wall's thin ones are thicker than a line's thick ones
+constexpr double kBareBelow = 0.1;     // of the frame's height: so far without ink below a foot is no line
+constexpr double kPlumb_px = 1.5;      // within which the points of a plumb rise stand
 constexpr double kLeastHeight = 0.05;  // of the frame's height
 constexpr std::size_t kLeastRows = 6;  // that tell how thick a line is
 constexpr double kHook = 4;            // widths of the line beside a wall in which a crest is the corner's
@@ -26,25 +33,32 @@ constexpr double kTopReached_px = 3;   // a wall that ends so near to the frame'
 /// A curve in area pixels, from left to right, with what its end tells.
 struct Curve {
   std::vector<Point> points;
-  bool reversed = false;  ///< drawn from the right
-  double thickness_px = 0;
+  bool reversed = false;    ///< drawn from the right
+  double thickness_px = 0;  ///< 0: not seen
+  Rgb color;
 
   Point end() const { return points.back(); }
 };
 
 Curve curveOf(const CurveTrace& trace, const PlotArea& area) {
   Curve curve;
+  curve.color = trace.color;
   for (const Point& p : trace.points_px) curve.points.push_back(area.fromView(p));
   curve.reversed = curve.points.front().x > curve.points.back().x;
   if (curve.reversed) std::ranges::reverse(curve.points);
   return curve;
 }
 
-/// Usual thickness of a lane between two rows; nothing where they are too few.
-std::optional<double> usual(const PlumbLane& lane, double y0, double y1) {
-  const std::vector<double> rows = lane.rows(y0, y1);
-  return rows.size() < kLeastRows ? std::nullopt : std::optional(quantileOf(rows, 0.5));
-}
+/// How thick a lane is between two rows; nothing where they are too few.
+struct Thickness {
+  double thin = 0, usual = 0, thick = 0;  ///< its thinner and thicker rows, px
+
+  static std::optional<Thickness> between(const PlumbLane& lane, double y0, double y1) {
+    const std::vector<double> rows = lane.rows(y0, y1);
+    if (rows.size() < kLeastRows) return {};
+    return Thickness{quantileOf(rows, kThinRows), quantileOf(rows, 0.5), quantileOf(rows, 1 - kThinRows)};
+  }
+};
 
 /// How thick the plot's own lines are that stand plumb, of which the lane may be one; 0 where the lane is none of them.
 double ownLine(const CurveInkOnArea& ink, const PlotArea& area, double x, double within_px) {
@@ -53,44 +67,98 @@ double ownLine(const CurveInkOnArea& ink, const PlotArea& area, double x, double
   std::vector<double> others;
   for (const double column : area.columns_px)
     if (!isHere(column))
-      if (const auto run = usual(PlumbLane(ink, area, column), area.frame.y0 + 4, area.frame.y1 - 4))
-        others.push_back(*run);
+      if (const auto run = Thickness::between({ink, area, column}, area.frame.y0 + 4, area.frame.y1 - 4))
+        others.push_back(run->usual);
   return others.empty() ? 0 : quantileOf(others, 0.75);
+}
+
+/// The plot's own line on a lane, told from below the foot; where nothing stands there for long, there is none.
+Thickness lineBelow(const PlumbLane& lane, double foot, double own_px, const Box& frame, double margin_px) {
+  const double end = frame.y1 - margin_px;
+  const auto below = Thickness::between(lane, foot, end);
+  if (!below) return {own_px, own_px, own_px};
+  if (below->thick <= 0 && end - foot > kBareBelow * frame.height()) return {};
+  return {below->thin, std::max(below->usual, own_px), std::max(below->thick, own_px)};
+}
+
+/// Whether the ink above a curve's end is more than the plot's own line. Much more is a wall whatever the curve's thickness; a little more
+/// is one where the curve is thicker than the line and all rows tell: two thin lines drawn beside each other look like a thicker one.
+bool standsOut(const Thickness& above, const Thickness& line, double curve_px) {
+  const double more_px = above.usual - line.usual;
+  if (more_px >= std::max(kMuch_px, kMuch * curve_px)) return true;
+  return std::min(more_px, curve_px - line.usual) >= kLittle_px && above.thin > line.thick;
 }
 
 struct Wall {
   double x = 0, foot = 0, top = 0;  ///< area px
 };
 
-/// The wall above a curve's end. `lowest`: the row below which nothing but the plot's own line may stand on the lane.
-std::optional<Wall> wallAt(const Curve& curve, double lowest, const CurveInkOnArea& ink,
-                           const PlotArea& area) {
+/// Where curves end beside each other: the wall rises from the uppermost of its ink, and below the lowest of any nothing but the plot's own
+/// line may stand on the lane.
+struct Ends {
+  double uppermost = 0, lowest = 0;  ///< area px
+};
+
+/// The wall above a curve's end.
+std::optional<Wall> wallAt(const Curve& curve, Ends ends, const CurveInkOnArea& ink, const PlotArea& area) {
   const double w = curve.thickness_px, height = area.frame.height(), margin = 1.5 * w + 2;
-  const Point end = curve.end();
-  if (end.y - area.frame.y0 < std::max(kLeastHeight * height, 3 * w)) return {};
+  const double least_px = std::max(kLeastHeight * height, 3 * w);
+  if (ends.uppermost - area.frame.y0 < least_px) return {};
   // The corner may have been cut short: the lane stands within a line's width of the end.
-  const double probe = end.y - margin, probed = kLeastHeight * height;
-  double x = end.x, seen = 0;
-  for (double at = end.x - w - 2; at <= end.x + w + 2; at += 1)
-    if (const double run = usual(PlumbLane(ink, area, at), probe - probed, probe).value_or(0); run > seen)
-      seen = run, x = at;
+  const double probe = ends.uppermost - margin, probed = kLeastHeight * height;
+  const auto probedAt = [&](double at) {
+    return Thickness::between({ink, area, at}, probe - probed, probe).value_or(Thickness{});
+  };
+  double x = curve.end().x, most_px = 0;
+  for (double at = curve.end().x - w - 2; at <= curve.end().x + w + 2; at += 1)
+    if (const double run = probedAt(at).usual; run > most_px) most_px = run, x = at;
   x = PlumbLane(ink, area, x).middle(probe - probed, probe);
   const PlumbLane lane(ink, area, x);
-  const double line = std::max(usual(lane, lowest + margin, area.frame.y1 - margin).value_or(0),
-                               ownLine(ink, area, x, w + 2));
-  const auto isWall = [&](double thickness_px) {
-    return thickness_px >= kLeastOfCurve * w && thickness_px <= kMostOfCurve * w + 1 &&
-           thickness_px - line >= std::max(kThicker_px, kThicker * w);
+  const Thickness seen = probedAt(x);
+  const Thickness line =
+      lineBelow(lane, ends.lowest + margin, ownLine(ink, area, x, w + 2), area.frame, margin);
+  const auto isWall = [&](const Thickness& its) {
+    return its.usual >= kLeastOfCurve * w && its.usual <= kMostOfCurve * w + 1 && standsOut(its, line, w);
   };
   if (!isWall(seen)) return {};
-  const double top = lane.top(probe, std::max(0.5 * (seen + line), 0.8 * kLeastOfCurve * w), 2 * w + 3);
-  if (end.y - top < std::max(kLeastHeight * height, 3 * w)) return {};
+  const double top =
+      lane.top(probe, std::max(0.5 * (seen.usual + line.usual), 0.8 * kLeastOfCurve * w), 2 * w + 3);
+  if (ends.uppermost - top < least_px) return {};
   // What is thicker beside the corner only is the corner.
-  if (!isWall(usual(lane, top, probe).value_or(seen))) return {};
+  if (!isWall(Thickness::between(lane, top, probe).value_or(seen))) return {};
   const double half = 0.5 * (top + probe);
   if (std::abs(lane.middle(top, half) - lane.middle(half, probe)) > kLean_px) return {};
   const double atFrame = top - area.frame.y0 <= kTopReached_px + w ? area.frame.y0 : top;
-  return Wall{lane.middle(top, probe), end.y, atFrame};
+  return Wall{lane.middle(top, probe), curve.end().y, atFrame};
+}
+
+/// Where the plumb rise begins that ends a curve; the end's own row where none does.
+double footOfRise(const Curve& curve) {
+  const Point end = curve.end();
+  double foot = end.y;
+  for (auto p = curve.points.rbegin(); p != curve.points.rend() && std::abs(p->x - end.x) <= kPlumb_px; ++p)
+    foot = std::max(foot, p->y);
+  return foot;
+}
+
+/// Whether two curves' right ends stand on one lane.
+bool endTogether(const Curve& a, const Curve& b) {
+  return std::abs(a.end().x - b.end().x) <= 2 * a.thickness_px + 4;
+}
+
+/// The wall that ends another curve of the same ink, where this one ends beside it: the strokes of one button part there.
+std::optional<Wall> sharedWall(const Curve& curve, const std::vector<Curve>& curves,
+                               const CurveInkOnArea& ink, const PlotArea& area) {
+  const double least_px = std::max(kLeastHeight * area.frame.height(), 3 * curve.thickness_px);
+  for (const Curve& other : curves) {
+    if (&other == &curve || other.color != curve.color || !endTogether(curve, other)) continue;
+    const Wall wall{other.end().x, curve.end().y, other.end().y};
+    const double foot = footOfRise(other);
+    if (foot - wall.top < least_px || wall.foot - wall.top < least_px) continue;
+    const auto between = Thickness::between({ink, area, wall.x}, foot, wall.foot);
+    if (!between || between->usual >= kLeastOfCurve * curve.thickness_px) return wall;
+  }
+  return {};
 }
 
 /// How many points of the curve's end lead down from a crest beside the wall. Where strokes meet on a wall, the upper one may have been
@@ -102,6 +170,17 @@ std::size_t pointsOfHook(const Curve& curve, double x) {
   const auto crest = std::min_element(first, points.end(), [](Point a, Point b) { return a.y < b.y; });
   if (first == points.begin() || crest == first || crest == points.end()) return 0;
   return static_cast<std::size_t>(points.end() - crest) - 1;
+}
+
+/// The strokes of one ink are as thick as the thinnest: what runs along another one looks thicker.
+void measureThickness(std::vector<Curve>& curves, const PlotArea& area, const Backdrop& backdrop) {
+  std::vector<double> seen_px;
+  for (const Curve& curve : curves)
+    seen_px.push_back(CurveInkOnArea(area, backdrop, curve.color).thicknessAlong(curve.points));
+  for (Curve& curve : curves)
+    for (std::size_t k = 0; k < curves.size(); ++k)
+      if (curves[k].color == curve.color && seen_px[k] > 0)
+        curve.thickness_px = curve.thickness_px > 0 ? std::min(curve.thickness_px, seen_px[k]) : seen_px[k];
 }
 
 /// Takes points off the trace's right end.
@@ -140,16 +219,18 @@ void addLostWalls(std::vector<CurveTrace>& traces, const PlotArea& area) {
     curves.push_back(curveOf(trace, area));
   }
   std::vector<std::optional<Wall>> walls(traces.size());
+  measureThickness(curves, area, backdrop);
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const CurveInkOnArea ink(area, backdrop, traces[i].color);
-    curves[i].thickness_px = ink.thicknessAlong(curves[i].points);
     if (!ink.distinct() || curves[i].thickness_px <= 0) continue;
-    // Of strokes that end on one wall the lower one's end is the wall's foot.
-    double lowest = curves[i].end().y;
+    Ends ends{curves[i].end().y, curves[i].end().y};
     for (const Curve& other : curves)
-      if (std::abs(other.end().x - curves[i].end().x) <= 2 * curves[i].thickness_px + 4)
-        lowest = std::max(lowest, other.end().y);
-    walls[i] = wallAt(curves[i], lowest, ink, area);
+      if (endTogether(curves[i], other)) {
+        if (other.color == curves[i].color) ends.uppermost = std::min(ends.uppermost, footOfRise(other));
+        ends.lowest = std::max(ends.lowest, other.end().y);
+      }
+    walls[i] = wallAt(curves[i], ends, ink, area);
+    if (!walls[i]) walls[i] = sharedWall(curves[i], curves, ink, area);
   }
   for (std::size_t i = 0; i < traces.size(); ++i) {
     if (!walls[i]) continue;

@@ -43,6 +43,25 @@ TEST_CASE("Lines that cross do, at small angles and large ones, straight and ben
   CHECK(cross([](double x) { return 300 + 60 * std::sin(x / 90); }, [](double x) { return 340 - 0.3 * x; }));
 }
 
+TEST_CASE("Strokes that run close to each other up one steep rise do not cross", "[crossing]") {
+  // Both bend up and level out again, the lower one a few px farther down: where they are one band, the upper one comes in level and
+  // goes out steep, the lower one the other way round.
+  const double lower_px = GENERATE(14.0, 20.0), width = GENERATE(3.0, 5.0);
+  const auto bent = [](double along, double shifted_px) {
+    const double flat_px = 300, rise_px = 60, run_px = 12;
+    const double up = std::clamp((along - flat_px) / std::hypot(rise_px, run_px), 0.0, 1.0);
+    const double x =
+        std::min(along, flat_px) + run_px * up + std::max(0.0, along - flat_px - std::hypot(rise_px, run_px));
+    return Point{x, 300 + shifted_px - rise_px * up - 0.05 * x};
+  };
+  std::vector<Point> upper, lower;
+  for (double along = 0; along <= 400; along += 1) {
+    upper.push_back(bent(along, 0));
+    lower.push_back(bent(along, lower_px));
+  }
+  CHECK_FALSE(linesCross(upper, lower, width, size_px));
+}
+
 TEST_CASE("Lines that touch, merge or end in one point do not cross", "[crossing]") {
   const auto level = [](double) { return 300.0; };
   CHECK_FALSE(

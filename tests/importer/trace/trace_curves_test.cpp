@@ -444,6 +444,37 @@ TEST_CASE("A wall that stands on a gridline, or on the frame's edge, belongs to 
   }
 }
 
+TEST_CASE("A wall little thicker than the line it stands on is told by every row of it", "[trace]") {
+  const double x = GENERATE(0.75, 1.0);
+  Plot plot(700, 430);
+  plot.grid(8, 6, kBlack, 2);
+  Loop loop = loopEndingAt(x);
+  plot.line(plot.at(loop.press), 2.6, kBlack);
+  plot.line(plot.at(loop.release), 2.6, kBlack);
+  plot.line(plot.at({{x, loop.release.back().y}, {x, 1}}), 2.6, kBlack);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  REQUIRE(traces->size() == 2);
+  for (const CurveTrace& trace : *traces) {
+    const auto highest = std::ranges::min_element(trace.points_px, {}, &Point::y);
+    CHECK(std::abs(highest->y - plot.at(x, 1).y) < 2);
+  }
+}
+
+TEST_CASE("A line drawn twice above a curve's end, as thin as the curve, is no wall", "[trace]") {
+  const double x = GENERATE(0.75, 1.0);
+  Plot plot(700, 430);
+  plot.grid(8, 6, kBlack, 2);
+  Loop loop = loopEndingAt(x);
+  plot.line(plot.at(loop.press), 2, kBlack);
+  plot.line(plot.at(loop.release), 2, kBlack);
+  plot.line(plot.at({{x, loop.press.back().y}, {x, 1}}), 2.2, kBlack);
+  const auto traces = plot.trace();
+  REQUIRE(traces.ok());
+  for (const CurveTrace& trace : *traces)
+    for (const Point& p : trace.points_px) CHECK(p.y > plot.at(x, 0.65).y);
+}
+
 TEST_CASE("A gridline above a curve's end is no wall", "[trace]") {
   const double x = GENERATE(0.75, 1.0);
   Plot plot(700, 430);
