@@ -8,6 +8,7 @@
 // deviceTrouble.
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -15,6 +16,8 @@
 
 #include "model/button.h"
 #include "model/result.h"
+#include "playback/identification/identify_motion.h"
+#include "playback/measurement/force_profile_file.h"
 #include "playback/offline/press_files.h"
 #include "playback/prepare/prepare_force.h"
 #include "playback/prepare/spring_button.h"
@@ -90,6 +93,24 @@ struct ForceLinkPace {
   double addedDamping_Ns_per_mm = 0,
          largestForceChange_N = 0;  ///< what the button lost to it, besides slopes
 };
+
+/// Measures the device itself: no finger on it, the handle free to move.
+struct DeviceMeasurementSettings {
+  ForcePlayerSettings
+      run;  ///< device, rate, pace and stops; finger, seconds and the law's choices do not matter
+  double range_mm = 10;  ///< 4..80; it moves between 0 and this, beyond by a few millimetres at most
+  double largest_N = 1;  ///< > 0, not above the device's limit
+};
+struct DeviceMeasurement {
+  ForceDeviceMeasurement device;
+  MotionIdentification motion;
+  MotionRecord record;     ///< what it rests on, for pictures
+  double roundTrip_s = 0;  ///< of the link; 0: none, or quick
+};
+/// Some ten seconds. `onward` is asked often and told what has been done (0..1): false cancels. Failure: wrongUsage, deviceTrouble where the
+/// device cannot be had, does not move, or moves the other way; unreadableInput where its movement tells nothing.
+Result<DeviceMeasurement> measureForceDevice(const DeviceMeasurementSettings& settings,
+                                             const std::function<bool(double done)>& onward);
 
 /// A button under a finger. Destroying it lets the force fall to nothing within 10 ms and joins its thread.
 class ForcePlayer {

@@ -5,14 +5,11 @@
 #include <cstdio>
 #include <utility>
 
-#include "playback/device/falcon_force_device.h"
-#include "playback/device/falcon_protocol.h"
 #include "playback/device/force_loop.h"
 #include "playback/device/force_orders.h"
 #include "playback/device/odrive_force_device.h"
-#include "playback/device/serial_force_device.h"
-#include "playback/device/simulated_device.h"
 #include "playback/force_feedback.h"
+#include "playback/open_force_device.h"
 
 namespace detent::playback {
 
@@ -63,93 +60,6 @@ Result<FingerPlan> planOf(const FingerChoice& finger, const Button& button, cons
     return FingerPlan{FingerForcePath{times_s, values}};
   return FingerPlan{FingerPath{times_s, values}};
 }
-
-Result<std::unique_ptr<ForceDevice>> simulatedOn(const Button& button, const PreparedForce& prepared,
-                                                 const ForcePlayerSettings& settings) {
-  const ForceDeviceProfile& p = settings.device.profile;
-  Result<FingerPlan> plan = planOf(settings.finger, button, p, prepared.summary.travel_mm);
-  if (!plan) return plan.failure();
-  SimulatedDeviceSettings s;
-  s.mass_kg = p.mass_kg;
-  s.friction_N = p.friction_N;
-  s.damping_Ns_per_mm = p.damping_Ns_per_mm;
-  s.step_mm = p.step_mm;
-  s.period_s = prepared.program.period_s;
-  s.delay_s = p.delay_s;
-  s.force_N = p.limits.force_N;
-  s.start_mm = prepared.summary.rest_mm;
-  s.lowest_mm = std::min(s.lowest_mm, s.start_mm);
-  return std::unique_ptr<ForceDevice>(
-      std::make_unique<SimulatedForceDevice>(s, SimulatedFinger({}, *std::move(plan))));
-}
-
-Result<std::unique_ptr<ForceDevice>> serialOn(const PreparedForce& prepared,
-                                              const ForceDeviceChoice& choice) {
-  Result<std::unique_ptr<SerialForceDevice>> device =
-      SerialForceDevice::open(choice.port, choice.baud, prepared.program.period_s, prepared.program.limits);
-  if (!device) return device.failure();
-  const SerialForceInfo& info = (*device)->info();
-  if (prepared.program.step_mm < info.step_mm * 0.999) {
-    return Failure{FailureCode::wrongUsage, choice.port, "",
-                   "the device has steps of " + std::to_string(1000 * info.step_mm) +
-                       " um; it was prepared for finer ones",
-                   "Give --step-mm " + std::to_string(info.step_mm)};
-  }
-  if (choice.uploadTable) {
-    if (Result<Done> sent = (*device)->upload(prepared.program); !sent) return sent.failure();
-  }
-  return std::unique_ptr<ForceDevice>(std::move(*device));
-}
-
-Result<std::unique_ptr<ForceDevice>> odriveOn(const PreparedForce& prepared,
-                                              const ForceDeviceChoice& choice) {
-  OdriveSettings settings;
-  settings.port = choice.port;
-  settings.baud = choice.baud;
-  settings.axis = choice.axis;
-  settings.mmPerTurn = choice.mmPerTurn;
-  settings.period_s = prepared.program.period_s;
-  settings.force_N = prepared.program.limits.force_N;
-  settings.speed_mm_per_s = prepared.program.limits.speed_mm_per_s;
-  Result<std::unique_ptr<OdriveForceDevice>> device = OdriveForceDevice::open(settings);
-  if (!device) return device.failure();
-  return std::unique_ptr<ForceDevice>(std::move(*device));
-}
-
-Result<std::unique_ptr<ForceDevice>> falconOn(const PreparedForce& prepared,
-                                              const ForceDeviceChoice& choice) {
-  FalconSettings settings;
-  settings.number = choice.number;
-  settings.period_s = prepared.program.period_s;
-  if (!choice.firmwareFile.empty()) {
-    Result<std::vector<std::uint8_t>> firmware = readFalconFirmware(choice.firmwareFile);
-    if (!firmware) return firmware.failure();
-    settings.firmware = *std::move(firmware);
-  }
-  Result<std::unique_ptr<ForceDevice>> device = openFalcon(settings);
-  if (!device) return device.failure();
-  return std::move(*device);
-}
-
-Result<std::unique_ptr<ForceDevice>> openDevice(const Button& button, const PreparedForce& prepared,
-                                                const ForcePlayerSettings& settings) {
-  switch (settings.device.kind) {
-    case ForceDeviceKind::simulated:
-      return simulatedOn(button, prepared, settings);
-    case ForceDeviceKind::serial:
-      return serialOn(prepared, settings.device);
-    case ForceDeviceKind::odrive:
-      return odriveOn(prepared, settings.device);
-    case ForceDeviceKind::falcon:
-      break;
-  }
-  return falconOn(prepared, settings.device);
-}
-
-// Of a period that the link decides: the answer comes in this share, the step and the next question in the rest.
-constexpr double answerOfSlowPeriod = 0.8, answerOfPeriod = 0.5;
-// The link's own scatter.
-constexpr double roundTripRoom = 1.05, roundTripRoom_s = 50e-6;
 
 /// The slope that a graph cannot do without: a straight line from nothing to its strongest force over its travel.
 double plainestSlope_N_per_mm(const Button& button, double largest_N) {
@@ -207,10 +117,9 @@ Result<FittedForce> fittedToLink(const Button& button, const ForcePlayerSettings
   const double period_s = asked.prepared.program.period_s;
   asked.device.rate_Hz = 1 / period_s;
   const std::optional<double> roundTrip_s = opened.measureRoundTrip_s();
-  if (!roundTrip_s || *roundTrip_s <= answerOfPeriod * period_s) return asked;
+  if (!roundTrip_s || !tooSlowFor(period_s, *roundTrip_s)) return asked;
   ForceDeviceProfile slower = asked.device;
-  const double slow_s =
-      std::max(period_s, (roundTripRoom * *roundTrip_s + roundTripRoom_s) / answerOfSlowPeriod);
+  const double slow_s = slowPeriod_s(period_s, *roundTrip_s);
   slower.rate_Hz = 1 / slow_s;
   slower.delay_s = std::max(slower.delay_s, slow_s);
   ForceLinkPace pace;
@@ -239,13 +148,7 @@ class RunningForce : public ForcePlayer {
                settings.holdToRun}) {}
 
   Result<Done> takeOrders() {
-    ForceOrderSettings orders;
-    orders.keys = settings_.stopKeys;
-    orders.signals = settings_.stopSignals;
-    orders.oscPort = settings_.stopOscPort;
-    orders.oscAddress = settings_.stopOscAddress;
-    orders.holdToRun = settings_.holdToRun;
-    Result<std::unique_ptr<ForceOrders>> started = ForceOrders::start(loop_, orders);
+    Result<std::unique_ptr<ForceOrders>> started = startForceOrders(loop_, settings_);
     if (!started) return started.failure();
     orders_ = *std::move(started);
     return Done{};
@@ -322,7 +225,15 @@ Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button& button,
                                                         const ForcePlayerSettings& settings) {
   Result<PreparedForce> prepared = prepareForce(button, settings.device.profile, settings.force);
   if (!prepared) return prepared.failure();
-  Result<std::unique_ptr<ForceDevice>> device = openDevice(button, *prepared, settings);
+  FingerPlan finger;
+  if (settings.device.kind == ForceDeviceKind::simulated) {
+    Result<FingerPlan> plan =
+        planOf(settings.finger, button, settings.device.profile, prepared->summary.travel_mm);
+    if (!plan) return plan.failure();
+    finger = *std::move(plan);
+  }
+  Result<std::unique_ptr<ForceDevice>> device =
+      openForceDevice(settings.device, *prepared, std::move(finger));
   if (!device) return device.failure();
   FittedForce fitted{*std::move(prepared), settings.device.profile, {}};
   // A device that runs the law itself does not wait for the link.

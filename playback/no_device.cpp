@@ -30,6 +30,10 @@ Result<LatencyResult> measureLatency(const LatencySettings&,
                                      const std::function<bool()>&) {
   return withoutDevices();
 }
+Result<DeviceMeasurement> measureForceDevice(const DeviceMeasurementSettings&,
+                                             const std::function<bool(double)>&) {
+  return withoutDevices();
+}
 Result<std::unique_ptr<ForcePlayer>> ForcePlayer::start(const Button&, const ForcePlayerSettings&) {
   return withoutDevices();
 }

@@ -17,7 +17,7 @@ constexpr double punctual_s = 100e-6;
 // most 3 % of a processor (docs/decisions/1106-waiting-of-the-force-loop.md).
 constexpr double longestAwake_s = 30e-6, awakeOfPeriod = 0.03;
 constexpr std::size_t keptRows = 1 << 16;  // a minute at 1 kHz
-constexpr double fullQueuePause_s = 0.0005;
+constexpr double queuePause_s = 0.0005;
 constexpr int longestFade_steps =
     4000;  // the force is gone long before; a device that never answers ends too
 
@@ -52,6 +52,10 @@ void ForceLoop::takeProgram() {
   std::swap(program_, next);
   engine_.setProgram(*program_);
   retired_.try_enqueue(std::move(next));  // freed by the other thread
+}
+
+void ForceLoop::awaitProgram() {
+  while (!stopping_ && programs_.peek() == nullptr) sleepUntil(now_s() + queuePause_s);
 }
 
 void ForceLoop::hold(bool held) { heldUntil_s_ = held ? now_s() + holdLasts_s : 0; }
@@ -108,7 +112,7 @@ void ForceLoop::keep(const ForceStep& step, bool wait) {
       ++dropped_;
       return;
     }
-    sleepUntil(now_s() + fullQueuePause_s);
+    sleepUntil(now_s() + queuePause_s);
   }
 }
 
@@ -136,6 +140,7 @@ void ForceLoop::run() {
       // After a stall the loop goes on from now: it does not run after the time it lost.
       due_s = std::max(due_s, now_s() - program_->period_s) + program_->period_s;
     }
+    if (!settings_.paced && i > 0 && i == settings_.waitsAfter_steps) awaitProgram();
     takeProgram();
     takeOrders();
     step(device_->exchange(command_));

@@ -20,6 +20,8 @@ struct ForceLoopSettings {
   /// false: as fast as the machine can, for devices whose time is their own (the simulated one).
   bool paced = true;
   std::int64_t steps = 0;  ///< 0: until stopped
+  /// Of a loop that is not paced: after so many steps it waits for the next program; 0: never.
+  std::int64_t waitsAfter_steps = 0;
   bool holdToRun = false;  ///< force only while `ForceLoop::hold` is said again and again
 };
 
@@ -76,6 +78,7 @@ class ForceLoop {
   void keep(const ForceStep& step, bool wait);
   void publish(bool finished);
   void takeProgram();
+  void awaitProgram();
   void takeOrders();
   void step(ForceReading reading);
 

@@ -19,6 +19,7 @@ SimulatedForceDevice::SimulatedForceDevice(const SimulatedDeviceSettings& settin
   substeps_ = static_cast<std::size_t>(std::ceil(settings.period_s / longestSubstep_s - 1e-9));
   dt_s_ = settings.period_s / static_cast<double>(substeps_);
   delaySubsteps_ = static_cast<std::size_t>(std::lround(settings.delay_s / dt_s_));
+  lagKept_ = settings.lag_s > 0 ? std::exp(-dt_s_ / settings.lag_s) : 0;
   waiting_N_.assign(delaySubsteps_ / substeps_ + 2, 0.0);
 }
 
@@ -31,7 +32,9 @@ ForceReading SimulatedForceDevice::exchange(const ForceCommand& command) {
   waiting_N_[newest_] = std::clamp(command.force_N, -settings_.force_N, settings_.force_N);
   for (std::size_t i = 0; i < substeps_; ++i) {
     const std::size_t periodsAgo = (delaySubsteps_ + substeps_ - 1 - i) / substeps_;
-    advance(waiting_N_[(newest_ + waiting_N_.size() - periodsAgo) % waiting_N_.size()]);
+    const double asked_N = waiting_N_[(newest_ + waiting_N_.size() - periodsAgo) % waiting_N_.size()];
+    lagged_N_ = asked_N + lagKept_ * (lagged_N_ - asked_N);
+    advance(lagged_N_);
   }
   ForceReading reading;
   reading.position_mm = stepped_mm();

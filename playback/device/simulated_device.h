@@ -18,6 +18,7 @@ struct SimulatedDeviceSettings {
   double step_mm = 0.001;
   double period_s = 0.001;
   double delay_s = 0.001;  ///< from a reading to its force
+  double lag_s = 0;        ///< time constant of the motor
   double force_N = 10;     ///< the motor saturates here
   double start_mm = 0;
   double lowest_mm = -3, highest_mm = 150;  ///< hard, inelastic stops
@@ -41,6 +42,7 @@ class SimulatedForceDevice : public ForceDevice {
   SimulatedFinger finger_;
   std::size_t substeps_ = 1, delaySubsteps_ = 0;
   double dt_s_ = 0;
+  double lagged_N_ = 0, lagKept_ = 0;  ///< force of a motor that lags, and what a substep leaves of its error
   double position_mm_ = 0, velocity_mm_per_s_ = 0, fingerWork_mJ_ = 0;
   std::vector<double> waiting_N_;  ///< forces on their way to the motor, a ring of periods
   std::size_t newest_ = 0;

@@ -1,39 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/measurement/profile_file.h"
 
-#include <charconv>
-#include <cmath>
 #include <set>
-#include <sstream>
 #include <string_view>
 #include <vector>
 
 #include "model/file/text_file.h"
 #include "model/number_table.h"
-#include "model/text.h"
 #include "playback/measurement/exact_number.h"
+#include "playback/measurement/profile_lines.h"
 #include "playback/prepare/prepare_program.h"
 
 namespace detent::playback {
 
 namespace {
-
-constexpr std::size_t largestProfile_bytes = 1 << 20;
-constexpr std::string_view magic = "detent-device";
-
-/// All numbers of a value; false if something else stands there.
-bool numbersOf(std::string_view text, std::vector<double>& numbers) {
-  numbers.clear();
-  while (!(text = trimmed(text)).empty()) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || !std::isfinite(value)) return false;
-    if (end != text.data() + text.size() && *end != ' ' && *end != '\t') return false;
-    numbers.push_back(value);
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-  }
-  return true;
-}
 
 /// Reads the lines one by one into a profile.
 class Reader {
@@ -126,34 +106,11 @@ class Reader {
 
 Result<DeviceProfile> parseDeviceProfile(const std::string& text, const std::string& name) {
   Reader reader;
-  std::size_t number = 0;
-  bool version = false;
-  const auto bad = [&](std::string problem) {
-    return Failure{FailureCode::unreadableInput, name, "line " + std::to_string(number), std::move(problem),
-                   "See docs/device-profile.md"};
-  };
-  std::istringstream lines(text);
-  for (std::string raw; std::getline(lines, raw);) {
-    ++number;
-    const std::string_view line = trimmed(std::string_view(raw).substr(0, raw.find('#')));
-    if (line.empty()) continue;
-    if (!version) {
-      std::vector<double> v;
-      if (line.substr(0, magic.size()) != magic || !numbersOf(line.substr(magic.size()), v) ||
-          v.size() != 1) {
-        return bad("a device profile starts with \"detent-device 1\"");
-      }
-      if (v[0] > deviceProfileVersion) return bad("written by a newer Detent (version " + exact(v[0]) + ")");
-      version = true;
-      continue;
-    }
-    const std::size_t equals = line.find('=');
-    if (equals == std::string_view::npos) return bad("no = in the line");
-    const std::string_view key = trimmed(line.substr(0, equals));
-    const std::string problem = reader.line(key, trimmed(line.substr(equals + 1)));
-    if (!problem.empty()) return bad(std::string(key) + " " + problem);
-  }
-  if (!version) return bad("the file is empty");
+  const ProfileKind kind{"detent-device", deviceProfileVersion, "a device profile"};
+  Result<Done> read = readProfileLines(text, name, kind, [&](std::string_view key, std::string_view value) {
+    return reader.line(key, value);
+  });
+  if (!read) return read.failure();
   if (Result<Done> ok = checkProfile(reader.profile); !ok) {
     Failure failure = ok.failure();
     failure.code = FailureCode::unreadableInput;

@@ -47,7 +47,7 @@ double raiseDamping(std::vector<DampingPoint>& points, double least_Ns_per_mm, d
 
 double largestDamping_Ns_per_mm(const ForceDeviceProfile& device, double rate_Hz) {
   constexpr double mPerMm = 1e-3;
-  return dampingOfMass * device.mass_kg * mPerMm / (1 / rate_Hz + device.delay_s);
+  return dampingOfMass * device.mass_kg * mPerMm / (1 / rate_Hz + device.late_s());
 }
 
 }  // namespace detent::playback

@@ -22,9 +22,15 @@ struct ForceDeviceProfile {
   double step_mm = 0.01;             ///< > 0; encoder, at the finger
   double rate_Hz = 1000;             ///< 50..20000; steps of the law
   double delay_s = 0.001;  ///< >= 0; from a reading to the force it causes, beyond the hold of one period
+  double lag_s = 0;        ///< >= 0; time constant with which the force follows after that
   double largestSlope_N_per_mm = 2;  ///< > 0; stiffest wall it is asked for
   ForceLimits limits;
   ForceGuide guide;  ///< present on three-axis devices
+  /// Mass, friction, damping, delay and lag were measured on this device (detent-play identify-device); else they are a preset's.
+  bool measured = false;
+
+  /// How late a force acts, beyond the hold of one period.
+  double late_s() const { return delay_s + lag_s; }
 };
 
 /// 1 µm encoder, 50 g: a good device on a bench.

@@ -43,6 +43,7 @@ Result<Done> checkDevice(const ForceDeviceProfile& d, double rate_Hz) {
                {"damping of the device in N·s/mm", d.damping_Ns_per_mm, 0, 1},
                {"encoder step in mm", d.step_mm, 1e-6, 1},
                {"delay of the device in s", d.delay_s, 0, 0.1},
+               {"motor lag of the device in s", d.lag_s, 0, 0.1},
                {"steepest slope in N/mm", d.largestSlope_N_per_mm, 1e-3, 1e4},
                {"force limit in N", d.limits.force_N, 1e-3, 1000},
                {"slew limit in N/s", d.limits.slew_N_per_s, 1, 1e7},
@@ -86,7 +87,7 @@ class Preparation {
     p.limits = device_.limits;
     p.guide = device_.guide;
     p.passivityController = settings_.passivityController;
-    p.law.holdLead_s = 0.5 * p.period_s + device_.delay_s;
+    p.law.holdLead_s = 0.5 * p.period_s + device_.late_s();
     p.law.settle_mm = std::max(settle_mm, 2 * device_.step_mm);
     p.stateCount = static_cast<std::uint32_t>(button_.states().size());
     if (p.stateCount > 1) p.law.catchDamping_Ns_per_mm = largestDamping_Ns_per_mm(device_, 1 / p.period_s);

@@ -18,7 +18,7 @@ constexpr double rounding = 1.0001;
 constexpr double limitedTo =
     0.95;  // of what is allowed: a curve of few knots is up to 2.2 % steeper between its points
 
-double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.delay_s; }
+double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.late_s(); }
 
 MarginPoint allowedAt(const ForceDeviceProfile& device, double rate_Hz, double damping_Ns_per_mm) {
   MarginPoint p;

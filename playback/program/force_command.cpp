@@ -24,6 +24,7 @@
 #include "playback/program/json_output.h"
 #include "playback/program/live_line.h"
 #include "playback/program/number_option.h"
+#include "playback/program/real_device_options.h"
 
 namespace detent::playback {
 
@@ -39,12 +40,9 @@ struct ForceArguments {
   double seconds = 0;
   bool fast = false;
   std::string logFile, plotFile, figuresFile;
-  // Of serial devices and ODrives.
-  double step_mm = 0, largest_N = 0;  ///< 0: the preset's
-  unsigned baud = 0, axis = 0;        ///< baud 0: the device's own
-  double mmPerTurn = 60;
+  RealDeviceOptions real;
+  std::string profileFile;
   bool upload = false;
-  std::string firmwareFile;  ///< of a Falcon
   bool holdToRun = false;
   std::string stopOsc;  ///< PORT or ADDRESS:PORT
   bool json = false;
@@ -70,8 +68,7 @@ void addOptions(CLI::App& app, ForceArguments& a) {
       ->capture_default_str()
       ->group(spring)
       ->needs("--stiffness");
-  app.add_option("--device", a.device, "sim[:falcon|:rig]|serial:PORT|odrive:PORT|falcon[:N]")
-      ->capture_default_str();
+  app.add_option("--device", a.device, forceDeviceWords)->capture_default_str();
   app.add_option("--finger", a.finger,
                  "Of a simulated device: hold (rests in the middle), hold=X (at X mm), press (again and "
                  "again), or a press "
@@ -95,26 +92,12 @@ void addOptions(CLI::App& app, ForceArguments& a) {
                  "SVG of the run: force over displacement beside the button's curves, both over time");
   app.add_option("--figures", a.figuresFile,
                  "SVG of the figures 4, 5 and 6 of Shrestha's paper, from this run");
-  const std::string real = "Real devices (docs/force-feedback.md)";
-  app.add_option("--step-mm", a.step_mm, "Encoder step at the finger in mm; 0: the preset's")
-      ->capture_default_str()
-      ->group(real);
-  app.add_option("--max-N", a.largest_N, "Largest force in N; 0: the preset's")
-      ->capture_default_str()
-      ->group(real);
-  app.add_option("--baud", a.baud, "Of a serial port; 0: 230400, an ODrive's 115200")
-      ->capture_default_str()
-      ->group(real);
+  app.add_option("--device-profile", a.profileFile,
+                 "*.device of `identify-device`: margin, lead and energy rest on what was measured")
+      ->group(realDeviceGroup);
+  addRealDeviceOptions(app, a.real, "Largest force in N; 0: the preset's");
   app.add_flag("--upload", a.upload, "The microcontroller runs the law from a table, at its own rate")
-      ->group(real);
-  app.add_option("--firmware", a.firmwareFile,
-                 "Of a Falcon that was just switched on: the file its maker ships; Detent may not")
-      ->group(real);
-  app.add_option("--axis", a.axis, "Of an ODrive, 0 or 1")->capture_default_str()->group(real);
-  app.add_option("--mm-per-turn", a.mmPerTurn,
-                 "Of an ODrive's capstan; negative where the motor is mounted the other way")
-      ->capture_default_str()
-      ->group(real);
+      ->group(realDeviceGroup);
   const std::string safety =
       "Stopping (docs/force-feedback.md): any key, SIGUSR1, Ctrl-C; the key a arms again";
   app.add_flag("--hold-to-run", a.holdToRun,
@@ -205,6 +188,7 @@ Json jsonOf(const ForceArguments& a, const Button& button, const ForceDeviceProf
           {"button", button.name()},
           {"device", a.device},
           {"device_name", device.name},
+          {"device_is", device.measured ? "measured" : "assumed"},
           {"encoder_step_mm", device.step_mm},
           {"rate_Hz", rate_Hz},
           {"rows", run.rows},
@@ -308,13 +292,15 @@ Result<ForcePlayerSettings> settingsFrom(const ForceArguments& a) {
   settings.force = a.force;
   if (a.rate_Hz != 0) settings.force.rate_Hz = a.rate_Hz;
   settings.seconds = a.seconds;
-  if (a.baud != 0) settings.device.baud = a.baud;
-  settings.device.firmwareFile = a.firmwareFile;
-  settings.device.axis = a.axis;
-  settings.device.mmPerTurn = a.mmPerTurn;
+  a.real.applyTo(settings.device);
   settings.device.uploadTable = a.upload;
-  if (a.step_mm != 0) settings.device.profile.step_mm = a.step_mm;
-  if (a.largest_N != 0) settings.device.profile.limits.force_N = a.largest_N;
+  if (!a.profileFile.empty()) {
+    Result<ForceDeviceMeasurement> measured = readForceDevice(a.profileFile);
+    if (!measured) return measured.failure();
+    const double rate_Hz = settings.force.rate_Hz.value_or(settings.device.profile.rate_Hz);
+    settings.device.profile = measuredProfile(settings.device.profile, *measured, rate_Hz,
+                                              settings.device.kind != ForceDeviceKind::simulated);
+  }
   settings.paced = !a.fast;
   settings.holdToRun = a.holdToRun;
   settings.stopKeys = settings.stopSignals = true;
@@ -325,8 +311,7 @@ Result<ForcePlayerSettings> settingsFrom(const ForceArguments& a) {
     settings.stopOscAddress = endpoint->host;
   }
   if (a.fast && settings.device.kind != ForceDeviceKind::simulated) {
-    return Failure{FailureCode::wrongUsage, "--fast", "", "only simulated devices have a time of their own",
-                   "Leave it out, or use --device sim"};
+    return fastNeedsSimulation();
   }
   if (a.fast && a.seconds == 0) {
     return Failure{FailureCode::wrongUsage, "--fast", "", "needs an end", "Add --seconds S"};
@@ -382,6 +367,13 @@ int run(const ForceArguments& a, const Cancelled& cancelled) {
                  "N/mm, %.2g N·s/mm of damping added\n",
                  1e3 * pace.roundTrip_s, rate_Hz, pace.asked_Hz, 1e3 * device.delay_s,
                  device.largestSlope_N_per_mm, pace.addedDamping_Ns_per_mm);
+  }
+  if (!device.measured) {
+    std::fprintf(
+        stderr,
+        "stability and energy are assumed: %.3g kg, %.3g N of friction, %.3g N·s/mm and %.3g ms are a "
+        "preset's; identify-device measures a device (--device-profile).\n",
+        device.mass_kg, device.friction_N, device.damping_Ns_per_mm, 1e3 * device.late_s());
   }
   for (const UnstableStretch& u : stabilityOf(*button, device, rate_Hz).unstable) {
     std::fprintf(stderr, "stability: %s: %s.\n", shownAs.c_str(), sentenceOf(u, *button).c_str());

@@ -13,6 +13,7 @@
 #include "playback/program/export_command.h"
 #include "playback/program/force_command.h"
 #include "playback/program/identify_command.h"
+#include "playback/program/identify_device_command.h"
 #include "playback/program/latency_command.h"
 #include "playback/program/live_command.h"
 #include "playback/program/page_command.h"
@@ -41,6 +42,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   addStudyCommands(program, chosen);
   addForceCommand(program, chosen);
   addIdentifyCommand(program, chosen);
+  addIdentifyDeviceCommand(program, chosen);
   program.require_subcommand(0, 1);
   try {
     program.parse(argc, argv);

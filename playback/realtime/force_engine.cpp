@@ -23,6 +23,7 @@ constexpr std::uint32_t mostMissed = 100;
 ForceEngine::ForceEngine(const ForceProgram& program)
     : program_(&program),
       law_(program),
+      test_(program),
       guard_(program.limits, program.period_s, program.step_mm),
       velocity_(program.velocity, program.period_s, program.step_mm),
       sidewaysVelocity_{velocity_, velocity_} {}
@@ -32,6 +33,7 @@ void ForceEngine::setProgram(const ForceProgram& program) {
   const double pressShare = law_.pressShare();
   law_ = ForceLaw(program);
   law_.restart(steady_mm_, pressShare);
+  test_ = TestForces(program);
   guard_.setLimits(program.limits, program.period_s, program.step_mm);
   velocity_ = VelocityEstimator(program.velocity, program.period_s, program.step_mm);
   sidewaysVelocity_ = {velocity_, velocity_};
@@ -127,8 +129,14 @@ std::optional<double> ForceEngine::knownVelocity() const {
   return last_.velocity_mm_per_s;
 }
 
+double ForceEngine::asked_N(double position_mm) {
+  return test_.present() ? test_.step_N(position_mm, last_.velocity_mm_per_s)
+                         : law_.step(position_mm, last_.velocity_mm_per_s);
+}
+
 ForceCommand ForceEngine::step(const ForceReading& reading) {
   ++last_.index;
+  last_.periods = reading.periods;
   if (reading.zero == ForceReading::Zero::lost) guard_.displace();
   if (reading.zero == ForceReading::Zero::found) {
     guard_.home();
@@ -136,7 +144,8 @@ ForceCommand ForceEngine::step(const ForceReading& reading) {
   }
   if (reading.stopped) guard_.emergencyStop();
   const ReadingVerdict verdict = guard_.judge(reading.position_mm, reading.fresh, reading.periods);
-  if (verdict != ReadingVerdict::good) {
+  last_.good = verdict == ReadingVerdict::good;
+  if (!last_.good) {
     // The last force for a moment, then down to nothing.
     const ForceCommand command = send(guard_.limit(heldForce_N_, std::nullopt), {});
     resuming_ = resuming_ || guard_.silent();
@@ -154,8 +163,7 @@ ForceCommand ForceEngine::step(const ForceReading& reading) {
     velocity_.update(position_mm - (position_mm - before_mm) * missed_ / (missedInAll + 1));
   last_.velocity_mm_per_s = velocity_.update(position_mm);
   if (sinceRestart_ < std::numeric_limits<std::uint32_t>::max()) ++sinceRestart_;
-  heldForce_N_ =
-      controlled_N(exchanging_N(law_.step(position_mm, last_.velocity_mm_per_s)), last_.velocity_mm_per_s);
+  heldForce_N_ = controlled_N(exchanging_N(asked_N(position_mm)), last_.velocity_mm_per_s);
   last_.state = law_.state();
   last_.actuated = law_.actuated();
   return send(guard_.limit(heldForce_N_, knownVelocity()), guide(reading.sideways_mm));

@@ -10,6 +10,7 @@
 #include "playback/realtime/force_guard.h"
 #include "playback/realtime/force_law.h"
 #include "playback/realtime/force_program.h"
+#include "playback/realtime/test_forces.h"
 #include "playback/realtime/velocity_estimator.h"
 
 namespace detent::playback {
@@ -40,6 +41,8 @@ struct ForceCommand {
 /// One row of a log.
 struct ForceStep {
   std::int64_t index = 0;  ///< steps since the start; time is index * period
+  double periods = 1;      ///< since the step before, by the clock of a loop that keeps time
+  bool good = true;        ///< the reading was believed; else the position is the last that was
   double position_mm = 0, velocity_mm_per_s = 0, force_N = 0;
   double energy_mJ = 0;  ///< net work of the finger on the button since the start
   double balance_mJ =
@@ -84,11 +87,13 @@ class ForceEngine {
   std::optional<double> knownVelocity() const;
   ForceCommand send(double force_N, std::array<double, 2> sideways_N);
   double exchanging_N(double force_N);
+  double asked_N(double position_mm);
   double controlled_N(double force_N, double velocity_mm_per_s) const;
   std::array<double, 2> guide(const std::array<double, 2>& sideways_mm);
 
   const ForceProgram* program_;
   ForceLaw law_;
+  TestForces test_;
   ForceGuard guard_;
   VelocityEstimator velocity_;
   std::array<VelocityEstimator, 2> sidewaysVelocity_;

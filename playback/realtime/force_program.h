@@ -77,6 +77,24 @@ struct ForceGuide {
   double force_N = 0;  ///< largest
 };
 
+/// Forces by which a free handle tells what it is, in place of a button's law: the relay throws it to and fro between two places at
+/// several speeds and lets it coast between, the chirp shakes it around the middle at rising frequencies.
+struct ForceExcitation {
+  enum class Kind : std::uint8_t { none, relay, chirp };
+  Kind kind = Kind::none;
+  double middle_mm = 5, half_mm = 2;  ///< half_mm > 0: it turns so far from the middle
+  double largest_N = 1;               ///< > 0; it asks for no more
+  double lead_s = 0.001;              ///< >= 0; about how late a force acts
+  // Of the relay.
+  double slowest_mm_per_s = 30, fastest_mm_per_s = 150;
+  // Of the chirp.
+  double mass_kg = 0.05,
+         friction_N =
+             0;  ///< about; the force is what moves this mass by `shake_mm`, and more than its friction
+  double shake_mm = 0.8;
+  double from_Hz = 8, to_Hz = 120, sweep_s = 3;  ///< then up again
+};
+
 /// A button prepared for one device.
 struct ForceProgram {
   double period_s = 0.001;  ///< > 0; one step
@@ -86,6 +104,7 @@ struct ForceProgram {
   ForceLimits limits;
   ForceGuide guide;
   bool passivityController = false;  ///< else the observer is a meter only
+  ForceExcitation excitation;        ///< plays in place of the states where it is one
   std::uint32_t stateCount = 0;
   std::array<ForceStateTable, maxForceStates> states{};
 };

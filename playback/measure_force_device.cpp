@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The front door's way to what a force device is: shaken without a finger by test_forces.h, told by identify_motion.h.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "playback/device/force_loop.h"
+#include "playback/force_feedback.h"
+#include "playback/open_force_device.h"
+#include "playback/prepare/device_test.h"
+#include "playback/prepare/spring_button.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double shortestRange_mm = 4, longestRange_mm = 80;
+// A device's own ramp and the loop's are over after this: what is asked is what is given.
+constexpr double rampsOver_s = 0.25;
+constexpr double movedWrongWay_mm = 0.25;
+constexpr auto lookEvery = std::chrono::milliseconds(20);
+
+Failure trouble(const ForceDeviceChoice& device, const std::string& problem, const std::string& remedy) {
+  return {FailureCode::deviceTrouble, device.port.empty() ? device.profile.name : device.port, "", problem,
+          remedy};
+}
+
+std::string numberText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// A measurement while it runs.
+class Measuring {
+ public:
+  Measuring(const DeviceMeasurementSettings& settings, const std::function<bool(double)>& onward)
+      : settings_(settings), device_(settings.run.device), onward_(onward) {}
+
+  Result<DeviceMeasurement> run() {
+    if (Result<Done> opened = open(); !opened) return opened.failure();
+    if (Result<Done> relay = record(stepsOf(relayTest_s), false); !relay) return relay.failure();
+    if (Result<Done> moved = checkMoved(); !moved) return moved.failure();
+    Result<MotionIdentification> roughly = identifyMotion(record_);
+    if (!roughly) return told(roughly.failure());
+    program_->excitation =
+        chirpTest(*program_, settings_.range_mm, roughly->mass_kg.value, roughly->friction_N.value);
+    loop_->setProgram(*program_);
+    if (Result<Done> chirp = record(stepsOf(chirpTest_s), true); !chirp) return chirp.failure();
+    orders_.reset();
+    loop_.reset();
+    Result<MotionIdentification> motion = identifyMotion(record_);
+    if (!motion) return told(motion.failure());
+    return measured(*motion);
+  }
+
+ private:
+  Result<Done> open() {
+    if (!(settings_.range_mm >= shortestRange_mm && settings_.range_mm <= longestRange_mm)) {
+      return Failure{FailureCode::wrongUsage, "--range", "", "is " + numberText(settings_.range_mm) + " mm",
+                     "Give 4 to 80"};
+    }
+    ForceLimits& limits = device_.profile.limits;
+    if (!(settings_.largest_N > 0 && settings_.largest_N <= limits.force_N)) {
+      return Failure{FailureCode::wrongUsage, "--max-N", "", "is " + numberText(settings_.largest_N) + " N",
+                     "Give one above 0, up to " + numberText(limits.force_N)};
+    }
+    limits.force_N = settings_.largest_N;
+    limits.lowest_mm = std::max(limits.lowest_mm, -settings_.range_mm);
+    limits.highest_mm = std::min(limits.highest_mm, 2 * settings_.range_mm);
+    device_.uploadTable = false;
+    // What carries rate, limits and steps; its law is not played.
+    Result<Button> none = springButton("no button", {{1e-3}, {}, std::min(4.0, settings_.range_mm)});
+    if (!none) return none.failure();
+    ForceSettings force;
+    force.rate_Hz = settings_.run.force.rate_Hz;
+    Result<PreparedForce> prepared = prepareForce(*none, device_.profile, force);
+    if (!prepared) return prepared.failure();
+    program_ = std::make_unique<ForceProgram>(prepared->program);
+    Result<std::unique_ptr<ForceDevice>> opened =
+        openForceDevice(device_, *prepared, FingerForcePath{{0}, {0}});
+    if (!opened) return opened.failure();
+    return keepPaceOf(**opened)
+               ? started(*std::move(opened))
+               : Result<Done>(trouble(device_, "does not take limits for a slow link",
+                                      "Check that the firmware speaks docs/force-protocol.md"));
+  }
+
+  bool keepPaceOf(ForceDevice& opened) {
+    const std::optional<double> roundTrip_s = opened.measureRoundTrip_s();
+    if (!roundTrip_s || !tooSlowFor(program_->period_s, *roundTrip_s)) return true;
+    roundTrip_s_ = *roundTrip_s;
+    program_->period_s = slowPeriod_s(program_->period_s, roundTrip_s_);
+    return opened.setPace(program_->period_s, answerOfSlowPeriod * program_->period_s);
+  }
+
+  Result<Done> started(std::unique_ptr<ForceDevice> opened) {
+    record_.step_mm = program_->step_mm;
+    program_->excitation = relayTest(*program_, settings_.range_mm);
+    loop_ = std::make_unique<ForceLoop>(
+        std::move(opened), *program_,
+        ForceLoopSettings{settings_.run.paced, 0, stepsOf(relayTest_s), settings_.run.holdToRun});
+    Result<std::unique_ptr<ForceOrders>> orders = startForceOrders(*loop_, settings_.run);
+    if (!orders) return orders.failure();
+    orders_ = *std::move(orders);
+    return Done{};
+  }
+
+  std::int64_t stepsOf(double seconds) const { return std::llround(seconds / program_->period_s); }
+
+  /// So many more steps; what came meanwhile of later ones too, if it is not the end.
+  Result<Done> record(std::int64_t steps, bool end) {
+    for (const std::int64_t until = seen_ + steps;;) {
+      const ForceLoopStatus status = loop_->status();
+      take(end ? until : std::numeric_limits<std::int64_t>::max());
+      if (seen_ >= until) return Done{};
+      if (Result<Done> fine = check(status); !fine) return fine;
+      if (status.finished) return trouble(device_, "was stopped before it was measured", "Measure it again");
+      if (!onward_(std::min(1.0, time_s_ / (relayTest_s + chirpTest_s))))
+        return Failure::cancelled(device_.profile.name);
+      std::this_thread::sleep_for(lookEvery);
+    }
+  }
+
+  Result<Done> check(const ForceLoopStatus& status) const {
+    if (status.device == ForceDeviceState::lost)
+      return trouble(device_, "is lost", "Check the cable, let the handle rest, and measure again");
+    if (status.halt == ForceHalt::stopped)
+      return trouble(device_, "was stopped", "Let the handle rest and measure again");
+    if (status.halt == ForceHalt::displaced) {
+      return trouble(device_, "moved out of its range, or its position jumped",
+                     "Clear its way, or give a larger --range");
+    }
+    return Done{};
+  }
+
+  void take(std::int64_t most) {
+    steps_.clear();
+    loop_->takeSteps(steps_);
+    for (const ForceStep& step : steps_) {
+      if (seen_ >= most) return;
+      ++seen_;
+      time_s_ += step.periods * program_->period_s;
+      if (!from_mm_ && step.good) from_mm_ = step.position_mm;
+      if (time_s_ < rampsOver_s) continue;
+      if (!record_.time_s.empty() && time_s_ <= record_.time_s.back()) continue;
+      record_.time_s.push_back(time_s_);
+      record_.position_mm.push_back(step.position_mm);
+      record_.force_N.push_back(step.force_N);
+      record_.good.push_back(step.good);
+    }
+  }
+
+  // The relay pushes towards the middle first.
+  Result<Done> checkMoved() const {
+    const double toMiddle = settings_.range_mm / 2 - from_mm_.value_or(0);
+    double least_mm = 0, most_mm = 0;
+    for (std::size_t k = 0; k < record_.position_mm.size(); ++k) {
+      const double way_mm = std::copysign(1.0, toMiddle) * (record_.position_mm[k] - from_mm_.value_or(0));
+      least_mm = std::min(least_mm, way_mm);
+      most_mm = std::max(most_mm, way_mm);
+    }
+    if (most_mm > movedWrongWay_mm) return Done{};
+    if (least_mm < -movedWrongWay_mm) {
+      return trouble(device_, "moves against the force it is asked for",
+                     "Swap the motor's direction (of an ODrive: a negative --mm-per-turn)");
+    }
+    return trouble(device_, "does not move under " + numberText(settings_.largest_N) + " N",
+                   "Free the handle, take the finger off, or give a larger --max-N");
+  }
+
+  Failure told(const Failure& failure) const {
+    Failure named = failure;
+    named.subject = device_.port.empty() ? device_.profile.name : device_.port;
+    return named;
+  }
+
+  DeviceMeasurement measured(const MotionIdentification& motion) {
+    const auto value = [](const Estimate& e) { return ForceDeviceMeasurement::Value{e.value, e.sigma}; };
+    DeviceMeasurement done;
+    done.device.name = device_.profile.name;
+    done.device.mass_kg = value(motion.mass_kg);
+    done.device.friction_N = value(motion.friction_N);
+    done.device.damping_Ns_per_mm = value(motion.damping_Ns_per_mm);
+    done.device.delay_s = value(motion.delay_s);
+    done.device.lag_s = value(motion.lag_s);
+    done.device.late_s = value(motion.late_s);
+    done.device.rate_Hz = 1 / program_->period_s;
+    done.device.step_mm = program_->step_mm;
+    done.motion = motion;
+    done.record = std::move(record_);
+    done.roundTrip_s = roundTrip_s_;
+    return done;
+  }
+
+  const DeviceMeasurementSettings& settings_;
+  ForceDeviceChoice device_;
+  const std::function<bool(double)>& onward_;
+  std::unique_ptr<ForceProgram> program_;
+  std::unique_ptr<ForceLoop> loop_;
+  std::unique_ptr<ForceOrders> orders_;  ///< uses the loop
+  std::vector<ForceStep> steps_;
+  MotionRecord record_;
+  std::optional<double> from_mm_;
+  std::int64_t seen_ = 0;  ///< steps, those that are not recorded included
+  double time_s_ = 0, roundTrip_s_ = 0;
+};
+
+}  // namespace
+
+Result<DeviceMeasurement> measureForceDevice(const DeviceMeasurementSettings& settings,
+                                             const std::function<bool(double done)>& onward) {
+  return Measuring(settings, onward).run();
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What was measured of a force device, as a text file like the profile of a vibrating one (docs/device-profile.md).
+
+#include <string>
+
+#include "model/result.h"
+#include "playback/prepare/force_device_profile.h"
+
+namespace detent::playback {
+
+inline constexpr int forceDeviceFileVersion = 1;
+
+/// Values with their standard errors, in the units of ForceDeviceProfile.
+struct ForceDeviceMeasurement {
+  struct Value {
+    double value = 0, sigma = 0;
+  };
+  std::string name;
+  Value mass_kg, friction_N, damping_Ns_per_mm, delay_s, lag_s;
+  Value late_s;        ///< delay and lag together
+  double rate_Hz = 0;  ///< of the loop it was measured with: a host's delay holds one period of it
+  double step_mm = 0;  ///< of the encoder
+};
+
+/// A profile that has the device's own mass, friction, damping, delay and lag. At a slower `rate_Hz` than that of the measurement the delay
+/// grows by the difference of their periods where a host runs the law (`hosted`).
+ForceDeviceProfile measuredProfile(ForceDeviceProfile profile, const ForceDeviceMeasurement& measured,
+                                   double rate_Hz, bool hosted);
+
+/// Failure names the line. Unknown keys and newer versions are refused.
+Result<ForceDeviceMeasurement> parseForceDevice(const std::string& text, const std::string& name);
+Result<ForceDeviceMeasurement> readForceDevice(const std::string& file);
+/// Numbers survive a round trip bit for bit.
+std::string toText(const ForceDeviceMeasurement& device);
+/// Written beside the target and renamed.
+Result<Done> writeForceDevice(const ForceDeviceMeasurement& device, const std::string& file);
+
+}  // namespace detent::playback

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Which forces tell what a device is: the two programs of its measurement.
+
+#include "playback/realtime/force_program.h"
+
+namespace detent::playback {
+
+inline constexpr double relayTest_s = 3.5, chirpTest_s = 6;
+
+/// Between 0 and `range_mm`, with at most the program's force.
+ForceExcitation relayTest(const ForceProgram& program, double range_mm);
+/// For a handle of about this mass and friction, as the relay told.
+ForceExcitation chirpTest(const ForceProgram& program, double range_mm, double mass_kg, double friction_N);
+
+}  // namespace detent::playback

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Options of force devices that several subcommands share.
+
+#include <string>
+
+#include "model/result.h"
+#include "playback/force_feedback.h"
+#include "playback/program/command.h"
+
+namespace detent::playback {
+
+inline constexpr const char* forceDeviceWords = "sim[:falcon|:rig]|serial:PORT|odrive:PORT|falcon[:N]";
+
+struct RealDeviceOptions {
+  double step_mm = 0, largest_N = 0;  ///< 0: the preset's
+  unsigned baud = 0, axis = 0;        ///< baud 0: the device's own
+  double mmPerTurn = 60;
+  std::string firmwareFile;  ///< of a Falcon
+
+  void applyTo(ForceDeviceChoice& device) const;
+};
+
+void addRealDeviceOptions(CLI::App& app, RealDeviceOptions& options, const char* largestForce);
+inline constexpr const char* realDeviceGroup = "Real devices (docs/force-feedback.md)";
+
+/// --fast given for a device that has hardware.
+Failure fastNeedsSimulation();
+
+}  // namespace detent::playback

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The forces of a ForceExcitation, one per period. No allocation, lock or clock.
+
+#include "playback/realtime/force_program.h"
+
+namespace detent::playback {
+
+class TestForces {
+ public:
+  explicit TestForces(const ForceProgram& program)
+      : excitation_(program.excitation),
+        period_s_(program.period_s),
+        fastest_mm_per_s_(program.excitation.fastest_mm_per_s) {}
+
+  bool present() const { return excitation_.kind != ForceExcitation::Kind::none; }
+  /// Against growing displacement, as all forces here; at most `largest_N`.
+  double step_N(double position_mm, double velocity_mm_per_s);
+
+ private:
+  double relay_N(double position_mm, double velocity_mm_per_s);
+  double chirp_N(double position_mm, double velocity_mm_per_s);
+  double throwing_N(double position_mm);
+  void keepInside(double beyond_mm);
+
+  ForceExcitation excitation_;
+  double period_s_;
+  bool begun_ = false, moving_ = false;
+  double from_mm_ = 0;       ///< where the handle stood at first
+  double relay_N_ = 0;       ///< strength: grows until the handle moves
+  int direction_ = 1;        ///< 1: towards growing displacement
+  std::uint32_t turns_ = 0;  ///< since it moves
+  double fastest_mm_per_s_;
+  double time_s_ = 0, phase_rad_ = 0;
+};
+
+}  // namespace detent::playback

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A device measured by the product, on handles whose mass, friction, damping, delay and lag the test knows. Issue 25, section 2.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
+
+#include "playback/identification/identify_motion.h"
+#include "playback/measurement/force_profile_file.h"
+#include "playback/prepare/device_test.h"
+#include "playback/prepare/spring_button.h"
+#include "tests/cli/run_program.h"
+#include "tests/playback/plant/closed_loop.h"
+#include "tests/playback/plant/finger.h"
+#include "tests/playback/plant/odrive_emulator.h"
+#include "tests/playback/plant/serial_emulator.h"
+
+using namespace detent;
+using namespace detent::test;
+
+namespace {
+
+constexpr double range_mm = 10;
+
+struct KnownDevice {
+  HandleSettings handle;
+  double step_mm = 0.001, delay_s = 0.001, rate_Hz = 1000;
+};
+
+KnownDevice knownDevice(Chance& chance) {
+  KnownDevice d;
+  d.handle.mass_kg = std::exp(chance.between(std::log(0.02), std::log(0.2)));
+  d.handle.coulomb_N = chance.between(0.005, 0.12);
+  d.handle.static_N = 1.2 * d.handle.coulomb_N;
+  d.handle.damping_Ns_per_mm = chance.between(0.0003, 0.004);
+  d.handle.motorLag_s = chance.once(0.4) ? 0 : chance.between(0.0003, 0.002);
+  d.delay_s = std::round(chance.between(0, 3) * 40) * 25e-6;
+  d.step_mm = chance.once(0.5) ? 0.001 : chance.once(0.5) ? 0.01 : 0.038;
+  d.rate_Hz = chance.once(0.5) ? 1000 : chance.once(0.5) ? 500 : 2000;
+  return d;
+}
+
+playback::ForceProgram programFor(const KnownDevice& d) {
+  playback::ForceDeviceProfile profile = playback::simulatedDevice();
+  profile.step_mm = d.step_mm;
+  profile.rate_Hz = d.rate_Hz;
+  profile.limits.force_N = 1;
+  profile.limits.lowest_mm = -range_mm;
+  profile.limits.highest_mm = 2 * range_mm;
+  playback::SpringPolynomials none;
+  none.stiffness_N_per_mm = {0.001};
+  Result<Button> button = playback::springButton("none", none);
+  REQUIRE(button);
+  return preparedFor(*button, profile);
+}
+
+class Shaken {
+ public:
+  explicit Shaken(const KnownDevice& device)
+      : program_(std::make_unique<playback::ForceProgram>(programFor(device))),
+        engine_(*program_),
+        world_(device.handle, {}, holding(-30)),
+        sending_({device.delay_s, 0, 0}, 1),
+        step_mm_(device.step_mm) {
+    world_.takeFingerAway();
+    record_.step_mm = device.step_mm;
+  }
+
+  void play(const playback::ForceExcitation& forces, double seconds) {
+    auto next = std::make_unique<playback::ForceProgram>(*program_);
+    next->excitation = forces;
+    engine_.setProgram(*next);
+    program_ = std::move(next);
+    for (auto left = std::llround(seconds / program_->period_s); left > 0; --left) step();
+  }
+  const playback::MotionRecord& record() const { return record_; }
+  const playback::ForceProgram& program() const { return *program_; }
+
+ private:
+  void step() {
+    playback::ForceReading reading;
+    const double now_s = static_cast<double>(index_++) * program_->period_s;
+    reading.position_mm = quantised_mm(world_.position_mm(), step_mm_);
+    const double force_N = engine_.step(reading).force_N;
+    sending_.send(now_s, force_N);
+    record_.time_s.push_back(now_s);
+    record_.position_mm.push_back(reading.position_mm);
+    record_.force_N.push_back(force_N);
+    record_.good.push_back(engine_.last().good);
+    while (world_.time_s() < now_s + program_->period_s - HandleAndFinger::step_s / 2) {
+      if (const std::optional<double> arrived_N = sending_.newest(world_.time_s())) arrived_N_ = *arrived_N;
+      world_.advance(arrived_N_);
+    }
+  }
+
+  std::unique_ptr<playback::ForceProgram> program_;
+  playback::ForceEngine engine_;
+  HandleAndFinger world_;
+  Transport<double> sending_;
+  playback::MotionRecord record_;
+  double step_mm_, arrived_N_ = 0;
+  std::int64_t index_ = 0;
+};
+
+playback::MotionIdentification measured(const KnownDevice& device) {
+  Shaken shaken(device);
+  shaken.play(playback::relayTest(shaken.program(), range_mm), playback::relayTest_s);
+  const Result<playback::MotionIdentification> roughly = playback::identifyMotion(shaken.record());
+  REQUIRE(roughly);
+  shaken.play(
+      playback::chirpTest(shaken.program(), range_mm, roughly->mass_kg.value, roughly->friction_N.value),
+      playback::chirpTest_s);
+  const Result<playback::MotionIdentification> found = playback::identifyMotion(shaken.record());
+  REQUIRE(found);
+  return *found;
+}
+
+/// How far off, in standard errors and of the truth.
+struct Off {
+  std::vector<double> sigmas, shares;
+  void add(const playback::Estimate& found, double truth, double scale) {
+    sigmas.push_back(std::abs(found.value - truth) / found.sigma);
+    shares.push_back(std::abs(found.value - truth) / scale);
+  }
+  double within(double sigma) const {
+    return static_cast<double>(
+               std::count_if(sigmas.begin(), sigmas.end(), [&](double s) { return s <= sigma; })) /
+           static_cast<double>(sigmas.size());
+  }
+  double worst() const { return *std::max_element(shares.begin(), shares.end()); }
+  std::string told() const {
+    return std::to_string(100 * within(1)) + " % within one error, " + std::to_string(100 * within(2)) +
+           " % within two, most " + std::to_string(*std::max_element(sigmas.begin(), sigmas.end())) +
+           "; worst " + std::to_string(worst());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("devices are measured within their errors", "[identify]") {
+  Chance chance(19);
+  Off mass, friction, damping, delay, lag, late;
+  for (int run = 0; run < 10; ++run) {
+    const KnownDevice d = knownDevice(chance);
+    const playback::MotionIdentification m = measured(d);
+    INFO("device " << run << ": " << d.handle.mass_kg << " kg, " << d.handle.coulomb_N << " N, "
+                   << d.handle.damping_Ns_per_mm << " N s/mm, " << d.delay_s << " s, " << d.handle.motorLag_s
+                   << " s, " << d.step_mm << " mm, " << d.rate_Hz << " Hz");
+    INFO("found " << m.mass_kg.value << ", " << m.friction_N.value << ", " << m.damping_Ns_per_mm.value
+                  << ", " << m.delay_s.value << ", " << m.lag_s.value << "; left " << m.residual_mm);
+    CHECK(m.explained());
+    mass.add(m.mass_kg, d.handle.mass_kg, d.handle.mass_kg);
+    friction.add(m.friction_N, d.handle.coulomb_N, 1);
+    damping.add(m.damping_Ns_per_mm, d.handle.damping_Ns_per_mm, 1);
+    delay.add(m.delay_s, d.delay_s, 1);
+    lag.add(m.lag_s, d.handle.motorLag_s, 1);
+    late.add(m.late_s, d.delay_s + d.handle.motorLag_s, 1);
+  }
+  INFO("mass " << mass.told() << "\nfriction " << friction.told() << "\ndamping " << damping.told()
+               << "\ndelay " << delay.told() << "\nlag " << lag.told() << "\nlate " << late.told());
+  CHECK(mass.worst() < 0.02);
+  CHECK(friction.worst() < 0.005);
+  CHECK(damping.worst() < 0.0002);
+  CHECK(late.worst() < 0.0001);
+  for (const Off* off : {&mass, &friction, &damping, &delay, &lag, &late}) CHECK(off->within(2) >= 0.9);
+}
+
+TEST_CASE("what is left tells that something else acts on the handle", "[identify]") {
+  Chance chance(18);
+  const KnownDevice d = knownDevice(chance);
+  Shaken shaken(d);
+  shaken.play(playback::relayTest(shaken.program(), range_mm), playback::relayTest_s);
+  playback::MotionRecord sprung = shaken.record();
+  // As if a spring had taken part of each force.
+  for (std::size_t k = 0; k < sprung.force_N.size(); ++k)
+    sprung.force_N[k] -= 0.05 * (sprung.position_mm[k] - range_mm / 2);
+  const Result<playback::MotionIdentification> found = playback::identifyMotion(sprung);
+  CHECK((!found || !found->explained()));
+}
+
+TEST_CASE("a profile survives a round trip and refuses what it does not know", "[profile]") {
+  playback::ForceDeviceMeasurement d;
+  d.name = "a device";
+  d.mass_kg = {0.0512345678901234, 0.0001};
+  d.friction_N = {0.1, 0.01};
+  d.damping_Ns_per_mm = {0.001, 1e-5};
+  d.delay_s = {0.0013, 1e-5};
+  d.lag_s = {0.0004, 1e-4};
+  d.late_s = {0.0017, 1e-5};
+  d.rate_Hz = 800;
+  d.step_mm = 0.001;
+  const std::string text = toText(d);
+  const Result<playback::ForceDeviceMeasurement> back = playback::parseForceDevice(text, "x");
+  REQUIRE(back);
+  CHECK(toText(*back) == text);
+  CHECK_FALSE(playback::parseForceDevice(text + "mas_kg = 1\n", "x"));
+  CHECK_FALSE(playback::parseForceDevice("detent-force-device 1\nmass_kg = 0.05\n", "x"));
+  CHECK_FALSE(playback::parseForceDevice("detent-device 1\n", "x"));
+  const playback::ForceDeviceProfile host =
+      playback::measuredProfile(playback::simulatedDevice(), *back, 400, true);
+  CHECK(host.measured);
+  CHECK(host.late_s() == Approx(0.0017 + 1.0 / 400 - 1.0 / 800));
+}
+
+namespace {
+
+HandleSettings handleOnLink() {
+  HandleSettings handle;
+  handle.mass_kg = 0.08;
+  handle.coulomb_N = 0.06;
+  handle.static_N = 0.07;
+  handle.damping_Ns_per_mm = 0.002;
+  handle.motorLag_s = 0.001;
+  return handle;
+}
+
+nlohmann::json identifiedOn(const std::string& device) {
+  const tests::ProgramFolder folder("plant_identify");
+  const tests::ProgramResult result =
+      folder.run(DETENT_PLAY,
+                 {"identify-device", "--device", device, "--step-mm", "0.001", "--json", "-o", "own.device"});
+  INFO(result.err);
+  REQUIRE(result.exitCode == 0);
+  REQUIRE(playback::readForceDevice((folder.path() / "own.device").string()));
+  return nlohmann::json::parse(result.out);
+}
+
+/// Links keep the clock of a machine that others use too: what its pauses cost is allowed for.
+void checkOnLink(const nlohmann::json& found) {
+  INFO(found.dump(1));
+  CHECK(found["mass_kg"].get<double>() == Approx(0.08).epsilon(0.05));
+  CHECK(found["friction_N"].get<double>() == Approx(0.06).margin(0.01));
+  CHECK(found["damping_Ns_per_mm"].get<double>() == Approx(0.002).margin(0.0003));
+}
+
+}  // namespace
+
+TEST_CASE("a microcontroller's device is measured over its link", "[serial]") {
+  SerialEmulatorSettings settings;
+  settings.pty.handle = handleOnLink();
+  settings.pty.plan = holding(-30);
+  SerialEmulator device(settings);
+  checkOnLink(identifiedOn("serial:" + device.port()));
+  device.halt();
+  CHECK(device.largestMotor_N() <= 1.0001);
+}
+
+TEST_CASE("an ODrive's device is measured over its link", "[odrive]") {
+  OdriveEmulatorSettings settings;
+  settings.pty.handle = handleOnLink();
+  settings.pty.plan = holding(-30);
+  OdriveEmulator device(settings);
+  checkOnLink(identifiedOn("odrive:" + device.port()));
+  device.halt();
+  CHECK(device.largestMotor_N() <= 1.01);
+}
