@@ -72,7 +72,7 @@ struct Paint {
 class Collector {
  public:
   Collector(const Box& bounds, CollectedPage* page, CollectControl* control)
-      : page_(page), control_(control), clips_{bounds}, alphas_{1} {}
+      : page_(page), control_(control), bounds_(bounds), clips_{bounds}, alphas_{1} {}
 
   CollectControl& control() { return *control_; }
 
@@ -126,12 +126,14 @@ class Collector {
   }
 
   void pushClip(const Box& box) { clips_.push_back(clips_.back().common(box)); }
-  void pushClipOfPath(fz_context* context, const fz_path* path, double grow, const fz_matrix& matrix) {
+  bool pushClipOfPath(fz_context* context, const fz_path* path, double grow, const fz_matrix& matrix) {
     PathFlattener flattener(toAffine(matrix), flatness);
     fz_walk_path(context, path, &flattenWalker, &flattener);
     const auto polylines = flattener.takePolylines();
+    if (!drawnInTime(polylines)) return halt(CollectStop::tooDense);
     const Bounds bounds = boundsOf(polylines);
     pushClip(bounds.finite ? bounds.box.grown(grow, grow) : clips_.back());
+    return true;
   }
   void pushUnknownClip() { clips_.push_back(clips_.back()); }
   void popClip() {
@@ -188,16 +190,29 @@ class Collector {
     return maskDepth_ > 0 || alpha * alphas_.back() < leastVisibleAlpha || clips_.back().empty();
   }
 
+  /// What is hidden is drawn all the same, where no clip keeps it out.
   bool begin(fz_context* context, const fz_path* path, const fz_matrix& matrix, const Paint& paint,
              VectorPath& out) {
-    if (hidden(paint.alpha)) return false;
+    if (clips_.back().empty()) return false;
     PathFlattener flattener(toAffine(matrix), flatness);
     fz_walk_path(context, path, &flattenWalker, &flattener);  // these callbacks never longjmp
     points_ += flattener.pointCount();
     if (points_ > control_->maxPathPoints) return halt(CollectStop::tooManyPoints);
     out.polylines = flattener.takePolylines();
+    if (!drawnInTime(out.polylines)) return halt(CollectStop::tooDense);
     out.closed = flattener.takeClosed();
-    return !out.polylines.empty();
+    return !hidden(paint.alpha) && !out.polylines.empty();
+  }
+
+  /// Whether what goes up and down the page between these points is not too much for one object.
+  bool drawnInTime(const std::vector<std::vector<Point>>& polylines) const {
+    const auto row = [&](const Point& p) { return std::clamp(p.y, bounds_.y0, bounds_.y1); };
+    double rise = 0;
+    for (const auto& line : polylines)
+      for (std::size_t i = 1; i < line.size(); ++i)
+        if (std::isfinite(line[i - 1].y) && std::isfinite(line[i].y))
+          rise += std::abs(row(line[i]) - row(line[i - 1]));
+    return rise <= control_->maxRise;
   }
 
   bool store(VectorPath path) {
@@ -264,6 +279,7 @@ class Collector {
 
   CollectedPage* page_;
   CollectControl* control_;
+  Box bounds_;  ///< of the page
   std::vector<Box> clips_;
   std::vector<double> alphas_;
   std::vector<Tile> tiles_;
@@ -328,16 +344,14 @@ void strokePath(fz_context* context, fz_device* device, const fz_path* path, con
 
 void clipPath(fz_context* context, fz_device* device, const fz_path* path, int evenOdd, fz_matrix matrix,
               fz_rect scissor) {
-  inCollector(context, device,
-              [&](Collector& c) { return c.pushClipOfPath(context, path, 0, matrix), true; });
+  inCollector(context, device, [&](Collector& c) { return c.pushClipOfPath(context, path, 0, matrix); });
   fz_clip_path(context, self(device).recorder, path, evenOdd, matrix, scissor);
 }
 
 void clipStrokePath(fz_context* context, fz_device* device, const fz_path* path, const fz_stroke_state* state,
                     fz_matrix matrix, fz_rect scissor) {
   const double grow = state->linewidth * expansion(toAffine(matrix));
-  inCollector(context, device,
-              [&](Collector& c) { return c.pushClipOfPath(context, path, grow, matrix), true; });
+  inCollector(context, device, [&](Collector& c) { return c.pushClipOfPath(context, path, grow, matrix); });
   fz_clip_stroke_path(context, self(device).recorder, path, state, matrix, scissor);
 }
 

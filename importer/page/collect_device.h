@@ -26,6 +26,7 @@ enum class CollectStop {
   none,
   tooManyPoints,
   tooManyOperations,
+  tooDense,
   tooSlow,
   imageTooLarge,
   cancelled,
@@ -37,6 +38,9 @@ struct CollectControl {
   std::size_t maxPathPoints = 0;
   std::size_t maxOperations = 0;
   double maxImagePixels = 0;
+  /// How far one object may go up and down the page, page units: that is what it costs to draw, and MuPDF cannot be stopped
+  /// before it has drawn one.
+  double maxRise = 0;
   fz_cookie* cookie = nullptr;
   CollectStop stop = CollectStop::none;
   int imageWidth_px = 0, imageHeight_px = 0;  ///< of the image that was too large

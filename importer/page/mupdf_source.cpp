@@ -11,6 +11,7 @@
 #include "importer/page/collect_device.h"
 #include "importer/page/mupdf_context.h"
 #include "importer/page/page_source.h"
+#include "importer/page/picture_header.h"
 #include "importer/page/prepare_svg.h"
 #include "importer/page/stoppable_run.h"
 #include "importer/page/text_boxes.h"
@@ -20,6 +21,8 @@ namespace detent::importer {
 namespace {
 
 constexpr double overviewDpi = 150;  // enough for labels of 5 pt
+/// Points up and down of one object that are drawn in a second at the least, from lines over the whole page: 1.5e7 took 13 s.
+constexpr double risePerSecond = 2.5e5;
 constexpr double overviewMaxSide_px = 2000;
 constexpr int overviewAntialiasBits = 6;  // half the time of 8 on pages with 1e5 glyph outlines
 
@@ -163,6 +166,8 @@ std::optional<Failure> MupdfSource::refusal(const CollectControl& control, int n
     case CollectStop::tooManyOperations:
       return unreadable(file_.name, placeOf(number), Message("it draws more objects than any real page does"),
                         simplify());
+    case CollectStop::tooDense:
+      return unreadable(file_.name, placeOf(number), Message("it takes too long to draw"), simplify());
     case CollectStop::tooSlow:
       return unreadable(file_.name, placeOf(number), Message("it takes too long to interpret"), simplify());
     case CollectStop::imageTooLarge:
@@ -235,6 +240,7 @@ Result<std::unique_ptr<RecordedPage>> MupdfSource::record(int number, const Prog
   control.maxPathPoints = static_cast<std::size_t>(std::max(0, file_.limits.maxPathPoints));
   control.maxOperations = control.maxPathPoints / 4 + 1000;
   control.maxImagePixels = file_.limits.maxMegapixels * 1e6;
+  control.maxRise = risePerSecond * std::clamp(file_.limits.maxPageSeconds, 0.0, 1e6);
   bool done = measure(*page, loaded, error) && runIntoList(*page, loaded, control, progress, error);
   if (!done && control.stop == CollectStop::none) {
     if (const int broken = leaveOutBrokenImages(context, loaded); broken > 0) {
@@ -432,6 +438,10 @@ OpenedSource openPdfSource(const SourceFile& file) { return openWith(file, "appl
 OpenedSource openSvgSource(const SourceFile& file) {
   const std::string_view svg(reinterpret_cast<const char*>(file.bytes->data()), file.bytes->size());
   const PreparedSvg prepared = prepareSvg(svg, file.limits.maxPathPoints);
+  if (prepared.truncated)
+    return unreadable(file.name, Message("end of file"),
+                      Message("the %1 is truncated", kindName(FileKind::svg)),
+                      Message("Copy or download the file again"));
   if (!prepared.problem.empty())
     return unreadable(
         file.name, "", Message("the SVG cannot be drawn: %1", prepared.problem),

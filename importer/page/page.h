@@ -79,7 +79,7 @@ struct PageLimits {
   int maxPages = 2000;         ///< of a document
   double maxFileMegabytes = 512;
   int maxPathPoints = 4000000;         ///< of one page; also bounds how many things it may draw
-  double maxPageSeconds = 20;          ///< of processor time, to interpret one document page
+  double maxPageSeconds = 20;          ///< of processor time, to interpret one document page, and to draw it
   double maxDocumentMegabytes = 1024;  ///< of memory that reading a document may take, > 16
 };
 

@@ -350,7 +350,7 @@ class Preparer {
     readClipPaths();
     PreparedSvg out;
     if (!rewrite(out)) out.text.clear();
-    if (!out.problem.empty()) return out;
+    if (out.truncated || !out.problem.empty()) return out;
     Expansion expansion(named_);
     if (expansion.of(whole_) > maxElements_ || expansion.circular()) {
       out.text.clear();
@@ -455,7 +455,8 @@ class Preparer {
       if (copyVerbatim(at, out.text)) continue;
       ++at;
       auto tag = readTag(svg_, at);
-      if (!tag) break;  // cut off: MuPDF will say so
+      rootClosed_ = tag && endsDrawing(*tag);
+      if (!tag) break;
       if (tag->closes) {
         close(tag->name);
       } else if (!enter(*tag)) {
@@ -465,7 +466,13 @@ class Preparer {
       out.text += tag->text();
     }
     while (!open_.empty()) close(open_.back().name);
-    return true;
+    out.truncated = !rootClosed_;
+    return rootClosed_;
+  }
+
+  /// Whether nothing of the drawing can follow a tag: MuPDF would draw what it has of a file that was cut off.
+  bool endsDrawing(const Tag& tag) const {
+    return withoutPrefix(tag.name) == "svg" && (tag.closes || (tag.selfClosing && open_.empty()));
   }
 
   /// Inside <text>, leading blanks do not show but would shift the words.
@@ -592,6 +599,7 @@ class Preparer {
   std::vector<Open> open_;
   std::map<std::string, Weight> named_;
   Weight whole_;
+  bool rootClosed_ = false;  ///< by the last tag read
 };
 
 }  // namespace

@@ -11,8 +11,9 @@
 namespace detent::importer {
 
 struct PreparedSvg {
-  std::string text;     ///< the drawing, ready for MuPDF; empty if refused
-  std::string problem;  ///< why it is refused: "it nests elements 100000 deep"
+  std::string text;        ///< the drawing, ready for MuPDF; empty if refused
+  bool truncated = false;  ///< it ends inside a tag, or before the drawing is closed; refused
+  std::string problem;     ///< why it is refused: "it nests elements 100000 deep"
 };
 
 /// `maxElements`: bound on the elements drawn after all references are followed (SVG bombs). Any bytes.

@@ -183,7 +183,7 @@ void addLimits(CLI::App& app, PageLimits& limits) {
       ->capture_default_str();
   group
       ->add_option("--max-page-seconds", limits.maxPageSeconds,
-                   "of processor time, to interpret one page of a document")
+                   "of processor time, to interpret or to draw one page of a document")
       ->check(within(0.01, 86400.0))
       ->capture_default_str();
   group

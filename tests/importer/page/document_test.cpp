@@ -503,6 +503,41 @@ TEST_CASE("the limit on a page's time covers what is drawn") {
   CHECK(failure.sentence().find("plot.pdf, page 1: it takes too long to") == 0);
 }
 
+TEST_CASE("one object that goes up and down the page without end is refused before it is drawn") {
+  std::string path = "M0 0";
+  for (int i = 0; i < 40000; ++i) path += " L" + std::to_string(i % 800) + (i % 2 == 0 ? " 500" : " 0");
+  const std::string head = R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="800" height="500">)svg";
+  for (const std::string paint : {"fill='none' stroke='black'", "fill='red'", "fill='red' opacity='0.001'"}) {
+    INFO(paint);
+    const auto start = std::chrono::steady_clock::now();
+    const Failure failure = refusalOf(head + "<path " + paint + " d='" + path + "'/></svg>", "plot.svg");
+    CHECK(failure.code == FailureCode::unreadableInput);
+    CHECK(english(failure.problem) == "it takes too long to draw");
+    CHECK(secondsSince(start) < 2);
+  }
+  // As long a way along the page costs little.
+  std::string level = "M0 250";
+  for (int i = 0; i < 40000; ++i) level += " L" + std::to_string(i % 2 == 0 ? 800 : 0) + " 250";
+  CHECK(open(head + "<path fill='none' stroke='black' d='" + level + "'/></svg>", "plot.svg").page.count ==
+        1);
+}
+
+TEST_CASE("an SVG that was cut off is truncated, wherever it ends") {
+  const std::string whole =
+      R"svg(<?xml version="1.0"?><svg:svg xmlns:svg="http://www.w3.org/2000/svg" width="80" height="50"><svg:g>)svg"
+      R"svg(<svg:svg width="10"></svg:svg><svg:path d="M0 0 L 80 50" stroke="black"/></svg:g></svg:svg>)svg";
+  CHECK(open(whole + "\n<!-- made by hand -->\n", "plot.svg").page.count == 1);
+  CHECK(open("<svg width='80' height='50' xmlns='http://www.w3.org/2000/svg'/>", "plot.svg").page.count == 1);
+  for (const char* const last :
+       {"</svg:sv", "</svg:svg", "</svg:g>", "50\" stro", "</svg:svg><svg:path", "<svg:g"}) {
+    INFO("ends at " << last);
+    const std::size_t end = std::string_view(last) == "</svg:svg" ? whole.size() - 1 : whole.find(last);
+    const Failure failure = refusalOf(whole.substr(0, end), "plot.svg");
+    CHECK(failure.code == FailureCode::unreadableInput);
+    CHECK(english(failure.problem).find("truncated") != std::string::npos);
+  }
+}
+
 TEST_CASE("a pattern of more cells than any page has objects is refused before it is drawn") {
   const std::pair<const char*, const char*> steps[] = {
       {"0.000001", "0.000001"}, {"0.001", "0.001"}, {"0.05", "0.05"}, {"0", "2"}, {"2", "0"}};
