@@ -4,8 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <iostream>
 #include <memory>
+#include <set>
 #include <string>
 
 #include <CLI/CLI.hpp>
@@ -157,11 +159,16 @@ void addHints(CLI::App& app, RawOptions& raw, Arguments& a) {
 
 void addBatch(CLI::App& app, Arguments& a) {
   auto* group = app.add_option_group("Batch", "Many inputs, each in a process of its own");
-  group->add_flag("--batch", a.batch, "import every graph of every INPUT into --out-dir");
+  group->add_flag("--batch", a.batch,
+                  "import every graph of every INPUT into --out-dir; @FILE stands for the inputs that FILE "
+                  "lists, one a line, - for those on standard input");
   group->add_option("--out-dir", a.outDir, "folder for results and report.jsonl (made if missing)");
   group->add_option("--jobs", a.batchOptions.jobs, "processes at once (default: one per core)")
       ->check(within(1, 1024));
-  group->add_flag("--resume", a.resume, "skip inputs that report.jsonl already has");
+  group->add_flag(
+      "--resume", a.resume,
+      "keep what report.jsonl has of inputs that are the same, byte for byte, with the same options and "
+      "version");
   group->add_option("--time-limit", a.batchOptions.timeLimit_s, "seconds per input")
       ->check(within(0.1, 86400.0))
       ->capture_default_str();
@@ -193,6 +200,52 @@ void addLimits(CLI::App& app, PageLimits& limits) {
       ->capture_default_str();
 }
 
+/// The lines of a list, without empty ones.
+std::vector<std::string> listedInputs(std::istream& list) {
+  std::vector<std::string> inputs;
+  for (std::string line; std::getline(list, line);) {
+    if (line.ends_with('\r')) line.pop_back();
+    if (!line.empty()) inputs.push_back(line);
+  }
+  return inputs;
+}
+
+/// Inputs with the lists among them replaced by what they list.
+std::vector<std::string> withListsRead(const std::vector<std::string>& inputs) {
+  std::vector<std::string> all;
+  for (const std::string& input : inputs) {
+    if (input != "-" && !input.starts_with('@')) {
+      all.push_back(input);
+      continue;
+    }
+    std::ifstream file;
+    if (input != "-") file.open(input.substr(1));
+    std::istream& list = input == "-" ? std::cin : file;
+    const std::vector<std::string> listed = listedInputs(list);
+    if (!list.eof())
+      throw CLI::ValidationError(
+          "INPUT", "the list " + input.substr(1) + " cannot be read; a file of such a name is ./" + input);
+    all.insert(all.end(), listed.begin(), listed.end());
+  }
+  return all;
+}
+
+/// Options that were given, one a line, but for those that do not bear on a result: where results go, how many processes make
+/// them, how they are told.
+std::string settledBy(const CLI::App& app) {
+  static const std::set<std::string> besides{"INPUT", "--batch", "--out-dir", "--jobs", "--resume", "--json"};
+  std::string lines;
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() == 0 || besides.count(option->get_name())) continue;
+    lines += option->get_name();
+    for (const std::string& value : option->results()) lines += " " + value;
+    lines += "\n";
+  }
+  for (const CLI::App* group : app.get_subcommands([](const CLI::App*) { return true; }))
+    lines += settledBy(*group);
+  return lines;
+}
+
 void settle(const RawOptions& raw, Arguments& a) {
   ImportHints& hints = a.request.hints;
   if (raw.page > 0) a.request.page = raw.page;
@@ -218,6 +271,7 @@ void settle(const RawOptions& raw, Arguments& a) {
   if (!raw.releaseLine.empty()) hints.drawn.release = parseLine("--release-line", raw.releaseLine);
   for (const std::string& mask : raw.masks) hints.trace.masks_px.push_back(parseBox(mask));
 
+  if (a.batch) a.inputs = withListsRead(a.inputs);
   if (a.batch && a.outDir.empty())
     throw CLI::ValidationError("--batch", "needs --out-dir DIR for its results");
   if (!a.batch && a.inputs.size() != 1) {
@@ -252,6 +306,7 @@ Parsed parseArguments(int argc, char** argv) {
   try {
     app.parse(argc, argv);
     settle(raw, arguments);
+    arguments.settledBy = settledBy(app);
   } catch (const CLI::ParseError& stop) {
     const bool wanted = stop.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help
     app.exit(stop, std::cout, std::cerr);

@@ -12,7 +12,7 @@
 namespace detent::importer {
 
 struct Arguments {
-  std::vector<std::string> inputs;  ///< one, or many with `batch`
+  std::vector<std::string> inputs;  ///< one, or many with `batch`, lists read
   ImportRequest request;            ///< path empty; page, graph, quality, hints, limits
   bool list = false;
   bool all = false;
@@ -22,6 +22,7 @@ struct Arguments {
   bool batch = false;
   bool resume = false;
   std::string outDir;
+  std::string settledBy;  ///< the options that bear on a result, as given, a line each
   BatchOptions batchOptions;
 };
 

@@ -13,6 +13,7 @@
 
 #include "importer/overlay/encode_png.h"
 #include "importer/overlay/overlay.h"
+#include "importer/program/batch_report.h"
 #include "importer/program/forced_end.h"
 #include "importer/program/progress_line.h"
 #include "importer/program/report_json.h"
@@ -272,17 +273,6 @@ std::map<std::string, std::string> uniqueStems(const std::vector<std::string>& i
   return stems;
 }
 
-/// Inputs that a kept report already answers.
-std::set<std::string> alreadyReported(const std::string& reportPath) {
-  std::set<std::string> inputs;
-  std::ifstream report(reportPath);
-  for (std::string line; std::getline(report, line);) {
-    const auto json = nlohmann::json::parse(line, nullptr, false);
-    if (json.is_object() && json.contains("input") && json["input"].is_string()) inputs.insert(json["input"]);
-  }
-  return inputs;
-}
-
 /// How many imports of a batch each bar would accept, the batch's own first.
 class AcceptedByBar {
  public:
@@ -344,64 +334,87 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
   return exitCode;
 }
 
+/// What a child hands back: the key of its input on a line of its own, then the report's lines.
+std::string withKey(const std::string& key, const std::string& lines) { return key + "\n" + lines; }
+
+std::pair<std::string, std::string> keyAndLines(const InputOutcome& outcome, const std::string& options) {
+  if (outcome.death.empty()) {
+    const std::size_t end = outcome.reportLines.find('\n');
+    if (end != std::string::npos)
+      return {outcome.reportLines.substr(0, end), outcome.reportLines.substr(end + 1)};
+  }
+  const auto code = static_cast<FailureCode>(outcome.exitCode);
+  const Failure died{code, outcome.input, "", outcome.death, "Import it alone to see how far it comes"};
+  return {resultKey(outcome.input, options), failureJson(died, outcome.input) + "\n"};
+}
+
+std::vector<std::string> toDo(const std::vector<std::string>& inputs, const BatchReport& report) {
+  std::vector<std::string> open;
+  std::set<std::string> seen;
+  for (const std::string& input : inputs)
+    if (!report.has(input) && seen.insert(input).second) open.push_back(input);
+  return open;
+}
+
+struct BatchCounts {
+  std::size_t handled = 0, failed = 0;
+};
+
+void sayBatch(const Arguments& a, const BatchCounts& counts, const BatchReport& report,
+              const AcceptedByBar& accepted) {
+  std::fprintf(a.json ? stderr : stdout, "%zu inputs handled, %zu failed, %zu already done; report: %s\n",
+               counts.handled, counts.failed, report.kept(), report.path().c_str());
+  std::fprintf(a.json ? stderr : stdout, "%s\n", accepted.text().c_str());
+  if (!a.json) return;
+  const nlohmann::json summary{{"handled", counts.handled},
+                               {"failed", counts.failed},
+                               {"report", report.path()},
+                               {"accepted", accepted.json()}};
+  std::fprintf(stdout, "%s\n", jsonText(summary).c_str());
+}
+
+int refuseBatch(const Failure& failure) {
+  std::fprintf(stderr, "%s\n", failure.sentence().c_str());
+  return failure.exitCode();
+}
+
 int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   std::error_code error;
   fs::create_directories(a.outDir, error);
-  const fs::path folder(a.outDir);
-  const std::string reportPath = (folder / "report.jsonl").string();
-  std::vector<std::string> inputs;
-  const std::set<std::string> done = a.resume ? alreadyReported(reportPath) : std::set<std::string>{};
-  std::set<std::string> seen;
-  for (const std::string& input : a.inputs) {
-    if (!done.count(input) && seen.insert(input).second) inputs.push_back(input);
-  }
+  auto report = BatchReport::open(a.outDir, a.inputs, a.settledBy, a.resume);
+  if (!report) return refuseBatch(report.failure());
+  const std::vector<std::string> inputs = toDo(a.inputs, *report);
   const auto stems = uniqueStems(a.inputs);
-  std::ofstream report(reportPath, a.resume ? std::ios::app : std::ios::trunc);
-  if (!report) {
-    std::fprintf(stderr, "%s: cannot be written. Pass an --out-dir that can be made or written to.\n",
-                 reportPath.c_str());
-    return static_cast<int>(FailureCode::wrongUsage);
-  }
 
   ProgressLine line;
-  std::size_t handled = 0, failed = 0;
+  BatchCounts counts;
   AcceptedByBar accepted(a.request.sure);
+  Result<Done> kept = Done{};
   const auto handle = [&](const std::string& input, std::string& lines) {
-    const std::string base = (folder / stems.at(input)).string();
-    return handleInput(
+    const std::string key = resultKey(input, a.settledBy);  // of what is about to be read
+    const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
+    const int code = handleInput(
         a, input, {base + ".button.json", base + ".csv", base + ".trace.csv", base + ".overlay.png"}, lines);
+    lines = withKey(key, lines);
+    return code;
   };
   const auto finished = [&](const InputOutcome& outcome) {
-    std::string lines = outcome.reportLines;
-    if (!outcome.death.empty()) {
-      const auto code = static_cast<FailureCode>(outcome.exitCode);
-      lines = failureJson({code, outcome.input, "", outcome.death, "Import it alone to see how far it comes"},
-                          outcome.input) +
-              "\n";
-    }
-    report << lines << std::flush;
+    const auto [key, lines] = keyAndLines(outcome, a.settledBy);
+    if (kept) kept = report->add(outcome.input, key, lines);
     accepted.count(lines);
-    ++handled;
+    ++counts.handled;
     if (outcome.exitCode != 0) {
-      ++failed;
+      ++counts.failed;
       std::fprintf(stderr, "exit %d: %s\n", outcome.exitCode, outcome.input.c_str());
     }
-    line.show(double(handled) / double(inputs.size()), outcome.input);
+    line.show(double(counts.handled) / double(inputs.size()), outcome.input);
   };
   if (inputs.size() > 1) loadTextEngine();  // once, not in every child
-  auto ran = runIsolated(inputs, a.batchOptions, handle, finished, cancelled);
-  if (!ran) {
-    std::fprintf(stderr, "%s\n", ran.failure().sentence().c_str());
-    return cancelled() ? interruptedExitCode : ran.failure().exitCode();
-  }
-  std::fprintf(a.json ? stderr : stdout, "%zu inputs handled, %zu failed, %zu already done; report: %s\n",
-               handled, failed, done.size(), reportPath.c_str());
-  std::fprintf(a.json ? stderr : stdout, "%s\n", accepted.text().c_str());
-  if (a.json) {
-    const nlohmann::json summary{
-        {"handled", handled}, {"failed", failed}, {"report", reportPath}, {"accepted", accepted.json()}};
-    std::fprintf(stdout, "%s\n", jsonText(summary).c_str());
-  }
+  const auto ran =
+      runIsolated(inputs, a.batchOptions, handle, finished, [&] { return !kept || cancelled(); });
+  if (!kept) return refuseBatch(kept.failure());
+  if (!ran) return refuseBatch(ran.failure());
+  sayBatch(a, counts, *report, accepted);
   return 0;
 }
 

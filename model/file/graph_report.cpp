@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/file/json_text.h"
+#include "model/key_figures.h"
 #include "model/metrics.h"
 
 namespace detent {
@@ -125,6 +126,15 @@ ordered_json jsonOf(const StrokeMetrics& m, std::size_t knots) {
   return out;
 }
 
+/// Key figures the button has; the unit stands at the end of their names.
+ordered_json figuresJson(const ButtonState& state) {
+  const KeyFigures figures = keyFiguresOf(state);
+  ordered_json out = ordered_json::object();
+  for (const KeyFigureName& name : keyFigureNames())
+    if (const std::optional<double>& value = figures[name.figure]) out[std::string(name.key)] = *value;
+  return out;
+}
+
 ordered_json jsonOf(const ButtonState& state) {
   const StateMetrics m = metricsOf(state);
   ordered_json out;
@@ -133,6 +143,7 @@ ordered_json jsonOf(const ButtonState& state) {
   if (m.operatingPoint) out["operating_point"] = jsonOf(*m.operatingPoint);
   if (m.resetPoint) out["reset_point"] = jsonOf(*m.resetPoint);
   if (m.hysteresisArea_mJ) out["hysteresis_mJ"] = *m.hysteresisArea_mJ;
+  out["figures"] = figuresJson(state);
   out["press"] = jsonOf(m.press, state.graph.press().knots().size());
   if (m.release) out["release"] = jsonOf(*m.release, state.graph.release()->knots().size());
   out["damping_points"] = state.damping.size();

@@ -373,6 +373,48 @@ TEST_CASE("A batch handles every input, whatever happens to one, and resumes") {
   CHECK_THAT(again.out, Catch::Contains("0 inputs handled, 0 failed, 2 already done"));
 }
 
+TEST_CASE("A batch takes its inputs from a list and repeats what is no longer the same") {
+  const ProgramFolder folder("import_list");
+  folder.write("first.txt", "not a picture");
+  folder.write("second.txt", "nor this");
+  folder.write("list", "first.txt\r\n\nsecond.txt\n");
+  const auto again = [&](std::vector<std::string> more) {
+    std::vector<std::string> words{"--batch", "@list", "--out-dir", "out", "--resume"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramResult run = import(folder, words);
+    REQUIRE(run.exitCode == 0);
+    return run.out.substr(0, run.out.find(';'));
+  };
+  CHECK(again({}) == "2 inputs handled, 2 failed, 0 already done");
+  const std::string report = folder.read("out/report.jsonl");
+  CHECK(std::count(report.begin(), report.end(), '\n') == 2);
+  CHECK(again({"--jobs", "1"}) == "0 inputs handled, 0 failed, 2 already done");
+  folder.write("second.txt", "changed");
+  CHECK(again({}) == "1 inputs handled, 1 failed, 1 already done");
+  CHECK(again({"--quality", "draft"}) == "2 inputs handled, 2 failed, 0 already done");
+
+  SECTION("half a line of a batch that was killed is made anew") {
+    folder.write("out/report.jsonl", report.substr(0, report.size() - 7));
+    const std::string journal = folder.read("out/report.done");
+    folder.write("out/report.done", journal.substr(0, journal.size() - 7));
+    CHECK(again({"--quality", "draft"}) == "1 inputs handled, 1 failed, 1 already done");
+    CHECK(folder.read("out/report.jsonl") == report);
+  }
+  SECTION("a disk that takes no more ends the batch by name") {
+    std::filesystem::create_directories(folder.path() / "full");
+    std::filesystem::create_symlink("/dev/full", folder.path() / "full/report.jsonl");
+    const ProgramResult full = import(folder, {"--batch", "@list", "--out-dir", "full"});
+    CHECK(full.exitCode == 1);
+    CHECK_THAT(full.err, Catch::Contains("full/report.jsonl"));
+    CHECK(folder.read("full/report.done").empty());
+  }
+  SECTION("a list that is not there is wrong usage") {
+    const ProgramResult none = import(folder, {"--batch", "@absent", "--out-dir", "out"});
+    CHECK(none.exitCode == 2);
+    CHECK_THAT(none.err, Catch::Contains("absent"));
+  }
+}
+
 TEST_CASE("Two inputs of one name get results of their own") {
   const ProgramFolder folder("import_names");
   std::filesystem::create_directories(folder.path() / "a");
