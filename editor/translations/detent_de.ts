@@ -1467,6 +1467,10 @@
         <translation>Kurven zuordnen</translation>
     </message>
     <message>
+        <source>refined axes</source>
+        <translation>Achsen verfeinern</translation>
+    </message>
+    <message>
         <source>fit</source>
         <translation>Anpassen</translation>
     </message>
@@ -1489,6 +1493,10 @@
     <message>
         <source>Telling press from release …</source>
         <translation>Drücken und Rückweg werden unterschieden …</translation>
+    </message>
+    <message>
+        <source>Refining the axes …</source>
+        <translation>Die Achsen werden verfeinert …</translation>
     </message>
     <message>
         <source>Fitting …</source>
