@@ -6546,6 +6546,38 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>TIFF-Bild</translation>
     </message>
     <message>
+        <source>GIF picture</source>
+        <translation>GIF-Bild</translation>
+    </message>
+    <message>
+        <source>HEIC picture</source>
+        <translation>HEIC-Bild</translation>
+    </message>
+    <message>
+        <source>AVIF picture</source>
+        <translation>AVIF-Bild</translation>
+    </message>
+    <message>
+        <source>JPEG 2000 picture</source>
+        <translation>JPEG-2000-Bild</translation>
+    </message>
+    <message>
+        <source>the content is a %1, which is not read</source>
+        <translation>der Inhalt (%1) ist von einer Art, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>Open it in a picture viewer and save it as PNG</source>
+        <translation>Öffnen Sie es in einem Bildbetrachter, und speichern Sie es als PNG</translation>
+    </message>
+    <message>
+        <source>the packed content is damaged, or larger than the limit of %1</source>
+        <translation>der gepackte Inhalt ist beschädigt oder größer als die Grenze von %1</translation>
+    </message>
+    <message>
+        <source>Unpack the file and import what is in it</source>
+        <translation>Entpacken Sie die Datei, und importieren Sie, was darin ist</translation>
+    </message>
+    <message>
         <source>WebP picture</source>
         <translation>WebP-Bild</translation>
     </message>
