@@ -256,7 +256,7 @@ Point SheetUnknowns::toUnits(Point view_px) const {
 }
 
 PointNoise RefinedAxes::sigmaAt(Point mm_N) const {
-  constexpr double step = 1e-5;
+  constexpr double step = 1e-5;  // of an unknown, which is about 1
   const Point view_px = calibration.toView(mm_N);
   std::array<Point, SheetUnknowns::count> slope;
   for (std::size_t k = 0; k < slope.size(); ++k) {
