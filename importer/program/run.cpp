@@ -149,8 +149,6 @@ const char* inProgress(ImportStep step) {
       return "tracing curves";
     case ImportStep::strokes:
       return "telling press from release";
-    case ImportStep::refine:
-      return "refining the axes";
     case ImportStep::fit:
     case ImportStep::callouts:
       return "fitting";

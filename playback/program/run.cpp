@@ -17,6 +17,7 @@
 #include "playback/program/latency_command.h"
 #include "playback/program/live_command.h"
 #include "playback/program/page_command.h"
+#include "playback/program/performance_command.h"
 #include "playback/program/render_command.h"
 #include "playback/program/sweep_command.h"
 #include "playback/study/program/study_commands.h"
@@ -35,6 +36,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   addRenderCommand(program, chosen);
   addPageCommand(program, chosen);
   addExportCommand(program, chosen);
+  addPerformanceCommand(program, chosen);
   addDevicesCommand(program, chosen);
   addSweepCommand(program, chosen);
   addLatencyCommand(program, chosen);

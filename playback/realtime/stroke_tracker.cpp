@@ -387,8 +387,10 @@ void StrokeTracker::spreadTies() {
     crossings_.items[i].fraction = std::max(crossings_.items[i].fraction, crossings_.items[i - 1].fraction);
 }
 
-void StrokeTracker::toRest() {
+void StrokeTracker::placeAtForce(double force_N) {
+  if (program_ == nullptr) return;
   const std::uint8_t keptState = position_.state < program_->stateCount ? position_.state : std::uint8_t{0};
+  const std::uint64_t keptSuppressed = suppressed_;
   position_ = StrokePosition{};
   position_.state = keptState;
   position_.displacement_mm = state().start_mm;
@@ -397,12 +399,6 @@ void StrokeTracker::toRest() {
   bottomOutArmed_ = true;
   actuated_ = false;
   extreme_N_ = 0;
-}
-
-void StrokeTracker::placeAtForce(double force_N) {
-  if (program_ == nullptr) return;
-  const std::uint64_t keptSuppressed = suppressed_;
-  toRest();
   begin();
   if (force_N > program_->restForce_N) {
     extreme_N_ = force_N;
@@ -411,16 +407,6 @@ void StrokeTracker::placeAtForce(double force_N) {
   position_.force_N = force_N;
   extreme_mm_ = position_.displacement_mm;
   rearm();
-  suppressed_ = keptSuppressed;
-  crossings_.count = 0;
-}
-
-void StrokeTracker::placeAtDisplacement(double displacement_mm) {
-  if (program_ == nullptr) return;
-  const std::uint64_t keptSuppressed = suppressed_;
-  toRest();
-  extreme_mm_ = position_.displacement_mm;
-  updateDisplacement(displacement_mm);
   suppressed_ = keptSuppressed;
   crossings_.count = 0;
 }

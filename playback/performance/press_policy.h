@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// How one finger presses one button: the command that costs it least, and what comes of it over its own noise
+// (docs/press-forecast.md, "Fingers" and "Policy").
+
+#include <optional>
+#include <vector>
+
+#include "playback/performance/press_plant.h"
+
+namespace detent::playback {
+
+/// One button as the policy sees it.
+struct PressTask {
+  ContactPoints contact;
+  bool jumpIsFelt = false;
+  std::optional<double> period_s;  ///< of a paced task: the mean cycle must fit; > 0
+};
+
+/// Means over the noise of one finger. Shares in 0..1, times in s.
+struct PressStatistics {
+  double peak_N = 0, impulse_Ns = 0;
+  double activation_s = 0, activationSpread_s = 0;  ///< from touch
+  double commandToActivation_s = 0, commandToActivationSpread_s = 0;
+  double impactSpread_s = 0;           ///< of the time from command to the peak force
+  double cycle_s = 0;                  ///< command to end of press
+  double held_s = 0, rapidHeld_s = 0;  ///< activation to the contact's opening: as drawn, by rapid trigger
+  double missed = 0, doubled = 0, rapidDoubled = 0;
+};
+
+/// The plan of one finger and what it yields.
+struct PressPlan {
+  PressCommand command;
+  PressStatistics result;
+  double accidental = 0;         ///< share of rests that activate
+  double highestRate_per_s = 0;  ///< with at most 5 % misses and 5 % doubles; 0: none is that sure
+  double timePerCorrectPress_s = 0;
+};
+
+/// Empty where no allowed command activates the contact, or none fits the period.
+std::optional<PressPlan> planPress(const KeyTables& key, const Finger& finger, const PressTask& task);
+
+}  // namespace detent::playback

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/performance_command.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "model/edits.h"
+#include "model/file/button_file.h"
+#include "playback/performance/forecast.h"
+#include "playback/program/json_output.h"
+#include "playback/program/number_option.h"
+#include "playback/program/performance_limits.h"
+
+namespace detent::playback {
+
+namespace {
+
+struct PerformanceArguments {
+  std::vector<std::string> buttons;
+  std::optional<double> operateAt_mm;
+  std::string limitsFile;
+  bool json = false;
+};
+
+/// A button and all that is said of it.
+struct Forecasted {
+  Button button;
+  PressForecast forecast;
+  std::vector<LimitFinding> limits;
+};
+
+Result<Button> namedButton(const std::string& file) {
+  Result<Button> button = readButtonFile(file);
+  if (button && button->name().empty())
+    return rename(*button, std::filesystem::path(file).filename().string());
+  return button;
+}
+
+Json jsonOf(const Band& band) { return {{"median", band.median}, {"low", band.low}, {"high", band.high}}; }
+
+Json numberOrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+const char* nameOf(LimitOutcome outcome) {
+  if (outcome == LimitOutcome::withinTolerance) return "within_tolerance";
+  return outcome == LimitOutcome::pass ? "pass" : "fail";
+}
+
+Json jsonOf(const LimitFinding& finding) {
+  const Limit& limit = finding.limit;
+  return {{"standard", limit.standard},       {"edition", limit.edition},
+          {"clause", limit.clause},           {"kind", limit.kind},
+          {"figure", keyOf(limit.figure)},    {"least", numberOrNull(limit.least)},
+          {"most", numberOrNull(limit.most)}, {"tolerance", limit.tolerance},
+          {"value", finding.value},           {"outcome", nameOf(finding.outcome)}};
+}
+
+Json jsonOf(const Forecasted& one) {
+  const PressForecast& forecast = one.forecast;
+  Json json{{"name", forecast.name},
+            {"operating_point_mm", numberOrNull(forecast.operatingPoint_mm)},
+            {"reset_point_mm", numberOrNull(forecast.resetPoint_mm)},
+            {"jump_is_felt", forecast.jumpIsFelt}};
+  Json reasons = Json::object();
+  for (std::size_t f = 0; f < pressFigureCount; ++f) {
+    const char* key = pressFigureNames()[f].key;
+    const std::vector<double>& values = forecast.ofFingers[f];
+    json[key] = values.empty() ? Json(nullptr) : jsonOf(bandOf(values));
+    if (values.empty()) reasons[key] = reasonOf(forecast.why[f]);
+  }
+  json["reasons"] = std::move(reasons);
+  Json limits = Json::array();
+  for (const LimitFinding& finding : one.limits) limits.push_back(jsonOf(finding));
+  json["limits"] = std::move(limits);
+  return json;
+}
+
+const char* nameOf(Claim claim) {
+  switch (claim) {
+    case Claim::noDifference:
+      return "no_difference_forecast";
+    case Claim::higher:
+      return "higher";
+    case Claim::lower:
+      return "lower";
+    case Claim::notDecided:
+      return "not_decided";
+    case Claim::notForecast:
+      break;
+  }
+  return "not_forecast";
+}
+
+Json differencesOf(const PressForecast& first, const PressForecast& second) {
+  Json json{{"first", first.name}, {"second", second.name}};
+  for (std::size_t f = 0; f < pressFigureCount; ++f) {
+    const PressDifference difference = differenceOf(first, second, static_cast<PressFigure>(f));
+    const bool known = difference.claim != Claim::notForecast;
+    json[pressFigureNames()[f].key] = {{"forecast", nameOf(difference.claim)},
+                                       {"ratio", known ? jsonOf(difference.ratio) : Json(nullptr)}};
+  }
+  return json;
+}
+
+void say(const PressForecast& forecast) {
+  std::fprintf(stderr, "%s: forecast", forecast.name.c_str());
+  if (forecast.operatingPoint_mm)
+    std::fprintf(stderr, ", acting at %.4g mm, %s", *forecast.operatingPoint_mm,
+                 forecast.jumpIsFelt ? "its jump is felt" : "without a jump that is felt");
+  std::fprintf(stderr, "; median of %d fingers, 5 to 95 %%\n", fingerCount);
+  if (forecast.plans.empty()) {
+    std::fprintf(stderr, "  no forecast: %s\n", reasonOf(forecast.why.front()));
+    return;
+  }
+  for (std::size_t f = 0; f < pressFigureCount; ++f) {
+    const char* term = pressFigureNames()[f].term;
+    if (forecast.ofFingers[f].empty()) {
+      std::fprintf(stderr, "  %-36s no forecast: %s\n", term, reasonOf(forecast.why[f]));
+      continue;
+    }
+    const Band band = bandOf(forecast.ofFingers[f]);
+    std::fprintf(stderr, "  %-36s %9.3g  %9.3g to %.3g\n", term, band.median, band.low, band.high);
+  }
+}
+
+void say(const LimitFinding& finding) {
+  const Limit& limit = finding.limit;
+  const char* outcome = finding.outcome == LimitOutcome::pass   ? "passes"
+                        : finding.outcome == LimitOutcome::fail ? "fails"
+                                                                : "not decided within the tolerance";
+  const auto word = [](const std::optional<double>& bound) {
+    char text[32] = "any";
+    if (bound) std::snprintf(text, sizeof text, "%.4g", *bound);
+    return std::string(text);
+  };
+  std::fprintf(stderr, "  %s (%s%s%s), %s: %s %.4g of %s to %s, tolerance %.4g: %s\n", limit.standard.c_str(),
+               limit.edition.empty() ? "edition not known" : limit.edition.c_str(),
+               limit.clause.empty() ? "" : ", ", limit.clause.c_str(), limit.kind.c_str(),
+               keyOf(limit.figure), finding.value, word(limit.least).c_str(), word(limit.most).c_str(),
+               limit.tolerance, outcome);
+}
+
+void sayDifferences(const PressForecast& first, const PressForecast& second) {
+  std::fprintf(stderr, "%s against %s, forecast; the same finger presses both:\n", second.name.c_str(),
+               first.name.c_str());
+  for (std::size_t f = 0; f < pressFigureCount; ++f) {
+    const PressDifference d = differenceOf(first, second, static_cast<PressFigure>(f));
+    const char* term = pressFigureNames()[f].term;
+    if (d.claim == Claim::notForecast || d.claim == Claim::noDifference) {
+      std::fprintf(stderr, "  %-36s %s\n", term,
+                   d.claim == Claim::notForecast ? "no forecast" : "no difference forecast");
+      continue;
+    }
+    std::fprintf(stderr, "  %-36s %s: x %.3g, %.3g to %.3g\n", term,
+                 d.claim == Claim::higher  ? "higher"
+                 : d.claim == Claim::lower ? "lower"
+                                           : "not decided",
+                 d.ratio.median, d.ratio.low, d.ratio.high);
+  }
+}
+
+Json allDifferences(const std::vector<Forecasted>& all) {
+  Json list = Json::array();
+  for (std::size_t second = 1; second < all.size(); ++second) {
+    for (std::size_t first = 0; first < second; ++first) {
+      sayDifferences(all[first].forecast, all[second].forecast);
+      list.push_back(differencesOf(all[first].forecast, all[second].forecast));
+    }
+  }
+  return list;
+}
+
+int run(const PerformanceArguments& a, const Cancelled& cancelled) {
+  std::vector<Limit> limits = knownLimits();
+  if (!a.limitsFile.empty()) {
+    Result<std::vector<Limit>> more = readLimits(a.limitsFile);
+    if (!more) return fail(more.failure());
+    limits.insert(limits.end(), more->begin(), more->end());
+  }
+  std::vector<Button> buttons;
+  for (const std::string& file : a.buttons) {
+    Result<Button> button = namedButton(file);
+    if (!button) return fail(button.failure());
+    buttons.push_back(*std::move(button));
+  }
+  std::vector<Forecasted> all;
+  Json list = Json::array();
+  for (Button& button : buttons) {
+    ForecastSettings settings;
+    settings.operateAt_mm = a.operateAt_mm;
+    std::optional<PressForecast> forecast = forecastPress(button, settings, cancelled);
+    if (!forecast) return fail(Failure::cancelled("performance"));
+    std::vector<LimitFinding> findings = holdAgainst(limits, button);
+    all.push_back({std::move(button), *std::move(forecast), std::move(findings)});
+    say(all.back().forecast);
+    for (const LimitFinding& finding : all.back().limits) say(finding);
+    list.push_back(jsonOf(all.back()));
+  }
+  const Json differences = allDifferences(all);
+  if (a.json)
+    print({{"forecast", true},
+           {"fingers", fingerCount},
+           {"buttons", std::move(list)},
+           {"differences", differences}});
+  return 0;
+}
+
+}  // namespace
+
+void addPerformanceCommand(CLI::App& program, Action& chosen) {
+  CLI::App* app = program.add_subcommand(
+      "performance", "How fast, how surely, how hard will people press? A forecast (docs/press-forecast.md)");
+  const auto a = std::make_shared<PerformanceArguments>();
+  app->add_option("BUTTON", a->buttons, "*.button.json; several are compared")->required()->expected(1, 100);
+  app->add_option("--operate-at", a->operateAt_mm,
+                  "What if the contact closed here, mm; the reset point keeps its distance")
+      ->check(numberWithin(0, 1e5));
+  app->add_option("--limits", a->limitsFile,
+                  "JSON table of further limits of standards (docs/press-forecast.md)");
+  app->add_flag("--json", a->json, "One JSON object on stdout");
+  app->footer(
+      "Only differences between buttons mean something: absolute numbers depend on the body's parameters. "
+      "Which\n"
+      "published effects the forecast hits and which it misses: docs/press-forecast.md, \"Hits and "
+      "misses\".");
+  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
+}
+
+}  // namespace detent::playback

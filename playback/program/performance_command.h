@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// detent-play performance: how fast, how surely and with how much force will people press these buttons?
+
+#include "playback/program/command.h"
+
+namespace detent::playback {
+
+void addPerformanceCommand(CLI::App& program, Action& chosen);
+
+}  // namespace detent::playback

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The forecast of a press: its plant keeps the books of energy, its closed forms agree with chance, and what cannot be
+// forecast is said.
+#include <cmath>
+
+#include <catch2/catch.hpp>
+
+#include "model/templates.h"
+#include "playback/performance/elementary.h"
+#include "playback/performance/forecast.h"
+#include "playback/performance/limits.h"
+#include "playback/performance/timed_press.h"
+
+namespace detent::test {
+
+using namespace detent::playback;
+
+namespace {
+
+Button made(const Result<Button>& button) {
+  if (!button) throw std::runtime_error(button.failure().sentence());
+  return *button;
+}
+
+/// A linear key whose forces are so many times the template's.
+Button scaled(double factor) {
+  LinearTemplate values;
+  values.startForce_N *= factor;
+  values.endForce_N *= factor;
+  values.hysteresis_N *= factor;
+  return made(linearButton(values));
+}
+
+bool refusedFor(const PressForecast& forecast, PressFigure figure, NoForecast why) {
+  return forecast[figure].empty() && forecast.why[static_cast<std::size_t>(figure)] == why;
+}
+
+}  // namespace
+
+TEST_CASE("press forecast: own functions agree with the mathematics library") {
+  for (const double x : {-20.0, -1.0, -1e-6, 0.0, 0.3, 5.0, 80.0})
+    CHECK(exponential(x) == Approx(std::exp(x)).epsilon(1e-13));
+  for (const double x : {0.0, 0.1, 0.8, 1.5}) {
+    CHECK(sineAndCosine(x).sine == Approx(std::sin(x)).margin(1e-15));
+    CHECK(sineAndCosine(x).cosine == Approx(std::cos(x)).margin(1e-15));
+  }
+  for (const double x : {-3.0, -0.2, 0.0, 0.7, 2.5, 5.5})
+    CHECK(errorFunction(x) == Approx(std::erf(x)).margin(1e-14));
+  CHECK(normalScore(0.975) == Approx(1.959963984540054).epsilon(1e-12));
+}
+
+TEST_CASE(
+    "press plant: works and energies agree to 1e-6 for every finger, and nothing is given by what takes") {
+  const Button button = made(clickyButton());
+  const KeyTables key(button.states().front());
+  for (const Finger& finger : allFingers()) {
+    for (const double amplitude_N : {1.0, 4.0, 12.0}) {
+      PressEnergy energy;
+      (void)simulatePress(key, {0.0019, 0.0011}, finger, {amplitude_N, 0.08, 0}, &energy);
+      const double left_J = energy.muscle_J - energy.taken_J - energy.stored_J;
+      CHECK(std::abs(left_J) <= 1e-6 * energy.moved_J);
+      CHECK(energy.taken_J >= 0);
+    }
+  }
+}
+
+TEST_CASE("press forecast: a timed press in closed form is that of 200,000 chances") {
+  FixedRandom random(7);
+  for (const double button_s : {0.0, 0.02}) {
+    constexpr int presses = 200000;
+    int missed = 0;
+    for (int i = 0; i < presses; ++i) {
+      const double at_s = 0.185 * 0.1 + 0.045 * random.normal() + button_s * random.normal();
+      missed += at_s < 0 || at_s > 0.1 ? 1 : 0;
+    }
+    const double share = timedPressError(0.1, 0.5, button_s);
+    const double error = std::sqrt(share * (1 - share) / presses);
+    CHECK(std::abs(static_cast<double>(missed) / presses - share) <= 3 * error);
+  }
+}
+
+TEST_CASE("press forecast: the same for any number of threads, and a stiffer key takes more force") {
+  ForecastSettings one, three;
+  one.threads = 1;
+  three.threads = 3;
+  const std::optional<PressForecast> light = forecastPress(scaled(1), one),
+                                     again = forecastPress(scaled(1), three);
+  const std::optional<PressForecast> heavy = forecastPress(scaled(3));
+  REQUIRE(light);
+  REQUIRE(again);
+  REQUIRE(heavy);
+  CHECK(light->ofFingers == again->ofFingers);
+  CHECK(differenceOf(*light, *heavy, PressFigure::peakForce).claim == Claim::higher);
+  CHECK(differenceOf(*light, *light, PressFigure::peakForce).claim == Claim::noDifference);
+}
+
+TEST_CASE("press forecast: what cannot be forecast is said") {
+  LinearTemplate pointless;
+  pointless.operatingPoint_mm.reset();
+  pointless.resetPoint_mm.reset();
+  const std::optional<PressForecast> none = forecastPress(made(linearButton(pointless)));
+  CHECK(refusedFor(*none, PressFigure::peakForce, NoForecast::noOperatingPoint));
+  CHECK(refusedFor(*forecastPress(scaled(1e-6)), PressFigure::misses, NoForecast::tooLight));
+  CHECK(refusedFor(*forecastPress(scaled(200)), PressFigure::peakForce, NoForecast::tooHeavy));
+  ForecastSettings deep;
+  deep.operateAt_mm = 9;
+  CHECK(refusedFor(*forecastPress(scaled(1), deep), PressFigure::misses, NoForecast::operatingPointOutside));
+}
+
+TEST_CASE("limits of standards: pass, fail, and within the tolerance neither") {
+  Limit limit{"House rule", "1", "2", "required", LimitedFigure::travel, 2, 3.9, 0.2};
+  CHECK(holdAgainst({limit}, scaled(1)).front().outcome == LimitOutcome::withinTolerance);
+  limit.tolerance = 0.05;
+  CHECK(holdAgainst({limit}, scaled(1)).front().outcome == LimitOutcome::fail);
+  limit.most = 4.5;
+  CHECK(holdAgainst({limit}, scaled(1)).front().outcome == LimitOutcome::pass);
+}
+
+}  // namespace detent::test
