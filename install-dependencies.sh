@@ -17,7 +17,7 @@ set -euo pipefail
 import_packages=(
   cmake ninja-build g++ pkg-config ccache
   libopencv-dev                    # OpenCVConfig.cmake is only in the whole
-  libeigen3-dev
+  libeigen3-dev libceres-dev
   libmupdf-dev                     # static: its own libraries are not pulled in by the package
   libharfbuzz-dev libfreetype-dev libopenjp2-7-dev libjbig2dec0-dev libmujs-dev libgumbo-dev zlib1g-dev
   libpng-dev libjpeg-dev libtiff-dev libwebp-dev

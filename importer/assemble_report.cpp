@@ -94,8 +94,16 @@ PointNoise axisError(const GraphFindings& findings) {
   return {error_px(axes.x) * std::abs(axes.mmPerPx()), error_px(axes.y) * std::abs(axes.newtonPerPx())};
 }
 
-StrokeReport strokeReport(FitSummary fit, double rms_px, const PointNoise& axes) {
+/// The same at one place, derived where whole lines were seen.
+PointNoise axisErrorAt(const GraphFindings& findings, const TactilePoint& point) {
+  const PointNoise byRule = axisError(findings);
+  if (!findings.refined || findings.refined->shape == SheetShape::asRead) return byRule;
+  return findings.refined->sigmaAt({point.displacement_mm, point.force_N});
+}
+
+StrokeReport strokeReport(FitSummary fit, double rms_px, const GraphFindings& findings) {
   for (FittedTactilePoint& point : fit.tactilePoints) {
+    const PointNoise axes = axisErrorAt(findings, point.point);
     point.sigma_mm = std::hypot(point.sigma_mm, axes.sigma_mm);
     point.sigma_N = std::hypot(point.sigma_N, axes.sigma_N);
   }
@@ -222,10 +230,9 @@ Result<ImportReport> assembleReport(GraphFindings findings, const GraphSource& s
   report.page = source.page, report.graph = source.graph;
   if (curve) report.curve = *curve + 1;
   report.x = calibration.x, report.y = calibration.y;
-  const PointNoise axesOff = axisError(findings);
-  report.press = strokeReport(findings.fitted.press.summary, provenance.pressRms_px, axesOff);
+  report.press = strokeReport(findings.fitted.press.summary, provenance.pressRms_px, findings);
   if (findings.fitted.release)
-    report.release = strokeReport(findings.fitted.release->summary, provenance.releaseRms_px, axesOff);
+    report.release = strokeReport(findings.fitted.release->summary, provenance.releaseRms_px, findings);
   report.callouts = std::move(findings.callouts);
   report.confidence = provenance.confidence;
   report.doubt = uncertain;

@@ -8,6 +8,7 @@
 #include "importer/callouts/callouts.h"
 #include "importer/fit/fit_stroke.h"
 #include "importer/locate_graphs.h"
+#include "importer/refine/refine_axes.h"
 #include "importer/specs/printed_spec.h"
 #include "importer/strokes/stroke_pair.h"
 #include "importer/trace/explanation.h"
@@ -30,6 +31,7 @@ struct GraphFindings {
   std::vector<PrintedSpec> specs;
   PageClass pageClass = PageClass::picture;
   Explanation explanation = {};
+  std::optional<RefinedAxes> refined = {};  ///< at levels that ask for it
 };
 
 }  // namespace detent::importer

@@ -128,6 +128,15 @@ Result<FittedStrokes> fitBoth(const StrokePair& strokes, const FitOptions& press
   return fitted;
 }
 
+/// A stroke's points where other axes put them; what the step before moved in the units stays moved.
+void moveTo(const AxisCalibration& to, const AxisCalibration& from, StrokePoints& stroke) {
+  for (std::size_t i = 0; i < stroke.points_px.size(); ++i) {
+    const Point by = to.toUnits(stroke.points_px[i]) - from.toUnits(stroke.points_px[i]);
+    stroke.points[i].displacement_mm += by.x;
+    stroke.points[i].force_N += by.y;
+  }
+}
+
 /// Drawn strokes are the person's: they stand where none was traced, and take the place of what was.
 Result<Found<StrokePair>> withDrawn(Result<Found<StrokePair>> traced, const DrawnStrokes& drawn,
                                     const LocatedGraph& graph) {
@@ -641,9 +650,25 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
   }();
   if (!strokes) return stopped(strokes.failure(), *choice, **curves, explanation);
 
+  step(0.75, ImportStep::refine);
+  std::optional<RefinedAxes> refined;
+  std::optional<LocatedGraph> refinedGraph;  // the session keeps the graph as it was read
+  if (settings.refineAxes && !strokes->value.press.fromVector) {
+    StepClock time(seconds, ImportStep::refine);
+    refined = refineAxes(graph.view, graph.frame.value, graph.axes.calibration.value, progress);
+    if (refined && refined->shape != SheetShape::asRead) {
+      refinedGraph = graph;
+      refinedGraph->axes.calibration.value = refined->calibration;
+      moveTo(refined->calibration, graph.axes.calibration.value, strokes->value.press);
+      if (strokes->value.release)
+        moveTo(refined->calibration, graph.axes.calibration.value, *strokes->value.release);
+    }
+  }
+  const LocatedGraph* const seen = refinedGraph ? &*refinedGraph : &graph;
+
   step(0.8, ImportStep::fit);
   const StrokePair& pair = strokes->value;
-  const AxisCalibration& calibration = graph.axes.calibration.value;
+  const AxisCalibration& calibration = seen->axes.calibration.value;
   const double press_px = noisePx(pair.press, graph, settings);
   const double release_px = pair.release ? noisePx(*pair.release, graph, settings) : press_px;
   auto fitted = [&] {
@@ -656,17 +681,17 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
 
   auto callouts = [&] {
     StepClock time(seconds, ImportStep::callouts);
-    return readCallouts(graph.view, graph.frame.value, graph.axes, pair);
+    return readCallouts(seen->view, seen->frame.value, seen->axes, pair);
   }();
   const auto& unread = remarks[choice->page];
   choice->remarks.insert(choice->remarks.end(), unread.begin(), unread.end());
   const PageClass pageClass = classOf(*choice, pair, progress);
   const GraphSource source{name(),       buttonName(*choice), document->sha256(),
                            choice->page, choice->graph,       choice->remarks};
-  auto report =
-      assembleReport({graph, **curves, std::move(strokes).value(), std::move(fitted).value(), press_px,
-                      release_px, std::move(callouts), printedSpecs(), pageClass, explanation},
-                     source, request);
+  auto report = assembleReport(
+      {*seen, **curves, std::move(strokes).value(), std::move(fitted).value(), press_px, release_px,
+       std::move(callouts), printedSpecs(), pageClass, explanation, std::move(refined)},
+      source, request);
   if (!report) return stopped(report.failure(), *choice, **curves, explanation);
   report->seconds = seconds;
   step(1, ImportStep::fit);

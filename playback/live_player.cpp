@@ -166,6 +166,7 @@ class Player : public LivePlayer {
 
   Result<std::int64_t> playTrace(const PressTrace& trace, double lead_s) override {
     const std::lock_guard traceLock(traceMutex_);
+    const bool replaces = tracePlaying_;
     stopTrace();
     if (!sounding_) {
       return Failure{FailureCode::wrongUsage, "press trace", "", "cannot be played without a sound device",
@@ -181,6 +182,7 @@ class Player : public LivePlayer {
         streamFrame() +
         static_cast<std::int64_t>(std::ceil(std::max(lead_s, traceStep_s) * session_.sampleRate_Hz()));
     for (EngineInput& input : inputs) input.time_frames += static_cast<double>(start);
+    if (replaces) dropSentAhead(inputs.front());
     tracePlaying_ = true;
     stopTrace_ = false;
     traceThread_ = std::thread([this, inputs = std::move(inputs)] { feedTrace(inputs); });
@@ -442,6 +444,17 @@ class Player : public LivePlayer {
     const std::lock_guard lock(readingMutex_);
     ConditionerCounts counts;
     return conditionedInputs(trace, *routeProgram_, session_.sampleRate_Hz(), origin_s, counts);
+  }
+
+  // Of the trace before: what was sent ahead never comes, and the finger is where the new one begins.
+  void dropSentAhead(const EngineInput& first) {
+    SessionCommand command;
+    command.kind = CommandKind::forget;
+    session_.send(Lane::trace, command);
+    command.kind =
+        first.kind == InputKind::displacement ? CommandKind::resyncDisplacement : CommandKind::resync;
+    command.value = first.value;
+    session_.send(Lane::trace, command);
   }
 
   void feedTrace(const std::vector<EngineInput>& inputs) {

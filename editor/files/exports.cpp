@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/files/exports.h"
 
+#include <cmath>
 #include <filesystem>
 #include <QBuffer>
 #include <QCoreApplication>
@@ -17,6 +18,12 @@ namespace detent::editor {
 namespace {
 
 std::string bytesOf(const QString& path) { return QFile::encodeName(path).toStdString(); }
+
+/// As `detent-play export --press` names it; the standard press is the one whose way down takes 120 ms.
+std::string pressName(double wayDown_s) {
+  const long wayDown_ms = std::lround(1000 * wayDown_s);
+  return wayDown_ms == 120 ? "standard" : "human:" + std::to_string(wayDown_ms) + "ms";
+}
 
 }  // namespace
 
@@ -51,6 +58,31 @@ Result<Done> exportWav(const Button& button, std::size_t state, const QString& p
   const auto written =
       playback::renderPressToFile(prepared->program, playback::standardPress(prepared->program), {},
                                   std::filesystem::path(bytesOf(path)));
+  if (!written) return written.failure();
+  return Done{};
+}
+
+Result<Done> exportPage(const std::vector<Button>& buttons, const QString& path) {
+  const auto page = playback::sharePage(buttons);
+  if (!page) return page.failure();
+  return writeTextFileAtomically(bytesOf(path), *page);
+}
+
+Result<playback::Exported> deviceExport(const Button& button, const DeviceExport& wanted) {
+  const auto prepared = playback::prepareProgram(button, {}, {});
+  if (!prepared) return prepared.failure();
+  const std::string press = pressName(wanted.wayDown_s);
+  const auto trace = playback::namedPress(press, prepared->program);
+  if (!trace) return trace.failure();
+  playback::ExportSettings settings = wanted.settings;
+  settings.pressName = playback::pressInWords(press);
+  return playback::exportPress(button, prepared->program, *trace, settings);
+}
+
+Result<Done> exportForDevice(const Button& button, const DeviceExport& wanted, const QString& path) {
+  const auto exported = deviceExport(button, wanted);
+  if (!exported) return exported.failure();
+  const auto written = playback::writeExported(*exported, bytesOf(path));
   if (!written) return written.failure();
   return Done{};
 }

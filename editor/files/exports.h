@@ -8,6 +8,7 @@
 
 #include "editor/document/display_units.h"
 #include "model/button.h"
+#include "playback/sharing.h"
 
 namespace detent::editor {
 
@@ -23,5 +24,19 @@ Result<Done> exportPng(const QImage& picture, const QString& path);
 /// The vibration of a standard press (playback/playback.h) that begins in that state, on a perfect device: mono float
 /// WAV, 48 kHz.
 Result<Done> exportWav(const Button& button, std::size_t state, const QString& path);
+
+/// The buttons as one web page, as `detent-play page` writes it, byte for byte. Failure: as playback::sharePage, or the disk's.
+Result<Done> exportPage(const std::vector<Button>& buttons, const QString& path);
+
+/// What a press becomes for another device: the button from its first state, pressed by a finger whose way down takes so
+/// long; byte for byte as `detent-play export` writes it.
+struct DeviceExport {
+  playback::ExportSettings settings;  ///< the press's name is filled in here
+  double wayDown_s = 0.12;            ///< 0.01..10
+};
+/// Failure: as playback::exportPress. Any thread.
+Result<playback::Exported> deviceExport(const Button& button, const DeviceExport& wanted);
+/// The same, written: all of its files or none.
+Result<Done> exportForDevice(const Button& button, const DeviceExport& wanted, const QString& path);
 
 }  // namespace detent::editor

@@ -10,7 +10,8 @@ namespace detent::editor {
 namespace {
 
 const QStringList& pageEndings() {
-  static const QStringList endings = {"png", "jpg", "jpeg", "bmp", "tif", "tiff", "webp", "pdf", "svg"};
+  static const QStringList endings = {"png",  "jpg",  "jpeg", "bmp", "tif",
+                                      "tiff", "webp", "pdf",  "svg", "svgz"};
   return endings;
 }
 

@@ -147,6 +147,8 @@ QString nameOfWork(importer::ImportStep step) {
       return tr("tracing");
     case importer::ImportStep::strokes:
       return tr("strokes");
+    case importer::ImportStep::refine:
+      return tr("refined axes");
     case importer::ImportStep::fit:
       return tr("fit");
     case importer::ImportStep::callouts:
@@ -169,6 +171,8 @@ QString inProgress(importer::ImportStep step) {
       return tr("Tracing the curves …");
     case importer::ImportStep::strokes:
       return tr("Telling press from release …");
+    case importer::ImportStep::refine:
+      return tr("Refining the axes …");
     case importer::ImportStep::fit:
     case importer::ImportStep::callouts:
       return tr("Fitting …");

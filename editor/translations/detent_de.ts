@@ -176,6 +176,105 @@
     </message>
 </context>
 <context>
+    <name>FormatWords</name>
+    <message>
+        <source>Detent package (JSON)</source>
+        <translation>Detent-Paket (JSON)</translation>
+    </message>
+    <message>
+        <source>Everything: thresholds of force, waves, curve and filters, for a player of your own.</source>
+        <translation>Alles: Kraftschwellen, Wellen, Kurve und Filter, für ein eigenes Abspielprogramm.</translation>
+    </message>
+    <message>
+        <source>Firmware (C header)</source>
+        <translation>Firmware (C-Header)</translation>
+    </message>
+    <message>
+        <source>Thresholds, waves and curve for a microcontroller. Without the filters, equalizer and limiter.</source>
+        <translation>Schwellen, Wellen und Kurve für einen Mikrocontroller. Ohne Filter, Entzerrer und Begrenzer.</translation>
+    </message>
+    <message>
+        <source>iPhone (AHAP)</source>
+        <translation>iPhone (AHAP)</translation>
+    </message>
+    <message>
+        <source>Two files, press and release, of 80 to 230 Hz. The finger&apos;s force no longer decides.</source>
+        <translation>Zwei Dateien, Druck und Rücklauf, von 80 bis 230 Hz. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Meta and Lofelt (.haptic)</source>
+        <translation>Meta und Lofelt (.haptic)</translation>
+    </message>
+    <message>
+        <source>One oscillator of 80 to 230 Hz. The finger&apos;s force no longer decides.</source>
+        <translation>Ein Oszillator von 80 bis 230 Hz. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Android (Kotlin)</source>
+        <translation>Android (Kotlin)</translation>
+    </message>
+    <message>
+        <source>Press and release as envelopes, nothing shorter than 20 ms. The finger&apos;s force no longer decides.</source>
+        <translation>Druck und Rücklauf als Hüllkurven, nichts kürzer als 20 ms. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>OpenXR (parametric)</source>
+        <translation>OpenXR (parametrisch)</translation>
+    </message>
+    <message>
+        <source>Structures as JSON and, beside it, as a C header. The finger&apos;s force no longer decides.</source>
+        <translation>Strukturen als JSON und daneben als C-Header. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>MPEG haptics (HJIF)</source>
+        <translation>MPEG-Haptik (HJIF)</translation>
+    </message>
+    <message>
+        <source>ISO/IEC 23090-31, the wave as it is. The finger&apos;s force no longer decides.</source>
+        <translation>ISO/IEC 23090-31, die Welle, wie sie ist. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Piezo driver BOS1921</source>
+        <translation>Piezotreiber BOS1921</translation>
+    </message>
+    <message>
+        <source>Sines of whole cycles for the driver&apos;s memory. The finger&apos;s force no longer decides.</source>
+        <translation>Sinuswellen ganzer Perioden für den Speicher des Treibers. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Motor driver DA7280, DA7282</source>
+        <translation>Motortreiber DA7280, DA7282</translation>
+    </message>
+    <message>
+        <source>100 bytes of waveform memory; the motor plays its own frequency.</source>
+        <translation>100 Byte Wellenspeicher; der Motor spielt seine eigene Frequenz.</translation>
+    </message>
+    <message>
+        <source>Motor driver DRV2605</source>
+        <translation>Motortreiber DRV2605</translation>
+    </message>
+    <message>
+        <source>One amplitude every 5 ms; the motor plays its own frequency.</source>
+        <translation>Alle 5 ms eine Amplitude; der Motor spielt seine eigene Frequenz.</translation>
+    </message>
+    <message>
+        <source>Samples (C array)</source>
+        <translation>Abtastwerte (C-Array)</translation>
+    </message>
+    <message>
+        <source>The wave as numbers. The finger&apos;s force no longer decides.</source>
+        <translation>Die Welle als Zahlen. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+    </message>
+    <message>
+        <source>Haptic touchpad</source>
+        <translation>Haptisches Touchpad</translation>
+    </message>
+    <message>
+        <source>Threshold of 110 to 190 g and intensity; the pad plays its own waves.</source>
+        <translation>Schwelle von 110 bis 190 g und Stärke; das Pad spielt eigene Wellen.</translation>
+    </message>
+</context>
+<context>
     <name>GraphDrag</name>
     <message>
         <source>Stops at %1. %2</source>
@@ -1467,6 +1566,10 @@
         <translation>Kurven zuordnen</translation>
     </message>
     <message>
+        <source>refined axes</source>
+        <translation>Achsen verfeinern</translation>
+    </message>
+    <message>
         <source>fit</source>
         <translation>Anpassen</translation>
     </message>
@@ -1489,6 +1592,10 @@
     <message>
         <source>Telling press from release …</source>
         <translation>Drücken und Rückweg werden unterschieden …</translation>
+    </message>
+    <message>
+        <source>Refining the axes …</source>
+        <translation>Die Achsen werden verfeinert …</translation>
     </message>
     <message>
         <source>Fitting …</source>
@@ -2305,6 +2412,69 @@
     </message>
 </context>
 <context>
+    <name>detent::editor::DeviceExportDialog</name>
+    <message>
+        <source>none was there</source>
+        <translation>war keine da</translation>
+    </message>
+    <message>
+        <source>Energy kept: %1</source>
+        <translation>Erhaltene Energie: %1</translation>
+    </message>
+    <message>
+        <source>Worst error in time: %1 ms; grains merged: %2; frequencies moved by up to %3 Hz</source>
+        <translation>Größter Zeitfehler: %1 ms; verschmolzene Grains: %2; Frequenzen um bis zu %3 Hz verschoben</translation>
+    </message>
+    <message>
+        <source>What the press is written for</source>
+        <translation>Wofür der Druck geschrieben wird</translation>
+    </message>
+    <message>
+        <source>Samples per second</source>
+        <translation>Abtastwerte je Sekunde</translation>
+    </message>
+    <message>
+        <source>Bits of a sample</source>
+        <translation>Bits eines Abtastwerts</translation>
+    </message>
+    <message>
+        <source>bits</source>
+        <translation>Bit</translation>
+    </message>
+    <message>
+        <source>How long the finger goes down</source>
+        <translation>Wie lange der Finger abwärts geht</translation>
+    </message>
+    <message>
+        <source>Export for a device</source>
+        <translation>Für ein Gerät exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Device:</source>
+        <translation>&amp;Gerät:</translation>
+    </message>
+    <message>
+        <source>Way &amp;down of the press:</source>
+        <translation>&amp;Abwärtsweg des Drucks:</translation>
+    </message>
+    <message>
+        <source>&amp;Rate:</source>
+        <translation>&amp;Rate:</translation>
+    </message>
+    <message>
+        <source>&amp;Bits:</source>
+        <translation>&amp;Bits:</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Choose where the file goes, and write it</source>
+        <translation>Wählen, wohin die Datei kommt, und sie schreiben</translation>
+    </message>
+</context>
+<context>
     <name>detent::editor::DisplacementForceView</name>
     <message>
         <source>Displacement over force</source>
@@ -2386,6 +2556,18 @@
     <message>
         <source>WAV sound</source>
         <translation>WAV-Klang</translation>
+    </message>
+    <message>
+        <source>Share as a page</source>
+        <translation>Als Seite teilen</translation>
+    </message>
+    <message>
+        <source>Web page</source>
+        <translation>Webseite</translation>
+    </message>
+    <message>
+        <source>Export for a device</source>
+        <translation>Für ein Gerät exportieren</translation>
     </message>
 </context>
 <context>
@@ -4619,6 +4801,22 @@
         <source>Key figures</source>
         <translation>Kennzahlen</translation>
     </message>
+    <message>
+        <source>For a &amp;device…</source>
+        <translation>Für ein &amp;Gerät …</translation>
+    </message>
+    <message>
+        <source>Write a press for phones, headsets, driver chips, firmware and touchpads</source>
+        <translation>Einen Druck für Telefone, Headsets, Treiberbausteine, Firmware und Touchpads schreiben</translation>
+    </message>
+    <message>
+        <source>S&amp;hare as a page…</source>
+        <translation>Als Seite &amp;teilen …</translation>
+    </message>
+    <message>
+        <source>Write a web page that anyone can open and press, with nothing else installed</source>
+        <translation>Eine Webseite schreiben, die jeder öffnen und drücken kann, ohne etwas zu installieren</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MarginOverlay</name>
@@ -6538,6 +6736,38 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>TIFF-Bild</translation>
     </message>
     <message>
+        <source>GIF picture</source>
+        <translation>GIF-Bild</translation>
+    </message>
+    <message>
+        <source>HEIC picture</source>
+        <translation>HEIC-Bild</translation>
+    </message>
+    <message>
+        <source>AVIF picture</source>
+        <translation>AVIF-Bild</translation>
+    </message>
+    <message>
+        <source>JPEG 2000 picture</source>
+        <translation>JPEG-2000-Bild</translation>
+    </message>
+    <message>
+        <source>the content is a %1, which is not read</source>
+        <translation>der Inhalt (%1) ist von einer Art, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>Open it in a picture viewer and save it as PNG</source>
+        <translation>Öffnen Sie es in einem Bildbetrachter, und speichern Sie es als PNG</translation>
+    </message>
+    <message>
+        <source>the packed content is damaged, or larger than the limit of %1</source>
+        <translation>der gepackte Inhalt ist beschädigt oder größer als die Grenze von %1</translation>
+    </message>
+    <message>
+        <source>Unpack the file and import what is in it</source>
+        <translation>Entpacken Sie die Datei, und importieren Sie, was darin ist</translation>
+    </message>
+    <message>
         <source>WebP picture</source>
         <translation>WebP-Bild</translation>
     </message>
@@ -6649,6 +6879,13 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Give a force meter&apos;s CSV file, or a picture or PDF by its right name</source>
         <translation>Geben Sie die CSV-Datei eines Kraftmessgeräts an, oder ein Bild oder PDF unter seinem richtigen Namen</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::LogReader</name>
+    <message>
+        <source>it holds %1 switches: %2</source>
+        <translation>es enthält %1 Schalter: %2</translation>
     </message>
 </context>
 <context>

@@ -56,4 +56,16 @@ void ExportDesk::wav(DocumentTab& tab) {
         });
 }
 
+void ExportDesk::page(DocumentTab& tab) {
+  write(tab, tr("Share as a page"), tr("Web page") + " (*.html)", ".html",
+        [&](const QString& path) { return exportPage({tab.document().button()}, path); });
+}
+
+void ExportDesk::device(DocumentTab& tab) {
+  const auto chosen = at_.prompts.deviceExport(&at_.window, tab.document().button());
+  if (!chosen) return;
+  write(tab, tr("Export for a device"), chosen->name + " (*" + chosen->ending + ")", chosen->ending,
+        [&](const QString& path) { return exportForDevice(tab.document().button(), chosen->wanted, path); });
+}
+
 }  // namespace detent::editor

@@ -20,6 +20,10 @@ class ExportDesk : public QObject {
   void svg(DocumentTab& tab);
   void png(DocumentTab& tab);
   void wav(DocumentTab& tab);
+  /// The button as a web page anyone can press.
+  void page(DocumentTab& tab);
+  /// A press in the format of another device, which is asked for.
+  void device(DocumentTab& tab);
 
  signals:
   /// Something was written: a sentence for the status bar.

@@ -102,6 +102,14 @@ void MainWindow::makeFileActions() {
       tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
                 tr("Write what a standard press feels like that begins in the state shown: mono, 48 kHz"),
                 QKeySequence("Ctrl+Alt+W"), [this](DocumentTab& tab) { files_->exports().wav(tab); }));
+  exports->addAction(tabAction("exportDevice", tr("For a &device…"),
+                               tr("Write a press for phones, headsets, driver chips, firmware and touchpads"),
+                               QKeySequence("Ctrl+Alt+V"),
+                               [this](DocumentTab& tab) { files_->exports().device(tab); }));
+  menu->addAction(
+      tabAction("sharePage", tr("S&hare as a page…"),
+                tr("Write a web page that anyone can open and press, with nothing else installed"),
+                QKeySequence("Ctrl+Alt+H"), [this](DocumentTab& tab) { files_->exports().page(tab); }));
   menu->addSeparator();
   menu->addAction(tabAction("print", tr("&Print…"), tr("Print the graph with its values"),
                             QKeySequence("Ctrl+P"), [this](DocumentTab& tab) { print(tab); }));

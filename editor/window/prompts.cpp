@@ -66,6 +66,11 @@ std::optional<Button> Prompts::newButton(QWidget* parent) {
   return dialog.chosen().button;
 }
 
+std::optional<DeviceChoice> Prompts::deviceExport(QWidget* parent, const Button& button) {
+  DeviceExportDialog dialog(button, parent);
+  return dialog.exec() == QDialog::Accepted ? std::optional(dialog.choice()) : std::nullopt;
+}
+
 bool Prompts::printer(QWidget* parent, QPrinter& printer) {
   return QPrintDialog(&printer, parent).exec() == QDialog::Accepted;
 }

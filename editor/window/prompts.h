@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "editor/window/device_export_dialog.h"
 #include "model/button.h"
 
 class QPrinter;
@@ -33,6 +34,8 @@ class Prompts {
   virtual bool confirm(QWidget* parent, const QString& question, const QString& act);
   /// The button to start from.
   virtual std::optional<Button> newButton(QWidget* parent);
+  /// For which device a press of the button is written.
+  virtual std::optional<DeviceChoice> deviceExport(QWidget* parent, const Button& button);
   /// Where to print; false: cancelled.
   virtual bool printer(QWidget* parent, QPrinter& printer);
   /// A text, changed or not; nullopt: cancelled.

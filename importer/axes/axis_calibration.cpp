@@ -18,8 +18,27 @@ Point unitsPerPx(const AxisCalibration& c) {
 
 }  // namespace
 
-Point AxisCalibration::toUnits(Point view_px) const { return viewToUnits(view_px); }
-Point AxisCalibration::toView(Point mm_N) const { return viewToUnits.inverse()(mm_N); }
+Point SheetBend::straightened(Point view_px) const {
+  const Point n = (1 / half_px) * (view_px - middle_px);
+  const double away = depth[0] * n.x * n.x + depth[1] * n.x * n.y + depth[2] * n.y * n.y;
+  return view_px + (half_px * away) * (from + n);
+}
+
+Point SheetBend::bent(Point straight_px) const {
+  constexpr int steps = 30;  // each wins the digits of a bend's share of the sheet
+  Point at = straight_px;
+  for (int k = 0; k < steps; ++k) at = straight_px - (straightened(at) - at);
+  return at;
+}
+
+Point AxisCalibration::toUnits(Point view_px) const {
+  return viewToUnits(bend ? bend->straightened(view_px) : view_px);
+}
+
+Point AxisCalibration::toView(Point mm_N) const {
+  const Point straight_px = viewToUnits.inverse()(mm_N);
+  return bend ? bend->bent(straight_px) : straight_px;
+}
 double AxisCalibration::mmPerPx() const { return unitsPerPx(*this).x; }
 double AxisCalibration::newtonPerPx() const { return unitsPerPx(*this).y; }
 

@@ -36,11 +36,24 @@ struct AxisReading {
   std::string title;  ///< as read
 };
 
+/// What moves the points of a sheet besides perspective: paper that sags or bulges, and a lens that bends straight lines. Both
+/// move a point along the line from one place of the picture (the foot of the camera's axis, the lens' middle) by an amount
+/// of second degree in the point. Places are counted from `middle_px` in units of `half_px`.
+struct SheetBend {
+  Point middle_px;
+  double half_px = 1;             ///< > 0
+  std::array<double, 3> depth{};  ///< of xx, xy, yy; all 0: nothing bends
+  Point from;                     ///< minus the place that points move away from
+  Point straightened(Point view_px) const;
+  Point bent(Point straight_px) const;  ///< the inverse, for bends far smaller than the sheet
+};
+
 /// Invertible map between view pixels and (mm, N). Projective, so that photographs fit; affine for everything
-/// else.
+/// else. Bent only where importer/refine has measured it.
 struct AxisCalibration {
   AxisReading x, y;
-  Homography viewToUnits;  ///< view px -> (mm, N)
+  Homography viewToUnits;         ///< straightened view px -> (mm, N)
+  std::optional<SheetBend> bend;  ///< empty: view px are straight
 
   Point toUnits(Point view_px) const;  ///< (mm, N)
   Point toView(Point mm_N) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "importer/page/document.h"
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <system_error>
 
+#include "importer/page/gunzip.h"
 #include "importer/page/page_source.h"
 #include "importer/page/picture_header.h"
 #include "model/check.h"
@@ -94,6 +96,10 @@ std::optional<Failure> wrongKind(const SourceFile& file, FileKind actual) {
                           : Message("%1, although the name promises a %2", content, kindName(promised)),
                       Message("Give a PNG, JPEG, BMP, TIFF, WebP, PDF, SVG or CSV file"));
   }
+  if (isForeignPicture(actual))
+    return unreadable(file.name, Message("first bytes"),
+                      Message("the content is a %1, which is not read", kindName(actual)),
+                      Message("Open it in a picture viewer and save it as PNG"));
   if (contradicts(promised, actual))
     return unreadable(
         file.name, Message("first bytes"),
@@ -102,7 +108,25 @@ std::optional<Failure> wrongKind(const SourceFile& file, FileKind actual) {
   return std::nullopt;
 }
 
-OpenedSource openSource(const SourceFile& file) {
+/// A drawing that was packed to be smaller, as it was before.
+Result<SourceFile> unpacked(const SourceFile& file) {
+  const double most_bytes = file.limits.maxFileMegabytes * 1024 * 1024;
+  auto content = gunzip(*file.bytes, static_cast<std::size_t>(std::clamp(most_bytes, 0.0, 1e12)));
+  if (!content)
+    return unreadable(
+        file.name, "",
+        Message("the packed content is damaged, or larger than the limit of %1", megabytes(most_bytes)),
+        {{RemedyKind::advice, Message("Unpack the file and import what is in it")},
+         {RemedyKind::raiseLimit, {}}});
+  SourceFile changed = file;
+  changed.bytes = std::make_shared<const Bytes>(std::move(*content));
+  return changed;
+}
+
+OpenedSource openSource(const SourceFile& asGiven) {
+  auto plain = isGzip(*asGiven.bytes) ? unpacked(asGiven) : Result<SourceFile>(asGiven);
+  if (!plain) return plain.failure();
+  const SourceFile& file = *plain;
   if (file.bytes->empty())
     return unreadable(file.name, "", Message("the file is empty (0 bytes)"),
                       Message("Copy or download the file again"));

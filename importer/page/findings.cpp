@@ -210,6 +210,8 @@ std::string_view nameOf(ImportStep step) {
       return "trace";
     case ImportStep::strokes:
       return "strokes";
+    case ImportStep::refine:
+      return "refine";
     case ImportStep::fit:
       return "fit";
     case ImportStep::callouts:

@@ -14,7 +14,7 @@
 namespace detent::importer {
 
 /// The steps of an import that take time or give a finding, in flow order.
-enum class ImportStep { read, locate, view, axes, texts, copies, trace, strokes, fit, callouts };
+enum class ImportStep { read, locate, view, axes, texts, copies, trace, strokes, refine, fit, callouts };
 
 /// "locate": as scripts see it.
 std::string_view nameOf(ImportStep step);

@@ -308,6 +308,27 @@ bool looksLikeSvg(std::span<const unsigned char> bytes) {
 
 }  // namespace
 
+namespace {
+
+/// Of the pictures that are known and not read.
+FileKind foreignKind(const ByteReader& in) {
+  constexpr std::size_t brandsBegin = 8, brandsEnd = 64;  // of the first box of a file in ISO's base format
+  if (in.has(0, "GIF8")) return FileKind::gif;
+  if (in.has(4, "jP  \r\n\x87\n") || in.has(0, "\xff\x4f\xff\x51")) return FileKind::jpeg2000;
+  if (!in.has(4, "ftyp")) return FileKind::unknown;
+  const auto hasBrand = [&](std::string_view brand) {
+    for (std::size_t at = brandsBegin; at < std::min<std::size_t>(brandsEnd, in.u32(0)); at += 4)
+      if (in.has(at, brand)) return true;
+    return false;
+  };
+  if (hasBrand("avif") || hasBrand("avis")) return FileKind::avif;
+  for (const char* const brand : {"heic", "heix", "heim", "heis", "hevc", "hevx", "mif1", "msf1"})
+    if (hasBrand(brand)) return FileKind::heic;
+  return FileKind::unknown;
+}
+
+}  // namespace
+
 FileKind sniffFileKind(std::span<const unsigned char> bytes) {
   const ByteReader in(bytes, true);
   if (in.has(0, std::string_view("\x89PNG\r\n\x1a\n", 8))) return FileKind::png;
@@ -320,7 +341,7 @@ FileKind sniffFileKind(std::span<const unsigned char> bytes) {
                               std::min<std::size_t>(bytes.size(), 1024));
   if (head.find("%PDF-") != std::string_view::npos) return FileKind::pdf;
   if (looksLikeSvg(bytes)) return FileKind::svg;
-  return FileKind::unknown;
+  return foreignKind(in);
 }
 
 Message kindName(FileKind kind) {
@@ -339,6 +360,14 @@ Message kindName(FileKind kind) {
       return Message("PDF document");
     case FileKind::svg:
       return Message("SVG drawing");
+    case FileKind::gif:
+      return Message("GIF picture");
+    case FileKind::heic:
+      return Message("HEIC picture");
+    case FileKind::avif:
+      return Message("AVIF picture");
+    case FileKind::jpeg2000:
+      return Message("JPEG 2000 picture");
     case FileKind::unknown:
       break;
   }
@@ -355,13 +384,18 @@ FileKind kindOfName(const std::string& name) {
   if (extension == "tif" || extension == "tiff") return FileKind::tiff;
   if (extension == "webp") return FileKind::webp;
   if (extension == "pdf") return FileKind::pdf;
-  if (extension == "svg") return FileKind::svg;
+  if (extension == "svg" || extension == "svgz") return FileKind::svg;
   return FileKind::unknown;
 }
 
 bool isPicture(FileKind kind) {
   return kind == FileKind::png || kind == FileKind::jpeg || kind == FileKind::bmp || kind == FileKind::tiff ||
          kind == FileKind::webp;
+}
+
+bool isForeignPicture(FileKind kind) {
+  return kind == FileKind::gif || kind == FileKind::heic || kind == FileKind::avif ||
+         kind == FileKind::jpeg2000;
 }
 
 std::vector<PictureHeader> readPictureHeaders(std::span<const unsigned char> bytes, FileKind kind,

@@ -13,7 +13,7 @@
 
 namespace detent::importer {
 
-enum class FileKind { unknown, png, jpeg, bmp, tiff, webp, pdf, svg };
+enum class FileKind { unknown, png, jpeg, bmp, tiff, webp, pdf, svg, gif, heic, avif, jpeg2000 };
 
 /// By content, never by name. Any bytes.
 FileKind sniffFileKind(std::span<const unsigned char> bytes);
@@ -24,7 +24,11 @@ Message kindName(FileKind kind);
 /// The kind that a file name's extension promises; unknown if it promises nothing we know.
 FileKind kindOfName(const std::string& name);
 
+/// Of a picture that can be read.
 bool isPicture(FileKind kind);
+
+/// Of a picture that is known and not read.
+bool isForeignPicture(FileKind kind);
 
 /// One picture of the file (TIFF may hold several). Sizes as stored, before any orientation.
 struct PictureHeader {

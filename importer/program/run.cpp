@@ -149,6 +149,8 @@ const char* inProgress(ImportStep step) {
       return "tracing curves";
     case ImportStep::strokes:
       return "telling press from release";
+    case ImportStep::refine:
+      return "refining the axes";
     case ImportStep::fit:
     case ImportStep::callouts:
       return "fitting";

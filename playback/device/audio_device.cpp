@@ -97,6 +97,10 @@ AudioDeviceInfo infoOf(PaDeviceIndex index) {
   info.hostApi = api->name;
   info.inputChannels = d->maxInputChannels;
   info.outputChannels = d->maxOutputChannels;
+  // PortAudio, too, counts a JACK client's ports by its name as a regular expression.
+  const bool jack = JackStream::available() && info.hostApi.starts_with(jackApi);
+  if (jack && info.name.find_first_of("()[]{}.*+?^$|\\") != std::string::npos)
+    info.outputChannels = JackStream::inputCount(info.name);
   info.sampleRate_Hz = d->defaultSampleRate;
   info.defaultOutput = index == Pa_GetDefaultOutputDevice();
   info.defaultInput = index == Pa_GetDefaultInputDevice();

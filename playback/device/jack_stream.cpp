@@ -5,6 +5,9 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include <jack/jack.h>
 
@@ -15,6 +18,18 @@ namespace detent::playback {
 namespace {
 constexpr int mostChannels = 32;
 void ignoreMessage(const char*) {}
+
+/// Inputs of a client by its very name: JACK would take it for a regular expression, and find none for "... (HDMI)".
+std::vector<std::string> inputsOf(jack_client_t* jack, const std::string& target) {
+  std::vector<std::string> names;
+  const char** all = jack_get_ports(jack, nullptr, JACK_DEFAULT_AUDIO_TYPE, JackPortIsInput);
+  if (all == nullptr) return names;
+  for (std::size_t i = 0; all[i] != nullptr; ++i) {
+    if (std::string_view(all[i]).starts_with(target + ":")) names.emplace_back(all[i]);
+  }
+  jack_free(all);
+  return names;
+}
 }  // namespace
 
 struct JackStream::Client {
@@ -57,6 +72,17 @@ struct JackStream::Client {
 JackStream::JackStream(std::unique_ptr<Client> client) : client_(std::move(client)) {}
 JackStream::~JackStream() = default;
 bool JackStream::available() { return true; }
+
+int JackStream::inputCount(const std::string& target) {
+  jack_set_error_function(ignoreMessage);
+  jack_set_info_function(ignoreMessage);
+  jack_client_t* const jack = jack_client_open("detent-look", JackNoStartServer, nullptr);
+  if (jack == nullptr) return 0;
+  const std::size_t count = inputsOf(jack, target).size();
+  jack_client_close(jack);
+  return static_cast<int>(count);
+}
+
 bool JackStream::alive() const { return !client_->down; }
 
 Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels channels,
@@ -89,12 +115,11 @@ Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, 
       jack_activate(client->jack) != 0) {
     return trouble("refuses to start", "Restart jackd");
   }
-  const char** inputs =
-      jack_get_ports(client->jack, ("^" + target + ":").c_str(), JACK_DEFAULT_AUDIO_TYPE, JackPortIsInput);
-  for (std::size_t c = 0; inputs != nullptr && c < client->channels && inputs[c] != nullptr; ++c) {
-    jack_connect(client->jack, jack_port_name(client->ports[c]), inputs[c]);
-  }
-  if (inputs != nullptr) jack_free(inputs);
+  const std::vector<std::string> inputs = inputsOf(client->jack, target);
+  if (inputs.empty())
+    return trouble("has no inputs", "Choose another output; `detent-play devices` lists them");
+  for (std::size_t c = 0; c < std::min(client->channels, inputs.size()); ++c)
+    jack_connect(client->jack, jack_port_name(client->ports[c]), inputs[c].c_str());
   return std::unique_ptr<JackStream>(new JackStream(std::move(client)));
 }
 

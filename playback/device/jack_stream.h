@@ -17,6 +17,8 @@ class JackStream {
  public:
   /// False in a build without JACK.
   static bool available();
+  /// Inputs of the client of this very name; 0 where no server answers.
+  static int inputCount(const std::string& target);
   /// Connects its ports "detent:out_N", the signal's first, to the inputs of the JACK client `target` ("system"). `wanted_Hz` 0: whatever rate
   /// the server has; the renderer's session is set to it.
   static Result<std::unique_ptr<JackStream>> open(const std::string& target, OutputChannels channels,

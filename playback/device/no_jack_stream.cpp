@@ -8,6 +8,7 @@ namespace detent::playback {
 struct JackStream::Client {};
 JackStream::JackStream(std::unique_ptr<Client> client) : client_(std::move(client)) {}
 JackStream::~JackStream() = default;
+int JackStream::inputCount(const std::string&) { return 0; }
 bool JackStream::available() { return false; }
 bool JackStream::alive() const { return false; }
 Result<std::unique_ptr<JackStream>> JackStream::open(const std::string& target, OutputChannels, double,

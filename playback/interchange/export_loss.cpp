@@ -55,19 +55,6 @@ std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector
   return kept;
 }
 
-nlohmann::ordered_json jsonOf(const ExportLoss& loss) {
-  nlohmann::ordered_json kept;
-  for (std::size_t band = 0; band < feltBands.size(); ++band) {
-    kept[feltBands[band].name] = nullptr;
-    if (loss.energyKept[band]) kept[feltBands[band].name] = *loss.energyKept[band];
-  }
-  return {{"energy_kept", kept},
-          {"worst_timing_error_ms", loss.worstTimingError_ms},
-          {"grains_merged", loss.grainsMerged},
-          {"frequency_moved_Hz", loss.frequencyMoved_Hz},
-          {"dropped", loss.dropped}};
-}
-
 std::vector<std::string> linesOf(const ExportLoss& loss) {
   std::string kept = "energy kept:";
   for (std::size_t band = 0; band < feltBands.size(); ++band) {

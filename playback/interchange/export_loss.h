@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 namespace detent::playback {
 
 /// Where fingers feel differently: slow indentation, flutter, the Pacinian band (Kim & Lee's jumps lie in the last).
@@ -34,10 +32,7 @@ std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector
                                                                const std::vector<double>& played,
                                                                double sampleRate_Hz);
 
-/// The loss record as `--json` and the files themselves carry it.
-nlohmann::ordered_json jsonOf(const ExportLoss& loss);
-
-/// The same as lines of text, without a comment's marks.
+/// The record as lines of text, without a comment's marks.
 std::vector<std::string> linesOf(const ExportLoss& loss);
 
 }  // namespace detent::playback

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "model/file/text_file.h"
 #include "model/version.h"
 #include "playback/interchange/reduction.h"
 #include "playback/measurement/exact_number.h"
@@ -119,6 +120,26 @@ std::string pathOf(const std::string& output, const ExportedFile& file) {
   std::filesystem::path path(output);
   const std::string ending = file.ending.empty() ? path.extension().string() : file.ending;
   return path.replace_extension().string() + file.part + ending;
+}
+
+Result<std::vector<std::string>> writeExported(const Exported& exported, const std::string& output) {
+  std::vector<std::string> paths;
+  for (const ExportedFile& file : exported.files) {
+    const std::string path = pathOf(output, file);
+    if (Result<Done> done = writeTextFileAtomically(path, file.text); !done) {
+      std::error_code ignored;
+      for (const std::string& earlier : paths) std::filesystem::remove(earlier, ignored);
+      return done.failure();
+    }
+    paths.push_back(path);
+  }
+  return paths;
+}
+
+std::string pressInWords(const std::string& press) {
+  if (press == "standard") return "human-like press of 0.3 s";
+  if (namesPress(press)) return "human-like press, " + press.substr(humanPress.size()) + " down";
+  return "recorded press " + std::filesystem::path(press).filename().string();
 }
 
 bool namesPress(const std::string& name) { return name == "standard" || name.starts_with(humanPress); }

@@ -63,10 +63,15 @@ Result<Exported> exportPress(const Button& button, const HapticProgram& program,
 /// Where a file of an export goes.
 std::string pathOf(const std::string& output, const ExportedFile& file);
 
+/// Writes all files of an export, or none where one of them cannot be written; their paths.
+Result<std::vector<std::string>> writeExported(const Exported& exported, const std::string& output);
+
 /// A press by its name: "standard", or "human:120ms" (or "human:0.12s"): a human-like press whose way down takes so long, 10 ms to 10 s.
 /// Failure wrongUsage: a name that is neither.
 Result<PressTrace> namedPress(const std::string& name, const HapticProgram& program);
 /// Whether `name` is such a name, well formed or not; anything else is a file.
 bool namesPress(const std::string& name);
+/// How files name the press of such a name, or of a press trace's file.
+std::string pressInWords(const std::string& press);
 
 }  // namespace detent::playback

@@ -12,6 +12,7 @@
 #include "model/units.h"
 #include "model/version.h"
 #include "playback/interchange/envelope.h"
+#include "playback/interchange/export_loss_json.h"
 #include "playback/interchange/reduction.h"
 
 namespace detent::playback {

@@ -10,6 +10,7 @@
 #include "model/metrics.h"
 #include "model/units.h"
 #include "model/version.h"
+#include "playback/interchange/export_loss_json.h"
 #include "playback/interchange/reduction.h"
 #include "playback/realtime/biquad.h"
 #include "playback/realtime/grain_voice.h"

@@ -17,6 +17,7 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t fewestWeights = 3;
+constexpr std::size_t fewestReadings = 5;  // two coefficients, and an error that means something
 constexpr int risingChecks = 200;
 constexpr double heaviest_N = 1e7;  // the strongest force any button may have
 
@@ -120,6 +121,12 @@ Result<SensorCalibration> calibrate(const std::vector<KnownWeight>& weights,
                    std::to_string(different.size()) + " different weights, at least 3 are needed",
                    "Add weights over the range you press in"};
   }
+  if (weights.size() < fewestReadings) {
+    return Failure{
+        FailureCode::unreadableInput, "calibration", "",
+        std::to_string(weights.size()) + " readings, at least 5 are needed to tell how well they fit",
+        "Add weights over the range you press in, or weigh the same ones again"};
+  }
   std::optional<Fit> best;
   for (std::size_t degree = 1; degree <= std::clamp(settings.highestDegree, 1U, 3U); ++degree) {
     if (degree + 1 > different.size() - (different.size() > 2 ? 1 : 0)) break;
@@ -128,7 +135,7 @@ Result<SensorCalibration> calibrate(const std::vector<KnownWeight>& weights,
   }
   if (!best) {
     return Failure{FailureCode::unreadableInput, "calibration", "", "the readings do not rise with the force",
-                   "Check the wiring and the order of the weights; at least 5 readings are needed"};
+                   "Check the wiring and the order of the weights"};
   }
   return best->calibration;
 }

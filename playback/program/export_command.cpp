@@ -2,15 +2,14 @@
 #include "playback/program/export_command.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "model/file/button_file.h"
-#include "model/file/text_file.h"
 #include "model/program/command_line.h"
+#include "playback/interchange/export_loss_json.h"
 #include "playback/interchange/export_press.h"
 #include "playback/offline/press_files.h"
 #include "playback/program/json_output.h"
@@ -49,27 +48,6 @@ Result<PressTrace> pressOf(const std::string& press, const HapticProgram& progra
   return namesPress(press) ? namedPress(press, program) : readPressTrace(press);
 }
 
-std::string inWords(const std::string& press) {
-  if (press == "standard") return "human-like press of 0.3 s";
-  if (namesPress(press)) return "human-like press, " + press.substr(press.find(':') + 1) + " down";
-  return "recorded press " + std::filesystem::path(press).filename().string();
-}
-
-/// All files, or none where one of them cannot be written.
-Result<std::vector<std::string>> written(const Exported& exported, const std::string& output) {
-  std::vector<std::string> paths;
-  for (const ExportedFile& file : exported.files) {
-    const std::string path = pathOf(output, file);
-    if (Result<Done> done = writeTextFileAtomically(path, file.text); !done) {
-      std::error_code ignored;
-      for (const std::string& earlier : paths) std::filesystem::remove(earlier, ignored);
-      return done.failure();
-    }
-    paths.push_back(path);
-  }
-  return paths;
-}
-
 int run(const ExportArguments& a, const Cancelled& cancelled) {
   Result<DeviceProfile> profile = profileOf(a.feel.profileFile);
   if (!profile) return fail(profile.failure());
@@ -82,11 +60,11 @@ int run(const ExportArguments& a, const Cancelled& cancelled) {
   Result<PressTrace> trace = pressOf(a.press, prepared->program);
   if (!trace) return fail(trace.failure());
   ExportSettings settings = a.settings;
-  settings.pressName = inWords(a.press);
+  settings.pressName = pressInWords(a.press);
   Result<Exported> exported = exportPress(*button, prepared->program, *trace, settings);
   if (!exported) return fail(exported.failure());
   if (cancelled && cancelled()) return fail(Failure::cancelled("export"));
-  Result<std::vector<std::string>> paths = written(*exported, a.outputFile);
+  Result<std::vector<std::string>> paths = writeExported(*exported, a.outputFile);
   if (!paths) return fail(paths.failure());
   for (const std::string& path : *paths) std::fprintf(stderr, "%s\n", path.c_str());
   for (const std::string& line : linesOf(exported->loss)) std::fprintf(stderr, "  %s\n", line.c_str());

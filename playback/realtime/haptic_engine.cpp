@@ -75,13 +75,18 @@ void HapticEngine::forgetWaiting() {
 }
 
 void HapticEngine::use(const HapticProgram* program) {
-  const double force_N = tracker_.position().force_N;
+  const StrokePosition held = tracker_.position();
   program_ = program;
   counts_.suppressed = tracker_.suppressed();
   tracker_.use(program);
   forgetWaiting();  // what was still to come belongs to the old program
   if (program == nullptr) return;
-  tracker_.placeAtForce(force_N);
+  // Of a finger that is known by its displacement the force is the old button's.
+  if (heldByDisplacement_) {
+    tracker_.placeAtDisplacement(held_mm_);
+  } else {
+    tracker_.placeAtForce(held.force_N);
+  }
   if (!chain().silent()) current_ = (current_ + 1) % chainCount;
   chain().use(*program, sampleRate_Hz_);
   limiter_.configure(program->limiterCeiling, program->limiterRelease_s * sampleRate_Hz_);
@@ -98,6 +103,8 @@ std::int64_t HapticEngine::inputFrame(const EngineInput& input) const {
   const std::int64_t frame = wholeFrame(input.time_frames);
   return frame > now_ ? frame : now_;
 }
+
+void HapticEngine::forgetInputs() { inputCount_ = 0; }
 
 bool HapticEngine::push(const EngineInput& input) {
   if (inputCount_ == inputCapacity) {
@@ -121,8 +128,12 @@ void HapticEngine::apply(const EngineInput& input) {
   ++counts_.inputs;
   if (program_ == nullptr || !std::isfinite(input.value)) return;
   const double time = input.time_frames;
+  heldByDisplacement_ = input.kind == InputKind::displacement || input.kind == InputKind::resyncDisplacement;
+  if (heldByDisplacement_) held_mm_ = input.value;
   if (input.kind == InputKind::resync) {
     tracker_.placeAtForce(input.value);
+  } else if (input.kind == InputKind::resyncDisplacement) {
+    tracker_.placeAtDisplacement(input.value);
   } else {
     const double longest = program_->longestInterval_s * sampleRate_Hz_;
     double from = hasLastInput_ ? lastInput_frames_ : time - longest;

@@ -21,9 +21,10 @@
 namespace detent::playback {
 
 enum class InputKind : std::uint8_t {
-  force,         ///< value in N
-  displacement,  ///< value in mm
-  resync         ///< value in N: the sensor is back; take the position without any sound
+  force,              ///< value in N
+  displacement,       ///< value in mm
+  resync,             ///< value in N: the sensor is back; take the position without any sound
+  resyncDisplacement  ///< value in mm: likewise, of a finger that is known by its displacement
 };
 
 /// One conditioned reading on the engine's own time line.
@@ -104,6 +105,8 @@ class HapticEngine {
   /// Takes a reading; it is applied at its own time, or at once if that has passed. False: ring full,
   /// counted.
   bool push(const EngineInput& input);
+  /// Readings that are not due yet never come.
+  void forgetInputs();
 
   /// Plays a burst that another program asked for (signal messages). Order of calls is free.
   void trigger(double time_frames, const Burst& burst);
@@ -163,6 +166,8 @@ class HapticEngine {
 
   StrokeTracker tracker_;
   bool hasLastInput_ = false;
+  bool heldByDisplacement_ = false;  ///< the last reading was a displacement
+  double held_mm_ = 0;               ///< of it
   double lastInput_frames_ = 0;
   std::int64_t lastScheduled_ = 0;
   std::int64_t nextBurstFrame_ = 0;

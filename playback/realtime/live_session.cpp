@@ -16,6 +16,32 @@ constexpr std::size_t reportCapacity = 8192;
 constexpr double statusInterval_s = 0.02;
 // A reading that waited this long for a callback tells where the finger is, not what it just did.
 constexpr double stale_s = 0.2;
+
+/// A message that says where the finger is.
+bool tellsPlace(CommandKind kind) {
+  return kind == CommandKind::force || kind == CommandKind::displacement || kind == CommandKind::resync ||
+         kind == CommandKind::resyncDisplacement;
+}
+
+/// The same place, taken without any sound.
+CommandKind placing(CommandKind kind) {
+  return kind == CommandKind::displacement || kind == CommandKind::resyncDisplacement
+             ? CommandKind::resyncDisplacement
+             : CommandKind::resync;
+}
+
+InputKind inputKindOf(CommandKind kind) {
+  switch (kind) {
+    case CommandKind::displacement:
+      return InputKind::displacement;
+    case CommandKind::resync:
+      return InputKind::resync;
+    case CommandKind::resyncDisplacement:
+      return InputKind::resyncDisplacement;
+    default:
+      return InputKind::force;
+  }
+}
 }  // namespace
 
 /// What the callback and the other threads share, and the callback's own book-keeping.
@@ -29,6 +55,7 @@ struct LiveSession::State {
   double lastInput_frames = 0;
   double entry_s = 0;  // of the running callback
   std::int64_t lastStatusFrame = 0;
+  bool placeUnknown = false;  // the device was away: the finger has moved unheard
   SessionStatus status;
   std::array<const HapticProgram*, 16> retired{};  // not reported yet
   std::size_t retiredCount = 0;
@@ -65,6 +92,7 @@ void LiveSession::takeWhileAway() {
       }
     }
   }
+  s.placeUnknown = s.engine.frame() > 0;  // before the first stream nothing was missed
   publishRetired();
 }
 
@@ -111,18 +139,22 @@ void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
   SessionCommand command = sent;
   if (command.timeBase == TimeBase::clock && s.entry_s - command.time > stale_s) {
     ++s.status.staleCommands;
-    if (command.kind != CommandKind::force && command.kind != CommandKind::resync) return;
-    command.kind = CommandKind::resync;
+    if (!tellsPlace(command.kind)) return;
+    command.kind = placing(command.kind);
+  }
+  // The first place after the device was away: what lies between was not felt.
+  if (s.placeUnknown && tellsPlace(command.kind)) {
+    command.kind = placing(command.kind);
+    s.placeUnknown = false;
   }
   HapticEngine& engine = s.engine;
   switch (command.kind) {
     case CommandKind::force:
     case CommandKind::displacement:
-    case CommandKind::resync: {
+    case CommandKind::resync:
+    case CommandKind::resyncDisplacement: {
       EngineInput input;
-      input.kind = command.kind == CommandKind::force          ? InputKind::force
-                   : command.kind == CommandKind::displacement ? InputKind::displacement
-                                                               : InputKind::resync;
+      input.kind = inputKindOf(command.kind);
       input.value = command.value;
       input.time_frames = frameOf(command);
       if (input.time_frames < s.lastInput_frames) input.time_frames = s.lastInput_frames;
@@ -130,6 +162,10 @@ void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
       engine.push(input);
       break;
     }
+    case CommandKind::forget:
+      engine.forgetInputs();
+      s.lastInput_frames = static_cast<double>(engine.frame());
+      break;
     case CommandKind::burst:
     case CommandKind::grain: {
       const bool stamped = engine.program() != nullptr &&

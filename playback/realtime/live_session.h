@@ -22,7 +22,17 @@ enum class TimeBase : std::uint8_t {
                 ///< render)
 };
 
-enum class CommandKind : std::uint8_t { force, displacement, resync, burst, grain, program, gain };
+enum class CommandKind : std::uint8_t {
+  force,
+  displacement,
+  resync,              ///< value in N
+  resyncDisplacement,  ///< value in mm
+  forget,              ///< readings that are not due yet never come: another trace takes their place
+  burst,
+  grain,
+  program,
+  gain
+};
 
 /// One message to the callback. Plain value.
 struct SessionCommand {

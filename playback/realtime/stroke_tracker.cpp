@@ -387,10 +387,8 @@ void StrokeTracker::spreadTies() {
     crossings_.items[i].fraction = std::max(crossings_.items[i].fraction, crossings_.items[i - 1].fraction);
 }
 
-void StrokeTracker::placeAtForce(double force_N) {
-  if (program_ == nullptr) return;
+void StrokeTracker::toRest() {
   const std::uint8_t keptState = position_.state < program_->stateCount ? position_.state : std::uint8_t{0};
-  const std::uint64_t keptSuppressed = suppressed_;
   position_ = StrokePosition{};
   position_.state = keptState;
   position_.displacement_mm = state().start_mm;
@@ -399,6 +397,12 @@ void StrokeTracker::placeAtForce(double force_N) {
   bottomOutArmed_ = true;
   actuated_ = false;
   extreme_N_ = 0;
+}
+
+void StrokeTracker::placeAtForce(double force_N) {
+  if (program_ == nullptr) return;
+  const std::uint64_t keptSuppressed = suppressed_;
+  toRest();
   begin();
   if (force_N > program_->restForce_N) {
     extreme_N_ = force_N;
@@ -407,6 +411,16 @@ void StrokeTracker::placeAtForce(double force_N) {
   position_.force_N = force_N;
   extreme_mm_ = position_.displacement_mm;
   rearm();
+  suppressed_ = keptSuppressed;
+  crossings_.count = 0;
+}
+
+void StrokeTracker::placeAtDisplacement(double displacement_mm) {
+  if (program_ == nullptr) return;
+  const std::uint64_t keptSuppressed = suppressed_;
+  toRest();
+  extreme_mm_ = position_.displacement_mm;
+  updateDisplacement(displacement_mm);
   suppressed_ = keptSuppressed;
   crossings_.count = 0;
 }

@@ -69,6 +69,8 @@ class StrokeTracker {
   /// Goes to where this force would have led from rest, without any crossing: after a sensor came back, or a
   /// program was exchanged under a resting finger.
   void placeAtForce(double force_N);
+  /// Likewise, to where a press from rest to this displacement would have led.
+  void placeAtDisplacement(double displacement_mm);
 
   const StrokePosition& position() const { return position_; }
   /// Jumps and bottom-outs met while not armed.
@@ -79,6 +81,7 @@ class StrokeTracker {
   const StateProgram& state() const { return program_->states[position_.state]; }
   const StrokeTable& table() const { return position_.releasing ? state().release : state().press; }
 
+  void toRest();
   void begin();
   void finish();
   void turn(bool releasing, double extreme_N);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Opening, saving, recent files, changes from outside, exports.
 
+#include <QProcess>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -256,6 +257,30 @@ class FilesTest : public QObject {
     QVERIFY(sound.size() > 48000 / 4 * 4);  // a quarter of a second of floats at least
     QVERIFY(!exportWav(button, 0, at("no/folder/a.wav")).ok());
     QVERIFY(!exportPng(picture, at("no/folder/a.png")).ok());
+  }
+
+  // The editor and the command line are two doors to the same bytes.
+  void writesWhatTheCommandLineWrites() {
+    const auto play = [](const QStringList& words) { return QProcess::execute(DETENT_PLAY, words); };
+    const QString file = sample("buttons/B.button.json");
+    const Button button = (*openDocument(file))->button();
+    for (const auto format : {playback::ExportFormat::package, playback::ExportFormat::cHeader,
+                              playback::ExportFormat::hjif, playback::ExportFormat::pcm})
+      for (const auto& [wayDown_s, press] : {std::pair(0.12, "standard"), std::pair(0.25, "human:250ms")}) {
+        DeviceExport wanted;
+        wanted.settings.format = format;
+        wanted.wayDown_s = wayDown_s;
+        const QString word = QString::fromStdString(std::string(playback::exportFormats.word(format)));
+        QVERIFY(exportForDevice(button, wanted, at("mine.out")).ok());
+        QCOMPARE(play({"export", file, "--format", word, "--press", press, "-o", at("theirs.out")}), 0);
+        QVERIFY(!contentsOf(at("mine.out")).isEmpty());
+        QVERIFY2(contentsOf(at("mine.out")) == contentsOf(at("theirs.out")), qPrintable(word));
+      }
+    if (!playback::hasPageEngine()) return;
+    QVERIFY(exportPage({button}, at("mine.html")).ok());
+    QCOMPARE(play({"page", file, "-o", at("theirs.html")}), 0);
+    QVERIFY(contentsOf(at("mine.html")).contains("<html"));
+    QVERIFY(contentsOf(at("mine.html")) == contentsOf(at("theirs.html")));
   }
 
   // Of a latch the press is that of the state shown.

@@ -20,6 +20,7 @@ class ScriptedPrompts : public Prompts {
   std::deque<QString> textAnswers;
   QString printedTo;              ///< a PDF; empty: printing is cancelled
   bool takesSuggestions = false;  ///< files are saved where the editor proposes
+  std::deque<DeviceChoice> deviceAnswers;
   int unexpected = 0;
   QStringList lastUnsaved;
   QString lastSuggested;
@@ -39,6 +40,11 @@ class ScriptedPrompts : public Prompts {
   std::optional<Button> newButton(QWidget*) override { return *tactileButton(); }
   std::optional<QString> text(QWidget*, const QString&, const QString&, const QString&) override {
     return textAnswers.empty() ? std::nullopt : std::optional(next(textAnswers, {}));
+  }
+
+  std::optional<DeviceChoice> deviceExport(QWidget*, const Button&) override {
+    if (deviceAnswers.empty()) return std::nullopt;
+    return next(deviceAnswers, {});
   }
 
   bool printer(QWidget*, QPrinter& printer) override {

@@ -589,6 +589,34 @@ class WindowTest : public QObject {
     QCOMPARE(QApplication::clipboard()->image().size(), QSize(1800, 1200));
   }
 
+  void sharesAPageAndWritesForDevices() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.prompts.saveAnswers = {at("b"), at("b.ahap")};
+    if (playback::hasPageEngine()) {
+      rig.action("sharePage")->trigger();
+      QVERIFY(QFile::exists(at("b.html")));
+    } else {
+      rig.prompts.saveAnswers.pop_front();
+    }
+    DeviceExportDialog dialog(rig.document().button());
+    auto* format = dialog.findChild<QComboBox*>("deviceFormat");
+    auto* rate = dialog.findChild<QComboBox*>("deviceRate");
+    dialog.show();
+    for (int i = 0; i < format->count(); ++i) {
+      format->setCurrentIndex(i);
+      QVERIFY(dialog.findChild<QLabel*>("deviceLoss")->text().startsWith("Energy kept"));
+      QCOMPARE(rate->isVisible(), dialog.choice().wanted.settings.format == playback::ExportFormat::pcm);
+      QVERIFY(dialog.findChild<QPushButton*>("deviceExport")->isEnabled());
+    }
+    format->setCurrentIndex(format->findText("iPhone", Qt::MatchStartsWith));
+    rig.prompts.deviceAnswers = {dialog.choice()};
+    rig.action("exportDevice")->trigger();
+    for (const char* file : {"b.press.ahap", "b.release.ahap"}) QVERIFY2(QFile::exists(at(file)), file);
+    rig.action("exportDevice")->trigger();  // cancelled: nothing is asked, written or said
+    QVERIFY(rig.notices().isEmpty());
+  }
+
   /// What is written, printed or copied is a picture of its own; the window goes on as it was, to the pixel.
   void exportsLeaveTheWindowAlone() {
     Rig rig(folder_->path());

@@ -9,6 +9,7 @@
 #include <string>
 
 #include <catch2/catch.hpp>
+#include <zlib.h>
 
 #include "importer/page/prepare_svg.h"
 
@@ -17,7 +18,9 @@ using namespace detent::importer;
 
 namespace {
 
-std::vector<unsigned char> bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
+using Bytes = std::vector<unsigned char>;
+
+Bytes bytesOf(const std::string& text) { return {text.begin(), text.end()}; }
 
 std::string streamObject(const std::string& dictionary, const std::string& content) {
   return "<<" + dictionary + "/Length " + std::to_string(content.size()) + ">>\nstream\n" + content +
@@ -503,6 +506,24 @@ TEST_CASE("the limit on a page's time covers what is drawn") {
   CHECK(failure.sentence().find("plot.pdf, page 1: it takes too long to") == 0);
 }
 
+namespace {
+
+Bytes gzipped(const std::string& text) {
+  Bytes packed(compressBound(text.size()) + 64);
+  z_stream stream{};
+  REQUIRE(deflateInit2(&stream, 9, Z_DEFLATED, MAX_WBITS + 16, 8, Z_DEFAULT_STRATEGY) == Z_OK);
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = packed.data();
+  stream.avail_out = static_cast<uInt>(packed.size());
+  REQUIRE(deflate(&stream, Z_FINISH) == Z_STREAM_END);
+  packed.resize(stream.total_out);
+  deflateEnd(&stream);
+  return packed;
+}
+
+}  // namespace
+
 TEST_CASE("one object that goes up and down the page without end is refused before it is drawn") {
   std::string path = "M0 0";
   for (int i = 0; i < 40000; ++i) path += " L" + std::to_string(i % 800) + (i % 2 == 0 ? " 500" : " 0");
@@ -536,6 +557,23 @@ TEST_CASE("an SVG that was cut off is truncated, wherever it ends") {
     CHECK(failure.code == FailureCode::unreadableInput);
     CHECK(english(failure.problem).find("truncated") != std::string::npos);
   }
+}
+
+TEST_CASE("a drawing packed with gzip is read, within the limit on a file's size") {
+  const std::string svg = "<svg xmlns='http://www.w3.org/2000/svg' width='80' height='50'>" +
+                          std::string(3 << 20, ' ') + "<path d='M0 0L80 50' stroke='black'/></svg>";
+  const Bytes packed = gzipped(svg);
+  const auto document = Document::fromBytes(packed, "plot.svgz");
+  REQUIRE(document.ok());
+  CHECK(document->page(1)->paths.size() == 1);
+  PageLimits limits;
+  limits.maxFileMegabytes = 1;
+  const auto bomb = Document::fromBytes(packed, "plot.svgz", limits);
+  REQUIRE_FALSE(bomb.ok());
+  CHECK(bomb.failure().code == FailureCode::unreadableInput);
+  const auto cut = Document::fromBytes(Bytes(packed.begin(), packed.end() - 9), "plot.svgz");
+  REQUIRE_FALSE(cut.ok());
+  CHECK(cut.failure().code == FailureCode::unreadableInput);
 }
 
 TEST_CASE("a pattern of more cells than any page has objects is refused before it is drawn") {

@@ -320,6 +320,33 @@ TEST_CASE("a cut-out keeps at its rims the shade it stood on") {
   CHECK(cutOut(0, 255, 30) == Rgb{0, 0, 0});
 }
 
+TEST_CASE("a picture of a format that is not read is called by its name, and the way out is told") {
+  using namespace std::string_literals;
+  const std::pair<std::string, std::string> heads[] = {
+      {"GIF89a\x10\0\x10\0\0\0\0"s, "GIF picture"},
+      {"\0\0\0\x18"
+       "ftypheic\0\0\0\0mif1heic"s,
+       "HEIC picture"},
+      {"\0\0\0\x1c"
+       "ftypmif1\0\0\0\0mif1avifmiaf"s,
+       "AVIF picture"},
+      {"\0\0\0\x0cjP  \r\n\x87\n\0\0\0\x14"s, "JPEG 2000 picture"}};
+  for (const auto& [head, kind] : heads)
+    for (const char* const name : {"plot.png", "plot"}) {
+      const Failure failure = refusalOf(Bytes(head.begin(), head.end()), name);
+      INFO(failure.sentence());
+      CHECK(failure.code == FailureCode::unreadableInput);
+      CHECK(english(failure.problem).find(kind) != std::string::npos);
+      CHECK(failure.sentence().find("save it as PNG") != std::string::npos);
+    }
+  // A video begins like such a picture.
+  const std::string video =
+      "\0\0\0\x18"
+      "ftypisom\0\0\2\0isommp41"s;
+  CHECK(english(refusalOf(Bytes(video.begin(), video.end()), "plot").problem).find("no known type") !=
+        std::string::npos);
+}
+
 TEST_CASE("what cannot be read is refused with name, problem and remedy") {
   const Bytes png = encoded(".png", numberedPixels(30, 30));
   const std::string text = "travel,force\n1,2\n";

@@ -170,10 +170,11 @@ struct JackListener::Client {
   }
 };
 
-JackListener::JackListener(std::function<float(float)> filter) : client_(std::make_unique<Client>()) {
+JackListener::JackListener(std::function<float(float)> filter, const std::string& name)
+    : client_(std::make_unique<Client>()) {
   Client& c = *client_;
   c.filter = std::move(filter);
-  c.jack = jack_client_open("listener", JackNoStartServer, nullptr);
+  c.jack = jack_client_open(name.c_str(), JackNoStartServer, nullptr);
   if (c.jack == nullptr) return;
   c.input = jack_port_register(c.jack, "in", JACK_DEFAULT_AUDIO_TYPE, JackPortIsInput, 0);
   c.output = jack_port_register(c.jack, "out", JACK_DEFAULT_AUDIO_TYPE, JackPortIsOutput, 0);

@@ -50,7 +50,7 @@ class JackServer {
 class JackListener {
  public:
   /// `filter` (may be empty) turns each input sample into one on the client's output port.
-  explicit JackListener(std::function<float(float)> filter = {});
+  explicit JackListener(std::function<float(float)> filter = {}, const std::string& name = "listener");
   ~JackListener();
   bool ready() const;
   /// Connects a port whose name begins with `source` to the input; waits up to `seconds`.

@@ -152,6 +152,24 @@ TEST_CASE("live: the sound device goes away and comes back") {
   }));
 }
 
+TEST_CASE("live: a JACK output is found by its very name, whatever a regular expression would make of it") {
+  JackServer server(256);
+  if (skipped(server, "names of JACK outputs")) return;
+  const auto program = std::make_unique<HapticProgram>(programOf(tactileButton()));
+  JackListener listener({}, "Monitor (HDMI)");
+  REQUIRE(listener.ready());
+  PlayerSettings settings;
+  settings.device = "JACK Audio Connection Kit: Monitor (HDMI)";
+  Result<std::unique_ptr<LivePlayer>> player = LivePlayer::start(settings, *program);
+  INFO((player ? std::string() : player.failure().sentence()));
+  REQUIRE(player);
+  (*player)->fingerTap(1.5, 0.1);
+  CHECK(within(3, [&] {
+    const auto heard = listener.recorded();
+    return firstSound(heard) < heard.size();
+  }));
+}
+
 TEST_CASE("live: while the device is away nothing piles up, and it may come back at another rate") {
   JackServer server(256);
   if (skipped(server, "return of the sound device at another rate")) return;

@@ -153,6 +153,19 @@ TEST_CASE("calibrate: truth within the error bars, degree only as high as suppor
   CHECK(c->residual_N < 1e-6);
 }
 
+TEST_CASE("calibrate: three or four readings are told to be too few, whatever they say") {
+  for (std::size_t count : {3U, 4U}) {
+    std::vector<KnownWeight> weights;
+    for (std::size_t i = 0; i < count; ++i)
+      weights.push_back({0.5 * static_cast<double>(i), 100 + 50 * static_cast<double>(i)});
+    CalibrationSettings linear;
+    linear.circuit = SensorCircuit::linear;
+    const Result<SensorCalibration> c = calibrate(weights, linear);
+    REQUIRE_FALSE(c);
+    CHECK(c.failure().sentence().find(std::to_string(count) + " readings") != std::string::npos);
+  }
+}
+
 TEST_CASE("calibrate: unusable weights are refused") {
   CHECK_FALSE(calibrate({}, {}));
   CHECK_FALSE(calibrate({{1, 100}, {1, 101}, {1, 99}, {1, 100}, {1, 100}}, {}));

@@ -122,3 +122,88 @@ TEST_CASE("session: programs come home, status and events arrive, a full lane re
   while (session.send(Lane::sensor, {})) ++taken;
   CHECK(taken >= 4096);
 }
+
+namespace {
+
+/// A session with one program, whose finger is known by its displacement.
+class DisplacedFinger {
+ public:
+  DisplacedFinger() {
+    send({CommandKind::program, TimeBase::now, 0, 0, {}, program_.get()});
+    render();
+  }
+  void send(const SessionCommand& command) { REQUIRE(session_.send(Lane::control, command)); }
+  void at(double displacement_mm) {
+    send({CommandKind::displacement, TimeBase::now, 0, displacement_mm, {}, nullptr});
+    render();
+  }
+  void render(int blocks = 40) {
+    for (int i = 0; i < blocks; ++i, time_s_ += 64 / 48000.0) session_.process(out_.data(), 64, time_s_);
+    for (SessionReport report; session_.receive(report);) {
+      if (report.kind == ReportKind::status) status_ = report.status;
+    }
+  }
+  std::uint64_t jumps() const { return status_.counts.pressJumps; }
+  std::uint64_t grains() const { return status_.counts.grains; }
+  double displacement_mm() const { return status_.position.displacement_mm; }
+  double time_s() const { return time_s_; }
+  LiveSession& session() { return session_; }
+  const HapticProgram* program() const { return program_.get(); }
+
+ private:
+  std::unique_ptr<HapticProgram> program_ = std::make_unique<HapticProgram>(programOf(tactileButton()));
+  LiveSession session_{48000};
+  std::vector<float> out_ = std::vector<float>(64);
+  SessionStatus status_;
+  double time_s_ = 100;
+};
+
+}  // namespace
+
+TEST_CASE("session: an exchange of programs leaves a finger that is known by its displacement where it is") {
+  DisplacedFinger finger;
+  for (double at_mm = 0; at_mm < 1.5; at_mm += 0.05) finger.at(at_mm);
+  REQUIRE(finger.jumps() == 1);
+  const double before_mm = finger.displacement_mm();
+  const auto same = std::make_unique<HapticProgram>(*finger.program());
+  finger.send({CommandKind::program, TimeBase::now, 0, 0, {}, same.get()});
+  finger.render();
+  CHECK(finger.displacement_mm() == Approx(before_mm));
+  finger.at(1.5);
+  CHECK(finger.jumps() == 1);
+  CHECK(finger.displacement_mm() == Approx(1.5).margin(1e-6));
+}
+
+TEST_CASE("session: what a finger went through unheard is not played afterwards") {
+  DisplacedFinger finger;
+  finger.at(0.2);
+  const std::uint64_t grains = finger.grains();
+  SECTION("a reading that waited too long tells the place only") {
+    finger.send({CommandKind::displacement, TimeBase::clock, finger.time_s() - 0.5, 3.2, {}, nullptr});
+    finger.render();
+  }
+  SECTION("the device was away") {
+    finger.session().takeWhileAway();
+    finger.at(3.2);
+  }
+  CHECK(finger.grains() == grains);
+  CHECK(finger.jumps() == 0);
+  CHECK(finger.displacement_mm() == Approx(3.2).margin(1e-6));
+  finger.at(3.6);
+  CHECK(finger.grains() > grains);
+}
+
+TEST_CASE("session: another trace takes the place of readings that were sent ahead") {
+  DisplacedFinger finger;
+  const auto ahead = [&](double frames, double at_mm) {
+    finger.send({CommandKind::displacement, TimeBase::streamFrames, 64 * 40 + frames, at_mm, {}, nullptr});
+  };
+  ahead(4000, 1.0);
+  ahead(8000, 2.5);
+  finger.send({CommandKind::forget, TimeBase::now, 0, 0, {}, nullptr});
+  finger.send({CommandKind::resyncDisplacement, TimeBase::now, 0, 0, {}, nullptr});
+  finger.render(400);
+  CHECK(finger.grains() == 0);
+  CHECK(finger.jumps() == 0);
+  CHECK(finger.displacement_mm() < 0.05);
+}

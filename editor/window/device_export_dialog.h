@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Which device a press goes to, and what its format makes of it, before it is written.
+
+#include <QComboBox>
+#include <QDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "editor/files/exports.h"
+
+namespace detent::editor {
+
+/// What is chosen in the dialogue, and how its file ends.
+struct DeviceChoice {
+  DeviceExport wanted;
+  QString name;    ///< of the format, for people
+  QString ending;  ///< ".ahap"
+};
+
+/// Format, press and what is lost, counted anew with every change (10 ms). GUI thread.
+class DeviceExportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit DeviceExportDialog(Button button, QWidget* parent = nullptr);
+
+  DeviceChoice choice() const;
+
+ private:
+  void showChoice();
+
+  Button button_;
+  QComboBox *format_, *rate_, *bits_;
+  QSpinBox* wayDown_;
+  QLabel *purpose_, *loss_;
+  QFormLayout* form_;
+  QPushButton* accept_ = nullptr;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Front door of what a button is handed on as: a page anyone can press, and a press in the formats of other devices.
+// Apart from playback/playback.h, so that who only plays carries neither.
+
+#include "playback/interchange/export_press.h"
+#include "playback/page/share_page.h"
