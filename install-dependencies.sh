@@ -28,6 +28,7 @@ import_packages=(
 build_packages=(
   qt6-base-dev qt6-base-dev-tools qt6-svg-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n libqcustomplot-dev libgl-dev
   portaudio19-dev libjack-jackd2-dev liblo-dev libsndfile1-dev libreaderwriterqueue-dev
+  libsqlite3-dev                   # the library of switches
   libusb-1.0-0-dev                 # the Novint Falcon
   clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32  # the engine for browsers (detent-play page)
 )

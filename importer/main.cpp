@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "importer/program/arguments.h"
+#include "importer/program/library_program.h"
 #include "importer/program/run.h"
 
 namespace {
@@ -22,6 +23,8 @@ int main(int argc, char** argv) {
   std::signal(SIGINT, onInterrupt);
   std::signal(SIGTERM, onInterrupt);
   try {
+    if (detent::importer::isLibraryCommand(argc, argv))
+      return detent::importer::runLibrary(argc, argv, [] { return interrupted.load(); });
     const auto parsed = detent::importer::parseArguments(argc, argv);
     if (!parsed.arguments) return parsed.exitCode;
     return detent::importer::run(*parsed.arguments, [] { return interrupted.load(); });

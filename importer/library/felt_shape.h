@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What of a force graph two laboratories agree on: the curve from first contact to where the bottom-out begins.
+
+#include <optional>
+#include <vector>
+
+#include "model/button.h"
+
+namespace detent::importer {
+
+/// Forces at equal steps from first contact to the bottom-out; the release over the same displacements.
+struct FeltShape {
+  static constexpr std::size_t samples = 400;
+
+  double travel_mm = 0;          ///< first contact to bottom-out, > 0
+  std::vector<float> press_N;    ///< `samples` of them
+  std::vector<float> release_N;  ///< likewise, or empty where no release is known
+  bool operator==(const FeltShape&) const = default;
+};
+
+/// Empty for a graph that never reaches contact before its bottom-out. Any thread.
+std::optional<FeltShape> feltShapeOf(const ForceGraph& graph);
+
+}  // namespace detent::importer

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Which measured switch feels like this one, or has these figures.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "importer/library/feel_distance.h"
+#include "importer/library/store.h"
+
+namespace detent::importer {
+
+struct FindRequest {
+  std::string database;
+  std::optional<FeltShape> like;    ///< nearest first; without: by name
+  std::vector<FigureRange> ranges;  ///< all are kept
+  std::size_t limit = 10;           ///< of those that are given
+};
+
+struct FoundSwitch {
+  LibrarySwitch entry;
+  std::optional<double>
+      distance_labNoise;  ///< where `like` was asked; below 1 nobody can say that they differ
+};
+
+struct FoundSwitches {
+  std::vector<FoundSwitch> found;
+  std::size_t fitting = 0;  ///< how many keep the ranges, shown or not
+};
+
+/// Failures: those of LibraryStore::openToRead.
+Result<FoundSwitches> findSwitches(const FindRequest& request);
+
+}  // namespace detent::importer

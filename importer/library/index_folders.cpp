@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/library/index_folders.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "importer/library/origin.h"
+#include "importer/library/read_switches.h"
+#include "model/sha256.h"
+#include "model/version.h"
+
+namespace detent::importer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t mostBytes = 32 << 20;        // a switch measured at a micrometre's steps has 1 MB
+constexpr std::size_t batchFiles = 64;              // to a transaction: what an end by force can cost
+constexpr std::int64_t settled_ns = 2'000'000'000;  // the coarsest clock of a file system in use
+
+/// A file to look at, with the folder that was asked for.
+struct Candidate {
+  fs::path path, root;
+  FileStamp stamp;
+};
+
+std::optional<FileStamp> stampOf(const fs::path& path) {
+  std::error_code noSize, noTime;
+  const auto bytes = fs::file_size(path, noSize);
+  const auto modified = fs::last_write_time(path, noTime);
+  if (noSize || noTime) return {};
+  const auto count_ns = [](fs::file_time_type time) {
+    return std::int64_t{
+        std::chrono::duration_cast<std::chrono::nanoseconds>(time.time_since_epoch()).count()};
+  };
+  return FileStamp{static_cast<std::int64_t>(bytes), count_ns(modified),
+                   count_ns(fs::file_time_type::clock::now())};
+}
+
+bool sameFile(const FileStamp& a, const FileStamp& b) {
+  return a.bytes == b.bytes && a.modified_ns == b.modified_ns;
+}
+
+bool isHidden(const fs::path& path) { return path.filename().string().starts_with('.'); }
+
+RefusedFile refusalOf(const std::string& file, const Failure& why) {
+  return {file, why.code, why.sentence()};
+}
+
+Failure unreadableFolder(const fs::path& folder, const std::string& why) {
+  return {FailureCode::unreadableInput, folder.string(), "", Message("it cannot be read: %1", why),
+          "Pass a folder of measurements"};
+}
+
+/// Files in the order of their names, each once.
+class Walk {
+ public:
+  std::optional<Failure> into(const std::string& given) {
+    std::error_code error;
+    const fs::path root = fs::absolute(given, error).lexically_normal();
+    if (error || !fs::exists(root, error)) return unreadableFolder(given, "there is none");
+    if (!fs::is_directory(root, error)) {
+      add(root, root.parent_path());
+      return {};
+    }
+    const fs::path folder = root.has_filename() ? root : root.parent_path();
+    fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
+    if (error) return unreadableFolder(given, error.message());
+    while (entry != end) {
+      std::error_code unknown;
+      if (isHidden(entry->path()))
+        entry.disable_recursion_pending();
+      else if (isLibraryFile(entry->path()) && entry->is_regular_file(unknown))
+        add(entry->path(), folder);
+      entry.increment(error);
+      if (error) return unreadableFolder(given, error.message());
+    }
+    roots_.push_back(folder);
+    return {};
+  }
+
+  const std::vector<Candidate>& found() {
+    std::ranges::sort(found_, {}, &Candidate::path);
+    return found_;
+  }
+  /// Whether a path lies below one of the folders.
+  bool covers(const fs::path& path) const {
+    return std::ranges::any_of(roots_, [&](const fs::path& root) {
+      return std::mismatch(root.begin(), root.end(), path.begin(), path.end()).first == root.end();
+    });
+  }
+  bool has(const std::string& path) const { return seen_.count(path) > 0; }
+
+ private:
+  void add(const fs::path& path, const fs::path& root) {
+    const auto stamp = stampOf(path);
+    if (stamp && seen_.insert(path.string()).second) found_.push_back({path, root, *stamp});
+  }
+
+  std::vector<Candidate> found_;
+  std::vector<fs::path> roots_;
+  std::set<std::string> seen_;
+};
+
+std::string hashOf(const fs::path& path, std::int64_t bytes) {
+  std::string content(static_cast<std::size_t>(bytes), '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(content.data(), bytes);
+  content.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return sha256Hex(content);
+}
+
+/// Reads a file once; `same` where its content is what is known.
+struct FileRead {
+  LibraryFile file;
+  bool same = false;
+};
+
+FileRead readOnce(const Candidate& candidate, const FileStamp& stamp, const Origin& origin,
+                  const KnownFile* known) {
+  FileRead read;
+  read.file = {candidate.path.string(), stamp, {}, version(), {}, {}};
+  const std::string name = candidate.path.filename().string();
+  if (stamp.bytes > mostBytes) {
+    read.file.refused = refusalOf(read.file.path, {FailureCode::unreadableInput, name, "",
+                                                   "it is larger than 32 MB", "Export one switch to a file"});
+    return read;
+  }
+  read.file.sha256 = hashOf(candidate.path, stamp.bytes);
+  read.same = known && known->sha256 == read.file.sha256 && known->version == version();
+  if (read.same) return read;
+  auto switches = readSwitches(read.file.path);
+  if (!switches) {
+    read.file.refused = refusalOf(read.file.path, switches.failure());
+    return read;
+  }
+  for (LibrarySwitch& each : *switches) each.licence = origin.licence, each.credit = origin.credit;
+  read.file.switches = std::move(*switches);
+  return read;
+}
+
+/// What stood in the file at one moment: read again where it was written meanwhile.
+FileRead readWhole(const Candidate& candidate, const Origin& origin, const KnownFile* known) {
+  constexpr int attempts = 3;
+  FileStamp before = candidate.stamp;
+  for (int attempt = 0; attempt < attempts; ++attempt) {
+    FileRead read = readOnce(candidate, before, origin, known);
+    const auto after = stampOf(candidate.path);
+    if (after && sameFile(before, *after)) return read;
+    if (!after) break;
+    before = *after;
+  }
+  FileRead changed;
+  changed.file = {candidate.path.string(), {}, {}, version(), {}, {}};  // no stamp: looked at again next time
+  changed.file.refused =
+      refusalOf(changed.file.path, {FailureCode::unreadableInput, candidate.path.filename().string(), "",
+                                    "it was written while it was read", "Index again when it is complete"});
+  return changed;
+}
+
+/// A file to read, with all that reading it needs.
+struct Task {
+  const Candidate* candidate = nullptr;
+  Origin origin;
+  const KnownFile* known = nullptr;  ///< null: a new file
+};
+
+/// Threads that read; results are taken one by one. Ends its threads when it goes.
+class Readers {
+ public:
+  Readers(const std::vector<Task>& tasks, int jobs, std::function<bool()> cancelled)
+      : tasks_(tasks), cancelled_(std::move(cancelled)) {
+    const auto most = static_cast<int>(std::min<std::size_t>(tasks.size(), 256));
+    for (int i = 0; i < std::min(jobs, most); ++i) threads_.emplace_back([this] { work(); });
+  }
+  Readers(const Readers&) = delete;
+  Readers& operator=(const Readers&) = delete;
+  ~Readers() {
+    stop_ = true;
+    room_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+  }
+
+  /// The next result, in the order of finishing; empty when cancelled.
+  std::optional<FileRead> take() {
+    std::unique_lock lock(mutex_);
+    while (done_.empty()) {
+      if (cancelled_ && cancelled_()) return {};
+      ready_.wait_for(lock, std::chrono::milliseconds(50));
+    }
+    FileRead read = std::move(done_.front());
+    done_.pop_front();
+    room_.notify_one();
+    return read;
+  }
+
+ private:
+  void work() {
+    for (std::size_t i = next_++; i < tasks_.size() && !stop_; i = next_++) {
+      FileRead read = readWhole(*tasks_[i].candidate, tasks_[i].origin, tasks_[i].known);
+      std::unique_lock lock(mutex_);
+      room_.wait(lock, [&] {
+        return stop_ || done_.size() < 2 * batchFiles;
+      });  // memory stays bounded behind a slow disk
+      done_.push_back(std::move(read));
+      ready_.notify_one();
+    }
+  }
+
+  const std::vector<Task>& tasks_;
+  std::function<bool()> cancelled_;
+  std::atomic<bool> stop_{false};
+  std::atomic<std::size_t> next_{0};
+  std::mutex mutex_;
+  std::condition_variable ready_, room_;
+  std::deque<FileRead> done_;
+  std::vector<std::thread> threads_;
+};
+
+/// One run over the folders.
+class IndexRun {
+ public:
+  IndexRun(const IndexRequest& request, const IndexProgress& progress, LibraryStore& store)
+      : request_(request), progress_(progress), store_(store) {}
+
+  Result<IndexSummary> over(Walk& walk) {
+    auto known = store_.files();
+    if (!known) return known.failure();
+    known_ = std::move(*known);
+    summary_.rebuilt = store_.rebuilt();
+    std::vector<Task> tasks;
+    Origins origins(request_.licence, request_.credit);
+    for (const Candidate& candidate : walk.found()) plan(candidate, origins, tasks);
+    if (auto failure = markGone(walk)) return std::move(*failure);
+    if (auto failure = read(tasks)) return std::move(*failure);
+    std::ranges::sort(summary_.refusals, {}, &RefusedFile::file);
+    summary_.refused = summary_.refusals.size();
+    return std::move(summary_);
+  }
+
+ private:
+  void plan(const Candidate& candidate, Origins& origins, std::vector<Task>& tasks) {
+    const auto at = known_.find(candidate.path.string());
+    const KnownFile* known = at == known_.end() ? nullptr : &at->second;
+    const bool settled = known && known->stamp.modified_ns + settled_ns < known->stamp.looked_ns;
+    if (settled && sameFile(known->stamp, candidate.stamp) && known->version == version()) {
+      countSame(candidate.path.string(), *known);
+      if (known->gone) same_.emplace_back(candidate.path.string(), known->stamp);
+      return;
+    }
+    tasks.push_back({&candidate, origins.of(candidate.path.parent_path(), candidate.root), known});
+  }
+
+  void countSame(const std::string& path, const KnownFile& known) {
+    if (!known.refused) {
+      ++summary_.unchanged;
+      return;
+    }
+    RefusedFile refused = *known.refused;
+    refused.file = path;
+    summary_.refusals.push_back(std::move(refused));
+  }
+
+  std::optional<Failure> markGone(const Walk& walk) {
+    std::vector<std::string> gone;
+    for (const auto& [path, file] : known_) {
+      if (walk.has(path) || !walk.covers(path)) continue;
+      ++summary_.gone;
+      if (!file.gone) gone.push_back(path);
+    }
+    auto done = store_.restamp(same_, gone);
+    same_.clear();
+    if (!done) return done.failure();
+    return {};
+  }
+
+  std::optional<Failure> read(const std::vector<Task>& tasks) {
+    const int jobs = request_.jobs > 0 ? request_.jobs
+                                       : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    Readers readers(tasks, jobs, progress_.cancelled);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      auto one = readers.take();
+      if (!one) {
+        const auto kept = write();
+        return kept ? Failure::cancelled() : kept.failure();
+      }
+      if (progress_.report) progress_.report(double(i + 1) / double(tasks.size()), one->file.path);
+      count(std::move(*one));
+      if (read_.size() + same_.size() >= batchFiles)
+        if (auto done = write(); !done) return done.failure();
+    }
+    if (auto done = write(); !done) return done.failure();
+    return {};
+  }
+
+  void count(FileRead one) {
+    if (one.same) {
+      countSame(one.file.path, known_.at(one.file.path));
+      same_.emplace_back(one.file.path, one.file.stamp);
+      return;
+    }
+    if (one.file.refused) {
+      summary_.refusals.push_back(*one.file.refused);
+    } else {
+      ++summary_.imported;
+      summary_.switches += one.file.switches.size();
+    }
+    read_.push_back(std::move(one.file));
+  }
+
+  Result<Done> write() {
+    if (read_.empty() && same_.empty()) return Done{};
+    auto done = store_.put(read_);
+    if (done) done = store_.restamp(same_, {});
+    read_.clear();
+    same_.clear();
+    return done;
+  }
+
+  const IndexRequest& request_;
+  const IndexProgress& progress_;
+  LibraryStore& store_;
+  std::map<std::string, KnownFile> known_;
+  std::vector<LibraryFile> read_;
+  std::vector<std::pair<std::string, FileStamp>> same_;
+  IndexSummary summary_;
+};
+
+}  // namespace
+
+Result<IndexSummary> indexFolders(const IndexRequest& request, const IndexProgress& progress) {
+  Walk walk;
+  for (const std::string& folder : request.folders)
+    if (auto failure = walk.into(folder)) return std::move(*failure);
+  auto store = LibraryStore::openToWrite(request.database);
+  if (!store) return store.failure();
+  return IndexRun(request, progress, *store).over(walk);
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Folders of measured switches into a library. What is unchanged is not read again.
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "importer/library/store.h"
+
+namespace detent::importer {
+
+struct IndexRequest {
+  std::vector<std::string> folders;  ///< or single files
+  std::string database;
+  std::string licence, credit;  ///< of all that is read now; empty: as the folders say
+  int jobs = 0;                 ///< threads; 0: one for each processor
+};
+
+struct IndexSummary {
+  std::size_t imported = 0;   ///< files read now
+  std::size_t refused = 0;    ///< files that are not in it, read now or before
+  std::size_t unchanged = 0;  ///< files that were in it and are as they were
+  std::size_t gone = 0;       ///< files that were there and are not: their switches are kept, and not found
+  std::size_t switches = 0;   ///< of the files read now
+  std::vector<RefusedFile> refusals;  ///< one for each refused file
+  Message rebuilt;                    ///< why the library was made anew; empty where it was not
+};
+
+struct IndexProgress {
+  std::function<void(double fraction, const std::string& file)> report;  ///< may be empty
+  std::function<bool()> cancelled;  ///< asked from any thread; may be empty
+};
+
+/// What was read before a Failure or an end by force stays read. Failure unreadableInput: no such folder; those of
+/// LibraryStore::openToWrite and put; cancelled.
+Result<IndexSummary> indexFolders(const IndexRequest& request, const IndexProgress& progress = {});
+
+}  // namespace detent::importer

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// One row of the library: a switch as one file has it.
+
+#include <string>
+#include <string_view>
+
+#include "importer/library/felt_shape.h"
+#include "model/key_figures.h"
+
+namespace detent::importer {
+
+/// By the largest drop of the press: laboratories agree on it outside of 5 to 8 gf.
+enum class SwitchKind { linear, between, tactile };
+std::string_view nameOf(SwitchKind kind);
+SwitchKind kindOf(const KeyFigures& figures);
+
+struct LibrarySwitch {
+  std::string name, unit, run;  ///< see SwitchName
+  std::string source;           ///< the file, absolute
+  int part = 1;                 ///< of several switches or states in the file, from 1
+  std::string licence, credit;  ///< see Origin
+  std::string sha256;           ///< of the file
+  std::string version;          ///< of the program that read it
+  KeyFigures figures;
+  FeltShape shape;
+};
+
+}  // namespace detent::importer

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Whose measurements stand in a folder, and under which licence: as the folder itself says it.
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace detent::importer {
+
+/// What a row says where nobody states a licence.
+inline constexpr const char* noLicenceStated = "none stated";
+
+struct Origin {
+  std::string licence = noLicenceStated;
+  std::string credit;  ///< "owner/name" of the clone the file stands in; empty where there is none
+};
+
+/// Looks for licence files and clones, from a file's folder up to the root it was reached by. Remembers what it saw of each folder.
+/// One thread.
+class Origins {
+ public:
+  /// What was given by hand settles itself; empty: found.
+  Origins(std::string givenLicence, std::string givenCredit);
+  Origin of(const std::filesystem::path& folder, const std::filesystem::path& root);
+
+ private:
+  Origin found(const std::filesystem::path& folder, const std::filesystem::path& root);
+  std::string givenLicence_, givenCredit_;
+  std::map<std::filesystem::path, Origin> seen_;
+};
+
+/// The name of the licence that a text is; its first line where it is none that is known; empty for an empty text.
+std::string licenceNamed(std::string_view text);
+
+/// "owner/name" from a git configuration's first URL, without what it may hold of passwords; empty where there is none.
+std::string creditFrom(std::string_view gitConfig);
+
+}  // namespace detent::importer

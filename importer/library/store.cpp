@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/library/store.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "importer/library/database.h"
+#include "importer/log/force_log.h"
+#include "model/text.h"
+
+namespace detent::importer {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::int64_t applicationId = 0x44744c62;  // "DtLb", in the head of the file
+
+const char* const dropped = "DROP TABLE IF EXISTS switch; DROP TABLE IF EXISTS file;";
+
+const char* const fileTable =
+    "CREATE TABLE file (id INTEGER PRIMARY KEY, path BLOB NOT NULL UNIQUE, bytes INTEGER NOT NULL, "
+    "modified_ns INTEGER NOT NULL, "
+    "looked_ns INTEGER NOT NULL, sha256 TEXT NOT NULL, version TEXT NOT NULL, refused_code INTEGER, "
+    "refused_reason TEXT, "
+    "gone INTEGER NOT NULL DEFAULT 0);";
+
+/// Columns before the figures; `file` ties a switch to its file.
+constexpr int firstFigure = 9;
+const std::string switchColumns = "name, unit, run, part, licence, credit, travel_mm, press, release";
+
+std::string figureColumns() {
+  std::string columns;
+  for (const KeyFigureName& name : keyFigureNames()) columns += ", " + std::string(name.key);
+  return columns;
+}
+
+std::string switchTable() {
+  std::string columns;
+  for (const KeyFigureName& name : keyFigureNames()) columns += ", " + std::string(name.key) + " REAL";
+  return "CREATE TABLE switch (id INTEGER PRIMARY KEY, file INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT "
+         "NOT NULL, run TEXT NOT NULL, "
+         "part INTEGER NOT NULL, licence TEXT NOT NULL, credit TEXT NOT NULL, travel_mm REAL NOT NULL, press "
+         "BLOB NOT NULL, release BLOB" +
+         columns + ", UNIQUE (file, part));";
+}
+
+/// Forces as the file has them, whatever the processor: 32-bit IEEE numbers, the lowest byte first.
+std::string packed(const std::vector<float>& forces) {
+  std::string bytes;
+  bytes.reserve(4 * forces.size());
+  for (const float force : forces) {
+    const auto bits = std::bit_cast<std::uint32_t>(force);
+    for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(bits >> shift & 0xffU);
+  }
+  return bytes;
+}
+
+std::vector<float> unpacked(const std::string& bytes) {
+  std::vector<float> forces(bytes.size() / 4);
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    std::uint32_t bits = 0;
+    for (std::size_t b = 0; b < 4; ++b)
+      bits |= std::uint32_t{static_cast<unsigned char>(bytes[4 * i + b])} << (8 * b);
+    forces[i] = std::bit_cast<float>(bits);
+  }
+  return forces;
+}
+
+bool isWhole(const FeltShape& shape) {
+  const auto finite = [](const std::vector<float>& forces) {
+    return std::ranges::all_of(forces, [](float force) { return std::isfinite(force); });
+  };
+  return std::isfinite(shape.travel_mm) && shape.travel_mm > 0 &&
+         shape.press_N.size() == FeltShape::samples &&
+         (shape.release_N.empty() || shape.release_N.size() == FeltShape::samples) && finite(shape.press_N) &&
+         finite(shape.release_N);
+}
+
+Failure failureOf(const DatabaseFault& fault, const std::string& path) {
+  switch (fault.code) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return {FailureCode::wrongUsage, path, "", "another program has been writing it for half a minute",
+              "Wait until that is done, and try again"};
+    case SQLITE_FULL:
+    case SQLITE_IOERR:
+      return {FailureCode::internalFault, path, "", Message("the disk refused: %1", fault.words),
+              "Make room or mend the disk, and index again; what was in the library is as it was"};
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+    case SQLITE_CANTOPEN:
+      return {FailureCode::wrongUsage, path, "", Message("it cannot be opened: %1", fault.words),
+              "Pass a --db in a folder that exists and may be written to"};
+    default:
+      return {FailureCode::unreadableInput, path, "", Message("it is no whole library: %1", fault.words),
+              "Run detent-import library index FOLDER... --db on it, which makes it anew"};
+  }
+}
+
+bool isDamage(const DatabaseFault& fault) {
+  return fault.code == SQLITE_CORRUPT || fault.code == SQLITE_NOTADB;
+}
+
+/// What a file is by its head.
+enum class FileKind { none, library, otherDatabase, other };
+
+FileKind kindOf(const std::string& path) {
+  std::array<char, 100> head{};
+  std::ifstream in(path, std::ios::binary);
+  in.read(head.data(), head.size());
+  if (in.gcount() == 0) return FileKind::none;
+  constexpr std::string_view magic("SQLite format 3\0", 16);
+  if (std::string_view(head.data(), magic.size()) != magic) return FileKind::other;
+  std::int64_t id = 0;
+  for (std::size_t i = 68; i < 72; ++i) id = id << 8 | static_cast<unsigned char>(head[i]);
+  return id == applicationId ? FileKind::library : FileKind::otherDatabase;
+}
+
+/// A name beside the file that nothing has yet.
+fs::path asideOf(const std::string& path) {
+  fs::path aside = path + ".damaged";
+  std::error_code error;
+  for (int n = 2; fs::exists(aside, error); ++n) aside = path + ".damaged-" + std::to_string(n);
+  return aside;
+}
+
+void makeTables(Database& database) {
+  database.run(dropped);
+  database.run(fileTable);
+  database.run(switchTable().c_str());
+  database.run(("PRAGMA application_id = " + std::to_string(applicationId)).c_str());
+  database.run(("PRAGMA user_version = " + std::to_string(libraryVersion)).c_str());
+}
+
+/// Opens or makes the tables; says what was emptied.
+Message prepareTables(Database& database) {
+  if (database.text("PRAGMA quick_check(1)") != "ok")
+    throw DatabaseFault{SQLITE_CORRUPT, "its pages do not fit together"};
+  Transaction change(database);
+  const std::int64_t version = database.number("PRAGMA user_version");
+  if (version == libraryVersion) return {};
+  const bool empty = database.number("SELECT count(*) FROM sqlite_master") == 0;
+  makeTables(database);
+  change.commit();
+  if (empty) return {};
+  return Message("it was of version %1, this program's is %2: made anew from the folders given", version,
+                 libraryVersion);
+}
+
+Result<Message> movedAside(const std::string& path, const std::string& why) {
+  const fs::path aside = asideOf(path);
+  std::error_code error;
+  fs::rename(path, aside, error);
+  if (error)
+    return Failure{FailureCode::wrongUsage, path, "",
+                   Message("it is damaged and cannot be moved aside: %1", error.message()),
+                   "Pass another --db"};
+  fs::remove(path + "-journal", error);  // of a database that is no more
+  return Message("it was damaged (%1): made anew from the folders given, the damaged one is kept as %2", why,
+                 aside.filename().string());
+}
+
+bool isNamedDatabase(const std::string& path) {
+  const std::string ending = lowered(fs::path(path).extension().string());
+  return ending == ".db" || ending == ".sqlite" || ending == ".sqlite3";
+}
+
+std::optional<Failure> notForALibrary(const std::string& path) {
+  std::error_code error;
+  const char* const advice = "Pass another --db";
+  if (fs::is_directory(path, error))
+    return Failure{FailureCode::wrongUsage, path, "", "it is a folder", advice};
+  if (isForceLogPath(path))
+    return Failure{FailureCode::wrongUsage, path, "", "its name is a measurement's, not a library's", advice};
+  const FileKind kind = kindOf(path);
+  if (kind == FileKind::otherDatabase)
+    return Failure{FailureCode::wrongUsage, path, "", "it is a database of another program", advice};
+  if (kind == FileKind::other &&
+      !isNamedDatabase(path))  // a damaged library is moved aside, somebody's text is not
+    return Failure{FailureCode::wrongUsage, path, "", "it is no library", advice};
+  return {};
+}
+
+}  // namespace
+
+struct LibraryStore::Impl {
+  std::string path;
+  Database database;
+  Message rebuilt = {};
+
+  /// What `work` gives; faults of the database become a Failure.
+  template <class Work>
+  auto guarded(Work work) -> Result<decltype(work())> {
+    try {
+      return work();
+    } catch (const DatabaseFault& fault) {
+      return failureOf(fault, path);
+    }
+  }
+  std::int64_t putFile(const LibraryFile& file);
+  void putSwitches(const LibraryFile& file, std::int64_t id);
+};
+
+LibraryStore::LibraryStore(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+LibraryStore::LibraryStore(LibraryStore&&) noexcept = default;
+LibraryStore& LibraryStore::operator=(LibraryStore&&) noexcept = default;
+LibraryStore::~LibraryStore() = default;
+
+const Message& LibraryStore::rebuilt() const { return impl_->rebuilt; }
+
+Result<LibraryStore> LibraryStore::openToWrite(const std::string& path) {
+  if (auto refused = notForALibrary(path)) return std::move(*refused);
+  Message rebuilt;
+  for (const bool again : {false, true}) {
+    try {
+      auto impl = std::make_unique<Impl>(Impl{path, Database(path, true)});
+      const Message emptied = prepareTables(impl->database);
+      impl->rebuilt = rebuilt.empty() ? emptied : rebuilt;
+      return LibraryStore(std::move(impl));
+    } catch (const DatabaseFault& fault) {
+      if (again || !isDamage(fault)) return failureOf(fault, path);
+      auto aside = movedAside(path, fault.words);
+      if (!aside) return aside.failure();
+      rebuilt = std::move(*aside);
+    }
+  }
+  return Failure{FailureCode::unreadableInput, path, "", "it cannot be made anew", "Pass another --db"};
+}
+
+Result<LibraryStore> LibraryStore::openToRead(const std::string& path) {
+  const char* const advice = "Run detent-import library index FOLDER... --db on it first";
+  if (kindOf(path) == FileKind::none)
+    return Failure{FailureCode::unreadableInput, path, "", "there is no library", advice};
+  if (auto refused = notForALibrary(path)) return std::move(*refused);
+  try {
+    auto impl = std::make_unique<Impl>(Impl{path, Database(path, false)});
+    const std::int64_t version = impl->database.number("PRAGMA user_version");
+    if (version != libraryVersion)
+      return Failure{FailureCode::unreadableInput, path, "",
+                     Message("it is of version %1, this program's is %2", version, libraryVersion), advice};
+    return LibraryStore(std::move(impl));
+  } catch (const DatabaseFault& fault) {
+    return failureOf(fault, path);
+  }
+}
+
+Result<std::map<std::string, KnownFile>> LibraryStore::files() const {
+  return impl_->guarded([&] {
+    std::map<std::string, KnownFile> known;
+    Statement row(impl_->database,
+                  "SELECT path, bytes, modified_ns, looked_ns, sha256, version, refused_code, "
+                  "refused_reason, gone FROM file");
+    while (row.step()) {
+      KnownFile file{{row.integer(1), row.integer(2), row.integer(3)},
+                     row.bytes(4),
+                     row.bytes(5),
+                     {},
+                     row.integer(8) != 0};
+      if (row.real(6))
+        file.refused = RefusedFile{row.bytes(0), static_cast<FailureCode>(row.integer(6)), row.bytes(7)};
+      known.emplace(row.bytes(0), std::move(file));
+    }
+    return known;
+  });
+}
+
+std::int64_t LibraryStore::Impl::putFile(const LibraryFile& file) {
+  Statement put(database,
+                "INSERT INTO file (path, bytes, modified_ns, looked_ns, sha256, version, refused_code, "
+                "refused_reason, gone) "
+                "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, 0) ON CONFLICT (path) DO UPDATE SET bytes = ?2, "
+                "modified_ns = ?3, "
+                "looked_ns = ?4, sha256 = ?5, version = ?6, refused_code = ?7, refused_reason = ?8, gone = 0 "
+                "RETURNING id");
+  put.bindBytes(1, file.path)
+      .bind(2, file.stamp.bytes)
+      .bind(3, file.stamp.modified_ns)
+      .bind(4, file.stamp.looked_ns);
+  put.bindText(5, file.sha256).bindText(6, file.version);
+  if (file.refused)
+    put.bind(7, std::int64_t{static_cast<int>(file.refused->code)}).bindText(8, file.refused->reason);
+  const std::int64_t id = put.step() ? put.integer(0) : 0;
+  put.finish();
+  return id;
+}
+
+void LibraryStore::Impl::putSwitches(const LibraryFile& file, std::int64_t id) {
+  Statement(database, "DELETE FROM switch WHERE file = ?1").bind(1, id).finish();
+  std::string marks;
+  for (int i = 0; i < firstFigure + static_cast<int>(keyFigureCount); ++i) marks += ", ?";
+  Statement put(database,
+                "INSERT INTO switch (file, " + switchColumns + figureColumns() + ") VALUES (?" + marks + ")");
+  for (const LibrarySwitch& each : file.switches) {
+    put.bind(1, id)
+        .bindText(2, each.name)
+        .bindText(3, each.unit)
+        .bindText(4, each.run)
+        .bind(5, std::int64_t{each.part});
+    put.bindText(6, each.licence).bindText(7, each.credit).bind(8, std::optional(each.shape.travel_mm));
+    put.bindBytes(9, packed(each.shape.press_N)).bindBytes(10, packed(each.shape.release_N));
+    for (std::size_t i = 0; i < keyFigureCount; ++i)
+      put.bind(firstFigure + 2 + static_cast<int>(i), each.figures.values[i]);
+    put.finish();
+  }
+}
+
+Result<Done> LibraryStore::put(const std::vector<LibraryFile>& files) {
+  return impl_->guarded([&] {
+    Transaction change(impl_->database);
+    for (const LibraryFile& file : files) impl_->putSwitches(file, impl_->putFile(file));
+    change.commit();
+    return Done{};
+  });
+}
+
+Result<Done> LibraryStore::restamp(const std::vector<std::pair<std::string, FileStamp>>& same,
+                                   const std::vector<std::string>& gone) {
+  if (same.empty() && gone.empty()) return Done{};
+  return impl_->guarded([&] {
+    Transaction change(impl_->database);
+    Statement stamp(impl_->database,
+                    "UPDATE file SET bytes = ?2, modified_ns = ?3, looked_ns = ?4, gone = 0 WHERE path = ?1");
+    for (const auto& [path, at] : same)
+      stamp.bindBytes(1, path).bind(2, at.bytes).bind(3, at.modified_ns).bind(4, at.looked_ns).finish();
+    Statement mark(impl_->database, "UPDATE file SET gone = 1 WHERE path = ?1");
+    for (const std::string& path : gone) mark.bindBytes(1, path).finish();
+    change.commit();
+    return Done{};
+  });
+}
+
+Result<std::vector<LibrarySwitch>> LibraryStore::switches(const std::vector<FigureRange>& ranges) const {
+  return impl_->guarded([&] {
+    std::string sql =
+        "SELECT " + switchColumns + figureColumns() +
+        ", path, sha256, version FROM switch JOIN file ON switch.file = file.id WHERE file.gone = 0";
+    for (const FigureRange& range : ranges)
+      sql += " AND " + std::string(keyFigureNames()[static_cast<std::size_t>(range.figure)].key) +
+             " BETWEEN ? AND ?";
+    Statement row(impl_->database, sql + " ORDER BY switch.name COLLATE NOCASE, path, part");
+    int parameter = 0;
+    for (const FigureRange& range : ranges) {
+      row.bind(++parameter, std::optional(range.low));
+      row.bind(++parameter, std::optional(range.high));
+    }
+    std::vector<LibrarySwitch> found;
+    while (row.step()) {
+      constexpr int afterFigures = firstFigure + static_cast<int>(keyFigureCount);
+      LibrarySwitch each{row.bytes(0),
+                         row.bytes(1),
+                         row.bytes(2),
+                         row.bytes(afterFigures),
+                         static_cast<int>(row.integer(3)),
+                         row.bytes(4),
+                         row.bytes(5),
+                         row.bytes(afterFigures + 1),
+                         row.bytes(afterFigures + 2),
+                         {},
+                         {row.real(6).value_or(0), unpacked(row.bytes(7)), unpacked(row.bytes(8))}};
+      for (std::size_t i = 0; i < keyFigureCount; ++i)
+        each.figures.values[i] = row.real(firstFigure + static_cast<int>(i));
+      if (!isWhole(each.shape))
+        throw DatabaseFault{SQLITE_CORRUPT, "the curve of \"" + each.name + "\" is not whole"};
+      found.push_back(std::move(each));
+    }
+    return found;
+  });
+}
+
+}  // namespace detent::importer

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The library on the disk: an SQLite file that is whole whatever happens to who writes it.
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "importer/library/library_switch.h"
+#include "model/result.h"
+
+namespace detent::importer {
+
+/// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are made anew.
+inline constexpr int libraryVersion = 1;
+
+/// Why a file is not in the library.
+struct RefusedFile {
+  std::string file;
+  FailureCode code = FailureCode::unreadableInput;
+  std::string reason;  ///< a sentence, in English
+};
+
+/// How a file stood when it was looked at. Times are of the file clock and mean something to themselves only.
+struct FileStamp {
+  std::int64_t bytes = 0;
+  std::int64_t modified_ns = 0;
+  std::int64_t looked_ns = 0;
+};
+
+/// One file with what came of it: switches, or a refusal.
+struct LibraryFile {
+  std::string path;  ///< absolute
+  FileStamp stamp;
+  std::string sha256, version;
+  std::vector<LibrarySwitch> switches;
+  std::optional<RefusedFile> refused;
+};
+
+/// What the library knows of a file without its switches.
+struct KnownFile {
+  FileStamp stamp;
+  std::string sha256, version;
+  std::optional<RefusedFile> refused;
+  bool gone = false;
+};
+
+/// Bounds that a figure has to keep, both included. A switch without the figure keeps none.
+struct FigureRange {
+  KeyFigure figure = KeyFigure::peakForce;
+  double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
+};
+
+/// One open library. One thread; any number of processes.
+class LibraryStore {
+ public:
+  /// Makes the file where there is none. One of another version is emptied, a damaged one moved aside: `rebuilt` says so. Failure
+  /// wrongUsage: a database of another program, a folder, what is no database by name and content.
+  static Result<LibraryStore> openToWrite(const std::string& path);
+  /// Failure unreadableInput: missing, damaged, of another version.
+  static Result<LibraryStore> openToRead(const std::string& path);
+  LibraryStore(LibraryStore&&) noexcept;
+  LibraryStore& operator=(LibraryStore&&) noexcept;
+  ~LibraryStore();
+
+  /// Why what was in the file is not any more; empty where it is.
+  const Message& rebuilt() const;
+  Result<std::map<std::string, KnownFile>> files() const;
+  /// All of them or, on a Failure, none: each in the place of what was known of its path.
+  Result<Done> put(const std::vector<LibraryFile>& files);
+  /// Files that are as they were known but for their stamp, and files that are gone. All or none.
+  Result<Done> restamp(const std::vector<std::pair<std::string, FileStamp>>& same,
+                       const std::vector<std::string>& gone);
+  /// Of files that are there, by name; those that keep every range.
+  Result<std::vector<LibrarySwitch>> switches(const std::vector<FigureRange>& ranges = {}) const;
+
+ private:
+  struct Impl;
+  explicit LibraryStore(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace detent::importer

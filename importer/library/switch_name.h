@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a measured file is called: the switch, and which unit and run of it.
+
+#include <filesystem>
+#include <string>
+
+namespace detent::importer {
+
+/// "JWK-Bouquet-Sample-2-Measurement-1.ods" is run 1 of unit "2" of "JWK Bouquet".
+struct SwitchName {
+  std::string name;  ///< never empty; words as the file has them
+  std::string unit;  ///< "2", "B"; empty where the name says none
+  std::string run;   ///< likewise
+  bool operator==(const SwitchName&) const = default;
+};
+
+/// From the file's name. Words that only say what kind of file it is ("Raw Data CSV", "truth") are no name: where nothing else is
+/// left, the folder's name is the switch's. Any thread.
+SwitchName switchNameFrom(const std::filesystem::path& path);
+
+}  // namespace detent::importer

@@ -1,0 +1,309 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/program/library_program.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "importer/library/find_switches.h"
+#include "importer/library/index_folders.h"
+#include "importer/library/read_switches.h"
+#include "importer/program/forced_end.h"
+#include "importer/program/progress_line.h"
+#include "importer/program/report_json.h"
+#include "model/file/json_text.h"
+#include "model/program/command_line.h"
+#include "model/units.h"
+
+namespace detent::importer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Everything the command line says.
+struct LibraryArguments {
+  IndexRequest index;
+  FindRequest find;
+  std::string like;
+  std::size_t likePart = 1;
+  bool json = false;
+};
+
+/// How many of a figure's unit inside make one of the word's; empty for another unit's word.
+std::optional<double> factorOf(std::string_view unit, FigureUnit figure) {
+  switch (figure) {
+    case FigureUnit::mm:
+      if (const auto known = lengthUnitFrom(unit)) return millimetresPer(*known);
+      return {};
+    case FigureUnit::N:
+      if (const auto known = forceUnitFrom(unit)) return newtonsPer(*known);
+      return {};
+    case FigureUnit::N_per_mm:
+      if (!unit.ends_with("/mm")) return {};
+      return factorOf(unit.substr(0, unit.size() - 3), FigureUnit::N);
+    case FigureUnit::mJ:
+      return unit == "mJ"     ? std::optional(1.0)
+             : unit == "gfmm" ? std::optional(newtonsPer(ForceUnit::gramForce))
+                              : std::nullopt;
+    case FigureUnit::share:
+      return unit == "%" ? std::optional(0.01) : std::nullopt;
+  }
+  return {};
+}
+
+/// One end of a range: a number, or nothing for an open end.
+std::optional<double> endOf(std::string_view text, double open) {
+  return text.empty() ? std::optional(open) : finiteNumberFrom(text);
+}
+
+/// "50..60gf", "..0.6N", "3.5..mm"; without a unit in mm, N, N/mm, mJ or shares.
+std::optional<FigureRange> rangeFrom(std::string_view text, const KeyFigureName& figure) {
+  const std::size_t dots = text.find("..");
+  if (dots == std::string_view::npos) return {};
+  const std::string_view low = text.substr(0, dots), rest = text.substr(dots + 2);
+  const std::size_t number = std::min(rest.find_first_not_of("0123456789.+-"), rest.size());
+  const std::string_view unit = rest.substr(number);
+  const auto factor = unit.empty() ? std::optional(1.0) : factorOf(unit, figure.unit);
+  const FigureRange open;
+  const auto least = endOf(low, open.low), most = endOf(rest.substr(0, number), open.high);
+  if (!factor || !least || !most || *least > *most) return {};
+  return FigureRange{figure.figure, *least * *factor, *most * *factor};
+}
+
+const char* exampleOf(FigureUnit unit) {
+  switch (unit) {
+    case FigureUnit::mm:
+      return "LOW..HIGHmm";
+    case FigureUnit::N:
+      return "LOW..HIGHgf";
+    case FigureUnit::N_per_mm:
+      return "LOW..HIGHgf/mm";
+    case FigureUnit::mJ:
+      return "LOW..HIGHmJ";
+    case FigureUnit::share:
+      return "LOW..HIGH%";
+  }
+  return "";
+}
+
+/// "--peak-force" for "peak_force_N".
+std::string optionOf(const KeyFigureName& name) {
+  std::string key(name.key);
+  for (const std::string_view unit : {"_N_per_mm", "_N", "_mm", "_mJ"})
+    if (key.ends_with(unit)) {
+      key.erase(key.size() - unit.size());
+      break;
+    }
+  std::ranges::replace(key, '_', '-');
+  std::string option = "--" + key;
+  if (name.figure == KeyFigure::peakForce) option = "--peak," + option;
+  if (name.figure == KeyFigure::totalTravel) option = "--travel," + option;
+  return option;
+}
+
+void addRanges(CLI::App& app, std::vector<FigureRange>& ranges) {
+  auto* group = app.add_option_group("Figures",
+                                     "What a switch has to have, both ends included, either may be left out; "
+                                     "without a unit in N, mm, N/mm, mJ or shares. "
+                                     "docs/glossary.md defines each");
+  for (const KeyFigureName& name : keyFigureNames()) {
+    const auto take = [&ranges, &name](const std::string& text) {
+      const auto range = rangeFrom(text, name);
+      if (!range)
+        throw CLI::ValidationError("'" + text + "' is no range. Pass " + std::string(exampleOf(name.unit)) +
+                                   ", e.g. 50..60 and the unit");
+      ranges.push_back(*range);
+    };
+    group->add_option_function<std::string>(optionOf(name), take, name.term)->type_name(exampleOf(name.unit));
+  }
+}
+
+CLI::App* addIndex(CLI::App& app, LibraryArguments& a) {
+  CLI::App* index = app.add_subcommand(
+      "index", "Reads folders of measured switches into the library; what is unchanged is not read again");
+  index
+      ->add_option("FOLDER", a.index.folders,
+                   "folders (or files) with csv, ods, json and .button.json; hidden ones are passed over")
+      ->required();
+  index->add_option("--db", a.index.database, "the library's file; made where there is none")->required();
+  index->add_option("--licence", a.index.licence,
+                    "of all that is read now (default: the folder's licence file, else \"none stated\")");
+  index->add_option("--credit", a.index.credit,
+                    "whose measurements these are (default: the clone's owner/name)");
+  index->add_option("--jobs", a.index.jobs, "threads (default: one per core)")
+      ->check(numberWithin<CLI::Validator>(1, 1024));
+  index->add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
+  return index;
+}
+
+CLI::App* addFind(CLI::App& app, LibraryArguments& a) {
+  CLI::App* find = app.add_subcommand("find", "Switches that feel like one, or have figures; nearest first");
+  find->add_option("--db", a.find.database, "the library's file")->required();
+  find->add_option("--like", a.like, "a button or force log: .button.json, csv, ods, json");
+  find->add_option("--like-part", a.likePart, "of several switches or states in it, from 1")
+      ->check(numberWithin<CLI::Validator>(1, 1e6))
+      ->capture_default_str();
+  find->add_option("--limit", a.find.limit, "switches shown")
+      ->check(numberWithin<CLI::Validator>(1, 1e6))
+      ->capture_default_str();
+  find->add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
+  addRanges(*find, a.find.ranges);
+  return find;
+}
+
+int refused(const Failure& failure, const std::string& input, bool json) {
+  if (json) std::fputs((failureJson(failure, input) + "\n").c_str(), stdout);
+  std::fputs((failure.sentence() + "\n").c_str(), stderr);
+  return failure.exitCode();
+}
+
+Json summaryJson(const IndexSummary& summary) {
+  Json refusals = Json::array();
+  for (const RefusedFile& each : summary.refusals)
+    refusals.push_back({{"file", each.file}, {"status", nameOf(each.code)}, {"reason", each.reason}});
+  Json json = {{"imported", summary.imported},   {"refused", summary.refused},
+               {"unchanged", summary.unchanged}, {"gone", summary.gone},
+               {"switches", summary.switches},   {"refusals", std::move(refusals)}};
+  if (!summary.rebuilt.empty()) json["rebuilt"] = english(summary.rebuilt);
+  return json;
+}
+
+int runIndex(const LibraryArguments& a, const std::function<bool()>& cancelled) {
+  ProgressLine line;
+  const auto summary = indexFolders(
+      a.index, {[&](double fraction, const std::string& file) { line.show(fraction, file); }, cancelled});
+  if (!summary) return refused(summary.failure(), a.index.database, a.json);
+  std::FILE* const text = a.json ? stderr : stdout;
+  if (!summary->rebuilt.empty())
+    std::fprintf(stderr, "warning: %s: %s\n", a.index.database.c_str(), english(summary->rebuilt).c_str());
+  for (const RefusedFile& each : summary->refusals)
+    std::fprintf(stderr, "refused: %s: %s\n", each.file.c_str(), each.reason.c_str());
+  std::fprintf(text, "%zu files imported (%zu switches), %zu refused, %zu unchanged, %zu gone\n",
+               summary->imported, summary->switches, summary->refused, summary->unchanged, summary->gone);
+  if (a.json) std::fprintf(stdout, "%s\n", jsonText(summaryJson(*summary)).c_str());
+  return 0;
+}
+
+Json switchJson(const FoundSwitch& each) {
+  const LibrarySwitch& entry = each.entry;
+  Json json = {{"name", entry.name},
+               {"source", entry.source},
+               {"part", entry.part},
+               {"licence", entry.licence},
+               {"credit", entry.credit},
+               {"unit", entry.unit},
+               {"run", entry.run},
+               {"kind", nameOf(kindOf(entry.figures))},
+               {"distance_lab_noise", nullptr}};
+  if (each.distance_labNoise) json["distance_lab_noise"] = *each.distance_labNoise;
+  for (const KeyFigureName& name : keyFigureNames()) {
+    const auto& value = entry.figures[name.figure];
+    json[std::string(name.key)] = value ? Json(*value) : Json(nullptr);
+  }
+  json["sha256"] = entry.sha256;
+  json["version"] = entry.version;
+  return json;
+}
+
+/// A figure in a column of the table; a dash where there is none.
+std::string cell(const std::optional<double>& value, double unit, const char* format) {
+  if (!value) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, format, *value / unit);
+  return text;
+}
+
+void printTable(const std::vector<FoundSwitch>& found) {
+  std::printf("%9s  %7s  %7s  %9s  %-8s  %s\n", "distance", "peak gf", "drop gf", "travel mm", "kind",
+              "name; licence; credit; source");
+  const double gf = newtonsPer(ForceUnit::gramForce);
+  for (const auto& [entry, distance] : found) {
+    const KeyFigures& f = entry.figures;
+    std::printf("%9s  %7s  %7s  %9s  %-8s  %s%s%s; %s; %s; %s\n", cell(distance, 1, "%.2f").c_str(),
+                cell(f[KeyFigure::peakForce], gf, "%.1f").c_str(),
+                cell(f[KeyFigure::drop], gf, "%.1f").c_str(),
+                cell(f[KeyFigure::totalTravel], 1, "%.2f").c_str(), std::string(nameOf(kindOf(f))).c_str(),
+                entry.name.c_str(), entry.unit.empty() ? "" : (" unit " + entry.unit).c_str(),
+                entry.run.empty() ? "" : (" run " + entry.run).c_str(), entry.licence.c_str(),
+                entry.credit.empty() ? "credit unknown" : entry.credit.c_str(), entry.source.c_str());
+  }
+}
+
+Result<FeltShape> shapeLike(const LibraryArguments& a) {
+  if (!isLibraryFile(a.like))
+    return Failure{
+        FailureCode::wrongUsage, Subject::option("--like"), "",
+        Message("'%1' is no button or force log", a.like),
+        "Import a picture or page first (detent-import INPUT -o OUT.button.json), and pass the button"};
+  auto switches = readSwitches(a.like);
+  if (!switches) return switches.failure();
+  if (a.likePart > switches->size())
+    return Failure{FailureCode::wrongUsage, Subject::option("--like-part"), "",
+                   Message("it holds %1 switches or states", switches->size()), "Pass one of them, from 1"};
+  return std::move((*switches)[a.likePart - 1].shape);
+}
+
+int runFind(const LibraryArguments& a) {
+  FindRequest request = a.find;
+  if (!a.like.empty()) {
+    auto shape = shapeLike(a);
+    if (!shape) return refused(shape.failure(), a.like, a.json);
+    request.like = std::move(*shape);
+  }
+  const auto result = findSwitches(request);
+  if (!result) return refused(result.failure(), request.database, a.json);
+  if (a.json) {
+    Json found = Json::array();
+    for (const FoundSwitch& each : result->found) found.push_back(switchJson(each));
+    const Json json = {{"found", std::move(found)},
+                       {"fitting", result->fitting},
+                       {"lab_noise_N", labNoise_gf * newtonsPer(ForceUnit::gramForce)}};
+    std::fprintf(stdout, "%s\n", jsonText(json).c_str());
+    return 0;
+  }
+  printTable(result->found);
+  std::printf(
+      "%zu of %zu. Distances in units of what two laboratories differ by on one switch (%g gf): below 1 "
+      "nobody can say that two "
+      "differ.\n",
+      result->found.size(), result->fitting, labNoise_gf);
+  return 0;
+}
+
+}  // namespace
+
+int runLibrary(int argc, char** argv, const std::function<bool()>& cancelled) {
+  CLI::App app{
+      "Keeps thousands of measured switches and finds them by feel. Displacement in mm, force in N in its "
+      "JSON.\n"
+      "Exit codes: 0 done, 1 internal fault or the disk refused, 2 wrong usage, 3 input cannot be read, 130 "
+      "interrupted."};
+  app.name("detent-import library");
+  app.formatter(std::make_shared<PlainHelp<CLI::Formatter, CLI::Option>>());
+  app.require_subcommand(1);
+  LibraryArguments arguments;
+  const CLI::App* const index = addIndex(app, arguments);
+  addFind(app, arguments);
+  try {
+    app.parse(argc - 1, argv + 1);
+  } catch (const CLI::ParseError& stop) {
+    const bool wanted = stop.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help
+    app.exit(stop, std::cout, std::cerr);
+    return wanted ? 0 : static_cast<int>(FailureCode::wrongUsage);
+  }
+  int exitCode = 0;
+  {
+    const ForcedEnd end(cancelled);
+    exitCode = index->parsed() ? runIndex(arguments, cancelled) : runFind(arguments);
+  }
+  return cancelled() ? static_cast<int>(FailureCode::cancelled) : exitCode;
+}
+
+}  // namespace detent::importer

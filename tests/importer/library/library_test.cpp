@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <catch2/catch.hpp>
+
+#include "importer/library/find_switches.h"
+#include "importer/library/index_folders.h"
+#include "importer/library/origin.h"
+#include "importer/library/read_switches.h"
+#include "importer/library/switch_name.h"
+
+using namespace detent;
+using namespace detent::importer;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of the test's own.
+class Folder {
+ public:
+  Folder() {
+    static int count = 0;
+    path_ = fs::temp_directory_path() /
+            ("detent-library-" + std::to_string(std::hash<std::string>{}(fs::current_path().string())) + "-" +
+             std::to_string(++count));
+    fs::remove_all(path_);
+    fs::create_directories(path_);
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path operator/(const std::string& name) const { return path_ / name; }
+  std::string path() const { return path_.string(); }
+  void write(const std::string& name, const std::string& text) const {
+    fs::create_directories((path_ / name).parent_path());
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    // An hour ago: what is as fresh as the look at it is looked at again.
+    fs::last_write_time(path_ / name, fs::file_time_type::clock::now() - std::chrono::hours(1));
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// A switch by a bump on a spring: peak at 1.2 mm, wall at 3.6 mm; the release 6 gf below.
+double force_gf(double x_mm, double start_gf, double bump_gf) {
+  const double bump = bump_gf * std::exp(-(x_mm - 1.2) * (x_mm - 1.2) / 0.08);
+  const double wall = x_mm > 3.6 ? 400 * (x_mm - 3.6) : 0;
+  return std::min(start_gf, 300 * x_mm) + 8 * x_mm + bump + wall;
+}
+
+/// In the layout of force-curves-tidy: force, displacement in gf and mm, way down, then up.
+std::string tidyCsv(double start_gf, double bump_gf) {
+  std::string text = "force,displacement,judge,name\n";
+  const auto row = [&](double f, double x) {
+    char line[80];
+    std::snprintf(line, sizeof line, "%.2f,%.4f,0,switch\n", f, x);
+    text += line;
+  };
+  for (int i = 0; i <= 380; ++i) row(force_gf(0.01 * i, start_gf, bump_gf), 0.01 * i);
+  for (int i = 380; i >= 0; --i) row(std::max(0.0, force_gf(0.01 * i, start_gf, bump_gf) - 6), 0.01 * i);
+  return text;
+}
+
+IndexSummary indexed(const Folder& folder, const std::string& database) {
+  const auto summary = indexFolders({{folder.path()}, database, "", "", 2});
+  if (!summary) FAIL(summary.failure().sentence());
+  return *summary;
+}
+
+std::vector<FoundSwitch> found(const FindRequest& request) {
+  const auto result = findSwitches(request);
+  if (!result) FAIL(result.failure().sentence());
+  return result->found;
+}
+
+}  // namespace
+
+TEST_CASE("a switch is called what its file calls it, without what the file is") {
+  CHECK(switchNameFrom("d/Leobog Nimbus__Leobog Nimbus Raw Data CSV.csv") ==
+        SwitchName{"Leobog Nimbus", "", ""});
+  CHECK(switchNameFrom("d/JWK-Bouquet-Sample-2-Measurement-1.ods") == SwitchName{"JWK Bouquet", "2", "1"});
+  CHECK(switchNameFrom("Topre_R1_45g/DataLog_4.csv") == SwitchName{"Topre R1 45g", "", "4"});
+  CHECK(switchNameFrom("gateron-aliaz/truth.csv") == SwitchName{"gateron aliaz", "", ""});
+  CHECK(switchNameFrom("B.button.json").name == "B");
+  CHECK(switchNameFrom("d/茶轴.csv").name == "茶轴");
+}
+
+TEST_CASE("a folder says its licence and its makers") {
+  CHECK(licenceNamed("MIT License\n\nCopyright") == "MIT");
+  CHECK(licenceNamed("Creative Commons\nAttribution 4.0 International") == "CC BY 4.0");
+  CHECK(licenceNamed(" Ask me first. \nThen go on") == "Ask me first.");
+  CHECK(creditFrom("[remote \"origin\"]\n\turl = https://me:secret@host.example/owner/name.git\n") ==
+        "owner/name");
+  CHECK(creditFrom("[core]\n").empty());
+
+  const Folder folder;
+  folder.write("own/a.csv", tidyCsv(30, 0));
+  folder.write("own/LICENSE", "MIT License\n");
+  folder.write("b.csv", tidyCsv(50, 0));
+  indexed(folder, (folder / "l.db").string());
+  for (const FoundSwitch& each : found({(folder / "l.db").string(), {}, {}, 10}))
+    CHECK(each.entry.licence == (each.entry.name == "a" ? "MIT" : noLicenceStated));
+}
+
+TEST_CASE("a second run reads what changed and nothing else") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  folder.write("x/red.csv", tidyCsv(35, 0));
+  folder.write("x/clear.csv", tidyCsv(40, 25));
+  folder.write("x/broken.csv", "force,displacement\nnone,none\n");
+  folder.write("x/.hidden/red.csv", tidyCsv(35, 0));
+  const IndexSummary first = indexed(folder, database);
+  CHECK(first.imported == 2);
+  CHECK(first.refused == 1);
+  REQUIRE(first.refusals.size() == 1);
+  CHECK(first.refusals[0].file == (folder / "x/broken.csv").string());
+  CHECK(!first.refusals[0].reason.empty());
+
+  const IndexSummary second = indexed(folder, database);
+  CHECK(second.imported == 0);
+  CHECK(second.unchanged == 2);
+  CHECK(second.refused == 1);
+
+  folder.write("x/red.csv", tidyCsv(55, 0));
+  const auto anHourAgo = fs::file_time_type::clock::now() - std::chrono::hours(2);
+  fs::last_write_time(folder / "x/clear.csv", anHourAgo);  // touched: the content is what counts
+  fs::remove(folder / "x/broken.csv");
+  const IndexSummary third = indexed(folder, database);
+  CHECK(third.imported == 1);
+  CHECK(third.unchanged == 1);
+  CHECK(third.refused == 0);
+  CHECK(third.gone == 1);
+  CHECK(found({database, {}, {}, 10}).size() == 2);
+
+  fs::remove(folder / "x/red.csv");
+  indexed(folder, database);
+  CHECK(found({database, {}, {}, 10}).size() == 1);
+}
+
+TEST_CASE("the nearest stands first, in units of lab noise") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  for (int i = 0; i < 5; ++i)
+    folder.write("s/spring " + std::to_string(30 + 10 * i) + ".csv", tidyCsv(30 + 10 * i, 0));
+  folder.write("s/tactile.csv", tidyCsv(50, 25));
+  indexed(folder, database);
+
+  const auto like = readSwitches((folder / "s/spring 50.csv").string());
+  REQUIRE(like);
+  const auto nearest = found({database, like->front().shape, {}, 6});
+  REQUIRE(nearest.size() == 6);
+  CHECK(nearest[0].entry.name == "spring 50");
+  CHECK(*nearest[0].distance_labNoise < 1e-3);
+  // 10 gf on both strokes: 10 sqrt(1 + 0.7^2) gf, and a little less where both are still rising.
+  const auto softer =
+      std::ranges::find_if(nearest, [](const FoundSwitch& each) { return each.entry.name == "spring 40"; });
+  REQUIRE(softer != nearest.end());
+  CHECK(*softer->distance_labNoise == Approx(10 * std::sqrt(1.49) / labNoise_gf).epsilon(0.05));
+  for (std::size_t i = 1; i < nearest.size(); ++i)
+    CHECK(*nearest[i - 1].distance_labNoise <= *nearest[i].distance_labNoise);
+
+  const auto tactile = found({database, {}, {{KeyFigure::drop, 0.1, 1}}, 10});
+  REQUIRE(tactile.size() == 1);
+  CHECK(tactile[0].entry.name == "tactile");
+  CHECK(kindOf(tactile[0].entry.figures) == SwitchKind::tactile);
+  CHECK(!tactile[0].distance_labNoise);
+}
+
+TEST_CASE("a damaged library is kept aside and made anew, another program's is left alone") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  folder.write("s/red.csv", tidyCsv(35, 0));
+  CHECK(indexed(folder, database).rebuilt.empty());
+  {
+    std::fstream file(database, std::ios::in | std::ios::out | std::ios::binary);
+    file.seekp(100);
+    file << std::string(8000, 'x');
+  }
+  CHECK(!findSwitches({database, {}, {}, 10}));
+  const IndexSummary again = indexed(folder, database);
+  CHECK(!again.rebuilt.empty());
+  CHECK(again.imported == 1);
+  CHECK(fs::exists(database + ".damaged"));
+  CHECK(found({database, {}, {}, 10}).size() == 1);
+
+  folder.write("notes.txt", "mine");
+  const auto refused = indexFolders({{folder.path()}, (folder / "notes.txt").string(), "", "", 1});
+  REQUIRE(!refused);
+  CHECK(refused.failure().code == FailureCode::wrongUsage);
+  CHECK(fs::file_size(folder / "notes.txt") == 4);
+}
+
+TEST_CASE("what is not there is said") {
+  const Folder folder;
+  const auto noFolder = indexFolders({{(folder / "none").string()}, (folder / "l.db").string(), "", "", 1});
+  REQUIRE(!noFolder);
+  CHECK(noFolder.failure().code == FailureCode::unreadableInput);
+  CHECK(!fs::exists(folder / "l.db"));
+  const auto noLibrary = findSwitches({(folder / "l.db").string(), {}, {}, 10});
+  REQUIRE(!noLibrary);
+  CHECK(noLibrary.failure().code == FailureCode::unreadableInput);
+  CHECK(!fs::exists(folder / "l.db"));
+}
