@@ -116,8 +116,10 @@ class Press {
     start_J_ = storedIn(now_);
   }
 
-  PressOutcome run() {
-    for (int step = 0; step * plantStep_s < longestPress_s && !outcome_.ended; ++step) {
+  /// `toContact`: no farther than the first activation, or to where none comes any more.
+  PressOutcome run(bool toContact = false) {
+    const auto goesOn = [&] { return !outcome_.ended && !(toContact && outcome_.activation_s); };
+    for (int step = 0; step * plantStep_s < longestPress_s && goesOn(); ++step) {
       const double time_s = step * plantStep_s;
       const double muscle_N = muscle_.next_N(time_s);
       if (touched_)
@@ -278,6 +280,11 @@ class Press {
 PressOutcome simulatePress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                            const PressCommand& command, PressEnergy* energy) {
   return Press(key, contact, finger, command, energy).run();
+}
+
+bool closesContact(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
+                   const PressCommand& command) {
+  return Press(key, contact, finger, command, nullptr).run(true).activation_s.has_value();
 }
 
 }  // namespace detent::playback

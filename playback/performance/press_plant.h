@@ -45,6 +45,8 @@ struct PressEnergy {
 };
 
 /// Presses once. Deterministic; any thread. `energy`: where it went, if asked.
+bool closesContact(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
+                   const PressCommand& command);  ///< the same press, only as far as its contact
 PressOutcome simulatePress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                            const PressCommand& command, PressEnergy* energy = nullptr);
 

@@ -55,7 +55,9 @@ std::optional<PressResponse> PressResponse::measure(const KeyTables& key, const 
   const auto press = [&](double amplitude_N) {
     return simulatePress(key, contact, finger, {amplitude_N, duration_s, lift_s});
   };
-  const auto activates = [&](double amplitude_N) { return press(amplitude_N).activation_s.has_value(); };
+  const auto activates = [&](double amplitude_N) {
+    return closesContact(key, contact, finger, {amplitude_N, duration_s, lift_s});
+  };
   double high_N = firstGuess_N;
   while (!activates(high_N)) {
     high_N *= 2;

@@ -2,6 +2,7 @@
 // The forecast of a press against published effects; prints the table of docs/press-forecast.md, "Hits and misses".
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -48,9 +49,12 @@ Button key(double make_N, double travel_mm, bool tactile = false) {
   return *std::move(button);
 }
 
+unsigned threads = 0;  // 0: as many as there are cores; the table is the same for any number
+
 PressForecast pressed(const Button& button, std::optional<double> period_s = {}) {
   ForecastSettings settings;
   settings.period_s = period_s;
+  settings.threads = threads;
   return *forecastPress(button, settings);
 }
 
@@ -162,7 +166,9 @@ void feel() {
 
 }  // namespace
 
-int main() {
+int main(int argc, char** argv) {
+  if (argc > 1) threads = static_cast<unsigned>(std::atoi(argv[1]));
+  std::setvbuf(stdout, nullptr, _IOLBF, 0);
   std::printf(
       "| # | asked | forecast, median (5 to 95 %%) | people | forecast as people did "
       "|\n|---|---|---|---|---|\n");

@@ -64,10 +64,10 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("press forecast: a timed press in closed form is that of 200,000 chances") {
+TEST_CASE("press forecast: a timed press in closed form is that of 20,000 chances") {
   FixedRandom random(7);
   for (const double button_s : {0.0, 0.02}) {
-    constexpr int presses = 200000;
+    constexpr int presses = 20000;
     int missed = 0;
     for (int i = 0; i < presses; ++i) {
       const double at_s = 0.185 * 0.1 + 0.045 * random.normal() + button_s * random.normal();
