@@ -339,7 +339,8 @@ int handleInput(const Arguments& a, const std::string& input, const OutputPaths&
 /// What a child hands back: the key of its input on a line of its own, then the report's lines.
 std::string withKey(const std::string& key, const std::string& lines) { return key + "\n" + lines; }
 
-std::pair<std::string, std::string> keyAndLines(const InputOutcome& outcome, const std::string& options) {
+/// Of a child that died without a key: whatever killed it, the next batch tries again.
+std::pair<std::string, std::string> keyAndLines(const InputOutcome& outcome) {
   if (outcome.death.empty()) {
     const std::size_t end = outcome.reportLines.find('\n');
     if (end != std::string::npos)
@@ -347,7 +348,7 @@ std::pair<std::string, std::string> keyAndLines(const InputOutcome& outcome, con
   }
   const auto code = static_cast<FailureCode>(outcome.exitCode);
   const Failure died{code, outcome.input, "", outcome.death, "Import it alone to see how far it comes"};
-  return {resultKey(outcome.input, options), failureJson(died, outcome.input) + "\n"};
+  return {"", failureJson(died, outcome.input) + "\n"};
 }
 
 std::vector<std::string> toDo(const std::vector<std::string>& inputs, const BatchReport& report) {
@@ -401,7 +402,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
     return code;
   };
   const auto finished = [&](const InputOutcome& outcome) {
-    const auto [key, lines] = keyAndLines(outcome, a.settledBy);
+    const auto [key, lines] = keyAndLines(outcome);
     if (kept) kept = report->add(outcome.input, key, lines);
     accepted.count(lines);
     ++counts.handled;

@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""samples/cluster as a user runs it, on this machine and on a Slurm of one node that it sets up: cluster_test.py --root FOLDER --bin FOLDER
+
+Slurm needs root, slurmctld, slurmd and munged; Snakemake has to be Debian's. What is absent is SKIPPED.
+"""
+
+import argparse
+import csv
+import json
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+ROOT = BIN = None
+SNAKEMAKE = "/usr/bin/snakemake"
+LONGEST_WAIT_s = 120
+
+
+def missing(*programs):
+    places = "/usr/bin:/usr/sbin:/sbin:/bin"
+    absent = [name for name in programs if not shutil.which(name, path=places)]
+    if absent:
+        print("SKIPPED", ", ".join(absent), "not installed")
+    return bool(absent)
+
+
+def until(what, description):
+    end = time.monotonic() + LONGEST_WAIT_s
+    while not what():
+        if time.monotonic() > end:
+            raise AssertionError(f"in {LONGEST_WAIT_s} s not: {description}")
+        time.sleep(0.05)
+
+
+def graphs(report):
+    """The lines of a report without what no two runs share."""
+    kept = [json.loads(line) for line in Path(report).read_text().splitlines()]
+    for graph in kept:
+        graph.pop("seconds", None)
+        graph.pop("outputs", None)
+    return kept
+
+
+def children_of(process, name):
+    """Ids of the batches of a name below one, however deep."""
+    parents = {}
+    for stat in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            words = stat.read_text().rsplit(")", 1)
+            parents[int(stat.parent.name)] = (int(words[1].split()[1]), words[0].split("(", 1)[1])
+        except (OSError, ValueError):
+            continue
+
+    def below(pid):
+        while pid in parents and pid != process:
+            pid = parents[pid][0]
+        return pid == process
+
+    def batch(pid):  # and not one that is asked for its version
+        try:
+            return b"--batch" in Path(f"/proc/{pid}/cmdline").read_bytes()
+        except OSError:
+            return False
+
+    return [pid for pid, (_, its) in parents.items() if its == name and below(pid) and batch(pid)]
+
+
+def kill_one(process, name):
+    """Kills the first process of a name below one; false where there is none, or it was quicker."""
+    try:
+        os.kill(min(children_of(process, name)), signal.SIGKILL)
+    except (ValueError, ProcessLookupError):
+        return False
+    return True
+
+
+class Cluster(unittest.TestCase):
+    PROFILE = "local"
+
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
+        (self.folder / "pages").mkdir()
+        for number in range(4):
+            shutil.copy(ROOT / "samples/plots/force-meter-log.csv", self.folder / f"pages/log-{number}.csv")
+        for number in range(2):
+            shutil.copy(ROOT / "samples/plots/brown-one-ink.png", self.folder / f"pages/plot {number}.png")
+        (self.folder / "pages/broken.png").write_text("not a picture")
+
+    def command(self, *more):
+        return [SNAKEMAKE, "-s", ROOT / "samples/cluster/Snakefile", "--profile", ROOT / f"samples/cluster/profiles/{self.PROFILE}", *more,
+                "--config", "pages=pages/*", "out=out", "batch=3", f"program={BIN / 'detent-import'}", "options=--quality draft"]
+
+    def environment(self):
+        return {**os.environ, "PATH": "/usr/bin:/usr/sbin:/bin:/sbin", "HOME": str(self.folder)}
+
+    def snakemake(self, *more):
+        ran = subprocess.run(self.command(*more), cwd=self.folder, env=self.environment(), capture_output=True, text=True, check=False)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        return ran.stderr
+
+    def begin(self):
+        process = subprocess.Popen(self.command(), cwd=self.folder, env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def assert_as_serial(self):
+        pages = sorted(str(path.relative_to(self.folder)) for path in (self.folder / "pages").iterdir())
+        subprocess.run([BIN / "detent-import", "--batch", *pages, "--out-dir", "serial", "--quality", "draft"], cwd=self.folder, check=True,
+                       capture_output=True)
+        self.assertEqual(graphs(self.folder / "out/all.jsonl"), graphs(self.folder / "serial/report.jsonl"))
+        self.assertEqual(len(graphs(self.folder / "out/all.jsonl")), 7)
+
+    def handled(self):
+        return sum(len(path.read_text().splitlines()) for path in (self.folder / "out/batches").glob("*/report.done"))
+
+
+@unittest.skipIf(missing(SNAKEMAKE), "no Snakemake")
+class OneMachine(Cluster):
+    def test_a_run_gives_what_a_serial_one_gives_and_is_not_repeated(self):
+        self.snakemake()
+        self.assert_as_serial()
+        with open(self.folder / "out/table.csv", newline="") as table:
+            rows = list(csv.DictReader(table))
+        self.assertEqual([row["status"] for row in rows].count("ok"), 6)
+        self.assertIn("Nothing to be done", self.snakemake())
+        time.sleep(1.1)  # times of files count whole seconds on some disks
+        (self.folder / "pages/log-1.csv").write_bytes((self.folder / "pages/log-1.csv").read_bytes() + b"\n")
+        self.assertNotIn("batches/00000.jsonl.list", self.snakemake())
+        self.assert_as_serial()
+
+    def test_a_killed_snakemake_goes_on(self):
+        process = self.begin()
+        until(lambda: (self.folder / "out/batches").is_dir() and self.handled() >= 1, "a page done")
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        self.snakemake("--unlock")
+        self.snakemake()
+        self.assert_as_serial()
+
+    def test_a_killed_importer_is_repeated(self):
+        process = self.begin()
+        until(lambda: kill_one(process.pid, "detent-import"), "an importer killed")
+        self.assertEqual(process.wait(LONGEST_WAIT_s), 0)
+        self.assert_as_serial()
+
+    def test_an_absent_program_is_said_by_name(self):
+        command = [word if "program=" not in str(word) else "program=/nowhere/detent-import" for word in self.command()]
+        ran = subprocess.run(command, cwd=self.folder, env=self.environment(), capture_output=True, text=True, check=False)
+        self.assertNotEqual(ran.returncode, 0)
+        self.assertRegex(ran.stderr + ran.stdout, "/nowhere/detent-import cannot be run on ")
+        self.assertFalse((self.folder / "out/all.jsonl").exists())
+
+
+@unittest.skipIf(missing(SNAKEMAKE, "slurmctld", "slurmd", "munged", "sbatch"), "no Slurm")
+class OneNode(Cluster):
+    PROFILE = "slurm"
+
+    def setUp(self):
+        if os.getuid() != 0:
+            print("SKIPPED Slurm: its daemons need root")
+            self.skipTest("not root")
+        super().setUp()
+        self.slurm = Path(tempfile.mkdtemp(prefix="slurm"))
+        self.addCleanup(shutil.rmtree, self.slurm, ignore_errors=True)
+        self.begin_munge()
+        self.write_configuration()
+        for daemon, more in (("slurmctld", []), ("slurmd", ["-N", self.host])):
+            self.daemon([shutil.which(daemon, path="/usr/sbin"), "-D", "-f", self.slurm / "slurm.conf", *more])
+        until(lambda: "idle" in self.told("sinfo", "--noheader", "--format=%T"), "the node idle")
+
+    def environment(self):
+        return {**super().environment(), "SLURM_CONF": str(self.slurm / "slurm.conf")}
+
+    def told(self, *command):
+        return subprocess.run(command, env=self.environment(), capture_output=True, text=True, check=False).stdout
+
+    def daemon(self, command):
+        process = subprocess.Popen(command, env=self.environment(), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.terminate)
+        return process
+
+    def begin_munge(self):
+        key = self.slurm / "munge.key"
+        key.write_bytes(os.urandom(128))
+        key.chmod(0o600)
+        self.slurm.chmod(0o755)
+        self.socket = self.slurm / "munge.socket"
+        self.daemon(["/usr/sbin/munged", "--foreground", f"--socket={self.socket}", f"--key-file={key}", f"--pid-file={self.slurm}/munge.pid",
+                     f"--log-file={self.slurm}/munge.log", f"--seed-file={self.slurm}/munge.seed"])
+        until(self.socket.exists, "munge's socket")
+
+    def write_configuration(self):
+        self.host = socket.gethostname().split(".")[0]
+        ports = []
+        for _ in range(2):
+            with socket.socket() as free:
+                free.bind(("", 0))
+                ports.append(free.getsockname()[1])
+        memory_MB = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") >> 20
+        (self.slurm / "state").mkdir()
+        (self.slurm / "spool").mkdir()
+        (self.slurm / "slurm.conf").write_text(f"""ClusterName=test
+SlurmctldHost={self.host}(127.0.0.1)
+SlurmUser=root
+SlurmdUser=root
+SlurmctldPort={ports[0]}
+SlurmdPort={ports[1]}
+AuthType=auth/munge
+AuthInfo=socket={self.socket}
+CredType=cred/munge
+StateSaveLocation={self.slurm}/state
+SlurmdSpoolDir={self.slurm}/spool
+SlurmctldPidFile={self.slurm}/slurmctld.pid
+SlurmdPidFile={self.slurm}/slurmd.pid
+SlurmctldLogFile={self.slurm}/slurmctld.log
+SlurmdLogFile={self.slurm}/slurmd.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+SwitchType=switch/none
+MpiDefault=none
+SelectType=select/cons_tres
+SelectTypeParameters=CR_Core
+ReturnToService=2
+SchedulerParameters=sched_interval=1,batch_sched_delay=0,sched_min_interval=0
+NodeName={self.host} NodeAddr=127.0.0.1 CPUs={os.cpu_count()} RealMemory={memory_MB * 9 // 10} State=UNKNOWN
+PartitionName=all Nodes={self.host} Default=YES MaxTime=INFINITE State=UP
+""")
+
+    def test_a_job_that_is_killed_is_repeated(self):
+        process = self.begin()
+        until(lambda: "RUNNING" in self.told("squeue", "--noheader", "--format=%T"), "a job running")
+        job = self.told("squeue", "--noheader", "--states=RUNNING", "--format=%A").split()[0]
+        self.told("scancel", "--signal=KILL", "--full", job)
+        self.assertEqual(process.wait(3 * LONGEST_WAIT_s), 0)
+        self.assert_as_serial()
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--root", type=Path, required=True)
+    parser.add_argument("--bin", type=Path, required=True)
+    chosen, rest = parser.parse_known_args()
+    ROOT, BIN = chosen.root.resolve(), chosen.bin.resolve()
+    unittest.main(argv=[sys.argv[0], *rest])
