@@ -12,6 +12,9 @@ namespace {
 /// Slopes beyond are of walls and edges, where a hundredth of a millimetre decides.
 constexpr double steepest_gf_per_mm = 60;
 
+/// Displacements compared: 0.04 mm apart on a key switch, below which slopes are of the meters' noise.
+constexpr std::size_t comparedAt = 100;
+
 /// Force of a shape at a displacement from contact, linear in between, its ends beyond them.
 double forceAt_N(const std::vector<float>& forces, double step_mm, double displacement_mm) {
   const double at = std::clamp(displacement_mm / step_mm, 0.0, static_cast<double>(forces.size() - 1));
@@ -31,7 +34,7 @@ Differences differences(const FeltShape& a, const std::vector<float>& ofA, const
                         const std::vector<float>& ofB) {
   const double gf_per_N = 1 / newtonsPer(ForceUnit::gramForce);
   const double both_mm = std::min(a.travel_mm, b.travel_mm);
-  constexpr std::size_t count = FeltShape::samples;
+  constexpr std::size_t count = comparedAt;
   const double step_mm = both_mm / double(count - 1);
   const auto slope = [&](double from_N, double to_N) {
     return std::clamp((to_N - from_N) * gf_per_N / step_mm, -steepest_gf_per_mm, steepest_gf_per_mm);

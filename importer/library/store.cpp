@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "importer/library/database.h"
@@ -343,7 +344,7 @@ Result<std::vector<LibrarySwitch>> LibraryStore::switches(const std::vector<Figu
     for (const FigureRange& range : ranges)
       sql += " AND " + std::string(keyFigureNames()[static_cast<std::size_t>(range.figure)].key) +
              " BETWEEN ? AND ?";
-    Statement row(impl_->database, sql + " ORDER BY switch.name COLLATE NOCASE, path, part");
+    Statement row(impl_->database, sql);
     int parameter = 0;
     for (const FigureRange& range : ranges) {
       row.bind(++parameter, std::optional(range.low));
@@ -369,6 +370,10 @@ Result<std::vector<LibrarySwitch>> LibraryStore::switches(const std::vector<Figu
         throw DatabaseFault{SQLITE_CORRUPT, "the curve of \"" + each.name + "\" is not whole"};
       found.push_back(std::move(each));
     }
+    // Not by SQLite, which would carry every curve through a file on the disk.
+    std::ranges::sort(found, [](const LibrarySwitch& a, const LibrarySwitch& b) {
+      return std::tie(a.name, a.source, a.part) < std::tie(b.name, b.source, b.part);
+    });
     return found;
   });
 }
