@@ -241,6 +241,19 @@ bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
          back.valley_mm - there.valley_mm > late * travel_mm;
 }
 
+/// A release starts where the press ended: one that reaches clearly less far was not followed to its end, or is another
+/// switch's press.
+bool reachApart(const StrokePoints& first, const StrokePoints& second) {
+  constexpr double clear = 0.1;  // of the travel of both
+  const auto travel = [](const StrokePoints& s) {
+    const auto [low, high] = std::ranges::minmax_element(s.points, {}, &CurvePoint::displacement_mm);
+    return std::pair(low->displacement_mm, high->displacement_mm);
+  };
+  const auto [a0, a1] = travel(first);
+  const auto [b0, b1] = travel(second);
+  return std::abs(a1 - b1) > clear * (std::max(a1, b1) - std::min(a0, b0));
+}
+
 /// Press and release of one switch.
 Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& second, const AxesFound& axes,
                                  bool swap) {
@@ -254,8 +267,13 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   Found<StrokePair> found;
   // Two tints that the legend names apart and the tracer saw as one ink: which of its lines is whose is not known.
   constexpr double ofMergedTints = 0.45;
+  constexpr double ofApart = 0.45;
+  const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
-  const double together = merged ? ofMergedTints : namedAsPair(first, second) ? 1 : creditOfTravel(compared);
+  const bool paired = namedAsPair(first, second);
+  const bool apart = !byHand && !paired && reachApart(a, b);
+  const double travel = apart ? std::min(ofApart, creditOfTravel(compared)) : creditOfTravel(compared);
+  const double together = merged ? ofMergedTints : paired ? 1 : travel;
   found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) * together;
   found.evidence = verdict.reasons;
   bool firstIsPress = verdict.logOdds >= 0;
@@ -270,11 +288,10 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
                       {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}}},
                      "plot frame");
   }
-  const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   if (!firstIsPress) std::swap(a, b);
   if (!byHand) {
     if (auto above = releaseAbove(a, b)) return std::move(*above);
-    if (!namedAsPair(first, second) && dropsLater(a, b)) return tooMany({first, second});
+    if (!paired && dropsLater(a, b)) return tooMany({first, second});
   }
   found.value.press = std::move(a);
   found.value.release = travelledBack(std::move(b));

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <utility>
 
+#include "importer/strokes/closed_loops.h"
 #include "importer/strokes/legend.h"
 
 namespace detent::importer {
@@ -22,21 +23,6 @@ std::optional<Stroke> namedStroke(const CurveTrace& trace) {
 /// Two strokes of one ink that the tracer told apart.
 bool shareAnInk(const CurveTrace& a, const CurveTrace& b) {
   return a.color == b.color && a.stroke && b.stroke && *a.stroke != *b.stroke;
-}
-
-/// Whether force only falls from its left end to its right one. No stroke of a button does: it begins where the finger
-/// meets the key and ends at the wall.
-bool onlyFalls(const CurveTrace& trace) {
-  constexpr double rippleShare = 0.02;  // of the fall; traced points waver
-  std::vector<Point> course = trace.points_px;
-  std::ranges::sort(course, {}, &Point::x);
-  const double fall_px = course.back().y - course.front().y;
-  double lowest_px = course.front().y;
-  for (const Point& p : course) {
-    lowest_px = std::max(lowest_px, p.y);
-    if (lowest_px - p.y > rippleShare * fall_px) return false;
-  }
-  return true;
 }
 
 /// Without arrows and leaders in an ink of their own: what has no name and only falls, where the legend names a stroke
@@ -199,8 +185,10 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
   if (drawn.size() == 2 && mayBeOnePair(traces[drawn[0]].label, traces[drawn[1]].label))
     return {switchOf(drawn, traces)};
 
+  std::vector<Indices> groups = partnered(traces, drawn);
+  if (groups.empty()) groups = closedLoops(traces, drawn);
   std::vector<PlotSwitch> switches;
-  for (Indices& group : partnered(traces, drawn)) switches.push_back(switchOf(std::move(group), traces));
+  for (Indices& group : groups) switches.push_back(switchOf(std::move(group), traces));
   const bool inLegend = std::none_of(switches.begin(), switches.end(), [&](const PlotSwitch& s) {
     return traces[s.traces.front()].labelBox_px.empty();
   });

@@ -217,6 +217,23 @@ TEST_CASE("Lines that stand side by side are not the strokes of one switch", "[s
   CHECK(separate({left, right})->confidence > 0.9);
 }
 
+TEST_CASE("Strokes that end at different travel are doubted, unless something says that they belong together",
+          "[strokes]") {
+  std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05, {255, 0, 0}, 3.4)};
+  CHECK(separate(traces)->confidence < 0.5);
+  CHECK(separate({trace(0.1), trace(-0.05, {255, 0, 0}, 3.8)})->confidence > 0.9);
+  SECTION("the legend") {
+    traces[0].label = "Downstroke";
+    traces[1].label = "Upstroke";
+    CHECK(separate(traces)->confidence > 0.9);
+  }
+  SECTION("a person") {
+    traces[0].stroke = Stroke::press;
+    traces[1].stroke = Stroke::release;
+    CHECK(separate(traces)->confidence > 0.9);
+  }
+}
+
 TEST_CASE("A locked key's release covers part of the travel: the legend says that it belongs to the press",
           "[strokes]") {
   std::vector<CurveTrace> traces = {trace(0.1), trace(-0.05, {255, 0, 0})};

@@ -33,6 +33,20 @@ std::vector<std::string> namesOf(const std::vector<PlotSwitch>& switches) {
 
 using Names = std::vector<std::string>;
 
+/// The two strokes of a switch of `travel_px`, the release up to `lag_px` lower; neither named.
+std::vector<CurveTrace> loop(double foot_px, double travel_px, double lag_px, std::uint8_t blue) {
+  std::vector<CurveTrace> strokes{trace("", 0, blue), trace("", 0, static_cast<std::uint8_t>(blue + 1))};
+  for (std::size_t k = 0; k < 2; ++k) {
+    auto& points = strokes[k].points_px;
+    points.clear();
+    for (double x = 0; x <= travel_px; ++x) {
+      const double lag = k == 0 ? 0 : lag_px * std::sin(M_PI * x / travel_px);
+      points.push_back({x, 300 - foot_px * std::min(1.0, x / 10) - 0.4 * x + lag});
+    }
+  }
+  return strokes;
+}
+
 }  // namespace
 
 TEST_CASE("Two curves that no legend parts are one switch's strokes", "[switches]") {
@@ -84,6 +98,51 @@ TEST_CASE("Loops that the tracer parted in inks of their own need no legend", "[
   CHECK(switches[0].traces == std::vector<std::size_t>{3, 2});  // the higher one first
   CHECK(switches[1].traces == std::vector<std::size_t>{1, 0});
   CHECK(chosenSwitch(switches, traces, "2").value() == 1);
+}
+
+TEST_CASE("Of several curves without names those that close a loop are one switch's", "[switches]") {
+  std::vector<CurveTrace> traces = loop(40, 300, 15, 1);
+  const std::vector<CurveTrace> shorter = loop(70, 250, 15, 3);
+  traces.insert(traces.begin() + 1, shorter.rbegin(), shorter.rend());  // 0 A, 1 B's release, 2 B, 3 A's
+  const auto switches = switchesAmong(traces);
+  REQUIRE(switches.size() == 2);
+  CHECK(switches[0].traces == std::vector<std::size_t>{2, 1});
+  CHECK(switches[1].traces == std::vector<std::size_t>{0, 3});
+  CHECK_FALSE(separateStrokes(traces, AxesFound{}).ok());
+
+  SECTION("Two samples of one switch end near each other: who belongs to whom is not clear") {
+    traces = loop(40, 300, 15, 1);
+    const std::vector<CurveTrace> sample = loop(42, 297, 15, 3);
+    traces.insert(traces.end(), sample.begin(), sample.end());
+    CHECK(switchesAmong(traces).empty());
+  }
+  SECTION("Three that rise: one is left whose partner is not known") {
+    traces.pop_back();
+    CHECK(switchesAmong(traces).empty());
+  }
+  SECTION("Strokes that cross close no loop") {
+    traces = loop(40, 300, 15, 1);
+    for (Point& p : traces[1].points_px)
+      if (p.x < 150) p.y = traces[0].points_px[static_cast<std::size_t>(p.x)].y - 10;
+    traces.insert(traces.end(), shorter.begin(), shorter.end());
+    CHECK(switchesAmong(traces).empty());
+  }
+  SECTION("Names of two switches are no press and release") {
+    traces[0].label = "Switch A";
+    traces[3].label = "Switch B";
+    CHECK(switchesAmong(traces).empty());
+  }
+}
+
+TEST_CASE("A quantity that only falls belongs to no loop, however its fall wavers", "[switches]") {
+  std::vector<CurveTrace> traces = loop(40, 300, 15, 1);
+  CurveTrace resistance = trace("", 0, 3);
+  for (Point& p : resistance.points_px) p.y = p.x < 150 ? 40 : 280;
+  for (double y = 40; y < 280; ++y) resistance.points_px.push_back({150 + 0.4 * std::sin(y), y});
+  traces.push_back(resistance);
+  const auto switches = switchesAmong(traces);
+  REQUIRE(switches.size() == 1);
+  CHECK(switches[0].traces == std::vector<std::size_t>{0, 1});
 }
 
 TEST_CASE("Where it is not clear what belongs together nothing is joined", "[switches]") {

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/strokes/closed_loops.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "importer/strokes/legend.h"
+
+namespace detent::importer {
+
+namespace {
+
+using Indices = std::vector<std::size_t>;
+
+/// A trace from left to right, and the room it takes.
+struct Course {
+  std::vector<Point> points_px;
+  Box room_px;
+};
+
+Course courseOf(const CurveTrace& trace) {
+  Course course{trace.points_px, {}};
+  std::ranges::stable_sort(course.points_px, {}, &Point::x);
+  const auto [top, foot] = std::ranges::minmax_element(course.points_px, {}, &Point::y);
+  course.room_px = {course.points_px.front().x, top->y, course.points_px.back().x, foot->y};
+  return course;
+}
+
+/// Row of the course in a column, between its points; the outermost ones beyond its ends.
+double rowAt(const Course& course, double column_px) {
+  const auto right = std::ranges::lower_bound(course.points_px, column_px, {}, &Point::x);
+  if (right == course.points_px.begin()) return right->y;
+  if (right == course.points_px.end()) return course.points_px.back().y;
+  const Point a = *std::prev(right), b = *right;
+  return a.x < b.x ? std::lerp(a.y, b.y, (column_px - a.x) / (b.x - a.x)) : b.y;
+}
+
+/// The highest point: where a stroke meets the wall.
+Point tipOf(const Course& course) { return *std::ranges::min_element(course.points_px, {}, &Point::y); }
+
+/// How far two courses' ends may lie apart, as shares of the room both take. Up a wall a tip lies where the line that covers
+/// the other one leaves it to be seen.
+struct Apart {
+  double across, along;
+};
+
+/// Whether both run over the same columns and up to the same tip.
+bool endTogether(const Course& a, const Course& b, Apart most) {
+  const Box both = a.room_px.joined(b.room_px);
+  const Point tipA = tipOf(a), tipB = tipOf(b);
+  const double across_px = most.across * both.width(), along_px = most.along * both.height();
+  return std::abs(a.room_px.x0 - b.room_px.x0) <= across_px &&
+         std::abs(a.room_px.x1 - b.room_px.x1) <= across_px && std::abs(tipA.x - tipB.x) <= across_px &&
+         std::abs(tipA.y - tipB.y) <= along_px;
+}
+
+/// Whether `upper` lies above `lower` wherever they part, and they do over most of their way.
+bool enclose(const Course& upper, const Course& lower) {
+  constexpr int columns = 100;
+  constexpr double clear = 0.01, mostBelow = 0.02, leastAbove = 0.5;  // the first of the height
+  const Box both = upper.room_px.joined(lower.room_px);
+  const double clear_px = std::max(1.0, clear * both.height());
+  int above = 0, below = 0;
+  for (int i = 0; i < columns; ++i) {
+    const double column_px = both.x0 + (i + 0.5) / columns * both.width();
+    const double apart_px = rowAt(lower, column_px) - rowAt(upper, column_px);
+    above += apart_px > clear_px;
+    below += apart_px < -clear_px;
+  }
+  return above >= leastAbove * columns && below <= mostBelow * columns;
+}
+
+}  // namespace
+
+bool onlyFalls(const CurveTrace& trace) {
+  constexpr double rippleShare = 0.02;  // of the fall; traced points waver
+  constexpr double waver_px = 1.5;      // across: down a steep fall a little of it is a long way
+  const Course course = courseOf(trace);
+  const std::vector<Point>& points = course.points_px;
+  const double fall_px = points.back().y - points.front().y;
+  double lowest_px = points.front().y;
+  std::size_t left = 0;
+  for (const Point& p : points) {
+    for (; points[left].x < p.x - waver_px; ++left) lowest_px = std::max(lowest_px, points[left].y);
+    if (lowest_px - p.y > rippleShare * fall_px) return false;
+  }
+  return true;
+}
+
+std::vector<Indices> closedLoops(const std::vector<CurveTrace>& traces, const Indices& drawn) {
+  constexpr Apart together{0.015, 0.04};
+  constexpr Apart nearby{0.05, 0.1};  // what ends nearby makes it doubtful who ends together
+  Indices strokes;
+  std::ranges::copy_if(drawn, std::back_inserter(strokes),
+                       [&](std::size_t i) { return !onlyFalls(traces[i]); });
+  std::vector<Course> courses;
+  for (const std::size_t i : strokes) courses.push_back(courseOf(traces[i]));
+  std::vector<Indices> loops;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    Indices partners;
+    for (std::size_t j = 0; j < strokes.size(); ++j)
+      if (j != i && endTogether(courses[i], courses[j], nearby)) partners.push_back(j);
+    if (partners.size() != 1) return {};
+    const std::size_t j = partners.front();
+    if (j < i) continue;  // seen from the other one
+    if (!endTogether(courses[i], courses[j], together)) return {};
+    if (!mayBeOnePair(traces[strokes[i]].label, traces[strokes[j]].label)) return {};
+    if (enclose(courses[i], courses[j]))
+      loops.push_back({strokes[i], strokes[j]});
+    else if (enclose(courses[j], courses[i]))
+      loops.push_back({strokes[j], strokes[i]});
+    else
+      return {};
+  }
+  return loops;
+}
+
+}  // namespace detent::importer

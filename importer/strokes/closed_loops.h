@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Which of several curves without names are the two strokes of one switch: those that close a loop.
+// docs/decisions/0701-several-switches.md
+
+#include <cstddef>
+#include <vector>
+
+#include "importer/trace/curve_trace.h"
+
+namespace detent::importer {
+
+/// Whether force only falls from a trace's left end to its right one. No stroke of a button does: it begins where the finger
+/// meets the key and ends at the wall. `trace` of two points or more.
+bool onlyFalls(const CurveTrace& trace);
+
+/// The curves that close loops, one pair for each switch, the upper one first: both begin and end together, the upper one
+/// lies above all the way. `drawn` are indices of traces of two points or more. Empty where a curve that does not only
+/// fall belongs to no loop or might belong to two: two samples of one switch end near each other.
+std::vector<std::vector<std::size_t>> closedLoops(const std::vector<CurveTrace>& traces,
+                                                  const std::vector<std::size_t>& drawn);
+
+}  // namespace detent::importer
