@@ -141,8 +141,23 @@ QString nameOf(const DrawnMark& mark) {
   return {};
 }
 
-/// The first place beside a mark where its plate hides no other plate.
-QPointF freePlace(QPointF mark, QSizeF size, bool above, std::vector<QRectF>& taken) {
+/// What of the page can be seen, in the painter's coordinates.
+QRectF shownPart(const QPainter& painter) {
+  if (painter.hasClipping()) return painter.clipBoundingRect();
+  return painter.worldTransform().inverted().mapRect(QRectF(painter.window()));
+}
+
+/// How far a plate has to go to be seen whole.
+QPointF wayInto(const QRectF& shown, const QRectF& plate) {
+  const auto way = [](double lower, double upper, double from, double to) {
+    return std::max(std::min(0.0, upper - to), lower - from);
+  };
+  return {way(shown.left(), shown.right(), plate.left(), plate.right()),
+          way(shown.top(), shown.bottom(), plate.top(), plate.bottom())};
+}
+
+/// The first place beside a mark where its plate is seen whole and hides no other plate.
+QPointF freePlace(QPointF mark, QSizeF size, bool above, const QRectF& shown, std::vector<QRectF>& taken) {
   const double up = above ? -14 : 16, right = 12, left = -12 - size.width();
   const QPointF places[] = {{right, up},       {right, -up},       {left, up},      {left, -up},
                             {right, 2.2 * up}, {right, -2.2 * up}, {left, 2.2 * up}};
@@ -150,10 +165,11 @@ QPointF freePlace(QPointF mark, QSizeF size, bool above, std::vector<QRectF>& ta
     const QPointF at = mark + offset;
     return QRectF(at.x() - 3, at.y() - 0.5 * size.height() - 1, size.width() + 6, size.height() + 2);
   };
-  QPointF chosen = places[0];
+  QPointF chosen = places[0] + wayInto(shown, plateAt(places[0]));
   for (const QPointF& offset : places) {
     const QRectF plate = plateAt(offset);
-    if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(plate); }))
+    if (!shown.contains(plate) ||
+        std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(plate); }))
       continue;
     chosen = offset;
     break;
@@ -180,7 +196,8 @@ void paintMark(QPainter& painter, const FindingsPicture& picture, const DrawnMar
                          .arg(numberText(u.lengthFrom(mark.value.displacement_mm), 3), u.lengthSymbol(),
                               numberText(u.forceFrom(mark.value.force_N), 3), u.forceSymbol());
   const QSizeF size = QFontMetricsF(painter.font()).size(0, text);
-  paintPlate(painter, freePlace(at, size, mark.stroke == Stroke::press, taken), text, color);
+  paintPlate(painter, freePlace(at, size, mark.stroke == Stroke::press, shownPart(painter), taken), text,
+             color);
 }
 
 }  // namespace

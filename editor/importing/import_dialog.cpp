@@ -248,6 +248,8 @@ void ImportDialog::Impl::build() {
   document = described(new QLabel, "documentName");
   document->setTextInteractionFlags(Qt::TextSelectableByMouse);
   document->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  constexpr int leastOfName = 14;  // characters, before the words of the quality take the room
+  document->setMinimumWidth(leastOfName * document->fontMetrics().averageCharWidth());
   auto* qualityLabel = new QLabel(tr("&Quality"));
   quality = described(new QComboBox, "quality");
   qualityLabel->setBuddy(quality);

@@ -7,6 +7,7 @@
 #include <QEvent>
 #include <QHeaderView>
 #include <QScreen>
+#include <QScrollArea>
 #include <QSplitter>
 
 #include "editor/document/described.h"
@@ -22,6 +23,7 @@ constexpr int updateDelay_ms = 50;
 constexpr int rowMargin_px = 8;
 constexpr int firstPlot_px = 300, firstTable_px = 220;
 constexpr QSize firstSize_px{860, 640};
+constexpr QSize windowFrame_px{8, 40};  // what the desktop puts around a window
 
 QTableWidget* differencesTable() {
   auto* table = described(new QTableWidget, "compareTable", {}, CompareDialog::tr("Differences"));
@@ -47,7 +49,7 @@ CompareDialog::CompareDialog(ViewSettings& settings, QWidget* parent) : QDialog(
   setWindowTitle(tr("Compare buttons"));
   setWindowFlag(Qt::WindowMaximizeButtonHint);
   build();
-  resize(firstSize_px.boundedTo(screen()->availableSize()));
+  resize(firstSize_px.boundedTo(screen()->availableSize() - windowFrame_px));
   soon_.setSingleShot(true);
   soon_.setInterval(updateDelay_ms);
   connect(&soon_, &QTimer::timeout, this, &CompareDialog::update);
@@ -89,13 +91,22 @@ void CompareDialog::build() {
   for (QPushButton* button : {more_, fewer_, swap, copy}) buttons->addWidget(button);
   buttons->addStretch();
 
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(rows_ = new QVBoxLayout);
-  layout->addWidget(split, 1);
-  layout->addWidget(reading_);
-  layout->addWidget(distance_);
+  // Where the screen is too low for all of it, the middle scrolls; the buttons stay in reach.
+  auto* middle = new QWidget;
+  auto* compared = new QVBoxLayout(middle);
+  compared->setContentsMargins(0, 0, 0, 0);
+  compared->addLayout(rows_ = new QVBoxLayout);
+  compared->addWidget(split, 1);
+  compared->addWidget(reading_);
+  compared->addWidget(distance_);
   forecast_ = described(new ForecastBar, "compareForecast");
-  layout->addWidget(forecast_);
+  compared->addWidget(forecast_);
+  auto* scroll = described(new QScrollArea, "compareScroll");
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(middle);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(scroll, 1);
   layout->addLayout(buttons);
   addSide();
   addSide();

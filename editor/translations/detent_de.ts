@@ -199,7 +199,7 @@
     </message>
     <message>
         <source>Two files, press and release, of 80 to 230 Hz. The finger&apos;s force no longer decides.</source>
-        <translation>Zwei Dateien, Druck und Rücklauf, von 80 bis 230 Hz. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+        <translation>Zwei Dateien, Drücken und Rückweg, von 80 bis 230 Hz. Die Kraft des Fingers entscheidet nicht mehr.</translation>
     </message>
     <message>
         <source>Meta and Lofelt (.haptic)</source>
@@ -215,7 +215,7 @@
     </message>
     <message>
         <source>Press and release as envelopes, nothing shorter than 20 ms. The finger&apos;s force no longer decides.</source>
-        <translation>Druck und Rücklauf als Hüllkurven, nichts kürzer als 20 ms. Die Kraft des Fingers entscheidet nicht mehr.</translation>
+        <translation>Drücken und Rückweg als Hüllkurven, nichts kürzer als 20 ms. Die Kraft des Fingers entscheidet nicht mehr.</translation>
     </message>
     <message>
         <source>OpenXR (parametric)</source>

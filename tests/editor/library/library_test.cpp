@@ -7,6 +7,8 @@
 #include <QLabel>
 #include <QListView>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -210,6 +212,29 @@ class LibraryTest : public QObject {
     QVERIFY(!dialog.findChild<QPushButton*>("compareRemove")->isEnabled());
     c.history().apply(*linearButton(), "Linear");  // no longer compared: nothing dangles
     QTest::qWait(80);
+  }
+
+  /// 1366 x 768 at scale 2: six buttons scroll, and what is done with them stays in reach.
+  void sixAreComparedOnASmallScreen() {
+    ViewSettings settings;
+    ButtonDocument a(*tactileButton()), b(*linearButton());
+    CompareDialog dialog(settings);
+    dialog.setDocuments({&a, &b});
+    dialog.compare(&a, &b);
+    while (dialog.findChild<QPushButton*>("compareAdd")->isEnabled()) dialog.add(&b);
+    const QSize small(675, 345);
+    dialog.resize(small);
+    dialog.show();
+    QCOMPARE(dialog.size(), small);
+    for (const char* name : {"compareAdd", "compareRemove", "compareExchange", "compareCopy"}) {
+      const auto* button = dialog.findChild<QPushButton*>(name);
+      const QRect place(button->mapTo(&dialog, QPoint()), button->size());
+      QVERIFY2(dialog.rect().contains(place), name);
+      QVERIFY2(button->width() >= button->sizeHint().width(), name);
+    }
+    auto* scroll = dialog.findChild<QScrollArea*>("compareScroll");
+    QVERIFY(scroll->verticalScrollBar()->maximum() > 0);
+    QVERIFY(dialog.findChild<QWidget*>("comparePlot")->height() >= 100);
   }
 
   void theDialogueComparesAndFollows() {
