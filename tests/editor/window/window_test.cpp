@@ -623,9 +623,11 @@ class WindowTest : public QObject {
     rig.window->files().open({sample("buttons/C.button.json")});
     GraphCanvas& canvas = rig.window->tabs().current()->workspace().canvas();
     canvas.zoomAt(canvas.rect().center(), 1.5, 1.2);
-    QTest::qWait(100);
     const auto seen = [&] { return canvas.grab().toImage().convertToFormat(QImage::Format_RGB32); };
-    const QImage before = seen();
+    // A busy machine takes its time until the window has its size: nothing is exported before it lies still.
+    constexpr int still_ms = 300;
+    QImage before;
+    QTRY_VERIFY_WITH_TIMEOUT((before = seen(), QTest::qWait(still_ms), seen() == before), 10'000);
     const QPointF place_px = canvas.mapping().toPixel(1.6, 0.65);
     rig.prompts.printedTo = at("alone.pdf");
     for (const char* name :
