@@ -103,9 +103,10 @@ class Measuring {
   Result<Done> started(std::unique_ptr<ForceDevice> opened) {
     record_.step_mm = program_->step_mm;
     program_->excitation = relayTest(*program_, settings_.range_mm);
-    loop_ = std::make_unique<ForceLoop>(
-        std::move(opened), *program_,
-        ForceLoopSettings{settings_.run.paced, 0, stepsOf(relayTest_s), settings_.run.holdToRun});
+    loop_ = std::make_unique<ForceLoop>(std::move(opened), *program_,
+                                        ForceLoopSettings{.paced = settings_.run.paced,
+                                                          .holdToRun = settings_.run.holdToRun,
+                                                          .waitsAfter_steps = stepsOf(relayTest_s)});
     Result<std::unique_ptr<ForceOrders>> orders = startForceOrders(*loop_, settings_.run);
     if (!orders) return orders.failure();
     orders_ = *std::move(orders);

@@ -267,7 +267,7 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   Found<StrokePair> found;
   // Two tints that the legend names apart and the tracer saw as one ink: which of its lines is whose is not known.
   constexpr double ofMergedTints = 0.45;
-  constexpr double ofApart = 0.45;
+  constexpr double ofApart = 0.45;  // credit, as above
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
   const bool paired = namedAsPair(first, second);

@@ -20,9 +20,9 @@ struct ForceLoopSettings {
   /// false: as fast as the machine can, for devices whose time is their own (the simulated one).
   bool paced = true;
   std::int64_t steps = 0;  ///< 0: until stopped
+  bool holdToRun = false;  ///< force only while `ForceLoop::hold` is said again and again
   /// Of a loop that is not paced: after so many steps it waits for the next program; 0: never.
   std::int64_t waitsAfter_steps = 0;
-  bool holdToRun = false;  ///< force only while `ForceLoop::hold` is said again and again
 };
 
 /// How long one `ForceLoop::hold` lasts: a key that is held down repeats three times in it.
