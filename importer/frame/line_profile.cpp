@@ -15,17 +15,6 @@ namespace {
 constexpr double minLineContrast = 7;  // grey levels of a mean profile
 constexpr int maxHalfWidth = 9;        // px; thicker lines are bars
 
-/// Mean darkness of columns [x0, x1) over rows [y0, y1).
-std::vector<double> meanColumns(const cv::Mat& d, int x0, int x1, int y0, int y1) {
-  std::vector<double> sum(static_cast<std::size_t>(x1 - x0), 0.0);
-  for (int y = y0; y < y1; ++y) {
-    const auto* row = d.ptr<std::uint8_t>(y);
-    for (int x = x0; x < x1; ++x) sum[static_cast<std::size_t>(x - x0)] += row[x];
-  }
-  for (auto& s : sum) s /= std::max(1, y1 - y0);
-  return sum;
-}
-
 struct Peak {
   double at = 0, width = 1, contrast = 0;
 };
@@ -162,6 +151,16 @@ std::vector<Peak> withoutRinging(const std::vector<Peak>& lines) {
 int clampedInt(double v, int lo, int hi) { return std::clamp(static_cast<int>(std::lround(v)), lo, hi); }
 
 }  // namespace
+
+std::vector<double> meanColumns(const cv::Mat& d, int x0, int x1, int y0, int y1) {
+  std::vector<double> sum(static_cast<std::size_t>(x1 - x0), 0.0);
+  for (int y = y0; y < y1; ++y) {
+    const auto* row = d.ptr<std::uint8_t>(y);
+    for (int x = x0; x < x1; ++x) sum[static_cast<std::size_t>(x - x0)] += row[x];
+  }
+  for (auto& s : sum) s /= std::max(1, y1 - y0);
+  return sum;
+}
 
 std::optional<EdgeLine> locateColumnEdge(const cv::Mat& d, double across, double from, double to,
                                          double reach) {

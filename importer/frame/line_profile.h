@@ -11,6 +11,9 @@
 
 namespace detent::importer {
 
+/// Mean darkness of columns [x0, x1) over rows [y0, y1), inside the plane.
+std::vector<double> meanColumns(const cv::Mat& darkness, int x0, int x1, int y0, int y1);
+
 /// An edge of the frame: position across it as a straight function of the place along it.
 struct EdgeLine {
   double at0 = 0, slope = 0;  ///< across = at0 + slope * along

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 
 #include <opencv2/core.hpp>
 
 #include "importer/frame/darkness.h"
+#include "importer/frame/line_profile.h"
 
 namespace detent::importer {
 namespace {
@@ -46,17 +46,6 @@ struct AxisView {
 double acrossOf(Point p, bool ofForce) { return ofForce ? p.y : p.x; }
 double alongOf(Point p, bool ofForce) { return ofForce ? p.x : p.y; }
 
-/// Mean darkness of columns [x0, x1) over rows [y0, y1).
-std::vector<double> meanProfile(const cv::Mat& d, int x0, int x1, int y0, int y1) {
-  std::vector<double> mean(static_cast<std::size_t>(x1 - x0), 0.0);
-  for (int y = y0; y < y1; ++y) {
-    const auto* row = d.ptr<std::uint8_t>(y);
-    for (int x = x0; x < x1; ++x) mean[static_cast<std::size_t>(x - x0)] += row[x];
-  }
-  for (double& m : mean) m /= y1 - y0;
-  return mean;
-}
-
 /// Centroid of the ridge about a crest, above the line between its feet; empty where it is none or too thick.
 std::optional<double> centreOf(const std::vector<double>& profile, int crest) {
   const auto at = [&](int i) { return profile[static_cast<std::size_t>(i)]; };
@@ -88,7 +77,7 @@ std::optional<double> ridgeNear(const cv::Mat& d, double across, double along, d
   const int y0 = std::max(0, static_cast<int>(std::lround(along - half_px)));
   const int y1 = std::min(d.rows, static_cast<int>(std::lround(along + half_px)) + 1);
   if (x1 - x0 < 5 || y1 <= y0) return {};
-  const std::vector<double> profile = meanProfile(d, x0, x1, y0, y1);
+  const std::vector<double> profile = meanColumns(d, x0, x1, y0, y1);
   std::optional<double> best;
   for (int k = 1; k + 1 < x1 - x0; ++k) {
     const auto i = static_cast<std::size_t>(k);
