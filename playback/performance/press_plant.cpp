@@ -16,6 +16,8 @@ constexpr double posture_N_per_m = 20;   // towards the start
 constexpr double joint_Ns_per_m = 0.5;
 constexpr double extensorDecay_s = 0.02;
 constexpr double play_m = 0.00002;  // the way from the release to the press branch
+constexpr double steps_per_s = 1 / plantStep_s;
+constexpr double capStep_s_per_kg = plantStep_s / capMass_kg;
 constexpr double settled_m_per_s =
     1e-9;  // change of a speed between two rounds: works agree to far better than 1e-6
 constexpr int mostRounds = 40;
@@ -68,6 +70,7 @@ struct Moving {
 struct StepForces {
   double spring_N = 0, pulpDamper_N = 0, button_N = 0, play_N = 0, capDamper_N = 0, posture_N = 0,
          joint_N = 0;
+  double capDamping_Ns_per_m = 0;  // behind capDamper_N
   double pulp_N() const { return spring_N + pulpDamper_N; }
 };
 
@@ -168,12 +171,13 @@ class Press {
   StepForces forcesTowards(const Moving& to) const {
     StepForces f;
     f.spring_N = pulpSpring_N(to);
-    const double closing_m_per_s = (to.pulp_m() - now_.pulp_m()) / plantStep_s;
+    const double closing_m_per_s = (to.pulp_m() - now_.pulp_m()) * steps_per_s;
     if (f.spring_N > 0) f.pulpDamper_N = finger_.pulpDamping_Ns_per_m * std::max(0.0, closing_m_per_s);
     const double middle_m = 0.5 * (now_.cap_m + to.cap_m);
     f.button_N = key_.meanBetween_N(now_.cap_m, to.cap_m);
     f.play_N = key_.halfWidth_N(middle_m) * 0.5 * (now_.play + playAt(to.cap_m));
-    f.capDamper_N = key_.damping_Ns_per_m(middle_m) * 0.5 * (now_.cap_m_per_s + to.cap_m_per_s);
+    f.capDamping_Ns_per_m = key_.damping_Ns_per_m(middle_m);
+    f.capDamper_N = f.capDamping_Ns_per_m * 0.5 * (now_.cap_m_per_s + to.cap_m_per_s);
     f.posture_N = posture_N_per_m * (0.5 * (now_.finger_m + to.finger_m) + startHeight_m);
     f.joint_N = joint_Ns_per_m * 0.5 * (now_.finger_m_per_s + to.finger_m_per_s);
     return f;
@@ -182,23 +186,46 @@ class Press {
   /// The end of the step under these forces; positions by the mean speed, so that force times way is energy, exactly.
   Moving movedBy(const StepForces& f, double muscle_N) const {
     Moving to = now_;
-    to.finger_m_per_s += plantStep_s / finger_.mass_kg * (muscle_N - f.pulp_N() - f.posture_N - f.joint_N);
+    to.finger_m_per_s += fingerStep_s_per_kg_ * (muscle_N - f.pulp_N() - f.posture_N - f.joint_N);
     // The cap's damper by its factor, not by rounds: a strongly damped button would not settle.
-    const double factor =
-        0.5 * plantStep_s / capMass_kg * key_.damping_Ns_per_m(0.5 * (now_.cap_m + guess_.cap_m));
+    const double factor = 0.5 * capStep_s_per_kg * f.capDamping_Ns_per_m;
     to.cap_m_per_s =
-        (now_.cap_m_per_s * (1 - factor) + plantStep_s / capMass_kg * (f.pulp_N() - f.button_N - f.play_N)) /
+        (now_.cap_m_per_s * (1 - factor) + capStep_s_per_kg * (f.pulp_N() - f.button_N - f.play_N)) /
         (1 + factor);
     to.finger_m += 0.5 * plantStep_s * (now_.finger_m_per_s + to.finger_m_per_s);
     to.cap_m += 0.5 * plantStep_s * (now_.cap_m_per_s + to.cap_m_per_s);
     return to;
   }
 
+  /// How the pulp's force over the step answers to the speed of closing at its end, around the guess.
+  double pulpAnswer_Ns_per_m() const {
+    double answer = 0;
+    if (now_.pulp_m() > 0 && guess_.pulp_m() > 0) answer += 0.25 * plantStep_s * finger_.pulp_N_per_m;
+    if (last_.pulpDamper_N > 0) answer += 0.5 * finger_.pulpDamping_Ns_per_m;
+    return answer;
+  }
+
+  /// What `wanted` would be had the pulp been taken at the end it leads to instead of at the guess: Newton's step for the
+  /// stiffest of the forces, which couples both bodies. Where rounds end is the same, they get there in fewer.
+  Moving withPulpFollowing(Moving wanted) const {
+    const double answer = pulpAnswer_Ns_per_m();
+    const double finger = answer * fingerStep_s_per_kg_, cap = answer * capStep_s_per_kg;
+    const double closing_m_per_s =
+        ((wanted.finger_m_per_s - guess_.finger_m_per_s) - (wanted.cap_m_per_s - guess_.cap_m_per_s)) /
+        (1 + finger + cap);
+    const double finger_m_per_s = -finger * closing_m_per_s, cap_m_per_s = cap * closing_m_per_s;
+    wanted.finger_m_per_s += finger_m_per_s;
+    wanted.cap_m_per_s += cap_m_per_s;
+    wanted.finger_m += 0.5 * plantStep_s * finger_m_per_s;
+    wanted.cap_m += 0.5 * plantStep_s * cap_m_per_s;
+    return wanted;
+  }
+
   void advance(double muscle_N) {
     guess_ = movedBy(last_, muscle_N);
     for (int round = 0; round < mostRounds; ++round) {
       last_ = forcesTowards(guess_);
-      const Moving better = movedBy(last_, muscle_N);
+      const Moving better = withPulpFollowing(movedBy(last_, muscle_N));
       const double change_m_per_s = std::abs(better.finger_m_per_s - guess_.finger_m_per_s) +
                                     std::abs(better.cap_m_per_s - guess_.cap_m_per_s);
       guess_ = better;
@@ -271,6 +298,7 @@ class Press {
   Moving now_, guess_;
   StepForces last_;
   PressOutcome outcome_;
+  double fingerStep_s_per_kg_ = plantStep_s / finger_.mass_kg;
   double start_J_ = 0;
   bool touched_ = false;
 };
