@@ -62,16 +62,22 @@ void addCommands(CLI::App& app, Arguments& arguments) {
   check->add_option("FILE", arguments.a, ".button.json or .csv")->required();
   addJson(check);
 
-  CLI::App* convertCommand =
-      app.add_subcommand("convert", "Convert between .button.json, .csv and .svg by file ending");
+  CLI::App* convertCommand = app.add_subcommand(
+      "convert",
+      "Convert between .button.json, .csv and .svg by file ending; also to a data package or a project");
   convertCommand->add_option("IN", arguments.a, ".button.json or .csv")->required();
-  convertCommand->add_option("OUT", arguments.b, ".button.json, .csv or .svg; written whole or not at all")
+  convertCommand
+      ->add_option("OUT", arguments.b,
+                   ".button.json, .csv, .svg, datapackage.json (with its tables beside it) or\n"
+                   ".wpd.json (WebPlotDigitizer); written whole or not at all")
       ->required();
   convertCommand->add_option("--state", arguments.convert.state,
-                             "state of a self-locking button for a CSV (default: the only one)");
+                             "state of a self-locking button for a CSV or a project (default: the only one)");
+  convertCommand->add_option("--force-step", arguments.convert.forceStep_N,
+                             "CSV of travel at each multiple of this force, N, instead of samples");
   convertCommand
       ->add_option("--force-unit", arguments.forceUnit,
-                   "unit of the SVG's force axis: N, mN, cN, gf, kgf, ozf, lbf")
+                   "unit of the SVG's and project's force axis: N, mN, cN, gf, kgf, ozf, lbf")
       ->capture_default_str();
   convertCommand
       ->add_option("--length-unit", arguments.lengthUnit,

@@ -28,7 +28,7 @@ struct ForceLog {
   std::vector<Remark> remarks;
 };
 
-/// Whether the importer takes a path for a force log, by its ending: .csv, .ods, .json.
+/// Whether the importer takes a path for a force log, by its ending: .csv, .ods, .json, .tar.
 bool isForceLogPath(const std::string& path);
 
 /// Failure notCertain: the file holds several switches and `curve` names none of them.

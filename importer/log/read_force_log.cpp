@@ -261,8 +261,8 @@ class LogReader {
     estimateNoise(press, release);
     endBeforeDwell(press, log_.noise_mm, log_.noise_N);
     startAtZero(press, release);
-    log_.strokes.press.points = std::move(press);
-    if (!release.empty()) log_.strokes.release = StrokePoints{std::move(release), {}, false};
+    log_.strokes.press.points = bridged(press);
+    if (!release.empty()) log_.strokes.release = StrokePoints{bridged(release), {}, false};
     return {};
   }
 
@@ -284,8 +284,12 @@ class LogReader {
   /// Compression counts up and pushes with positive force, whatever the instrument's signs are. Single wild samples have no say.
   void settleSigns() {
     std::vector<CurvePoint> calm;
-    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release})
-      std::ranges::copy(calmed(run->samples()), std::back_inserter(calm));
+    // A table of a handful of rows was written by hand or thinned out: each of them counts.
+    constexpr std::size_t handful = 16;
+    for (BoundedRun* run : {&rows_.run, &rows_.press, &rows_.release}) {
+      const std::vector<CurvePoint>& samples = run->samples();
+      std::ranges::copy(samples.size() < handful ? samples : calmed(samples), std::back_inserter(calm));
+    }
     const auto [lowest, highest] = std::ranges::minmax(calm, {}, &CurvePoint::force_N);
     const bool turned = -lowest.force_N > 1.5 * std::max(highest.force_N, 0.0);
     if (turned) log_.remarks.push_back({RemarkCode::forcesTurned});

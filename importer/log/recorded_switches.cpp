@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "importer/log/digitizer_project.h"
 #include "importer/log/sheet_columns.h"
 #include "importer/log/zip_member.h"
 #include "model/text.h"
@@ -213,6 +214,7 @@ std::vector<CurvePoint> paired(const std::vector<double>& x, const std::vector<d
 
 Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, const std::string& subject) {
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
+  if (isDigitizerProject(json)) return switchesOfProject(json, subject);
   if (json.is_discarded()) return Failure{FailureCode::unreadableInput, subject, {}, "it is no JSON", {}};
   if (!json.is_object() || !json.contains("down_x") || !json.contains("down_y"))
     return without(subject, "it holds no strokes", "A recording has the lists down_x, down_y and up_y");
@@ -232,13 +234,18 @@ Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, cons
 
 bool holdsRecordedSwitches(const std::string& path) {
   const std::string ending = endingOf(path);
-  return ending == ".ods" || ending == ".json";
+  return ending == ".ods" || ending == ".json" || ending == ".tar";
 }
 
 Result<std::vector<RecordedSwitch>> recordedSwitches(const std::string& path) {
   const std::string subject = std::filesystem::path(path).filename().string();
   auto bytes = bytesOf(path, subject);
   if (!bytes) return bytes.failure();
+  if (endingOf(path) == ".tar") {
+    const auto project = projectInArchive(*bytes, subject);
+    if (!project) return project.failure();
+    return switchesOfJson(*project, subject);
+  }
   if (endingOf(path) == ".json") return switchesOfJson(*bytes, subject);
   auto xml = zipMember(*bytes, "content.xml", largestSheet_bytes, subject);
   if (!xml) return xml.failure();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "importer/page/quantile.h"
 
@@ -79,6 +80,35 @@ void endBeforeDwell(std::vector<CurvePoint>& press, double noise_mm, double nois
   const auto strongest = std::ranges::max_element(first, press.end(), {}, &CurvePoint::force_N);
   if (strongest->force_N - press.back().force_N <= fall * noise_N || strongest - press.begin() < 1) return;
   press.erase(strongest + 1, press.end());
+}
+
+std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke) {
+  constexpr double farGaps = 4, leastShare = 0.02;  // of the usual gap, and of the travel
+  std::vector<double> gaps_mm;
+  for (std::size_t i = 1; i < stroke.size(); ++i) {
+    const double gap_mm = std::abs(stroke[i].displacement_mm - stroke[i - 1].displacement_mm);
+    if (gap_mm > 0) gaps_mm.push_back(gap_mm);
+  }
+  if (gaps_mm.size() < 3) return stroke;
+  const double travel_mm = std::accumulate(gaps_mm.begin(), gaps_mm.end(), 0.0);
+  std::nth_element(gaps_mm.begin(), gaps_mm.begin() + static_cast<std::ptrdiff_t>(gaps_mm.size() / 2),
+                   gaps_mm.end());
+  const double usual_mm = std::max(gaps_mm[gaps_mm.size() / 2], 0.25 * leastShare * travel_mm);
+  std::vector<CurvePoint> filled{stroke.front()};
+  for (std::size_t i = 1; i < stroke.size(); ++i) {
+    const CurvePoint &a = stroke[i - 1], &b = stroke[i];
+    const double gap_mm = std::abs(b.displacement_mm - a.displacement_mm);
+    if (gap_mm > farGaps * usual_mm) {
+      const int pieces = static_cast<int>(std::ceil(gap_mm / usual_mm));
+      for (int k = 1; k < pieces; ++k) {
+        const double share = static_cast<double>(k) / pieces;
+        filled.push_back(
+            {std::lerp(a.displacement_mm, b.displacement_mm, share), std::lerp(a.force_N, b.force_N, share)});
+      }
+    }
+    filled.push_back(b);
+  }
+  return filled;
 }
 
 double noiseOf(const std::vector<double>& values) {

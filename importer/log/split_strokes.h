@@ -31,6 +31,10 @@ FirstCycle firstCycleOf(const std::vector<StrokeSpan>& spans, const std::vector<
 /// tactile point at the end of the travel.
 void endBeforeDwell(std::vector<CurvePoint>& press, double noise_mm, double noise_N);
 
+/// Straight lines, as samples as far apart as the others, across places far longer than samples stand apart elsewhere: tables that were
+/// thinned out keep only the ends of a straight piece, and a curve that is free between them bulges.
+std::vector<CurvePoint> bridged(const std::vector<CurvePoint>& stroke);
+
 /// Standard deviation of white noise from second differences (median absolute deviation: steps and corners do
 /// not count); at least what the smallest step between samples, read as the instrument's resolution, makes. Fewer than 16
 /// values cannot tell noise from shape: they count as written.

@@ -5,7 +5,11 @@
 
 #include "model/file/button_file.h"
 #include "model/file/curve_csv.h"
+#include "model/file/data_package.h"
+#include "model/file/force_steps.h"
 #include "model/file/text_file.h"
+#include "model/file/traced_project.h"
+#include "model/text.h"
 
 namespace detent {
 namespace {
@@ -19,8 +23,8 @@ bool endsWith(const std::string& path, std::string_view suffix) {
   return true;
 }
 
-Failure usage(const std::string& subject, Message problem, Remedies remedies) {
-  return {FailureCode::wrongUsage, subject, "", std::move(problem), std::move(remedies)};
+Failure usage(Subject subject, Message problem, Remedies remedies) {
+  return {FailureCode::wrongUsage, std::move(subject), "", std::move(problem), std::move(remedies)};
 }
 
 std::string stateNames(const Button& button) {
@@ -72,7 +76,19 @@ Result<std::string> contentsFor(const ButtonFile& read, const std::string& in, c
   if (*kind == GraphFileKind::svg) return svgFrom(button, options.svg);
   auto state = chosenState(button, options.state, in, "--state");
   if (!state) return state.failure();
+  if (*kind == GraphFileKind::tracedProject) return tracedProjectFrom(*state, options.svg);
+  if (options.forceStep_N) return forceStepsFrom(state->graph, *options.forceStep_N);
   return csvFrom(state->graph);
+}
+
+/// The tables first: a description never names what is not there.
+Result<Done> writePackage(const Button& button, const std::string& out) {
+  const DataPackage package = dataPackageFrom(button);
+  const std::filesystem::path folder = std::filesystem::path(out).parent_path();
+  for (const PackageTable& table : package.tables)
+    if (auto written = writeTextFileAtomically((folder / table.file).string(), table.csv); !written)
+      return written;
+  return writeTextFileAtomically(out, package.description);
 }
 
 Result<ButtonFile> readFile(const std::string& path) {
@@ -81,6 +97,12 @@ Result<ButtonFile> readFile(const std::string& path) {
   if (*kind == GraphFileKind::svg)
     return usage(path, "is a picture, which this program only writes",
                  "Use detent-import to read a force graph from it");
+  if (*kind == GraphFileKind::tracedProject)
+    return usage(path, "is a project of WebPlotDigitizer, which this program only writes",
+                 "Use detent-import to read the strokes in it");
+  if (*kind == GraphFileKind::dataPackage)
+    return usage(path, "is the description of a data package, which this program only writes",
+                 "Name the CSV file of its curve instead");
   if (*kind == GraphFileKind::button) return readWholeButtonFile(path);
   auto text = readTextFile(path);
   if (!text) return text.failure();
@@ -94,10 +116,14 @@ Result<ButtonFile> readFile(const std::string& path) {
 }  // namespace
 
 Result<GraphFileKind> kindOfFile(const std::string& path) {
+  if (lowered(std::filesystem::path(path).filename().string()) == "datapackage.json")
+    return GraphFileKind::dataPackage;
+  if (endsWith(path, ".wpd.json")) return GraphFileKind::tracedProject;
   if (endsWith(path, ".json")) return GraphFileKind::button;
   if (endsWith(path, ".csv")) return GraphFileKind::csv;
   if (endsWith(path, ".svg")) return GraphFileKind::svg;
-  return usage(path, "does not end in .button.json, .csv or .svg", "Give the file one of these endings");
+  return usage(path, "does not end in .button.json, .csv or .svg",
+               "Give the file one of these endings; convert also writes datapackage.json and .wpd.json");
 }
 
 Result<Button> readButton(const std::string& path) {
@@ -119,12 +145,19 @@ Result<Report> checkGraph(const std::string& path) {
 }
 
 Result<Report> convertGraph(const std::string& in, const std::string& out, const ConvertOptions& options) {
-  if (auto kind = kindOfFile(out); !kind) return kind.failure();
+  const auto kind = kindOfFile(out);
+  if (!kind) return kind.failure();
+  if (options.forceStep_N && *kind != GraphFileKind::csv)
+    return usage(Subject::option("--force-step"), "is for a .csv alone", "Leave it out, or write a .csv");
   if (!(options.svg.width_px > 200 && options.svg.height_px > 200 && options.svg.width_px <= 20000 &&
         options.svg.height_px <= 20000))
     return usage("plot size", "is not between 200 and 20000 px", "Choose a size such as 640 by 460");
   auto file = readFile(in);
   if (!file) return file.failure();
+  if (*kind == GraphFileKind::dataPackage) {
+    if (auto written = writePackage(file->button, out); !written) return written.failure();
+    return convertReport(file->button, in, out);
+  }
   auto contents = contentsFor(*file, in, out, options);
   if (!contents) return contents.failure();
   if (auto written = writeTextFileAtomically(out, *contents); !written) return written.failure();

@@ -2,6 +2,7 @@
 #pragma once
 // Interface of detent-graph: what its four commands do, without arguments, terminal or exit.
 
+#include <optional>
 #include <string>
 
 #include "model/file/graph_report.h"
@@ -9,16 +10,19 @@
 
 namespace detent {
 
-/// What a file name's end says it holds. ".json" (".button.json") is a button, ".csv" samples, ".svg" a plot.
-enum class GraphFileKind { button, csv, svg };
+/// What a file name's end says it holds. ".json" (".button.json") is a button, ".csv" samples, ".svg" a plot, "datapackage.json" a data
+/// package with its tables beside it, ".wpd.json" a project of WebPlotDigitizer.
+enum class GraphFileKind { button, csv, svg, dataPackage, tracedProject };
 Result<GraphFileKind> kindOfFile(const std::string& path);
 
 /// Reads a button, or builds one through the samples of a CSV (named after the file).
 Result<Button> readButton(const std::string& path);
 
 struct ConvertOptions {
-  std::string state;  ///< which state of a self-locking button goes into a CSV; empty: the only one
-  SvgPlotStyle svg;   ///< width and height > 200 px
+  std::string
+      state;  ///< which state of a self-locking button goes into a CSV or a project; empty: the only one
+  std::optional<double> forceStep_N;  ///< of a CSV of travel over force instead of samples; > 0
+  SvgPlotStyle svg;                   ///< width and height > 200 px
 };
 
 struct CompareOptions {

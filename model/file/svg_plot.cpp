@@ -65,6 +65,8 @@ class Plot {
     return out + "</g>\n";
   }
 
+  PlotFrame frame() const { return {frame_.x0, frame_.y0, frame_.x1, frame_.y1, xTicks_, yTicks_}; }
+
  private:
   void chooseTicks() {
     const ForceGraph& graph = state_.graph;
@@ -82,15 +84,11 @@ class Plot {
     yTicks_ = niceTicks(std::min(low, 0.0) / perUnit_N, std::max(high, 0.0) / perUnit_N, 7);
   }
 
-  double xPx(double displacement_mm) const {
-    const double value = displacement_mm / millimetresPer(style_.lengthUnit);
-    return frame_.x0 + (value - xTicks_.first) / (xTicks_.last() - xTicks_.first) * (frame_.x1 - frame_.x0);
+  Spot spot(double displacement_mm, double force_N) const {
+    const PlotFrame map = frame();
+    return {map.xPx(displacement_mm / millimetresPer(style_.lengthUnit)),
+            map.yPx(force_N / newtonsPer(style_.forceUnit))};
   }
-  double yPx(double force_N) const {
-    const double value = force_N / newtonsPer(style_.forceUnit);
-    return frame_.y1 - (value - yTicks_.first) / (yTicks_.last() - yTicks_.first) * (frame_.y1 - frame_.y0);
-  }
-  Spot spot(double displacement_mm, double force_N) const { return {xPx(displacement_mm), yPx(force_N)}; }
 
   static void line(std::string& out, Spot a, Spot b, const char* style) {
     out += "<line x1=\"" + px(a.x) + "\" y1=\"" + px(a.y) + "\" x2=\"" + px(b.x) + "\" y2=\"" + px(b.y) +
@@ -309,6 +307,10 @@ Ticks niceTicks(double low, double high, int aboutSteps) {
   ticks.count = std::clamp(ticks.count, 2, 2 * aboutSteps + 2);
   ticks.decimals = static_cast<int>(std::clamp(-std::floor(std::log10(ticks.step) + 1e-9), 0.0, 300.0));
   return ticks;
+}
+
+PlotFrame frameOfPlot(const ButtonState& state, const SvgPlotStyle& style) {
+  return Plot(state, style, "", 0).frame();
 }
 
 std::string svgFrom(const Button& button, const SvgPlotStyle& style) {

@@ -30,6 +30,21 @@ struct Ticks {
 /// `aboutSteps` >= 2; low <= high, both finite.
 Ticks niceTicks(double low, double high, int aboutSteps);
 
+/// Where values of the style's units stand on a plot.
+struct PlotFrame {
+  double left_px = 0, top_px = 0, right_px = 0, bottom_px = 0;
+  Ticks x, y;  ///< from edge to edge
+
+  double xPx(double value) const {
+    return left_px + (value - x.first) / (x.last() - x.first) * (right_px - left_px);
+  }
+  double yPx(double value) const {
+    return bottom_px - (value - y.first) / (y.last() - y.first) * (bottom_px - top_px);
+  }
+};
+/// The frame that svgFrom draws for a state that stands first in its button.
+PlotFrame frameOfPlot(const ButtonState& state, const SvgPlotStyle& style = {});
+
 /// A whole SVG document. Curves are cubic Béziers: exact, not sampled. Deterministic.
 std::string svgFrom(const Button& button, const SvgPlotStyle& style = {});
 

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A button as a Frictionless data package (Tabular Data Package 1.0): a description beside CSV tables, each column with its unit, so
+// that programs of others read the numbers without knowing Detent.
+
+#include <string>
+#include <vector>
+
+#include "model/button.h"
+
+namespace detent {
+
+struct PackageTable {
+  std::string file;  ///< name without folder
+  std::string csv;
+};
+
+struct DataPackage {
+  std::string description;           ///< datapackage.json
+  std::vector<PackageTable> tables;  ///< what it describes: a curve per state, and the key figures
+};
+
+/// Deterministic: no time of day, no machine. Any thread.
+DataPackage dataPackageFrom(const Button& button);
+
+}  // namespace detent
