@@ -7,6 +7,7 @@
 
 #include "model/sampling.h"
 #include "playback/prepare/damping.h"
+#include "playback/prepare/loop_limit.h"
 
 namespace detent::playback {
 
@@ -20,13 +21,21 @@ constexpr double limitedTo =
 
 double late_s(const ForceDeviceProfile& device, double rate_Hz) { return 0.5 / rate_Hz + device.late_s(); }
 
-MarginPoint allowedAt(const ForceDeviceProfile& device, double rate_Hz, double damping_Ns_per_mm) {
+/// Of the smallest and the largest damping along the travel.
+LoopLimits limitsOf(const std::vector<DampingPoint>& damping, const ForceDeviceProfile& device,
+                    double rate_Hz) {
+  double most_Ns_per_mm = 0;
+  for (const DampingPoint& d : damping) most_Ns_per_mm = std::max(most_Ns_per_mm, d.damping_Ns_per_mm);
+  return {device, rate_Hz, leastDamping(damping), most_Ns_per_mm};
+}
+
+MarginPoint allowedFor(const ForceDeviceProfile& device, double byLoop_N_per_mm) {
   MarginPoint p;
-  p.allowed_N_per_mm = (device.damping_Ns_per_mm + damping_Ns_per_mm) / late_s(device, rate_Hz);
+  p.allowed_N_per_mm = byLoop_N_per_mm;
   const double quantisation = 2 * device.friction_N / device.step_mm;
   if (quantisation < p.allowed_N_per_mm)
     p.allowed_N_per_mm = quantisation, p.bound = StabilityBound::quantisation;
-  if (device.largestSlope_N_per_mm < p.allowed_N_per_mm) {
+  if (device.largestSlope_N_per_mm <= p.allowed_N_per_mm) {
     p.allowed_N_per_mm = device.largestSlope_N_per_mm;
     p.bound = StabilityBound::device;
   }
@@ -43,7 +52,7 @@ double slopeOver(const StrokeCurve& curve, double from_mm, double to_mm) {
 class MarginOfState {
  public:
   MarginOfState(const ButtonState& state, const ForceDeviceProfile& device, double rate_Hz)
-      : state_(state), device_(device), rate_Hz_(rate_Hz) {}
+      : state_(state), device_(device), limits_(limitsOf(state.damping, device, rate_Hz)) {}
 
   void add(std::size_t index, StabilityMargin& margin) const {
     std::vector<MarginPoint> points;
@@ -56,8 +65,7 @@ class MarginOfState {
           slopeOver(state_.graph.curve(Stroke::release), from_mm, from_mm + spacing_mm);
       const double steepest = std::abs(rise) >= std::abs(releaseRise) ? rise : releaseRise;
       const double middle_mm = from_mm + spacing_mm / 2;
-      MarginPoint p =
-          allowedAt(device_, rate_Hz_, state_.damping.empty() ? 0 : dampingAt(state_.damping, middle_mm));
+      MarginPoint p = allowedFor(device_, limits_.at_N_per_mm(dampingAt(state_.damping, middle_mm)));
       p.displacement_mm = middle_mm;
       p.slope_N_per_mm = std::abs(steepest);
       points.push_back(p);
@@ -82,8 +90,23 @@ class MarginOfState {
 
   const ButtonState& state_;
   const ForceDeviceProfile& device_;
-  double rate_Hz_;
+  LoopLimits limits_;
 };
+
+/// The least damping under which the loop bears the slope, of a few up to `most`; that which bears most where none does.
+double dampingFor(double slope_N_per_mm, const ForceDeviceProfile& device, double rate_Hz,
+                  double most_Ns_per_mm) {
+  constexpr int tries = 8;
+  double best_Ns_per_mm = 0, bears_N_per_mm = loopLimit_N_per_mm(device, rate_Hz, 0);
+  for (int i = 1; i <= tries && bears_N_per_mm < slope_N_per_mm; ++i) {
+    const double damping_Ns_per_mm = most_Ns_per_mm * i / tries;
+    const double limit_N_per_mm = loopLimit_N_per_mm(device, rate_Hz, damping_Ns_per_mm);
+    if (limit_N_per_mm <= bears_N_per_mm) continue;
+    bears_N_per_mm = limit_N_per_mm;
+    best_Ns_per_mm = damping_Ns_per_mm;
+  }
+  return best_Ns_per_mm;
+}
 
 /// A stroke with limited slopes, or itself where nothing had to change. A wall at the end of the travel keeps what fits.
 Result<StrokeCurve> limited(const StrokeCurve& curve, double slope_N_per_mm, StabilityChange& change) {
@@ -139,18 +162,16 @@ Result<StableButton> nearestStable(const Button& button, const ForceDeviceProfil
     ButtonState& state = states[s];
     StabilityChange change;
     change.state = s;
-    double needed = 0;
-    for (const MarginPoint& p : margin.states[s]) {
-      if (p.margin_N_per_mm() >= 0 || p.bound != StabilityBound::damping) continue;
-      needed = std::max(needed, p.slope_N_per_mm * late_s(device, rate_Hz) - device.damping_Ns_per_mm);
-    }
-    // Beyond what the device may be asked for, damping helps nothing.
-    needed = std::min({needed, mostDamping,
-                       device.largestSlope_N_per_mm * late_s(device, rate_Hz) - device.damping_Ns_per_mm});
+    double steepest_N_per_mm = 0;
+    for (const MarginPoint& p : margin.states[s])
+      if (p.margin_N_per_mm() < 0 && p.bound == StabilityBound::damping)
+        steepest_N_per_mm = std::max(steepest_N_per_mm, p.slope_N_per_mm);
+    const double needed = dampingFor(steepest_N_per_mm, device, rate_Hz, mostDamping);
     if (needed > 0) {
       change.addedDamping_Ns_per_mm = raiseDamping(state.damping, needed, state.graph.travel_mm());
     }
-    const double allowed = allowedAt(device, rate_Hz, leastDamping(state.damping)).allowed_N_per_mm;
+    const double allowed =
+        allowedFor(device, limitsOf(state.damping, device, rate_Hz).least_N_per_mm()).allowed_N_per_mm;
     if (allowed < leastAllowed_N_per_mm) {
       return Failure{FailureCode::wrongUsage, device.name, "",
                      "has so little friction or damping that no button is stable on it",

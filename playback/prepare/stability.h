@@ -15,7 +15,7 @@ namespace detent::playback {
 
 /// Why a slope is too steep. Of several the one that allows least.
 enum class StabilityBound : std::uint8_t {
-  damping,  ///< K <= (b + b(x)) / (T / 2 + delay): a held force gives back more than the damping takes
+  damping,  ///< the handle alone would swing more and more: the loop limit (loop_limit.h)
   quantisation,  ///< K <= 2 f / q: one encoder step moves the force by more than friction holds (Abbott and Okamura 2005)
   device  ///< the steepest slope the device is asked for
 };

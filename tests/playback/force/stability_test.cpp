@@ -18,11 +18,28 @@ TEST_CASE("stability: a wall breaks the margin where it stands, a soft spring do
   REQUIRE_FALSE(wall.stable());
   CHECK(wall.unstable.back().from_mm > 3.9);
   CHECK_FALSE(wall.unstable.back().falling);
-  CHECK(wall.least.allowed_N_per_mm == Approx(0.001 / 0.0015));
+  CHECK(wall.least.bound == StabilityBound::device);
+  CHECK(wall.least.allowed_N_per_mm == 2);
   const Button soft = buttonOf("soft", {stateOf("", {{0, 0}, {4, 1}}, {})});
   CHECK(stabilityOf(soft, falconDevice(), 1000).stable());
   CHECK(nearestStable(soft, falconDevice(), 1000)->changes.empty());
   CHECK(nearestStable(soft, falconDevice(), 1000)->button == soft);
+}
+
+TEST_CASE("stability: later forces and less damping bear less, whatever the law leads away") {
+  ForceDeviceProfile device = falconDevice();
+  device.largestSlope_N_per_mm = 500;
+  device.friction_N = 1e6;
+  const auto allowed = [&] { return stabilityOf(sampleButton("A"), device, 1000).least; };
+  const MarginPoint quick = allowed();
+  CHECK(quick.bound == StabilityBound::damping);
+  device.delay_s += 0.002;
+  const MarginPoint late = allowed();
+  CHECK(late.allowed_N_per_mm < 0.5 * quick.allowed_N_per_mm);
+  device.damping_Ns_per_mm *= 0.5;
+  CHECK(allowed().allowed_N_per_mm < late.allowed_N_per_mm);
+  device.damping_Ns_per_mm = 0;
+  CHECK(allowed().allowed_N_per_mm < 0.1 * late.allowed_N_per_mm);
 }
 
 TEST_CASE("stability: friction and encoder steps bound it too") {
