@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "model/units.h"
 
@@ -12,63 +13,116 @@ namespace {
 /// Slopes beyond are of walls and edges, where a hundredth of a millimetre decides.
 constexpr double steepest_gf_per_mm = 60;
 
-/// Displacements compared: 0.04 mm apart on a key switch, below which slopes are of the meters' noise.
-constexpr std::size_t comparedAt = 100;
+/// Cells of the wanted travel: 0.04 mm on a key switch, below which slopes are of the meters' noise.
+constexpr int cells = 96;
+/// Contacts are laid apart by up to so many cells, in strides: preload and the first resistance differ between meters.
+constexpr int farthestShift = 8, shiftStride = 2;
+/// Left out at either end of what both have, as a share of it: contact and wall, where a hundredth of a millimetre decides.
+constexpr double leftOutOfEnds = 0.05;
 
-/// Force of a shape at a displacement from contact, linear in between, its ends beyond them.
-double forceAt_N(const std::vector<float>& forces, double step_mm, double displacement_mm) {
-  const double at = std::clamp(displacement_mm / step_mm, 0.0, static_cast<double>(forces.size() - 1));
-  const auto i = std::min(static_cast<std::size_t>(at), forces.size() - 2);
-  const double share = at - static_cast<double>(i);
-  return (1 - share) * double{forces[i]} + share * double{forces[i + 1]};
+/// Forces at 0, step, ... while the shape lasts, at most `most` of them, linear in between.
+std::vector<double> sampled_gf(const std::vector<float>& forces_N, double travel_mm, double step_mm,
+                               int most) {
+  const double gf_per_N = 1 / newtonsPer(ForceUnit::gramForce);
+  const auto last = static_cast<double>(forces_N.size() - 1);
+  const double perStep = step_mm / travel_mm * last;
+  std::vector<double> forces_gf;
+  for (int k = 0; k < most; ++k) {
+    const double at = std::min(perStep * k, last);
+    if (perStep * k > last * (1 + 1e-9)) break;
+    const auto i = std::min(static_cast<std::size_t>(at), forces_N.size() - 2);
+    const double share = at - static_cast<double>(i);
+    forces_gf.push_back(gf_per_N * ((1 - share) * double{forces_N[i]} + share * double{forces_N[i + 1]}));
+  }
+  return forces_gf;
 }
 
-double stepOf(const FeltShape& shape) { return shape.travel_mm / double(FeltShape::samples - 1); }
-
-/// Mean squares of what differs, in gf and gf/mm.
-struct Differences {
-  double force_gf2 = 0, slope_gf2_per_mm2 = 0;
+/// Samples compared: `count` of them, from these places of the two.
+struct Overlap {
+  int a = 0, b = 0, count = 0;
 };
 
-Differences differences(const FeltShape& a, const std::vector<float>& ofA, const FeltShape& b,
-                        const std::vector<float>& ofB) {
-  const double gf_per_N = 1 / newtonsPer(ForceUnit::gramForce);
-  const double both_mm = std::min(a.travel_mm, b.travel_mm);
-  constexpr std::size_t count = comparedAt;
-  const double step_mm = both_mm / double(count - 1);
-  const auto slope = [&](double from_N, double to_N) {
-    return std::clamp((to_N - from_N) * gf_per_N / step_mm, -steepest_gf_per_mm, steepest_gf_per_mm);
-  };
-  Differences sum;
-  double lastA_N = 0, lastB_N = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double x_mm = step_mm * static_cast<double>(i);
-    const double a_N = forceAt_N(ofA, stepOf(a), x_mm), b_N = forceAt_N(ofB, stepOf(b), x_mm);
-    sum.force_gf2 += (a_N - b_N) * (a_N - b_N) * gf_per_N * gf_per_N;
-    if (i > 0) {
-      const double apart = slope(lastA_N, a_N) - slope(lastB_N, b_N);
-      sum.slope_gf2_per_mm2 += apart * apart;
-    }
-    lastA_N = a_N, lastB_N = b_N;
+Overlap overlapAt(int shift, int aCount, int bCount) {
+  Overlap overlap{std::max(0, -shift), std::max(0, shift), 0};
+  const int both = std::min(aCount - overlap.a, bCount - overlap.b) - 1;  // cells
+  const int out = static_cast<int>(std::ceil(leftOutOfEnds * both));
+  overlap.a += out;
+  overlap.b += out;
+  overlap.count = both + 1 - 2 * out;
+  return overlap;
+}
+
+struct Moments {
+  double mean = 0, aboutMean = 0;
+};
+
+Moments apart(const std::vector<double>& a, const std::vector<double>& b, Overlap over) {
+  double sum = 0, squares = 0;
+  for (int i = 0; i < over.count; ++i) {
+    const double d = a[static_cast<std::size_t>(over.a + i)] - b[static_cast<std::size_t>(over.b + i)];
+    sum += d;
+    squares += d * d;
   }
-  return {sum.force_gf2 / double(count), sum.slope_gf2_per_mm2 / double(count - 1)};
+  const double mean = sum / over.count;
+  return {mean, std::max(0.0, squares / over.count - mean * mean)};
+}
+
+double slopesApart_gf2_per_mm2(const std::vector<double>& a, const std::vector<double>& b, Overlap over,
+                               double step_mm) {
+  const double steepest = steepest_gf_per_mm * step_mm;
+  const auto rise = [&](const std::vector<double>& of, int at) {
+    const auto i = static_cast<std::size_t>(at);
+    return std::clamp(of[i + 1] - of[i], -steepest, steepest);
+  };
+  double sum = 0;
+  for (int i = 0; i + 1 < over.count; ++i) {
+    const double d = rise(a, over.a + i) - rise(b, over.b + i);
+    sum += d * d;
+  }
+  return over.count > 1 ? sum / (over.count - 1) / (step_mm * step_mm) : 0;
 }
 
 }  // namespace
 
 FeelDistance::FeelDistance(const FeltShape& wanted, const FeelWeights& weights)
-    : wanted_(wanted), weights_(weights) {}
+    : travel_mm_(wanted.travel_mm), step_mm_(wanted.travel_mm / cells), weights_(weights) {
+  press_gf_ = sampled_gf(wanted.press_N, travel_mm_, step_mm_, cells + 1);
+  if (!wanted.release_N.empty()) release_gf_ = sampled_gf(wanted.release_N, travel_mm_, step_mm_, cells + 1);
+}
+
+std::vector<FeelDifference> FeelDistance::differencesTo(const FeltShape& other) const {
+  constexpr int most = cells + 1 + farthestShift;
+  const std::vector<double> press = sampled_gf(other.press_N, other.travel_mm, step_mm_, most);
+  // A record without its way up is compared by its way down alone, which has then to speak for both.
+  const bool releases = !release_gf_.empty() && !other.release_N.empty();
+  const std::vector<double> release =
+      releases ? sampled_gf(other.release_N, other.travel_mm, step_mm_, most) : std::vector<double>{};
+  std::vector<FeelDifference> all;
+  for (int shift = -farthestShift; shift <= farthestShift; shift += shiftStride) {
+    const Overlap over = overlapAt(shift, static_cast<int>(press_gf_.size()), static_cast<int>(press.size()));
+    if (over.count < 1) continue;
+    const Moments down = apart(press_gf_, press, over);
+    const Moments up = releases ? apart(release_gf_, release, over) : down;
+    all.push_back({down.aboutMean, up.aboutMean, slopesApart_gf2_per_mm2(press_gf_, press, over, step_mm_),
+                   (down.mean + up.mean) / 2, other.travel_mm - travel_mm_, shift * step_mm_});
+  }
+  return all;
+}
 
 double FeelDistance::to(const FeltShape& other) const {
-  const Differences press = differences(wanted_, wanted_.press_N, other, other.press_N);
-  double sum = press.force_gf2 + weights_.slope_mm * weights_.slope_mm * press.slope_gf2_per_mm2;
-  // A record without its way up is compared by its way down alone, which has then to speak for both.
-  const bool releases = !wanted_.release_N.empty() && !other.release_N.empty();
-  const double release_gf2 =
-      releases ? differences(wanted_, wanted_.release_N, other, other.release_N).force_gf2 : press.force_gf2;
-  sum += weights_.release * weights_.release * release_gf2;
-  const double travel_gf = weights_.travel_gf_per_mm * (wanted_.travel_mm - other.travel_mm);
-  return std::sqrt(sum + travel_gf * travel_gf) / labNoise_gf;
+  return distance_gf(differencesTo(other), weights_) / labNoise_gf;
+}
+
+double distance_gf(const std::vector<FeelDifference>& byShift, const FeelWeights& weights) {
+  const auto squared = [](double value) { return value * value; };
+  double least = std::numeric_limits<double>::infinity();
+  for (const FeelDifference& each : byShift)
+    least = std::min(least, each.press_gf2 + squared(weights.release) * each.release_gf2 +
+                                squared(weights.slope_mm) * each.slope_gf2_per_mm2 +
+                                squared(weights.level * each.level_gf) +
+                                squared(weights.travel_gf_per_mm * each.travel_mm) +
+                                squared(weights.shift_gf_per_mm * each.shift_mm));
+  return std::sqrt(least);
 }
 
 }  // namespace detent::importer

@@ -25,6 +25,11 @@ struct FoundSwitch {
       distance_labNoise;  ///< where `like` was asked; below 1 nobody can say that they differ
 };
 
+/// 1: nobody can say that it differs; 2: within two lab noises, and so on. Who stands first in a group says little.
+inline std::size_t groupOf(double distance_labNoise) {
+  return 1 + static_cast<std::size_t>(distance_labNoise);
+}
+
 struct FoundSwitches {
   std::vector<FoundSwitch> found;
   std::size_t fitting = 0;  ///< how many keep the ranges, shown or not

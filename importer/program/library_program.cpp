@@ -201,8 +201,12 @@ Json switchJson(const FoundSwitch& each) {
                {"unit", entry.unit},
                {"run", entry.run},
                {"kind", nameOf(kindOf(entry.figures))},
-               {"distance_lab_noise", nullptr}};
-  if (each.distance_labNoise) json["distance_lab_noise"] = *each.distance_labNoise;
+               {"distance_lab_noise", nullptr},
+               {"group", nullptr}};
+  if (each.distance_labNoise) {
+    json["distance_lab_noise"] = *each.distance_labNoise;
+    json["group"] = groupOf(*each.distance_labNoise);
+  }
   for (const KeyFigureName& name : keyFigureNames()) {
     const auto& value = entry.figures[name.figure];
     json[std::string(name.key)] = value ? Json(*value) : Json(nullptr);
@@ -224,8 +228,14 @@ void printTable(const std::vector<FoundSwitch>& found) {
   std::printf("%9s  %7s  %7s  %9s  %-8s  %s\n", "distance", "peak gf", "drop gf", "travel mm", "kind",
               "name; licence; credit; source");
   const double gf = newtonsPer(ForceUnit::gramForce);
+  std::size_t group = 0;
   for (const auto& [entry, distance] : found) {
     const KeyFigures& f = entry.figures;
+    if (distance && groupOf(*distance) != group) {
+      group = groupOf(*distance);
+      std::printf("%s\n",
+                  group == 1 ? "nobody can tell:" : ("within " + std::to_string(group) + ":").c_str());
+    }
     std::printf("%9s  %7s  %7s  %9s  %-8s  %s%s%s; %s; %s; %s\n", cell(distance, 1, "%.2f").c_str(),
                 cell(f[KeyFigure::peakForce], gf, "%.1f").c_str(),
                 cell(f[KeyFigure::drop], gf, "%.1f").c_str(),

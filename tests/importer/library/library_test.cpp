@@ -15,6 +15,7 @@
 #include "importer/library/origin.h"
 #include "importer/library/read_switches.h"
 #include "importer/library/switch_name.h"
+#include "model/units.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -161,11 +162,12 @@ TEST_CASE("the nearest stands first, in units of lab noise") {
   REQUIRE(nearest.size() == 6);
   CHECK(nearest[0].entry.name == "spring 50");
   CHECK(*nearest[0].distance_labNoise < 1e-3);
-  // 10 gf on both strokes: 10 sqrt(1 + 0.7^2) gf, and a little less where both are still rising.
+  // 10 gf on both strokes, times the weight of the level, less what a shift of the contact explains of it.
   const auto softer =
       std::ranges::find_if(nearest, [](const FoundSwitch& each) { return each.entry.name == "spring 40"; });
   REQUIRE(softer != nearest.end());
-  CHECK(*softer->distance_labNoise == Approx(10 * std::sqrt(1.49) / labNoise_gf).epsilon(0.05));
+  CHECK(*softer->distance_labNoise > 2.5);
+  CHECK(*softer->distance_labNoise < 10 * FeelWeights{}.level / labNoise_gf);
   for (std::size_t i = 1; i < nearest.size(); ++i)
     CHECK(*nearest[i - 1].distance_labNoise <= *nearest[i].distance_labNoise);
 
@@ -174,6 +176,32 @@ TEST_CASE("the nearest stands first, in units of lab noise") {
   CHECK(tactile[0].entry.name == "tactile");
   CHECK(kindOf(tactile[0].entry.figures) == SwitchKind::tactile);
   CHECK(!tactile[0].distance_labNoise);
+}
+
+TEST_CASE("another meter's zero of travel and preload do not make another switch, a longer travel does") {
+  const auto shapeOf = [](double from_mm, double preload_gf, double travel_mm) {
+    FeltShape shape{travel_mm, std::vector<float>(FeltShape::samples),
+                    std::vector<float>(FeltShape::samples)};
+    for (std::size_t i = 0; i < FeltShape::samples; ++i) {
+      const double x_mm = from_mm + travel_mm * double(i) / double(FeltShape::samples - 1);
+      const double gf = newtonsPer(ForceUnit::gramForce);
+      shape.press_N[i] = static_cast<float>(gf * (force_gf(std::min(x_mm, 3.6), 30, 25) + preload_gf));
+      shape.release_N[i] = static_cast<float>(gf * (force_gf(std::min(x_mm, 3.6), 30, 25) + preload_gf - 6));
+    }
+    return shape;
+  };
+  const FeelDistance distance(shapeOf(0.1, 0, 3.4));
+  CHECK(distance.to(shapeOf(0.1, 0, 3.4)) < 1e-6);
+  CHECK(distance.to(shapeOf(0.24, 2, 3.3)) < 1.2);  // the rest is what a shift, a level and a travel cost
+  CHECK(distance.to(shapeOf(0.1, 0, 3.0)) > 1.5);
+  CHECK(distance.to(shapeOf(0.1, 10, 3.4)) > 3);
+  FeltShape pressOnly = shapeOf(0.1, 0, 3.4), tiny = shapeOf(0.1, 0, 1e-6);
+  pressOnly.release_N.clear();
+  CHECK(distance.to(pressOnly) < 1e-6);
+  CHECK(std::isfinite(distance.to(tiny)));
+  CHECK(std::isfinite(FeelDistance(tiny).to(pressOnly)));
+  CHECK(groupOf(0.99) == 1);
+  CHECK(groupOf(1.0) == 2);
 }
 
 TEST_CASE("a damaged library is kept aside and made anew, another program's is left alone") {
