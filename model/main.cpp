@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
@@ -30,6 +31,7 @@ int print(const Result<Report>& result, bool asJson) {
 
 struct Arguments {
   std::string a, b;
+  std::vector<std::string> units;
   std::string forceUnit = "N", lengthUnit = "mm";
   bool json = false, noCallouts = false;
   ConvertOptions convert;
@@ -94,6 +96,15 @@ void addCommands(CLI::App& app, Arguments& arguments) {
                            "leave out the labels of tactile points in the SVG");
   addJson(convertCommand);
 
+  CLI::App* average = app.add_subcommand(
+      "average", "One button of several measured units: mean curve, spread of each figure, outliers");
+  average->add_option("UNIT", arguments.units, ".button.json or .csv of units of one button, at least two")
+      ->required()
+      ->expected(2, 10000);
+  average->add_option("-o,--output", arguments.b, ".button.json of the mean; written whole or not at all")
+      ->required();
+  addJson(average);
+
   CLI::App* compareCommand =
       app.add_subcommand("compare", "Orthogonal distance of two graphs in mm, N and % of A's span");
   compareCommand->add_option("A", arguments.a, ".button.json or .csv")->required();
@@ -110,6 +121,7 @@ Result<Report> run(const CLI::App& app, Arguments& arguments) {
   if (app.got_subcommand("show")) return showGraph(arguments.a);
   if (app.got_subcommand("check")) return checkGraph(arguments.a);
   if (app.got_subcommand("convert")) return convert(arguments);
+  if (app.got_subcommand("average")) return averageGraphs(arguments.units, arguments.b);
   return compareGraphs(arguments.a, arguments.b, arguments.compare);
 }
 

@@ -164,6 +164,23 @@ Result<Report> convertGraph(const std::string& in, const std::string& out, const
   return convertReport(file->button, in, out);
 }
 
+Result<Report> averageGraphs(const std::vector<std::string>& units, const std::string& out) {
+  const auto kind = kindOfFile(out);
+  if (!kind) return kind.failure();
+  if (*kind != GraphFileKind::button)
+    return usage(out, "is no button's name", "Give the output the ending .button.json");
+  std::vector<Button> buttons;
+  for (const std::string& unit : units) {
+    auto button = readButton(unit);
+    if (!button) return button.failure();
+    buttons.push_back(std::move(*button));
+  }
+  auto spread = spreadOf(buttons);
+  if (!spread) return spread.failure();
+  if (auto written = writeButtonFile(out, spread->mean); !written) return written.failure();
+  return averageReport(*spread, units, out);
+}
+
 Result<Report> compareGraphs(const std::string& a, const std::string& b, const CompareOptions& options) {
   auto first = readPolylines(a, options.stateA, "--state-a");
   if (!first) return first.failure();

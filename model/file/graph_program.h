@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Interface of detent-graph: what its four commands do, without arguments, terminal or exit.
+// Interface of detent-graph: what its commands do, without arguments, terminal or exit.
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "model/file/graph_report.h"
 #include "model/file/svg_plot.h"
@@ -34,6 +35,8 @@ Result<Report> checkGraph(const std::string& path);
 /// Writes OUT whole or not at all.
 Result<Report> convertGraph(const std::string& in, const std::string& out,
                             const ConvertOptions& options = {});
+/// The mean of units of one button, with their spread; `out` is a .button.json, written whole or not at all.
+Result<Report> averageGraphs(const std::vector<std::string>& units, const std::string& out);
 Result<Report> compareGraphs(const std::string& a, const std::string& b, const CompareOptions& options = {});
 
 }  // namespace detent

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/file/graph_report.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include <nlohmann/json.hpp>
@@ -33,6 +34,40 @@ const char* nameOf(SectionKind kind) {
       return "bottom-out";
   }
   return "";
+}
+
+// ---- average
+
+std::string textOf(const StateSpread& state) {
+  std::string text;
+  for (const FigureSpread& each : state.figures) {
+    const KeyFigureName& name = keyFigureNames()[static_cast<std::size_t>(each.figure)];
+    text += format("  %-24s %9.4g +- %.2g (%.4g to %.4g), %zu units\n", std::string(name.key).c_str(),
+                   each.mean, each.sd, each.least, each.most, each.units);
+  }
+  return text;
+}
+
+ordered_json jsonOf(const StateSpread& state, const std::string& name) {
+  ordered_json figures = ordered_json::object();
+  for (const FigureSpread& each : state.figures)
+    figures[std::string(keyFigureNames()[static_cast<std::size_t>(each.figure)].key)] = {
+        {"units", each.units},
+        {"mean", each.mean},
+        {"sd", each.sd},
+        {"least", each.least},
+        {"most", each.most}};
+  const auto band = [](const ToleranceBand& points) {
+    ordered_json list = ordered_json::array();
+    for (const BandPoint& each : points)
+      list.push_back(
+          {{"displacement_mm", each.displacement_mm}, {"mean_N", each.mean_N}, {"sd_N", each.sd_N}});
+    return list;
+  };
+  return {{"name", name},
+          {"figures", std::move(figures)},
+          {"press_band", band(state.press)},
+          {"release_band", band(state.release)}};
 }
 
 // ---- show
@@ -255,6 +290,29 @@ Report compareReport(const GraphDistance& distance, const std::string& first, co
   if (distance.release) {
     report.text += textOf(*distance.release, "release");
     json["release"] = jsonOf(*distance.release);
+  }
+  report.json = oneLine(json);
+  return report;
+}
+
+Report averageReport(const UnitSpread& spread, const std::vector<std::string>& units,
+                     const std::string& out) {
+  Report report;
+  ordered_json json = statusOk("average", out);
+  json["units"] = ordered_json::array();
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const bool outlier = std::ranges::find(spread.outliers, i) != spread.outliers.end();
+    report.text += format("%.4f N from the median: ", spread.distance_N[i]) + units[i] +
+                   (outlier ? "  OUTLIER: leave it out and average again, or measure it once more" : "") +
+                   "\n";
+    json["units"].push_back({{"file", units[i]}, {"distance_N", spread.distance_N[i]}, {"outlier", outlier}});
+  }
+  json["states"] = ordered_json::array();
+  for (std::size_t i = 0; i < spread.states.size(); ++i) {
+    const std::string& name = spread.mean.states()[i].name;
+    if (!name.empty()) report.text += "state \"" + name + "\"\n";
+    report.text += textOf(spread.states[i]);
+    json["states"].push_back(jsonOf(spread.states[i], name));
   }
   report.json = oneLine(json);
   return report;

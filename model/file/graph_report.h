@@ -7,6 +7,7 @@
 
 #include "model/button.h"
 #include "model/compare.h"
+#include "model/unit_spread.h"
 #include "model/validation.h"
 
 namespace detent {
@@ -21,6 +22,8 @@ Report showReport(const Button& button, const std::string& path);
 Report checkReport(const Button& button, const std::vector<Warning>& warnings, const std::string& path);
 Report convertReport(const Button& button, const std::string& inPath, const std::string& outPath);
 Report compareReport(const GraphDistance& distance, const std::string& first, const std::string& second);
+/// Of units (their files, in order) that became the button `out`.
+Report averageReport(const UnitSpread& spread, const std::vector<std::string>& units, const std::string& out);
 Report failureReport(const Failure& failure);
 
 }  // namespace detent

@@ -221,3 +221,28 @@ TEST_CASE("wrong usage is exit 2, help is exit 0 and states units and defaults")
   CHECK(convert.exitCode == 0);
   CHECK_THAT(convert.out, Catch::Contains("=N") && Catch::Contains("=640") && Catch::Contains("px"));
 }
+
+TEST_CASE("average: units become one button, the odd one is named; one unit is wrong usage") {
+  const Graph graph;
+  for (int i = 0; i < 5; ++i) {
+    const double end_N = i == 3 ? 1.2 : 0.5 + 0.01 * i;
+    graph.write("u" + std::to_string(i) + ".csv",
+                "stroke,displacement_mm,force_N\npress,0,0.25\npress,2," + std::to_string(end_N) + "\n");
+  }
+  const ProgramResult r = graph(
+      {"average", "u0.csv", "u1.csv", "u2.csv", "u3.csv", "u4.csv", "-o", "mean.button.json", "--json"});
+  CHECK(r.exitCode == 0);
+  const json object = json::parse(r.out);
+  for (int i = 0; i < 5; ++i)
+    CHECK(object.at("units").at(static_cast<std::size_t>(i)).at("outlier").get<bool>() == (i == 3));
+  CHECK(object.at("states").at(0).at("figures").at("end_force_N").at("mean").get<double>() == Approx(0.654));
+  CHECK(object.at("states").at(0).at("press_band").size() == 201);
+  CHECK_THAT(r.err, Catch::Contains("u3.csv  OUTLIER"));
+  const json mean = json::parse(graph({"show", "mean.button.json", "--json"}).out);
+  CHECK(mean.at("states").at(0).at("figures").at("end_force_N").get<double>() == Approx(0.654));
+
+  CHECK(graph({"average", "u0.csv", "-o", "one.button.json"}).exitCode == 2);
+  CHECK(graph({"average", "u0.csv", "u1.csv", "-o", "one.csv"}).exitCode == 2);
+  CHECK(graph({"average", "u0.csv", "none.csv", "-o", "one.button.json"}).exitCode == 3);
+  CHECK_FALSE(std::filesystem::exists(graph.path() / "one.button.json"));
+}

@@ -9,6 +9,7 @@
 #include "model/file/button_file.h"
 #include "playback/study/perception/confusion.h"
 #include "playback/study/perception/design_help.h"
+#include "playback/study/perception/middle.h"
 #include "playback/study/statistics/rank_correlation.h"
 #include "tests/playback/study/perception/baselines.h"
 
@@ -250,4 +251,31 @@ TEST_CASE("make distinguishable: the change is within bounds, passes the bar, an
     CHECK(predictConfusion(felt(s.button), felt(c)).dPrime == Approx(s.forecast.dPrime));
   }
   CHECK(makeDistinguishable(sample("A"), sample("D"))->empty());  // far apart already
+}
+
+TEST_CASE("the perceptual middle differs as much from either button") {
+  const std::vector<std::string> names{"A", "B", "C", "D", "E"};
+  int equal = 0, pairs = 0;
+  for (const std::string& a : names)
+    for (const std::string& b : names) {
+      if (a >= b) continue;
+      const Button from = sample(a), to = sample(b);
+      const auto middle = perceptualMiddle(from, to);
+      REQUIRE(middle);
+      CAPTURE(a, b, middle->share, middle->dPrimeFrom, middle->dPrimeTo);
+      CHECK(middle->dPrimeFrom == Approx(predictConfusion(felt(from), felt(middle->button)).dPrime));
+      CHECK(middle->dPrimeTo == Approx(predictConfusion(felt(middle->button), felt(to)).dPrime));
+      ++pairs;
+      const double half = (middle->dPrimeFrom + middle->dPrimeTo) / 2;
+      const bool alike = std::fabs(middle->dPrimeFrom - middle->dPrimeTo) <= 0.05 * half;
+      CHECK(middle->equal() == alike);
+      equal += alike ? 1 : 0;
+      if (!middle->equal())
+        UNSCOPED_INFO(a << b << " " << middle->share << " " << middle->dPrimeFrom << " " << middle->dPrimeTo);
+    }
+  CHECK(equal >= pairs - 1);  // B and C: one grain more, or one less
+  const auto same = perceptualMiddle(sample("A"), sample("A"));
+  REQUIRE(same);
+  CHECK(same->share == 0.5);
+  CHECK(same->equal());
 }

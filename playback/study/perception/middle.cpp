@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/perception/middle.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "model/blend.h"
+
+namespace detent::playback {
+namespace {
+
+constexpr double equalWithin = 0.05;
+
+/// 0: equal halves; positive: farther from `from`.
+double imbalanceOf(const PerceptualMiddle& place) {
+  const double sum = place.dPrimeFrom + place.dPrimeTo;
+  return sum > 0 ? 2 * (place.dPrimeFrom - place.dPrimeTo) / sum : 0;
+}
+
+/// Tries places between two buttons and keeps the one whose halves differ least.
+class Search {
+ public:
+  Search(const Button& from, const Button& to, const PerceptionSettings& perception,
+         const ConfusionSettings& confusion, const std::function<bool()>& cancelled)
+      : from_(from), to_(to), perception_(perception), confusion_(confusion), cancelled_(cancelled) {}
+
+  std::optional<Failure> begin() {
+    auto from = feel(from_, perception_, cancelled_);
+    if (!from) return from.failure();
+    auto to = feel(to_, perception_, cancelled_);
+    if (!to) return to.failure();
+    feltFrom_ = *std::move(from);
+    feltTo_ = *std::move(to);
+    return {};
+  }
+
+  Result<double> imbalanceAt(double share) {
+    auto button = between(from_, to_, share);
+    if (!button) return button.failure();
+    const auto felt = feel(*button, perception_, cancelled_);
+    if (!felt) return felt.failure();
+    PerceptualMiddle tried{share, *std::move(button), predictConfusion(feltFrom_, *felt, confusion_).dPrime,
+                           predictConfusion(*felt, feltTo_, confusion_).dPrime};
+    const double imbalance = imbalanceOf(tried);
+    if (!best_ || std::fabs(imbalance) < std::fabs(imbalanceOf(*best_))) best_ = std::move(tried);
+    return imbalance;
+  }
+
+  /// Halves a stretch on whose ends the imbalance has different signs.
+  std::optional<Failure> narrow(double low, double high, bool rising) {
+    constexpr int halvings = 10;
+    for (int i = 0; i < halvings && !closeEnough(); ++i) {
+      const double middle = (low + high) / 2;
+      const auto imbalance = imbalanceAt(middle);
+      if (!imbalance) return imbalance.failure();
+      ((*imbalance < 0) == rising ? low : high) = middle;
+    }
+    return {};
+  }
+
+  bool closeEnough() const { return best_ && std::fabs(imbalanceOf(*best_)) < equalWithin / 10; }
+  PerceptualMiddle best() && { return *std::move(best_); }
+
+ private:
+  const Button &from_, &to_;
+  const PerceptionSettings& perception_;
+  const ConfusionSettings& confusion_;
+  const std::function<bool()>& cancelled_;
+  FeltButton feltFrom_, feltTo_;
+  std::optional<PerceptualMiddle> best_;
+};
+
+}  // namespace
+
+bool PerceptualMiddle::equal() const { return std::fabs(imbalanceOf(*this)) <= equalWithin; }
+
+Result<PerceptualMiddle> perceptualMiddle(const Button& from, const Button& to,
+                                          const PerceptionSettings& perception,
+                                          const ConfusionSettings& confusion,
+                                          const std::function<bool()>& cancelled) {
+  Search search(from, to, perception, confusion, cancelled);
+  if (auto failure = search.begin()) return std::move(*failure);
+  if (const auto half = search.imbalanceAt(0.5); !half) return half.failure();
+  constexpr int stretches =
+      32;  // whole grains make the forecast jump: the halves may be equal in several places, or in none
+  double before = -1;  // at `from` itself
+  for (int i = 1; i <= stretches && !search.closeEnough(); ++i) {
+    const auto here = i == stretches ? Result<double>(1) : search.imbalanceAt(double(i) / stretches);
+    if (!here) return here.failure();
+    if ((before < 0) != (*here < 0))
+      if (auto failure = search.narrow(double(i - 1) / stretches, double(i) / stretches, before < 0))
+        return std::move(*failure);
+    before = *here;
+  }
+  return std::move(search).best();
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The button between two others that people are forecast to tell from either equally well.
+
+#include <functional>
+
+#include "playback/study/perception/confusion.h"
+
+namespace detent::playback {
+
+struct PerceptualMiddle {
+  double share = 0.5;  ///< of the way, as between() of model/blend.h takes it
+  Button button;
+  double dPrimeFrom = 0, dPrimeTo = 0;  ///< forecast, from it to either
+
+  /// The halves within 5 % of one another. Forecasts count whole grains, so a pair whose difference is one grain may have no such place.
+  bool equal() const;
+};
+
+/// Where the halves are never equal, the place where they differ least. Half the way for two that do not differ. Some 40 forecasts. Failures: those of between() and feel().
+Result<PerceptualMiddle> perceptualMiddle(const Button& from, const Button& to,
+                                          const PerceptionSettings& perception = {},
+                                          const ConfusionSettings& confusion = {},
+                                          const std::function<bool()>& cancelled = {});
+
+}  // namespace detent::playback

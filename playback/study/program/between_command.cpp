@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/program/between_command.h"
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+
+#include "model/blend.h"
+#include "model/file/button_file.h"
+#include "model/program/command_line.h"
+#include "playback/program/json_output.h"
+#include "playback/study/perception/middle.h"
+
+namespace detent::playback {
+
+namespace {
+
+struct BetweenArguments {
+  std::string from, to, out;
+  std::optional<double> share;
+  bool json = false;
+};
+
+Result<PerceptualMiddle> placeAt(const Button& from, const Button& to, double share,
+                                 const Cancelled& cancelled) {
+  auto button = between(from, to, share);
+  if (!button) return button.failure();
+  std::array<FeltButton, 3> felt;
+  for (std::size_t i = 0; i < felt.size(); ++i) {
+    auto one = feel(i == 0 ? from : i == 1 ? *button : to, {}, cancelled);
+    if (!one) return one.failure();
+    felt[i] = *std::move(one);
+  }
+  return PerceptualMiddle{share, *std::move(button), predictConfusion(felt[0], felt[1]).dPrime,
+                          predictConfusion(felt[1], felt[2]).dPrime};
+}
+
+int run(const BetweenArguments& a, const Cancelled& cancelled) {
+  const auto from = readButtonFile(a.from);
+  if (!from) return fail(from.failure());
+  const auto to = readButtonFile(a.to);
+  if (!to) return fail(to.failure());
+  const auto place =
+      a.share ? placeAt(*from, *to, *a.share, cancelled) : perceptualMiddle(*from, *to, {}, {}, cancelled);
+  if (!place) return fail(place.failure());
+  if (auto written = writeButtonFile(a.out, place->button); !written) return fail(written.failure());
+  std::fprintf(stderr, "%s: %.1f %% of the way; forecast d' %.2f from %s, %.2f from %s\n", a.out.c_str(),
+               100 * place->share, place->dPrimeFrom, a.from.c_str(), place->dPrimeTo, a.to.c_str());
+  if (!a.share && !place->equal())
+    std::fprintf(stderr, "warning: no place between the two has equal halves; this one is nearest to it\n");
+  if (a.json)
+    print({{"output", a.out},
+           {"share", place->share},
+           {"d_prime_from", place->dPrimeFrom},
+           {"d_prime_to", place->dPrimeTo},
+           {"equal_halves", place->equal()}});
+  return 0;
+}
+
+}  // namespace
+
+void addBetweenCommand(CLI::App& program, Action& chosen) {
+  CLI::App* app = program.add_subcommand(
+      "between", "The button between two others: by default the one forecast to differ as much from either");
+  const auto a = std::make_shared<BetweenArguments>();
+  app->add_option("FROM", a->from, "*.button.json")->required();
+  app->add_option("TO", a->to, "*.button.json")->required();
+  app->add_option("-o,--output", a->out, "*.button.json to write")->required();
+  app->add_option("--at", a->share, "share of the way instead, 0 (FROM) to 1 (TO)")
+      ->check(numberWithin<CLI::Validator>(0, 1));
+  app->add_flag("--json", a->json, "One JSON object on stdout");
+  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
+}
+
+}  // namespace detent::playback
