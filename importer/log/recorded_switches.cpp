@@ -141,15 +141,27 @@ std::optional<double> contactOf(const std::vector<SheetColumn>& sheet, const Str
   return {};
 }
 
-/// Of a sheet whose strokes were never filled in, what the meter wrote; nothing where there are several such runs (of springs, say).
-std::vector<RecordedSwitch> rawRunOf(const std::vector<SheetColumn>& sheet,
-                                     const std::vector<NamedColumn>& columns) {
+/// Of runs of one name the last: a sheet has what the meter wrote first, and beside it what was made of it. None where one has no name.
+std::vector<RecordedSwitch> lastOfEachName(std::vector<RecordedSwitch> runs) {
+  std::vector<RecordedSwitch> last;
+  for (RecordedSwitch& run : runs) {
+    if (run.name.empty()) return {};
+    std::erase_if(last, [&](const RecordedSwitch& each) { return each.name == run.name; });
+    last.push_back(std::move(run));
+  }
+  return last;
+}
+
+/// Of a sheet whose strokes were never filled in, what the meter wrote: one run, or several that titles tell apart (of springs, say).
+std::vector<RecordedSwitch> rawRunsOf(const std::vector<SheetColumn>& sheet,
+                                      const std::vector<NamedColumn>& columns) {
   std::vector<RecordedSwitch> runs;
   for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
     if (columns[i].kind != ColumnKind::travel || columns[i].stroke ||
         columns[i + 1].kind != ColumnKind::force)
       continue;
     RecordedSwitch raw;
+    raw.name = columns[i].name;
     raw.run = pointsOf(sheet, {i, i + 1, {}, Stroke::press});
     raw.xUnit = columns[i].unit;
     if (i + 2 < columns.size() && columns[i + 2].kind == ColumnKind::contact) {
@@ -158,8 +170,7 @@ std::vector<RecordedSwitch> rawRunOf(const std::vector<SheetColumn>& sheet,
     }
     if (raw.run.size() > 1) runs.push_back(std::move(raw));
   }
-  if (runs.size() != 1) runs.clear();
-  return runs;
+  return runs.size() > 1 ? lastOfEachName(std::move(runs)) : runs;
 }
 
 Result<std::vector<RecordedSwitch>> switchesOfSheet(const std::vector<SheetColumn>& sheet,
@@ -182,7 +193,7 @@ Result<std::vector<RecordedSwitch>> switchesOfSheet(const std::vector<SheetColum
     }
   }
   std::erase_if(switches, [](const RecordedSwitch& each) { return each.press.size() < 2; });
-  if (switches.empty()) switches = rawRunOf(sheet, columns);
+  if (switches.empty()) switches = rawRunsOf(sheet, columns);
   if (switches.empty())
     return without(subject, "no columns are headed as a switch's downstroke",
                    "Export the columns of one switch as CSV: \"displacement_mm,force_N\"");

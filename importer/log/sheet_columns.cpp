@@ -114,13 +114,15 @@ class RowReader {
   std::string_view rest_;
 };
 
-/// Three numbers or more, and not more texts than numbers: headings may have results of the measurement beside them.
+/// Three numbers or more, not more texts than numbers, and no word of a force: headings may have results of the measurement beside them.
 bool isOfNumbers(const Row& row) {
   constexpr int leastNumbers = 3;
   int numbers = 0, texts = 0;
   for (const Cell& cell : row) {
     if (!std::isnan(cell.value))
       ++numbers;
+    else if (lowered(cell.text).find("force") != std::string::npos)
+      return false;
     else if (!cell.text.empty())
       ++texts;
   }

@@ -85,6 +85,49 @@ TEST_CASE("Of several switches in a sheet one has to be chosen") {
   CHECK(readForceLog(file.path(), {{}, {}, false, "2"}).ok());
 }
 
+TEST_CASE("Runs that only titles tell apart are switches of their own, each in its last form") {
+  std::vector<std::vector<double>> rows;
+  for (int i = 0; i <= 100; ++i) {
+    const double x = 0.04 * i;
+    rows.push_back({1000 * x, forceOf_gf(x, 1, true), NAN, 1000 * x, forceOf_gf(x, 2, true), NAN, x,
+                    forceOf_gf(x, 3, true)});
+  }
+  const auto sheetOf = [&](const std::vector<std::string>& titles) {
+    return zipOf(
+        "content.xml",
+        sheetXml({titles,
+                  {"X (microns)", "Force (gf)", "", "X (microns)", "Force (gf)", "", "X (mm)", "Force (gf)"}},
+                 rows));
+  };
+  const WrittenFile file(".ods", sheetOf({"63.5g Slow", "", "", "Long spring", "", "", "63.5g Slow"}));
+  const auto runs = recordedSwitches(file.path());
+  REQUIRE(runs.ok());
+  REQUIRE(runs->size() == 2);
+  CHECK((*runs)[0].name == "Long spring");
+  CHECK((*runs)[1].name == "63.5g Slow");
+  CHECK((*runs)[1].run.back().force_N == Approx(forceOf_gf(4, 3, true)));
+  CHECK((*runs)[1].xUnit == LengthUnit::millimetre);
+  CHECK(codeOf(".ods", sheetOf({"", "", "", "Long spring", "", "", "63.5g Slow"})) ==
+        FailureCode::noForceGraph);
+}
+
+TEST_CASE("Headings with results beside them are headings, however many") {
+  std::vector<std::vector<double>> rows;
+  for (int i = 0; i <= 100; ++i)
+    rows.push_back({0.04 * i, forceOf_gf(0.04 * i, 1, true), NAN, 2, 45, 1.8, 30, 2.1, 50});
+  std::string xml = sheetXml({{"Corrected Downstroke (Boba)"}, {"X (mm)", "Force (gf)"}}, rows);
+  const std::string heading = "Force (gf)</text:p></table:table-cell>";
+  xml.insert(
+      xml.find(heading) + heading.size(),
+      "<table:table-cell/><table:table-cell office:value=\"2\"/><table:table-cell office:value=\"45\"/>"
+      "<table:table-cell office:value=\"1.8\"/>");
+  const WrittenFile file(".ods", zipOf("content.xml", xml));
+  const auto runs = recordedSwitches(file.path());
+  REQUIRE(runs.ok());
+  REQUIRE(runs->size() == 1);
+  CHECK(runs->front().name == "Boba");
+}
+
 TEST_CASE("A tester's JSON has the way up from its deepest place on") {
   const WrittenFile file(
       ".json",
