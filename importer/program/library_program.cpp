@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -14,12 +15,16 @@
 
 #include "importer/library/find_switches.h"
 #include "importer/library/index_folders.h"
+#include "importer/library/origin.h"
 #include "importer/library/read_switches.h"
+#include "importer/library/report_page.h"
 #include "importer/program/forced_end.h"
 #include "importer/program/progress_line.h"
 #include "importer/program/report_json.h"
 #include "model/file/json_text.h"
+#include "model/file/text_file.h"
 #include "model/program/command_line.h"
+#include "model/text.h"
 #include "model/units.h"
 
 namespace detent::importer {
@@ -31,7 +36,7 @@ using Json = nlohmann::ordered_json;
 struct LibraryArguments {
   IndexRequest index;
   FindRequest find;
-  std::string like;
+  std::string like, page;
   std::size_t likePart = 1;
   bool json = false;
 };
@@ -143,10 +148,11 @@ CLI::App* addIndex(CLI::App& app, LibraryArguments& a) {
   return index;
 }
 
-CLI::App* addFind(CLI::App& app, LibraryArguments& a) {
-  CLI::App* find = app.add_subcommand("find", "Switches that feel like one, or have figures; nearest first");
+/// What `find` and `report` share.
+CLI::Option* addSearch(CLI::App* find, LibraryArguments& a) {
   find->add_option("--db", a.find.database, "the library's file")->required();
-  find->add_option("--like", a.like, "a button or force log: .button.json, csv, ods, json");
+  CLI::Option* const like =
+      find->add_option("--like", a.like, "a button or force log: .button.json, csv, ods, json");
   find->add_option("--like-part", a.likePart, "of several switches or states in it, from 1")
       ->check(numberWithin<CLI::Validator>(1, 1e6))
       ->capture_default_str();
@@ -155,7 +161,21 @@ CLI::App* addFind(CLI::App& app, LibraryArguments& a) {
       ->capture_default_str();
   find->add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
   addRanges(*find, a.find.ranges);
+  return like;
+}
+
+CLI::App* addFind(CLI::App& app, LibraryArguments& a) {
+  CLI::App* find = app.add_subcommand("find", "Switches that feel like one, or have figures; nearest first");
+  addSearch(find, a);
   return find;
+}
+
+CLI::App* addReport(CLI::App& app, LibraryArguments& a) {
+  CLI::App* report = app.add_subcommand(
+      "report", "What feels like a switch, as one page to send: plots, figures, credits, licences");
+  addSearch(report, a)->required();
+  report->add_option("-o,--output", a.page, "page to write (*.html); whole or not at all")->required();
+  return report;
 }
 
 int refused(const Failure& failure, const std::string& input, bool json) {
@@ -246,7 +266,7 @@ void printTable(const std::vector<FoundSwitch>& found) {
   }
 }
 
-Result<FeltShape> shapeLike(const LibraryArguments& a) {
+Result<LibrarySwitch> switchLike(const LibraryArguments& a) {
   if (!isLibraryFile(a.like))
     return Failure{
         FailureCode::wrongUsage, Subject::option("--like"), "",
@@ -257,15 +277,15 @@ Result<FeltShape> shapeLike(const LibraryArguments& a) {
   if (a.likePart > switches->size())
     return Failure{FailureCode::wrongUsage, Subject::option("--like-part"), "",
                    Message("it holds %1 switches or states", switches->size()), "Pass one of them, from 1"};
-  return std::move((*switches)[a.likePart - 1].shape);
+  return std::move((*switches)[a.likePart - 1]);
 }
 
 int runFind(const LibraryArguments& a) {
   FindRequest request = a.find;
   if (!a.like.empty()) {
-    auto shape = shapeLike(a);
-    if (!shape) return refused(shape.failure(), a.like, a.json);
-    request.like = std::move(*shape);
+    auto like = switchLike(a);
+    if (!like) return refused(like.failure(), a.like, a.json);
+    request.like = std::move(like->shape);
   }
   const auto result = findSwitches(request);
   if (!result) return refused(result.failure(), request.database, a.json);
@@ -287,6 +307,31 @@ int runFind(const LibraryArguments& a) {
   return 0;
 }
 
+int runReport(const LibraryArguments& a) {
+  const std::string ending = lowered(std::filesystem::path(a.page).extension().string());
+  if (ending != ".html" && ending != ".htm")
+    return refused({FailureCode::wrongUsage, Subject::option("--output"), "",
+                    Message("'%1' is no page's name", a.page), "Give it the ending .html"},
+                   a.page, a.json);
+  auto like = switchLike(a);
+  if (!like) return refused(like.failure(), a.like, a.json);
+  if (like->licence.empty()) like->licence = noLicenceStated;
+  FindRequest request = a.find;
+  request.like = like->shape;
+  const auto result = findSwitches(request);
+  if (!result) return refused(result.failure(), request.database, a.json);
+  if (auto written = writeTextFileAtomically(a.page, reportPage(*like, result->found, result->fitting));
+      !written)
+    return refused(written.failure(), a.page, a.json);
+  std::fprintf(a.json ? stderr : stdout, "%s: %zu of %zu switches\n", a.page.c_str(), result->found.size(),
+               result->fitting);
+  if (a.json) {
+    const Json json = {{"output", a.page}, {"shown", result->found.size()}, {"fitting", result->fitting}};
+    std::fprintf(stdout, "%s\n", jsonText(json).c_str());
+  }
+  return 0;
+}
+
 }  // namespace
 
 int runLibrary(int argc, char** argv, const std::function<bool()>& cancelled) {
@@ -301,6 +346,7 @@ int runLibrary(int argc, char** argv, const std::function<bool()>& cancelled) {
   LibraryArguments arguments;
   const CLI::App* const index = addIndex(app, arguments);
   addFind(app, arguments);
+  const CLI::App* const report = addReport(app, arguments);
   try {
     app.parse(argc - 1, argv + 1);
   } catch (const CLI::ParseError& stop) {
@@ -311,7 +357,9 @@ int runLibrary(int argc, char** argv, const std::function<bool()>& cancelled) {
   int exitCode = 0;
   {
     const ForcedEnd end(cancelled);
-    exitCode = index->parsed() ? runIndex(arguments, cancelled) : runFind(arguments);
+    exitCode = index->parsed()    ? runIndex(arguments, cancelled)
+               : report->parsed() ? runReport(arguments)
+                                  : runFind(arguments);
   }
   return cancelled() ? static_cast<int>(FailureCode::cancelled) : exitCode;
 }

@@ -14,6 +14,7 @@
 #include "importer/library/index_folders.h"
 #include "importer/library/origin.h"
 #include "importer/library/read_switches.h"
+#include "importer/library/report_page.h"
 #include "importer/library/switch_name.h"
 #include "model/units.h"
 
@@ -202,6 +203,31 @@ TEST_CASE("another meter's zero of travel and preload do not make another switch
   CHECK(std::isfinite(FeelDistance(tiny).to(pressOnly)));
   CHECK(groupOf(0.99) == 1);
   CHECK(groupOf(1.0) == 2);
+}
+
+TEST_CASE(
+    "a report is one page with every switch, its credit and its licence, and nothing of a file is markup") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  folder.write("s/spring <script>.csv", tidyCsv(50, 0));
+  folder.write("s/other.csv", tidyCsv(60, 0));
+  folder.write("s/LICENSE", "Ask \"me\" & <b>first</b>\n");
+  indexed(folder, database);
+  const auto like = readSwitches((folder / "s/other.csv").string());
+  REQUIRE(like);
+  const std::vector<FoundSwitch> all = found({database, like->front().shape, {}, 9});
+  REQUIRE(all.size() == 2);
+  const std::string page = reportPage(like->front(), all, 2);
+  CHECK(page == reportPage(like->front(), all, 2));
+  CHECK(page.find("<script") == std::string::npos);
+  CHECK(page.find("<b>") == std::string::npos);
+  CHECK(page.find("spring &lt;script&gt;") != std::string::npos);
+  CHECK(page.find("Ask &quot;me&quot; &amp; &lt;b&gt;first") != std::string::npos);
+  CHECK(page.find("http") == std::string::npos);  // nothing is loaded
+  std::size_t plots = 0;
+  for (std::size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++plots;
+  CHECK(plots == 2);
+  CHECK(page.find("nan") == std::string::npos);
 }
 
 TEST_CASE("a damaged library is kept aside and made anew, another program's is left alone") {
