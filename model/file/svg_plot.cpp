@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "model/check.h"
 #include "model/file/markup.h"
@@ -16,10 +17,10 @@ namespace detent {
 namespace {
 
 constexpr double marginLeft_px = 74, marginRight_px = 24, marginTop_px = 44, marginBottom_px = 60;
-constexpr double fontSize_px = 12;
-constexpr double glyphWidth_px = 6.6;  // of a sans-serif digit at fontSize_px, generous
-constexpr const char* pressColour = "#0072b2";
-constexpr const char* releaseColour = "#c46f00";
+constexpr double designedFor_px = 12;  // the size of text that all other lengths here belong to
+constexpr double glyphWidth_px = 6.6;  // of a sans-serif digit of that size, generous
+constexpr double secondScale_px = 58;  // room for it at the right side
+constexpr double dimensionRow_px = 24, leaderGap_px = 7;
 
 std::string fixed(double value, int decimals) {
   char buffer[400];
@@ -47,20 +48,28 @@ class Plot {
  public:
   Plot(const ButtonState& state, const SvgPlotStyle& style, std::string title, double top_px)
       : state_(state), style_(style), title_(std::move(title)), metrics_(metricsOf(state)) {
-    frame_ = {marginLeft_px, top_px + marginTop_px, style.width_px - marginRight_px,
-              top_px + style.height_px - marginBottom_px};
+    const double right = marginRight_px + (style.secondForceUnit ? secondScale_px : 0);
+    frame_ = {sized(marginLeft_px), top_px + sized(marginTop_px), style.width_px - sized(right),
+              top_px + style.height_px - sized(marginBottom_px)};
+    edge_px_ = frame_.x1;
+    frame_.x1 = frame_.x0 + (edge_px_ - frame_.x0) / (1 + style.roomBeyondEnd);
     chooseTicks();
   }
 
   std::string svg() {
     std::string out = "<g>\n";
     drawGrid(out);
+    if (style_.secondForceUnit) drawSecondScale(out);
     drawTitles(out);
+    for (const Stroke stroke : {Stroke::press, Stroke::release})
+      if (stroke == Stroke::press || state_.graph.release()) remember(travelledSamples(state_.graph, stroke));
+    if (style_.dimensions) drawDimensions(out);
+    if (style_.callouts) drawCallouts(out);  // beneath the curves, which stay whole where it is crowded
     drawCurves(out);
+    out += dots_;
     drawLegend(out);
-    if (style_.callouts) drawCallouts(out);
     out += "<rect x=\"" + px(frame_.x0) + "\" y=\"" + px(frame_.y0) + "\" width=\"" +
-           px(frame_.x1 - frame_.x0) + "\" height=\"" + px(frame_.y1 - frame_.y0) +
+           px(edge_px_ - frame_.x0) + "\" height=\"" + px(frame_.y1 - frame_.y0) +
            "\" fill=\"none\" stroke=\"#222\" stroke-width=\"1.4\"/>\n";
     return out + "</g>\n";
   }
@@ -68,6 +77,16 @@ class Plot {
   PlotFrame frame() const { return {frame_.x0, frame_.y0, frame_.x1, frame_.y1, xTicks_, yTicks_}; }
 
  private:
+  double sized(double designed_px) const { return designed_px * style_.fontSize_px / designedFor_px; }
+  std::string colourOf(Stroke stroke) const {
+    if (style_.monochrome) return "#000";
+    return stroke == Stroke::press ? "#0072b2" : "#c46f00";
+  }
+  std::string numbered(std::string digits) const {
+    if (style_.decimalSign != '.') std::ranges::replace(digits, '.', style_.decimalSign);
+    return digits;
+  }
+
   void chooseTicks() {
     const ForceGraph& graph = state_.graph;
     auto [low, high] = graph.press().forceRange_N();
@@ -80,8 +99,15 @@ class Plot {
       right = std::max(right, release->end_mm());
     }
     const double perUnit_mm = millimetresPer(style_.lengthUnit), perUnit_N = newtonsPer(style_.forceUnit);
-    xTicks_ = niceTicks(std::min(left, 0.0) / perUnit_mm, right / perUnit_mm, 8);
-    yTicks_ = niceTicks(std::min(low, 0.0) / perUnit_N, std::max(high, 0.0) / perUnit_N, 7);
+    const AxisEnds x = style_.xEnds.value_or(AxisEnds{std::min(left, 0.0) / perUnit_mm, right / perUnit_mm});
+    const AxisEnds y =
+        style_.yEnds.value_or(AxisEnds{std::min(low, 0.0) / perUnit_N, std::max(high, 0.0) / perUnit_N});
+    // Labels of a small plot keep their distance.
+    const auto steps = [&](double length_px, double each_px, int most) {
+      return std::clamp(static_cast<int>(length_px / sized(each_px)), 2, most);
+    };
+    xTicks_ = niceTicks(x.lowest, x.highest, steps(frame_.x1 - frame_.x0, 45, 8));
+    yTicks_ = niceTicks(y.lowest, y.highest, steps(frame_.y1 - frame_.y0, 28, 7));
   }
 
   Spot spot(double displacement_mm, double force_N) const {
@@ -100,39 +126,61 @@ class Plot {
            escapedForMarkup(what) + "</text>\n";
   }
 
+  static constexpr const char* tickLine = "stroke=\"#222\" stroke-width=\"1.2\"";
+
   void drawGrid(std::string& out) const {
     const char* grid = "stroke=\"#c9c9c9\" stroke-width=\"0.8\"";
-    const char* tick = "stroke=\"#222\" stroke-width=\"1.2\"";
     for (int i = 0; i < xTicks_.count; ++i) {
       const double x = frame_.x0 + (frame_.x1 - frame_.x0) * i / (xTicks_.count - 1);
       line(out, {x, frame_.y0}, {x, frame_.y1}, grid);
-      line(out, {x, frame_.y1}, {x, frame_.y1 + 5}, tick);
-      text(out, {x, frame_.y1 + 19}, "middle", label(xTicks_, i));
+      line(out, {x, frame_.y1}, {x, frame_.y1 + sized(5)}, tickLine);
+      text(out, {x, frame_.y1 + sized(19)}, "middle", label(xTicks_, i));
     }
     for (int i = 0; i < yTicks_.count; ++i) {
       const double y = frame_.y1 - (frame_.y1 - frame_.y0) * i / (yTicks_.count - 1);
-      line(out, {frame_.x0, y}, {frame_.x1, y}, grid);
-      line(out, {frame_.x0 - 5, y}, {frame_.x0, y}, tick);
-      text(out, {frame_.x0 - 9, y + 4}, "end", label(yTicks_, i));
+      line(out, {frame_.x0, y}, {edge_px_, y}, grid);
+      line(out, {frame_.x0 - sized(5), y}, {frame_.x0, y}, tickLine);
+      text(out, {frame_.x0 - sized(9), y + sized(4)}, "end", label(yTicks_, i));
     }
   }
 
-  static std::string label(const Ticks& ticks, int i) {
-    if (ticks.decimals <= 6 && std::abs(ticks.last()) < 1e7) return fixed(ticks.at(i), ticks.decimals);
+  // The same forces in another unit, on round numbers of its own.
+  void drawSecondScale(std::string& out) const {
+    const double perFirst = newtonsPer(style_.forceUnit) / newtonsPer(*style_.secondForceUnit);
+    const double low = yTicks_.first * perFirst, high = yTicks_.last() * perFirst;
+    const Ticks ticks = niceTicks(low, high, yTicks_.count);
+    for (int i = 0; i < ticks.count; ++i) {
+      const double share = (ticks.at(i) - low) / (high - low);
+      if (share < -1e-9 || share > 1 + 1e-9) continue;
+      const double y = frame_.y1 - share * (frame_.y1 - frame_.y0);
+      line(out, {edge_px_, y}, {edge_px_ + sized(5), y}, tickLine);
+      text(out, {edge_px_ + sized(9), y + sized(4)}, "start", label(ticks, i));
+    }
+    upright(out, style_.width_px - sized(14),
+            style_.words.force + " (" + std::string(symbolOf(*style_.secondForceUnit)) + ")");
+  }
+
+  void upright(std::string& out, double x, const std::string& what) const {
+    const double y = 0.5 * (frame_.y0 + frame_.y1);
+    text(out, {x, y}, "middle", what, " transform=\"rotate(-90 " + px(x) + " " + px(y) + ")\"");
+  }
+
+  std::string label(const Ticks& ticks, int i) const {
+    if (ticks.decimals <= 6 && std::abs(ticks.last()) < 1e7)
+      return numbered(fixed(ticks.at(i), ticks.decimals));
     char buffer[40];
     std::snprintf(buffer, sizeof buffer, "%.4g", ticks.at(i));
-    return buffer;
+    return numbered(buffer);
   }
 
   void drawTitles(std::string& out) const {
-    const double middleX = 0.5 * (frame_.x0 + frame_.x1), middleY = 0.5 * (frame_.y0 + frame_.y1);
-    const std::string xTitle = "Displacement (" + std::string(symbolOf(style_.lengthUnit)) + ")";
-    const std::string yTitle = "Force (" + std::string(symbolOf(style_.forceUnit)) + ")";
-    text(out, {middleX, frame_.y1 + 44}, "middle", xTitle);
-    const double x = 20;
-    text(out, {x, middleY}, "middle", yTitle, " transform=\"rotate(-90 " + px(x) + " " + px(middleY) + ")\"");
+    const double middleX = 0.5 * (frame_.x0 + frame_.x1);
+    text(out, {middleX, frame_.y1 + sized(44)}, "middle",
+         style_.words.displacement + " (" + std::string(symbolOf(style_.lengthUnit)) + ")");
+    upright(out, sized(20), style_.words.force + " (" + std::string(symbolOf(style_.forceUnit)) + ")");
     if (!title_.empty())
-      text(out, {middleX, frame_.y0 - 22}, "middle", title_, " font-size=\"15\" font-weight=\"bold\"");
+      text(out, {middleX, frame_.y0 - sized(22)}, "middle", title_,
+           " font-size=\"" + px(sized(15)) + "\" font-weight=\"bold\"");
   }
 
   // Hermite pieces as Béziers; walls as lines.
@@ -159,14 +207,106 @@ class Plot {
 
   void drawCurves(std::string& out) {
     const ForceGraph& graph = state_.graph;
-    out += "<path class=\"press\" d=\"" + pathOf(graph.press()) + "\" fill=\"none\" stroke=\"" + pressColour +
-           "\" stroke-width=\"2\" stroke-linejoin=\"round\"/>\n";
-    remember(travelledSamples(graph, Stroke::press));
-    if (!graph.release()) return;
-    out += "<path class=\"release\" d=\"" + pathOf(*graph.release()) + "\" fill=\"none\" stroke=\"" +
-           releaseColour + "\" stroke-width=\"2\" stroke-linejoin=\"round\" stroke-dasharray=\"7 4\"/>\n";
-    remember(travelledSamples(graph, Stroke::release));
+    if (style_.tolerance) drawTolerance(out, travelledSamples(graph, Stroke::press));
+    drawStroke(out, Stroke::press, "");
+    if (graph.release()) drawStroke(out, Stroke::release, dash());
   }
+
+  std::string dash() const {
+    const double unit = style_.lineWidth_px / 2;
+    return " stroke-dasharray=\"" + px(7 * unit) + " " + px(4 * unit) + "\"";
+  }
+
+  void drawStroke(std::string& out, Stroke stroke, const std::string& dashes) {
+    const bool press = stroke == Stroke::press, cut = style_.xEnds || style_.yEnds;
+    out += "<path class=\"" + std::string(press ? "press" : "release") + "\" d=\"" +
+           (cut ? cutPathOf(travelledSamples(state_.graph, stroke)) : pathOf(state_.graph.curve(stroke))) +
+           "\" fill=\"none\" stroke=\"" + colourOf(stroke) + "\" stroke-width=\"" + px(style_.lineWidth_px) +
+           "\" stroke-linejoin=\"round\"" + dashes + "/>\n";
+  }
+
+  // What of a line lies in the frame. Not by a clip path: programs that know only the small SVG draw over the axes then.
+  std::string cutPathOf(const std::vector<CurvePoint>& points) const {
+    std::string d;
+    std::optional<Spot> pen;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+      const auto part = insideFrame(spot(points[i].displacement_mm, points[i].force_N),
+                                    spot(points[i + 1].displacement_mm, points[i + 1].force_N));
+      if (!part) continue;
+      const auto& [from, to] = *part;
+      if (!pen || pen->x != from.x || pen->y != from.y) d += " M" + px(from.x) + " " + px(from.y);
+      d += " L" + px(to.x) + " " + px(to.y);
+      pen = to;
+    }
+    return d.empty() ? "M" + px(frame_.x0) + " " + px(frame_.y1) : d.substr(1);
+  }
+
+  std::optional<std::pair<Spot, Spot>> insideFrame(Spot a, Spot b) const {
+    double first = 0, last = 1;
+    const auto within = [&](double at, double way, double low, double high) {
+      if (way == 0) return at >= low && at <= high;
+      const double in = (low - at) / way, out = (high - at) / way;
+      first = std::max(first, std::min(in, out));
+      last = std::min(last, std::max(in, out));
+      return first <= last;
+    };
+    const Spot way{b.x - a.x, b.y - a.y};
+    if (!within(a.x, way.x, frame_.x0, frame_.x1) || !within(a.y, way.y, frame_.y0, frame_.y1)) return {};
+    const auto at = [&](double share) {
+      if (share == 0) return a;
+      return share == 1 ? b : Spot{a.x + share * way.x, a.y + share * way.y};
+    };
+    return std::pair{at(first), at(last)};
+  }
+
+  void drawTolerance(std::string& out, const std::vector<CurvePoint>& press) const {
+    std::string d;
+    const auto add = [&](const CurvePoint& p, double factor) {
+      const Spot at = spot(p.displacement_mm, factor * p.force_N);
+      d += (d.empty() ? "M" : " L") + px(std::clamp(at.x, frame_.x0, frame_.x1)) + " " +
+           px(std::clamp(at.y, frame_.y0, frame_.y1));
+    };
+    for (const CurvePoint& p : press) add(p, 1 + *style_.tolerance);
+    for (std::size_t i = press.size(); i-- > 0;) add(press[i], 1 - *style_.tolerance);
+    out += "<path class=\"tolerance\" d=\"" + d + " Z\" fill=\"#dfe7ee\"/>\n";
+  }
+
+  // From the start of the travel to where the switch closes, and from there back to where it opens: one row each, at the top
+  // or the bottom of the frame, wherever less of the curves is.
+  void drawDimensions(std::string& out) {
+    if (!metrics_.operatingPoint) return;
+    const double start_mm = state_.graph.press().start_mm(),
+                 closes_mm = metrics_.operatingPoint->displacement_mm;
+    const double height = sized(2 * dimensionRow_px + 8), end = spot(closes_mm, 0).x;
+    const auto inkBetween = [&](double top, double bottom) {
+      return std::ranges::count_if(ink_,
+                                   [&](const Spot& p) { return p.x < end && p.y > top && p.y < bottom; });
+    };
+    const bool above = inkBetween(frame_.y0, frame_.y0 + height) <= inkBetween(frame_.y1 - height, frame_.y1);
+    const double first = above ? frame_.y0 + sized(dimensionRow_px) : frame_.y1 - sized(8);
+    const double step = sized(dimensionRow_px) * (above ? 1 : -1);
+    dimension(out, start_mm, closes_mm, style_.words.preTravel, first);
+    if (metrics_.resetPoint)
+      dimension(out, metrics_.resetPoint->displacement_mm, closes_mm, style_.words.differentialTravel,
+                first + step);
+  }
+
+  void dimension(std::string& out, double from_mm, double to_mm, const std::string& name, double y) {
+    if (from_mm == to_mm) return;
+    const double a = spot(std::min(from_mm, to_mm), 0).x, b = spot(std::max(from_mm, to_mm), 0).x;
+    const char* thin = "stroke=\"#777\" stroke-width=\"0.7\"";
+    line(out, {a, y}, {b, y}, thin);
+    for (const double x : {a, b}) line(out, {x, y - sized(4)}, {x, y + sized(4)}, thin);
+    char value[60];
+    std::snprintf(value, sizeof value, "%.3g", std::abs(to_mm - from_mm) / millimetresPer(style_.lengthUnit));
+    const std::string words = name + " " + numbered(value) + " " + std::string(symbolOf(style_.lengthUnit));
+    const double width = sized(glyphWidth_px) * static_cast<double>(words.size());
+    const double x = std::clamp(0.5 * (a + b), frame_.x0 + 0.5 * width + 4, frame_.x1 - 0.5 * width - 4);
+    text(out, {x, y - sized(5)}, "middle", words, smallText());
+    taken_.push_back({x - 0.5 * width, y - sized(18), x + 0.5 * width, y + sized(5)});
+  }
+
+  std::string smallText() const { return " font-size=\"" + px(sized(11)) + "\""; }
 
   // Places texts should keep off.
   void remember(const std::vector<CurvePoint>& points) {
@@ -180,25 +320,26 @@ class Plot {
   }
 
   void drawLegend(std::string& out) {
-    const double y = frame_.y0 - 8;
+    const double y = frame_.y0 - sized(8);
     double x = frame_.x0 + 4;
-    const auto entry = [&](const char* name, const char* colour, const char* dash) {
-      out += "<line x1=\"" + px(x) + "\" y1=\"" + px(y - 4) + "\" x2=\"" + px(x + 28) + "\" y2=\"" +
-             px(y - 4) + "\" stroke=\"" + colour + "\" stroke-width=\"2\"" + dash + "/>\n";
-      text(out, {x + 34, y}, "start", name);
-      x += 34 + glyphWidth_px * 8 + 18;
+    const auto entry = [&](const std::string& name, Stroke stroke, const std::string& dashes) {
+      line(out, {x, y - sized(4)}, {x + sized(28), y - sized(4)},
+           ("stroke=\"" + colourOf(stroke) + "\" stroke-width=\"" + px(style_.lineWidth_px) + "\"" + dashes)
+               .c_str());
+      text(out, {x + sized(34), y}, "start", name);
+      x += sized(34 + glyphWidth_px * (static_cast<double>(name.size()) + 1) + 18);
     };
-    entry("Press", pressColour, "");
-    if (state_.graph.release()) entry("Release", releaseColour, " stroke-dasharray=\"7 4\"");
+    entry(style_.words.press, Stroke::press, "");
+    if (state_.graph.release()) entry(style_.words.release, Stroke::release, dash());
   }
 
   std::string valueText(CurvePoint p) const {
     char buffer[120];
-    std::snprintf(buffer, sizeof buffer, "%.3g %s at %.3g %s", p.force_N / newtonsPer(style_.forceUnit),
-                  std::string(symbolOf(style_.forceUnit)).c_str(),
+    std::snprintf(buffer, sizeof buffer, "%.3g %s %s %.3g %s", p.force_N / newtonsPer(style_.forceUnit),
+                  std::string(symbolOf(style_.forceUnit)).c_str(), style_.words.at.substr(0, 20).c_str(),
                   p.displacement_mm / millimetresPer(style_.lengthUnit),
                   std::string(symbolOf(style_.lengthUnit)).c_str());
-    return buffer;
+    return numbered(buffer);
   }
 
   // More would cover the curve: of a rough measurement's thousands the most prominent are named.
@@ -213,15 +354,15 @@ class Plot {
 
   void drawCallouts(std::string& out) {
     for (const TactileEvent& e : namedOf(metrics_.press.tactile))
-      callout(out, {e.point.displacement_mm, e.point.force_N}, "Tactile point", -1);
-    if (metrics_.operatingPoint) callout(out, *metrics_.operatingPoint, "Operating point", -1);
+      callout(out, {e.point.displacement_mm, e.point.force_N}, style_.words.tactilePoint, -1);
+    if (metrics_.operatingPoint) callout(out, *metrics_.operatingPoint, style_.words.operatingPoint, -1);
     if (metrics_.release)
       for (const TactileEvent& e : namedOf(metrics_.release->tactile))
-        callout(out, {e.point.displacement_mm, e.point.force_N}, "Tactile point (release)", 1);
-    if (metrics_.resetPoint) callout(out, *metrics_.resetPoint, "Reset point", 1);
+        callout(out, {e.point.displacement_mm, e.point.force_N}, style_.words.tactilePointOfRelease, 1);
+    if (metrics_.resetPoint) callout(out, *metrics_.resetPoint, style_.words.resetPoint, 1);
     if (metrics_.press.bottomOut.wall)
-      callout(out, {metrics_.press.bottomOut.displacement_mm, metrics_.press.bottomOut.force_N}, "Bottom-out",
-              1);
+      callout(out, {metrics_.press.bottomOut.displacement_mm, metrics_.press.bottomOut.force_N},
+              style_.words.bottomOut, 1);
   }
 
   // Two lines of text with a leader and a dot, where they cover neither curves nor each other if any place
@@ -229,15 +370,15 @@ class Plot {
   void callout(std::string& out, CurvePoint point, const std::string& name, double preferredSide) {
     const Spot at = spot(point.displacement_mm, point.force_N);
     const std::string value = valueText(point);
-    const double width = glyphWidth_px * static_cast<double>(std::max(name.size(), value.size())) + 8,
-                 height = 32;
+    const double width = sized(glyphWidth_px * static_cast<double>(std::max(name.size(), value.size())) + 8),
+                 height = sized(32);
     double bestCost = std::numeric_limits<double>::infinity();
     Box best{};
     for (int ring = 1; ring <= 6; ++ring)
       for (int direction = 0; direction < 12; ++direction) {
         const double angle = 2 * 3.14159265358979323846 * direction / 12;
-        const Spot centre{at.x + std::cos(angle) * (20.0 * ring + 0.5 * width),
-                          at.y + std::sin(angle) * (20.0 * ring + 0.5 * height)};
+        const Spot centre{at.x + std::cos(angle) * (sized(20) * ring + 0.5 * width),
+                          at.y + std::sin(angle) * (sized(20) * ring + 0.5 * height)};
         const Box box{centre.x - 0.5 * width, centre.y - 0.5 * height, centre.x + 0.5 * width,
                       centre.y + 0.5 * height};
         const double cost = costOf(box) + 10.0 * ring + (preferredSide * std::sin(angle) < 0 ? 15 : 0);
@@ -248,18 +389,26 @@ class Plot {
       }
     taken_.push_back(best);
     const Spot edge{std::clamp(at.x, best.x0, best.x1), std::clamp(at.y, best.y0, best.y1)};
-    line(out, at, edge, "stroke=\"#444\" stroke-width=\"0.9\"");
-    out += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) + "\" r=\"3.2\" fill=\"#222\"/>\n";
+    line(out, awayFrom(at, edge), edge, "stroke=\"#444\" stroke-width=\"0.9\"");
+    dots_ += "<circle cx=\"" + px(at.x) + "\" cy=\"" + px(at.y) + "\" r=\"3.2\" fill=\"#222\"/>\n";
     out += "<rect x=\"" + px(best.x0) + "\" y=\"" + px(best.y0) + "\" width=\"" + px(width) + "\" height=\"" +
            px(height) + "\" fill=\"#fff\" fill-opacity=\"0.85\"/>\n";
     const double middle = 0.5 * (best.x0 + best.x1);
-    text(out, {middle, best.y0 + 13}, "middle", name, " font-size=\"11\"");
-    text(out, {middle, best.y0 + 27}, "middle", value, " font-size=\"11\"");
+    text(out, {middle, best.y0 + sized(13)}, "middle", name, smallText());
+    text(out, {middle, best.y0 + sized(27)}, "middle", value, smallText());
+  }
+
+  // A leader keeps off the curve.
+  Spot awayFrom(Spot at, Spot towards) const {
+    const double length = std::hypot(towards.x - at.x, towards.y - at.y);
+    const double gap = std::min(sized(leaderGap_px), length);
+    if (length == 0) return at;
+    return {at.x + gap * (towards.x - at.x) / length, at.y + gap * (towards.y - at.y) / length};
   }
 
   double costOf(const Box& box) const {
     double cost = 0;
-    if (box.x0 < frame_.x0 + 2 || box.x1 > frame_.x1 - 2 || box.y0 < frame_.y0 + 2 || box.y1 > frame_.y1 - 2)
+    if (box.x0 < frame_.x0 + 2 || box.x1 > edge_px_ - 2 || box.y0 < frame_.y0 + 2 || box.y1 > frame_.y1 - 2)
       cost += 1e6;
     for (const Box& other : taken_)
       if (box.overlaps(other)) cost += 1e4;
@@ -273,10 +422,12 @@ class Plot {
   const SvgPlotStyle& style_;
   std::string title_;
   StateMetrics metrics_;
-  Box frame_{};
+  Box frame_{};         // what lies between the first and the last tick
+  double edge_px_ = 0;  // right end of the box that is drawn
   Ticks xTicks_, yTicks_;
   std::vector<Spot> ink_;
   std::vector<Box> taken_;
+  std::string dots_;  // of the callouts, over the curves
 };
 
 }  // namespace
@@ -316,12 +467,15 @@ PlotFrame frameOfPlot(const ButtonState& state, const SvgPlotStyle& style) {
 std::string svgFrom(const Button& button, const SvgPlotStyle& style) {
   DETENT_CHECK(style.width_px > 200 && style.height_px > 200, "a plot larger than 200 px");
   const double height = style.height_px * static_cast<double>(button.states().size());
+  const double unit = style.width_mm ? *style.width_mm / style.width_px : 1;
+  const char* unitName = style.width_mm ? "mm" : "";
   std::string out =
       "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-      px(style.width_px) + "\" height=\"" + px(height) + "\" viewBox=\"0 0 " + px(style.width_px) + " " +
-      px(height) + "\" font-family=\"DejaVu Sans, Arial, Helvetica, sans-serif\" font-size=\"" +
-      px(fontSize_px) + "\" fill=\"#222\">\n<title>" + escapedForMarkup(button.name()) +
-      "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+      px(style.width_px * unit) + unitName + "\" height=\"" + px(height * unit) + unitName +
+      "\" viewBox=\"0 0 " + px(style.width_px) + " " + px(height) + "\" font-family=\"" +
+      escapedForMarkup(style.font) + "\" font-size=\"" + px(style.fontSize_px) +
+      "\" fill=\"#222\">\n<title>" + escapedForMarkup(button.name()) + "</title>\n<rect width=\"" +
+      px(style.width_px) + "\" height=\"" + px(height) + "\" fill=\"#fff\"/>\n";
   double top = 0;
   for (const ButtonState& state : button.states()) {
     const std::string title = button.name() + (state.name.empty() ? "" : " (" + state.name + ")");

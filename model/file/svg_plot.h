@@ -3,6 +3,7 @@
 // A button as a datasheet prints it: frame, grid, ticks on round numbers, axis titles, both strokes,
 // callouts.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,39 @@
 
 namespace detent {
 
+/// What stands on a plot, in the language of who reads it; UTF-8.
+struct PlotWords {
+  std::string displacement = "Displacement", force = "Force", press = "Press", release = "Release";
+  std::string tactilePoint = "Tactile point", tactilePointOfRelease = "Tactile point (release)";
+  std::string operatingPoint = "Operating point", resetPoint = "Reset point", bottomOut = "Bottom-out";
+  std::string at = "at";  ///< between a callout's force and its displacement
+  std::string preTravel = "Pre-travel", differentialTravel = "Differential travel";
+};
+
+/// Lowest and highest value of an axis, in its unit; lowest < highest.
+struct AxisEnds {
+  double lowest = 0, highest = 0;
+};
+
 struct SvgPlotStyle {
   double width_px = 640,
          height_px = 460;  ///< of one plot; > 200 each. One plot per state, one below the other
   ForceUnit forceUnit = ForceUnit::newton;  ///< of the printed axis
   LengthUnit lengthUnit = LengthUnit::millimetre;
   bool callouts = true;  ///< tactile points, operating and reset point, bottom-out
+  PlotWords words;
+  char decimalSign = '.';
+  bool monochrome = false;  ///< both strokes black: the release is dashed in any case
+  bool dimensions = false;  ///< pre-travel and differential travel, where the points they need are there
+  std::optional<ForceUnit>
+      secondForceUnit;                   ///< of a scale at the right side; not in a copy of the first unit
+  std::optional<double> tolerance;       ///< a band about the press this share of its forces wide, 0.01..1
+  double roomBeyondEnd = 0;              ///< of the axis: the box goes on so far behind its last tick
+  std::optional<AxisEnds> xEnds, yEnds;  ///< instead of those of the curves; what lies outside is cut off
+  std::string font = "DejaVu Sans, Arial, Helvetica, sans-serif";  ///< as CSS has it
+  double fontSize_px = 12;                                         ///< 6..40; margins go with it
+  double lineWidth_px = 2;                                         ///< of the strokes
+  std::optional<double> width_mm;  ///< how wide the drawing is printed; without it a px is a CSS pixel
 };
 
 /// Ticks on 1, 2 or 5 times a power of ten that enclose [low, high].

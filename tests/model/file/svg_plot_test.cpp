@@ -2,6 +2,7 @@
 #include "model/file/svg_plot.h"
 
 #include <cmath>
+#include <sstream>
 
 #include <catch2/catch.hpp>
 
@@ -49,6 +50,51 @@ TEST_CASE("a plot names its axes, units and strokes, and calls out its points") 
   CHECK(svg == svgFrom(*tactileButton(), style));
   style.callouts = false;
   CHECK(svgFrom(*tactileButton(), style).find("Tactile point") == std::string::npos);
+}
+
+TEST_CASE("a plot speaks the reader's language and stands in millimetres") {
+  SvgPlotStyle style;
+  style.words.force = "Kraft";
+  style.words.preTravel = "Vorlaufweg";
+  style.decimalSign = ',';
+  style.dimensions = true;
+  style.monochrome = true;
+  style.width_mm = 88;
+  style.secondForceUnit = ForceUnit::gramForce;
+  const std::string svg = svgFrom(*tactileButton(), style);
+  CHECK_THAT(svg,
+             Catch::Contains("Kraft (N)") && Catch::Contains("Kraft (gf)") && Catch::Contains("Vorlaufweg"));
+  CHECK_THAT(svg, Catch::Contains("width=\"88.00mm\"") && Catch::Contains(">0,5<"));
+  CHECK_THAT(svg, !Catch::Contains("#0072b2") && !Catch::Contains(">0.5<"));
+}
+
+TEST_CASE("curves end at the ends that are given, and have room behind the last tick") {
+  SvgPlotStyle style;
+  const PlotFrame whole = frameOfPlot(tactileButton()->states()[0], style);
+  style.roomBeyondEnd = 0.1;
+  const PlotFrame roomy = frameOfPlot(tactileButton()->states()[0], style);
+  CHECK(roomy.x.last() == whole.x.last());
+  CHECK(roomy.right_px - roomy.left_px == Approx((whole.right_px - whole.left_px) / 1.1));
+  style.xEnds = AxisEnds{1, 2};
+  style.yEnds = AxisEnds{0, 0.5};
+  const PlotFrame part = frameOfPlot(tactileButton()->states()[0], style);
+  CHECK(part.x.first == 1);
+  CHECK(part.x.last() == 2);
+  const std::string svg = svgFrom(*tactileButton(), style);
+  const std::string marker = "class=\"press\" d=\"";
+  const auto from = svg.find(marker) + marker.size();
+  std::istringstream path(svg.substr(from, svg.find('"', from) - from));
+  char command = 0;
+  double x = 0, y = 0;
+  int points = 0;
+  while (path >> command >> x >> y) {
+    ++points;
+    CHECK(x >= part.left_px - 0.01);
+    CHECK(x <= part.right_px + 0.01);
+    CHECK(y >= part.top_px - 0.01);
+    CHECK(y <= part.bottom_px + 0.01);
+  }
+  CHECK(points >= 2);
 }
 
 TEST_CASE("one plot per state; a missing release is not drawn") {
