@@ -10,7 +10,6 @@
 #include "editor/document/begun_in.h"
 #include "model/check.h"
 #include "model/file/curve_csv.h"
-#include "model/file/svg_plot.h"
 #include "model/file/text_file.h"
 #include "playback/playback.h"
 
@@ -34,13 +33,6 @@ QString csvText(const Button& button, std::size_t state) {
 
 Result<Done> exportCsv(const Button& button, std::size_t state, const QString& path) {
   return writeTextFileAtomically(bytesOf(path), csvText(button, state).toStdString());
-}
-
-Result<Done> exportSvg(const Button& button, const DisplayUnits& units, const QString& path) {
-  SvgPlotStyle style;
-  style.forceUnit = units.force;
-  style.lengthUnit = units.length;
-  return writeTextFileAtomically(bytesOf(path), svgFrom(button, style));
 }
 
 Result<Done> exportPng(const QImage& picture, const QString& path) {

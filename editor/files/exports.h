@@ -6,7 +6,6 @@
 #include <QImage>
 #include <QString>
 
-#include "editor/document/display_units.h"
 #include "model/button.h"
 #include "playback/sharing.h"
 
@@ -15,9 +14,6 @@ namespace detent::editor {
 /// Samples of one state in the CSV of the programs' contract (mm, N).
 QString csvText(const Button& button, std::size_t state);
 Result<Done> exportCsv(const Button& button, std::size_t state, const QString& path);
-
-/// A plot as datasheets print it, axes in `units`; the curves are exact.
-Result<Done> exportSvg(const Button& button, const DisplayUnits& units, const QString& path);
 
 Result<Done> exportPng(const QImage& picture, const QString& path);
 

@@ -333,6 +333,13 @@
     </message>
 </context>
 <context>
+    <name>PageWords</name>
+    <message>
+        <source>Source: %1, page %2, graph %3</source>
+        <translation>Quelle: %1, Seite %2, Graph %3</translation>
+    </message>
+</context>
+<context>
     <name>PlacementDelay</name>
     <message>
         <source>%1 ms, scattered over %2 ms (%3 frames at 48 kHz)</source>
@@ -2534,10 +2541,6 @@
         <translation>CSV, mm und N</translation>
     </message>
     <message>
-        <source>Export drawing</source>
-        <translation>Zeichnung exportieren</translation>
-    </message>
-    <message>
         <source>SVG drawing</source>
         <translation>SVG-Zeichnung</translation>
     </message>
@@ -2568,6 +2571,14 @@
     <message>
         <source>Export for a device</source>
         <translation>Für ein Gerät exportieren</translation>
+    </message>
+    <message>
+        <source>PDF document</source>
+        <translation>PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>Export the graph</source>
+        <translation>Graphen exportieren</translation>
     </message>
 </context>
 <context>
@@ -3427,6 +3438,229 @@
     <message>
         <source>Force graph: %1</source>
         <translation>Kraftgraph: %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::GraphExportDialog</name>
+    <message>
+        <source>What comes out</source>
+        <translation>Was herauskommt</translation>
+    </message>
+    <message>
+        <source>Export the graph</source>
+        <translation>Graphen exportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren …</translation>
+    </message>
+    <message>
+        <source>Choose where the file goes, and write it</source>
+        <translation>Wählen, wohin die Datei kommt, und sie schreiben</translation>
+    </message>
+    <message>
+        <source>What the graph is made for</source>
+        <translation>Wofür der Graph ist</translation>
+    </message>
+    <message>
+        <source>Datasheet</source>
+        <translation>Datenblatt</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <translation>Aufsatz</translation>
+    </message>
+    <message>
+        <source>Slide</source>
+        <translation>Folie</translation>
+    </message>
+    <message>
+        <source>Format of the file</source>
+        <translation>Format der Datei</translation>
+    </message>
+    <message>
+        <source>Drawing (SVG)</source>
+        <translation>Zeichnung (SVG)</translation>
+    </message>
+    <message>
+        <source>PDF</source>
+        <translation>PDF</translation>
+    </message>
+    <message>
+        <source>Picture (PNG)</source>
+        <translation>Bild (PNG)</translation>
+    </message>
+    <message>
+        <source>Width of the graph</source>
+        <translation>Breite des Graphen</translation>
+    </message>
+    <message>
+        <source>Height of the graph of one state</source>
+        <translation>Höhe des Graphen eines Zustands</translation>
+    </message>
+    <message>
+        <source>Font</source>
+        <translation>Schrift</translation>
+    </message>
+    <message>
+        <source>Sans-serif</source>
+        <translation>Ohne Serifen</translation>
+    </message>
+    <message>
+        <source>Serif</source>
+        <translation>Mit Serifen</translation>
+    </message>
+    <message>
+        <source>Size of the font</source>
+        <translation>Größe der Schrift</translation>
+    </message>
+    <message>
+        <source>&amp;Made for:</source>
+        <translation>&amp;Wofür:</translation>
+    </message>
+    <message>
+        <source>&amp;Format:</source>
+        <translation>&amp;Format:</translation>
+    </message>
+    <message>
+        <source>&amp;Width:</source>
+        <translation>&amp;Breite:</translation>
+    </message>
+    <message>
+        <source>&amp;Height:</source>
+        <translation>&amp;Höhe:</translation>
+    </message>
+    <message>
+        <source>F&amp;ont:</source>
+        <translation>S&amp;chrift:</translation>
+    </message>
+    <message>
+        <source>Font &amp;size:</source>
+        <translation>Schrift&amp;größe:</translation>
+    </message>
+    <message>
+        <source>Language of the words</source>
+        <translation>Sprache der Wörter</translation>
+    </message>
+    <message>
+        <source>Decimal sign</source>
+        <translation>Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>Point (1.5)</source>
+        <translation>Punkt (1.5)</translation>
+    </message>
+    <message>
+        <source>Comma (1,5)</source>
+        <translation>Komma (1,5)</translation>
+    </message>
+    <message>
+        <source>Unit of the displacement</source>
+        <translation>Einheit des Wegs</translation>
+    </message>
+    <message>
+        <source>Unit of the force</source>
+        <translation>Einheit der Kraft</translation>
+    </message>
+    <message>
+        <source>Unit of a second scale at the right side</source>
+        <translation>Einheit einer zweiten Skala am rechten Rand</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>&amp;Language:</source>
+        <translation>S&amp;prache:</translation>
+    </message>
+    <message>
+        <source>&amp;Decimal sign:</source>
+        <translation>&amp;Dezimalzeichen:</translation>
+    </message>
+    <message>
+        <source>D&amp;isplacement in:</source>
+        <translation>W&amp;eg in:</translation>
+    </message>
+    <message>
+        <source>Fo&amp;rce in:</source>
+        <translation>&amp;Kraft in:</translation>
+    </message>
+    <message>
+        <source>Second s&amp;cale:</source>
+        <translation>&amp;Zweite Skala:</translation>
+    </message>
+    <message>
+        <source>Where the displacement axis begins</source>
+        <translation>Wo die Wegachse beginnt</translation>
+    </message>
+    <message>
+        <source>Where the displacement axis ends</source>
+        <translation>Wo die Wegachse endet</translation>
+    </message>
+    <message>
+        <source>Where the force axis begins</source>
+        <translation>Wo die Kraftachse beginnt</translation>
+    </message>
+    <message>
+        <source>Where the force axis ends</source>
+        <translation>Wo die Kraftachse endet</translation>
+    </message>
+    <message>
+        <source>Dis&amp;placement from:</source>
+        <translation>Weg &amp;von:</translation>
+    </message>
+    <message>
+        <source>to:</source>
+        <translation>bis:</translation>
+    </message>
+    <message>
+        <source>Forc&amp;e from:</source>
+        <translation>Kraft v&amp;on:</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>selbsttätig</translation>
+    </message>
+    <message>
+        <source>&amp;Black and white</source>
+        <translation>&amp;Schwarzweiß</translation>
+    </message>
+    <message>
+        <source>Press black, release grey and dashed</source>
+        <translation>Hinweg schwarz, Rückweg grau und gestrichelt</translation>
+    </message>
+    <message>
+        <source>&amp;Name the points</source>
+        <translation>P&amp;unkte benennen</translation>
+    </message>
+    <message>
+        <source>Tactile points, operating and reset point and bottom-out, with their values</source>
+        <translation>Druckpunkte, Schalt- und Rückschaltpunkt und Anschlag, mit ihren Werten</translation>
+    </message>
+    <message>
+        <source>Dimensio&amp;ns</source>
+        <translation>&amp;Maße</translation>
+    </message>
+    <message>
+        <source>Pre-travel and differential travel</source>
+        <translation>Vorlaufweg und Differenzweg</translation>
+    </message>
+    <message>
+        <source>A band about the press so far above and below its force</source>
+        <translation>Ein Band um den Hinweg, so weit über und unter seiner Kraft</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance:</source>
+        <translation>&amp;Toleranz:</translation>
+    </message>
+    <message>
+        <source>The font is too large for this size: there is no room for the curves.</source>
+        <translation>Die Schrift ist zu groß für dieses Maß: Für die Kurven bleibt kein Platz.</translation>
+    </message>
+    <message>
+        <source>An axis begins where it ends, or behind it. Type a smaller beginning or a larger end.</source>
+        <translation>Eine Achse beginnt, wo sie endet, oder dahinter. Geben Sie einen kleineren Anfang oder ein größeres Ende ein.</translation>
     </message>
 </context>
 <context>
@@ -4498,18 +4732,6 @@
         <translation>&amp;Bild (PNG) …</translation>
     </message>
     <message>
-        <source>Write a picture of the graph, 2400 by 1600 pixels</source>
-        <translation>Ein Bild des Graphen schreiben, 2400 mal 1600 Pixel</translation>
-    </message>
-    <message>
-        <source>&amp;Drawing (SVG)…</source>
-        <translation>&amp;Zeichnung (SVG) …</translation>
-    </message>
-    <message>
-        <source>Write a plot as datasheets print it, axes in the units shown</source>
-        <translation>Einen Graphen schreiben, wie Datenblätter ihn drucken, Achsen in den gezeigten Einheiten</translation>
-    </message>
-    <message>
         <source>&amp;Samples (CSV)…</source>
         <translation>&amp;Messwerte (CSV) …</translation>
     </message>
@@ -4816,6 +5038,18 @@
     <message>
         <source>Write a web page that anyone can open and press, with nothing else installed</source>
         <translation>Eine Webseite schreiben, die jeder öffnen und drücken kann, ohne etwas zu installieren</translation>
+    </message>
+    <message>
+        <source>Write a picture of the graph as the window shows it, 2400 by 1600 pixels</source>
+        <translation>Ein Bild des Graphen schreiben, wie das Fenster ihn zeigt, 2400 mal 1600 Pixel</translation>
+    </message>
+    <message>
+        <source>&amp;Graph for datasheet, paper or slide…</source>
+        <translation>&amp;Graph für Datenblatt, Aufsatz oder Folie …</translation>
+    </message>
+    <message>
+        <source>Write the graph as it is printed: SVG, PDF or PNG in any size, language and unit</source>
+        <translation>Den Graphen schreiben, wie er gedruckt wird: SVG, PDF oder PNG in jeder Größe, Sprache und Einheit</translation>
     </message>
 </context>
 <context>
@@ -6819,6 +7053,42 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Take out of the file what the sensor did not measure</source>
         <translation>Aus der Datei nehmen, was der Sensor nicht gemessen hat</translation>
     </message>
+    <message>
+        <source>it cannot be read: %1</source>
+        <translation>sie kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>the disk refused: %1</source>
+        <translation>die Platte hat abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>it cannot be opened: %1</source>
+        <translation>sie kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>it is no whole library: %1</source>
+        <translation>sie ist keine ganze Bibliothek: %1</translation>
+    </message>
+    <message>
+        <source>it was of version %1, this program&apos;s is %2: made anew from the folders given</source>
+        <translation>sie war von Version %1, die dieses Programms ist %2: neu gemacht aus den genannten Ordnern</translation>
+    </message>
+    <message>
+        <source>it is damaged and cannot be moved aside: %1</source>
+        <translation>sie ist beschädigt und lässt sich nicht beiseitelegen: %1</translation>
+    </message>
+    <message>
+        <source>it was damaged (%1): made anew from the folders given, the damaged one is kept as %2</source>
+        <translation>sie war beschädigt (%1): neu gemacht aus den genannten Ordnern, die beschädigte ist als %2 aufgehoben</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no button or force log</source>
+        <translation>„%1“ ist weder ein Taster noch ein Kraftprotokoll</translation>
+    </message>
+    <message>
+        <source>it holds %1 switches or states</source>
+        <translation>sie enthält %1 Schalter oder Zustände</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Doubts</name>
@@ -6844,6 +7114,13 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>no force graph found (%1)</source>
         <translation>kein Kraftgraph gefunden (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>detent::importer::LibraryStore</name>
+    <message>
+        <source>it is of version %1, this program&apos;s is %2</source>
+        <translation>sie ist von Version %1, die dieses Programms ist %2</translation>
     </message>
 </context>
 <context>

@@ -11,6 +11,18 @@ namespace {
 constexpr QSize exportedPicture_px{2400, 1600};
 constexpr double exportedPixelRatio = 2;
 
+std::pair<QString, QString> graphFile(GraphFileFormat format) {
+  switch (format) {
+    case GraphFileFormat::svg:
+      return {ExportDesk::tr("SVG drawing"), ".svg"};
+    case GraphFileFormat::pdf:
+      return {ExportDesk::tr("PDF document"), ".pdf"};
+    case GraphFileFormat::png:
+      return {ExportDesk::tr("PNG picture"), ".png"};
+  }
+  return {};
+}
+
 }  // namespace
 
 ExportDesk::ExportDesk(const DeskPlaces& places, QObject* parent) : QObject(parent), at_(places) {}
@@ -38,9 +50,13 @@ void ExportDesk::csv(DocumentTab& tab) {
         [&](const QString& path) { return exportCsv(document.button(), document.activeState(), path); });
 }
 
-void ExportDesk::svg(DocumentTab& tab) {
-  write(tab, tr("Export drawing"), tr("SVG drawing") + " (*.svg)", ".svg",
-        [&](const QString& path) { return exportSvg(tab.document().button(), at_.view.units(), path); });
+void ExportDesk::graph(DocumentTab& tab) {
+  const Button& button = tab.document().button();
+  const auto chosen = at_.prompts.graphExport(&at_.window, button, at_.view.units());
+  if (!chosen) return;
+  const auto& [name, ending] = graphFile(chosen->format);
+  write(tab, tr("Export the graph"), name + " (*" + ending + ")", ending,
+        [&](const QString& path) { return exportGraph(button, *chosen, path); });
 }
 
 void ExportDesk::png(DocumentTab& tab) {

@@ -17,7 +17,8 @@ class ExportDesk : public QObject {
   explicit ExportDesk(const DeskPlaces& places, QObject* parent = nullptr);
 
   void csv(DocumentTab& tab);
-  void svg(DocumentTab& tab);
+  /// The graph as it is printed; how is asked for.
+  void graph(DocumentTab& tab);
   void png(DocumentTab& tab);
   void wav(DocumentTab& tab);
   /// The button as a web page anyone can press.

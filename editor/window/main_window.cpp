@@ -28,10 +28,10 @@
 #include "editor/forecast/forecast_matrix.h"
 #include "editor/library/compare_dialog.h"
 #include "editor/library/library_panel.h"
-#include "editor/panels/graph_print.h"
 #include "editor/quantity/quantity.h"
 #include "editor/study/study_desk.h"
 #include "editor/window/appearance.h"
+#include "editor/window/graph_print.h"
 #include "editor/window/margin_overlay.h"
 #include "editor/window/stored_view.h"
 #include "editor/window/wheel_guard.h"
@@ -570,7 +570,7 @@ void MainWindow::print(DocumentTab& tab) {
   QPrinter printer(QPrinter::HighResolution);
   printer.setDocName(tab.document().title());
   if (!at_.prompts.printer(this, printer)) return;
-  const bool printed = printGraph(printer, tab.document(), tab.workspace(), at_.view);
+  const bool printed = printGraph(printer, tab.document(), at_.view);
   statusBar()->showMessage(printed ? tr("Printed %1.").arg(tab.document().title())
                                    : tr("The printer took nothing. Choose another one, or print to a file."),
                            messageTime_ms);

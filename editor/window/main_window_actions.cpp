@@ -89,12 +89,14 @@ void MainWindow::makeFileActions() {
   QMenu* exports = menu->addMenu(tr("&Export"));
   exports->setObjectName("exportMenu");
   exports->setToolTipsVisible(true);
+  exports->addAction(tabAction("exportPng", tr("&Picture (PNG)…"),
+                               tr("Write a picture of the graph as the window shows it, 2400 by 1600 pixels"),
+                               QKeySequence("Ctrl+E"),
+                               [this](DocumentTab& tab) { files_->exports().png(tab); }));
   exports->addAction(
-      tabAction("exportPng", tr("&Picture (PNG)…"), tr("Write a picture of the graph, 2400 by 1600 pixels"),
-                QKeySequence("Ctrl+E"), [this](DocumentTab& tab) { files_->exports().png(tab); }));
-  exports->addAction(tabAction(
-      "exportSvg", tr("&Drawing (SVG)…"), tr("Write a plot as datasheets print it, axes in the units shown"),
-      QKeySequence("Ctrl+Shift+E"), [this](DocumentTab& tab) { files_->exports().svg(tab); }));
+      tabAction("exportGraph", tr("&Graph for datasheet, paper or slide…"),
+                tr("Write the graph as it is printed: SVG, PDF or PNG in any size, language and unit"),
+                QKeySequence("Ctrl+Shift+E"), [this](DocumentTab& tab) { files_->exports().graph(tab); }));
   exports->addAction(
       tabAction("exportCsv", tr("&Samples (CSV)…"), tr("Write samples of the state shown, in mm and N"),
                 QKeySequence("Ctrl+Alt+E"), [this](DocumentTab& tab) { files_->exports().csv(tab); }));

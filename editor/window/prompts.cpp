@@ -71,6 +71,12 @@ std::optional<DeviceChoice> Prompts::deviceExport(QWidget* parent, const Button&
   return dialog.exec() == QDialog::Accepted ? std::optional(dialog.choice()) : std::nullopt;
 }
 
+std::optional<GraphExport> Prompts::graphExport(QWidget* parent, const Button& button,
+                                                const DisplayUnits& units) {
+  GraphExportDialog dialog(button, units, parent);
+  return dialog.exec() == QDialog::Accepted ? std::optional(dialog.choice()) : std::nullopt;
+}
+
 bool Prompts::printer(QWidget* parent, QPrinter& printer) {
   return QPrintDialog(&printer, parent).exec() == QDialog::Accepted;
 }

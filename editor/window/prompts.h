@@ -7,6 +7,7 @@
 #include <QWidget>
 
 #include "editor/window/device_export_dialog.h"
+#include "editor/window/graph_export_dialog.h"
 #include "model/button.h"
 
 class QPrinter;
@@ -36,6 +37,9 @@ class Prompts {
   virtual std::optional<Button> newButton(QWidget* parent);
   /// For which device a press of the button is written.
   virtual std::optional<DeviceChoice> deviceExport(QWidget* parent, const Button& button);
+  /// How the button's graph is written.
+  virtual std::optional<GraphExport> graphExport(QWidget* parent, const Button& button,
+                                                 const DisplayUnits& units);
   /// Where to print; false: cancelled.
   virtual bool printer(QWidget* parent, QPrinter& printer);
   /// A text, changed or not; nullopt: cancelled.

@@ -79,7 +79,7 @@ class Plot {
  private:
   double sized(double designed_px) const { return designed_px * style_.fontSize_px / designedFor_px; }
   std::string colourOf(Stroke stroke) const {
-    if (style_.monochrome) return "#000";
+    if (style_.monochrome) return stroke == Stroke::press ? "#000" : "#777";
     return stroke == Stroke::press ? "#0072b2" : "#c46f00";
   }
   std::string numbered(std::string digits) const {

@@ -34,7 +34,7 @@ struct SvgPlotStyle {
   bool callouts = true;  ///< tactile points, operating and reset point, bottom-out
   PlotWords words;
   char decimalSign = '.';
-  bool monochrome = false;  ///< both strokes black: the release is dashed in any case
+  bool monochrome = false;  ///< press black, release grey; it is dashed in any case
   bool dimensions = false;  ///< pre-travel and differential travel, where the points they need are there
   std::optional<ForceUnit>
       secondForceUnit;                   ///< of a scale at the right side; not in a copy of the first unit

@@ -243,10 +243,6 @@ class FilesTest : public QObject {
     const Button button = *tactileButton();
     QVERIFY(exportCsv(button, 0, at("a.csv")).ok());
     QVERIFY(contentsOf(at("a.csv")).startsWith("stroke,displacement_mm,force_N\npress,0,0.3"));
-    DisplayUnits grams;
-    grams.force = ForceUnit::gramForce;
-    QVERIFY(exportSvg(button, grams, at("a.svg")).ok());
-    QVERIFY(contentsOf(at("a.svg")).contains("gf"));
     QImage picture(20, 10, QImage::Format_RGB32);
     picture.fill(Qt::red);
     QVERIFY(exportPng(picture, at("a.png")).ok());

@@ -21,6 +21,7 @@ class ScriptedPrompts : public Prompts {
   QString printedTo;              ///< a PDF; empty: printing is cancelled
   bool takesSuggestions = false;  ///< files are saved where the editor proposes
   std::deque<DeviceChoice> deviceAnswers;
+  std::deque<GraphExport> graphAnswers;
   int unexpected = 0;
   QStringList lastUnsaved;
   QString lastSuggested;
@@ -45,6 +46,11 @@ class ScriptedPrompts : public Prompts {
   std::optional<DeviceChoice> deviceExport(QWidget*, const Button&) override {
     if (deviceAnswers.empty()) return std::nullopt;
     return next(deviceAnswers, {});
+  }
+
+  std::optional<GraphExport> graphExport(QWidget*, const Button&, const DisplayUnits&) override {
+    if (graphAnswers.empty()) return std::nullopt;
+    return next(graphAnswers, {});
   }
 
   bool printer(QWidget*, QPrinter& printer) override {

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/window/graph_export_dialog.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <QDialogButtonBox>
+#include <QHBoxLayout>
+#include <QLocale>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QVBoxLayout>
+
+#include "editor/document/described.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr std::array lengthUnits{LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::micrometre,
+                                 LengthUnit::inch, LengthUnit::mil};
+constexpr std::array forceUnits{ForceUnit::newton,    ForceUnit::centinewton,   ForceUnit::millinewton,
+                                ForceUnit::gramForce, ForceUnit::kilogramForce, ForceUnit::ounceForce,
+                                ForceUnit::poundForce};
+constexpr QuantityRange widths_mm{60, 600}, heights_mm{60, 400}, lengths_mm{-1000, 1000},
+    forces_N{-1000, 1000};
+constexpr double widestTolerance = 0.5;
+constexpr double pxPerPoint = 96.0 / 72;
+constexpr QSize leastPicture_px{220, 150}, first_px{860, 640}, roomForFrame_px{8, 40};
+
+QString symbol(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
+}
+
+QComboBox* choiceOf(const char* name, const QString& tip, const QStringList& offered) {
+  auto* box = described(new QComboBox, QString::fromLatin1(name), tip, tip);
+  box->addItems(offered);
+  return box;
+}
+
+template <class Units>
+QStringList symbolsOf(const Units& units) {
+  QStringList symbols;
+  for (const auto unit : units) symbols << symbol(symbolOf(unit));
+  return symbols;
+}
+
+QCheckBox* checkOf(const char* name, const QString& text, const QString& tip) {
+  return described(new QCheckBox(text), QString::fromLatin1(name), tip, tip);
+}
+
+QuantityField* fieldOf(const char* name, const QString& tip, Quantity quantity, QuantityRange range) {
+  auto* field = described(new QuantityField(quantity, {}), QString::fromLatin1(name), tip, tip);
+  field->setRange(range);
+  return field;
+}
+
+template <class Units, class Unit>
+int indexOf(const Units& units, Unit unit) {
+  return static_cast<int>(std::find(units.begin(), units.end(), unit) - units.begin());
+}
+
+}  // namespace
+
+GraphExportDialog::GraphExportDialog(Button button, const DisplayUnits& units, QWidget* parent)
+    : QDialog(parent),
+      button_(std::move(button)),
+      picture_(described(new QLabel, QStringLiteral("graphPicture"), {}, tr("What comes out"))),
+      refusal_(described(new QLabel, QStringLiteral("graphRefusal"))) {
+  setObjectName(QStringLiteral("graphExportDialog"));
+  setWindowTitle(tr("Export the graph"));
+  auto* choices = new QWidget;
+  auto* forms = new QVBoxLayout(choices);
+  for (QFormLayout* form : {madeFor(), axes(), shown()}) forms->addLayout(form);
+  forms->addStretch(1);
+  auto* scrolled = new QScrollArea;  // a low screen has no room for all of them
+  scrolled->setWidget(choices);
+  scrolled->setWidgetResizable(true);
+  scrolled->setFrameShape(QFrame::NoFrame);
+  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scrolled->setMinimumWidth(choices->sizeHint().width() + scrolled->verticalScrollBar()->sizeHint().width());
+  auto* columns = new QHBoxLayout;
+  columns->addWidget(scrolled);
+  picture_->setMinimumSize(leastPicture_px);
+  picture_->setAlignment(Qt::AlignCenter);
+  columns->addWidget(picture_, 1);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
+  accept_ = described(buttons->addButton(tr("&Export…"), QDialogButtonBox::AcceptRole),
+                      QStringLiteral("graphExport"), tr("Choose where the file goes, and write it"));
+  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* layout = new QVBoxLayout(this);
+  layout->addLayout(columns);
+  refusal_->setWordWrap(true);
+  layout->addWidget(refusal_);
+  layout->addWidget(buttons);
+
+  const bool german = QLocale().language() == QLocale::German;
+  language_->setCurrentIndex(german ? 1 : 0);
+  decimalSign_->setCurrentIndex(german ? 1 : 0);
+  length_->setCurrentIndex(indexOf(lengthUnits, units.length));
+  force_->setCurrentIndex(indexOf(forceUnits, units.force));
+  connect(preset_, &QComboBox::currentIndexChanged, this, &GraphExportDialog::takePreset);
+  for (QComboBox* box : {format_, language_, decimalSign_, second_, font_})
+    connect(box, &QComboBox::currentIndexChanged, this, &GraphExportDialog::showChoice);
+  for (QComboBox* box : {length_, force_})
+    connect(box, &QComboBox::currentIndexChanged, this, &GraphExportDialog::takeUnits);
+  for (QCheckBox* box : {monochrome_, callouts_, dimensions_})
+    connect(box, &QCheckBox::toggled, this, &GraphExportDialog::showChoice);
+  for (QuantityField* field : {tolerance_, width_, height_, xFrom_, xTo_, yFrom_, yTo_}) {
+    connect(field, &QuantityField::valueChanged, this, &GraphExportDialog::showChoice);
+    connect(field, &QuantityField::refusalChanged, this, &GraphExportDialog::showChoice);
+  }
+  connect(fontSize_, &QSpinBox::valueChanged, this, &GraphExportDialog::showChoice);
+  takeUnits();
+  takePreset();
+  resize(first_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+}
+
+QFormLayout* GraphExportDialog::madeFor() {
+  auto* form = new QFormLayout;
+  preset_ =
+      choiceOf("graphPreset", tr("What the graph is made for"), {tr("Datasheet"), tr("Paper"), tr("Slide")});
+  format_ = choiceOf("graphFormat", tr("Format of the file"),
+                     {tr("Drawing (SVG)"), tr("PDF"), tr("Picture (PNG)")});
+  width_ = fieldOf("graphWidth", tr("Width of the graph"), Quantity::length, widths_mm);
+  height_ = fieldOf("graphHeight", tr("Height of the graph of one state"), Quantity::length, heights_mm);
+  font_ = choiceOf("graphFont", tr("Font"), {tr("Sans-serif"), tr("Serif")});
+  fontSize_ = described(new QSpinBox, "graphFontSize", tr("Size of the font"), tr("Size of the font"));
+  fontSize_->setRange(5, 30);
+  fontSize_->setSuffix(QStringLiteral(" pt"));
+  form->addRow(tr("&Made for:"), preset_);
+  form->addRow(tr("&Format:"), format_);
+  form->addRow(tr("&Width:"), width_);
+  form->addRow(tr("&Height:"), height_);
+  form->addRow(tr("F&ont:"), font_);
+  form->addRow(tr("Font &size:"), fontSize_);
+  return form;
+}
+
+QFormLayout* GraphExportDialog::axes() {
+  auto* form = new QFormLayout;
+  language_ = choiceOf("graphLanguage", tr("Language of the words"),
+                       {QStringLiteral("English"), QStringLiteral("Deutsch")});
+  decimalSign_ = choiceOf("graphDecimalSign", tr("Decimal sign"), {tr("Point (1.5)"), tr("Comma (1,5)")});
+  length_ = choiceOf("graphLength", tr("Unit of the displacement"), symbolsOf(lengthUnits));
+  force_ = choiceOf("graphForce", tr("Unit of the force"), symbolsOf(forceUnits));
+  second_ = choiceOf("graphSecond", tr("Unit of a second scale at the right side"),
+                     QStringList(tr("none")) + symbolsOf(forceUnits));
+  form->addRow(tr("&Language:"), language_);
+  form->addRow(tr("&Decimal sign:"), decimalSign_);
+  form->addRow(tr("D&isplacement in:"), length_);
+  form->addRow(tr("Fo&rce in:"), force_);
+  form->addRow(tr("Second s&cale:"), second_);
+  xFrom_ = axisEnd("graphXFrom", tr("Where the displacement axis begins"), Quantity::length);
+  xTo_ = axisEnd("graphXTo", tr("Where the displacement axis ends"), Quantity::length);
+  yFrom_ = axisEnd("graphYFrom", tr("Where the force axis begins"), Quantity::force);
+  yTo_ = axisEnd("graphYTo", tr("Where the force axis ends"), Quantity::force);
+  form->addRow(tr("Dis&placement from:"), xFrom_);
+  form->addRow(tr("to:"), xTo_);
+  form->addRow(tr("Forc&e from:"), yFrom_);
+  form->addRow(tr("to:"), yTo_);
+  return form;
+}
+
+QuantityField* GraphExportDialog::axisEnd(const char* name, const QString& tip, Quantity quantity) {
+  const QuantityRange range = quantity == Quantity::length ? lengths_mm : forces_N;
+  QuantityField* field = fieldOf(name, tip, quantity, range);
+  field->setLowestText(tr("automatic"));
+  field->setValue(range.lowest);
+  return field;
+}
+
+QFormLayout* GraphExportDialog::shown() {
+  auto* form = new QFormLayout;
+  monochrome_ =
+      checkOf("graphMonochrome", tr("&Black and white"), tr("Press black, release grey and dashed"));
+  callouts_ = checkOf("graphCallouts", tr("&Name the points"),
+                      tr("Tactile points, operating and reset point and bottom-out, with their values"));
+  dimensions_ = checkOf("graphDimensions", tr("Dimensio&ns"), tr("Pre-travel and differential travel"));
+  tolerance_ = fieldOf("graphTolerance", tr("A band about the press so far above and below its force"),
+                       Quantity::share, {0, widestTolerance});
+  tolerance_->setLowestText(tr("none"));
+  for (QCheckBox* box : {monochrome_, callouts_, dimensions_}) form->addRow(box);
+  form->addRow(tr("&Tolerance:"), tolerance_);
+  return form;
+}
+
+void GraphExportDialog::takePreset() {
+  const SvgPlotStyle style = styleOf(static_cast<GraphPreset>(preset_->currentIndex()), units());
+  const QScopedValueRollback quiet(filling_, true);
+  width_->setValue(*style.width_mm);
+  height_->setValue(*style.width_mm * style.height_px / style.width_px);
+  fontSize_->setValue(static_cast<int>(std::lround(style.fontSize_px / pxPerPoint)));
+  monochrome_->setChecked(style.monochrome);
+  callouts_->setChecked(style.callouts);
+  dimensions_->setChecked(style.dimensions);
+  filling_ = false;
+  showChoice();
+}
+
+void GraphExportDialog::takeUnits() {
+  for (QuantityField* field : {xFrom_, xTo_, yFrom_, yTo_}) field->setUnits(units());
+  showChoice();
+}
+
+DisplayUnits GraphExportDialog::units() const {
+  DisplayUnits units;
+  units.length = lengthUnits[static_cast<std::size_t>(length_->currentIndex())];
+  units.force = forceUnits[static_cast<std::size_t>(force_->currentIndex())];
+  return units;
+}
+
+std::optional<AxisEnds> GraphExportDialog::endsFrom(const QuantityField& first, const QuantityField& last,
+                                                    const Ticks& whole) const {
+  const bool begins = first.value() != first.range().lowest, ends = last.value() != last.range().lowest;
+  if (!begins && !ends) return {};
+  const double unit = shownUnitOf(first.quantity(), units());
+  return AxisEnds{begins ? first.value() / unit : whole.first, ends ? last.value() / unit : whole.last()};
+}
+
+GraphExport GraphExportDialog::choice() const {
+  GraphExport chosen;
+  chosen.format = static_cast<GraphFileFormat>(format_->currentIndex());
+  chosen.language = static_cast<PlotLanguage>(language_->currentIndex());
+  SvgPlotStyle& style = chosen.style;
+  style = styleOf(static_cast<GraphPreset>(preset_->currentIndex()), units());
+  setSize(style, width_->value(), height_->value());
+  style.fontSize_px = fontSize_->value() * pxPerPoint;
+  style.decimalSign = decimalSign_->currentIndex() == 0 ? '.' : ',';
+  if (font_->currentIndex() == 1) style.font = "DejaVu Serif, Times New Roman, serif";
+  style.monochrome = monochrome_->isChecked();
+  style.callouts = callouts_->isChecked();
+  style.dimensions = dimensions_->isChecked();
+  if (tolerance_->value() > 0) style.tolerance = tolerance_->value();
+  if (second_->currentIndex() > 0)
+    style.secondForceUnit = forceUnits[static_cast<std::size_t>(second_->currentIndex() - 1)];
+  const PlotFrame whole = frameOfPlot(button_.states().front(), style);
+  style.xEnds = endsFrom(*xFrom_, *xTo_, whole.x);
+  style.yEnds = endsFrom(*yFrom_, *yTo_, whole.y);
+  return chosen;
+}
+
+QString GraphExportDialog::refusal() const {
+  for (const QuantityField* field : {width_, height_, xFrom_, xTo_, yFrom_, yTo_, tolerance_})
+    if (!field->acceptable()) return field->accessibleName() + QStringLiteral(": ") + field->refusal();
+  const SvgPlotStyle style = choice().style;
+  if (!hasRoom(style)) return tr("The font is too large for this size: there is no room for the curves.");
+  for (const auto& ends : {style.xEnds, style.yEnds})
+    if (ends && !(ends->lowest < ends->highest))
+      return tr("An axis begins where it ends, or behind it. Type a smaller beginning or a larger end.");
+  return {};
+}
+
+void GraphExportDialog::showChoice() {
+  if (filling_) return;
+  const QString why = refusal();
+  refusal_->setText(why);
+  refusal_->setVisible(!why.isEmpty());
+  accept_->setEnabled(why.isEmpty());
+  if (!why.isEmpty()) return;
+  const GraphExport chosen = choice();
+  SvgPlotStyle style = chosen.style;
+  style.words = plotWords(chosen.language);
+  const QSizeF size = graphSize_mm(button_, style).scaled(picture_->size(), Qt::KeepAspectRatio);
+  QImage image((size * devicePixelRatioF()).toSize(), QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintGraph(painter, QRectF(image.rect()), button_, style);
+  painter.end();
+  image.setDevicePixelRatio(devicePixelRatioF());
+  picture_->setPixmap(QPixmap::fromImage(image));
+}
+
+void GraphExportDialog::resizeEvent(QResizeEvent* event) {
+  QDialog::resizeEvent(event);
+  QMetaObject::invokeMethod(this, &GraphExportDialog::showChoice, Qt::QueuedConnection);  // laid out by then
+}
+
+}  // namespace detent::editor
