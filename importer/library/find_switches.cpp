@@ -4,7 +4,24 @@
 #include <algorithm>
 #include <utility>
 
+#include "importer/library/wanted_button.h"
+
 namespace detent::importer {
+namespace {
+
+Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindRequest& request) {
+  auto switches = store.switches();
+  if (!switches) return switches.failure();
+  std::vector<NearMiss> nearest;
+  for (LibrarySwitch& each : *switches)
+    if (const auto miss = missOf(each.figures, request.ranges)) nearest.push_back({std::move(each), *miss});
+  std::ranges::stable_sort(nearest, {}, &NearMiss::miss_labNoise);
+  if (nearest.size() > request.limit)
+    nearest.erase(nearest.begin() + static_cast<std::ptrdiff_t>(request.limit), nearest.end());
+  return nearest;
+}
+
+}  // namespace
 
 Result<FoundSwitches> findSwitches(const FindRequest& request) {
   const auto store = LibraryStore::openToRead(request.database);
@@ -23,6 +40,11 @@ Result<FoundSwitches> findSwitches(const FindRequest& request) {
   }
   if (result.found.size() > request.limit)
     result.found.erase(result.found.begin() + static_cast<std::ptrdiff_t>(request.limit), result.found.end());
+  if (result.fitting == 0 && !request.ranges.empty()) {
+    auto nearest = nearestTo(*store, request);
+    if (!nearest) return nearest.failure();
+    result.nearest = std::move(*nearest);
+  }
   return result;
 }
 

@@ -30,9 +30,16 @@ inline std::size_t groupOf(double distance_labNoise) {
   return 1 + static_cast<std::size_t>(distance_labNoise);
 }
 
+/// One that misses some of the ranges, and by how much (missOf).
+struct NearMiss {
+  LibrarySwitch entry;
+  double miss_labNoise = 0;  ///< > 0
+};
+
 struct FoundSwitches {
   std::vector<FoundSwitch> found;
-  std::size_t fitting = 0;  ///< how many keep the ranges, shown or not
+  std::vector<NearMiss> nearest;  ///< where none keeps the ranges: those that miss them least
+  std::size_t fitting = 0;        ///< how many keep the ranges, shown or not
 };
 
 /// Failures: those of LibraryStore::openToRead.

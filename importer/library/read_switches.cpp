@@ -17,27 +17,16 @@ bool isButtonFile(const std::filesystem::path& path) {
   return lowered(path.filename().string()).ends_with(".button.json");
 }
 
-/// One row per state of a button. `name` is what the button's own file or sheet calls it, if it does.
-std::optional<Failure> addStates(const Button& button, const std::string& path, const std::string& name,
-                                 std::vector<LibrarySwitch>& all) {
-  const SwitchName fromFile = switchNameFrom(path);
-  for (const ButtonState& state : button.states()) {
-    auto shape = feltShapeOf(state.graph);
-    if (!shape)
-      return Failure{FailureCode::noForceGraph, std::filesystem::path(path).filename().string(),
-                     "press stroke", "it ends where it first resists", "Check that it holds a whole press"};
-    LibrarySwitch each;
-    each.name = name.empty() ? fromFile.name : name;
-    if (!state.name.empty()) each.name += " (" + state.name + ")";
-    each.unit = fromFile.unit;
-    each.run = fromFile.run;
-    each.source = path;
-    each.part = static_cast<int>(all.size()) + 1;
-    each.figures = keyFiguresOf(state);
-    each.shape = std::move(*shape);
-    all.push_back(std::move(each));
-  }
-  return {};
+/// One state of a button in a file.
+struct ReadState {
+  ButtonState state;
+  std::string name;
+};
+
+/// `name` is what the button's own file or sheet calls it, if it does.
+void addStates(const Button& button, const std::string& name, std::vector<ReadState>& all) {
+  for (const ButtonState& state : button.states())
+    all.push_back({state, state.name.empty() ? name : name + " (" + state.name + ")"});
 }
 
 /// "" for the only switch of a file, else one word for each, as `StrokeHints::curve` takes it.
@@ -46,16 +35,14 @@ Result<std::vector<RecordedSwitch>> switchesIn(const std::string& path) {
   return recordedSwitches(path);
 }
 
-}  // namespace
-
-bool isLibraryFile(const std::filesystem::path& path) { return isForceLogPath(path.string()); }
-
-Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path) {
-  std::vector<LibrarySwitch> all;
+/// Every state of every switch in a file.
+Result<std::vector<ReadState>> readStates(const std::string& path) {
+  std::vector<ReadState> all;
+  const std::string fileName = switchNameFrom(path).name;
   if (isButtonFile(path)) {
     const auto button = readButtonFile(path);
     if (!button) return button.failure();
-    if (auto failure = addStates(*button, path, button->name(), all)) return std::move(*failure);
+    addStates(*button, button->name().empty() ? fileName : button->name(), all);
     return all;
   }
   const auto recorded = switchesIn(path);
@@ -71,12 +58,51 @@ Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path) {
     const auto report = session->importGraph(request);
     if (!report) return report.failure();
     const std::string& own = (*recorded)[i].name;
-    const std::string name =
-        recorded->size() == 1 ? ""
-                              : switchNameFrom(path).name + " " + (own.empty() ? std::to_string(i + 1) : own);
-    if (auto failure = addStates(report->button, path, name, all)) return std::move(*failure);
+    addStates(report->button,
+              recorded->size() == 1 ? fileName : fileName + " " + (own.empty() ? std::to_string(i + 1) : own),
+              all);
   }
   return all;
+}
+
+}  // namespace
+
+bool isLibraryFile(const std::filesystem::path& path) { return isForceLogPath(path.string()); }
+
+Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path) {
+  const auto states = readStates(path);
+  if (!states) return states.failure();
+  const SwitchName fromFile = switchNameFrom(path);
+  std::vector<LibrarySwitch> all;
+  for (const ReadState& read : *states) {
+    auto shape = feltShapeOf(read.state.graph);
+    if (!shape)
+      return Failure{FailureCode::noForceGraph, std::filesystem::path(path).filename().string(),
+                     "press stroke", "it ends where it first resists", "Check that it holds a whole press"};
+    LibrarySwitch each;
+    each.name = read.name;
+    each.unit = fromFile.unit;
+    each.run = fromFile.run;
+    each.source = path;
+    each.part = static_cast<int>(all.size()) + 1;
+    each.figures = keyFiguresOf(read.state);
+    each.shape = std::move(*shape);
+    all.push_back(std::move(each));
+  }
+  return all;
+}
+
+Result<std::vector<Button>> readButtons(const std::string& path) {
+  auto states = readStates(path);
+  if (!states) return states.failure();
+  std::vector<Button> buttons;
+  for (ReadState& read : *states) {
+    read.state.name.clear();
+    auto button = Button::fromStates(read.name, {std::move(read.state)});
+    if (!button) return button.failure();
+    buttons.push_back(std::move(*button));
+  }
+  return buttons;
 }
 
 }  // namespace detent::importer

@@ -17,4 +17,7 @@ bool isLibraryFile(const std::filesystem::path& path);
 /// At least one; name, unit, run, part, figures and shape are filled in. Failure: why the file is refused. Any thread.
 Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path);
 
+/// The same as buttons of one state each, in the same order.
+Result<std::vector<Button>> readButtons(const std::string& path);
+
 }  // namespace detent::importer

@@ -18,9 +18,11 @@
 #include "importer/library/origin.h"
 #include "importer/library/read_switches.h"
 #include "importer/library/report_page.h"
+#include "importer/library/wanted_button.h"
 #include "importer/program/forced_end.h"
 #include "importer/program/progress_line.h"
 #include "importer/program/report_json.h"
+#include "model/file/button_file.h"
 #include "model/file/json_text.h"
 #include "model/file/text_file.h"
 #include "model/program/command_line.h"
@@ -36,7 +38,7 @@ using Json = nlohmann::ordered_json;
 struct LibraryArguments {
   IndexRequest index;
   FindRequest find;
-  std::string like, page;
+  std::string like, page, wanted;
   std::size_t likePart = 1;
   bool json = false;
 };
@@ -167,6 +169,8 @@ CLI::Option* addSearch(CLI::App* find, LibraryArguments& a) {
 CLI::App* addFind(CLI::App& app, LibraryArguments& a) {
   CLI::App* find = app.add_subcommand("find", "Switches that feel like one, or have figures; nearest first");
   addSearch(find, a);
+  find->add_option("-o,--output", a.wanted,
+                   "*.button.json to write: the nearest switch, bent by the least that gives it the figures");
   return find;
 }
 
@@ -280,6 +284,64 @@ Result<LibrarySwitch> switchLike(const LibraryArguments& a) {
   return std::move((*switches)[a.likePart - 1]);
 }
 
+void printNearest(const std::vector<NearMiss>& nearest) {
+  if (nearest.empty()) return;
+  std::printf("none has all of these; nearest, by how far they miss:\n");
+  for (const auto& [entry, miss] : nearest)
+    std::printf("%9.2f  %s; %s; %s; %s\n", miss, entry.name.c_str(), entry.licence.c_str(),
+                entry.credit.empty() ? "credit unknown" : entry.credit.c_str(), entry.source.c_str());
+}
+
+Json nearestJson(const std::vector<NearMiss>& nearest) {
+  Json list = Json::array();
+  for (const auto& [entry, miss] : nearest)
+    list.push_back({{"name", entry.name},
+                    {"source", entry.source},
+                    {"part", entry.part},
+                    {"licence", entry.licence},
+                    {"credit", entry.credit},
+                    {"miss_lab_noise", miss}});
+  return list;
+}
+
+Result<Button> bentFrom(const LibrarySwitch& entry, const std::vector<FigureRange>& ranges) {
+  auto buttons = readButtons(entry.source);
+  if (!buttons) return buttons.failure();
+  const auto part = static_cast<std::size_t>(entry.part);
+  if (part > buttons->size())
+    return Failure{FailureCode::unreadableInput, entry.source, "", "it has changed since it was indexed",
+                   "Index its folder again"};
+  return buttonWithin((*buttons)[part - 1], ranges);
+}
+
+/// Of the answer the first that can be bent into the ranges; why the first of all cannot, where none can.
+Result<Button> wantedButton(const FoundSwitches& result, const std::vector<FigureRange>& ranges) {
+  std::vector<const LibrarySwitch*> entries;
+  for (const FoundSwitch& each : result.found) entries.push_back(&each.entry);
+  for (const NearMiss& each : result.nearest) entries.push_back(&each.entry);
+  std::optional<Failure> why;
+  for (const LibrarySwitch* entry : entries) {
+    auto button = bentFrom(*entry, ranges);
+    if (button) return button;
+    if (!why) why = button.failure();
+  }
+  if (why) return std::move(*why);
+  return Failure{FailureCode::notCertain, "library", "", "no switch in it has all figures asked for",
+                 "Ask for figures that go together: a linear switch has no peak"};
+}
+
+Result<Done> writeWanted(const LibraryArguments& a, const FoundSwitches& result) {
+  if (a.find.ranges.empty())
+    return Failure{FailureCode::wrongUsage, Subject::option("--output"), "", "no figures are asked for",
+                   "Give some, e.g. --peak 50..60gf"};
+  if (!lowered(a.wanted).ends_with(".button.json"))
+    return Failure{FailureCode::wrongUsage, Subject::option("--output"), "",
+                   Message("'%1' is no button's name", a.wanted), "Give it the ending .button.json"};
+  const auto wanted = wantedButton(result, a.find.ranges);
+  if (!wanted) return wanted.failure();
+  return writeButtonFile(a.wanted, *wanted);
+}
+
 int runFind(const LibraryArguments& a) {
   FindRequest request = a.find;
   if (!a.like.empty()) {
@@ -289,16 +351,21 @@ int runFind(const LibraryArguments& a) {
   }
   const auto result = findSwitches(request);
   if (!result) return refused(result.failure(), request.database, a.json);
+  if (!a.wanted.empty())
+    if (const auto written = writeWanted(a, *result); !written)
+      return refused(written.failure(), a.wanted, a.json);
   if (a.json) {
     Json found = Json::array();
     for (const FoundSwitch& each : result->found) found.push_back(switchJson(each));
     const Json json = {{"found", std::move(found)},
+                       {"nearest", nearestJson(result->nearest)},
                        {"fitting", result->fitting},
                        {"lab_noise_N", labNoise_gf * newtonsPer(ForceUnit::gramForce)}};
     std::fprintf(stdout, "%s\n", jsonText(json).c_str());
     return 0;
   }
   printTable(result->found);
+  printNearest(result->nearest);
   std::printf(
       "%zu of %zu. Distances in units of what two laboratories differ by on one switch (%g gf): below 1 "
       "nobody can say that two "

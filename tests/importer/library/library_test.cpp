@@ -16,6 +16,7 @@
 #include "importer/library/read_switches.h"
 #include "importer/library/report_page.h"
 #include "importer/library/switch_name.h"
+#include "importer/library/wanted_button.h"
 #include "model/units.h"
 
 using namespace detent;
@@ -228,6 +229,41 @@ TEST_CASE(
   for (std::size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++plots;
   CHECK(plots == 2);
   CHECK(page.find("nan") == std::string::npos);
+}
+
+TEST_CASE("figures that no switch has: the nearest is told, and bent it has them") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  folder.write("s/weak.csv", tidyCsv(30, 25));
+  folder.write("s/strong.csv", tidyCsv(50, 25));
+  folder.write("s/linear.csv", tidyCsv(50, 0));
+  indexed(folder, database);
+  const double gf = newtonsPer(ForceUnit::gramForce);
+  const std::vector<FigureRange> wanted{{KeyFigure::peakForce, 95 * gf, 97 * gf},
+                                        {KeyFigure::drop, 20 * gf, 21 * gf}};
+  const auto result = findSwitches({database, {}, wanted, 10});
+  REQUIRE(result);
+  CHECK(result->found.empty());
+  REQUIRE(result->nearest.size() == 2);  // the linear one has no peak
+  CHECK(result->nearest[0].entry.name == "strong");
+  CHECK(result->nearest[0].miss_labNoise > 1);
+  CHECK(result->nearest[0].miss_labNoise < result->nearest[1].miss_labNoise);
+
+  const auto buttons = readButtons((folder / "s/strong.csv").string());
+  REQUIRE(buttons);
+  const auto bent = buttonWithin(buttons->front(), wanted);
+  REQUIRE(bent);
+  const KeyFigures figures = keyFiguresOf(bent->states().front());
+  CHECK(*missOf(figures, wanted) < 0.01);
+  const std::vector<FigureRange> already{{KeyFigure::peakForce, 0, 9}};
+  CHECK(*buttonWithin(buttons->front(), already) == buttons->front());
+  const auto impossible =
+      buttonWithin(buttons->front(), {{KeyFigure::drop, 3, 3.1}, {KeyFigure::peakForce, 1, 1.1}});
+  REQUIRE_FALSE(impossible);
+  CHECK(impossible.failure().code == FailureCode::notCertain);
+  const auto linear = readButtons((folder / "s/linear.csv").string());
+  REQUIRE(linear);
+  CHECK_FALSE(buttonWithin(linear->front(), wanted));
 }
 
 TEST_CASE("a damaged library is kept aside and made anew, another program's is left alone") {
