@@ -35,6 +35,12 @@ Result<Done> exportCsv(const Button& button, std::size_t state, const QString& p
   return writeTextFileAtomically(bytesOf(path), csvText(button, state).toStdString());
 }
 
+Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path) {
+  QString text = csvText(button, state);
+  text.replace(QLatin1Char(','), QLatin1Char(';')).replace(QLatin1Char('.'), QLatin1Char(','));
+  return writeTextFileAtomically(bytesOf(path), text.toStdString());
+}
+
 Result<Done> exportPng(const QImage& picture, const QString& path) {
   QByteArray png;
   QBuffer buffer(&png);

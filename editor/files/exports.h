@@ -14,6 +14,8 @@ namespace detent::editor {
 /// Samples of one state in the CSV of the programs' contract (mm, N).
 QString csvText(const Button& button, std::size_t state);
 Result<Done> exportCsv(const Button& button, std::size_t state, const QString& path);
+/// The same numbers for spreadsheets of countries with a decimal comma: fields parted by semicolons.
+Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path);
 
 Result<Done> exportPng(const QImage& picture, const QString& path);
 

@@ -268,6 +268,12 @@ std::optional<double> KeyFiguresModel::read(const QModelIndex& index, const QStr
   return readQuantity(text, quantityOf(figureOf(index)), settings_.units(), figures_[figureOf(index)]).value;
 }
 
+QString KeyFiguresModel::doubtOf(const QModelIndex& index, const QString& text) const {
+  if (text == data(index, Qt::EditRole).toString()) return {};
+  const auto value = read(index, text);
+  return value ? editor::doubtOf(text, *value, quantityOf(figureOf(index)), settings_.units()) : QString();
+}
+
 QString KeyFiguresModel::refusalOf(const QModelIndex& index, const QString& text) const {
   if (index.column() == wanted && text.trimmed().isEmpty()) return {};
   const Quantity quantity = quantityOf(figureOf(index));

@@ -38,6 +38,9 @@ class KeyFiguresModel : public QAbstractTableModel {
   /// Why a text cannot stand in a cell; empty where it can be read. Asks nothing of the curve.
   QString refusalOf(const QModelIndex& index, const QString& text) const;
 
+  /// What is odd about a text that can be read; empty: nothing.
+  QString doubtOf(const QModelIndex& index, const QString& text) const;
+
   bool anyWanted() const;
   /// The active state as it would be; empty where nothing is wanted, or where it cannot be had.
   const std::optional<ButtonState>& preview() const { return preview_; }

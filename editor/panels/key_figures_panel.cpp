@@ -38,7 +38,8 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   setObjectName(QStringLiteral("keyFiguresPanel"));
   table_->setModel(model_);
   auto* delegate = new ValueDelegate(
-      [this](const QModelIndex& cell, const QString& text) { return model_->refusalOf(cell, text); }, table_);
+      [this](const QModelIndex& cell, const QString& text) { return model_->refusalOf(cell, text); },
+      [this](const QModelIndex& cell, const QString& text) { return model_->doubtOf(cell, text); }, table_);
   table_->setItemDelegate(delegate);
   table_->setIconSize({34, 22});
   table_->verticalHeader()->hide();

@@ -11,14 +11,24 @@
 
 namespace detent::editor {
 
-ValueDelegate::ValueDelegate(Refusal refusal, QObject* parent)
-    : QStyledItemDelegate(parent), refusal_(std::move(refusal)) {}
+ValueDelegate::ValueDelegate(Refusal refusal, Doubt doubt, QObject* parent)
+    : QStyledItemDelegate(parent), refusal_(std::move(refusal)), doubt_(std::move(doubt)) {}
+
+QString ValueDelegate::objection(const QString& text, const QModelIndex& index) {
+  if (const QString why = refusal_(index, text); !why.isEmpty()) return why;
+  if (index == askedAt_ && text == askedAbout_) return {};
+  const QString question = doubt_(index, text);
+  askedAt_ = index;
+  askedAbout_ = question.isEmpty() ? QString() : text;
+  return question;
+}
 
 QWidget* ValueDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
                                      const QModelIndex& index) const {
   auto* editor = described(new QLineEdit(parent), "valueEditor");
   editor->setFrame(false);
   editor->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+
   const QPersistentModelIndex cell(index);
   connect(editor, &QLineEdit::textEdited, editor,
           [this, editor, cell] { mark(*editor, refusal_(cell, editor->text())); });
@@ -33,7 +43,7 @@ bool ValueDelegate::eventFilter(QObject* object, QEvent* event) {
       key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_Tab || key == Qt::Key_Backtab;
   const auto* table = qobject_cast<QTableView*>(parent());
   if (!ends || !table) return QStyledItemDelegate::eventFilter(object, event);
-  const QString why = refusal_(table->currentIndex(), editor->text());
+  const QString why = objection(editor->text(), table->currentIndex());
   if (why.isEmpty()) return QStyledItemDelegate::eventFilter(object, event);
   mark(*editor, why);
   emit refused(table->currentIndex(), why);

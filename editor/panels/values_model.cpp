@@ -246,6 +246,15 @@ ValuesModel::Typed ValuesModel::typed(const QModelIndex& index, const QString& t
   return {*next, {}};
 }
 
+QString ValuesModel::doubt(const QModelIndex& index, const QString& text) const {
+  const auto mark = markOf(index);
+  if (!mark || text == data(index, Qt::EditRole).toString()) return {};
+  const Quantity quantity = quantityOf(index.column());
+  const QuantityReading reading =
+      readQuantity(text, quantity, settings_.units(), valueAt(*mark, index.column()));
+  return reading.value ? doubtOf(text, *reading.value, quantity, settings_.units()) : QString();
+}
+
 bool ValuesModel::setData(const QModelIndex& index, const QVariant& value, int role) {
   const auto mark = markOf(index);
   if (role != Qt::EditRole || !mark || !editable(*mark, index.column())) return false;

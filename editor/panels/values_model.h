@@ -39,6 +39,8 @@ class ValuesModel : public QAbstractTableModel {
     QString refusal;
   };
   Typed typed(const QModelIndex& index, const QString& text) const;
+  /// What is odd about a text that can stand in a cell; empty: nothing.
+  QString doubt(const QModelIndex& index, const QString& text) const;
 
   /// The mark a row speaks about; nullopt for headings.
   std::optional<MarkId> markOf(const QModelIndex& index) const;

@@ -33,7 +33,7 @@ ValuesPanel::ValuesPanel(ButtonDocument& document, ViewSettings& settings, QWidg
   table_->setModel(model_);
   auto* delegate = new ValueDelegate(
       [this](const QModelIndex& cell, const QString& text) { return model_->typed(cell, text).refusal; },
-      table_);
+      [this](const QModelIndex& cell, const QString& text) { return model_->doubt(cell, text); }, table_);
   table_->setItemDelegate(delegate);
   connect(delegate, &ValueDelegate::refused, model_, &ValuesModel::refused);
   table_->verticalHeader()->hide();

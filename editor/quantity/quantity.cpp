@@ -62,6 +62,27 @@ QuantityReading readPercent(const QString& text, Quantity quantity, std::optiona
   return {*now * factor, 0, {}, {}};
 }
 
+// Of a button: a finger's force, the travel of the longest lever switches.
+constexpr double mostForce_N = 20, mostTravel_mm = 30;
+// What most buttons have: in this range another unit is proposed.
+constexpr double usualForce_N[] = {0.05, 10}, usualTravel_mm[] = {0.1, 10};
+
+// The number that was typed, with the first unit in which it would be usual.
+QString meantBy(const QString& text, Quantity quantity, const DisplayUnits& units) {
+  const auto isLetter = [](QChar c) { return c.isLetter(); };
+  const QString number = text.left(std::find_if(text.begin(), text.end(), isLetter) - text.begin()).trimmed();
+  const bool isForce = quantity == Quantity::force;
+  const auto& [least, most] = isForce ? usualForce_N : usualTravel_mm;
+  const QStringList others =
+      isForce ? QStringList{"gf", "cN", "mN", "ozf"} : QStringList{"mil", QStringLiteral("µm")};
+  for (const QString& unit : others) {
+    const QString other = number + QLatin1Char(' ') + unit;
+    const QuantityReading reading = readQuantity(other, quantity, units);
+    if (reading.value && std::abs(*reading.value) >= least && std::abs(*reading.value) <= most) return other;
+  }
+  return {};
+}
+
 QuantityReading readNumber(const QString& text, Quantity quantity, double unit, std::optional<double> now) {
   const Change change = changeIn(text);
   if (change.kind == Change::Kind::minus && !now) return refused(QuantityTrouble::nothingToChange, text);
@@ -136,6 +157,18 @@ QString refusalOf(const QuantityReading& reading, Quantity quantity, const Displ
       return tr("“%1” is too large, or divides by zero.").arg(reading.culprit);
   }
   return {};
+}
+
+QString doubtOf(const QString& text, double value, Quantity quantity, const DisplayUnits& units) {
+  const bool isForce = quantity == Quantity::force;
+  if (!isForce && quantity != Quantity::length) return {};
+  if (std::abs(value) <= (isForce ? mostForce_N : mostTravel_mm)) return {};
+  const QString meant = meantBy(text, quantity, units);
+  const QString asked = quantityWithUnit(value, quantity, units);
+  return meant.isEmpty()
+             ? tr("%1 is more than any button has. Press Enter once more if that is meant.").arg(asked)
+             : tr("%1 is more than any button has. Meant: %2? Press Enter once more if not.")
+                   .arg(asked, meant);
 }
 
 double shownUnitOf(Quantity quantity, const DisplayUnits& units) {

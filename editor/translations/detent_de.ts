@@ -2,6 +2,24 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de_DE">
 <context>
+    <name>AverageWords</name>
+    <message numerus="yes">
+        <source>Mean of %n button(s).</source>
+        <translation>
+            <numerusform>Mittel von %n Taster.</numerusform>
+            <numerusform>Mittel von %n Tastern.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1: %2 ± %3.</source>
+        <translation>%1: %2 ± %3.</translation>
+    </message>
+    <message>
+        <source>Far from the others: %1.</source>
+        <translation>Weit von den anderen: %1.</translation>
+    </message>
+</context>
+<context>
     <name>Checks</name>
     <message>
         <source>release</source>
@@ -1087,6 +1105,10 @@
         <source>Add what it measures to the curve first</source>
         <translation>Zuerst der Kurve geben, was sie misst</translation>
     </message>
+    <message>
+        <source>it is %1</source>
+        <translation>es ist %1</translation>
+    </message>
 </context>
 <context>
     <name>detent::Button</name>
@@ -1956,6 +1978,14 @@
         <source>Nothing differs.</source>
         <translation>Nichts unterscheidet sich.</translation>
     </message>
+    <message>
+        <source>%1 is more than any button has. Press Enter once more if that is meant.</source>
+        <translation>%1 ist mehr, als ein Taster hat. Wenn das gemeint ist, drücken Sie noch einmal die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>%1 is more than any button has. Meant: %2? Press Enter once more if not.</source>
+        <translation>%1 ist mehr, als ein Taster hat. Gemeint: %2? Wenn nicht, drücken Sie noch einmal die Eingabetaste.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::AddJumpTool</name>
@@ -2579,6 +2609,10 @@
     <message>
         <source>Export the graph</source>
         <translation>Graphen exportieren</translation>
+    </message>
+    <message>
+        <source>CSV with semicolons, mm and N</source>
+        <translation>CSV mit Semikolons, mm und N</translation>
     </message>
 </context>
 <context>
@@ -5051,6 +5085,34 @@
         <source>Write the graph as it is printed: SVG, PDF or PNG in any size, language and unit</source>
         <translation>Den Graphen schreiben, wie er gedruckt wird: SVG, PDF oder PNG in jeder Größe, Sprache und Einheit</translation>
     </message>
+    <message>
+        <source>Open a second button: there is nothing in between yet.</source>
+        <translation>Öffnen Sie einen zweiten Taster: Noch liegt nichts dazwischen.</translation>
+    </message>
+    <message>
+        <source>&amp;Between two buttons…</source>
+        <translation>&amp;Zwischen zwei Tastern …</translation>
+    </message>
+    <message>
+        <source>Make a button on the way from one open button to another</source>
+        <translation>Einen Taster auf dem Weg von einem offenen Taster zu einem anderen machen</translation>
+    </message>
+    <message>
+        <source>&amp;Average of the open buttons</source>
+        <translation>&amp;Mittel der offenen Taster</translation>
+    </message>
+    <message>
+        <source>Make one button of several samples of it, and say how far they scatter</source>
+        <translation>Aus mehreren Exemplaren einen Taster machen und sagen, wie weit sie streuen</translation>
+    </message>
+    <message>
+        <source>Samples with d&amp;ecimal commas (CSV)…</source>
+        <translation>Messwerte mit D&amp;ezimalkommas (CSV) …</translation>
+    </message>
+    <message>
+        <source>Write the same samples with semicolons between the fields, as spreadsheets with decimal commas read them</source>
+        <translation>Dieselben Messwerte mit Semikolons zwischen den Feldern schreiben, wie Tabellenprogramme mit Dezimalkomma sie lesen</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MarginOverlay</name>
@@ -5083,6 +5145,61 @@
     <message>
         <source>Paint over what is not a curve. [ and ] change the size of the brush.</source>
         <translation>Übermalen Sie, was keine Kurve ist. [ und ] ändern die Größe des Pinsels.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::MorphDialog</name>
+    <message>
+        <source>Between two buttons</source>
+        <translation>Zwischen zwei Tastern</translation>
+    </message>
+    <message>
+        <source>The button at the left end of the slider</source>
+        <translation>Der Taster am linken Ende des Schiebers</translation>
+    </message>
+    <message>
+        <source>The button at the right end of the slider</source>
+        <translation>Der Taster am rechten Ende des Schiebers</translation>
+    </message>
+    <message>
+        <source>How far on the way from the one to the other, in %</source>
+        <translation>Wie weit auf dem Weg vom einen zum anderen, in %</translation>
+    </message>
+    <message>
+        <source>Share of the way</source>
+        <translation>Anteil des Wegs</translation>
+    </message>
+    <message>
+        <source>The three force graphs over each other</source>
+        <translation>Die drei Kraftgraphen übereinander</translation>
+    </message>
+    <message>
+        <source>&amp;From (A):</source>
+        <translation>&amp;Von (A):</translation>
+    </message>
+    <message>
+        <source>&amp;To (B):</source>
+        <translation>&amp;Nach (B):</translation>
+    </message>
+    <message>
+        <source>&amp;Share:</source>
+        <translation>&amp;Anteil:</translation>
+    </message>
+    <message>
+        <source>&amp;Create</source>
+        <translation>&amp;Erstellen</translation>
+    </message>
+    <message>
+        <source>Opens the button in between in a tab of its own</source>
+        <translation>Öffnet den Taster dazwischen in einem eigenen Reiter</translation>
+    </message>
+    <message>
+        <source>Against A: %1</source>
+        <translation>Gegen A: %1</translation>
+    </message>
+    <message>
+        <source>Against B: %1</source>
+        <translation>Gegen B: %1</translation>
     </message>
 </context>
 <context>
@@ -7088,6 +7205,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>it holds %1 switches or states</source>
         <translation>sie enthält %1 Schalter oder Zustände</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no page&apos;s name</source>
+        <translation>„%1“ ist kein Name einer Seite</translation>
     </message>
 </context>
 <context>

@@ -50,6 +50,14 @@ void ExportDesk::csv(DocumentTab& tab) {
         [&](const QString& path) { return exportCsv(document.button(), document.activeState(), path); });
 }
 
+void ExportDesk::semicolonCsv(DocumentTab& tab) {
+  const ButtonDocument& document = tab.document();
+  write(tab, tr("Export samples"), tr("CSV with semicolons, mm and N") + " (*.csv)", ".csv",
+        [&](const QString& path) {
+          return exportSemicolonCsv(document.button(), document.activeState(), path);
+        });
+}
+
 void ExportDesk::graph(DocumentTab& tab) {
   const Button& button = tab.document().button();
   const auto chosen = at_.prompts.graphExport(&at_.window, button, at_.view.units());

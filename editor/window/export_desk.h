@@ -17,6 +17,8 @@ class ExportDesk : public QObject {
   explicit ExportDesk(const DeskPlaces& places, QObject* parent = nullptr);
 
   void csv(DocumentTab& tab);
+  /// With decimal commas, and semicolons between the fields.
+  void semicolonCsv(DocumentTab& tab);
   /// The graph as it is printed; how is asked for.
   void graph(DocumentTab& tab);
   void png(DocumentTab& tab);

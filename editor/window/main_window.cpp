@@ -22,12 +22,15 @@
 
 #include "editor/canvas/graph_canvas.h"
 #include "editor/document/described.h"
+#include "editor/document/message_words.h"
 #include "editor/feel/feel_panel.h"
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
 #include "editor/forecast/forecast_matrix.h"
 #include "editor/library/compare_dialog.h"
 #include "editor/library/library_panel.h"
+#include "editor/library/morph_dialog.h"
+#include "editor/panels/key_figures_model.h"
 #include "editor/quantity/quantity.h"
 #include "editor/study/study_desk.h"
 #include "editor/window/appearance.h"
@@ -36,6 +39,7 @@
 #include "editor/window/stored_view.h"
 #include "editor/window/wheel_guard.h"
 #include "model/edits.h"
+#include "model/unit_spread.h"
 
 namespace detent::editor {
 namespace {
@@ -48,6 +52,29 @@ constexpr int firstLibrary_px = 230, firstValues_px = 480;
 constexpr double mostForLibrary = 0.18, mostForValues = 0.42, mostForFeel = 0.5;  // of the window
 constexpr int leastForLibrary_px = 760;  // of the window: in a narrower one it is put away
 constexpr QSize copiedPicture_px{1800, 1200};
+
+struct AverageWords {
+  Q_DECLARE_TR_FUNCTIONS(AverageWords)
+};
+
+// "Mean of 5 buttons. Peak force 55 ± 2 cN. Far from the others: C."
+QString averageWords(const UnitSpread& spread, const QStringList& titles, const DisplayUnits& units) {
+  QStringList sentences{AverageWords::tr("Mean of %n button(s).", nullptr, static_cast<int>(titles.size()))};
+  for (const FigureSpread& figure : spread.states.front().figures) {
+    const FigureUnit unit = keyFigureNames()[static_cast<std::size_t>(figure.figure)].unit;
+    if (unit != FigureUnit::N && unit != FigureUnit::mm) continue;
+    const Quantity quantity = unit == FigureUnit::N ? Quantity::force : Quantity::length;
+    if (figure.figure == KeyFigure::peakForce || figure.figure == KeyFigure::bottomOutForce ||
+        figure.figure == KeyFigure::preTravel)
+      sentences << AverageWords::tr("%1: %2 ± %3.")
+                       .arg(termOf(figure.figure), quantityText(figure.mean, quantity, units, 4),
+                            quantityWithUnit(figure.sd, quantity, units, 2));
+  }
+  QStringList far;
+  for (const std::size_t unit : spread.outliers) far << titles[static_cast<qsizetype>(unit)];
+  if (!far.isEmpty()) sentences << AverageWords::tr("Far from the others: %1.").arg(far.join(", "));
+  return sentences.join(' ');
+}
 
 void bringUp(QWidget& window) {
   window.show();
@@ -91,6 +118,7 @@ MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
 // Documents go first, and through the same door as always: panels, recovery and
 // watch let go of them.
 MainWindow::~MainWindow() {
+  sessionHeld_ = true;
   for (DocumentTab* tab : tabs_->all()) tabs_->remove(*tab);
   tabs_->disconnect(this);
   delete feel_;
@@ -296,11 +324,13 @@ void MainWindow::connectTabs() {
 }
 
 void MainWindow::adopt(DocumentTab& tab) {
+  sessionHeld_ = false;
   connect(&tab.workspace(), &GraphWorkspace::cursorMoved, this, &MainWindow::showCursor);
   connect(&tab.workspace(), &GraphWorkspace::buttonCopyAsked, this, [this, &tab] { copyButton(tab); });
   connect(&tab.workspace(), &GraphWorkspace::statusMessage, statusBar(),
           [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::updateTitle);
+  connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::storeSession);
   connect(&tab.document().history().stack(), &QUndoStack::indexChanged, this, &MainWindow::updateUndo);
   connect(&tab.document(), &ButtonDocument::originChanged, this, &MainWindow::updateKeepPage);
   connect(&tab.document(), &ButtonDocument::cutoutChanged, this, &MainWindow::updateKeepPage);
@@ -355,6 +385,7 @@ void MainWindow::updateKeepPage() {
 }
 
 void MainWindow::updateDocuments() {
+  storeSession();
   const std::vector<ButtonDocument*> documents = tabs_->documents();
   DocumentTab* current = tabs_->current();
   library_->setDocuments(documents, current ? &current->document() : nullptr);
@@ -407,6 +438,38 @@ void MainWindow::showForecasts() {
   }
   forecasts_->setDocuments(tabs_->documents());
   bringUp(*forecasts_);
+}
+
+void MainWindow::morph(DocumentTab& tab) {
+  std::vector<Button> buttons;
+  std::size_t shown = 0;
+  for (ButtonDocument* document : tabs_->documents()) {
+    if (document == &tab.document()) shown = buttons.size();
+    buttons.push_back(document->history().committed());
+  }
+  if (buttons.size() < 2)
+    return statusBar()->showMessage(tr("Open a second button: there is nothing in between yet."),
+                                    messageTime_ms);
+  auto* dialog = new MorphDialog(std::move(buttons), shown, at_.view.units(), this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &QDialog::accepted, this, [this, dialog] {
+    if (dialog->between()) tabs_->add(std::make_unique<ButtonDocument>(*dialog->between()));
+  });
+  dialog->open();
+}
+
+void MainWindow::average() {
+  std::vector<Button> units;
+  QStringList titles;
+  for (ButtonDocument* document : tabs_->documents()) {
+    units.push_back(document->history().committed());
+    titles << document->title();
+  }
+  const auto spread = spreadOf(units);
+  if (!spread)
+    return statusBar()->showMessage(sentenceOf(spread.failure(), at_.view.units()), messageTime_ms);
+  DocumentTab& tab = tabs_->add(std::make_unique<ButtonDocument>(spread->mean));
+  tab.notices().say("average", NoticeBar::Kind::information, averageWords(*spread, titles, at_.view.units()));
 }
 
 // Participants feel with the devices that were chosen for the feel panel.
@@ -478,7 +541,9 @@ void MainWindow::storeWindow() {
   storeView(at_.view, at_.settings);
 }
 
+// With every button that comes, goes or is named: a session outlives a machine that is switched off.
 void MainWindow::storeSession() {
+  if (sessionHeld_) return;
   QStringList paths;
   for (DocumentTab* tab : tabs_->all())
     if (!tab->document().path().isEmpty()) paths << tab->document().path();
@@ -488,10 +553,10 @@ void MainWindow::storeSession() {
 
 // What is no longer there is no trouble: it was not asked for.
 void MainWindow::restoreSession() {
+  const QString shownPath = at_.settings.value("session/shown").toString();
   for (const QString& path : at_.settings.value("session/files").toStringList())
     if (QFileInfo(path).isFile()) files_->openButton(path);
-  if (DocumentTab* shown = tabs_->withPath(at_.settings.value("session/shown").toString()))
-    tabs_->show(shown->document());
+  if (DocumentTab* shown = tabs_->withPath(shownPath)) tabs_->show(shown->document());
 }
 
 // The desktop has gone light or dark. Its own palette shows where ours does not stand before it.
@@ -505,7 +570,11 @@ void MainWindow::changeEvent(QEvent* event) {
 void MainWindow::closeEvent(QCloseEvent* event) {
   storeWindow();
   storeSession();
-  if (!files_->closeAll()) return event->ignore();
+  sessionHeld_ = true;  // the tabs that close now are those to come back
+  if (!files_->closeAll()) {
+    sessionHeld_ = false;
+    return event->ignore();
+  }
   event->accept();
 }
 

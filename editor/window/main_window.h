@@ -56,6 +56,8 @@ class MainWindow : public QMainWindow {
   void restoreSession();
   /// Beside the one that is shown.
   void compareWith(ButtonDocument* other);
+  void morph(DocumentTab& tab);
+  void average();
   void showForecasts();
   void showStudy();
 
@@ -161,6 +163,8 @@ class MainWindow : public QMainWindow {
   TabMenu editMenu_, toolMenu_, viewMenu_;
   QAction *undo_ = nullptr, *redo_ = nullptr, *quit_ = nullptr, *keepPage_ = nullptr;
   QList<QAction*> ownActions_, needTab_;
+  bool sessionHeld_ =
+      true;  ///< what is stored of the session stays as it is: nothing is open yet, or all of it closes
 };
 
 }  // namespace detent::editor

@@ -100,6 +100,11 @@ void MainWindow::makeFileActions() {
   exports->addAction(
       tabAction("exportCsv", tr("&Samples (CSV)…"), tr("Write samples of the state shown, in mm and N"),
                 QKeySequence("Ctrl+Alt+E"), [this](DocumentTab& tab) { files_->exports().csv(tab); }));
+  exports->addAction(tabAction(
+      "exportSemicolonCsv", tr("Samples with d&ecimal commas (CSV)…"),
+      tr("Write the same samples with semicolons between the fields, as spreadsheets "
+         "with decimal commas read them"),
+      QKeySequence("Ctrl+Alt+Shift+E"), [this](DocumentTab& tab) { files_->exports().semicolonCsv(tab); }));
   exports->addAction(
       tabAction("exportWav", tr("&Vibration of a press (WAV)…"),
                 tr("Write what a standard press feels like that begins in the state shown: mono, 48 kHz"),
@@ -234,6 +239,12 @@ void MainWindow::makeWindowActions() {
   menu->addAction(tabAction("compare", tr("&Compare…"),
                             tr("Lay this button over others and list the differences"),
                             QKeySequence("Ctrl+K"), [this](DocumentTab&) { compareWith(nullptr); }));
+  menu->addAction(tabAction("morph", tr("&Between two buttons…"),
+                            tr("Make a button on the way from one open button to another"),
+                            QKeySequence("Ctrl+Alt+B"), [this](DocumentTab& tab) { morph(tab); }));
+  menu->addAction(tabAction("average", tr("&Average of the open buttons"),
+                            tr("Make one button of several samples of it, and say how far they scatter"),
+                            QKeySequence("Ctrl+Alt+A"), [this](DocumentTab&) { average(); }));
   menu->addAction(action("forecasts", tr("&Who will be taken for whom?…"),
                          tr("Predict for all open buttons which of them people will confuse"),
                          QKeySequence("Ctrl+Shift+K"), [this] { showForecasts(); }));

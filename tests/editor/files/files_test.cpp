@@ -243,6 +243,9 @@ class FilesTest : public QObject {
     const Button button = *tactileButton();
     QVERIFY(exportCsv(button, 0, at("a.csv")).ok());
     QVERIFY(contentsOf(at("a.csv")).startsWith("stroke,displacement_mm,force_N\npress,0,0.3"));
+    QVERIFY(exportSemicolonCsv(button, 0, at("b.csv")).ok());
+    QVERIFY(contentsOf(at("b.csv")).startsWith("stroke;displacement_mm;force_N\npress;0;0,3\n"));
+    QCOMPARE(contentsOf(at("b.csv")).replace(',', '.').replace(';', ','), contentsOf(at("a.csv")));
     QImage picture(20, 10, QImage::Format_RGB32);
     picture.fill(Qt::red);
     QVERIFY(exportPng(picture, at("a.png")).ok());

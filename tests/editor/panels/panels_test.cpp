@@ -75,6 +75,7 @@ class PanelsTest : public QObject {
   void readValuesHaveTheDigitsTheirErrorLeaves();
   void everyFieldReadsTheSameInEveryLocaleAndUnit();
   void aRefusedTextStaysInItsCell();
+  void whatIsOddIsAskedAboutOnce();
   void historyListJumps();
   void contextMenuOffersWhatIsThere();
   void picturesAreDrawn();
@@ -430,6 +431,28 @@ void PanelsTest::aRefusedTextStaysInItsCell() {
   QVERIFY(near(rig.canvas().values().press.tactile[0].displacement_mm, before + 0.05));
 }
 
+void PanelsTest::whatIsOddIsAskedAboutOnce() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.settings.setUnits({LengthUnit::millimetre, ForceUnit::newton});
+  ValuesPanel panel(rig.document, rig.settings);
+  panel.resize(500, 400);
+  panel.show();
+  auto* table = panel.findChild<QTableView*>("valuesTable");
+  table->setCurrentIndex(cell(panel.model(), tactile, ValuesModel::force));
+  table->edit(table->currentIndex());
+  auto* editor = table->findChild<QLineEdit*>("valueEditor");
+  QVERIFY(editor);
+  editor->selectAll();
+  QTest::keyClicks(editor, "60");
+  QTest::keyClick(editor, Qt::Key_Return);
+  QVERIFY(editor->isVisible());
+  QVERIFY(panel.findChild<QLabel*>("valuesRefusal")->text().contains("60 gf"));
+  QCOMPARE(rig.steps(), 0);
+  QTest::keyClick(editor, Qt::Key_Return);
+  QTRY_COMPARE(rig.steps(), 1);
+  QVERIFY(near(rig.canvas().values().press.tactile[0].force_N, 60));
+}
+
 void PanelsTest::historyListJumps() {
   WorkspaceRig rig(require(tactileButton()));
   HistoryPanel panel(rig.document);
@@ -440,6 +463,10 @@ void PanelsTest::historyListJumps() {
   const Button last = rig.button();
   auto* view = panel.findChild<QUndoView*>("historyView");
   QCOMPARE(view->model()->rowCount(), rig.steps() + 1);
+  const int row = view->currentIndex().row();
+  QTest::keyClick(view, Qt::Key_Backtab);  // leaves the list, and jumps nowhere
+  QCOMPARE(view->currentIndex().row(), row);
+  QVERIFY(rig.button() == last);
   view->setCurrentIndex(view->model()->index(0, 0));
   QVERIFY(rig.button() == first);
   view->setCurrentIndex(view->model()->index(rig.steps(), 0));

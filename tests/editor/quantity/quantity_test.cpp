@@ -222,3 +222,18 @@ TEST_CASE("Any text is read or refused, never both, never without a word") {
       RC_ASSERT(!refusalOf(reading, Quantity::length, {}).isEmpty());
   });
 }
+
+TEST_CASE("what no button has is asked about, with the unit that was meant") {
+  const DisplayUnits newtons{LengthUnit::millimetre, ForceUnit::newton};
+  const auto doubt = [&](const char* text, Quantity quantity) {
+    return doubtOf(text, *readQuantity(text, quantity, newtons).value, quantity, newtons).toStdString();
+  };
+  CHECK_THAT(doubt("2000", Quantity::force), Catch::Contains("2000 mN"));
+  CHECK_THAT(doubt("60 lbf", Quantity::force), Catch::Contains("60 gf"));
+  CHECK_THAT(doubt("40", Quantity::length), Catch::Contains("40 mm") && Catch::Contains("40 mil"));
+  CHECK_THAT(doubt("-60", Quantity::force), Catch::Contains("-60 gf"));
+  CHECK(doubt("20", Quantity::force).empty());
+  CHECK(doubt("60 gf", Quantity::force).empty());
+  CHECK(doubt("4", Quantity::length).empty());
+  CHECK(doubt("1e6", Quantity::slope).empty());
+}

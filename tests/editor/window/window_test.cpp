@@ -50,6 +50,7 @@
 #include "editor/importing/page_view.h"
 #include "editor/importing/placed_page.h"
 #include "editor/library/compare_dialog.h"
+#include "editor/library/morph_dialog.h"
 #include "editor/panels/checks_panel.h"
 #include "editor/panels/operation_dialog.h"
 #include "editor/panels/values_model.h"
@@ -62,6 +63,7 @@
 #include "editor/window/translation.h"
 #include "model/edits.h"
 #include "model/file/graph_program.h"
+#include "model/metrics.h"
 #include "tests/editor/window/scripted_prompts.h"
 
 using namespace detent;
@@ -608,6 +610,49 @@ class WindowTest : public QObject {
     for (const char* file : {"b.press.ahap", "b.release.ahap"}) QVERIFY2(QFile::exists(at(file)), file);
     rig.action("exportDevice")->trigger();  // cancelled: nothing is asked, written or said
     QVERIFY(rig.notices().isEmpty());
+  }
+
+  // A machine that is switched off ends no session.
+  void theSessionIsStoredWithEveryTab() {
+    Rig rig(folder_->path());
+    const auto stored = [&] { return rig.settings.value("session/files").toStringList(); };
+    rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/C.button.json")});
+    QCOMPARE(stored().size(), 2);
+    rig.window->files().close(*rig.window->tabs().current());
+    QCOMPARE(stored(), QStringList{sample("buttons/B.button.json")});
+    rig.window->close();  // its tabs come back
+    QCOMPARE(stored(), QStringList{sample("buttons/B.button.json")});
+  }
+
+  void makesButtonsOfSeveral() {
+    Rig rig(folder_->path());
+    rig.window->files().open({sample("buttons/B.button.json")});
+    rig.action("morph")->trigger();  // alone: nothing is in between
+    QVERIFY(!rig.window->findChild<MorphDialog*>());
+    rig.window->files().open({sample("buttons/C.button.json")});
+    const double b_mm = metricsOf(rig.window->tabs().all()[0]->document().button().states()[0])
+                            .press.tactile[0]
+                            .point.displacement_mm;
+    const double c_mm = metricsOf(rig.window->tabs().all()[1]->document().button().states()[0])
+                            .press.tactile[0]
+                            .point.displacement_mm;
+    rig.action("morph")->trigger();
+    auto* dialog = rig.window->findChild<MorphDialog*>();
+    QVERIFY(dialog);
+    auto* share = dialog->findChild<QSlider*>("morphShare");
+    share->setValue(0);
+    QVERIFY(dialog->between()->states() == rig.document().button().states());
+    share->setValue(25);
+    QTRY_VERIFY_WITH_TIMEOUT(dialog->findChild<QLabel*>("morphForecastTo")->text().startsWith("Against B"),
+                             20'000);
+    dialog->findChild<QPushButton*>("morphCreate")->click();
+    QCOMPARE(rig.window->tabs().all().size(), std::size_t(3));
+    const double made_mm =
+        metricsOf(rig.document().button().states()[0]).press.tactile[0].point.displacement_mm;
+    QVERIFY(std::abs(made_mm - (0.75 * c_mm + 0.25 * b_mm)) < 0.01);
+    rig.action("average")->trigger();
+    QCOMPARE(rig.window->tabs().all().size(), std::size_t(4));
+    QVERIFY(rig.notices().join("").contains("Mean of 3"));
   }
 
   // Presets fill in, changes stay, and what cannot be drawn cannot be exported.

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A button on the way from one to another, with what people will take it for.
+
+#include <optional>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <vector>
+
+#include "editor/document/display_units.h"
+#include "editor/forecast/forecast_source.h"
+#include "model/button.h"
+
+namespace detent::editor {
+
+class ComparePlot;
+
+/// Works on copies: what is edited meanwhile stays out. GUI thread; forecasts are computed beside it.
+class MorphDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `buttons`: two or more; the one at `first` is where the way begins.
+  MorphDialog(std::vector<Button> buttons, std::size_t first, const DisplayUnits& units,
+              QWidget* parent = nullptr);
+
+  /// The button the slider stands at; empty while there is none between the two chosen.
+  const std::optional<Button>& between() const { return between_; }
+
+ private:
+  QComboBox* buttonChoice(const char* name, const QString& tip, std::size_t chosen);
+  const Button& chosen(const QComboBox& box) const;
+  void follow();
+  void say(const Forecast& forecast);
+
+  std::vector<Button> buttons_;
+  DisplayUnits units_;
+  QComboBox *from_ = nullptr, *to_ = nullptr;
+  QSlider* share_ = nullptr;
+  ComparePlot* plot_ = nullptr;
+  QLabel *percent_ = nullptr, *forecastFrom_ = nullptr, *forecastTo_ = nullptr;
+  QPushButton* create_ = nullptr;
+  std::optional<Button> between_;
+  ForecastSource source_;
+};
+
+}  // namespace detent::editor
