@@ -112,9 +112,11 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   app.add_flag("--all", a.all, "import every graph; page and graph number go into the output names");
   app.add_flag("--list", a.list,
                "only list the graphs found: page, graph, box, axes, units, confidence, switches");
-  addChoice(app, "--quality", a.request.quality, qualities,
-            "draft, standard or precise (default: standard); what each costs and gives: docs/trade.md",
-            "standard");
+  addChoice(
+      app, "--quality", a.request.quality, qualities,
+      "draft, standard or precise (default: standard): drawn plots come out 0.11, 0.08 and 0.06 % of the "
+      "span off, for 1, 1.2 and 1.4 times the work; docs/trade.md",
+      "standard");
   app.add_option(
          "--sure", a.request.sure,
          "confidence below which an import is refused with exit 5; docs/import-confidence.md says what a "

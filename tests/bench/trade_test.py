@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What docs/trade.md recommends is what the programs do by themselves, the import dialogue quotes its figures, and every section stands there.
+"""What docs/trade.md recommends is what the programs do by themselves, the import dialogue and the help quote its figures, and every section stands there.
 
     trade_test.py --bin FOLDER
 """
@@ -38,6 +38,20 @@ def quality_box(module):
             for name in sorted(told.keys() | page.keys()) if told.get(name) != page.get(name)]
 
 
+def quality_help(module, binaries):
+    """What the importer's help says of the levels, in the order draft, standard, precise, against the page."""
+    page = module.table_of(module.kept("levels"))
+    if not (binaries / "detent-import").is_file():
+        return []
+    told = subprocess.run([str(binaries / "detent-import"), "--help"], capture_output=True, text=True).stdout
+    levels = [page[name] for name in ("draft", "standard", "precise")]
+    for said in ("{:.2f}, {:.2f} and {:.2f} % of the span".format(*(error for _, error, *_ in levels)),
+                 "{:.2g}, {:.2g} and {:.2g} times the work".format(*(work for work, *_ in levels))):
+        if said not in " ".join(told.split()):
+            return [f"detent-import --help: of --quality docs/trade.md says {said}"]
+    return []
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--bin", required=True, type=Path)
@@ -64,7 +78,7 @@ def main():
         entry = re.search(rf"^ +{option}\b.*(?:\n(?! +-).*)*", told, re.M)
         if not entry or not re.search(rf"(?:=|default: ){value}\b", entry[0]):
             wrong.append(f"{' '.join(command)} {option}: the page recommends {value}, the help has another default")
-    wrong += quality_box(module)
+    wrong += quality_box(module) + quality_help(module, binaries)
     for line in wrong:
         print(line)
     return 1 if wrong else 0
