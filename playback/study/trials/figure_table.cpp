@@ -32,12 +32,6 @@ std::string kept(const FigureCell& cell) {
   return isNumber(cell) ? exact(std::get<double>(cell)) : std::string();
 }
 
-/// Letters, not bytes: those that go on within a letter do not count.
-std::size_t widthOf(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
 /// Whether a column holds words, which stand at the left.
 bool ofWords(const FigureTable& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<FigureCell>& row) {
@@ -45,22 +39,29 @@ bool ofWords(const FigureTable& table, std::size_t column) {
   });
 }
 
-/// Lines of at most 80 letters, broken at blanks.
-std::string indented(const std::string& words) {
-  constexpr std::size_t longest = 80;
-  std::string text, line;
-  std::istringstream in(words);
-  for (std::string word; in >> word;) {
-    if (!line.empty() && 3 + widthOf(line) + widthOf(word) > longest) {
-      text += "  " + line + "\n";
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
-  }
-  return line.empty() ? text : text + "  " + line + "\n";
+}  // namespace
+
+std::size_t widthOf(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-}  // namespace
+std::string wrapped(const std::string& words, const std::string& begin) {
+  constexpr std::size_t longest = 80;
+  const std::string indent(widthOf(begin), ' ');
+  std::string text, line = begin;
+  bool empty = true;
+  std::istringstream in(words);
+  for (std::string word; in >> word; empty = false) {
+    if (!empty && widthOf(line) + 1 + widthOf(word) > longest) {
+      text += line + "\n";
+      line = indent;
+      empty = true;
+    }
+    line += (empty ? "" : " ") + word;
+  }
+  return empty ? text : text + line + "\n";
+}
 
 std::string csvField(const std::string& text) {
   if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
@@ -90,7 +91,7 @@ std::string tableText(const FigureTable& table) {
     row.erase(row.find_last_not_of(' ') + 1);
     text += row + "\n";
   }
-  return text + indented(table.note);
+  return text + wrapped(table.note, "  ");
 }
 
 std::string tableCsv(const FigureTable& table) {

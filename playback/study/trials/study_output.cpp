@@ -57,6 +57,14 @@ std::vector<std::string> shortened(const std::vector<std::string>& labels, std::
   return names;
 }
 
+/// Blanks behind, or before, up to so many letters.
+std::string left(const std::string& text, std::size_t width) {
+  return text + std::string(width - std::min(width, widthOf(text)), ' ');
+}
+std::string right(const std::string& text, std::size_t width) {
+  return std::string(width - std::min(width, widthOf(text)), ' ') + text;
+}
+
 std::string table1(const StudyResults& results) {
   std::string text = "Table 1. Summary\n";
   for (const GroupResult& g : results.groups) {
@@ -84,10 +92,10 @@ std::string table2(const StudyResults& results, const GroupResult& group) {
                      "\n  errors by all participants (* one failed, ** more)\n" + std::string(10, ' ');
   const std::size_t n = results.labels.size();
   const std::vector<std::string> names = shortened(results.labels, 7);
-  for (std::size_t i = 0; i + 1 < n; ++i) text += formatted("%8s", names[i].c_str());
+  for (std::size_t i = 0; i + 1 < n; ++i) text += right(names[i], 8);
   text += "\n";
   for (std::size_t second = 1; second < n; ++second) {
-    text += formatted("  %-8s", names[second].c_str());
+    text += "  " + left(names[second], 8);
     for (std::size_t first = 0; first < second; ++first) {
       const PairResult* pair = pairOf(group, first, second);
       text += formatted("%8s",
@@ -99,35 +107,37 @@ std::string table2(const StudyResults& results, const GroupResult& group) {
 }
 
 std::string pairLines(const StudyResults& results, const GroupResult& group) {
-  const std::vector<std::string> names = shortened(results.labels, 8);
+  const std::vector<std::string> names = shortened(results.labels, 7);
   std::string text = "  pair                 errors rate %  Wilson 95 % d' differ. (low)  indep. fails\n";
   bool half = false;
   for (const PairResult& pair : group.pairs) {
-    const std::string name = names[pair.first] + "-" + names[pair.second];
+    const std::string name = left(pairName(names, pair.first, pair.second), 17);
     const Sensitivity& s = pair.sensitivity;
     half |= s.noError;
-    text += formatted("  %-17s %4zu/%-5zu %5.1f  %11s %s%7.2f (%.2f)  %6.2f %5s\n", name.c_str(),
+    text += formatted("  %s %4zu/%-5zu %5.1f  %11s %s%7.2f (%.2f)  %6.2f %5s\n", name.c_str(),
                       pair.errors.errors, pair.errors.trials, 100 * rateOf(pair.errors),
                       intervalText(pair.wilson).c_str(), s.noError ? "~" : " ", s.differencing, s.low,
                       s.independent, pair.failCount ? std::to_string(*pair.failCount).c_str() : "-");
   }
-  if (half) text += "  ~ no error was made: what half an error gives; in brackets what 97.5 % are above\n";
+  if (half)
+    text += wrapped("~ no error was made: what half an error gives; in brackets what 97.5 % are above", "  ");
   return text;
 }
 
-std::string pairName(const StudyResults& results, std::size_t pair) {
-  const auto [first, second] = pairsOf(results.labels.size())[pair];
-  return results.labels[first] + "-" + results.labels[second];
+std::string nameOfPair(const std::vector<std::string>& labels, std::size_t pair) {
+  const auto [first, second] = pairsOf(labels.size())[pair];
+  return pairName(labels, first, second);
 }
 
 std::string comparisonLines(const StudyResults& results) {
   std::string text = "Conditions against each other (p two-sided; Holm over all, then over all pairs)\n";
+  const std::vector<std::string> names = shortened(results.labels, 7);
   for (const GroupComparison& c : results.comparisons) {
     if (!c.pair) {
       text += "  " + c.first + " - " + c.second + "\n";
     }
-    text += formatted("    %-24.24s %+6.2f %% errors",
-                      c.pair ? pairName(results, *c.pair).c_str() : "all trials", 100 * c.difference);
+    text += "  " + left(c.pair ? nameOfPair(names, *c.pair) : "all trials", 17) +
+            formatted(" %+6.2f %% errors", 100 * c.difference);
     if (c.interval) text += formatted(" (%+.1f to %+.1f)", 100 * c.interval->low, 100 * c.interval->high);
     text += formatted(", p = %.4f, Holm %.4f\n", c.p, c.adjusted);
     if (!c.pair)
@@ -142,10 +152,10 @@ std::string comparisonLines(const StudyResults& results) {
 std::string confusionTable(const StudyResults& results, const GroupResult& group) {
   std::string text = "Matches, " + group.condition + " (rows: X, columns: answer)\n" + std::string(10, ' ');
   const std::vector<std::string> names = shortened(results.labels, 7);
-  for (const std::string& name : names) text += formatted("%8s", name.c_str());
+  for (const std::string& name : names) text += right(name, 8);
   text += "\n";
   for (std::size_t x = 0; x < group.confusion.size(); ++x) {
-    text += formatted("  %-8s", names[x].c_str());
+    text += "  " + left(names[x], 8);
     for (const std::size_t count : group.confusion[x]) text += formatted("%8zu", count);
     text += "\n";
   }
@@ -362,7 +372,7 @@ std::string resultsText(const StudyResults& results) {
   std::string text = results.study + "\n";
   if (results.anySimulated) text += "SIMULATED: the program answered in place of people.\n";
   if (results.anyRehearsal) text += "REHEARSAL: there was no sound device; nothing was felt.\n";
-  if (!results.source.empty()) text += results.source + "\n";
+  if (!results.source.empty()) text += wrapped(results.source, "");
   if (!results.groups.empty()) text += "\n" + table1(results);
   for (const FigureTable& table : results.tables) text += "\n" + tableText(table);
   for (const GroupResult& group : results.groups) {
@@ -375,7 +385,7 @@ std::string resultsText(const StudyResults& results) {
                       *results.rule.mostErrors, *results.rule.mostErrors == 1 ? "" : "s",
                       results.trialsPerTest, results.rule.p);
   if (!results.warnings.empty()) text += "\nTo be known:\n";
-  for (const std::string& warning : results.warnings) text += "- " + warning + "\n";
+  for (const std::string& warning : results.warnings) text += wrapped(warning, "- ");
   return text;
 }
 
@@ -386,7 +396,7 @@ std::string resultsJson(const StudyResults& results) {
   for (const GroupComparison& c : results.comparisons)
     comparisons.push_back({{"first", c.first},
                            {"second", c.second},
-                           {"pair", c.pair ? Json(pairName(results, *c.pair)) : Json(nullptr)},
+                           {"pair", c.pair ? Json(nameOfPair(results.labels, *c.pair)) : Json(nullptr)},
                            {"paired", c.paired},
                            {"participants", c.participants},
                            {"difference", c.difference},

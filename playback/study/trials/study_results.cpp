@@ -50,7 +50,9 @@ void describe(const Study& study, const Trial& trial, const Answer& answer, Tria
   row.replaysB = replays.size() > 1 ? replays[1] : 0;
   if (kind == StudyKind::threshold) return;
   std::tie(row.first, row.second) = std::minmax(trial.choices[0], trial.choices[1]);
-  row.pair = study.buttons[row.first].label + "-" + study.buttons[row.second].label;
+  std::vector<std::string> labels;
+  for (std::size_t i = 0; i < study.givenButtons(); ++i) labels.push_back(study.buttons[i].label);
+  row.pair = pairName(labels, row.first, row.second);
 }
 
 TrialRow rowOf(const Study& study, const ParticipantRecord& participant, std::size_t at) {
@@ -291,6 +293,14 @@ std::vector<TrialRow> rowsOf(const Study& study, const std::vector<ParticipantRe
     for (std::size_t i = 0; i < p.answers.size(); ++i)
       if (!p.plan[i].practice) rows.push_back(rowOf(study, p, i));
   return rows;
+}
+
+std::string pairName(const std::vector<std::string>& labels, std::size_t first, std::size_t second) {
+  for (const char* between : {"-", " | "})
+    if (std::none_of(labels.begin(), labels.end(),
+                     [&](const std::string& label) { return label.find(between) != std::string::npos; }))
+      return labels[first] + between + labels[second];
+  return std::to_string(first + 1) + "-" + std::to_string(second + 1);
 }
 
 DiscriminationRule discriminationRule(std::size_t trials, double level) {

@@ -127,6 +127,9 @@ struct StudyResults {
   bool anySimulated = false, anyRehearsal = false;
 };
 
+/// A pair as it is named: "A-B"; where a label holds that hyphen "A | B", or numbers, so that no two pairs are named alike.
+std::string pairName(const std::vector<std::string>& labels, std::size_t first, std::size_t second);
+
 StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>& participants);
 
 }  // namespace detent::playback

@@ -618,6 +618,31 @@ TEST_CASE("results: every line of the text fits 80 columns, and long labels stil
   CHECK(lines.size() == 3);
 }
 
+TEST_CASE("results: no two pairs are named alike, whatever hyphens their labels hold") {
+  const std::vector<std::string> plain{"A", "B"}, hyphens{"A-B", "C", "A", "B-C"}, both{"A-B", "C | D", "E"};
+  CHECK(pairName(plain, 0, 1) == "A-B");
+  for (const std::vector<std::string>& labels : {hyphens, both}) {
+    std::set<std::string> names;
+    for (const auto& [first, second] : pairsOf(labels.size())) names.insert(pairName(labels, first, second));
+    CHECK(names.size() == pairsOf(labels.size()).size());
+  }
+}
+
+TEST_CASE("results: words are wrapped at 80 letters, not bytes, behind their sign") {
+  std::string words;
+  for (int i = 0; i < 60; ++i) words += "\xc3\xbc\xc3\xbc\xc3\xbc ";
+  std::istringstream lines(wrapped(words, "- "));
+  std::string line;
+  std::size_t count = 0;
+  for (; std::getline(lines, line); ++count) {
+    CHECK(line.rfind(count == 0 ? "- " : "  ", 0) == 0);
+    CHECK(widthOf(line) <= 80);
+    CHECK((widthOf(line) > 74 || count == 3));
+  }
+  CHECK(count == 4);
+  CHECK(wrapped("", "- ").empty());
+}
+
 TEST_CASE("results: no error is half an error, never infinity, and above one error") {
   const Sensitivity s = sensitivityOf({0, 90});
   CHECK(s.noError);
@@ -646,7 +671,8 @@ TEST_CASE("Kim & Lee's printed counts: their percentages, and what does not add 
   REQUIRE(holdsPrintedCounts(folder));
   const Result<StudyResults> results = readPrintedCounts(folder);
   REQUIRE(results);
-  const std::string text = resultsText(*results);
+  std::string text = resultsText(*results);
+  while (text.find("\n  ") != std::string::npos) text.replace(text.find("\n  "), 3, " ");  // wrapped
   for (const char* figure :
        {"8 / 1350 (0.59 %)", "46 / 1350 (3.41 %)", "1 / 135 (0.74 %)", "8 / 135 (5.93 %)",
         "\"76/96\" is printed (79.2 %)", "72 trials", "57/72", "24 participants", "52/72"})
