@@ -119,6 +119,9 @@ class Press {
     start_J_ = storedIn(now_);
   }
 
+  /// Where the cap stood after each step, if it is kept.
+  void keepDepths(std::vector<double>& depths_m) { depths_m_ = &depths_m; }
+
   /// `toContact`: no farther than the first activation, or to where none comes any more.
   PressOutcome run(bool toContact = false) {
     const auto goesOn = [&] { return !outcome_.ended && !(toContact && outcome_.activation_s); };
@@ -130,6 +133,7 @@ class Press {
       else
         advanceInAir(muscle_N);
       observe(time_s + plantStep_s);
+      if (depths_m_) depths_m_->push_back(now_.cap_m);
     }
     if (energy_) energy_->stored_J = storedIn(now_) - start_J_;
     return outcome_;
@@ -298,6 +302,7 @@ class Press {
   Moving now_, guess_;
   StepForces last_;
   PressOutcome outcome_;
+  std::vector<double>* depths_m_ = nullptr;
   double fingerStep_s_per_kg_ = plantStep_s / finger_.mass_kg;
   double start_J_ = 0;
   bool touched_ = false;
@@ -308,6 +313,15 @@ class Press {
 PressOutcome simulatePress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                            const PressCommand& command, PressEnergy* energy) {
   return Press(key, contact, finger, command, energy).run();
+}
+
+std::vector<double> depthsOfPress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
+                                  const PressCommand& command) {
+  std::vector<double> depths_m;
+  Press press(key, contact, finger, command, nullptr);
+  press.keepDepths(depths_m);
+  (void)press.run();
+  return depths_m;
 }
 
 bool closesContact(const KeyTables& key, const ContactPoints& contact, const Finger& finger,

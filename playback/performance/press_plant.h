@@ -3,6 +3,7 @@
 // One press of one finger on one button, in steps of 50 µs (docs/press-forecast.md, "Plant"). Lengths in m, downwards.
 
 #include <optional>
+#include <vector>
 
 #include "playback/performance/fingers.h"
 #include "playback/performance/key_tables.h"
@@ -49,5 +50,8 @@ bool closesContact(const KeyTables& key, const ContactPoints& contact, const Fin
                    const PressCommand& command);  ///< the same press, only as far as its contact
 PressOutcome simulatePress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
                            const PressCommand& command, PressEnergy* energy = nullptr);
+/// Depth of the cap after each step of the same press, m.
+std::vector<double> depthsOfPress(const KeyTables& key, const ContactPoints& contact, const Finger& finger,
+                                  const PressCommand& command);
 
 }  // namespace detent::playback

@@ -16,6 +16,7 @@
 #include "playback/program/identify_device_command.h"
 #include "playback/program/latency_command.h"
 #include "playback/program/live_command.h"
+#include "playback/program/magnetic_command.h"
 #include "playback/program/page_command.h"
 #include "playback/program/performance_command.h"
 #include "playback/program/render_command.h"
@@ -37,6 +38,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   addPageCommand(program, chosen);
   addExportCommand(program, chosen);
   addPerformanceCommand(program, chosen);
+  addMagneticCommand(program, chosen);
   addDevicesCommand(program, chosen);
   addSweepCommand(program, chosen);
   addLatencyCommand(program, chosen);

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What a Hall, TMR or inductive sensor under a switch reads over its travel. Reading order of the folder: magnetic_sensor.h,
+// magnetic_key.h, simulate_key.h, write_key_tables.h. Method and limits: docs/magnetic-switches.md.
+
+#include <string>
+#include <vector>
+
+#include "model/result.h"
+
+namespace detent::playback {
+
+/// One measured place.
+struct SensorPair {
+  double displacement_mm = 0, reading = 0;  ///< reading in counts of the converter
+};
+
+/// A reading for each place and back, straight between the pairs and on beyond them. Immutable; any thread.
+class MagneticSensor {
+ public:
+  /// Failure unreadableInput about `subject`: fewer than two pairs, a value that is not finite, places that do not rise, readings that
+  /// do not run one way, or noise that is not in 0..1e6.
+  static Result<MagneticSensor> fromPairs(std::vector<SensorPair> pairs, double noise,
+                                          const std::string& subject);
+  /// Pairs from a CSV with the header `displacement_mm,reading`.
+  static Result<MagneticSensor> fromCsv(const std::string& file, double noise);
+  /// A magnet of 3 mm diameter and 2 mm length that comes to 1.2 mm above a 12 bit sensor at the end of `travel_mm` (> 0), on its axis:
+  /// of the usual size, measured on no switch.
+  static MagneticSensor assumed(double travel_mm, double noise);
+
+  double reading(double displacement_mm) const;
+  double displacement_mm(double reading) const;
+  const std::vector<SensorPair>& pairs() const { return pairs_; }
+  double noise() const { return noise_; }  ///< standard deviation, counts
+  bool isAssumed() const { return assumed_; }
+
+ private:
+  MagneticSensor(std::vector<SensorPair> pairs, double noise, bool assumed)
+      : pairs_(std::move(pairs)), noise_(noise), assumed_(assumed) {}
+  std::vector<SensorPair> pairs_;
+  double noise_ = 0;
+  bool assumed_ = false;
+};
+
+}  // namespace detent::playback

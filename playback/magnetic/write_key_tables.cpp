@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/magnetic/write_key_tables.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "model/number_table.h"
+#include "model/version.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double um_per_mm = 1000;
+constexpr int csvPieces = 200, checkedPieces = 4096;
+
+double fromTable_mm(const TravelTable& table, double reading) {
+  const double place =
+      (reading - table.restReading) / (table.endReading - table.restReading) * (travelTableEntries - 1);
+  const auto i = static_cast<std::size_t>(std::clamp(place, 0.0, travelTableEntries - 2.0));
+  return std::lerp(static_cast<double>(table.travel_um[i]), static_cast<double>(table.travel_um[i + 1]),
+                   place - static_cast<double>(i)) /
+         um_per_mm;
+}
+
+/// Names of buttons are any text; a C comment is not.
+std::string inComment(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    const bool plain = c >= ' ' && c <= '~' && c != '*' && c != '/' && c != '\\' && c != '?';
+    safe += plain ? c : '_';
+  }
+  return safe;
+}
+
+std::string micrometres(double displacement_mm) {
+  return std::to_string(std::lround(displacement_mm * um_per_mm));
+}
+
+std::string simulatedLine(const MagneticKeyForecast& f) {
+  char line[160];
+  const std::string rapid = f.settings.rapid_mm ? shortestText(*f.settings.rapid_mm) + " mm" : "off";
+  std::snprintf(line, sizeof line,
+                "   rapid trigger %-8s lost %.1f, doubled %.1f of 1,000; held: lets go %.0f times a minute, "
+                "shallow %.0f\n",
+                rapid.c_str(), f.lost_per_1000, f.doubled_per_1000, f.letsGo_per_minute,
+                f.letsGoShallow_per_minute);
+  return line;
+}
+
+std::string head(const Button& button, const MagneticSensor& sensor, const TravelTable& table,
+                 const std::vector<MagneticKeyForecast>& simulated) {
+  std::string text =
+      "/* " + inComment(button.name()) + " on a magnetic switch; written by Detent " + version() + ".\n";
+  text += sensor.isAssumed() ? "   READINGS ARE ASSUMED (a magnet of the usual size): measure yours, pass "
+                               "them with --readings.\n"
+                             : "   Readings as measured.\n";
+  char line[160];
+  std::snprintf(line, sizeof line,
+                "   A place read from the table is off by up to %.4f mm; noise of %.3g counts.\n",
+                table.worst_mm, sensor.noise());
+  text += line;
+  text += "   Forecast for 64 simulated fingers, 1,024 presses, acting at the point below:\n";
+  for (const MagneticKeyForecast& one : simulated) text += simulatedLine(one);
+  return text + "*/\n";
+}
+
+}  // namespace
+
+TravelTable travelTableOf(const MagneticSensor& sensor, double travel_mm) {
+  TravelTable table;
+  table.restReading = sensor.reading(0), table.endReading = sensor.reading(travel_mm);
+  for (int i = 0; i < travelTableEntries; ++i) {
+    const double reading =
+        std::lerp(table.restReading, table.endReading, static_cast<double>(i) / (travelTableEntries - 1));
+    table.travel_um.push_back(
+        static_cast<unsigned>(std::max(0L, std::lround(sensor.displacement_mm(reading) * um_per_mm))));
+  }
+  for (int i = 0; i <= checkedPieces; ++i) {
+    const double at_mm = travel_mm * i / checkedPieces;
+    table.worst_mm = std::max(table.worst_mm, std::abs(fromTable_mm(table, sensor.reading(at_mm)) - at_mm));
+  }
+  return table;
+}
+
+std::string sensorCsvFrom(const MagneticSensor& sensor, double travel_mm) {
+  std::string csv = "displacement_mm,reading,counts_per_mm,noise_mm\n";
+  const double spacing_mm = travel_mm / csvPieces;
+  for (int i = 0; i <= csvPieces; ++i) {
+    const double at_mm = i == csvPieces ? travel_mm : spacing_mm * i;
+    const double beside_mm = i == csvPieces ? at_mm - spacing_mm : at_mm + spacing_mm;
+    const double slope = (sensor.reading(beside_mm) - sensor.reading(at_mm)) / (beside_mm - at_mm);
+    csv += shortestText(at_mm) + ',' + shortestText(sensor.reading(at_mm)) + ',' + shortestText(slope) + ',' +
+           shortestText(sensor.noise() / std::abs(slope)) + '\n';
+  }
+  return csv;
+}
+
+std::string keyHeaderFrom(const Button& button, const MagneticSensor& sensor,
+                          const MagneticKeySettings& chosen,
+                          const std::vector<MagneticKeyForecast>& simulated) {
+  const double travel_mm = button.states().front().graph.travel_mm();
+  const TravelTable table = travelTableOf(sensor, travel_mm);
+  std::string text = head(button, sensor, table, simulated);
+  text += "#ifndef DETENT_MAGNETIC_KEY_H\n#define DETENT_MAGNETIC_KEY_H\n\n#include <stdint.h>\n\n";
+  text += "#define DETENT_READING_AT_REST " + std::to_string(std::lround(table.restReading)) + "\n";
+  text += "#define DETENT_READING_AT_END " + std::to_string(std::lround(table.endReading)) + "\n";
+  text += "#define DETENT_TRAVEL_UM " + micrometres(travel_mm) + "\n";
+  text += "#define DETENT_ACTUATE_UM " + micrometres(chosen.actuate_mm) + "\n";
+  text += "#define DETENT_RESET_UM " + micrometres(chosen.reset_mm) + "\n";
+  text += "#define DETENT_RAPID_UM " + micrometres(chosen.rapid_mm.value_or(0)) +
+          "  /* 0: no rapid trigger */\n\n";
+  text +=
+      "/* Micrometres at entry (reading - DETENT_READING_AT_REST) * 255 / (DETENT_READING_AT_END - "
+      "DETENT_READING_AT_REST). */\n";
+  text += "static const uint32_t detent_travel_um[" + std::to_string(travelTableEntries) + "] = {";
+  for (std::size_t i = 0; i < table.travel_um.size(); ++i)
+    text += (i % 16 == 0 ? "\n  " : " ") + std::to_string(table.travel_um[i]) + "u,";
+  return text + "\n};\n\n#endif\n";
+}
+
+}  // namespace detent::playback

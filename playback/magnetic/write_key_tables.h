@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What firmware of a magnetic keyboard takes in: a table from reading to displacement and the settings of the key.
+
+#include <string>
+#include <vector>
+
+#include "playback/magnetic/simulate_key.h"
+
+namespace detent::playback {
+
+inline constexpr int travelTableEntries = 256;
+
+/// Displacements in whole micrometres at evenly spaced readings from rest to the end of the travel.
+struct TravelTable {
+  double restReading = 0, endReading = 0;
+  std::vector<unsigned> travel_um;  ///< travelTableEntries
+  double worst_mm = 0;              ///< by which a place read from it, straight between entries, may be off
+};
+TravelTable travelTableOf(const MagneticSensor& sensor, double travel_mm);
+
+/// `displacement_mm,reading,counts_per_mm,noise_mm`: 201 places of the travel.
+std::string sensorCsvFrom(const MagneticSensor& sensor, double travel_mm);
+
+/// C99 and C++: the table, the settings of `chosen`, and in its comment what was simulated. ASCII.
+std::string keyHeaderFrom(const Button& button, const MagneticSensor& sensor,
+                          const MagneticKeySettings& chosen,
+                          const std::vector<MagneticKeyForecast>& simulated);
+
+}  // namespace detent::playback

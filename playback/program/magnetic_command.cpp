@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/program/magnetic_command.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "model/file/button_file.h"
+#include "model/file/text_file.h"
+#include "playback/magnetic/write_key_tables.h"
+#include "playback/program/json_output.h"
+#include "playback/program/number_option.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double usualDifferential_mm = 0.1;
+
+struct MagneticArguments {
+  std::string button, readingsFile, outputFile;
+  double noise = 2, scan_ms = 1;
+  std::optional<double> operateAt_mm, resetAt_mm, rapid_mm;
+  bool json = false;
+};
+
+Failure usage(const char* option, Message problem, Remedies remedies) {
+  return {FailureCode::wrongUsage, Subject::option(option), "", std::move(problem), std::move(remedies)};
+}
+
+Result<MagneticKeySettings> settingsOf(const MagneticArguments& a, const Button& button) {
+  const ButtonState& state = button.states().front();
+  const std::optional<double> actuate_mm = a.operateAt_mm ? a.operateAt_mm : state.operatingPoint_mm;
+  if (!actuate_mm)
+    return usage("--operate-at", "is missing, and the button names no operating point",
+                 "Pass --operate-at MM");
+  MagneticKeySettings settings;
+  settings.actuate_mm = *actuate_mm;
+  settings.reset_mm = std::max(0.0, *actuate_mm - usualDifferential_mm);
+  if (state.operatingPoint_mm && state.resetPoint_mm)
+    settings.reset_mm = std::max(0.0, *actuate_mm - (*state.operatingPoint_mm - *state.resetPoint_mm));
+  if (a.resetAt_mm) settings.reset_mm = *a.resetAt_mm;
+  if (!(settings.reset_mm < settings.actuate_mm))
+    return usage("--reset-at", "does not lie above the point at which the key acts",
+                 "Pass a smaller displacement");
+  settings.rapid_mm = a.rapid_mm;
+  settings.scan_s = a.scan_ms / 1000;
+  return settings;
+}
+
+Result<MagneticSensor> sensorOf(const MagneticArguments& a, const Button& button) {
+  if (!a.readingsFile.empty()) return MagneticSensor::fromCsv(a.readingsFile, a.noise);
+  return MagneticSensor::assumed(button.states().front().graph.travel_mm(), a.noise);
+}
+
+/// The settings asked for first, then without rapid trigger and with it in steps.
+std::vector<MagneticKeySettings> variantsOf(const MagneticKeySettings& chosen) {
+  std::vector<MagneticKeySettings> variants = {chosen};
+  for (const std::optional<double> rapid_mm : {std::optional<double>{}, {0.1}, {0.2}, {0.3}, {0.5}, {1.0}}) {
+    if (rapid_mm == chosen.rapid_mm) continue;
+    variants.push_back(chosen);
+    variants.back().rapid_mm = rapid_mm;
+  }
+  return variants;
+}
+
+void say(const MagneticKeyForecast& f) {
+  const std::string rapid =
+      f.settings.rapid_mm ? std::to_string(*f.settings.rapid_mm).substr(0, 5) + " mm" : "off";
+  std::fprintf(stderr, "  %-14s %8.1f %8.1f %14.0f %14.0f\n", rapid.c_str(), f.lost_per_1000,
+               f.doubled_per_1000, f.letsGo_per_minute, f.letsGoShallow_per_minute);
+}
+
+Json jsonOf(const MagneticKeyForecast& f) {
+  return {{"rapid_trigger_mm", f.settings.rapid_mm ? Json(*f.settings.rapid_mm) : Json(nullptr)},
+          {"lost_per_1000", f.lost_per_1000},
+          {"doubled_per_1000", f.doubled_per_1000},
+          {"lets_go_per_minute", f.letsGo_per_minute},
+          {"lets_go_shallow_per_minute", f.letsGoShallow_per_minute}};
+}
+
+bool endsWith(const std::string& text, const char* end) { return text.ends_with(end); }
+
+Result<Done> write(const MagneticArguments& a, const Button& button, const MagneticSensor& sensor,
+                   const std::vector<MagneticKeyForecast>& simulated) {
+  if (a.outputFile.empty()) return Done{};
+  const std::string text = endsWith(a.outputFile, ".csv")
+                               ? sensorCsvFrom(sensor, button.states().front().graph.travel_mm())
+                               : keyHeaderFrom(button, sensor, simulated.front().settings, simulated);
+  return writeTextFileAtomically(a.outputFile, text);
+}
+
+void report(const MagneticArguments& a, const Button& button, const MagneticSensor& sensor,
+            const std::vector<MagneticKeyForecast>& simulated) {
+  const MagneticKeySettings& chosen = simulated.front().settings;
+  std::fprintf(
+      stderr, "%s: acts at %.4g mm, resets at %.4g mm; forecast of %d presses, %s\n", button.name().c_str(),
+      chosen.actuate_mm, chosen.reset_mm, fingerCount * pressesOfFinger,
+      sensor.isAssumed() ? "readings assumed (pass your own with --readings)" : "readings as measured");
+  std::fprintf(
+      stderr,
+      "  rapid trigger   lost and doubled of 1,000; held at the end, and shallow: lets go a minute\n");
+  for (const MagneticKeyForecast& one : simulated) say(one);
+  if (!a.json) return;
+  Json list = Json::array();
+  for (const MagneticKeyForecast& one : simulated) list.push_back(jsonOf(one));
+  const TravelTable table = travelTableOf(sensor, button.states().front().graph.travel_mm());
+  print({{"forecast", true},
+         {"readings", sensor.isAssumed() ? "assumed" : "measured"},
+         {"operating_point_mm", chosen.actuate_mm},
+         {"reset_point_mm", chosen.reset_mm},
+         {"reading_at_rest", table.restReading},
+         {"reading_at_end", table.endReading},
+         {"table_error_mm", table.worst_mm},
+         {"settings", std::move(list)},
+         {"output", a.outputFile.empty() ? Json(nullptr) : Json(a.outputFile)}});
+}
+
+int run(const MagneticArguments& a, const Cancelled& cancelled) {
+  if (!a.outputFile.empty() && !endsWith(a.outputFile, ".csv") && !endsWith(a.outputFile, ".h"))
+    return fail(usage("--output", "ends neither in .csv nor in .h", "Give the file one of these endings"));
+  Result<Button> button = readButtonFile(a.button);
+  if (!button) return fail(button.failure());
+  const Result<MagneticKeySettings> chosen = settingsOf(a, *button);
+  if (!chosen) return fail(chosen.failure());
+  const Result<MagneticSensor> sensor = sensorOf(a, *button);
+  if (!sensor) return fail(sensor.failure());
+  const auto presses = PressedDepths::of(*button, chosen->actuate_mm, cancelled);
+  if (!presses) return fail(Failure::cancelled("magnetic"));
+  if (!*presses) return fail(presses->failure());
+  std::vector<MagneticKeyForecast> simulated;
+  for (const MagneticKeySettings& settings : variantsOf(*chosen)) {
+    if (cancelled && cancelled()) return fail(Failure::cancelled("magnetic"));
+    simulated.push_back(forecastKey(**presses, *button, *sensor, settings));
+  }
+  const Result<Done> written = write(a, *button, *sensor, simulated);
+  if (!written) return fail(written.failure());
+  report(a, *button, *sensor, simulated);
+  return 0;
+}
+
+void addOptions(CLI::App& app, MagneticArguments& a) {
+  app.add_option("BUTTON", a.button, "*.button.json")->required();
+  app.add_option(
+      "-o,--output", a.outputFile,
+      "OUT.csv: readings along the travel; OUT.h: C table from reading to travel, with the settings");
+  app.add_option(
+      "--readings", a.readingsFile,
+      "CSV of your sensor, displacement_mm,reading (default: a magnet of the usual size, assumed)");
+  app.add_option("--noise", a.noise, "Standard deviation of a reading at rest, counts")
+      ->check(numberWithin(0, 1e6))
+      ->capture_default_str();
+  app.add_option("--operate-at", a.operateAt_mm,
+                 "Where the key acts, mm (default: the button's operating point)")
+      ->check(numberWithin(0, 1e5));
+  app.add_option("--reset-at", a.resetAt_mm,
+                 "Where it lets go, mm (default: as far above as the button's reset point)")
+      ->check(numberWithin(0, 1e5));
+  app.add_option(
+         "--rapid-trigger", a.rapid_mm,
+         "Lets go so far above the deepest place and acts so far below the highest, mm (default: off)")
+      ->check(numberWithin(0.001, 100));
+  app.add_option("--scan-ms", a.scan_ms, "Time between two readings, ms")
+      ->check(numberWithin(0.05, 100))
+      ->capture_default_str();
+  app.add_flag("--json", a.json, "One JSON object on stdout");
+}
+
+}  // namespace
+
+void addMagneticCommand(CLI::App& program, Action& chosen) {
+  CLI::App* app = program.add_subcommand(
+      "magnetic", "Tables and settings for a magnetic keyboard's firmware, tried on simulated presses");
+  const auto a = std::make_shared<MagneticArguments>();
+  addOptions(*app, *a);
+  app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
+}
+
+}  // namespace detent::playback

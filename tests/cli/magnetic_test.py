@@ -1,0 +1,132 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""detent-play magnetic: its C table, compiled and asked for places; its simulation's limits; what it refuses.
+
+    magnetic_test.py --program DETENT-PLAY --samples FOLDER --cc C-COMPILER --cxx C++-COMPILER
+"""
+
+import argparse
+import csv
+import json
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+ARGUMENTS = None
+
+ASKING = """
+#include <stdio.h>
+#include "key.h"
+int main(void) {
+  double reading;
+  while (scanf("%lf", &reading) == 1) {
+    double place = (reading - DETENT_READING_AT_REST) * 255.0 / (DETENT_READING_AT_END - DETENT_READING_AT_REST);
+    int i = place < 0 ? 0 : place > 254 ? 254 : (int)place;
+    printf("%.6f\\n", detent_travel_um[i] + (place - i) * ((double)detent_travel_um[i + 1] - (double)detent_travel_um[i]));
+  }
+  return 0;
+}
+"""
+
+
+def law(displacement):
+    """Counts of a falling sensor, as no magnet of the program's gives them."""
+    return 3000 - 400 * displacement - 60 * displacement ** 2
+
+
+class Magnetic(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.temporary.name)
+        self.addCleanup(self.temporary.cleanup)
+
+    def magnetic(self, *options, button="C"):
+        return subprocess.run([ARGUMENTS.program, "magnetic", str(ARGUMENTS.samples / f"{button}.button.json"),
+                               *map(str, options)], capture_output=True, text=True)
+
+    def settings(self, *options):
+        result = self.magnetic("--json", *options)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return {one["rapid_trigger_mm"]: one for one in json.loads(result.stdout)["settings"]}
+
+    def measured(self):
+        path = self.folder / "readings.csv"
+        rows = [f"{i / 50},{law(i / 50)}" for i in range(201)]
+        path.write_text("displacement_mm,reading\n" + "\n".join(rows) + "\n")
+        return path
+
+    def test_the_table_turns_readings_back(self):
+        out = self.folder / "key.h"
+        result = self.magnetic("--readings", self.measured(), "-o", out)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        source = self.folder / "asking.c"
+        source.write_text(ASKING)
+        for compiler, standard in ((ARGUMENTS.cc, ["-std=c99"]), (ARGUMENTS.cxx, ["-std=c++17", "-x", "c++"])):
+            program = self.folder / "asking"
+            subprocess.run([compiler, *standard, "-Wall", "-Wextra", "-pedantic", "-Werror", str(source), "-o", str(program)],
+                           check=True)
+            places = [i / 97 * 4 for i in range(98)]
+            told = subprocess.run([str(program)], input="\n".join(str(law(x)) for x in places), text=True,
+                                  capture_output=True, check=True).stdout.split()
+            for place, um in zip(places, told):
+                self.assertAlmostEqual(float(um) / 1000, place, delta=0.005)
+        self.assertNotIn("ASSUMED", out.read_text())
+
+    def test_the_sensor_along_the_travel(self):
+        out = self.folder / "sensor.csv"
+        self.magnetic("--readings", self.measured(), "--noise", 4, "-o", out)
+        with open(out, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual(len(rows), 201)
+        for row in rows:
+            x = float(row["displacement_mm"])
+            self.assertAlmostEqual(float(row["reading"]), law(x), delta=0.1)
+            self.assertAlmostEqual(float(row["noise_mm"]), 4 / (400 + 120 * x), delta=2e-4)
+
+    def test_without_readings_it_says_assumed_the_same_every_time(self):
+        result = self.magnetic("--json", "-o", self.folder / "key.h")
+        again = self.magnetic("--json", "-o", self.folder / "key.h")
+        self.assertEqual(result.stdout, again.stdout)
+        self.assertEqual(json.loads(result.stdout)["readings"], "assumed")
+        self.assertIn("ASSUMED", (self.folder / "key.h").read_text())
+
+    def test_limits_of_the_simulation(self):
+        quiet = self.settings("--readings", self.measured(), "--noise", 0)
+        fixed = quiet[None]
+        self.assertEqual((fixed["lost_per_1000"], fixed["doubled_per_1000"], fixed["lets_go_per_minute"]), (0, 0, 0))
+        # A finger that trembles counts twice the more easily the less travel is asked for.
+        doubled = [quiet[mm]["doubled_per_1000"] for mm in (0.1, 0.2, 0.3, 0.5, 1.0)]
+        self.assertEqual(doubled, sorted(doubled, reverse=True))
+        # Noise far above the rapid trigger's way makes a held key let go; fixed points 0.6 mm apart do not care.
+        loud = self.settings("--readings", self.measured(), "--noise", 60)
+        self.assertGreater(loud[0.1]["lets_go_per_minute"], 100)
+        self.assertEqual(loud[None]["lets_go_per_minute"], 0)
+        # Scanned so rarely that a press falls between two readings.
+        rare = self.settings("--scan-ms", 100, "--noise", 0)
+        self.assertGreater(rare[None]["lost_per_1000"], 0)
+
+    def test_what_is_refused(self):
+        bad = self.folder / "bad.csv"
+        out = self.folder / "key.h"
+        for text in ("", "x,y\n1,2\n", "displacement_mm,reading\n0,1\n", "displacement_mm,reading\n0,1\n1,3\n2,2\n",
+                     "displacement_mm,reading\n0,1\n0,2\n", "displacement_mm,reading\n0,1\n1,nan\n"):
+            bad.write_text(text)
+            result = self.magnetic("--readings", bad, "-o", out)
+            self.assertEqual(result.returncode, 3, text + result.stderr)
+            self.assertEqual(result.stderr.count("\n"), 1)
+        self.assertEqual(self.magnetic("--readings", self.folder / "none.csv").returncode, 3)
+        for options in (("-o", self.folder / "key.txt"), ("--reset-at", 3), ("--noise", -1), ("--operate-at", 9)):
+            self.assertEqual(self.magnetic(*options).returncode, 2, options)
+        self.assertEqual(self.magnetic(button="latch").returncode, 2)
+        self.assertFalse(out.exists())
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--samples", type=pathlib.Path, required=True)
+    parser.add_argument("--cc", required=True)
+    parser.add_argument("--cxx", required=True)
+    ARGUMENTS, rest = parser.parse_known_args()
+    unittest.main(argv=[__file__, *rest])
