@@ -7210,6 +7210,14 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>&apos;%1&apos; is no page&apos;s name</source>
         <translation>„%1“ ist kein Name einer Seite</translation>
     </message>
+    <message>
+        <source>it has no %1</source>
+        <translation>er hat keine solche Größe: %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no button&apos;s name</source>
+        <translation>„%1“ ist kein Name eines Tasters</translation>
+    </message>
 </context>
 <context>
     <name>detent::importer::Doubts</name>
