@@ -31,7 +31,7 @@ from .failure import Failure, NoForceGraph, NotCertain, UnreadableInput, WrongUs
 
 __all__ = [
     "Button", "Failure", "NoForceGraph", "NotCertain", "UnreadableInput", "WrongUsage",
-    "confusion", "import_many", "load", "read", "render", "__version__",
+    "average", "between", "confusion", "find_like", "import_many", "load", "performance", "read", "render", "__version__",
 ]
 
 _programs.check_version()
@@ -232,18 +232,75 @@ def _samples(wave: bytes) -> NDArray[np.float32]:
     return np.frombuffer(wave, dtype="<f4", count=size // 4, offset=at + 8)
 
 
+def _files_in(folder: str, buttons: Sequence[Button]) -> list[str]:
+    """Buttons as files of a folder, in order."""
+    paths = [os.path.join(folder, f"{place}.button.json") for place in range(len(buttons))]
+    for path, button in zip(paths, buttons):
+        Path(path).write_text(button.to_json(), encoding="utf-8")
+    return paths
+
+
 def confusion(*buttons: Button) -> list[dict[str, Any]]:
     """Will people tell these buttons apart? One entry a pair, of `detent-play confusion --json`: d_prime, errors_per_90, ...
 
     a, b: the buttons' places among the arguments, from 0. WrongUsage: fewer than two buttons.
     """
     with tempfile.TemporaryDirectory(prefix="detent-") as folder:
-        paths = [os.path.join(folder, f"{place}.button.json") for place in range(len(buttons))]
-        for path, button in zip(paths, buttons):
-            Path(path).write_text(button.to_json(), encoding="utf-8")
-        pairs: list[dict[str, Any]] = _programs.run("detent-play", "confusion", *paths, "--json")["pairs"]
+        pairs: list[dict[str, Any]] = _programs.run("detent-play", "confusion", *_files_in(folder, buttons), "--json")["pairs"]
     order = [(a, b) for a in range(len(buttons)) for b in range(a + 1, len(buttons))]
     return [{**pair, "a": a, "b": b} for pair, (a, b) in zip(pairs, order)]
+
+
+def performance(*buttons: Button) -> list[dict[str, Any]]:
+    """How people will press these buttons: one entry a button, of `detent-play performance --json`: activation_s, misses_per_1000, ...
+
+    Some seconds a button. WrongUsage: no button.
+    """
+    with tempfile.TemporaryDirectory(prefix="detent-") as folder:
+        forecast = _programs.run("detent-play", "performance", *_files_in(folder, buttons), "--json")
+    return list(forecast["buttons"])
+
+
+def find_like(button: Button, database: AnyPath, *, limit: int = 10) -> list[dict[str, Any]]:
+    """Measured switches that feel like this button, nearest first: `found` of `detent-import library find --like`.
+
+    database: the library's file, as `detent-import library index` makes it. Each entry has name, credit, licence, source,
+    distance_lab_noise (below 1 nobody can say that two differ), group and the key figures.
+    UnreadableInput: no library, or one of another version.
+    """
+    with _folder_with(button) as folder:
+        answer = _programs.run("detent-import", "library", "find", f"--db={os.fspath(database)}", f"--like={_button_in(folder)}",
+                               f"--limit={limit}", "--json")
+    return list(answer["found"])
+
+
+def average(*units: Button) -> tuple[Button, dict[str, Any]]:
+    """Several measured units as one button: the mean, and what `detent-graph average --json` says of the spread.
+
+    `units`: by place among the arguments how far each lies from the median (distance_N), and whether it is an outlier;
+    `states`: figures with mean, sd, least, most; press_band and release_band. WrongUsage: fewer than two.
+    """
+    with tempfile.TemporaryDirectory(prefix="detent-") as folder:
+        out = os.path.join(folder, "mean.button.json")
+        spread = _programs.run("detent-graph", "average", *_files_in(folder, units), "-o", out, "--json")
+        mean = load(out)
+    of_units = [{"distance_N": unit["distance_N"], "outlier": unit["outlier"]} for unit in spread["units"]]
+    return mean, {"units": of_units, "states": spread["states"]}
+
+
+def between(first: Button, second: Button, share: float | None = None) -> Button:
+    """The button between two others; its report is that of `detent-play between --json`.
+
+    share: 0 (first) to 1 (second); without it the place forecast to differ as much from either. WrongUsage: a share outside.
+    """
+    with tempfile.TemporaryDirectory(prefix="detent-") as folder:
+        out = os.path.join(folder, "middle.button.json")
+        at = [] if share is None else [f"--at={float(share)!r}"]
+        report = _programs.run("detent-play", "between", *_files_in(folder, (first, second)), *at, "-o", out, "--json")
+        button = load(out)
+    del report["output"]
+    button.report = report
+    return button
 
 
 def import_many(

@@ -153,6 +153,41 @@ class Buttons(unittest.TestCase):
         self.assertGreater(pairs[0]["d_prime"], 0)
 
 
+class Library(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.b, self.c = (detent.load(ROOT / f"samples/buttons/{name}.button.json") for name in "BC")
+
+    def test_what_feels_alike(self):
+        database = self.folder / "l.db"
+        self.assertEqual(program("detent-import", "library", "index", ROOT / "samples/buttons", "--db", database).returncode, 0)
+        found = detent.find_like(self.b, database, limit=3)
+        self.assertEqual(len(found), 3)
+        self.assertEqual((found[0]["name"], found[0]["group"]), (self.b.name, 1))
+        self.assertLess(found[0]["distance_lab_noise"], 1e-6)
+        with self.assertRaises(detent.UnreadableInput):
+            detent.find_like(self.b, self.folder / "none.db")
+
+    def test_between_and_average(self):
+        self.assertTrue(np.array_equal(detent.between(self.b, self.c, 0).press, self.b.press))
+        middle = detent.between(self.b, self.c)
+        self.assertTrue(0 < middle.report["share"] < 1)
+        mean, spread = detent.average(self.b, self.c)
+        figure = spread["states"][0]["figures"]["total_travel_mm"]
+        self.assertAlmostEqual(figure["mean"], (self.b.figures()["total_travel_mm"] + self.c.figures()["total_travel_mm"]) / 2)
+        self.assertAlmostEqual(mean.figures()["total_travel_mm"], figure["mean"], places=6)
+        with self.assertRaises(detent.WrongUsage):
+            detent.average(self.b)
+        with self.assertRaises(detent.WrongUsage):
+            detent.between(self.b, self.c, 2)
+
+    def test_performance_of_each(self):
+        forecast = detent.performance(self.b)
+        self.assertEqual(len(forecast), 1)
+        self.assertIn("activation_s", forecast[0])
+
+
 class Importing(unittest.TestCase):
     def imported(self, folder, **environment):
         return subprocess.run([sys.executable, "-c", "import detent"], env={**os.environ, "PYTHONPATH": str(folder), **environment},
