@@ -21,6 +21,8 @@ constexpr double restraint_N = 0.5, restraint_mm = 3, restraintEnd_mm = 1;
 constexpr double settle_mm = 0.05;
 constexpr double widestPlayOfTravel = 0.25;
 constexpr double noticedCrossing_N = 0.001;
+// A moving handle is led, and goes on until the next step: what it feels on the way to the operating point is about as drawn.
+constexpr double risenShare = 0.96;
 
 Failure outOfRange(const std::string& value, const std::string& problem, const std::string& remedy) {
   return {FailureCode::wrongUsage, value, "", problem, remedy};
@@ -270,8 +272,19 @@ class Preparation {
     // Where the operating point is a rest itself, a press has to pass the rest before it can come back to it.
     const double leave_mm = std::max(press.start_mm(), to.rest_mm) + 2 * prepared_.program.law.settle_mm;
     const double last_mm = press.end_mm() - 2 * device_.step_mm;
-    to.operating_mm =
-        std::min(std::max(from.operatingPoint_mm.value_or(acts_mm), leave_mm), std::max(last_mm, leave_mm));
+    const double drawn_mm = from.operatingPoint_mm.value_or(acts_mm);
+    const double risen_mm = risenTo_mm(to, drawn_mm, press.force_N(drawn_mm));
+    to.operating_mm = std::min(std::max(risen_mm, leave_mm), std::max(last_mm, leave_mm));
+  }
+
+  /// From an operating point on, where a press first has its drawn force: a softened wall has it later than drawn.
+  double risenTo_mm(const ForceStateTable& t, double operating_mm, double drawn_N) const {
+    const double force_N = risenShare * std::min(drawn_N, device_.limits.force_N);
+    const auto rowAt = static_cast<std::size_t>(std::max(0.0, (operating_mm - t.first_mm) / t.spacing_mm));
+    for (std::size_t i = rowAt; i < t.rowCount; ++i) {
+      if (static_cast<double>(t.rows[i].pending_N) >= force_N) return std::max(operating_mm, placeOf(t, i));
+    }
+    return operating_mm;
   }
 
   void setRest() {

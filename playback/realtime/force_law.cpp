@@ -12,6 +12,7 @@ namespace {
 // tremor across one step's edge moves no force.
 constexpr double slowStep_s = 0.02;
 constexpr double faded_N = 1e-4;
+constexpr double sameForce = 1.1;  // a rise of less is hardly felt, and waits for no lead
 constexpr double calm_mm_per_s = 10, calmFor_s = 0.005;
 
 double between(double low, double high, double share) { return low + share * (high - low); }
@@ -144,7 +145,9 @@ void ForceLaw::followState(double position_mm, double lead_mm) {
     const double at_mm = std::max(position_mm, table().operating_mm);
     // A force that rises has to be there when the handle is: late, the actuation would take less than it then holds.
     const Place acts = placeAt(at_mm);
-    if (position_mm < at_mm && acts.force_N(&ForceRow::press_N) <= acts.force_N(&ForceRow::pending_N)) return;
+    if (position_mm < at_mm &&
+        acts.force_N(&ForceRow::press_N) <= sameForce * acts.force_N(&ForceRow::pending_N))
+      return;
     const double held_mJ = stored_mJ(at_mm);
     actuated_ = true;
     play_.setPressing(at_mm, program_->law.playRadius_mm);

@@ -88,19 +88,29 @@ TEST_CASE("1,000 fingers: a latch locks and unlocks once per press at most", "[l
   CHECK(twice == 0);
 }
 
-// Not kept yet: issue 25, 2: the wall is softened while the operating point lies inside of it: 0.3 N for 2.29 N drawn.
-TEST_CASE("1,000 fingers: a latch locks and unlocks at its drawn force", "[latch][!shouldfail]") {
-  constexpr double drawn_N = 2.29;  // at 22.9 mm, in both states
-  double lowest_N = 1e9, highest_N = 0;
-  std::size_t off = 0, all = 0;
+namespace {
+
+constexpr double drawn_N = 2.29;  // at 22.9 mm, in both states
+
+std::size_t actuationsOff(double share) {
+  std::size_t off = 0;
   for (const LatchRun& run : latchRuns()) {
-    for (const Actuation& one : run.actuations) {
-      lowest_N = std::min(lowest_N, one.force_N);
-      highest_N = std::max(highest_N, one.force_N);
-      off += std::abs(one.force_N - drawn_N) > 0.05 * drawn_N;
-      ++all;
-    }
+    off += static_cast<std::size_t>(
+        std::count_if(run.actuations.begin(), run.actuations.end(),
+                      [&](const Actuation& a) { return std::abs(a.force_N - drawn_N) > share * drawn_N; }));
   }
-  INFO(off << " of " << all << " actuations more than 5 % off: " << lowest_N << " to " << highest_N << " N");
-  CHECK(off == 0);
+  return off;
+}
+
+}  // namespace
+
+// A softened wall has its force later than drawn: an operating point left where it is drawn acts at 0.05 N.
+TEST_CASE("1,000 fingers: a latch acts at its drawn force, of 2,000 times 30 more than 5 % off", "[latch]") {
+  CHECK(actuationsOff(0.06) == 0);
+  CHECK(actuationsOff(0.05) <= 30);
+}
+
+// Not kept yet: the fastest fingers go 0.14 mm between two readings, on a wall of 2 N/mm.
+TEST_CASE("1,000 fingers: a latch acts within 5 % of its drawn force", "[latch][!shouldfail]") {
+  CHECK(actuationsOff(0.05) == 0);
 }
