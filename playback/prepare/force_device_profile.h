@@ -28,6 +28,8 @@ struct ForceDeviceProfile {
   ForceGuide guide;  ///< present on three-axis devices
   /// Mass, friction, damping, delay and lag were measured on this device (detent-play identify-device); else they are a preset's.
   bool measured = false;
+  /// >= 0; by how much a force may act later than `delay_s` says, without the law knowing it.
+  double jitter_s = 0;
 
   /// How late a force acts, beyond the hold of one period.
   double late_s() const { return delay_s + lag_s; }

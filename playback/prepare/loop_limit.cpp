@@ -23,6 +23,10 @@ constexpr double settled_s = 0.3,
 constexpr double perRadian = 50;   // time steps in one radian of a swing
 constexpr int fewestSteps = 8, mostSteps = 64;  // in one period of the law
 
+double latest_s(const ForceDeviceProfile& device) {
+  return device.delay_s + std::max(timing_s, device.jitter_s);
+}
+
 /// A handle on a spring of the law, let go 1 mm beside its rest.
 class Swing {
  public:
@@ -37,8 +41,8 @@ class Swing {
                                            1.0 * fewestSteps, 1.0 * mostSteps))),
         step_s_(period_s_ / steps_),
         velocity_(VelocityMethod::kalman, period_s_, device.step_mm),
-        late_(static_cast<std::size_t>((device.delay_s + timing_s) / step_s_) + 2, slope_N_per_mm),
-        laterShare_((device.delay_s + timing_s) / step_s_ - static_cast<double>(late_.size() - 2)),
+        late_(static_cast<std::size_t>(latest_s(device) / step_s_) + 2, slope_N_per_mm),
+        laterShare_(latest_s(device) / step_s_ - static_cast<double>(late_.size() - 2)),
         motor_N_(slope_N_per_mm),
         follows_(device.lag_s > 0 ? 1 - std::exp(-step_s_ / device.lag_s) : 1),
         meanShare_(device.lag_s > 0 ? follows_ * device.lag_s / step_s_ : 0),

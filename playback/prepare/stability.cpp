@@ -65,7 +65,8 @@ class MarginOfState {
           slopeOver(state_.graph.curve(Stroke::release), from_mm, from_mm + spacing_mm);
       const double steepest = std::abs(rise) >= std::abs(releaseRise) ? rise : releaseRise;
       const double middle_mm = from_mm + spacing_mm / 2;
-      MarginPoint p = allowedFor(device_, limits_.at_N_per_mm(dampingAt(state_.damping, middle_mm)));
+      MarginPoint p = allowedFor(
+          device_, limits_.at_N_per_mm(state_.damping.empty() ? 0 : dampingAt(state_.damping, middle_mm)));
       p.displacement_mm = middle_mm;
       p.slope_N_per_mm = std::abs(steepest);
       points.push_back(p);
