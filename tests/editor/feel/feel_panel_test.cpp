@@ -435,7 +435,7 @@ class FeelPanelTest : public QObject {
   }
 
   void theForceSetupShowsWhatTheDeviceHas() {
-    Rig rig;
+    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device is asked for
     rig.open();
     rig.panel.restoreState({{"setupShown", true}});
     auto* device = rig.part<QComboBox>("forceDevice");
@@ -459,7 +459,7 @@ class FeelPanelTest : public QObject {
   }
 
   void forceIsWatchedAndMadeStable() {
-    Rig rig;
+    Rig rig(*scaleForce(tactileButton(), 3));  // its drop is steeper than any device is asked for
     rig.open();
     rig.panel.restoreState({{"forceDevice", "sim:falcon"}, {"sound", false}});
     auto* meter = rig.part<QWidget>("forceMeter");
