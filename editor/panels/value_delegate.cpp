@@ -15,9 +15,9 @@ ValueDelegate::ValueDelegate(Refusal refusal, Doubt doubt, QObject* parent)
     : QStyledItemDelegate(parent), refusal_(std::move(refusal)), doubt_(std::move(doubt)) {}
 
 QString ValueDelegate::objection(const QString& text, const QModelIndex& index) {
-  if (const QString why = refusal_(index, text); !why.isEmpty()) return why;
+  if (QString why = refusal_(index, text); !why.isEmpty()) return why;
   if (index == askedAt_ && text == askedAbout_) return {};
-  const QString question = doubt_(index, text);
+  QString question = doubt_(index, text);
   askedAt_ = index;
   askedAbout_ = question.isEmpty() ? QString() : text;
   return question;

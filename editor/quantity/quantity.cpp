@@ -76,7 +76,7 @@ QString meantBy(const QString& text, Quantity quantity, const DisplayUnits& unit
   const QStringList others =
       isForce ? QStringList{"gf", "cN", "mN", "ozf"} : QStringList{"mil", QStringLiteral("µm")};
   for (const QString& unit : others) {
-    const QString other = number + QLatin1Char(' ') + unit;
+    QString other = number + QLatin1Char(' ') + unit;
     const QuantityReading reading = readQuantity(other, quantity, units);
     if (reading.value && std::abs(*reading.value) >= least && std::abs(*reading.value) <= most) return other;
   }
