@@ -183,10 +183,11 @@ Result<StrokeCurve> blendCurves(const std::vector<AlignedCurve>& curves, const s
   if (!mean) return mean;
   const double factor = factorForWork(*mean, curves);
   if (factor == 1) return mean;
+  std::vector<Knot> scaled;
   for (const Knot& knot : mean->knots())
-    knots.push_back({knot.displacement_mm, factor * knot.force_N, factor * knot.slopeBefore_N_per_mm,
-                     factor * knot.slopeAfter_N_per_mm});
-  return StrokeCurve::fromKnots(std::move(knots));
+    scaled.push_back({knot.displacement_mm, factor * knot.force_N, factor * knot.slopeBefore_N_per_mm,
+                      factor * knot.slopeAfter_N_per_mm});
+  return StrokeCurve::fromKnots(std::move(scaled));
 }
 
 using States = std::vector<const ButtonState*>;
