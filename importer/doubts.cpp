@@ -21,6 +21,7 @@ constexpr double negativeShare = 0.05;  // of the stroke's span: a trace's start
 constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // of the span, of the release
 constexpr double alongAxisShare = 0.5, alongAxisWithin_px = 1;  // of the stroke's length
 constexpr double endFallShare = 0.4;                            // of the force span
+constexpr double startShare = 0.1;  // of the travel: where it is largest there, a force pulls
 constexpr double pictureEdge_px = 2.5;
 constexpr double leastSharedTravel = 0.35;  // a latch's release has half of the press'
 // What springs back does so until nothing is left: a release that gives out on the way, near the press, was lost there.
@@ -134,6 +135,20 @@ double fallAtEnd(const StrokePoints& press) {
   for (const CurvePoint& p : press.points)
     if (p.displacement_mm > travel.high - lastShare * travel.span()) highest = std::max(highest, p.force_N);
   return force.span() > 0 ? (highest - press.points.back().force_N) / force.span() : 0;
+}
+
+/// Whether the force falls from the start of the travel on, as a magnet's over its gap: a press that is never harder than at
+/// its start, and ends far below.
+bool fallsThroughout(const StrokePoints& press) {
+  const Extent travel = travelOf(press), force = forceOf(press);
+  const CurvePoint highest = *std::ranges::max_element(press.points, {}, &CurvePoint::force_N);
+  return highest.displacement_mm < travel.low + startShare * travel.span() &&
+         force.high - press.points.back().force_N > endFallShare * force.span();
+}
+
+/// Whether a press ends in a fall; at the end of its travel it stands on something.
+bool endsInAFall(const StrokePoints& press) {
+  return fallAtEnd(press) > endFallShare || fallsThroughout(press);
 }
 
 /// Sizes of a press that no button at hand comes near.
@@ -265,7 +280,7 @@ class Doubts {
     double along = shareAlongAnAxis(strokes.press.points_px);
     if (strokes.release) along = std::max(along, shareAlongAnAxis(strokes.release->points_px));
     if (along > alongAxisShare) add(DoubtCode::alongAnAxis, unconfirmed, {}, helps);
-    if (fallAtEnd(strokes.press) > endFallShare) add(DoubtCode::endsInAFall, unconfirmed, {}, helps);
+    if (endsInAFall(strokes.press)) add(DoubtCode::endsInAFall, unconfirmed, {}, helps);
     const std::size_t points = mostTactilePointsOf(findings_.fitted);
     if (points > mostTactilePoints) add(DoubtCode::manyTactilePoints, unconfirmed, {points}, helps);
   }
@@ -339,9 +354,11 @@ class Doubts {
     const bool sidewards = std::abs(towards.x) > plumbShare * std::abs(towards.y);
     const bool atEdge = (sidewards && end.x > std::min(topRight.x, bottomRight.x) - atEdge_px) ||
                         end.y < std::max(topLeft.y, topRight.y) + atEdge_px;
-    // A frame that cuts its curves, on a scale that a label contradicts, is a part of another frame.
-    if (atEdge && goesOn(line, color, picture))
-      add(DoubtCode::leavesThePlot, labelContradicts() ? unconfirmed : inPart,
+    // A frame that cuts its curves, on a scale that a label contradicts, is a part of another frame; across a broken axis no
+    // ink goes on, and the label stands beyond.
+    const bool broken = end.y < std::max(topLeft.y, topRight.y) + atEdge_px && labelAbove(topLeft);
+    if (broken || (atEdge && goesOn(line, color, picture)))
+      add(DoubtCode::leavesThePlot, broken || labelContradicts() ? unconfirmed : inPart,
           {{forceAtRight(stroke), Measure::force_N}},
           {{RemedyKind::giveFrame, "with the whole curve in it"}, {RemedyKind::giveXAxis, {}}});
 
@@ -374,6 +391,13 @@ class Doubts {
            std::ranges::any_of(findings_.graph.axes.remarks, [](const Remark& remark) {
              return remark.code == RemarkCode::labelContradicts;
            });
+  }
+
+  /// A number of the force axis stands above the frame, and not where the others would have it.
+  bool labelAbove(Point topLeft) const {
+    return std::ranges::any_of(findings_.graph.axes.calibration.value.y.ticks, [&](const TickLabel& tick) {
+      return !tick.used && tick.box.middle().y < topLeft.y;
+    });
   }
 
   double forceAtRight(const StrokePoints& stroke) const {
@@ -421,7 +445,7 @@ std::vector<WeighedDoubt> doubtsOfLog(const StrokePair& strokes, const FittedStr
   if (wrongSide(travel))
     add(DoubtCode::negativeTravel, contradicted, {{travel.low, Measure::displacement_mm}}, takeOut);
   if (pulls(force)) add(DoubtCode::negativeForce, contradicted, {{force.low, Measure::force_N}}, takeOut);
-  if (fallAtEnd(strokes.press) > endFallShare) add(DoubtCode::endsInAFall, unconfirmed, {}, takeOut);
+  if (endsInAFall(strokes.press)) add(DoubtCode::endsInAFall, unconfirmed, {}, takeOut);
   if (const std::size_t points = mostTactilePointsOf(fitted); points > mostTactilePoints)
     add(DoubtCode::manyTactilePoints, unconfirmed, {points}, takeOut);
   return doubts;

@@ -6811,8 +6811,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine Kurve mit %1 Druckpunkten ist nicht die eines Tasters</translation>
     </message>
     <message>
-        <source>the press drops at the end of its travel, as an edge of the frame does</source>
-        <translation>das Drücken fällt am Ende seines Wegs ab, wie eine Kante des Rahmens es tut</translation>
+        <source>the press falls to its end, as an edge of the frame or a magnet&apos;s pull does</source>
+        <translation>das Drücken fällt bis zu seinem Ende, wie eine Kante des Rahmens oder der Zug eines Magneten</translation>
     </message>
     <message>
         <source>the release lies above the press over %1 of their travel</source>

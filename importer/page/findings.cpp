@@ -97,7 +97,7 @@ Wording wordingOf(DoubtCode code) {
       return {"many-tactile-points", words("a stroke with %1 tactile points is not a button's")};
     case DoubtCode::endsInAFall:
       return {"ends-in-a-fall",
-              words("the press drops at the end of its travel, as an edge of the frame does")};
+              words("the press falls to its end, as an edge of the frame or a magnet's pull does")};
     case DoubtCode::cutAtPictureEdge:
       return {"cut-at-picture-edge", words("a curve ends where the picture does")};
     case DoubtCode::leavesThePlot:

@@ -241,17 +241,29 @@ bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
          back.valley_mm - there.valley_mm > late * travel_mm;
 }
 
+/// How far apart the highest values of two strokes are, as a share of what both span together.
+double topsApart(const StrokePoints& first, const StrokePoints& second, double CurvePoint::*coordinate) {
+  const auto [low, high] = std::ranges::minmax_element(first.points, {}, coordinate);
+  const auto [otherLow, otherHigh] = std::ranges::minmax_element(second.points, {}, coordinate);
+  const double top = (*high).*coordinate, otherTop = (*otherHigh).*coordinate;
+  return std::abs(top - otherTop) /
+         (std::max(top, otherTop) - std::min((*low).*coordinate, (*otherLow).*coordinate));
+}
+
 /// A release starts where the press ended: one that reaches clearly less far was not followed to its end, or is another
 /// switch's press.
 bool reachApart(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clear = 0.1;  // of the travel of both
-  const auto travel = [](const StrokePoints& s) {
-    const auto [low, high] = std::ranges::minmax_element(s.points, {}, &CurvePoint::displacement_mm);
-    return std::pair(low->displacement_mm, high->displacement_mm);
-  };
-  const auto [a0, a1] = travel(first);
-  const auto [b0, b1] = travel(second);
-  return std::abs(a1 - b1) > clear * (std::max(a1, b1) - std::min(a0, b0));
+  return topsApart(first, second, &CurvePoint::displacement_mm) > clear;
+}
+
+/// Lines in inks of their own that end at other forces and travels are two switches'; of one ink the later stroke may end
+/// under the other.
+bool tipsApart(const StrokePoints& first, const StrokePoints& second) {
+  constexpr double clearForce = 0.1,
+                   offTheWall = 0.02;  // of both; of 123 drawn pairs 0.013 of the force at most
+  return topsApart(first, second, &CurvePoint::force_N) > clearForce &&
+         topsApart(first, second, &CurvePoint::displacement_mm) > offTheWall;
 }
 
 /// Press and release of one switch.
@@ -271,7 +283,8 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
   const bool paired = namedAsPair(first, second);
-  const bool apart = !byHand && !paired && reachApart(a, b);
+  const bool apart =
+      !byHand && !paired && (reachApart(a, b) || (first.color != second.color && tipsApart(a, b)));
   const double travel = apart ? std::min(ofApart, creditOfTravel(compared)) : creditOfTravel(compared);
   const double together = merged ? ofMergedTints : paired ? 1 : travel;
   found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) * together;

@@ -171,6 +171,13 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   Import falls;
   falls.press.push_back({3.21, 0});
   CHECK(falls.doubted(DoubtCode::endsInAFall));
+  Import pulls;
+  pulls.press = {
+      {0.02, 1.4}, {0.5, 0.9}, {1.2, 0.5}, {2.2, 0.3}, {3.2, 0.2}};  // a magnet's force over its gap
+  CHECK(pulls.doubted(DoubtCode::endsInAFall));
+  pulls.press = {
+      {0, 0.2}, {0.5, 1.4}, {1.2, 0.9}, {2.2, 0.5}, {3.2, 0.2}};  // a dome shown as far as its click
+  CHECK_FALSE(pulls.doubted(DoubtCode::endsInAFall));
   Import turns;
   turns.tactilePoints = 7;
   CHECK(turns.doubted(DoubtCode::manyTactilePoints));
@@ -252,6 +259,15 @@ TEST_CASE("a plot that shows a part of its curves") {
   upwards.traces[0].points_px.clear();
   for (const CurvePoint& p : upwards.press) upwards.traces[0].points_px.push_back(inView(p));
   CHECK(upwards.doubts().empty());
+  Import broken = upwards;  // its numbers go on beyond a break of the axis, its ink does not
+  std::vector<TickLabel>& numbers = broken.graph.axes.calibration.value.y.ticks;
+  numbers.assign(4, {});
+  numbers.back().box = {60, 70, 90, 90};
+  CHECK(broken.doubts().empty());
+  numbers.back().used = false;
+  CHECK(broken.weighed(DoubtCode::leavesThePlot) == Approx(0.4));
+  numbers.back().box = {60, 200, 90, 220};  // misread, within the frame
+  CHECK(broken.doubts().empty());
   for (int y = 80; y < 100; ++y) {
     std::uint8_t* p = above.rgb.data() + 3 * (700 * y + 410);
     p[0] = 200, p[1] = p[2] = 30;
@@ -262,6 +278,7 @@ TEST_CASE("a plot that shows a part of its curves") {
   upwards.graph.axes.calibration.value.x.ticks.assign(8, {});
   labels.assign(4, {});
   labels.back().used = false;
+  labels.back().box = {60, 200, 90, 220};
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) < confidenceBar);  // a part of another frame
   labels.insert(labels.end(), 20, labels.front());
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) >= confidenceBar);  // one misprint among many
