@@ -34,7 +34,7 @@ build_packages=(
 )
 test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
-  git python3 python3-numpy python3-jsonschema mypy time
+  git python3 python3-numpy python3-scipy python3-jsonschema mypy time
   snakemake slurm-wlm munge        # samples/cluster
   jackd2 puredata-core
   chromium chromium-driver         # a shared page is opened in it

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/performance/timed_press.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/check.h"
@@ -13,7 +14,8 @@ double timedPressError(double window_s, double interval_s, double activationSpre
   const double motor_s = timing.spread * interval_s;
   const double spread_s = std::sqrt(motor_s * motor_s + activationSpread_s * activationSpread_s);
   const double late_s = (1 - timing.aim) * window_s, early_s = timing.aim * window_s;
-  return 1 - (normalShare(late_s / spread_s) - normalShare(-early_s / spread_s));
+  // The shares are known to 1e-14: a window that is never missed would else be missed less than never.
+  return std::max(0.0, 1 - (normalShare(late_s / spread_s) - normalShare(-early_s / spread_s)));
 }
 
 }  // namespace detent::playback

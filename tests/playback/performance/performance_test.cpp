@@ -79,6 +79,11 @@ TEST_CASE("press forecast: a timed press in closed form is that of 20,000 chance
   }
 }
 
+TEST_CASE("press forecast: a timed press is never missed less than never") {
+  for (const double window_s : {0.2, 0.25, 0.3, 0.5, 2.0})
+    CHECK(timedPressError(window_s, 0.4, 0, {0.5, 0.04}) >= 0);
+}
+
 TEST_CASE("press forecast: the same for any number of threads, and a stiffer key takes more force") {
   ForecastSettings one, three;
   one.threads = 1;
