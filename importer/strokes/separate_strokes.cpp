@@ -241,29 +241,29 @@ bool dropsLater(const StrokePoints& press, const StrokePoints& release) {
          back.valley_mm - there.valley_mm > late * travel_mm;
 }
 
-/// How far apart the highest values of two strokes are, as a share of what both span together.
+/// How much higher the first's largest value is than the second's, as a share of what both span together.
 double topsApart(const StrokePoints& first, const StrokePoints& second, double CurvePoint::*coordinate) {
   const auto [low, high] = std::ranges::minmax_element(first.points, {}, coordinate);
   const auto [otherLow, otherHigh] = std::ranges::minmax_element(second.points, {}, coordinate);
   const double top = (*high).*coordinate, otherTop = (*otherHigh).*coordinate;
-  return std::abs(top - otherTop) /
-         (std::max(top, otherTop) - std::min((*low).*coordinate, (*otherLow).*coordinate));
+  return (top - otherTop) / (std::max(top, otherTop) - std::min((*low).*coordinate, (*otherLow).*coordinate));
 }
 
 /// A release starts where the press ended: one that reaches clearly less far was not followed to its end, or is another
 /// switch's press.
 bool reachApart(const StrokePoints& first, const StrokePoints& second) {
   constexpr double clear = 0.1;  // of the travel of both
-  return topsApart(first, second, &CurvePoint::displacement_mm) > clear;
+  return std::abs(topsApart(first, second, &CurvePoint::displacement_mm)) > clear;
 }
 
-/// Lines in inks of their own that end at other forces and travels are two switches'; of one ink the later stroke may end
-/// under the other.
-bool tipsApart(const StrokePoints& first, const StrokePoints& second) {
-  constexpr double clearForce = 0.1,
-                   offTheWall = 0.04;  // of both; a plot of 100 px shows no less
-  return topsApart(first, second, &CurvePoint::force_N) > clearForce &&
-         topsApart(first, second, &CurvePoint::displacement_mm) > offTheWall;
+/// Of two lines in inks of their own one reaches further and the other higher: two switches'. A release whose end lies under
+/// the press reaches less of both.
+bool tipsCrossed(const StrokePoints& first, const StrokePoints& second) {
+  constexpr double clearForce = 0.1;    // of both strokes' span; of 123 drawn pairs 0.013 at most
+  constexpr double clearTravel = 0.02;  // likewise; of those pairs 0
+  const double higher = topsApart(first, second, &CurvePoint::force_N),
+               further = topsApart(first, second, &CurvePoint::displacement_mm);
+  return higher * further < 0 && std::abs(higher) > clearForce && std::abs(further) > clearTravel;
 }
 
 /// Press and release of one switch.
@@ -284,7 +284,7 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
   const bool paired = namedAsPair(first, second);
   const bool apart =
-      !byHand && !paired && (reachApart(a, b) || (first.color != second.color && tipsApart(a, b)));
+      !byHand && !paired && (reachApart(a, b) || (first.color != second.color && tipsCrossed(a, b)));
   const double travel = apart ? std::min(ofApart, creditOfTravel(compared)) : creditOfTravel(compared);
   const double together = merged ? ofMergedTints : paired ? 1 : travel;
   found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) * together;
