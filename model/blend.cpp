@@ -6,6 +6,7 @@
 #include <numeric>
 #include <optional>
 
+#include "model/damping.h"
 #include "model/key_figures.h"
 
 namespace detent {
@@ -212,16 +213,6 @@ std::optional<double> meanPoint(const States& states, const std::vector<double>&
     mean_mm += weights[i] * *(states[i]->*point);
   }
   return mean_mm;
-}
-
-double dampingAt(const std::vector<DampingPoint>& points, double displacement_mm) {
-  if (points.empty()) return 0;
-  const auto above = std::ranges::upper_bound(points, displacement_mm, {}, &DampingPoint::displacement_mm);
-  if (above == points.begin()) return points.front().damping_Ns_per_mm;
-  if (above == points.end()) return points.back().damping_Ns_per_mm;
-  const DampingPoint &a = *(above - 1), &b = *above;
-  const double share = (displacement_mm - a.displacement_mm) / (b.displacement_mm - a.displacement_mm);
-  return a.damping_Ns_per_mm + share * (b.damping_Ns_per_mm - a.damping_Ns_per_mm);
 }
 
 /// Over the share of the travel.

@@ -9,19 +9,10 @@
 
 #include "editor/document/graph_colors.h"
 #include "editor/importing/axis_quantity.h"
+#include "editor/quantity/offered_units.h"
 
 namespace detent::editor {
 namespace {
-
-constexpr std::array lengthUnits{LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::micrometre,
-                                 LengthUnit::inch, LengthUnit::mil};
-constexpr std::array forceUnits{ForceUnit::newton,    ForceUnit::centinewton,   ForceUnit::millinewton,
-                                ForceUnit::gramForce, ForceUnit::kilogramForce, ForceUnit::ounceForce,
-                                ForceUnit::poundForce};
-
-QString symbol(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
 
 // What cannot be read stays as typed, marked, with the reason beside it.
 void showRefusal(QLineEdit& edit, const QString& why) {
@@ -82,9 +73,9 @@ void AxisBox::nameFields() {
 
 void AxisBox::build() {
   if (axis_ == GraphAxis::x)
-    for (const LengthUnit unit : lengthUnits) unit_->addItem(symbol(symbolOf(unit)));
+    for (const LengthUnit unit : offeredLengthUnits) unit_->addItem(unitText(symbolOf(unit)));
   else
-    for (const ForceUnit unit : forceUnits) unit_->addItem(symbol(symbolOf(unit)));
+    for (const ForceUnit unit : offeredForceUnits) unit_->addItem(unitText(symbolOf(unit)));
   connect(min_, &QLineEdit::editingFinished, this, [this] { takeEnd(false); });
   connect(max_, &QLineEdit::editingFinished, this, [this] { takeEnd(true); });
   connect(unit_, &QComboBox::activated, this,
@@ -133,9 +124,9 @@ QHBoxLayout* AxisBox::unitRow() {
 
 void AxisBox::takeUnit(std::size_t index) {
   if (axis_ == GraphAxis::x)
-    state_.correct(tr("Displacement unit"), [index](Corrections& c) { c.xUnit = lengthUnits[index]; });
+    state_.correct(tr("Displacement unit"), [index](Corrections& c) { c.xUnit = offeredLengthUnits[index]; });
   else
-    state_.correct(tr("Force unit"), [index](Corrections& c) { c.yUnit = forceUnits[index]; });
+    state_.correct(tr("Force unit"), [index](Corrections& c) { c.yUnit = offeredForceUnits[index]; });
 }
 
 QuantityReading AxisBox::typedIn(const QLineEdit& field) const {
@@ -181,8 +172,8 @@ void AxisBox::setEnd(bool isMax, double value, std::optional<double> other, std:
     if (!correction.ticks.empty()) (isMax ? correction.min : correction.max) = other;
     correction.ticks.clear();
     (isMax ? correction.max : correction.min) = value;
-    if (unit && isX) c.xUnit = lengthUnits[*unit];
-    if (unit && !isX) c.yUnit = forceUnits[*unit];
+    if (unit && isX) c.xUnit = offeredLengthUnits[*unit];
+    if (unit && !isX) c.yUnit = offeredForceUnits[*unit];
   });
 }
 
@@ -242,7 +233,7 @@ void AxisBox::showEnds(const AxisCorrection& given, const importer::AxisReading*
 void AxisBox::showUnit(const Corrections& given, const importer::AxisReading* found) {
   const bool isX = axis_ == GraphAxis::x, isGiven = isX ? given.xUnit.has_value() : given.yUnit.has_value();
   QString unit = found ? QString::fromStdString(found->unit) : QString();
-  if (isGiven) unit = isX ? symbol(symbolOf(*given.xUnit)) : symbol(symbolOf(*given.yUnit));
+  if (isGiven) unit = isX ? unitText(symbolOf(*given.xUnit)) : unitText(symbolOf(*given.yUnit));
   unit_->setCurrentIndex(unit_->findText(unit));
   unitOrigin_->setOrigin(isGiven);
   if (!isGiven && found) unitOrigin_->say(found->unitFound ? tr("as printed") : tr("not printed, a guess"));

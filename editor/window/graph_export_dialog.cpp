@@ -15,24 +15,16 @@
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
+#include "editor/quantity/offered_units.h"
 
 namespace detent::editor {
 namespace {
 
-constexpr std::array lengthUnits{LengthUnit::millimetre, LengthUnit::centimetre, LengthUnit::micrometre,
-                                 LengthUnit::inch, LengthUnit::mil};
-constexpr std::array forceUnits{ForceUnit::newton,    ForceUnit::centinewton,   ForceUnit::millinewton,
-                                ForceUnit::gramForce, ForceUnit::kilogramForce, ForceUnit::ounceForce,
-                                ForceUnit::poundForce};
 constexpr QuantityRange widths_mm{60, 600}, heights_mm{60, 400}, lengths_mm{-1000, 1000},
     forces_N{-1000, 1000};
 constexpr double widestTolerance = 0.5;
 constexpr double pxPerPoint = 96.0 / 72;
 constexpr QSize leastPicture_px{220, 150}, first_px{860, 640}, roomForFrame_px{8, 40};
-
-QString symbol(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<qsizetype>(utf8.size()));
-}
 
 QComboBox* choiceOf(const char* name, const QString& tip, const QStringList& offered) {
   auto* box = described(new QComboBox, QString::fromLatin1(name), tip, tip);
@@ -43,7 +35,7 @@ QComboBox* choiceOf(const char* name, const QString& tip, const QStringList& off
 template <class Units>
 QStringList symbolsOf(const Units& units) {
   QStringList symbols;
-  for (const auto unit : units) symbols << symbol(symbolOf(unit));
+  for (const auto unit : units) symbols << unitText(symbolOf(unit));
   return symbols;
 }
 
@@ -100,8 +92,8 @@ GraphExportDialog::GraphExportDialog(Button button, const DisplayUnits& units, Q
   const bool german = QLocale().language() == QLocale::German;
   language_->setCurrentIndex(german ? 1 : 0);
   decimalSign_->setCurrentIndex(german ? 1 : 0);
-  length_->setCurrentIndex(indexOf(lengthUnits, units.length));
-  force_->setCurrentIndex(indexOf(forceUnits, units.force));
+  length_->setCurrentIndex(indexOf(offeredLengthUnits, units.length));
+  force_->setCurrentIndex(indexOf(offeredForceUnits, units.force));
   connect(preset_, &QComboBox::currentIndexChanged, this, &GraphExportDialog::takePreset);
   for (QComboBox* box : {format_, language_, decimalSign_, second_, font_})
     connect(box, &QComboBox::currentIndexChanged, this, &GraphExportDialog::showChoice);
@@ -145,10 +137,10 @@ QFormLayout* GraphExportDialog::axes() {
   language_ = choiceOf("graphLanguage", tr("Language of the words"),
                        {QStringLiteral("English"), QStringLiteral("Deutsch")});
   decimalSign_ = choiceOf("graphDecimalSign", tr("Decimal sign"), {tr("Point (1.5)"), tr("Comma (1,5)")});
-  length_ = choiceOf("graphLength", tr("Unit of the displacement"), symbolsOf(lengthUnits));
-  force_ = choiceOf("graphForce", tr("Unit of the force"), symbolsOf(forceUnits));
+  length_ = choiceOf("graphLength", tr("Unit of the displacement"), symbolsOf(offeredLengthUnits));
+  force_ = choiceOf("graphForce", tr("Unit of the force"), symbolsOf(offeredForceUnits));
   second_ = choiceOf("graphSecond", tr("Unit of a second scale at the right side"),
-                     QStringList(tr("none")) + symbolsOf(forceUnits));
+                     QStringList(tr("none")) + symbolsOf(offeredForceUnits));
   form->addRow(tr("&Language:"), language_);
   form->addRow(tr("&Decimal sign:"), decimalSign_);
   form->addRow(tr("D&isplacement in:"), length_);
@@ -208,8 +200,8 @@ void GraphExportDialog::takeUnits() {
 
 DisplayUnits GraphExportDialog::units() const {
   DisplayUnits units;
-  units.length = lengthUnits[static_cast<std::size_t>(length_->currentIndex())];
-  units.force = forceUnits[static_cast<std::size_t>(force_->currentIndex())];
+  units.length = offeredLengthUnits[static_cast<std::size_t>(length_->currentIndex())];
+  units.force = offeredForceUnits[static_cast<std::size_t>(force_->currentIndex())];
   return units;
 }
 
@@ -236,7 +228,7 @@ GraphExport GraphExportDialog::choice() const {
   style.dimensions = dimensions_->isChecked();
   if (tolerance_->value() > 0) style.tolerance = tolerance_->value();
   if (second_->currentIndex() > 0)
-    style.secondForceUnit = forceUnits[static_cast<std::size_t>(second_->currentIndex() - 1)];
+    style.secondForceUnit = offeredForceUnits[static_cast<std::size_t>(second_->currentIndex() - 1)];
   const PlotFrame whole = frameOfPlot(button_.states().front(), style);
   style.xEnds = endsFrom(*xFrom_, *xTo_, whole.x);
   style.yEnds = endsFrom(*yFrom_, *yTo_, whole.y);

@@ -15,7 +15,6 @@ namespace detent::playback {
 namespace {
 
 constexpr double metre_mm = 1000;
-constexpr double tremor_N = 0.02;  // of an amplitude, whatever its size: docs/press-forecast.md
 constexpr double held_s = 60, shallow_mm = 0.1;
 // A held finger trembles: 2 % of its force at 9 Hz, on the slope that is there.
 constexpr double tremorShare = 0.02, tremor_Hz = 9, flattest_N_per_mm = 0.05;
@@ -103,7 +102,7 @@ std::optional<Result<PressedDepths>> PressedDepths::of(const Button& button, dou
   for (std::size_t i = 0; i < fingers.size(); ++i) {
     PressCommand command = forecast->plans[i].command;
     const double planned_N = command.amplitude_N;
-    const double spread_N = std::hypot(fingers[i].amplitudeSpread * planned_N, tremor_N);
+    const double spread_N = amplitudeSpread_N(fingers[i], planned_N);
     for (const double score : scores) {
       command.amplitude_N = std::max(1e-3, planned_N + score * spread_N);
       pressed.presses_mm_.push_back(inMillimetres(depthsOfPress(key, contact, fingers[i], command)));

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "model/damping.h"
+
 namespace detent::playback {
 
 namespace {
@@ -14,19 +16,6 @@ constexpr double steepest_N_per_m =
     200000;  // a vertical wall of a graph; steeper ones would outrun the step of 50 µs
 constexpr double ownDamping_Ns_per_m = 0.2;  // of every cap
 constexpr double metre_mm = 1000;
-
-double dampingAt(const std::vector<DampingPoint>& points, double depth_mm) {
-  if (points.empty()) return 0;
-  const auto next = std::find_if(points.begin(), points.end(),
-                                 [&](const DampingPoint& p) { return p.displacement_mm >= depth_mm; });
-  if (next == points.begin()) return points.front().damping_Ns_per_mm;
-  if (next == points.end()) return points.back().damping_Ns_per_mm;
-  const DampingPoint& a = *(next - 1);
-  const double width_mm = next->displacement_mm - a.displacement_mm;
-  if (width_mm <= 0) return next->damping_Ns_per_mm;
-  const double share = (depth_mm - a.displacement_mm) / width_mm;
-  return a.damping_Ns_per_mm + share * (next->damping_Ns_per_mm - a.damping_Ns_per_mm);
-}
 
 /// Cuts what rises or falls faster than the step can follow; the force at the start stays.
 void limitSlope(std::vector<double>& values_N, double most_N) {

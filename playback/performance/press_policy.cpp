@@ -39,11 +39,6 @@ const std::vector<double>& depthNoise() {
   return scores;
 }
 
-double spreadOf(const Finger& finger, double amplitude_N) {
-  const double own_N = finger.amplitudeSpread * amplitude_N;
-  return std::sqrt(own_N * own_N + tremor_N * tremor_N);
-}
-
 /// Mean and spread of values that come one by one.
 class Moments {
  public:
@@ -63,7 +58,7 @@ class Moments {
 };
 
 PressStatistics statisticsOf(const PressResponse& response, const Finger& finger, double amplitude_N) {
-  const double spread_N = spreadOf(finger, amplitude_N);
+  const double spread_N = amplitudeSpread_N(finger, amplitude_N);
   Moments peak, impulse, activation, fromCommand, impact, cycle, held, rapidHeld, doubled, rapidDoubled;
   for (const double score : noise()) {
     const double a_N = amplitude_N + score * spread_N;
@@ -104,7 +99,8 @@ double missesExpected(const PressResponse& response, const Finger& finger, const
   double sum = 0;
   for (const double score : depthNoise()) {
     const double depth_m = task.contact.close_m * (1 + depthSpreadUnfelt * score);
-    sum += normalShare((response.leastReaching_N(depth_m) - amplitude_N) / spreadOf(finger, amplitude_N));
+    sum += normalShare((response.leastReaching_N(depth_m) - amplitude_N) /
+                       amplitudeSpread_N(finger, amplitude_N));
   }
   return sum / depthScores;
 }
@@ -177,6 +173,11 @@ double timePerCorrectPress(const PressPlan& plan, const Finger& finger, bool jum
 }
 
 }  // namespace
+
+double amplitudeSpread_N(const Finger& finger, double amplitude_N) {
+  const double own_N = finger.amplitudeSpread * amplitude_N;
+  return std::sqrt(own_N * own_N + tremor_N * tremor_N);
+}
 
 std::optional<PressPlan> planPress(const KeyTables& key, const Finger& finger, const PressTask& task) {
   Search search(key, finger, task);

@@ -37,6 +37,9 @@ struct PressPlan {
   double timePerCorrectPress_s = 0;
 };
 
+/// Standard deviation of the amplitudes of a finger that means one, N.
+double amplitudeSpread_N(const Finger& finger, double amplitude_N);
+
 /// Empty where no allowed command activates the contact, or none fits the period.
 std::optional<PressPlan> planPress(const KeyTables& key, const Finger& finger, const PressTask& task);
 

@@ -12,17 +12,6 @@ constexpr double dampingOfMass = 0.25;
 
 }  // namespace
 
-double dampingAt(const std::vector<DampingPoint>& points, double at_mm) {
-  if (points.empty()) return 0;
-  const auto next = std::find_if(points.begin(), points.end(),
-                                 [&](const DampingPoint& p) { return p.displacement_mm > at_mm; });
-  if (next == points.begin()) return points.front().damping_Ns_per_mm;
-  if (next == points.end()) return points.back().damping_Ns_per_mm;
-  const DampingPoint &a = *(next - 1), &b = *next;
-  const double share = (at_mm - a.displacement_mm) / (b.displacement_mm - a.displacement_mm);
-  return a.damping_Ns_per_mm + share * (b.damping_Ns_per_mm - a.damping_Ns_per_mm);
-}
-
 double leastDamping(const std::vector<DampingPoint>& points) {
   if (points.empty()) return 0;
   return std::min_element(points.begin(), points.end(),

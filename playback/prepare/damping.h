@@ -9,8 +9,6 @@
 
 namespace detent::playback {
 
-/// Straight between points, the nearest end outside them, 0 without any.
-double dampingAt(const std::vector<DampingPoint>& points, double at_mm);
 /// Smallest over the whole travel; 0 without any.
 double leastDamping(const std::vector<DampingPoint>& points);
 /// Makes it nowhere less than `least_Ns_per_mm`; gives the largest addition.

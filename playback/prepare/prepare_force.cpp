@@ -6,6 +6,7 @@
 #include <functional>
 #include <string>
 
+#include "model/damping.h"
 #include "model/sections.h"
 #include "playback/prepare/damping.h"
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/damping.h"
 #include "model/sampling.h"
 #include "playback/prepare/damping.h"
 #include "playback/prepare/loop_limit.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "playback/prepare/damping.h"
+#include "model/damping.h"
 #include "playback/program/xy_plot.h"
 
 namespace detent::playback {

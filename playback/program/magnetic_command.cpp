@@ -85,12 +85,10 @@ Json jsonOf(const MagneticKeyForecast& f) {
           {"lets_go_shallow_per_minute", f.letsGoShallow_per_minute}};
 }
 
-bool endsWith(const std::string& text, const char* end) { return text.ends_with(end); }
-
 Result<Done> write(const MagneticArguments& a, const Button& button, const MagneticSensor& sensor,
                    const std::vector<MagneticKeyForecast>& simulated) {
   if (a.outputFile.empty()) return Done{};
-  const std::string text = endsWith(a.outputFile, ".csv")
+  const std::string text = a.outputFile.ends_with(".csv")
                                ? sensorCsvFrom(sensor, button.states().front().graph.travel_mm())
                                : keyHeaderFrom(button, sensor, simulated.front().settings, simulated);
   return writeTextFileAtomically(a.outputFile, text);
@@ -123,7 +121,7 @@ void report(const MagneticArguments& a, const Button& button, const MagneticSens
 }
 
 int run(const MagneticArguments& a, const Cancelled& cancelled) {
-  if (!a.outputFile.empty() && !endsWith(a.outputFile, ".csv") && !endsWith(a.outputFile, ".h"))
+  if (!a.outputFile.empty() && !a.outputFile.ends_with(".csv") && !a.outputFile.ends_with(".h"))
     return fail(usage("--output", "ends neither in .csv nor in .h", "Give the file one of these endings"));
   Result<Button> button = readButtonFile(a.button);
   if (!button) return fail(button.failure());

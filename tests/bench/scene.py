@@ -66,7 +66,7 @@ CLAIMS = [
     Claim("a log loads no PDF library", "import: force meter's log", "import: PDF with text", PDF_LIBRARY),
     Claim("a log finds no plot", "import: force meter's log", "import: picture", r"detent::importer::findPlotFrames\("),
     Claim("a linear button evaluates no jump", "play: sound, linear button", "play: sound of a press", r"detent::jumpArea_mJ\("),
-    Claim("a button without damping evaluates none", "play: force", "play: force, damped", r"detent::playback::dampingAt\("),
+    Claim("a button without damping evaluates none", "play: force", "play: force, damped", r"detent::dampingAt\("),
     Claim("the editor's start loads no text engine", "edit: start", "import: picture", TEXT_ENGINE),
     Claim("the editor's start loads no PDF library", "edit: start", "import: PDF with text", PDF_LIBRARY),
     Claim("the editor's start computes no waveform", "edit: start", "play: sound of a press", r"detent::playback::HapticEngine::render\("),

@@ -6,6 +6,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "model/damping.h"
 #include "playback/prepare/damping.h"
 #include "playback/prepare/prepare_force.h"
 #include "playback/prepare/prepare_program.h"

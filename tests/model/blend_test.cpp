@@ -8,17 +8,12 @@
 
 #include "model/key_figures.h"
 #include "model/templates.h"
+#include "tests/model/require.h"
 
 using namespace detent;
+using detent::test::require;
 
 namespace {
-
-template <class T>
-T require(Result<T> result) {
-  INFO((result.ok() ? "" : result.failure().sentence()));
-  REQUIRE(result.ok());
-  return *std::move(result);
-}
 
 Button early() { return require(tactileButton()); }
 

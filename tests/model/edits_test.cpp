@@ -11,8 +11,10 @@
 #include "model/templates.h"
 #include "tests/model/property.h"
 #include "tests/model/random_curves.h"
+#include "tests/model/require.h"
 
 using namespace detent;
+using detent::test::require;
 using detent::tests::anyCurve;
 using detent::tests::between;
 using detent::tests::holdsAlways;
@@ -27,13 +29,6 @@ StrokeCurve through(std::vector<CurvePoint> points) {
 
 StrokeCurve tactile() {
   return through({{0, 0.3}, {0.5, 0.5}, {1, 0.6}, {1.6, 0.4}, {3.9, 0.7}, {3.9, 1.5}});
-}
-
-template <class T>
-T require(Result<T> result) {
-  INFO((result.ok() ? "" : result.failure().sentence()));
-  REQUIRE(result.ok());
-  return *std::move(result);
 }
 
 template <class T>

@@ -8,17 +8,12 @@
 
 #include "model/edits.h"
 #include "model/templates.h"
+#include "tests/model/require.h"
 
 using namespace detent;
+using detent::test::require;
 
 namespace {
-
-template <class T>
-T require(Result<T> result) {
-  INFO((result.ok() ? "" : result.failure().sentence()));
-  REQUIRE(result.ok());
-  return *std::move(result);
-}
 
 /// A unit whose peak and valley stand apart from the template's.
 Button unit(double byForce_N, double by_mm) {
