@@ -60,6 +60,8 @@ class LibraryTest(unittest.TestCase):
             def one(question):
                 return rows.execute(question).fetchone()[0]
             self.assertEqual(one("PRAGMA integrity_check"), "ok")
+            if one("SELECT count(*) FROM sqlite_master") == 0:
+                return 0  # killed in its first transaction, which SQLite took back on opening
             count = one("SELECT count(*) FROM switch")
             self.assertEqual(one("SELECT count(*) FROM (SELECT DISTINCT file, part FROM switch)"), count)
             self.assertEqual(one("SELECT count(*) FROM switch WHERE file NOT IN (SELECT id FROM file)"), 0)
