@@ -137,6 +137,28 @@ std::optional<PrintedSpec> valuesIn(const std::string& row) {
   return spec;
 }
 
+/// The values of a row with a column per variant of the product, "3.0 ± 0.4 4.0 ± 0.4 mm": every one in the row's unit. With
+/// words of bounds, which belong to one value, and where a number has another unit or is no value: the first alone.
+std::vector<PrintedSpec> variantsIn(const std::string& row, SpecQuantity quantity, double rowFactor) {
+  const auto first = valuesIn(row);
+  if (!first) return {};
+  const std::string text = squeezed(row).text;
+  if (text.find("min") != std::string::npos || text.find("max") != std::string::npos) return {*first};
+  static const std::regex value(
+      R"((\d+(?:[.,]\d+)?)\s*([A-Za-z]*)(\s*(?:±|\+/-|\+-|-|–|−)\s*\d+(?:[.,]\d+)?)?\s*([A-Za-z]*))");
+  std::vector<PrintedSpec> variants;
+  for (std::sregex_iterator it(row.begin(), row.end(), value), end; it != end; ++it) {
+    for (const int word : {2, 4}) {
+      const std::string unit = (*it)[word];
+      if (!unit.empty() && factorIn(" " + unit, quantity) != rowFactor) return {*first};
+    }
+    const auto spec = valuesIn(it->str());
+    if (!spec || spec->nominal <= 0) return {*first};
+    variants.push_back(*spec);
+  }
+  return variants;
+}
+
 /// Text boxes at one height, left to right, as one row.
 std::vector<std::string> rowsOf(const Page& page) {
   std::vector<const TextBox*> boxes;
@@ -198,6 +220,21 @@ std::optional<double> readValue(SpecQuantity quantity, const ButtonState& state)
 
 }  // namespace
 
+namespace {
+
+/// Variants of one product: one line of the page.
+bool ofOneRow(const PrintedSpec& a, const PrintedSpec& b) {
+  return a.quantity == b.quantity && a.page == b.page && a.text == b.text;
+}
+
+/// The variant that the graph is of is the one it agrees with, else the nearest.
+bool fitsBetter(const SpecCheck& a, const SpecCheck& b) {
+  if (a.agrees != b.agrees) return a.agrees;
+  return std::abs(a.read - a.spec.nominal) < std::abs(b.read - b.spec.nominal);
+}
+
+}  // namespace
+
 bool PrintedSpec::isForce() const { return measuredInNewton(quantity); }
 
 Message messageOf(const SpecCheck& check) {
@@ -218,16 +255,19 @@ std::vector<PrintedSpec> readPrintedSpecs(const Page& page) {
     if (!named) continue;
     const auto factor = factorIn(row, named->quantity);
     // What stands before the name is the row's number, unless nothing stands after it.
-    auto spec = valuesIn(row.substr(named->end));
-    if (!spec) spec = valuesIn(row);
-    if (!factor || !spec || spec->nominal <= 0) continue;
-    spec->quantity = named->quantity;
-    spec->nominal *= *factor;
-    if (spec->smallest) *spec->smallest *= *factor;
-    if (spec->largest) *spec->largest *= *factor;
-    spec->text = row;
-    spec->page = page.number;
-    specs.push_back(std::move(*spec));
+    if (!factor) continue;
+    auto variants = variantsIn(row.substr(named->end), named->quantity, *factor);
+    if (variants.empty()) variants = variantsIn(row, named->quantity, *factor);
+    for (PrintedSpec& spec : variants) {
+      if (spec.nominal <= 0) continue;
+      spec.quantity = named->quantity;
+      spec.nominal *= *factor;
+      if (spec.smallest) *spec.smallest *= *factor;
+      if (spec.largest) *spec.largest *= *factor;
+      spec.text = row;
+      spec.page = page.number;
+      specs.push_back(std::move(spec));
+    }
   }
   return specs;
 }
@@ -243,7 +283,11 @@ std::vector<SpecCheck> checkAgainst(const std::vector<PrintedSpec>& specs, const
     const double slack = (toleranced ? readingShare : bareShare) * spec.nominal;
     const double smallest = toleranced ? spec.smallest.value_or(-HUGE_VAL) : spec.nominal;
     const double largest = toleranced ? spec.largest.value_or(HUGE_VAL) : spec.nominal;
-    checks.push_back({spec, *read, *read >= smallest - slack && *read <= largest + slack});
+    const SpecCheck check{spec, *read, *read >= smallest - slack && *read <= largest + slack};
+    if (checks.empty() || !ofOneRow(checks.back().spec, spec))
+      checks.push_back(check);
+    else if (fitsBetter(check, checks.back()))
+      checks.back() = check;
   }
   return checks;
 }

@@ -80,6 +80,23 @@ TEST_CASE("Cells of one row of a table are read together, whatever the language"
   CHECK(only({{"Vorlaufweg 2 ± 0,6 mm"}}).quantity == SpecQuantity::preTravel);
 }
 
+TEST_CASE("Of a row with several variants the one counts that the graph shows") {
+  const auto checked = [](const std::vector<std::string>& cells) {
+    const auto checks = checkAgainst(readPrintedSpecs(pageWith({cells})), tactileButton());
+    REQUIRE(checks.size() == 1);
+    return checks.front();
+  };
+  CHECK(checked({"Total travel", "3,0", "4,0", "mm"}).agrees);
+  CHECK(checked({"Total travel", "3 mm", "4,0 mm"}).spec.nominal == Approx(4));
+  CHECK(checked({"Total travel (mm)", "3.0±0.2", "4.0±0.2", "5.0±0.2"}).agrees);
+  const auto none = checked({"Total travel", "3,0", "3,4", "mm"});
+  CHECK_FALSE(none.agrees);
+  CHECK(none.spec.nominal == Approx(3.4));
+  // What is another unit's, or a bound's, is no variant.
+  CHECK(only({{"Total travel 3.5 mm (4.0 inch)"}}).nominal == Approx(3.5));
+  CHECK(only({{"Total travel 3.5 mm, min. 4 mm"}}).nominal == Approx(3.5));
+}
+
 TEST_CASE("Rows that say nothing about the graph give nothing") {
   CHECK(readPrintedSpecs(pageWith({{"Soldering temperature 350±5 °C"}})).empty());
   CHECK(readPrintedSpecs(pageWith({{"Total travel"}, {"see drawing"}})).empty());
