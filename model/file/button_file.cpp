@@ -308,6 +308,90 @@ std::optional<PageCutout> cutoutFrom(const Reader& in, const json& document) {
   return cutout;
 }
 
+std::vector<ButtonState> statesFrom(const Reader& in, const json& object, const std::string& place) {
+  const std::string listPlace = Reader::join(place, "states");
+  const json& list = in.array(in.required(object, place, "states"), listPlace);
+  std::vector<ButtonState> states;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    states.push_back(stateFrom(in, list[i], Reader::at(listPlace, i)));
+  return states;
+}
+
+// The objects of an optional list, each with its place.
+template <class Take>
+void forEachObject(const Reader& in, const json& object, const std::string& place, const char* key,
+                   Take take) {
+  if (!object.contains(key)) return;
+  const std::string listPlace = Reader::join(place, key);
+  const json& list = in.array(object.at(key), listPlace);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    in.requireObject(list[i], Reader::at(listPlace, i));
+    take(list[i], Reader::at(listPlace, i));
+  }
+}
+
+std::string filledText(const Reader& in, const json& object, const std::string& place, const char* key) {
+  std::string text = in.text(in.required(object, place, key), Reader::join(place, key));
+  if (text.empty())
+    in.refuse(Reader::join(place, key), Message("is empty"), "Write a few words, or remove it");
+  return text;
+}
+
+// Where a remark or pin stands: state, stroke, displacement.
+template <class At>
+void takePlace(const Reader& in, const json& value, const std::string& place, At& at) {
+  const int state = in.wholeNumber(value, place, "state", 0);
+  if (state < 0) in.refuse(Reader::join(place, "state"), "is negative", "States count from 0");
+  at.state = static_cast<std::size_t>(state);
+  const std::string stroke = in.textOr(value, place, "stroke", "press");
+  if (stroke != "press" && stroke != "release")
+    in.refuse(Reader::join(place, "stroke"), "is \"" + stroke.substr(0, 40) + "\"",
+              "Write \"press\" or \"release\"");
+  at.stroke = stroke == "press" ? Stroke::press : Stroke::release;
+  at.displacement_mm = in.number(value, place, "displacement_mm");
+}
+
+EditLinks linksFrom(const Reader& in, const json& document) {
+  EditLinks links;
+  if (!document.contains("links")) return links;
+  const json& value = document.at("links");
+  in.requireObject(value, "links");
+  in.refuseUnknownKeys(value, "links", {"oneTravelEnd", "releaseBelowPress_N", "pinned"});
+  if (value.contains("oneTravelEnd")) {
+    if (!value.at("oneTravelEnd").is_boolean())
+      in.refuse("links.oneTravelEnd", "is not true or false", "Write true or false");
+    links.oneTravelEnd = value.at("oneTravelEnd").get<bool>();
+  }
+  links.releaseBelowPress_N = in.optionalNumber(value, "links", "releaseBelowPress_N");
+  if (links.releaseBelowPress_N && *links.releaseBelowPress_N < 0)
+    in.refuse("links.releaseBelowPress_N", "is negative", "Write how far the release lies below the press");
+  forEachObject(in, value, "links", "pinned", [&](const json& pin, const std::string& place) {
+    in.refuseUnknownKeys(pin, place, {"state", "stroke", "displacement_mm"});
+    takePlace(in, pin, place, links.pinned.emplace_back());
+  });
+  return links;
+}
+
+Annotations annotationsFrom(const Reader& in, const json& document) {
+  Annotations out;
+  forEachObject(in, document, "", "notes", [&](const json& note, const std::string& place) {
+    in.refuseUnknownKeys(note, place, {"state", "stroke", "displacement_mm", "text"});
+    takePlace(in, note, place, out.notes.emplace_back());
+    out.notes.back().text = filledText(in, note, place, "text");
+  });
+  forEachObject(in, document, "", "versions", [&](const json& version, const std::string& place) {
+    in.refuseUnknownKeys(version, place, {"name", "saved", "states"});
+    std::string name = filledText(in, version, place, "name");
+    for (const NamedVersion& other : out.versions)
+      if (other.name == name)
+        in.refuse(Reader::join(place, "name"), "is the name of another version", "Give each its own name");
+    Button button = in.accepted(Button::fromStates("", statesFrom(in, version, place)), place);
+    out.versions.push_back({std::move(name), in.textOr(version, place, "saved", ""), button.states()});
+  });
+  out.links = linksFrom(in, document);
+  return out;
+}
+
 ButtonFile fileFrom(const Reader& in, std::string_view text, const std::string& subject) {
   json document = parsedJson(text, in);
   in.requireObject(document, "");
@@ -316,16 +400,15 @@ ButtonFile fileFrom(const Reader& in, std::string_view text, const std::string& 
     in.refuse("format", Message("is not \"detent-button\""),
               Message("Give a *.button.json written by Detent"));
   document = in.accepted(migrated(std::move(document), buttonMigrations(), subject), "");
-  in.refuseUnknownKeys(document, "", {"format", "version", "name", "states", "provenance", "cutout"});
-  const json& list = in.array(in.required(document, "", "states"), "states");
-  std::vector<ButtonState> states;
-  for (std::size_t i = 0; i < list.size(); ++i)
-    states.push_back(stateFrom(in, list[i], Reader::at("states", i)));
+  in.refuseUnknownKeys(
+      document, "",
+      {"format", "version", "name", "states", "provenance", "cutout", "notes", "versions", "links"});
+  std::vector<ButtonState> states = statesFrom(in, document, "");
   std::optional<Provenance> provenance;
   if (document.contains("provenance")) provenance = provenanceFrom(in, document.at("provenance"));
   Button button = in.accepted(
       Button::fromStates(in.textOr(document, "", "name", ""), std::move(states), std::move(provenance)), "");
-  return {std::move(button), cutoutFrom(in, document)};
+  return {std::move(button), cutoutFrom(in, document), annotationsFrom(in, document)};
 }
 
 // ---- writing
@@ -387,6 +470,41 @@ ordered_json jsonOf(const Provenance& p) {
   return out;
 }
 
+ordered_json jsonOf(const std::vector<ButtonState>& states) {
+  ordered_json out = ordered_json::array();
+  for (const ButtonState& state : states) out.push_back(jsonOf(state));
+  return out;
+}
+
+template <class At>
+ordered_json placeJson(const At& at) {
+  return {{"state", at.state},
+          {"stroke", at.stroke == Stroke::press ? "press" : "release"},
+          {"displacement_mm", at.displacement_mm}};
+}
+
+ordered_json jsonOf(const EditLinks& links) {
+  ordered_json out = ordered_json::object();
+  if (links.oneTravelEnd) out["oneTravelEnd"] = true;
+  if (links.releaseBelowPress_N) out["releaseBelowPress_N"] = *links.releaseBelowPress_N;
+  for (const PinnedPoint& pin : links.pinned) out["pinned"].push_back(placeJson(pin));
+  return out;
+}
+
+void append(ordered_json& document, const Annotations& annotations) {
+  for (const Note& note : annotations.notes) {
+    document["notes"].push_back(placeJson(note));
+    document["notes"].back()["text"] = note.text;
+  }
+  for (const NamedVersion& version : annotations.versions) {
+    ordered_json entry{{"name", version.name}};
+    if (!version.saved.empty()) entry["saved"] = version.saved;
+    entry["states"] = jsonOf(version.states);
+    document["versions"].push_back(std::move(entry));
+  }
+  if (!annotations.links.empty()) document["links"] = jsonOf(annotations.links);
+}
+
 bool holdsOnlyScalars(const ordered_json& value) {
   return std::none_of(value.begin(), value.end(), [](const ordered_json& v) { return v.is_structured(); });
 }
@@ -435,15 +553,16 @@ Result<Button> buttonFromJson(std::string_view text, const std::string& subject)
   return buttonOf(buttonFileFromJson(text, subject));
 }
 
-std::string jsonFrom(const Button& button, const std::optional<PageCutout>& cutout) {
+std::string jsonFrom(const Button& button, const std::optional<PageCutout>& cutout,
+                     const Annotations& annotations) {
   ordered_json document;
   document["format"] = "detent-button";
-  document["version"] = cutout ? buttonFileVersion : 2;
+  document["version"] = !annotations.empty() ? 4 : cutout ? 3 : 2;
   document["name"] = button.name();
-  document["states"] = ordered_json::array();
-  for (const ButtonState& state : button.states()) document["states"].push_back(jsonOf(state));
+  document["states"] = jsonOf(button.states());
   if (button.provenance()) document["provenance"] = jsonOf(*button.provenance());
   if (cutout) document["cutout"] = {{"png", base64From(cutout->png)}, {"pixelToAxes", cutout->pixelToAxes}};
+  append(document, annotations);
   std::string text;
   print(text, document, "");
   return text + "\n";

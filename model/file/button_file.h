@@ -10,19 +10,21 @@
 #include <string>
 #include <string_view>
 
+#include "model/annotations.h"
 #include "model/button.h"
 #include "model/file/page_cutout.h"
 
 namespace detent {
 
-/// The newest that is read. Written is the oldest that can hold the content: what has no cut-out stays readable for
-/// programs that know version 2.
-constexpr int buttonFileVersion = 3;
+/// The newest that is read. Written is the oldest that can hold the content: what has neither cut-out nor annotations stays
+/// readable for programs that know version 2.
+constexpr int buttonFileVersion = 4;
 
 /// Everything a file holds.
 struct ButtonFile {
   Button button;
   std::optional<PageCutout> cutout = {};
+  Annotations annotations = {};
 };
 
 /// `subject` names the text in Failures (a file name). Failures: unreadableInput with line and column for
@@ -33,7 +35,8 @@ Result<Button> buttonFromJson(std::string_view text, const std::string& subject)
 
 /// Deterministic text, one knot per line, ending in a newline. Bytes of names that are no UTF-8 become
 /// U+FFFD.
-std::string jsonFrom(const Button& button, const std::optional<PageCutout>& cutout = {});
+std::string jsonFrom(const Button& button, const std::optional<PageCutout>& cutout = {},
+                     const Annotations& annotations = {});
 
 Result<ButtonFile> readWholeButtonFile(const std::string& path);
 /// The button alone.

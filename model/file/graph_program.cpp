@@ -72,7 +72,7 @@ Result<std::string> contentsFor(const ButtonFile& read, const std::string& in, c
   const Button& button = read.button;
   auto kind = kindOfFile(out);
   if (!kind) return kind.failure();
-  if (*kind == GraphFileKind::button) return jsonFrom(button, read.cutout);
+  if (*kind == GraphFileKind::button) return jsonFrom(button, read.cutout, read.annotations);
   if (*kind == GraphFileKind::svg) return svgFrom(button, options.svg);
   auto state = chosenState(button, options.state, in, "--state");
   if (!state) return state.failure();

@@ -9,6 +9,7 @@ const std::vector<Migration>& buttonMigrations() {
   static const std::vector<Migration> steps{
       [](nlohmann::json&) {},  // 2 adds provenance.warningCodes, which may be missing
       [](nlohmann::json&) {},  // 3 adds cutout, which may be missing
+      [](nlohmann::json&) {},  // 4 adds notes, versions and links, which may be missing
   };
   return steps;
 }

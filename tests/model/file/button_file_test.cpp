@@ -290,9 +290,46 @@ TEST_CASE("warnings keep their codes, from version 2 on") {
   requireRefusal(withoutOne.dump(), "provenance.warningCodes");
 }
 
+TEST_CASE("notes, versions and links come back, and only they make a file version 4") {
+  const auto file = readWholeButtonFile(fixtures + "version-4.button.json");
+  REQUIRE(file.ok());
+  const Annotations& kept = file->annotations;
+  REQUIRE(kept.notes.size() == 2);
+  CHECK(kept.notes[1] == Note{1, Stroke::release, 3.0, "nobody has felt this yet"});
+  REQUIRE(kept.versions.size() == 1);
+  CHECK(kept.versions[0].states[0].operatingPoint_mm == 2.0);
+  CHECK(kept.links.oneTravelEnd);
+  CHECK(kept.links.releaseBelowPress_N == 0.05);
+  CHECK(kept.links.pinned == std::vector{PinnedPoint{0, Stroke::press, 1.5}});
+  const std::string text = jsonFrom(file->button, file->cutout, kept);
+  const auto back = buttonFileFromJson(text, "b");
+  REQUIRE(back.ok());
+  CHECK(back->annotations == kept);
+  CHECK(nlohmann::json::parse(text).at("version") == 4);
+  CHECK(nlohmann::json::parse(jsonFrom(file->button, file->cutout)).at("version") == 3);
+  CHECK(nlohmann::json::parse(jsonFrom(file->button)).at("version") == 2);
+}
+
+TEST_CASE("what is wrong with a note, a version or a link is named by its place") {
+  const auto refused = [](const char* pointer, const nlohmann::json& value, const char* part) {
+    auto document = nlohmann::json::parse(*readTextFile(fixtures + "version-4.button.json"));
+    document[nlohmann::json::json_pointer(pointer)] = value;
+    requireRefusal(document.dump(), part);
+  };
+  refused("/notes/0/text", "", "notes[0].text: is empty");
+  refused("/notes/0/state", -1, "notes[0].state: is negative");
+  refused("/notes/0/stroke", "pull", "notes[0].stroke: is \"pull\"");
+  refused("/versions/0/states/0/operatingPoint_mm", 40, "versions[0], state 1: operating point at 40 mm");
+  refused("/links/releaseBelowPress_N", -0.1, "links.releaseBelowPress_N: is negative");
+  refused("/links/oneTravelEnd", "yes", "links.oneTravelEnd: is not true or false");
+  auto document = nlohmann::json::parse(*readTextFile(fixtures + "version-4.button.json"));
+  document["versions"].push_back(document["versions"][0]);
+  requireRefusal(document.dump(), "versions[1].name: is the name of another version");
+}
+
 TEST_CASE("newer versions are refused, wrong ones named") {
-  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 4"),
-                 "version: is 4, newer than this program reads");
+  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 5"),
+                 "version: is 5, newer than this program reads");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 18446744073709551615"),
                  "newer than");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 0"), "versions count from 1");

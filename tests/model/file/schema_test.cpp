@@ -117,13 +117,14 @@ class SchemaChecker {
 
 TEST_CASE("what the writer writes obeys the schema, and so does the fixture") {
   SchemaChecker checker(readJson("model/file/button.schema.json"));
-  for (const char* version : {"1", "2", "3"}) {
+  for (const char* version : {"1", "2", "3", "4"}) {
     const json fixture =
         readJson(std::string("tests/model/file/fixtures/version-") + version + ".button.json");
     CHECK(checker.check(fixture) == std::vector<std::string>{});
     const auto file = buttonFileFromJson(fixture.dump(), "fixture");
     REQUIRE(file.ok());
-    CHECK(checker.check(json::parse(jsonFrom(file->button, file->cutout))) == std::vector<std::string>{});
+    CHECK(checker.check(json::parse(jsonFrom(file->button, file->cutout, file->annotations))) ==
+          std::vector<std::string>{});
   }
   for (const auto& made : {linearButton(), tactileButton(), selfLockingButton()})
     CHECK(checker.check(json::parse(jsonFrom(*made))) == std::vector<std::string>{});
@@ -131,7 +132,7 @@ TEST_CASE("what the writer writes obeys the schema, and so does the fixture") {
 
 TEST_CASE("the schema names every key the writer writes: reader and schema refuse the same faults") {
   SchemaChecker checker(readJson("model/file/button.schema.json"));
-  const json good = readJson("tests/model/file/fixtures/version-3.button.json");
+  const json good = readJson("tests/model/file/fixtures/version-4.button.json");
   const std::vector<std::string> pointers = {"/format",
                                              "/version",
                                              "/states",
@@ -142,7 +143,12 @@ TEST_CASE("the schema names every key the writer writes: reader and schema refus
                                              "/provenance/xAxis/min",
                                              "/provenance/yAxis/max",
                                              "/cutout/png",
-                                             "/cutout/pixelToAxes"};
+                                             "/cutout/pixelToAxes",
+                                             "/notes/0/displacement_mm",
+                                             "/notes/1/text",
+                                             "/versions/0/name",
+                                             "/versions/0/states",
+                                             "/links/pinned/0/displacement_mm"};
   for (const std::string& text : pointers) {
     const json::json_pointer pointer(text);
     INFO(text);
