@@ -25,6 +25,7 @@ GraphCanvas::GraphCanvas(ButtonDocument& document, ViewSettings& settings, QWidg
   connect(&document_, &ButtonDocument::changed, this, &GraphCanvas::graphChanged);
   connect(&document_, &ButtonDocument::activeStateChanged, this, &GraphCanvas::stateChanged);
   connect(&document_, &ButtonDocument::originChanged, this, &GraphCanvas::takeOrigin);
+  connect(&document_, &ButtonDocument::annotationsChanged, this, qOverload<>(&QWidget::update));
   connect(&settings, &ViewSettings::changed, this, &GraphCanvas::takeSettings);
   takeOrigin();
   fit();
@@ -204,6 +205,9 @@ GraphScene GraphCanvas::scene() const {
   }
   const auto& states = document_.button().states();
   if (states.size() > 1) scene.otherState = &states[document_.activeState() == 0 ? 1 : 0];
+  scene.notes = document_.annotations().notes;
+  scene.pinned = document_.annotations().links.pinned;
+  scene.stateIndex = document_.activeState();
   if (preview_) scene.preview = &*preview_;
   if (settings().residualsShown()) {
     scene.tracedPress = traced_->of(Stroke::press);

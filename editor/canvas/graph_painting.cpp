@@ -555,10 +555,58 @@ void paintFeedback(QPainter& painter, const PlotMapping& map, const GraphScene& 
   if (scene.feedback.refused) paintRefusal(painter, map, scene);
 }
 
+// Where a remark or pin stands on its curve, on the screen; nothing where this state has no such stroke.
+template <class At>
+std::optional<QPointF> onCurve(const At& at, const PlotMapping& map, const GraphScene& scene) {
+  const bool there = at.stroke == Stroke::press || scene.state.graph.release();
+  if (at.state != scene.stateIndex || !there) return {};
+  const StrokeCurve& curve = scene.state.graph.curve(at.stroke);
+  const double x = std::clamp(at.displacement_mm, curve.start_mm(), curve.end_mm());
+  return map.toPixel(x, curve.force_N(x));
+}
+
+// A number on a flag at the curve; its words stand in the panel and beside the flag, as far as they are short.
+void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  constexpr double flag_px = 30, half_px = 8;
+  constexpr int longest = 32;
+  for (std::size_t i = 0; i < scene.notes.size(); ++i) {
+    const auto at = onCurve(scene.notes[i], map, scene);
+    if (!at) continue;
+    const double up = at->y() - flag_px - half_px > map.clip_px.top() ? -1 : 1;
+    const QPointF flag = *at + QPointF(0, up * flag_px);
+    painter.setPen(QPen(scene.colors.text, 1));
+    painter.drawLine(*at, flag);
+    painter.setBrush(scene.colors.background);
+    painter.drawEllipse(flag, half_px, half_px);
+    const QRectF inside(flag - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px));
+    painter.drawText(inside, Qt::AlignCenter, QString::number(i + 1));
+    QString words = QString::fromStdString(scene.notes[i].text).simplified();
+    if (words.size() > longest) words = words.left(longest - 1) + QChar(0x2026);
+    const double wide = QFontMetricsF(painter.font()).horizontalAdvance(words) / 2 + half_px + 8;
+    const double side = flag.x() + 2 * wide < map.clip_px.right() ? 1 : -1;
+    paintTag(painter, flag + QPointF(side * wide, 0), words, scene.colors.text, scene.colors.background,
+             map.clip_px);
+  }
+}
+
+void paintPins(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  for (const PinnedPoint& pin : scene.pinned) {
+    const auto at = onCurve(pin, map, scene);
+    if (!at) continue;
+    painter.setPen(QPen(scene.colors.text, 1.6));
+    painter.setBrush(scene.colors.refused);
+    painter.drawLine(*at, *at + QPointF(6, -11));
+    painter.drawEllipse(*at + QPointF(8, -14), 4, 4);
+  }
+}
+
 // Names the line styles once; nothing to name where there is one stroke.
 void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   if (!scene.state.graph.release()) return;
   const QFontMetricsF metrics(painter.font());
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(withAlpha(scene.colors.background, 0.85));
+  painter.drawRoundedRect(legendBox(painter, map).adjusted(-6, -3, 6, 3), 3, 3);
   QPointF at = map.clip_px.topLeft() + legendAt_px;
   for (const Stroke stroke : {Stroke::press, Stroke::release}) {
     const QString name = stroke == Stroke::press ? tr("press") : tr("release");
@@ -607,6 +655,13 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
 
 void paintGraph(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
   paintCurves(painter, map, scene);
+  if (!scene.notes.empty() || (scene.handlesShown && !scene.pinned.empty())) {
+    painter.save();
+    painter.setClipRect(map.clip_px, Qt::IntersectClip);
+    paintNotes(painter, map, scene);
+    if (scene.handlesShown) paintPins(painter, map, scene);
+    painter.restore();
+  }
   painter.save();
   painter.setClipRect(map.clip_px, Qt::IntersectClip);
   paintLegend(painter, map, scene);

@@ -13,6 +13,7 @@
 #include "editor/document/finger_position.h"
 #include "editor/document/graph_colors.h"
 #include "editor/quantity/reading_error.h"
+#include "model/annotations.h"
 
 namespace detent::editor {
 
@@ -29,6 +30,9 @@ struct GraphScene {
   std::span<const CurvePoint> tracedPress, tracedRelease;  ///< residuals are drawn to these; empty: none
   bool handlesShown = true;                  ///< knots and handles; pictures for others go without
   std::optional<ReadingError> readingError;  ///< of a graph read off a page: decides the digits of its forces
+  std::span<const Note> notes = {};          ///< remarks; of this state alone they are drawn
+  std::span<const PinnedPoint> pinned = {};  ///< drawn with the handles
+  std::size_t stateIndex = 0;                ///< of this state among the button's
   const ButtonState* preview = nullptr;      ///< what the state would be: drawn dashed over it
 };
 

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <QFileInfo>
+#include <QUndoCommand>
 
 #include "model/check.h"
+#include "model/links.h"
 
 namespace detent::editor {
 namespace {
@@ -15,6 +17,19 @@ QImage imageOf(const importer::Raster& raster) {
   return view.copy();
 }
 
+// Annotations before and after.
+class AnnotationStep : public QUndoCommand {
+ public:
+  AnnotationStep(ButtonDocument& document, Annotations next, const QString& label)
+      : QUndoCommand(label), document_(document), before_(document.annotations()), after_(std::move(next)) {}
+  void undo() override { document_.setAnnotations(before_); }
+  void redo() override { document_.setAnnotations(after_); }
+
+ private:
+  ButtonDocument& document_;
+  Annotations before_, after_;
+};
+
 }  // namespace
 
 QTransform transformOf(const std::array<double, 9>& rows) {
@@ -23,6 +38,9 @@ QTransform transformOf(const std::array<double, 9>& rows) {
 
 ButtonDocument::ButtonDocument(Button button, QObject* parent)
     : QObject(parent), history_(std::move(button)) {
+  history_.setRule([this](const Button& before, const Button& next) {
+    return keptLinks(before, next, annotations_.links);
+  });
   connect(&history_, &EditHistory::changed, this, [this] {
     emit changed();
     emit titleChanged();
@@ -82,6 +100,17 @@ void ButtonDocument::setCutout(std::optional<PageCutout> cutout) {
   if (cutout == cutout_) return;
   cutout_ = std::move(cutout);
   emit cutoutChanged();
+}
+
+void ButtonDocument::setAnnotations(Annotations annotations) {
+  if (annotations == annotations_) return;
+  annotations_ = std::move(annotations);
+  emit annotationsChanged();
+}
+
+void ButtonDocument::annotate(Annotations next, const QString& label) {
+  DETENT_CHECK(!history_.dragging(), "nothing is annotated in the middle of a drag");
+  if (next != annotations_) history_.stack().push(new AnnotationStep(*this, std::move(next), label));
 }
 
 void ButtonDocument::wantOrigin() {

@@ -13,6 +13,7 @@
 
 #include "editor/document/edit_history.h"
 #include "importer/importer.h"
+#include "model/annotations.h"
 #include "model/file/page_cutout.h"
 
 namespace detent::editor {
@@ -68,6 +69,12 @@ class ButtonDocument : public QObject {
   /// The page as the file keeps it, or will when it is saved; empty unless a person chose that.
   const std::optional<PageCutout>& cutout() const { return cutout_; }
   void setCutout(std::optional<PageCutout> cutout);
+  /// Remarks, named versions and links, as the file keeps them.
+  const Annotations& annotations() const { return annotations_; }
+  /// As they were read; no step.
+  void setAnnotations(Annotations annotations);
+  /// One step that can be undone; nothing where they are the same. Not during a drag.
+  void annotate(Annotations next, const QString& label);
   /// There is no origin, but reading the sheet again would give one.
   bool originOnDemand() const { return sheet_ && sheet_->readable && !origin_; }
   /// Whoever needs traced points or printed values says so; they come as `originChanged`, if they can be had.
@@ -79,6 +86,7 @@ class ButtonDocument : public QObject {
   void activeStateChanged();
   void originChanged();  ///< origin or sheet
   void cutoutChanged();
+  void annotationsChanged();
   void originWanted();  ///< by wantOrigin, where it is on demand
   /// Path, name or unsaved mark.
   void titleChanged();
@@ -91,6 +99,7 @@ class ButtonDocument : public QObject {
   std::shared_ptr<const importer::ImportReport> origin_;
   std::optional<PlacedPage> sheet_;
   std::optional<PageCutout> cutout_;
+  Annotations annotations_;
 };
 
 }  // namespace detent::editor

@@ -50,10 +50,20 @@ void EditHistory::set(const Button& button) {
   emit changed();
 }
 
+Result<Button> EditHistory::ruled(const Button& next) const {
+  return rule_ ? rule_(committed_, next) : Result<Button>(next);
+}
+
 void EditHistory::apply(const Button& next, const QString& label, const QString& mergeKey) {
   DETENT_CHECK(!dragging(), "a step is not applied in the middle of a drag");
-  if (next == committed_) return;
-  stack_.push(new Step(*this, committed_, next, label, mergeKey));
+  const Result<Button> kept = ruled(next);
+  if (!kept) return emit refused(kept.failure());
+  if (!(*kept == committed_)) stack_.push(new Step(*this, committed_, *kept, label, mergeKey));
+}
+
+void EditHistory::replace(const Button& next, const QString& label) {
+  DETENT_CHECK(!dragging(), "a step is not applied in the middle of a drag");
+  if (!(next == committed_)) stack_.push(new Step(*this, committed_, next, label, {}));
 }
 
 void EditHistory::beginDrag(const QString& label) {
@@ -63,7 +73,9 @@ void EditHistory::beginDrag(const QString& label) {
 
 void EditHistory::preview(const Button& next) {
   DETENT_CHECK(dragging(), "a preview belongs to a drag");
-  preview_ = next;
+  const Result<Button> kept = ruled(next);
+  if (!kept) return emit refused(kept.failure());
+  preview_ = *kept;
   emit changed();
 }
 

@@ -25,9 +25,17 @@ class EditHistory : public QObject {
   const Button& button() const { return preview_ ? *preview_ : committed_; }
   const Button& committed() const { return committed_; }
 
+  /// What an edit becomes before it is shown or kept, or why it cannot be (model/links.h). From the committed button.
+  using Rule = std::function<Result<Button>(const Button& before, const Button& next)>;
+  void setRule(Rule rule) { rule_ = std::move(rule); }
+  /// What apply and preview would make of it.
+  Result<Button> ruled(const Button& next) const;
+
   /// One finished step. Steps with the same non-empty `mergeKey` directly after each other become one (arrow
   /// keys).
   void apply(const Button& next, const QString& label, const QString& mergeKey = {});
+  /// One step to a button that no hand has made: read again, recovered, an earlier version. Under no rule.
+  void replace(const Button& next, const QString& label);
 
   /// A drag: any number of previews, then finish (one step) or cancel (as before). Previews are no steps.
   void beginDrag(const QString& label);
@@ -45,6 +53,8 @@ class EditHistory : public QObject {
  signals:
   /// What `button()` gives has changed.
   void changed();
+  /// The rule let nothing of a step or preview through; all is as it was.
+  void refused(const detent::Failure& why);
 
  private:
   class Step;
@@ -53,6 +63,7 @@ class EditHistory : public QObject {
   Button committed_;
   std::optional<Button> preview_;
   std::optional<QString> dragLabel_;
+  Rule rule_;
   QUndoStack stack_;
 };
 

@@ -44,6 +44,7 @@ Result<std::unique_ptr<ButtonDocument>> openDocument(const QString& path) {
   if (!file) return file.failure();
   auto document = std::make_unique<ButtonDocument>(std::move(file->button));
   document->setCutout(std::move(file->cutout));
+  document->setAnnotations(std::move(file->annotations));
   document->setPath(QFileInfo(path).absoluteFilePath());
   document->setKnownContent(hash);
   return document;
@@ -58,7 +59,8 @@ std::unique_ptr<ButtonDocument> importedDocument(std::shared_ptr<const importer:
 
 Result<Done> saveDocument(ButtonDocument& document, const QString& path) {
   const QString absolute = QFileInfo(path).absoluteFilePath();
-  const std::string text = jsonFrom(document.history().committed(), document.cutout());
+  const std::string text =
+      jsonFrom(document.history().committed(), document.cutout(), document.annotations());
   if (auto written = writeTextFileAtomically(bytesOf(absolute), text); !written) return written.failure();
   // Of what was written, not of what is read back: between the two somebody else may write.
   document.setKnownContent(contentHash(QByteArray::fromStdString(text)));
@@ -81,7 +83,8 @@ Result<Done> reloadDocument(ButtonDocument& document) {
   document.setKnownContent(hash);
   document.setCutout(std::move(file->cutout));
   if (document.history().dragging()) document.history().cancelDrag();
-  document.history().apply(file->button, ButtonDocument::tr("Reload from disk"));
+  document.annotate(std::move(file->annotations), ButtonDocument::tr("Reload from disk"));
+  document.history().replace(file->button, ButtonDocument::tr("Reload from disk"));
   document.history().markSaved();
   return Done{};
 }

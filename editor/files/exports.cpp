@@ -6,6 +6,8 @@
 #include <QBuffer>
 #include <QCoreApplication>
 #include <QFile>
+#include <QPdfWriter>
+#include <QSvgGenerator>
 
 #include "editor/document/begun_in.h"
 #include "model/check.h"
@@ -48,6 +50,31 @@ Result<Done> exportPng(const QImage& picture, const QString& path) {
     return Failure{FailureCode::internalFault, path.toStdString(), "", "is no picture that a PNG can hold",
                    "Export it smaller"};
   return writeTextFileAtomically(bytesOf(path), png.toStdString());
+}
+
+Result<Done> exportDrawing(QSize size, const QString& path,
+                           const std::function<void(QPaintDevice&, QSize)>& draw,
+                           const std::function<QImage()>& picture) {
+  const bool svg = path.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive);
+  if (!svg && !path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive)) return exportPng(picture(), path);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  if (!buffer.open(QIODevice::WriteOnly))
+    return Failure{FailureCode::internalFault, path.toStdString(), "", "cannot be drawn", "Export a PNG"};
+  if (svg) {
+    QSvgGenerator drawing;
+    drawing.setOutputDevice(&buffer);
+    drawing.setSize(size);
+    drawing.setViewBox(QRect(QPoint(), size));
+    draw(drawing, size);
+  } else {
+    QPdfWriter page(&buffer);
+    page.setPageSize(QPageSize(QSizeF(size), QPageSize::Point, {}, QPageSize::ExactMatch));
+    page.setPageMargins({});
+    page.setResolution(72);  // a unit of the drawing is a point
+    draw(page, size);
+  }
+  return writeTextFileAtomically(bytesOf(path), bytes.toStdString());
 }
 
 Result<Done> exportWav(const Button& button, std::size_t state, const QString& path) {

@@ -3,7 +3,9 @@
 // What leaves the editor besides button files: samples, drawings, pictures, sound. Every file is written
 // whole or not at all.
 
+#include <functional>
 #include <QImage>
+#include <QPaintDevice>
 #include <QString>
 
 #include "model/button.h"
@@ -18,6 +20,10 @@ Result<Done> exportCsv(const Button& button, std::size_t state, const QString& p
 Result<Done> exportSemicolonCsv(const Button& button, std::size_t state, const QString& path);
 
 Result<Done> exportPng(const QImage& picture, const QString& path);
+/// A drawing of that size by the path's ending: ".svg" and ".pdf" by `draw` as vectors, anything else `picture` as PNG.
+Result<Done> exportDrawing(QSize size, const QString& path,
+                           const std::function<void(QPaintDevice&, QSize)>& draw,
+                           const std::function<QImage()>& picture);
 
 /// The vibration of a standard press (playback/playback.h) that begins in that state, on a perfect device: mono float
 /// WAV, 48 kHz.

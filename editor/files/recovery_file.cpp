@@ -17,13 +17,14 @@ Failure broken(const QString& subject, const std::string& problem) {
 }  // namespace
 
 std::string recoveryText(const RecoveryRecord& record) {
-  const QJsonObject object{{"format", "detent-recovery"},
-                           {"version", recoveryVersion},
-                           {"path", record.path},
-                           {"title", record.title},
-                           {"known_content", QString::fromLatin1(record.knownContent.toHex())},
-                           {"written", record.written.toUTC().toString(Qt::ISODateWithMs)},
-                           {"button", QString::fromStdString(jsonFrom(record.button, record.cutout))}};
+  const QJsonObject object{
+      {"format", "detent-recovery"},
+      {"version", recoveryVersion},
+      {"path", record.path},
+      {"title", record.title},
+      {"known_content", QString::fromLatin1(record.knownContent.toHex())},
+      {"written", record.written.toUTC().toString(Qt::ISODateWithMs)},
+      {"button", QString::fromStdString(jsonFrom(record.button, record.cutout, record.annotations))}};
   return QJsonDocument(object).toJson(QJsonDocument::Indented).toStdString();
 }
 
@@ -44,7 +45,8 @@ Result<RecoveryRecord> recoveryFromText(const std::string& text, const QString& 
                         object["title"].toString(),
                         QDateTime::fromString(object["written"].toString(), Qt::ISODateWithMs),
                         QByteArray::fromHex(object["known_content"].toString().toLatin1()),
-                        std::move(file->cutout)};
+                        std::move(file->cutout),
+                        std::move(file->annotations)};
 }
 
 }  // namespace detent::editor

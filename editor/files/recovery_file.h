@@ -18,6 +18,7 @@ struct RecoveryRecord {
   /// ButtonDocument::knownContent(), so that the guard against writing over somebody's change outlives the editor.
   QByteArray knownContent = {};
   std::optional<PageCutout> cutout = {};
+  Annotations annotations = {};
 };
 
 /// One JSON object: format, version, path, title, time, and the text of the button file.

@@ -58,7 +58,8 @@ void RecoveryStore::watch(ButtonDocument& document) {
   entry->timer->setInterval(writeAfter_ms);
   watched_.insert(&document, entry);
   connect(entry->timer.get(), &QTimer::timeout, this, [this, &document] { write(document); });
-  for (const auto change : {&ButtonDocument::titleChanged, &ButtonDocument::cutoutChanged})
+  for (const auto change :
+       {&ButtonDocument::titleChanged, &ButtonDocument::cutoutChanged, &ButtonDocument::annotationsChanged})
     connect(&document, change, this, [this, &document] { documentChanged(document); });
   documentChanged(document);
 }
@@ -86,7 +87,8 @@ void RecoveryStore::write(ButtonDocument& document) {
   if (entry->file.isEmpty()) entry->file = QDir(session_).filePath(QString::number(nextFile_++) + ending);
   entry->onDisk = true;
   const RecoveryRecord record{document.history().committed(),  document.path(),         document.title(),
-                              QDateTime::currentDateTimeUtc(), document.knownContent(), document.cutout()};
+                              QDateTime::currentDateTimeUtc(), document.knownContent(), document.cutout(),
+                              document.annotations()};
   writer_.start([this, record, file = entry->file] {
     const auto written = writeTextFileAtomically(bytesOf(file), recoveryText(record));
     const QString sentence = written ? QString() : sentenceOf(written.failure());

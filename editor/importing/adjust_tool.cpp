@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <QCoreApplication>
+#include <QMenu>
 
+#include "editor/document/message_words.h"
 #include "editor/importing/findings_painting.h"
+#include "editor/importing/mark_corrections.h"
 
 namespace detent::editor {
 namespace {
@@ -54,6 +57,17 @@ void moveEdge(FrameCorners& c, std::size_t i, importer::Point by) {
   shift(c[next], across);
 }
 
+// What the curve does not allow is said and not kept.
+void takeMarks(PageView& view, const Corrections& next, const QString& label) {
+  const ImportGraph* graph = view.state().current();
+  const auto& good = graph ? graph->unmarked : nullptr;
+  if (good) {
+    const MarkedImport marked = withMarks(*good, next.marks);
+    if (!marked.refused.empty()) return view.say(sentenceOf(marked.refused.front(), view.units()));
+  }
+  view.state().apply(next, label);
+}
+
 const char* cornerName(std::size_t i) {
   constexpr const char* names[] = {QT_TRANSLATE_NOOP("detent::editor::PageTool", "top left corner"),
                                    QT_TRANSLATE_NOOP("detent::editor::PageTool", "top right corner"),
@@ -79,6 +93,9 @@ std::vector<PageHandle> handlesOf(const PageView& view) {
     for (std::size_t i = 0; i < found.size(); ++i)
       handles.push_back({Kind::foundTick, axis, i, view.toWidget(found[i].at)});
   }
+  const auto& marks = view.drawn().marks;
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    handles.push_back({Kind::point, GraphAxis::x, i, view.pageToWidget().map(marks[i].at)});
   for (std::size_t i = 0; i < 4; ++i)
     handles.push_back({Kind::edge, GraphAxis::x, i,
                        0.5 * (view.toWidget((*corners)[i]) + view.toWidget((*corners)[(i + 1) % 4]))});
@@ -170,6 +187,13 @@ Corrections AdjustTool::moved(const Drag& drag, QPointF to, Qt::KeyboardModifier
       box = {box.x0 + by.x, box.y0 + by.y, box.x1 + by.x, box.y1 + by.y};
       break;
     }
+    case Kind::point:
+      if (auto mark = markOf(drag.handle)) {
+        const importer::Point at = *mark->from;
+        mark->to = importer::Point{at.x + by.x, at.y + by.y};
+        next.marks = withMark(std::move(next.marks), *mark);
+      }
+      break;
   }
   return next;
 }
@@ -184,6 +208,8 @@ QString AdjustTool::label(const PageHandle& handle) const {
       return handle.axis == GraphAxis::x ? tr("Move displacement tick") : tr("Move force tick");
     case Kind::mask:
       return tr("Move mask");
+    case Kind::point:
+      return tr("Move point");
   }
   return {};
 }
@@ -193,7 +219,7 @@ bool AdjustTool::press(const QMouseEvent& event) {
   active_ = handleAt(event.position());
   const auto corners = view_.shownCorners();
   if (!active_ || !corners) return false;
-  drag_ = Drag{*active_, event.position(), view_.shown(), *corners};
+  drag_ = Drag{*active_, event.position(), event.position(), view_.shown(), *corners};
   view_.setMagnifier(event.position());
   return true;
 }
@@ -207,6 +233,7 @@ bool AdjustTool::move(const QMouseEvent& event) {
   constexpr double startsAt_px = 2;  // a click is not a drag
   if (!drag_->moved && distanceTo(drag_->from, event.position()) < startsAt_px) return true;
   drag_->moved = true;
+  drag_->to = event.position();
   view_.setMagnifier(event.position());
   view_.setPreview(moved(*drag_, event.position(), event.modifiers()));
   return true;
@@ -223,7 +250,11 @@ bool AdjustTool::release(const QMouseEvent& event) {
       active_ =
           PageHandle{Kind::givenTick, done.handle.axis, done.before.axis(done.handle.axis).ticks.size(), {}};
     }
-    view_.state().apply(moved(done, event.position(), event.modifiers()), label(done.handle));
+    const Corrections next = moved(done, event.position(), event.modifiers());
+    if (done.handle.kind == Kind::point)
+      takeMarks(view_, next, label(done.handle));
+    else
+      view_.state().apply(next, label(done.handle));
   }
   view_.update();
   return true;
@@ -248,8 +279,63 @@ bool AdjustTool::doubleClick(const QMouseEvent& event) {
   return tick && typeValue(*tick);
 }
 
+std::optional<MarkCorrection> AdjustTool::markOf(const PageHandle& handle) const {
+  const auto& marks = view_.drawn().marks;
+  if (handle.index >= marks.size()) return {};
+  const DrawnMark& mark = marks[handle.index];
+  const auto kind = mark.kind == DrawnMark::Kind::tactile     ? MarkCorrection::Kind::tactile
+                    : mark.kind == DrawnMark::Kind::operating ? MarkCorrection::Kind::operating
+                                                              : MarkCorrection::Kind::reset;
+  return MarkCorrection{kind, mark.stroke, importer::Point{mark.at.x(), mark.at.y()}, {}};
+}
+
+void AdjustTool::give(const MarkCorrection& mark, const QString& label) {
+  Corrections next = view_.shown();
+  next.marks = withMark(std::move(next.marks), mark);
+  takeMarks(view_, next, label);
+}
+
+// Which points can be added where the pointer is, and the one under it taken away.
+bool AdjustTool::menu(QPointF widget, QPoint global) {
+  if (!view_.drawn().press) return false;
+  auto under = handleAt(widget);
+  if (!under || under->kind != Kind::point)
+    under = active_ && active_->kind == Kind::point ? active_ : std::nullopt;
+  auto* menu = new QMenu(&view_);
+  menu->setObjectName(QStringLiteral("pointMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto mark = under ? markOf(*under) : std::nullopt;
+  PageView& view = view_;
+  const auto change = [&view](MarkCorrection next, const QString& label) {
+    Corrections corrections = view.shown();
+    corrections.marks = withMark(std::move(corrections.marks), next);
+    takeMarks(view, corrections, label);
+  };
+  if (mark)
+    menu->addAction(tr("Remove this point"), &view, [change, mark] { change(*mark, tr("Remove point")); });
+  const importer::Point at = view_.onPage(view_.toPage(widget));
+  const auto add = [&](const QString& text, MarkCorrection::Kind kind, Stroke stroke) {
+    menu->addAction(text, &view, [change, at, kind, stroke] {
+      change(MarkCorrection{kind, stroke, {}, at}, tr("Add point"));
+    });
+  };
+  add(tr("Operating point here"), MarkCorrection::Kind::operating, Stroke::press);
+  if (view_.drawn().release) add(tr("Reset point here"), MarkCorrection::Kind::reset, Stroke::release);
+  add(tr("Tactile point of the press here"), MarkCorrection::Kind::tactile, Stroke::press);
+  if (view_.drawn().release)
+    add(tr("Tactile point of the release here"), MarkCorrection::Kind::tactile, Stroke::release);
+  menu->popup(global);
+  return true;
+}
+
 bool AdjustTool::remove(const PageHandle& handle) {
   Corrections next = view_.shown();
+  if (handle.kind == Kind::point) {
+    const auto mark = markOf(handle);
+    active_.reset();
+    if (mark) give(*mark, tr("Remove point"));
+    return mark.has_value();
+  }
   if (handle.kind == Kind::mask && handle.index < next.masks.size()) {
     next.masks.erase(next.masks.begin() + static_cast<std::ptrdiff_t>(handle.index));
   } else if (handle.kind == Kind::givenTick && handle.index < next.axis(handle.axis).ticks.size()) {
@@ -267,10 +353,13 @@ bool AdjustTool::nudge(QPointF widgetDelta) {
   const auto corners = view_.shownCorners();
   if (!active_ || !corners) return false;
   const PageHandle handle = *active_;
-  const Drag step{handle, QPointF(0, 0), view_.shown(), *corners};
+  const Drag step{handle, QPointF(0, 0), QPointF(0, 0), view_.shown(), *corners};
   if (handle.kind == Kind::foundTick)
     active_ = PageHandle{Kind::givenTick, handle.axis, step.before.axis(handle.axis).ticks.size(), {}};
-  view_.state().apply(moved(step, widgetDelta, {}), label(handle), QStringLiteral("nudge"));
+  if (handle.kind == Kind::point)
+    takeMarks(view_, moved(step, widgetDelta, {}), label(handle));
+  else
+    view_.state().apply(moved(step, widgetDelta, {}), label(handle), QStringLiteral("nudge"));
   return true;
 }
 
@@ -335,12 +424,23 @@ void AdjustTool::paint(QPainter& painter) const {
       painter.setPen(QPen(QColor("#00805c"), 1.5));
       painter.setBrush(lit ? QColor("#00805c") : QColor(Qt::white));
       painter.drawRect(QRectF(handle.at - QPointF(half, half), QSizeF(2 * half, 2 * half)));
+    } else if (drag_ && drag_->moved && handle.kind == Kind::point && *active_ == handle) {
+      continue;  // drawn where it goes
     } else if (lit && handle.kind != Kind::edge) {
       painter.setPen(QPen(colors.refused, 2));
       painter.setBrush(Qt::NoBrush);
       painter.drawEllipse(handle.at, 9, 9);
     }
   }
+  paintDraggedPoint(painter);
+}
+
+void AdjustTool::paintDraggedPoint(QPainter& painter) const {
+  if (!drag_ || !drag_->moved || drag_->handle.kind != Kind::point) return;
+  painter.setPen(QPen(view_.colors().refused, 2));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(drag_->to, 7, 7);
+  painter.drawLine(drag_->from, drag_->to);
 }
 
 QCursor AdjustTool::cursor(QPointF widget) const {
@@ -363,9 +463,8 @@ QString AdjustTool::hint() const {
         .arg(tr(cornerName(active_->index)));
   }
   return tr(
-      "Drag corners and edges of the plot frame, or ticks. Double-click a tick to type its value. Tab walks "
-      "through "
-      "them, arrow keys nudge.");
+      "Drag corners and edges of the plot frame, ticks, or points of the curve; right-click to add a point. "
+      "Double-click a tick to type its value. Tab walks through them, arrow keys nudge, Delete removes.");
 }
 
 }  // namespace detent::editor

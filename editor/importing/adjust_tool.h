@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Drags what was found: corners and edges of the plot frame, ticks of the axes, masks.
+// Drags what was found: corners and edges of the plot frame, ticks of the axes, masks, points with a name.
 
 #include <optional>
 #include <vector>
@@ -12,10 +12,10 @@ namespace detent::editor {
 
 /// Something on the page that can be taken hold of.
 struct PageHandle {
-  enum class Kind { corner, edge, givenTick, foundTick, mask } kind = Kind::corner;
+  enum class Kind { corner, edge, givenTick, foundTick, mask, point } kind = Kind::corner;
   GraphAxis axis = GraphAxis::x;  ///< of ticks
   std::size_t index = 0;  ///< corner 0..3, edge from corner i to i+1, tick or mask of the shown corrections
-                          ///< (found: of the result)
+                          ///< (found: of the result), point among the drawn marks
   QPointF at;             ///< widget
   friend bool operator==(const PageHandle& a, const PageHandle& b) {
     return a.kind == b.kind && a.axis == b.axis && a.index == b.index;
@@ -34,6 +34,7 @@ class AdjustTool : public PageTool {
   bool doubleClick(const QMouseEvent& event) override;
   bool key(const QKeyEvent& event) override;
   bool walk(bool forward) override;
+  bool menu(QPointF widget, QPoint global) override;
   bool busy() const override { return drag_.has_value(); }
   void cancel() override;
   void paint(QPainter& painter) const override;
@@ -44,6 +45,7 @@ class AdjustTool : public PageTool {
   struct Drag {
     PageHandle handle;
     QPointF from;
+    QPointF to{};
     Corrections before;
     FrameCorners corners;
     bool moved = false;
@@ -56,6 +58,9 @@ class AdjustTool : public PageTool {
   bool nudge(QPointF widgetDelta);
   bool remove(const PageHandle& handle);
   bool typeValue(const PageHandle& handle);
+  void paintDraggedPoint(QPainter& painter) const;
+  std::optional<MarkCorrection> markOf(const PageHandle& handle) const;
+  void give(const MarkCorrection& mark, const QString& label);
 
   std::optional<Drag> drag_;
   std::optional<PageHandle> active_, hovered_;

@@ -40,7 +40,8 @@ AxisBox::AxisBox(ImportState& state, GraphAxis axis, QWidget* parent)
       min_(new QLineEdit),
       max_(new QLineEdit),
       unit_(new QComboBox),
-      details_(wrappedLabel()) {
+      details_(wrappedLabel()),
+      extend_(new QPushButton) {
   const bool isX = axis == GraphAxis::x;
   range_ = new OriginMark(state, isX ? QStringLiteral("resetX") : QStringLiteral("resetY"),
                           isX ? tr("Reset displacement axis") : tr("Reset force axis"),
@@ -85,6 +86,10 @@ void AxisBox::build() {
   column->addLayout(originRow());
   column->addLayout(unitRow());
   column->addWidget(details_);
+  column->addWidget(extend_);
+  extend_->setObjectName(axis_ == GraphAxis::x ? QStringLiteral("xExtend") : QStringLiteral("yExtend"));
+  extend_->setToolTip(tr("Numbers of this axis stand beyond the plot frame: move its edge there"));
+  extend_->hide();
   details_->setForegroundRole(QPalette::PlaceholderText);
 }
 
@@ -212,6 +217,20 @@ void AxisBox::follow(bool ofLog) {
   const QString details = detailsOf(correction, reading);
   details_->setText(details);
   details_->setVisible(!details.isEmpty());
+  followExtension(shown && !given.frame ? shown->evidence.get() : nullptr, reading);
+}
+
+void AxisBox::followExtension(const importer::GraphEvidence* evidence, const importer::AxisReading* reading) {
+  const auto extended = evidence && reading ? extendedFrame(axis_, *evidence) : std::nullopt;
+  extend_->disconnect(this);
+  extend_->setVisible(extended.has_value());
+  if (!extended) return;
+  extend_->setText(
+      tr("Extend the frame from %1 to %2")
+          .arg(endText(reading->max, reading->max - reading->min), numberText(extended->value, 5)));
+  connect(extend_, &QPushButton::clicked, this, [this, corners = extended->corners] {
+    state_.correct(tr("Extend plot frame"), [&](Corrections& c) { c.frame = corners; });
+  });
 }
 
 void AxisBox::showEnds(const AxisCorrection& given, const importer::AxisReading* found) {

@@ -6,6 +6,7 @@
 #include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QPushButton>
 #include <vector>
 
 #include "editor/importing/origin_mark.h"
@@ -47,6 +48,7 @@ class AxisBox : public QGroupBox {
   void showEnds(const AxisCorrection& given, const importer::AxisReading* found);
   void showUnit(const Corrections& given, const importer::AxisReading* found);
   QString detailsOf(const AxisCorrection& given, const importer::AxisReading* found) const;
+  void followExtension(const importer::GraphEvidence* evidence, const importer::AxisReading* reading);
   QuantityReading typedIn(const QLineEdit& field) const;
 
   ImportState& state_;
@@ -55,6 +57,7 @@ class AxisBox : public QGroupBox {
   QComboBox* unit_;
   OriginMark *range_, *unitOrigin_;
   QLabel* details_;
+  QPushButton* extend_;
   std::optional<GraphId> shownGraph_;
   std::vector<QWidget*> ofPage_;               ///< what a force meter's log has no use for
   std::optional<double> minShown_, maxShown_;  ///< as they stand, in the printed unit

@@ -34,6 +34,15 @@ struct AxisCorrection {
   friend bool operator==(const AxisCorrection&, const AxisCorrection&) = default;
 };
 
+/// A point with a name as a person has it: moved, added (`from` empty), or taken away (`to` empty). Of operating and reset
+/// point there is one at most, and only `to` counts.
+struct MarkCorrection {
+  enum class Kind { tactile, operating, reset } kind = Kind::tactile;
+  Stroke stroke = Stroke::press;            ///< of a tactile point
+  std::optional<importer::Point> from, to;  ///< page units
+  friend bool operator==(const MarkCorrection&, const MarkCorrection&) = default;
+};
+
 /// Everything given by hand for one graph; a value that is not given is found. Plain value.
 struct Corrections {
   std::optional<FrameCorners> frame;
@@ -43,6 +52,8 @@ struct Corrections {
   std::optional<importer::Rgb> pressColor, releaseColor;
   importer::DrawnStrokes drawn;      ///< page units
   std::vector<importer::Box> masks;  ///< page units
+  std::vector<MarkCorrection>
+      marks;  ///< in the order given; no hints: put into what was read (mark_corrections.h)
   bool swapStrokes = false;
   std::string
       curve;  ///< of several switches in the plot the one to take, as StrokeHints::curve; empty: the only one

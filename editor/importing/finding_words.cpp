@@ -180,4 +180,23 @@ QString inProgress(importer::ImportStep step) {
   return {};
 }
 
+QString causeOf(const importer::ImportReport& report, const DisplayUnits& units) {
+  constexpr double sureEnough = 0.95, same = 0.005;
+  if (report.confidence >= sureEnough) return {};
+  const importer::StepFinding* weakest = nullptr;
+  if (report.evidence)
+    for (const importer::StepFinding& step : report.evidence->steps)
+      if (!weakest || step.confidence < weakest->confidence) weakest = &step;
+  if (weakest && weakest->confidence <= report.confidence + same) {
+    const QString evidence = inWords(weakest->evidence, units);
+    const QString name = nameOfFinding(weakest->step);
+    return evidence.isEmpty() ? name : QStringLiteral("%1: %2").arg(name, evidence);
+  }
+  QStringList doubts;
+  if (report.doubt) doubts << inWords(messageOf(*report.doubt), units);
+  for (const importer::Remark& remark : report.remarks)
+    if (remark.code == importer::RemarkCode::doubted) doubts << inWords(messageOf(remark), units);
+  return doubts.join(QStringLiteral("; "));
+}
+
 }  // namespace detent::editor

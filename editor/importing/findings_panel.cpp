@@ -17,6 +17,7 @@ FindingsPanel::FindingsPanel(ImportState& state, ViewSettings& settings, QWidget
       state_(state),
       settings_(settings),
       confidence_(new QLabel),
+      cause_(wrappedLabel()),
       steps_(wrappedLabel()),
       sure_(new QProgressBar),
       confirmed_(new QCheckBox(tr("I have checked it against the page"))),
@@ -74,7 +75,8 @@ void FindingsPanel::addConfidence(QVBoxLayout& column) {
   confirmed_->setObjectName(QStringLiteral("confirmed"));
   confirmed_->setToolTip(tr("Lets a result that is in doubt be imported"));
   connect(confirmed_, &QCheckBox::clicked, &state_, &ImportState::setConfirmed);
-  for (QWidget* each : std::initializer_list<QWidget*>{confidence_, sure_, steps_, confirmed_})
+  cause_->setObjectName(QStringLiteral("confidenceCause"));
+  for (QWidget* each : std::initializer_list<QWidget*>{confidence_, sure_, cause_, steps_, confirmed_})
     column.addWidget(each);
 }
 
@@ -123,7 +125,7 @@ void FindingsPanel::refresh() {
   showFrame(*graph, evidence);
   for (AxisBox* box : {x_, y_}) box->follow(log);
   curves_->follow(log);
-  result_->follow(graph->good ? graph->good->report.get() : nullptr);
+  result_->follow(graph->good ? graph->good->report.get() : nullptr, graph->refusedMarks);
   settleLayout();
 }
 
@@ -137,6 +139,9 @@ void FindingsPanel::showConfidence(const ImportGraph& graph) {
                                          : tr("%1 % sure").arg(percent));
   else
     confidence_->setText(state_.working() ? tr("Reading the graph …") : tr("Nothing to import yet"));
+  const QString cause = report ? causeOf(*report, settings_.units()) : QString();
+  cause_->setText(cause.isEmpty() ? QString() : tr("because: %1").arg(cause));
+  cause_->setVisible(!cause.isEmpty());
   sure_->setValue(percent);
   sure_->setVisible(report != nullptr);
   confirmed_->setVisible(report && report->doubt && !failed);

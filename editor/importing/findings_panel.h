@@ -55,7 +55,7 @@ class FindingsPanel : public QScrollArea {
 
   ImportState& state_;
   ViewSettings& settings_;
-  QLabel *confidence_, *steps_;
+  QLabel *confidence_, *cause_, *steps_;
   QProgressBar* sure_;
   QCheckBox* confirmed_;
   QGroupBox* frameBox_ = nullptr;

@@ -33,6 +33,17 @@ QString unitName(std::string_view symbol) {
   return QString::fromUtf8(symbol.data(), static_cast<qsizetype>(symbol.size()));
 }
 
+QJsonArray marksOf(const std::vector<MarkCorrection>& marks) {
+  QJsonArray array;
+  for (const MarkCorrection& mark : marks) {
+    QJsonObject object{{"kind", static_cast<int>(mark.kind)}, {"release", mark.stroke == Stroke::release}};
+    if (mark.from) object["from"] = arrayOf({*mark.from});
+    if (mark.to) object["to"] = arrayOf({*mark.to});
+    array << object;
+  }
+  return array;
+}
+
 QJsonObject correctionsOf(const Corrections& c) {
   QJsonObject object;
   if (c.frame) object["frame"] = arrayOf({c.frame->begin(), c.frame->end()});
@@ -47,6 +58,7 @@ QJsonObject correctionsOf(const Corrections& c) {
   QJsonArray masks;
   for (const importer::Box& box : c.masks) masks << QJsonArray{box.x0, box.y0, box.x1, box.y1};
   object["masks"] = masks;
+  object["marks"] = marksOf(c.marks);
   object["swapStrokes"] = c.swapStrokes;
   if (!c.curve.empty()) object["curve"] = QString::fromStdString(c.curve);
   if (c.dpi) object["dpi"] = *c.dpi;
@@ -105,6 +117,23 @@ class Reader {
     return importer::Rgb{static_cast<std::uint8_t>(n[0]), static_cast<std::uint8_t>(n[1]),
                          static_cast<std::uint8_t>(n[2])};
   }
+  std::optional<importer::Point> place(const QJsonObject& object, const char* key) {
+    if (!object.contains(QLatin1String(key))) return {};
+    const auto n = numbers(object[QLatin1String(key)], 2);
+    return importer::Point{n[0], n[1]};
+  }
+  std::vector<MarkCorrection> marks(const QJsonArray& array) {
+    std::vector<MarkCorrection> read;
+    for (const auto& each : array) {
+      const QJsonObject object = each.toObject();
+      const int kind = object["kind"].toInt(-1);
+      if (kind < 0 || kind > static_cast<int>(MarkCorrection::Kind::reset)) return fail(), read;
+      read.push_back({static_cast<MarkCorrection::Kind>(kind),
+                      object["release"].toBool() ? Stroke::release : Stroke::press, place(object, "from"),
+                      place(object, "to")});
+    }
+    return read;
+  }
   Corrections corrections(const QJsonObject& object) {
     Corrections c;
     if (object.contains("frame")) {
@@ -127,6 +156,7 @@ class Reader {
       const auto n = numbers(mask, 4);
       c.masks.push_back({n[0], n[1], n[2], n[3]});
     }
+    c.marks = marks(object["marks"].toArray());
     c.swapStrokes = object["swapStrokes"].toBool();
     c.curve = object["curve"].toString().toStdString();
     c.dpi = number(object, "dpi");

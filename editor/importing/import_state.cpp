@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <utility>
 
+#include "editor/importing/mark_corrections.h"
 #include "model/check.h"
 
 namespace detent::editor {
@@ -52,6 +53,28 @@ FrameCorners cornersOf(const importer::GraphEvidence& evidence) {
   return corners;
 }
 
+std::optional<ExtendedFrame> extendedFrame(GraphAxis axis, const importer::GraphEvidence& evidence) {
+  constexpr double leastShare = 1.02;  // of the axis' length: nearer, it is the frame's own end
+  const FrameCorners corners = cornersOf(evidence);
+  const auto& calibration = evidence.axes.calibration.value;
+  std::optional<ExtendedFrame> extended;
+  double furthest = leastShare;
+  for (const auto& tick : (axis == GraphAxis::x ? calibration.x : calibration.y).ticks) {
+    const auto share = shareAlong(axis, corners, placeOfTick(axis, evidence, tick.position_px));
+    if (!tick.used || !share || *share < furthest) continue;
+    furthest = *share;
+    extended = ExtendedFrame{corners, tick.value};
+  }
+  if (!extended) return {};
+  const auto onwards = [&](std::size_t moved, std::size_t from) {
+    const importer::Point a = corners[from], b = corners[moved];
+    extended->corners[moved] = {a.x + furthest * (b.x - a.x), a.y + furthest * (b.y - a.y)};
+  };
+  axis == GraphAxis::x ? onwards(1, 0) : onwards(0, 3);
+  axis == GraphAxis::x ? onwards(2, 3) : onwards(1, 2);
+  return extended;
+}
+
 std::optional<FrameCorners> ImportGraph::corners() const {
   if (history.now().frame) return history.now().frame;
   if (found) return found->corners;
@@ -78,7 +101,7 @@ std::optional<ResultBrief> ImportGraph::brief() const {
 
 void ImportGraph::letResultGo() {
   letGo = brief();
-  last.reset(), good.reset();
+  last.reset(), good.reset(), unmarked.reset();
   if (pending == 0) asked = false;
 }
 
@@ -512,7 +535,14 @@ void ImportState::takeImport(ImportDesk::Ticket ticket, const std::shared_ptr<co
     graph.asked = false;
   } else {
     graph.last = std::shared_ptr<const ImportedGraph>(kept, &imported);
-    if (imported.report) graph.good = graph.last;
+    if (imported.report) {
+      const MarkedImport marked = withMarks(imported, graph.askedWith.marks);
+      graph.refusedMarks = marked.refused;
+      graph.unmarked = graph.last;
+      if (marked.imported.report != imported.report)
+        graph.last = std::make_shared<const ImportedGraph>(marked.imported);
+      graph.good = graph.last;
+    }
     rememberFound(graph, imported);
   }
   if (current_ == imported.graph) {

@@ -55,8 +55,10 @@ struct ImportGraph {
 
   std::shared_ptr<const ImportedGraph> last;  ///< newest answer, good or not; null before the first
   std::shared_ptr<const ImportedGraph> good;  ///< newest answer with a report; stays while later ones fail
-  std::optional<ResultBrief> letGo;           ///< of the results before these
-  std::optional<FoundAxes> found;             ///< ticks and corners as found, to which "reset" goes back
+  std::shared_ptr<const ImportedGraph> unmarked;  ///< `good` without the points given by hand
+  std::vector<Failure> refusedMarks;  ///< of `good`: points that the curve does not allow where they were put
+  std::optional<ResultBrief> letGo;   ///< of the results before these
+  std::optional<FoundAxes> found;     ///< ticks and corners as found, to which "reset" goes back
   std::optional<importer::AxisReading> foundX, foundY;
 
   ImportDesk::Ticket pending = 0;
@@ -213,5 +215,13 @@ class ImportState : public QObject {
 importer::Point placeOfTick(GraphAxis axis, const importer::GraphEvidence& evidence, double position_px);
 /// Corners of the evidence's frame in page units.
 FrameCorners cornersOf(const importer::GraphEvidence& evidence);
+
+/// The frame as far as numbers of one axis go on beyond it.
+struct ExtendedFrame {
+  FrameCorners corners;
+  double value = 0;  ///< the number at its new end, in the axis' unit
+};
+/// Nothing where no number stands clearly outside at the right or upper end.
+std::optional<ExtendedFrame> extendedFrame(GraphAxis axis, const importer::GraphEvidence& evidence);
 
 }  // namespace detent::editor

@@ -33,6 +33,12 @@ class PageTool {
     Q_UNUSED(forward);
     return false;
   }
+  /// What can be done at a place, as a menu; false: nothing.
+  virtual bool menu(QPointF widget, QPoint global) {
+    Q_UNUSED(widget);
+    Q_UNUSED(global);
+    return false;
+  }
   virtual bool busy() const { return false; }
   virtual void cancel() {}
   virtual void paint(QPainter&) const {}

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <QContextMenuEvent>
 #include <QHelpEvent>
 #include <QLineEdit>
 #include <QPainter>
@@ -546,6 +547,11 @@ void PageView::mouseReleaseEvent(QMouseEvent* event) {
 void PageView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (!tool_->doubleClick(*event)) return mousePressEvent(event);
   endGesture();
+}
+
+void PageView::contextMenuEvent(QContextMenuEvent* event) {
+  if (state_.currentPage() < 1 || tool_->busy() || !tool_->menu(event->pos(), event->globalPos()))
+    QWidget::contextMenuEvent(event);
 }
 
 void PageView::keyPressEvent(QKeyEvent* event) {

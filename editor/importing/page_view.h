@@ -62,6 +62,7 @@ class PageView : public QWidget {
   /// A point kept on the page.
   importer::Point onPage(importer::Point page) const;
   GraphColors colors() const;
+  const DisplayUnits& units() const { return settings_.units(); }
   /// Colour of the ink nearest to a place: what differs most from the ground around it.
   std::optional<QColor> inkAt(QPointF widget) const;
   void panBy(QPointF widgetDelta);
@@ -69,6 +70,8 @@ class PageView : public QWidget {
   void askValue(GraphAxis axis, importer::Point at, std::optional<std::size_t> replaces);
   /// Asks for the value that both axes have in the corner where they meet: one step sets a tick on each.
   void askOrigin(importer::Point at);
+  /// Says something about what was tried, where the tool's hint stands.
+  void say(const QString& sentence) { emit hint(sentence); }
   /// Where a glass shows the page enlarged; nothing hides it.
   void setMagnifier(std::optional<QPointF> widget);
   /// As Enter in the value field that is open on the page; false if it cannot be read and stays open.
@@ -87,6 +90,7 @@ class PageView : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void keyReleaseEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;

@@ -41,15 +41,15 @@ ResultBox::ResultBox(ViewSettings& settings, QWidget* parent)
   seconds_->setForegroundRole(QPalette::PlaceholderText);
 }
 
-void ResultBox::follow(const importer::ImportReport* report) {
+void ResultBox::follow(const importer::ImportReport* report, const std::vector<Failure>& refusedMarks) {
   setVisible(report != nullptr);
   if (!report) return;
-  showChecks(*report);
+  showChecks(*report, refusedMarks);
   result_->setText(textOf(*report));
   seconds_->setText(timesOf(report->seconds));
 }
 
-void ResultBox::showChecks(const importer::ImportReport& report) {
+void ResultBox::showChecks(const importer::ImportReport& report, const std::vector<Failure>& refusedMarks) {
   QStringList checks, warnings;
   for (const auto& check : report.specChecks) {
     const QString mark = check.agrees ? QStringLiteral("✓ ") : QStringLiteral("✗ ");
@@ -59,6 +59,9 @@ void ResultBox::showChecks(const importer::ImportReport& report) {
     const bool amongChecks = remark.code == importer::RemarkCode::printedValueDiffers;
     if (!amongChecks) warnings << QStringLiteral("⚠ ") + inWords(remark, settings_.units());
   }
+  for (const Failure& refused : refusedMarks)
+    warnings << QStringLiteral("⚠ ") +
+                    tr("A point you set is left out: %1").arg(sentenceOf(refused, settings_.units()));
   checks_->setText(checks.isEmpty() ? QString() : tr("Printed on the page:\n%1").arg(checks.join('\n')));
   checks_->setVisible(!checks.isEmpty());
   warnings_->setText(warnings.join('\n'));
@@ -89,6 +92,7 @@ QString ResultBox::textOf(const importer::ImportReport& report) const {
     lines << tr("%1 %2").arg(operating ? tr("Operating point") : tr("Reset point"),
                              length(callout.at.displacement_mm));
   }
+  lines << tr("On the page these points can be dragged, deleted, and added by a right click on the curve.");
   return lines.join('\n');
 }
 

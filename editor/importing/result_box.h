@@ -19,10 +19,10 @@ class ResultBox : public QGroupBox {
   explicit ResultBox(ViewSettings& settings, QWidget* parent = nullptr);
 
   /// Null: there is none.
-  void follow(const importer::ImportReport* report);
+  void follow(const importer::ImportReport* report, const std::vector<Failure>& refusedMarks);
 
  private:
-  void showChecks(const importer::ImportReport& report);
+  void showChecks(const importer::ImportReport& report, const std::vector<Failure>& refusedMarks);
   QString strokeText(const QString& name, const importer::StrokeReport& stroke) const;
   QString textOf(const importer::ImportReport& report) const;
 

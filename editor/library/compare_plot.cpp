@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/library/compare_plot.h"
 
+#include <algorithm>
 #include <QApplication>
 
 #include "editor/canvas/unit_ticker.h"
@@ -12,6 +13,9 @@ namespace detent::editor {
 namespace {
 
 constexpr int digits = 4;
+constexpr int namesInLine = 3;
+constexpr double differenceHeight = 0.5;  // of the graphs'
+constexpr int differenceSamples = 400;
 
 /// Empty beyond the curve's ends, and where a graph has no such stroke.
 std::optional<double> forceAt(const ForceGraph& graph, Stroke stroke, double at_mm) {
@@ -24,12 +28,16 @@ std::optional<double> forceAt(const ForceGraph& graph, Stroke stroke, double at_
 }  // namespace
 
 ComparePlot::ComparePlot(QWidget* parent)
-    : QCustomPlot(parent), cursor_(new QCPItemStraightLine(this)), pinned_(new QCPItemStraightLine(this)) {
-  setMinimumHeight(180);
+    : QCustomPlot(parent),
+      cursor_(new QCPItemStraightLine(this)),
+      pinned_(new QCPItemStraightLine(this)),
+      margins_(new QCPMarginGroup(this)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   legend->setVisible(true);
-  legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // one line above the curves
+  legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // lines above the curves
+  legend->setWrap(namesInLine);
+  axisRect()->setMarginGroup(QCP::msLeft, margins_);
   plotLayout()->insertRow(0);
   plotLayout()->addElement(0, 0, legend);
   constexpr double noMoreThanNeeded = 1e-3;
@@ -50,44 +58,128 @@ void ComparePlot::setGraphs(std::vector<ComparedGraph> graphs, const DisplayUnit
   emit readingChanged(reading());
 }
 
+void ComparePlot::dress(QCPAxis& axis, const GraphColors& colors) {
+  axis.setBasePen(QPen(colors.axis));
+  axis.setTickPen(QPen(colors.axis));
+  axis.setSubTickPen(QPen(colors.axis));
+  axis.setTickLabelColor(colors.text);
+  axis.setLabelColor(colors.text);
+  axis.grid()->setPen(QPen(colors.grid));
+  axis.grid()->setZeroLinePen(QPen(colors.axis));
+}
+
 void ComparePlot::dress() {
   const GraphColors colors = graphColors(isDark(palette()));
   setBackground(colors.background);
-  for (QCPAxis* axis : {xAxis, yAxis}) {
-    axis->setBasePen(QPen(colors.axis));
-    axis->setTickPen(QPen(colors.axis));
-    axis->setSubTickPen(QPen(colors.axis));
-    axis->setTickLabelColor(colors.text);
-    axis->setLabelColor(colors.text);
-    axis->grid()->setPen(QPen(colors.grid));
-    axis->grid()->setZeroLinePen(QPen(colors.axis));
-  }
+  for (QCPAxis* axis : {xAxis, yAxis}) dress(*axis, colors);
   legend->setTextColor(colors.text);
   legend->setBrush(QBrush(colors.background));
   legend->setBorderPen(QPen(colors.grid));
   cursor_->setPen(QPen(colors.text, 1));
   pinned_->setPen(QPen(colors.selection, 1, Qt::DashLine));
-  xAxis->setLabel(tr("Displacement (%1)").arg(units_.lengthSymbol()));
+  const QString displacement = tr("Displacement (%1)").arg(units_.lengthSymbol());
+  xAxis->setLabel(differences_ ? QString() : displacement);
   yAxis->setLabel(tr("Force (%1)").arg(units_.forceSymbol()));
+  if (!differences_) return;
+  for (QCPAxis* axis : {differences_->axis(QCPAxis::atBottom), differences_->axis(QCPAxis::atLeft)})
+    dress(*axis, colors);
+  differences_->axis(QCPAxis::atBottom)->setLabel(displacement);
+  differences_->axis(QCPAxis::atLeft)->setLabel(tr("Difference (%1)").arg(units_.forceSymbol()));
 }
 
+void ComparePlot::showDifferences(bool shown) {
+  if (shown == (differences_ != nullptr)) return;
+  if (!shown) {
+    clearPlottables();
+    plotLayout()->remove(differences_);
+    plotLayout()->simplify();
+    differences_ = nullptr;
+  } else {
+    differences_ = new QCPAxisRect(this);
+    differences_->setMarginGroup(QCP::msLeft, margins_);
+    plotLayout()->addElement(plotLayout()->rowCount(), 0, differences_);
+    plotLayout()->setRowStretchFactor(plotLayout()->rowCount() - 1, differenceHeight);
+    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft})
+      differences_->axis(side)->setTicker(QSharedPointer<UnitTicker>::create());
+    connect(xAxis, qOverload<const QCPRange&>(&QCPAxis::rangeChanged), differences_->axis(QCPAxis::atBottom),
+            qOverload<const QCPRange&>(&QCPAxis::setRange));
+  }
+  setGraphs(std::move(graphs_), units_);
+}
+
+// A name for each button; its release is the dashed line of the same colour.
 void ComparePlot::drawCurves() {
   clearPlottables();
   const bool dark = isDark(palette());
   for (std::size_t i = 0; i < graphs_.size(); ++i)
     for (const Stroke stroke : {Stroke::press, Stroke::release}) {
-      const auto& [letter, graph] = graphs_[i];
+      const auto& [name, graph] = graphs_[i];
       if (stroke == Stroke::release && !graph.release()) continue;
       auto* curve = new QCPCurve(xAxis, yAxis);
       for (const CurvePoint& p : travelledSamples(graph, stroke))
         curve->addData(units_.lengthFrom(p.displacement_mm), units_.forceFrom(p.force_N));
       curve->setPen(QPen(seriesColor(i, dark), 2, stroke == Stroke::press ? Qt::SolidLine : Qt::DashLine));
       curve->setAntialiased(true);
-      curve->setName(letter + " " + (stroke == Stroke::press ? tr("press") : tr("release")));
+      curve->setName(name);
+      if (stroke == Stroke::release) curve->removeFromLegend();
     }
   if (graphs_.empty()) return;
-  rescaleAxes();
+  xAxis->rescale();
+  yAxis->rescale();
   yAxis->scaleRange(1.1);
+  if (differences_) drawDifferences();
+}
+
+void ComparePlot::drawDifferences() {
+  QCPAxis *x = differences_->axis(QCPAxis::atBottom), *y = differences_->axis(QCPAxis::atLeft);
+  const bool dark = isDark(palette());
+  const ForceGraph& first = graphs_.front().graph;
+  for (std::size_t i = 1; i < graphs_.size(); ++i)
+    for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+      auto* curve = new QCPGraph(x, y);
+      const double end_mm = std::max(first.travel_mm(), graphs_[i].graph.travel_mm());
+      for (int k = 0; k <= differenceSamples; ++k) {
+        const double at_mm = end_mm * k / differenceSamples;
+        const auto here = forceAt(graphs_[i].graph, stroke, at_mm), there = forceAt(first, stroke, at_mm);
+        if (here && there) curve->addData(units_.lengthFrom(at_mm), units_.forceFrom(*here - *there));
+      }
+      curve->setPen(QPen(seriesColor(i, dark), 2, stroke == Stroke::press ? Qt::SolidLine : Qt::DashLine));
+      curve->setAntialiased(true);
+      curve->removeFromLegend();
+    }
+  x->setRange(xAxis->range());
+  y->rescale();
+  if (y->range().size() > 0) y->scaleRange(1.1);
+}
+
+// ---- pictures for others
+
+std::unique_ptr<ComparePlot> ComparePlot::forPicture() const {
+  auto plot = std::make_unique<ComparePlot>();
+  plot->setFont(font());
+  plot->setPalette(QPalette(Qt::black, Qt::white, Qt::white, Qt::darkGray, Qt::gray, Qt::black, Qt::white));
+  plot->showDifferences(differences_ != nullptr);
+  plot->setGraphs(graphs_, units_);
+  plot->xAxis->setRange(xAxis->range());
+  plot->yAxis->setRange(yAxis->range());
+  return plot;
+}
+
+void ComparePlot::renderTo(QPaintDevice& device, QSize size) const {
+  QCPPainter painter(&device);
+  painter.setMode(QCPPainter::pmVectorized, true);
+  painter.setMode(QCPPainter::pmNoCaching, true);
+  forPicture()->toPainter(&painter, size.width(), size.height());
+}
+
+QImage ComparePlot::picture(QSize size_px, double devicePixelRatio) const {
+  QImage image(size_px, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::white);
+  image.setDevicePixelRatio(devicePixelRatio);
+  QCPPainter painter(&image);
+  const QSize size = (QSizeF(size_px) / devicePixelRatio).toSize();
+  forPicture()->toPainter(&painter, size.width(), size.height());
+  return image;
 }
 
 // ---- cursors
@@ -124,9 +216,9 @@ QString ComparePlot::valuesAt(double at_mm) const {
     return force_N ? numberText(units_.forceFrom(*force_N), digits) : QStringLiteral("\u2013");
   };
   QStringList parts;
-  for (const auto& [letter, graph] : graphs_)
+  for (const auto& [name, graph] : graphs_)
     parts << tr("%1 press %2, release %3")
-                 .arg(letter, shown(forceAt(graph, Stroke::press, at_mm)),
+                 .arg(name, shown(forceAt(graph, Stroke::press, at_mm)),
                       shown(forceAt(graph, Stroke::release, at_mm)));
   return tr("At %1: %2 (%3)")
       .arg(quantityWithUnit(at_mm, Quantity::length, units_, digits), parts.join(QStringLiteral("; ")),
@@ -135,11 +227,11 @@ QString ComparePlot::valuesAt(double at_mm) const {
 
 QString ComparePlot::differences() const {
   QStringList parts;
-  for (const auto& [letter, graph] : graphs_) {
+  for (const auto& [name, graph] : graphs_) {
     const auto from = forceAt(graph, Stroke::press, *pinned_mm_),
                to = forceAt(graph, Stroke::press, *cursor_mm_);
     if (from && to)
-      parts << tr("%1 press %2").arg(letter, quantityWithUnit(*to - *from, Quantity::force, units_, digits));
+      parts << tr("%1 press %2").arg(name, quantityWithUnit(*to - *from, Quantity::force, units_, digits));
   }
   return tr("From the pinned cursor: %1; %2")
       .arg(quantityWithUnit(*cursor_mm_ - *pinned_mm_, Quantity::length, units_, digits),

@@ -2,19 +2,21 @@
 #pragma once
 // Force graphs over each other, with a cursor that reads their values off.
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include <qcustomplot.h>
 
 #include "editor/document/display_units.h"
+#include "editor/document/graph_colors.h"
 #include "model/button.h"
 
 namespace detent::editor {
 
 /// One graph of the comparison and what it is called in it.
 struct ComparedGraph {
-  QString letter;
+  QString name;
   ForceGraph graph;
 };
 
@@ -29,6 +31,12 @@ class ComparePlot : public QCustomPlot {
   void setGraphs(std::vector<ComparedGraph> graphs, const DisplayUnits& units);
   /// Values of all graphs at the cursor, differences to the pinned one; empty while the pointer is elsewhere.
   QString reading() const;
+  /// Below the graphs: what each has more than the first, where both are.
+  void showDifferences(bool shown);
+  /// Light, with names, as wide as asked for; touches nothing that is shown.
+  QImage picture(QSize size_px = {1800, 1200}, double devicePixelRatio = 2) const;
+  /// The same as vectors into any device; `size` in its units.
+  void renderTo(QPaintDevice& device, QSize size) const;
 
  signals:
   void readingChanged(const QString& reading);
@@ -42,7 +50,10 @@ class ComparePlot : public QCustomPlot {
 
  private:
   void dress();
+  void dress(QCPAxis& axis, const GraphColors& colors);
   void drawCurves();
+  void drawDifferences();
+  std::unique_ptr<ComparePlot> forPicture() const;
   void moveCursor(std::optional<double> at_mm);
   void pin(std::optional<double> at_mm);
   void place(QCPItemStraightLine& line, std::optional<double> at_mm);
@@ -55,6 +66,8 @@ class ComparePlot : public QCustomPlot {
   QCPItemStraightLine *cursor_, *pinned_;
   std::optional<double> cursor_mm_, pinned_mm_;
   QPoint pressedAt_;
+  QCPAxisRect* differences_ = nullptr;  // null: not shown
+  QCPMarginGroup* margins_;
 };
 
 }  // namespace detent::editor

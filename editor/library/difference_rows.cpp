@@ -190,7 +190,7 @@ QString shownUnit(Measure measure, const DisplayUnits& units) {
 
 QString shownDistance(const GraphDistance& distance, const DisplayUnits& units) {
   const auto line = [&](const QString& name, const StrokeDistance& stroke) {
-    return Differences::tr("%1: mean %2 % of A's range, largest %3 % (up to %4 %5, %6 %7)")
+    return Differences::tr("%1: mean %2 % of the first one's range, largest %3 % (up to %4 %5, %6 %7)")
         .arg(name, number(stroke.meanOfSpan * 100), number(stroke.maxOfSpan * 100),
              number(units.lengthFrom(stroke.max_mm)), units.lengthSymbol(),
              number(units.forceFrom(stroke.max_N)), units.forceSymbol());

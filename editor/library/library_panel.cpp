@@ -41,6 +41,7 @@ QListView* pictureList(QAbstractItemModel* model, const QString& objectName, con
   list->setIconSize(LibraryPanel::pictureSize_px);
   list->setUniformItemSizes(true);  // pictures are asked for only where they are seen
   list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  list->setSelectionMode(QAbstractItemView::ExtendedSelection);
   list->setContextMenuPolicy(Qt::CustomContextMenu);
   list->setFrameShape(QFrame::NoFrame);
   list->setSpacing(1);
@@ -84,6 +85,7 @@ QWidget* LibraryPanel::openSection() {
   title->setBuddy(openList_);
   layout->addWidget(openList_);
   const auto choose = [this](const QModelIndex& index) {
+    if (openList_->selectionModel()->selectedIndexes().size() > 1) return;  // they are being gathered
     if (ButtonDocument* document = open_.documentAt(index)) emit documentChosen(document);
   };
   connect(openList_, &QListView::clicked, this, choose);
@@ -124,7 +126,8 @@ QWidget* LibraryPanel::folderSection() {
 void LibraryPanel::setDocuments(const std::vector<ButtonDocument*>& documents, ButtonDocument* active) {
   open_.setDocuments(documents);
   for (int row = 0; row < open_.rowCount(); ++row)
-    if (open_.documentAt(open_.index(row)) == active) openList_->setCurrentIndex(open_.index(row));
+    if (open_.documentAt(open_.index(row)) == active && selectedDocuments().size() < 2)
+      openList_->setCurrentIndex(open_.index(row));
   for (ButtonDocument* document : documents) {
     if (std::find(documents_.begin(), documents_.end(), document) != documents_.end()) continue;
     connect(document, &ButtonDocument::changed, this, [this] {
@@ -180,10 +183,32 @@ void LibraryPanel::askFolder() {
   emit folderChanged(folder);
 }
 
+std::vector<ButtonDocument*> LibraryPanel::selectedDocuments() const {
+  QModelIndexList chosen = openList_->selectionModel()->selectedIndexes();
+  std::sort(chosen.begin(), chosen.end());
+  std::vector<ButtonDocument*> documents;
+  for (const QModelIndex& index : chosen)
+    if (ButtonDocument* document = open_.documentAt(index)) documents.push_back(document);
+  return documents;
+}
+
+QStringList LibraryPanel::selectedFiles() const {
+  QModelIndexList chosen = fileList_->selectionModel()->selectedIndexes();
+  std::sort(chosen.begin(), chosen.end());
+  QStringList paths;
+  for (const QModelIndex& index : chosen) paths << files_.pathAt(index);
+  return paths;
+}
+
 void LibraryPanel::openMenu(QPoint at) {
   ButtonDocument* document = open_.documentAt(askedFor(*openList_, at));
   if (!document) return;
   QMenu menu;
+  if (const auto selected = selectedDocuments(); selected.size() > 1) {
+    menu.addAction(tr("Compare the %n selected", nullptr, static_cast<int>(selected.size())), this,
+                   [this, selected] { emit compareAllRequested(selected); });
+    menu.addSeparator();
+  }
   menu.addAction(tr("Show"), this, [this, document] { emit documentChosen(document); });
   menu.addAction(tr("Compare with the one shown"), this,
                  [this, document] { emit compareRequested(document); });
@@ -194,6 +219,11 @@ void LibraryPanel::folderMenu(QPoint at) {
   const QString path = files_.pathAt(askedFor(*fileList_, at));
   if (path.isEmpty()) return;
   QMenu menu;
+  if (const QStringList selected = selectedFiles(); selected.size() > 1) {
+    menu.addAction(tr("Compare the %n selected", nullptr, static_cast<int>(selected.size())), this,
+                   [this, selected] { emit compareFilesRequested(selected); });
+    menu.addSeparator();
+  }
   menu.addAction(tr("Open"), this, [this, path] { emit fileChosen(path); });
   menu.addAction(tr("Compare with the one shown"), this, [this, path] { emit compareFileRequested(path); });
   menu.exec(fileList_->viewport()->mapToGlobal(at));

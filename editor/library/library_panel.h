@@ -34,6 +34,9 @@ class LibraryPanel : public QWidget {
   /// Beside the active one.
   void compareRequested(ButtonDocument* document);
   void compareFileRequested(const QString& path);
+  /// Several that were selected, and no others.
+  void compareAllRequested(const std::vector<detent::editor::ButtonDocument*>& documents);
+  void compareFilesRequested(const QStringList& paths);
   void folderChanged(const QString& folder);
 
  protected:
@@ -48,6 +51,8 @@ class LibraryPanel : public QWidget {
   void askFolder();
   void showFolderName();
   void updateLook();
+  std::vector<ButtonDocument*> selectedDocuments() const;
+  QStringList selectedFiles() const;
   void openMenu(QPoint at);
   void folderMenu(QPoint at);
 

@@ -27,6 +27,7 @@ class DisplacementForceView;
 class GraphCanvas;
 class OperationDialog;
 class OperationMenu;
+class PointField;
 class ToolBox;
 
 /// GUI thread. `document` and `settings` must outlive it.
@@ -89,6 +90,7 @@ class GraphWorkspace : public QWidget {
   DisplacementForceView* reverse_;
   DampingView* damping_;
   std::unique_ptr<ToolBox> tools_;
+  PointField* point_;
   std::unique_ptr<OperationMenu> operations_;
   QWidget* bar_ = nullptr;
   QComboBox* states_ = nullptr;

@@ -241,7 +241,8 @@ ValuesModel::Typed ValuesModel::typed(const QModelIndex& index, const QString& t
   const QuantityReading reading =
       readQuantity(text, quantity, settings_.units(), valueAt(*mark, index.column()));
   if (!reading.value) return {{}, refusalOf(reading, quantity, settings_.units())};
-  const Result<Button> next = edited(*mark, index.column(), *reading.value);
+  Result<Button> next = edited(*mark, index.column(), *reading.value);
+  if (next) next = document_.history().ruled(*next);
   if (!next) return {{}, sentenceOf(next.failure(), settings_.units())};
   return {*next, {}};
 }

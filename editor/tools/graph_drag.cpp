@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/graph_drag.h"
 
+#include <algorithm>
+#include <cmath>
 #include <QCoreApplication>
 
 #include "editor/document/message_words.h"
@@ -11,6 +13,8 @@ namespace detent::editor {
 namespace {
 
 constexpr int limitSteps = 14;  // halvings: a 16,000th of the way, less than a pixel
+constexpr double clearance_px =
+    4;  // before the limit: a flank that is not a step, a point that is not a corner
 
 }  // namespace
 
@@ -54,7 +58,7 @@ void GraphDrag::moveTo(CurvePoint pointer, Qt::KeyboardModifiers modifiers) {
   CanvasFeedback feedback;
   feedback.dragged = canvas_.feedback().dragged;
   const CurvePoint to = wantedPlace(pointer, modifiers, feedback);
-  const Result<Button> next = task_->edit(document_.history().committed(), to);
+  const Result<Button> next = edited(to);
   if (next) {
     preview(*next, to, feedback);
     if (refused_) say_({});
@@ -75,20 +79,31 @@ void GraphDrag::preview(const Button& next, CurvePoint to, CanvasFeedback& feedb
   feedback.dragged = place.value_or(to);
 }
 
-// The farthest allowed place on the way from one to another, itself allowed or `from`.
+Result<Button> GraphDrag::edited(CurvePoint to) const {
+  const EditHistory& history = document_.history();
+  auto next = task_->edit(history.committed(), to);
+  return next ? history.ruled(*next) : next;
+}
+
+// The farthest allowed place on the way from one to another, itself allowed or `from`; a little before what is refused.
 CurvePoint GraphDrag::farthest(CurvePoint from, CurvePoint to) const {
   const auto at = [&](double share) {
     return CurvePoint{from.displacement_mm + share * (to.displacement_mm - from.displacement_mm),
                       from.force_N + share * (to.force_N - from.force_N)};
   };
-  const Button& start = document_.history().committed();
-  if (task_->edit(start, to)) return to;
+  if (edited(to)) return to;
   double allowed = 0, refused = 1;
   for (int i = 0; i < limitSteps; ++i) {
     const double middle = 0.5 * (allowed + refused);
-    (task_->edit(start, at(middle)) ? allowed : refused) = middle;
+    (edited(at(middle)) ? allowed : refused) = middle;
   }
-  return at(allowed);
+  const bool contact = task_->mark && (task_->mark->kind == MarkKind::operatingPoint ||
+                                       task_->mark->kind == MarkKind::resetPoint);
+  if (contact) return at(allowed);  // it deforms nothing
+  const PlotMapping map = canvas_.mapping();
+  const double way_px = std::hypot((to.displacement_mm - from.displacement_mm) * map.pxPerX,
+                                   (to.force_N - from.force_N) * map.pxPerY);
+  return at(std::max(0.0, allowed - clearance_px / std::max(way_px, clearance_px)));
 }
 
 // From where the drag began straight to the pointer, then along each axis: where it stops depends on the
@@ -101,8 +116,7 @@ void GraphDrag::stopAtLimit(CurvePoint wanted, const Failure& why, CanvasFeedbac
   const QString reason = sentenceOf(why, canvas_.settings().units());
   feedback.refused = RefusedMove{wanted, QCoreApplication::translate("GraphDrag", "Stops at %1. %2")
                                              .arg(placeText(limit, canvas_.settings().units()), reason)};
-  if (const auto stopped = task_->edit(document_.history().committed(), limit))
-    preview(*stopped, limit, feedback);
+  if (const auto stopped = edited(limit)) preview(*stopped, limit, feedback);
   say_(feedback.refused->why);
 }
 

@@ -40,6 +40,8 @@ class GraphDrag {
  private:
   void clear();
   void preview(const Button& next, CurvePoint to, CanvasFeedback& feedback);
+  /// What the drag makes of the button it began with.
+  Result<Button> edited(CurvePoint to) const;
   CurvePoint farthest(CurvePoint from, CurvePoint to) const;
   void stopAtLimit(CurvePoint wanted, const Failure& why, CanvasFeedback& feedback);
   CurvePoint wantedPlace(CurvePoint pointer, Qt::KeyboardModifiers modifiers, CanvasFeedback& feedback) const;

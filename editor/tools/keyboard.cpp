@@ -21,6 +21,8 @@ bool isArrow(int key) {
   return key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down;
 }
 
+bool asksValues(int key) { return key == Qt::Key_Return || key == Qt::Key_Enter || key == Qt::Key_F2; }
+
 bool isSlope(MarkKind kind) { return kind == MarkKind::slopeBefore || kind == MarkKind::slopeAfter; }
 
 }  // namespace
@@ -31,7 +33,7 @@ bool Keyboard::wants(int key, Qt::KeyboardModifiers modifiers) const {
   if (isArrow(key)) return !(modifiers & Qt::ControlModifier);
   const bool plain = (modifiers & ~Qt::KeypadModifier) == Qt::NoModifier;
   return plain && (key == Qt::Key_Delete || key == Qt::Key_Backspace || key == Qt::Key_Insert ||
-                   key == Qt::Key_C || key == Qt::Key_S);
+                   key == Qt::Key_C || key == Qt::Key_S || key == Qt::Key_P || asksValues(key));
 }
 
 bool Keyboard::pressed(int key, Qt::KeyboardModifiers modifiers) {
@@ -44,6 +46,8 @@ bool Keyboard::pressed(int key, Qt::KeyboardModifiers modifiers) {
   if (key == Qt::Key_Delete || key == Qt::Key_Backspace) removeSelected();
   if (key == Qt::Key_Insert) addKnotBeyond();
   if (key == Qt::Key_C) toggleSelectedCorner();
+  if (key == Qt::Key_P) togglePin();
+  if (asksValues(key)) context_.askValues(key == Qt::Key_F2 ? FirstValue::force : FirstValue::displacement);
   if (key == Qt::Key_S) return nextSlopeHandle();
   return true;
 }
@@ -67,8 +71,9 @@ bool Keyboard::walk(int by) {
 }
 
 void Keyboard::apply(const Result<Button>& next, const QString& label, const QString& mergeKey) {
-  if (!next) {
-    const QString why = sentenceOf(next.failure(), context_.settings.units());
+  const Result<Button> kept = next ? context_.document.history().ruled(*next) : next;
+  if (!kept) {
+    const QString why = sentenceOf(kept.failure(), context_.settings.units());
     CanvasFeedback feedback;
     const auto last = context_.canvas.selected();
     const auto at = last ? placeOf(*last, context_.canvas.state(), context_.canvas.values()) : std::nullopt;
@@ -78,7 +83,7 @@ void Keyboard::apply(const Result<Button>& next, const QString& label, const QSt
     return;
   }
   context_.canvas.setFeedback({});
-  context_.document.history().apply(*next, label, mergeKey);
+  context_.document.history().apply(*kept, label, mergeKey);
 }
 
 bool Keyboard::nudge(int key, Qt::KeyboardModifiers modifiers) {
@@ -186,6 +191,20 @@ void Keyboard::toggleSelectedCorner() {
   }
   apply(toggleCorner(context_.document.history().committed(), context_.document.activeState(), *knot),
         tr("Corner or smooth: %1").arg(nameOf(*knot)));
+}
+
+void Keyboard::togglePin() {
+  const auto selected = context_.canvas.selected();
+  if (!selected || context_.busy()) return;
+  const auto at = placeOf(*selected, context_.canvas.state(), context_.canvas.values());
+  if (!at) return;
+  const PinnedPoint pin{context_.document.activeState(), selected->stroke, at->displacement_mm};
+  Annotations next = context_.document.annotations();
+  const bool pinned = std::erase(next.links.pinned, pin) > 0;
+  if (!pinned) next.links.pinned.push_back(pin);
+  context_.document.annotate(std::move(next), pinned ? tr("Take a pin out") : tr("Pin a point"));
+  context_.say(pinned ? tr("The point can be moved again.")
+                      : tr("Pinned: no edit moves this point until P is pressed on it again."));
 }
 
 void Keyboard::addKnotBeyond() {

@@ -13,7 +13,7 @@ inline constexpr double nudge_mm = 0.01, nudge_N = 0.001, nudgeSlope_N_per_mm = 
 /// Tab and Shift+Tab go through the points (of very many, not through plain knots) and leave the canvas after
 /// the last, arrow keys nudge the selected mark (one undo step as long as it is the same one), Delete removes
 /// it, Insert adds a knot halfway to the next one, C makes a corner smooth and back, S goes through a knot's
-/// slope handles, Escape lets go.
+/// slope handles, P pins it or takes the pin out, Enter and F2 ask for its values, Escape lets go.
 class Keyboard {
  public:
   explicit Keyboard(ToolContext& context) : context_(context) {}
@@ -23,6 +23,7 @@ class Keyboard {
   /// Also behind the menu's actions. They say why not, where something stands in the way.
   void removeSelected();
   void toggleSelectedCorner();
+  void togglePin();
   void selectAll();
   void align(GraphDirection direction);
   void distribute(GraphDirection direction);

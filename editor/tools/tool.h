@@ -10,13 +10,17 @@
 
 namespace detent::editor {
 
+/// Which value of a point is typed first.
+enum class FirstValue { displacement, force };
+
 /// What tools work on; the seam where tests take hold of them.
 struct ToolContext {
   ButtonDocument& document;
   ViewSettings& settings;
   GraphCanvas& canvas;
   GraphDrag& drag;
-  std::function<void(const QString&)> say;  ///< refusals and hints, for the status bar
+  std::function<void(const QString&)> say;    ///< refusals and hints, for the status bar
+  std::function<void(FirstValue)> askValues;  ///< of the selected point, beside it
 
   /// A drag or an operation's dialog holds the button; nothing else may change it.
   bool busy() const { return document.history().dragging(); }

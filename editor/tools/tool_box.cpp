@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/tools/tool_box.h"
 
+#include "editor/document/message_words.h"
 #include "editor/tools/adding_tools.h"
 #include "editor/tools/hit_test.h"
 #include "editor/tools/select_tool.h"
@@ -11,7 +12,12 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
     : QObject(parent),
       canvas_(canvas),
       drag_(document, canvas, [this](const QString& text) { emit said(text); }),
-      context_{document, settings, canvas, drag_, [this](const QString& text) { emit said(text); }},
+      context_{document,
+               settings,
+               canvas,
+               drag_,
+               [this](const QString& text) { emit said(text); },
+               [this](FirstValue first) { emit valuesAsked(first); }},
       keyboard_(context_),
       tools_{std::make_unique<SelectTool>(context_), std::make_unique<AddKnotTool>(context_),
              std::make_unique<AddJumpTool>(context_), std::make_unique<PanTool>(context_),
@@ -20,6 +26,8 @@ ToolBox::ToolBox(ButtonDocument& document, ViewSettings& settings, GraphCanvas& 
   // What the drag started from is no longer there.
   connect(&document.history().stack(), &QUndoStack::indexChanged, this, &ToolBox::cancelDrag);
   connect(&document, &ButtonDocument::activeStateChanged, this, &ToolBox::cancelDrag);
+  connect(&document.history(), &EditHistory::refused, this,
+          [this](const Failure& why) { emit said(sentenceOf(why, context_.settings.units())); });
 }
 
 ToolBox::~ToolBox() { canvas_.setEvents(nullptr); }

@@ -41,6 +41,8 @@ class ToolBox : public QObject, public CanvasEvents {
  signals:
   void toolChanged(detent::editor::ToolKind kind);
   void said(const QString& text);
+  /// The values of the selected point are to be typed beside it.
+  void valuesAsked(detent::editor::FirstValue first);
   void contextMenuRequested(QPoint global_px);
 
  private:

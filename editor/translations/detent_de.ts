@@ -189,8 +189,8 @@
         <translation>Zwischen den Wegen verlorene Arbeit</translation>
     </message>
     <message>
-        <source>%1: mean %2 % of A&apos;s range, largest %3 % (up to %4 %5, %6 %7)</source>
-        <translation>%1: im Mittel %2 % der Spanne von A, höchstens %3 % (bis %4 %5, %6 %7)</translation>
+        <source>%1: mean %2 % of the first one&apos;s range, largest %3 % (up to %4 %5, %6 %7)</source>
+        <translation>%1: im Mittel %2 % vom Bereich des ersten, höchstens %3 % (bis %4 %5, %6 %7)</translation>
     </message>
 </context>
 <context>
@@ -1108,6 +1108,38 @@
     <message>
         <source>it is %1</source>
         <translation>es ist %1</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>would end at another place than the other strokes</source>
+        <translation>würde an anderer Stelle enden als die übrigen Hübe</translation>
+    </message>
+    <message>
+        <source>Move one end alone, or loosen the link</source>
+        <translation>Bewegen Sie nur ein Ende, oder lösen Sie die Verknüpfung</translation>
+    </message>
+    <message>
+        <source>follows its press</source>
+        <translation>folgt dem Drücken</translation>
+    </message>
+    <message>
+        <source>Edit the press, or loosen the link</source>
+        <translation>Bearbeiten Sie das Drücken, oder lösen Sie die Verknüpfung</translation>
+    </message>
+    <message>
+        <source>would leave its pinned point at %1</source>
+        <translation>würde den angehefteten Punkt bei %1 verlassen</translation>
+    </message>
+    <message>
+        <source>Take the pin out, or move something else</source>
+        <translation>Lösen Sie die Nadel, oder bewegen Sie etwas anderes</translation>
     </message>
 </context>
 <context>
@@ -2048,8 +2080,40 @@
         <translation>%1 des Rahmens: Ziehen Sie sie, oder nehmen Sie die Pfeiltasten (Umschalt ×10, Alt ÷10); mit Strg bleibt ein Rechteck eines.</translation>
     </message>
     <message>
-        <source>Drag corners and edges of the plot frame, or ticks. Double-click a tick to type its value. Tab walks through them, arrow keys nudge.</source>
-        <translation>Ziehen Sie Ecken und Kanten des Rahmens oder Teilstriche. Ein Doppelklick auf einen Teilstrich öffnet seinen Wert. Tab geht durch alle, Pfeiltasten schieben.</translation>
+        <source>Move point</source>
+        <translation>Punkt bewegen</translation>
+    </message>
+    <message>
+        <source>Remove this point</source>
+        <translation>Diesen Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Remove point</source>
+        <translation>Punkt entfernen</translation>
+    </message>
+    <message>
+        <source>Add point</source>
+        <translation>Punkt hinzufügen</translation>
+    </message>
+    <message>
+        <source>Operating point here</source>
+        <translation>Schaltpunkt hier</translation>
+    </message>
+    <message>
+        <source>Reset point here</source>
+        <translation>Rückschaltpunkt hier</translation>
+    </message>
+    <message>
+        <source>Tactile point of the press here</source>
+        <translation>Druckpunkt beim Drücken hier</translation>
+    </message>
+    <message>
+        <source>Tactile point of the release here</source>
+        <translation>Druckpunkt des Rückwegs hier</translation>
+    </message>
+    <message>
+        <source>Drag corners and edges of the plot frame, ticks, or points of the curve; right-click to add a point. Double-click a tick to type its value. Tab walks through them, arrow keys nudge, Delete removes.</source>
+        <translation>Ziehen Sie Ecken und Kanten des Rahmens, Teilstriche oder Punkte der Kurve; ein Rechtsklick fügt einen Punkt hinzu. Doppelklick auf einen Teilstrich gibt seinen Wert ein. Tab geht von einem zum nächsten, Pfeiltasten rücken, Entf entfernt.</translation>
     </message>
 </context>
 <context>
@@ -2061,6 +2125,176 @@
     <message>
         <source>in %1</source>
         <translation>in %1</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::AnnotationsPanel</name>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>At</source>
+        <translation>Bei</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>Versions</source>
+        <translation>Fassungen</translation>
+    </message>
+    <message>
+        <source>Version</source>
+        <translation>Fassung</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Behalten am</translation>
+    </message>
+    <message>
+        <source>A remark at the point or section that is selected; Enter adds it</source>
+        <translation>Eine Bemerkung am gewählten Punkt oder Abschnitt; Enter fügt sie hinzu</translation>
+    </message>
+    <message>
+        <source>New note</source>
+        <translation>Neue Notiz</translation>
+    </message>
+    <message>
+        <source>Name for the button as it is now; Enter keeps it</source>
+        <translation>Name für den Taster, wie er jetzt ist; Enter behält ihn</translation>
+    </message>
+    <message>
+        <source>Name of the version</source>
+        <translation>Name der Fassung</translation>
+    </message>
+    <message>
+        <source>&amp;One end of the travel</source>
+        <translation>&amp;Ein Ende des Wegs</translation>
+    </message>
+    <message>
+        <source>Press and release of all states end at one displacement: where one goes, all go</source>
+        <translation>Drücken und Rückweg aller Zustände enden an einer Stelle: wohin eines geht, gehen alle</translation>
+    </message>
+    <message>
+        <source>&amp;Release follows the press, lower by</source>
+        <translation>&amp;Rückweg folgt dem Drücken, tiefer um</translation>
+    </message>
+    <message>
+        <source>While the press is edited, the release is the press less this force</source>
+        <translation>Während das Drücken bearbeitet wird, ist der Rückweg das Drücken weniger diese Kraft</translation>
+    </message>
+    <message>
+        <source>How far the release lies below the press</source>
+        <translation>Wie weit der Rückweg unter dem Drücken liegt</translation>
+    </message>
+    <message>
+        <source>New note at the selected point</source>
+        <translation>Neue Notiz am gewählten Punkt</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the chosen note away</source>
+        <translation>Die gewählte Notiz wegnehmen</translation>
+    </message>
+    <message>
+        <source>Remove a note</source>
+        <translation>Notiz entfernen</translation>
+    </message>
+    <message>
+        <source>Keep the button as it is now as …</source>
+        <translation>Den Taster, wie er jetzt ist, behalten als …</translation>
+    </message>
+    <message>
+        <source>Go back to it</source>
+        <translation>Dahin zurück</translation>
+    </message>
+    <message>
+        <source>The button becomes the chosen version</source>
+        <translation>Der Taster wird zur gewählten Fassung</translation>
+    </message>
+    <message>
+        <source>Open beside</source>
+        <translation>Daneben öffnen</translation>
+    </message>
+    <message>
+        <source>Open the chosen version as a button of its own, to compare it</source>
+        <translation>Die gewählte Fassung als eigenen Taster öffnen, um sie zu vergleichen</translation>
+    </message>
+    <message>
+        <source>Take the chosen version away</source>
+        <translation>Die gewählte Fassung wegnehmen</translation>
+    </message>
+    <message>
+        <source>Remove a version</source>
+        <translation>Fassung entfernen</translation>
+    </message>
+    <message>
+        <source>Kept together while editing</source>
+        <translation>Beim Bearbeiten zusammengehalten</translation>
+    </message>
+    <message>
+        <source>Take all pins out</source>
+        <translation>Alle Nadeln lösen</translation>
+    </message>
+    <message>
+        <source>All points can be moved again</source>
+        <translation>Alle Punkte lassen sich wieder bewegen</translation>
+    </message>
+    <message>
+        <source>Keep together</source>
+        <translation>Zusammenhalten</translation>
+    </message>
+    <message>
+        <source>Select a point or section in the graph first: the note stands there.</source>
+        <translation>Wählen Sie zuerst einen Punkt oder Abschnitt im Graphen: dort steht die Notiz.</translation>
+    </message>
+    <message>
+        <source>Note: %1</source>
+        <translation>Notiz: %1</translation>
+    </message>
+    <message>
+        <source>There is a version called “%1” already. Give this one another name.</source>
+        <translation>Es gibt schon eine Fassung namens „%1“. Geben Sie dieser einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Keep version: %1</source>
+        <translation>Fassung behalten: %1</translation>
+    </message>
+    <message>
+        <source>Back to: %1</source>
+        <translation>Zurück zu: %1</translation>
+    </message>
+    <message>
+        <source>Change a note</source>
+        <translation>Notiz ändern</translation>
+    </message>
+    <message>
+        <source>Rename a version</source>
+        <translation>Fassung umbenennen</translation>
+    </message>
+    <message>
+        <source>press</source>
+        <translation>Drücken</translation>
+    </message>
+    <message>
+        <source>release</source>
+        <translation>Rückweg</translation>
+    </message>
+    <message>
+        <source>No point is pinned. P pins the selected one.</source>
+        <translation>Kein Punkt ist angeheftet. P heftet den gewählten an.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s) pinned</source>
+        <translation>
+            <numerusform>%n Punkt angeheftet</numerusform>
+            <numerusform>%n Punkte angeheftet</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2189,6 +2423,18 @@
         <source>titled “%1”</source>
         <translation>beschriftet „%1“</translation>
     </message>
+    <message>
+        <source>Numbers of this axis stand beyond the plot frame: move its edge there</source>
+        <translation>Zahlen dieser Achse stehen jenseits des Rahmens: seine Kante dorthin rücken</translation>
+    </message>
+    <message>
+        <source>Extend the frame from %1 to %2</source>
+        <translation>Rahmen von %1 bis %2 erweitern</translation>
+    </message>
+    <message>
+        <source>Extend plot frame</source>
+        <translation>Rahmen erweitern</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ButtonDocument</name>
@@ -2217,14 +2463,10 @@
     </message>
 </context>
 <context>
-    <name>detent::editor::CompareDialog</name>
+    <name>detent::editor::ComparePanel</name>
     <message>
         <source>Differences</source>
         <translation>Unterschiede</translation>
-    </message>
-    <message>
-        <source>Compare buttons</source>
-        <translation>Taster vergleichen</translation>
     </message>
     <message>
         <source>The force graphs over each other</source>
@@ -2235,8 +2477,32 @@
         <translation>Zeigen Sie auf den Graphen, um Werte abzulesen; ein Klick heftet einen Zeiger an, von dem aus Unterschiede zählen.</translation>
     </message>
     <message>
-        <source>Compare &amp;one more</source>
-        <translation>N&amp;och einen vergleichen</translation>
+        <source>&amp;Difference</source>
+        <translation>&amp;Differenz</translation>
+    </message>
+    <message>
+        <source>Draw what the others have more than the first, below the graphs</source>
+        <translation>Unter den Graphen zeichnen, was die anderen mehr haben als der erste</translation>
+    </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation>&amp;Bild …</translation>
+    </message>
+    <message>
+        <source>Write the graphs with their names as PNG, SVG or PDF</source>
+        <translation>Die Graphen mit ihren Namen als PNG, SVG oder PDF schreiben</translation>
+    </message>
+    <message>
+        <source>C&amp;opy the picture</source>
+        <translation>Bild k&amp;opieren</translation>
+    </message>
+    <message>
+        <source>Copy the graphs with their names as a picture</source>
+        <translation>Die Graphen mit ihren Namen als Bild kopieren</translation>
+    </message>
+    <message>
+        <source>O&amp;ne more</source>
+        <translation>Noch ei&amp;ner</translation>
     </message>
     <message>
         <source>Lay another open button over these</source>
@@ -2251,15 +2517,15 @@
         <translation>Den letzten wegnehmen</translation>
     </message>
     <message>
-        <source>E&amp;xchange A and B</source>
-        <translation>A und B &amp;tauschen</translation>
+        <source>S&amp;wap</source>
+        <translation>&amp;Tauschen</translation>
     </message>
     <message>
-        <source>Count differences the other way</source>
-        <translation>Unterschiede andersherum zählen</translation>
+        <source>Exchange the first two: differences are counted the other way</source>
+        <translation>Die ersten beiden tauschen: Unterschiede zählen andersherum</translation>
     </message>
     <message>
-        <source>&amp;Copy the table</source>
+        <source>Copy the &amp;table</source>
         <translation>Tabelle &amp;kopieren</translation>
     </message>
     <message>
@@ -2267,20 +2533,31 @@
         <translation>Die Unterschiede als CSV kopieren, in den gezeigten Einheiten</translation>
     </message>
     <message>
+        <source>Button %1 of the comparison</source>
+        <translation>Taster %1 des Vergleichs</translation>
+    </message>
+    <message>
         <source>Button %1</source>
         <translation>Taster %1</translation>
     </message>
     <message>
-        <source>Button %1 of the comparison</source>
-        <translation>Taster %1 des Vergleichs</translation>
+        <source>Which state of a self-locking button is compared</source>
+        <translation>Welcher Zustand eines rastenden Tasters verglichen wird</translation>
     </message>
     <message>
         <source>State of button %1</source>
         <translation>Zustand von Taster %1</translation>
     </message>
     <message>
-        <source>Which state of a self-locking button is compared</source>
-        <translation>Welcher Zustand eines rastenden Tasters verglichen wird</translation>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n other(s)</source>
+        <translation>
+            <numerusform>%1 und %n anderer</numerusform>
+            <numerusform>%1 und %n andere</numerusform>
+        </translation>
     </message>
     <message>
         <source>Open two buttons to compare them.</source>
@@ -2295,12 +2572,16 @@
         <translation>Größe</translation>
     </message>
     <message>
-        <source>%1 − A</source>
-        <translation>%1 − A</translation>
+        <source>%1 less %2</source>
+        <translation>%1 weniger %2</translation>
     </message>
     <message>
         <source>Unit</source>
         <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Figures of the comparison</source>
+        <translation>Größen des Vergleichs</translation>
     </message>
 </context>
 <context>
@@ -2312,14 +2593,6 @@
     <message>
         <source>Force (%1)</source>
         <translation>Kraft (%1)</translation>
-    </message>
-    <message>
-        <source>press</source>
-        <translation>Drücken</translation>
-    </message>
-    <message>
-        <source>release</source>
-        <translation>Rückweg</translation>
     </message>
     <message>
         <source>%1 press %2, release %3</source>
@@ -2336,6 +2609,10 @@
     <message>
         <source>From the pinned cursor: %1; %2</source>
         <translation>Vom angehefteten Zeiger: %1; %2</translation>
+    </message>
+    <message>
+        <source>Difference (%1)</source>
+        <translation>Differenz (%1)</translation>
     </message>
 </context>
 <context>
@@ -2613,6 +2890,10 @@
     <message>
         <source>CSV with semicolons, mm and N</source>
         <translation>CSV mit Semikolons, mm und N</translation>
+    </message>
+    <message>
+        <source>Export the comparison</source>
+        <translation>Vergleich exportieren</translation>
     </message>
 </context>
 <context>
@@ -3124,6 +3405,10 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>because: %1</source>
+        <translation>denn: %1</translation>
     </message>
 </context>
 <context>
@@ -4497,6 +4782,22 @@
         <source>Add knot</source>
         <translation>Knoten hinzufügen</translation>
     </message>
+    <message>
+        <source>Take a pin out</source>
+        <translation>Nadel lösen</translation>
+    </message>
+    <message>
+        <source>Pin a point</source>
+        <translation>Punkt anheften</translation>
+    </message>
+    <message>
+        <source>The point can be moved again.</source>
+        <translation>Der Punkt lässt sich wieder bewegen.</translation>
+    </message>
+    <message>
+        <source>Pinned: no edit moves this point until P is pressed on it again.</source>
+        <translation>Angeheftet: nichts bewegt diesen Punkt, bis auf ihm wieder P gedrückt wird.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::LevelMeter</name>
@@ -4574,6 +4875,13 @@
     <message>
         <source>Compare with the one shown</source>
         <translation>Mit dem gezeigten vergleichen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Compare the %n selected</source>
+        <translation>
+            <numerusform>Den %n gewählten vergleichen</numerusform>
+            <numerusform>Die %n gewählten vergleichen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5113,6 +5421,14 @@
         <source>Write the same samples with semicolons between the fields, as spreadsheets with decimal commas read them</source>
         <translation>Dieselben Messwerte mit Semikolons zwischen den Feldern schreiben, wie Tabellenprogramme mit Dezimalkomma sie lesen</translation>
     </message>
+    <message>
+        <source>Notes</source>
+        <translation>Notizen</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MarginOverlay</name>
@@ -5551,6 +5867,41 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
 </context>
 <context>
+    <name>detent::editor::PointField</name>
+    <message>
+        <source>Values of the selected point</source>
+        <translation>Werte des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>&amp;Displacement</source>
+        <translation>&amp;Weg</translation>
+    </message>
+    <message>
+        <source>&amp;Force</source>
+        <translation>&amp;Kraft</translation>
+    </message>
+    <message>
+        <source>Slope &amp;before</source>
+        <translation>Steigung d&amp;avor</translation>
+    </message>
+    <message>
+        <source>&amp;Slope</source>
+        <translation>&amp;Steigung</translation>
+    </message>
+    <message>
+        <source>Slope a&amp;fter</source>
+        <translation>Steigung da&amp;nach</translation>
+    </message>
+    <message>
+        <source>Select a point to type its values.</source>
+        <translation>Wählen Sie einen Punkt, um seine Werte einzugeben.</translation>
+    </message>
+    <message>
+        <source>Set: %1</source>
+        <translation>Setzen: %1</translation>
+    </message>
+</context>
+<context>
     <name>detent::editor::PressPad</name>
     <message>
         <source>Press pad</source>
@@ -5739,12 +6090,27 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Reset point</source>
         <translation>Rückschaltpunkt</translation>
     </message>
+    <message>
+        <source>A point you set is left out: %1</source>
+        <translation>Ein Punkt, den Sie gesetzt haben, ist weggelassen: %1</translation>
+    </message>
+    <message>
+        <source>On the page these points can be dragged, deleted, and added by a right click on the curve.</source>
+        <translation>Auf der Seite lassen sich diese Punkte ziehen, löschen und per Rechtsklick auf die Kurve hinzufügen.</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::ScaleTool</name>
     <message>
         <source>Click a tick of an axis and type the value that stands there; two per axis settle it. The corner where the axes meet sets both at once.</source>
         <translation>Klicken Sie einen Teilstrich einer Achse an und geben Sie den Wert ein, der dort steht; zwei je Achse legen sie fest. Die Ecke, in der die Achsen sich treffen, setzt beide zugleich.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::ScrubLabel</name>
+    <message>
+        <source>Drag to the right for more, to the left for less; with Shift ten times as fast</source>
+        <translation>Nach rechts ziehen für mehr, nach links für weniger; mit Umschalt zehnmal so schnell</translation>
     </message>
 </context>
 <context>
@@ -7389,6 +7755,10 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>line %1</source>
         <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
     </message>
 </context>
 </TS>

@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 
 #include "editor/canvas/graph_canvas.h"
+#include "editor/panels/annotations_panel.h"
 #include "editor/panels/checks_panel.h"
 #include "editor/panels/history_panel.h"
 #include "editor/panels/key_figures_model.h"
@@ -33,6 +34,7 @@ DocumentTab::~DocumentTab() {
   delete figures_;
   delete history_;
   delete checks_;
+  delete annotations_;
   delete workspace_;
 }
 
@@ -85,6 +87,16 @@ void DocumentTab::showPlace(const WarningPlace& place) {
   canvas.setSelected(there);
   const double force_N = canvas.state().graph.curve(stroke).force_N(*place.at_mm);
   if (!canvas.shownRange().contains(*place.at_mm, force_N)) canvas.fit();
+}
+
+QWidget* DocumentTab::annotationsPanel() {
+  if (!annotations_) {
+    auto* annotations = new AnnotationsPanel(*document_, settings_, workspace_->canvas());
+    annotations_ = annotations;
+    connect(annotations, &AnnotationsPanel::said, workspace_, &GraphWorkspace::statusMessage);
+    connect(annotations, &AnnotationsPanel::versionOpened, this, &DocumentTab::versionOpened);
+  }
+  return annotations_;
 }
 
 QWidget* DocumentTab::historyPanel() {

@@ -29,6 +29,11 @@ class DocumentTab : public QWidget {
   QWidget* figuresPanel();
   QWidget* historyPanel();
   QWidget* checksPanel();
+  QWidget* annotationsPanel();
+
+ signals:
+  /// An earlier version is to be opened as a button of its own.
+  void versionOpened(const detent::Button& version);
 
  private:
   std::unique_ptr<ButtonDocument> document_;  // outlives everything that shows it
@@ -37,7 +42,7 @@ class DocumentTab : public QWidget {
   GraphWorkspace* workspace_;
   void showPlace(const WarningPlace& place);
 
-  QPointer<QWidget> values_, figures_, history_, checks_;
+  QPointer<QWidget> values_, figures_, history_, checks_, annotations_;
 };
 
 }  // namespace detent::editor

@@ -4,12 +4,15 @@
 #include "editor/document/message_words.h"
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
+#include "editor/library/compare_panel.h"
+#include "editor/library/compare_plot.h"
 
 namespace detent::editor {
 namespace {
 
 constexpr QSize exportedPicture_px{2400, 1600};
 constexpr double exportedPixelRatio = 2;
+constexpr QSize comparisonSize_px{900, 600};
 
 std::pair<QString, QString> graphFile(GraphFileFormat format) {
   switch (format) {
@@ -70,6 +73,18 @@ void ExportDesk::graph(DocumentTab& tab) {
 void ExportDesk::png(DocumentTab& tab) {
   write(tab, tr("Export picture"), tr("PNG picture") + " (*.png)", ".png", [&](const QString& path) {
     return exportPng(tab.workspace().renderImage(exportedPicture_px, exportedPixelRatio), path);
+  });
+}
+
+void ExportDesk::comparison(DocumentTab& tab, const ComparePanel& comparison) {
+  const QString filter = QStringList{tr("PNG picture") + " (*.png)", tr("SVG drawing") + " (*.svg)",
+                                     tr("PDF document") + " (*.pdf)"}
+                             .join(";;");
+  write(tab, tr("Export the comparison"), filter, ".png", [&](const QString& path) {
+    return exportDrawing(
+        comparisonSize_px, path,
+        [&](QPaintDevice& device, QSize size) { comparison.plot().renderTo(device, size); },
+        [&] { return comparison.plot().picture(exportedPicture_px, exportedPixelRatio); });
   });
 }
 

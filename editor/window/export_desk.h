@@ -9,6 +9,8 @@
 
 namespace detent::editor {
 
+class ComparePanel;
+
 /// Asks where, writes whole files, says troubles in the tab. GUI thread.
 class ExportDesk : public QObject {
   Q_OBJECT
@@ -22,6 +24,8 @@ class ExportDesk : public QObject {
   /// The graph as it is printed; how is asked for.
   void graph(DocumentTab& tab);
   void png(DocumentTab& tab);
+  /// The comparison's plot; `tab` has the place to say what went wrong.
+  void comparison(DocumentTab& tab, const ComparePanel& comparison);
   void wav(DocumentTab& tab);
   /// The button as a web page anyone can press.
   void page(DocumentTab& tab);

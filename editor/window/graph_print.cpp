@@ -71,6 +71,14 @@ QStringList figureLines(const KeyFiguresModel& figures, const DisplayUnits& unit
   return lines;
 }
 
+// The rest of the page below the figures, as far as it goes.
+void printNotes(QPainter& painter, const QRectF& room, const Annotations& annotations) {
+  QStringList lines;
+  for (std::size_t i = 0; i < annotations.notes.size(); ++i)
+    lines << QStringLiteral("%1. %2").arg(i + 1).arg(QString::fromStdString(annotations.notes[i].text));
+  painter.drawText(room, Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap, lines.join('\n'));
+}
+
 }  // namespace
 
 bool printGraph(QPrinter& printer, ButtonDocument& document, ViewSettings& settings) {
@@ -96,6 +104,9 @@ bool printGraph(QPrinter& printer, ButtonDocument& document, ViewSettings& setti
                        0.48 * page.width(), line);
     painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, lines[i]);
   }
+  const double below = top + (static_cast<double>(rows) + 0.5) * line;
+  printNotes(painter, QRectF(0, below, page.width(), page.height() - 1.5 * line - below),
+             document.annotations());
   const QRectF foot(0, page.height() - line, page.width(), line);
   painter.drawText(foot, Qt::AlignLeft | Qt::AlignVCenter, sourceLine(button));
   painter.drawText(foot, Qt::AlignRight | Qt::AlignVCenter,

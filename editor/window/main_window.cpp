@@ -27,7 +27,7 @@
 #include "editor/files/document_files.h"
 #include "editor/files/exports.h"
 #include "editor/forecast/forecast_matrix.h"
-#include "editor/library/compare_dialog.h"
+#include "editor/library/compare_panel.h"
 #include "editor/library/library_panel.h"
 #include "editor/library/morph_dialog.h"
 #include "editor/panels/key_figures_model.h"
@@ -45,12 +45,15 @@ namespace detent::editor {
 namespace {
 
 constexpr int messageTime_ms = 8000;
-constexpr int stateVersion = 3;  // of the docks' arrangement; changes when docks do
+constexpr int stateVersion = 4;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
 constexpr QSize roomForFrame_px{8, 40};  // of the window, around what is ours
 constexpr int firstLibrary_px = 230, firstValues_px = 480;
 constexpr double mostForLibrary = 0.18, mostForValues = 0.42, mostForFeel = 0.5;  // of the window
-constexpr int leastForLibrary_px = 760;  // of the window: in a narrower one it is put away
+constexpr int leastForLibrary_px = 760;     // of the window: in a narrower one it is put away
+constexpr int leastForComparison_px = 640;  // of the window: in a lower one it floats
+constexpr double shareForComparison = 0.45;
+constexpr QSize floatingComparison_px{900, 640};
 constexpr QSize copiedPicture_px{1800, 1200};
 
 struct AverageWords {
@@ -175,7 +178,9 @@ void MainWindow::makeDocks() {
   figuresDock_ = dock("figuresDock", tr("Key figures"), Qt::RightDockWidgetArea, QKeySequence("Alt+6"));
   historyDock_ = dock("historyDock", tr("History"), Qt::RightDockWidgetArea, QKeySequence("Alt+3"));
   checksDock_ = dock("checksDock", tr("Checks"), Qt::RightDockWidgetArea, QKeySequence("Alt+5"));
+  annotationsDock_ = dock("annotationsDock", tr("Notes"), Qt::RightDockWidgetArea, QKeySequence("Alt+7"));
   feelDock_ = dock("feelDock", tr("Feel it"), Qt::BottomDockWidgetArea, QKeySequence("Alt+4"));
+  compareDock_ = dock("compareDock", tr("Comparison"), Qt::BottomDockWidgetArea, QKeySequence("Alt+8"));
   library_ = new LibraryPanel;
   libraryDock_->setWidget(library_);
   values_ = new QStackedWidget;
@@ -186,14 +191,22 @@ void MainWindow::makeDocks() {
   historyDock_->setWidget(history_);
   checks_ = new QStackedWidget;
   checksDock_->setWidget(checks_);
+  annotations_ = new QStackedWidget;
+  annotationsDock_->setWidget(annotations_);
   tabifyDockWidget(valuesDock_, figuresDock_);
   tabifyDockWidget(figuresDock_, historyDock_);
   tabifyDockWidget(historyDock_, checksDock_);
+  tabifyDockWidget(checksDock_, annotationsDock_);
   valuesDock_->raise();
   // Brought to the front, it has what the page says in words.
   connect(checksDock_, &QDockWidget::visibilityChanged, this, [this](bool seen) {
     if (!seen) return;
     if (DocumentTab* tab = tabs_->current()) tab->document().wantOrigin();
+  });
+  tabifyDockWidget(feelDock_, compareDock_);
+  compareDock_->hide();
+  connect(compareDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
+    if (visible && !comparison_) compareWith(nullptr);
   });
   feelDock_->hide();
   connect(feelDock_, &QDockWidget::visibilityChanged, this, [this](bool visible) {
@@ -214,6 +227,8 @@ void MainWindow::makeDocks() {
     if (shown) tabs_->show(shown->document());
     if (other) compareWith(&other->document());
   });
+  connect(library_, &LibraryPanel::compareAllRequested, this, &MainWindow::compareAll);
+  connect(library_, &LibraryPanel::compareFilesRequested, this, &MainWindow::compareFiles);
   connect(library_, &LibraryPanel::folderChanged, this,
           [this](const QString& folder) { at_.settings.setValue("library/folder", folder); });
 }
@@ -331,6 +346,8 @@ void MainWindow::adopt(DocumentTab& tab) {
           [this](const QString& message) { statusBar()->showMessage(message, messageTime_ms); });
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::updateTitle);
   connect(&tab.document(), &ButtonDocument::titleChanged, this, &MainWindow::storeSession);
+  connect(&tab, &DocumentTab::versionOpened, this,
+          [this](const Button& version) { tabs_->add(std::make_unique<ButtonDocument>(version)); });
   connect(&tab.document().history().stack(), &QUndoStack::indexChanged, this, &MainWindow::updateUndo);
   connect(&tab.document(), &ButtonDocument::originChanged, this, &MainWindow::updateKeepPage);
   connect(&tab.document(), &ButtonDocument::cutoutChanged, this, &MainWindow::updateKeepPage);
@@ -338,6 +355,7 @@ void MainWindow::adopt(DocumentTab& tab) {
 
 void MainWindow::letGo(DocumentTab& tab) {
   tab.workspace().disconnect(this);
+  tab.disconnect(this);
   tab.document().disconnect(this);
   tab.document().history().stack().disconnect(this);
   if (otherDocument_ == &tab.document()) {
@@ -365,6 +383,8 @@ void MainWindow::showTab(DocumentTab* tab) {
     history_->setCurrentWidget(tab->historyPanel());
     checks_->addWidget(tab->checksPanel());
     checks_->setCurrentWidget(tab->checksPanel());
+    annotations_->addWidget(tab->annotationsPanel());
+    annotations_->setCurrentWidget(tab->annotationsPanel());
     tab->workspace().setFocus();
   }
   if (tab && shown_ != &tab->document()) shownBefore_ = std::exchange(shown_, &tab->document());
@@ -417,24 +437,59 @@ void MainWindow::compareWith(ButtonDocument* other) {
   ButtonDocument* shown = tabs_->current() ? &tabs_->current()->document() : nullptr;
   if (comparison_ && comparison_->isVisible() && other) {
     comparison_->add(other);
-    return bringUp(*comparison_);
+    return showComparison();
   }
   for (ButtonDocument* document : tabs_->documents())
     if (!other && document != shown) other = document;
-  comparePair(shown, other ? other : shown);
+  compareAll({shown, other ? other : shown});
 }
 
-void MainWindow::comparePair(ButtonDocument* a, ButtonDocument* b) {
-  if (!comparison_) comparison_ = new CompareDialog(at_.view, this);
+void MainWindow::compareAll(const std::vector<ButtonDocument*>& documents) {
+  makeComparison();
   comparison_->setDocuments(tabs_->documents());
-  comparison_->compare(a, b);
-  bringUp(*comparison_);
+  comparison_->compare(documents);
+  showComparison();
+}
+
+void MainWindow::compareFiles(const QStringList& paths) {
+  std::vector<ButtonDocument*> documents;
+  for (const QString& path : paths)
+    if (DocumentTab* tab = files_->openButton(path)) documents.push_back(&tab->document());
+  if (!documents.empty()) compareAll(documents);
+}
+
+void MainWindow::makeComparison() {
+  if (comparison_) return;
+  comparison_ = new ComparePanel(at_.view);
+  connect(comparison_, &ComparePanel::pictureAsked, this, &MainWindow::writeComparison);
+  compareDock_->setWidget(comparison_);
+}
+
+// In a window too low to share it stands on its own.
+void MainWindow::showComparison() {
+  if (compareDock_->isVisible()) return compareDock_->raise();
+  const bool roomBelow = height() >= leastForComparison_px;
+  compareDock_->setFloating(!roomBelow);
+  compareDock_->show();
+  compareDock_->raise();
+  if (!roomBelow)
+    return compareDock_->resize(floatingComparison_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+  QTimer::singleShot(0, this, [this] {
+    resizeDocks({compareDock_}, {static_cast<int>(shareForComparison * height())}, Qt::Vertical);
+  });
+}
+
+void MainWindow::writeComparison() {
+  if (DocumentTab* tab = tabs_->current()) files_->exports().comparison(*tab, *comparison_);
 }
 
 void MainWindow::showForecasts() {
   if (!forecasts_) {
     forecasts_ = new ForecastMatrix(this);
-    connect(forecasts_, &ForecastMatrix::compareRequested, this, &MainWindow::comparePair);
+    connect(forecasts_, &ForecastMatrix::compareRequested, this,
+            [this](ButtonDocument* a, ButtonDocument* b) {
+              compareAll({a, b});
+            });
   }
   forecasts_->setDocuments(tabs_->documents());
   bringUp(*forecasts_);
@@ -621,6 +676,7 @@ void MainWindow::duplicateButton(DocumentTab& tab) {
   copy->setOrigin(tab.document().origin());
   copy->setSheet(tab.document().sheet());
   copy->setCutout(tab.document().cutout());
+  copy->setAnnotations(tab.document().annotations());
   copy->history().stack().resetClean();
   tabs_->add(std::move(copy));
 }
@@ -649,7 +705,8 @@ void MainWindow::print(DocumentTab& tab) {
 void MainWindow::focusNextPanel(int by) {
   QList<QWidget*> panels;
   if (DocumentTab* tab = tabs_->current()) panels << &tab->workspace().canvas();
-  for (QDockWidget* dock : {valuesDock_, figuresDock_, historyDock_, checksDock_, feelDock_, libraryDock_})
+  for (QDockWidget* dock : {valuesDock_, figuresDock_, historyDock_, checksDock_, annotationsDock_, feelDock_,
+                            compareDock_, libraryDock_})
     if (dock->isVisible() && !dock->visibleRegion().isEmpty() && dock->widget()) panels << dock->widget();
   if (panels.isEmpty()) return;
   const QWidget* focus = QApplication::focusWidget();

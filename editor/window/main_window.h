@@ -17,7 +17,7 @@
 
 namespace detent::editor {
 
-class CompareDialog;
+class ComparePanel;
 class ForecastMatrix;
 class StudyDesk;
 class FeelPanel;
@@ -56,6 +56,10 @@ class MainWindow : public QMainWindow {
   void restoreSession();
   /// Beside the one that is shown.
   void compareWith(ButtonDocument* other);
+  /// These, the first as the one differences are counted from; opens the dock.
+  void compareAll(const std::vector<ButtonDocument*>& documents);
+  /// The same of files, which are opened where they are not yet.
+  void compareFiles(const QStringList& paths);
   void morph(DocumentTab& tab);
   void average();
   void showForecasts();
@@ -107,7 +111,9 @@ class MainWindow : public QMainWindow {
   void letGo(DocumentTab& tab);
   void showTab(DocumentTab* tab);
   void updateDocuments();
-  void comparePair(ButtonDocument* a, ButtonDocument* b);
+  void makeComparison();
+  void showComparison();
+  void writeComparison();
   void updateTitle();
   void updateKeepPage();
   void updateUnits();
@@ -141,12 +147,14 @@ class MainWindow : public QMainWindow {
   LibraryPanel* library_ = nullptr;
   FeelSession* session_ = nullptr;
   FeelPanel* feel_ = nullptr;
-  CompareDialog* comparison_ = nullptr;
+  ComparePanel* comparison_ = nullptr;
   ForecastMatrix* forecasts_ = nullptr;
   StudyDesk* study_ = nullptr;
-  QStackedWidget *values_ = nullptr, *figures_ = nullptr, *history_ = nullptr, *checks_ = nullptr;
+  QStackedWidget *values_ = nullptr, *figures_ = nullptr, *history_ = nullptr, *checks_ = nullptr,
+                 *annotations_ = nullptr;
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *figuresDock_ = nullptr,
-              *historyDock_ = nullptr, *checksDock_ = nullptr, *feelDock_ = nullptr;
+              *historyDock_ = nullptr, *checksDock_ = nullptr, *annotationsDock_ = nullptr,
+              *compareDock_ = nullptr, *feelDock_ = nullptr;
   bool docksAreNew_ = false;    // nothing was kept of how they were arranged
   QComboBox* other_ = nullptr;  // which button is B of the feel panel
   QPointer<MarginOverlay> margin_;

@@ -175,7 +175,8 @@ void MainWindow::makeViewActions() {
                          QKeySequence("F6"), [this] { focusNextPanel(1); }));
   menu->addAction(action("previousPanel", tr("Pre&vious panel"), tr("Back to the panel before"),
                          QKeySequence("Shift+F6"), [this] { focusNextPanel(-1); }));
-  for (QDockWidget* dock : {libraryDock_, valuesDock_, figuresDock_, historyDock_, checksDock_, feelDock_})
+  for (QDockWidget* dock : {libraryDock_, valuesDock_, figuresDock_, historyDock_, checksDock_,
+                            annotationsDock_, feelDock_, compareDock_})
     for (QAction* own : ownActions_)
       if (own->objectName() == dock->objectName() + "Toggle") menu->addAction(own);
   QAction* fullScreen =

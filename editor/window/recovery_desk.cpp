@@ -43,11 +43,12 @@ void RecoveryDesk::recover(const QList<LeftBehind>& left) {
 
 // What somebody else wrote since is not what these changes were made on: saving asks.
 void RecoveryDesk::recoverInto(ButtonDocument& document, const RecoveryRecord& record) {
-  document.history().apply(record.button, tr("Recover unsaved changes"));
+  document.history().replace(record.button, tr("Recover unsaved changes"));
   if (record.cutout != document.cutout()) {
     document.setCutout(record.cutout);
     document.history().stack().resetClean();  // it may be all that was not saved
   }
+  document.annotate(record.annotations, tr("Recover unsaved changes"));
   if (!record.knownContent.isEmpty()) document.setKnownContent(record.knownContent);
 }
 
@@ -68,6 +69,7 @@ DocumentTab& RecoveryDesk::recoverOne(const RecoveryRecord& record) {
   }
   auto document = std::make_unique<ButtonDocument>(record.button);
   document->setCutout(record.cutout);
+  document->setAnnotations(record.annotations);
   if (!open) document->setPath(record.path);
   document->history().stack().resetClean();
   return at_.tabs.add(std::move(document));

@@ -123,7 +123,7 @@ class Camera:
     def compare(self):
         self.start("light", "buttons/C.button.json", "buttons/B.button.json")
         self.desktop.key("ctrl+k")
-        self.editor.widget("compareDialog")
+        self.editor.widget("comparePanel")
         time.sleep(2)  # the forecast
         self.take("compare")
 

@@ -204,7 +204,7 @@ class Walk:
     def compared(self):
         self.check_curve("the bridged curve", BARE, self.save("bridged"), 0.012)
         self.desktop.key("ctrl+k")
-        self.editor.click("compareAdd", "compareDialog")
+        self.editor.click("compareAdd")
         table = wait_for("three columns", lambda: self.columns_of(self.editor.find("compareTable"), 7))
         largest = [row for row in table if "largest force" in row[0]][0]
         for shown, plot in zip(largest[1:4], (BARE, WHOLE, WITHOUT_UNIT)):

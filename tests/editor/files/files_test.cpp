@@ -130,6 +130,25 @@ class FilesTest : public QObject {
     QVERIFY(document.history().modified());
   }
 
+  void whatIsAnnotatedIsAStepAndComesBack() {
+    ButtonDocument document(*tactileButton());
+    document.history().markSaved();
+    const Annotations notes{
+        {{0, Stroke::press, 1, "unit 7"}}, {{"first", "", document.button().states()}}, {}};
+    document.annotate(notes, "Note");
+    QVERIFY(document.history().modified());
+    QVERIFY(saveDocument(document, at("noted.button.json")).ok());
+    QVERIFY(!document.history().modified());
+    const auto opened = openDocument(at("noted.button.json"));
+    QVERIFY(opened.ok());
+    QVERIFY((*opened)->annotations() == notes);
+    document.annotate({}, "Remove the note");
+    QVERIFY(reloadDocument(document).ok());
+    QVERIFY(document.annotations() == notes);
+    document.history().stack().undo();  // the reload
+    QVERIFY(document.annotations().empty());
+  }
+
   void suggestsSafeNames() {
     ButtonDocument document(*rename(*tactileButton(), "../a:b/c"));
     QCOMPARE(suggestedPath(document, "/tmp", ".button.json"), QString("/tmp/-a-b-c.button.json"));

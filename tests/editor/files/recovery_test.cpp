@@ -72,7 +72,8 @@ class RecoveryTest : public QObject {
                                 "ü",
                                 QDateTime::currentDateTimeUtc(),
                                 "a hash",
-                                PageCutout{"\x89PNG\r\n\x1a\n", {1, 2, 3, 4, 5, 6, 7, 8, 9}}};
+                                PageCutout{"\x89PNG\r\n\x1a\n", {1, 2, 3, 4, 5, 6, 7, 8, 9}},
+                                Annotations{{{0, Stroke::press, 1.5, "ask the tester"}}, {}, {}}};
     const auto read = recoveryFromText(recoveryText(record), "x");
     QVERIFY(read.ok());
     QVERIFY(read->button == record.button);
@@ -81,6 +82,7 @@ class RecoveryTest : public QObject {
     QCOMPARE(read->written, record.written);
     QCOMPARE(read->knownContent, record.knownContent);
     QVERIFY(read->cutout == record.cutout);
+    QVERIFY(read->annotations == record.annotations);
     QVERIFY(!recoveryFromText("{}", "x").ok());
     QVERIFY(!recoveryFromText("{\"format\":\"detent-recovery\",\"version\":2}", "x").ok());
     QVERIFY(!recoveryFromText("no json", "x").ok());

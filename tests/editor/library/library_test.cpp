@@ -13,9 +13,10 @@
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include "editor/files/document_files.h"
-#include "editor/library/compare_dialog.h"
+#include "editor/library/compare_panel.h"
 #include "editor/library/compare_plot.h"
 #include "editor/library/difference_rows.h"
 #include "editor/library/graph_picture.h"
@@ -178,7 +179,7 @@ class LibraryTest : public QObject {
   void severalAreComparedAndReadOff() {
     ViewSettings settings;
     ButtonDocument a(*tactileButton()), b(*linearButton()), c(*scaleForce(*tactileButton(), 2));
-    CompareDialog dialog(settings);
+    ComparePanel dialog(settings);
     dialog.setDocuments({&a, &b, &c});
     dialog.compare(&a, &b);
     dialog.show();
@@ -187,7 +188,8 @@ class LibraryTest : public QObject {
     dialog.findChild<QPushButton*>("compareAdd")->click();
     QCOMPARE(dialog.findChild<QComboBox*>("compareButtonC")->currentIndex(), 2);  // the one not there yet
     QCOMPARE(table->columnCount(), 7);
-    QVERIFY(dialog.tableText().startsWith("figure,a,b,c,b_minus_a,c_minus_a,unit\n"));
+    QVERIFY(dialog.tableText().startsWith(
+        "figure,\"tactile\",\"linear\",\"tactile #2\",\"linear - tactile\",\"tactile #2 - tactile\",unit\n"));
     // The largest force of C is twice that of A, so what it has more is A's own.
     for (int row = 0; row < table->rowCount(); ++row)
       if (table->item(row, 0)->text() == "Press: largest force")
@@ -201,7 +203,7 @@ class LibraryTest : public QObject {
     QTest::mouseMove(plot, at(1));
     const double shown_mm = plot->xAxis->pixelToCoord(at(1).x());
     const double force_cN = 100 * a.graph().press().force_N(shown_mm);
-    QTRY_VERIFY(reading->text().contains("A press " + numberText(force_cN, 4)));
+    QTRY_VERIFY(reading->text().contains("tactile press " + numberText(force_cN, 4)));
     QTest::mouseClick(plot, Qt::LeftButton, {}, at(1));
     QTest::mouseMove(plot, at(2));
     QTRY_VERIFY(reading->text().contains("From the pinned cursor"));
@@ -218,7 +220,7 @@ class LibraryTest : public QObject {
   void sixAreComparedOnASmallScreen() {
     ViewSettings settings;
     ButtonDocument a(*tactileButton()), b(*linearButton());
-    CompareDialog dialog(settings);
+    ComparePanel dialog(settings);
     dialog.setDocuments({&a, &b});
     dialog.compare(&a, &b);
     while (dialog.findChild<QPushButton*>("compareAdd")->isEnabled()) dialog.add(&b);
@@ -226,7 +228,9 @@ class LibraryTest : public QObject {
     dialog.resize(small);
     dialog.show();
     QCOMPARE(dialog.size(), small);
+    auto* reached = dialog.findChild<QScrollArea*>("compareScroll");
     for (const char* name : {"compareAdd", "compareRemove", "compareExchange", "compareCopy"}) {
+      reached->ensureWidgetVisible(dialog.findChild<QPushButton*>(name));
       const auto* button = dialog.findChild<QPushButton*>(name);
       const QRect place(button->mapTo(&dialog, QPoint()), button->size());
       QVERIFY2(dialog.rect().contains(place), name);
@@ -237,10 +241,32 @@ class LibraryTest : public QObject {
     QVERIFY(dialog.findChild<QWidget*>("comparePlot")->height() >= 100);
   }
 
+  void severalComeAtOnceAndTheirDifferencesAreDrawn() {
+    ViewSettings settings;
+    ButtonDocument a(*tactileButton()), b(*linearButton()), c(*scaleForce(*tactileButton(), 2));
+    ComparePanel panel(settings);
+    panel.setDocuments({&a, &b, &c});
+    panel.compare({&a, &b, &c});
+    QCOMPARE(panel.findChild<QTableWidget*>("compareTable")->columnCount(), 7);
+    auto* plot = panel.findChild<ComparePlot*>();
+    const int curves = plot->plottableCount();
+    panel.findChild<QToolButton*>("compareDifference")->click();
+    QCOMPARE(plot->plottableCount(), curves + 4);  // press and release of each other
+    const auto* of = qobject_cast<QCPGraph*>(plot->plottable(curves + 2));
+    QVERIFY(of && of->data()->size() > 100);
+    for (const QCPGraphData& point : *of->data())  // c is twice a: it has a's own force more
+      QVERIFY(std::abs(point.value - 100 * a.graph().press().force_N(point.key)) < 1e-6);
+    panel.findChild<QToolButton*>("compareDifference")->click();
+    QCOMPARE(plot->plottableCount(), curves);
+    panel.compare({&b, &c});
+    QCOMPARE(panel.findChild<QTableWidget*>("compareTable")->columnCount(), 5);
+    QVERIFY(panel.title().contains("linear"));
+  }
+
   void theDialogueComparesAndFollows() {
     ViewSettings settings;
     ButtonDocument a(*tactileButton()), b(*selfLockingButton());
-    CompareDialog dialog(settings);
+    ComparePanel dialog(settings);
     dialog.setDocuments({&a, &b});
     dialog.compare(&a, &b);
     dialog.show();

@@ -4,12 +4,13 @@
 #include <cstdlib>
 #include <QApplication>
 #include <QDir>
+#include <QDockWidget>
 #include <QFontDatabase>
 #include <QListView>
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "editor/library/compare_dialog.h"
+#include "editor/library/compare_panel.h"
 #include "editor/library/template_dialog.h"
 #include "editor/window/appearance.h"
 #include "editor/window/main_window.h"
@@ -92,8 +93,11 @@ class GoldenTest : public QObject {
     auto window = makeWindow(Appearance::light);
     window->files().open({sample("buttons/C.button.json"), sample("buttons/B.button.json")});
     window->compareWith(nullptr);
-    auto* dialog = window->findChild<CompareDialog*>();
-    dialog->resize(640, 480);
+    auto* dialog = window->findChild<ComparePanel*>();
+    auto* dock = window->findChild<QDockWidget*>("compareDock");
+    dock->setFloating(true);
+    dock->resize(760, 620);
+    dialog->findChild<QToolButton*>("compareDifference")->click();
     QTest::qWait(100);
     auto* forecast = dialog->findChild<QLabel*>("forecastWords");
     QTRY_VERIFY_WITH_TIMEOUT(!forecast->text().isEmpty(), patience_ms);

@@ -49,7 +49,7 @@
 #include "editor/importing/import_state.h"
 #include "editor/importing/page_view.h"
 #include "editor/importing/placed_page.h"
-#include "editor/library/compare_dialog.h"
+#include "editor/library/compare_panel.h"
 #include "editor/library/morph_dialog.h"
 #include "editor/panels/checks_panel.h"
 #include "editor/panels/operation_dialog.h"
@@ -293,11 +293,11 @@ class WindowTest : public QObject {
     auto* accept = import->findChild<QPushButton*>("import");
     QTRY_VERIFY_WITH_TIMEOUT(accept->isEnabled(), 60000);
     QTest::qWait(100);
-    cut << cutTexts(*import) << cutTexts(*rig.window->findChild<CompareDialog*>());
+    cut << cutTexts(*import) << cutTexts(*rig.window->findChild<ComparePanel*>());
     if (const QString folder = qEnvironmentVariable("DETENT_PICTURES"); !folder.isEmpty()) {
       rig.window->grab().save(folder + "/german-window.png");
       import->grab().save(folder + "/german-import.png");
-      rig.window->findChild<CompareDialog*>()->grab().save(folder + "/german-compare.png");
+      rig.window->findChild<ComparePanel*>()->grab().save(folder + "/german-compare.png");
     }
     import->close();
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join('\n')));
@@ -1329,11 +1329,13 @@ class WindowTest : public QObject {
     rig.window->findChild<QToolButton*>("setupToggle")->click();
     for (const char* appearance : {"appearanceLight", "appearanceDark"}) {
       rig.action(appearance)->trigger();
+      rig.action("compare")->trigger();
+      QTest::qWait(50);
       lookAtTexts(*rig.window, appearance);
       for (QWidget* setup : {static_cast<QWidget*>(rig.window->findChild<FeelSetup*>()),
                              static_cast<QWidget*>(rig.window->findChild<ForceSetup*>())})
         lookAtTexts(*setup, QString(appearance) + ' ' + setup->metaObject()->className());
-      for (const char* name : {"operationScaleForce", "compare", "forecasts", "study"}) {
+      for (const char* name : {"operationScaleForce", "forecasts", "study"}) {
         rig.action(name)->trigger();
         const auto opened = windowsBeside(rig);
         QVERIFY2(opened.size() == 1, name);
@@ -1389,7 +1391,7 @@ class WindowTest : public QObject {
     const QByteArray svg = file.readAll();
     for (const QColor& color : {colors.press, colors.release}) QVERIFY(svg.contains(color.name().toUtf8()));
     rig.action("compare")->trigger();
-    auto* plot = rig.window->findChild<CompareDialog*>()->findChild<QCustomPlot*>("comparePlot");
+    auto* plot = rig.window->findChild<ComparePanel*>()->findChild<QCustomPlot*>("comparePlot");
     QVERIFY(plot);
     QCOMPARE(plot->plottable(0)->pen().color(), colors.press);
     for (int i = 0; i < plot->plottableCount(); ++i)
@@ -1449,9 +1451,17 @@ class WindowTest : public QObject {
     Rig rig(folder_->path());
     rig.window->files().open({sample("buttons/B.button.json"), sample("buttons/C.button.json")});
     rig.action("compare")->trigger();
-    auto* dialog = rig.window->findChild<CompareDialog*>();
+    auto* dialog = rig.window->findChild<ComparePanel*>();
     QVERIFY(dialog && dialog->isVisible());
     QVERIFY(dialog->tableText().count('\n') > 8);
+    QVERIFY(rig.window->findChild<QDockWidget*>("compareDock")->isAncestorOf(dialog));
+    const QImage before = dialog->findChild<QCustomPlot*>("comparePlot")->grab().toImage();
+    for (const char* ending : {"svg", "pdf", "png"}) {
+      rig.prompts.saveAnswers.push_back(at(QString("comparison.") + ending));
+      dialog->findChild<QToolButton*>("comparePicture")->click();
+      QVERIFY(QFileInfo(at(QString("comparison.") + ending)).size() > 1000);
+    }
+    QVERIFY(dialog->findChild<QCustomPlot*>("comparePlot")->grab().toImage() == before);
     rig.window->tabs().remove(*rig.window->tabs().all()[0]);
     rig.window->tabs().remove(*rig.window->tabs().all()[0]);
     QVERIFY(dialog->tableText().count('\n') <= 1);

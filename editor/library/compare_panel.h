@@ -5,11 +5,13 @@
 #include <memory>
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QDialog>
 #include <QLabel>
 #include <QPushButton>
+#include <QSplitter>
 #include <QTableWidget>
 #include <QTimer>
+#include <QToolButton>
+#include <QWidget>
 #include <vector>
 
 #include "editor/document/button_document.h"
@@ -20,41 +22,56 @@ namespace detent::editor {
 
 class ComparePlot;
 
-/// Two buttons or more; differences are counted from the first. Not modal: all can be worked on while it is
-/// open, and it follows. GUI thread.
-class CompareDialog : public QDialog {
+/// Two buttons or more, each by its name; differences are counted from the first. All can be worked on while it is
+/// open, and it follows. Plot beside the figures where it is wide, above them where it is high. GUI thread.
+class ComparePanel : public QWidget {
   Q_OBJECT
 
  public:
   static constexpr std::size_t mostSides = 6;  ///< as many colours can be told apart
 
   /// `settings` must outlive this.
-  explicit CompareDialog(ViewSettings& settings, QWidget* parent = nullptr);
-  ~CompareDialog() override;
+  explicit ComparePanel(ViewSettings& settings, QWidget* parent = nullptr);
+  ~ComparePanel() override;
 
   /// The buttons that can be chosen. One that is no longer among them is let go of.
   void setDocuments(const std::vector<ButtonDocument*>& documents);
-  void compare(ButtonDocument* a, ButtonDocument* b);
+  void compare(ButtonDocument* first, ButtonDocument* second);
+  /// These and no others, at most `mostSides`; of one alone there are two sides.
+  void compare(std::vector<ButtonDocument*> documents);
   /// One more beside those compared.
   void add(ButtonDocument* document);
 
   /// What the table says, with units, as CSV text; for the clipboard.
   QString tableText() const;
+  const ComparePlot& plot() const { return *plot_; }
+  /// "B and C", "B and 3 others": for titles and file names.
+  QString title() const;
+
+ signals:
+  /// The plot is to be written as a picture.
+  void pictureAsked();
 
  protected:
+  void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
   /// The choice of one side.
   struct Side {
-    QString letter;
+    QChar letter;  ///< names its widgets
     QWidget* row = nullptr;
+    QLabel* swatch = nullptr;
     QComboBox* button = nullptr;
     QComboBox* state = nullptr;
     ButtonDocument* document = nullptr;
   };
   void build();
+  QWidget* plotSide();
+  QWidget* figureSide();
   void addSide();
+  QString nameOf(const Side& side) const;
+  void showColors();
   void removeLast();
   void addNext();
   void fillButtons(Side& side);
@@ -70,6 +87,7 @@ class CompareDialog : public QDialog {
   std::vector<ButtonDocument*> documents_;
   std::vector<std::unique_ptr<Side>> sides_;  // two at least
   QVBoxLayout* rows_ = nullptr;
+  QSplitter* split_ = nullptr;
   ComparePlot* plot_ = nullptr;
   QTableWidget* table_ = nullptr;
   QLabel *distance_ = nullptr, *reading_ = nullptr;

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/library/compare_panel.h"
+
+#include <algorithm>
+#include <QApplication>
+#include <QClipboard>
+#include <QEvent>
+#include <QHeaderView>
+#include <QScrollArea>
+
+#include "editor/document/described.h"
+#include "editor/document/graph_colors.h"
+#include "editor/document/message_words.h"
+#include "editor/library/compare_plot.h"
+#include "editor/library/difference_rows.h"
+#include "model/sampling.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr int updateDelay_ms = 50;
+constexpr int rowMargin_px = 8, swatch_px = 12;
+constexpr int leastPlot_px = 160;
+constexpr double wide = 1.3;  // width over height from which the figures stand beside the plot
+constexpr int leastTableRows = 5;
+constexpr int longestHead = 16;  // characters of a column's head
+
+QTableWidget* differencesTable() {
+  auto* table = described(new QTableWidget, "compareTable", {}, ComparePanel::tr("Differences"));
+  table->verticalHeader()->hide();
+  table->verticalHeader()->setDefaultSectionSize(table->fontMetrics().height() + rowMargin_px);
+  table->setMinimumHeight((leastTableRows + 1) * (table->fontMetrics().height() + rowMargin_px));
+  table->setWordWrap(false);
+  table->setTabKeyNavigation(false);
+  table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table->setAlternatingRowColors(true);
+  return table;
+}
+
+template <class Button>
+Button* button(const char* name, const QString& text, const QString& tip) {
+  auto* made = described(new Button, name, tip);
+  made->setText(text);
+  return made;
+}
+
+QLabel* wrapped(const char* name) {
+  auto* label = described(new QLabel, name);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QString shortened(const QString& name) {
+  return name.size() <= longestHead ? name : name.left(longestHead - 1) + QChar(0x2026);
+}
+
+}  // namespace
+
+ComparePanel::ComparePanel(ViewSettings& settings, QWidget* parent) : QWidget(parent), settings_(settings) {
+  setObjectName("comparePanel");
+  build();
+  soon_.setSingleShot(true);
+  soon_.setInterval(updateDelay_ms);
+  connect(&soon_, &QTimer::timeout, this, &ComparePanel::update);
+  connect(&settings_, &ViewSettings::changed, &soon_, qOverload<>(&QTimer::start));
+}
+
+ComparePanel::~ComparePanel() = default;
+
+void ComparePanel::build() {
+  split_ = new QSplitter(Qt::Vertical);
+  split_->setChildrenCollapsible(false);
+  split_->addWidget(plotSide());
+  split_->addWidget(figureSide());
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(split_);
+  addSide();
+  addSide();
+}
+
+QWidget* ComparePanel::plotSide() {
+  plot_ = described(new ComparePlot, "comparePlot", {}, tr("The force graphs over each other"));
+  plot_->setMinimumHeight(leastPlot_px);
+  reading_ = wrapped("compareReading");
+  reading_->setMinimumHeight(2 * fontMetrics().lineSpacing());  // so that nothing jumps when it comes
+  connect(plot_, &ComparePlot::readingChanged, reading_, [this](const QString& reading) {
+    reading_->setText(reading.isEmpty()
+                          ? tr("Point at the graph to read values; click to pin a cursor and read "
+                               "differences from there.")
+                          : reading);
+  });
+  auto* difference =
+      button<QToolButton>("compareDifference", tr("&Difference"),
+                          tr("Draw what the others have more than the first, below the graphs"));
+  difference->setCheckable(true);
+  connect(difference, &QToolButton::toggled, plot_, &ComparePlot::showDifferences);
+  auto* picture = button<QToolButton>("comparePicture", tr("&Picture…"),
+                                      tr("Write the graphs with their names as PNG, SVG or PDF"));
+  connect(picture, &QToolButton::clicked, this, &ComparePanel::pictureAsked);
+  auto* copy = button<QToolButton>("compareCopyPicture", tr("C&opy the picture"),
+                                   tr("Copy the graphs with their names as a picture"));
+  connect(copy, &QToolButton::clicked, this,
+          [this] { QApplication::clipboard()->setImage(plot_->picture()); });
+  auto* tools = new QHBoxLayout;
+  for (QToolButton* tool : {difference, picture, copy}) tools->addWidget(tool);
+  tools->addStretch();
+  auto* side = new QWidget;
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(4, 2, 4, 2);
+  column->addWidget(plot_, 1);
+  column->addWidget(reading_);
+  column->addLayout(tools);
+  return side;
+}
+
+QWidget* ComparePanel::figureSide() {
+  table_ = differencesTable();
+  distance_ = wrapped("compareDistance");
+  forecast_ = described(new ForecastBar, "compareForecast");
+  more_ = button<QPushButton>("compareAdd", tr("O&ne more"), tr("Lay another open button over these"));
+  connect(more_, &QPushButton::clicked, this, &ComparePanel::addNext);
+  fewer_ = button<QPushButton>("compareRemove", tr("One &less"), tr("Take the last one away"));
+  connect(fewer_, &QPushButton::clicked, this, &ComparePanel::removeLast);
+  auto* swap = button<QPushButton>("compareExchange", tr("S&wap"),
+                                   tr("Exchange the first two: differences are counted the other way"));
+  connect(swap, &QPushButton::clicked, this, &ComparePanel::exchange);
+  auto* copy = button<QPushButton>("compareCopy", tr("Copy the &table"),
+                                   tr("Copy the differences as CSV, in the units shown"));
+  connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(tableText()); });
+  auto* buttons = new QHBoxLayout;
+  for (QPushButton* each : {more_, fewer_, swap, copy}) buttons->addWidget(each);
+  buttons->addStretch();
+  auto* side = new QWidget;
+  auto* column = new QVBoxLayout(side);
+  column->setContentsMargins(4, 2, 4, 2);
+  column->addLayout(rows_ = new QVBoxLayout);
+  column->addLayout(buttons);
+  column->addWidget(table_, 1);
+  column->addWidget(distance_);
+  column->addWidget(forecast_);
+  // Where there is no room for all of it, it scrolls.
+  auto* scroll = described(new QScrollArea, "compareScroll", {}, tr("Figures of the comparison"));
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(side);
+  return scroll;
+}
+
+void ComparePanel::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  const auto way = width() > wide * height() ? Qt::Horizontal : Qt::Vertical;
+  if (way == split_->orientation()) return;
+  split_->setOrientation(way);
+  const int half = (way == Qt::Horizontal ? width() : height()) / 2;
+  split_->setSizes({half, half});
+}
+
+void ComparePanel::addSide() {
+  auto made = std::make_unique<Side>();
+  Side& side = *made;
+  side.letter = QChar('A' + static_cast<char>(sides_.size()));
+  side.row = new QWidget;
+  auto* layout = new QHBoxLayout(side.row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  const int number = static_cast<int>(sides_.size()) + 1;
+  side.swatch = new QLabel;
+  side.button = described(new QComboBox, QStringLiteral("compareButton") + side.letter,
+                          tr("Button %1 of the comparison").arg(number), tr("Button %1").arg(number));
+  side.button->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  side.state =
+      described(new QComboBox, QStringLiteral("compareState") + side.letter,
+                tr("Which state of a self-locking button is compared"), tr("State of button %1").arg(number));
+  layout->addWidget(side.swatch);
+  layout->addWidget(side.button, 1);
+  layout->addWidget(side.state);
+  connect(side.button, &QComboBox::activated, this, [this, &side](int index) {
+    if (index >= 0 && index < static_cast<int>(documents_.size()))
+      choose(side, documents_[static_cast<std::size_t>(index)]);
+  });
+  connect(side.state, &QComboBox::activated, this, &ComparePanel::update);
+  rows_->addWidget(side.row);
+  sides_.push_back(std::move(made));
+  showColors();
+}
+
+void ComparePanel::showColors() {
+  for (std::size_t i = 0; i < sides_.size(); ++i) {
+    QPixmap swatch(QSize(swatch_px, swatch_px));
+    swatch.fill(seriesColor(i, isDark(palette())));
+    sides_[i]->swatch->setPixmap(swatch);
+  }
+}
+
+// Two states of one button, or two buttons of one name, are told apart.
+QString ComparePanel::nameOf(const Side& side) const {
+  if (!side.document) return {};
+  QString name = side.document->title();
+  const QString state = side.state->currentText();
+  if (!state.isEmpty()) name += QStringLiteral(" (%1)").arg(state);
+  int before = 1;
+  for (const auto& other : sides_) {
+    if (other.get() == &side) break;
+    if (other->document && other->document->title() == side.document->title() &&
+        other->state->currentText() == state)
+      ++before;
+  }
+  return before == 1 ? name : QStringLiteral("%1 #%2").arg(name).arg(before);
+}
+
+QString ComparePanel::title() const {
+  QStringList names;
+  for (const auto& side : sides_)
+    if (side->document) names << nameOf(*side);
+  if (names.size() == 2) return tr("%1 and %2").arg(names[0], names[1]);
+  return names.isEmpty()
+             ? QString()
+             : tr("%1 and %n other(s)", nullptr, static_cast<int>(names.size()) - 1).arg(names[0]);
+}
+
+void ComparePanel::removeLast() {
+  if (sides_.size() <= 2) return;
+  delete sides_.back()->row;
+  sides_.pop_back();
+  update();
+}
+
+// The first that is not among them yet.
+void ComparePanel::addNext() {
+  const auto isCompared = [this](const ButtonDocument* document) {
+    return std::any_of(sides_.begin(), sides_.end(),
+                       [document](const auto& side) { return side->document == document; });
+  };
+  const auto next = std::find_if_not(documents_.begin(), documents_.end(), isCompared);
+  if (!documents_.empty()) add(next != documents_.end() ? *next : documents_.front());
+}
+
+void ComparePanel::add(ButtonDocument* document) {
+  if (sides_.size() >= mostSides) return;
+  addSide();
+  fillButtons(*sides_.back());
+  choose(*sides_.back(), document);
+  fillButtons(*sides_.back());
+}
+
+void ComparePanel::setDocuments(const std::vector<ButtonDocument*>& documents) {
+  for (ButtonDocument* document : documents)
+    if (std::find(documents_.begin(), documents_.end(), document) == documents_.end()) {
+      connect(document, &ButtonDocument::changed, &soon_, qOverload<>(&QTimer::start));
+      connect(document, &ButtonDocument::titleChanged, this, [this] {
+        for (const auto& side : sides_) fillButtons(*side);
+      });
+    }
+  documents_ = documents;
+  for (const auto& side : sides_) {
+    if (std::find(documents_.begin(), documents_.end(), side->document) == documents_.end())
+      side->document = documents_.empty() ? nullptr : documents_.front();
+    fillButtons(*side);
+    fillStates(*side);
+  }
+  update();
+}
+
+void ComparePanel::compare(ButtonDocument* first, ButtonDocument* second) {
+  sides_[0]->document = first;
+  sides_[1]->document = second;
+  for (const auto& side : sides_) {
+    fillButtons(*side);
+    fillStates(*side);
+  }
+  update();
+}
+
+void ComparePanel::compare(std::vector<ButtonDocument*> documents) {
+  if (documents.empty()) return;
+  documents.resize(std::clamp(documents.size(), std::size_t{2}, mostSides), documents.front());
+  while (sides_.size() > documents.size()) {
+    delete sides_.back()->row;
+    sides_.pop_back();
+  }
+  while (sides_.size() < documents.size()) addSide();
+  for (std::size_t i = 2; i < documents.size(); ++i) sides_[i]->document = documents[i];
+  compare(documents[0], documents[1]);
+}
+
+void ComparePanel::choose(Side& side, ButtonDocument* document) {
+  side.document = document;
+  fillStates(side);
+  update();
+}
+
+void ComparePanel::exchange() {
+  Side &a = *sides_[0], &b = *sides_[1];
+  const int stateA = a.state->currentIndex(), stateB = b.state->currentIndex();
+  compare(b.document, a.document);
+  a.state->setCurrentIndex(stateB);
+  b.state->setCurrentIndex(stateA);
+  update();
+}
+
+void ComparePanel::fillButtons(Side& side) {
+  side.button->clear();
+  for (ButtonDocument* document : documents_) {
+    side.button->addItem(document->title());
+    if (document == side.document) side.button->setCurrentIndex(side.button->count() - 1);
+  }
+}
+
+void ComparePanel::fillStates(Side& side) {
+  const int before = side.state->currentIndex();
+  side.state->clear();
+  if (!side.document) return;
+  for (const ButtonState& state : side.document->button().states())
+    side.state->addItem(QString::fromStdString(state.name));
+  side.state->setVisible(side.state->count() > 1);
+  if (before >= 0 && before < side.state->count()) side.state->setCurrentIndex(before);
+}
+
+const ButtonState* ComparePanel::stateOf(const Side& side) const {
+  if (!side.document) return nullptr;
+  const auto& states = side.document->button().states();
+  const auto index = static_cast<std::size_t>(std::max(0, side.state->currentIndex()));
+  return &states[std::min(index, states.size() - 1)];
+}
+
+void ComparePanel::update() {
+  std::vector<const ButtonState*> states;
+  std::vector<ComparedGraph> graphs;
+  for (const auto& side : sides_) {
+    // An edit may have added or taken a state.
+    if (side->document && side->state->count() != static_cast<int>(side->document->button().states().size()))
+      fillStates(*side);
+    const ButtonState* state = stateOf(*side);
+    if (!state) continue;
+    states.push_back(state);
+    graphs.push_back({nameOf(*side), state->graph});
+  }
+  forecast_->setPair(sides_[0]->document, sides_[1]->document);
+  more_->setEnabled(sides_.size() < mostSides && !documents_.empty());
+  fewer_->setEnabled(sides_.size() > 2);
+  plot_->setGraphs(std::move(graphs), settings_.units());
+  fillTable(states);
+  distance_->setText(states.size() < 2 ? tr("Open two buttons to compare them.") : distances(states));
+}
+
+QString ComparePanel::distances(const std::vector<const ButtonState*>& states) const {
+  QStringList lines;
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    const auto distance = detent::compare(polylinesOf(states.front()->graph), polylinesOf(states[i]->graph));
+    const QString text =
+        distance ? shownDistance(*distance, settings_.units()) : sentenceOf(distance.failure());
+    lines << (states.size() > 2 ? tr("%1: %2").arg(nameOf(*sides_[i]), text) : text);
+  }
+  return lines.join('\n');
+}
+
+void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
+  table_->clear();
+  QStringList heads{tr("Figure")}, whole{tr("Figure")};
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    whole << nameOf(*sides_[i]);
+    heads << shortened(whole.back());
+  }
+  for (std::size_t i = 1; i < states.size(); ++i) {
+    whole << tr("%1 less %2").arg(nameOf(*sides_[i]), nameOf(*sides_[0]));
+    heads << QStringLiteral("\u0394 ") + shortened(nameOf(*sides_[i]));
+  }
+  heads << tr("Unit");
+  whole << heads.back();
+  table_->setColumnCount(static_cast<int>(heads.size()));
+  table_->setHorizontalHeaderLabels(heads);
+  for (int column = 0; column < table_->columnCount(); ++column)
+    table_->horizontalHeaderItem(column)->setToolTip(whole[column]);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  if (states.size() < 2) return table_->setRowCount(0);
+
+  const DisplayUnits& units = settings_.units();
+  const auto rows = differencesOf(states);
+  table_->setRowCount(static_cast<int>(rows.size()));
+  for (int i = 0; i < table_->rowCount(); ++i) {
+    const DifferenceRow& row = rows[static_cast<std::size_t>(i)];
+    QStringList texts{row.name};
+    for (const auto& value : row.values) texts << shownValue(value, row.measure, units);
+    for (std::size_t other = 1; other < states.size(); ++other) texts << shownDifference(row, other, units);
+    texts << shownUnit(row.measure, units);
+    for (int column = 0; column < texts.size(); ++column) {
+      auto* item = new QTableWidgetItem(texts[column]);
+      if (column != 0 && column != texts.size() - 1)
+        item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+      table_->setItem(i, column, item);
+    }
+  }
+}
+
+QString ComparePanel::tableText() const {
+  const auto quoted = [](QString text) { return '"' + text.replace('"', QStringLiteral("\"\"")) + '"'; };
+  QStringList heads{QStringLiteral("figure")};
+  const std::size_t count = table_->columnCount() < 3 ? 0 : sides_.size();
+  for (std::size_t i = 0; i < count; ++i) heads << quoted(nameOf(*sides_[i]));
+  for (std::size_t i = 1; i < count; ++i)
+    heads << quoted(nameOf(*sides_[i]) + QStringLiteral(" - ") + nameOf(*sides_[0]));
+  heads << QStringLiteral("unit");
+  QStringList lines{heads.join(',')};
+  for (int row = 0; row < table_->rowCount(); ++row) {
+    QStringList fields;
+    for (int column = 0; column < table_->columnCount(); ++column)
+      fields << quoted(table_->item(row, column)->text());
+    lines << fields.join(',');
+  }
+  return lines.join('\n') + '\n';
+}
+
+void ComparePanel::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  showColors();
+  soon_.start();
+}
+
+}  // namespace detent::editor

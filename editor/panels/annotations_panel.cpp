@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/annotations_panel.h"
+
+#include <algorithm>
+#include <QDateTime>
+#include <QGroupBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLocale>
+#include <QScrollArea>
+#include <QTimer>
+#include <QVBoxLayout>
+
+#include "editor/canvas/graph_canvas.h"
+#include "editor/document/described.h"
+#include "editor/document/message_words.h"
+#include "model/links.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr double firstOffset_N = 0.05;
+constexpr QuantityRange offsets_N{0, ForceGraph::maxForce_N};
+constexpr int listRows = 4;
+
+QTreeWidget* listOf(const char* name, const QString& accessible, const QStringList& heads) {
+  auto* list = described(new QTreeWidget, name, {}, accessible);
+  list->setHeaderLabels(heads);
+  list->setRootIsDecorated(false);
+  list->setAlternatingRowColors(true);
+  list->setMinimumHeight((listRows + 1) * (list->fontMetrics().height() + 6));
+  list->setTabKeyNavigation(false);
+  list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  return list;
+}
+
+std::string utcNow() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
+
+}  // namespace
+
+AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas)
+    : document_(document),
+      settings_(settings),
+      canvas_(canvas),
+      notes_(listOf("notesList", tr("Notes"), {tr("At"), tr("Note")})),
+      versions_(listOf("versionsList", tr("Versions"), {tr("Version"), tr("Kept")})),
+      noteText_(described(new QLineEdit, "noteText",
+                          tr("A remark at the point or section that is selected; "
+                             "Enter adds it"),
+                          tr("New note"))),
+      versionName_(described(new QLineEdit, "versionName",
+                             tr("Name for the button as it is now; Enter keeps it"),
+                             tr("Name of the version"))),
+      oneEnd_(
+          described(new QCheckBox(tr("&One end of the travel")), "linkOneEnd",
+                    tr("Press and release of all states end at one displacement: where one goes, all go"))),
+      releaseFollows_(described(new QCheckBox(tr("&Release follows the press, lower by")), "linkRelease",
+                                tr("While the press is edited, the release is the press less this force"))),
+      offset_(described(new QuantityField(Quantity::force, settings.units()), "linkOffset",
+                        tr("How far the release lies below the press"))),
+      pins_(described(new QLabel, "linkPins")) {
+  setObjectName("annotationsPanel");
+  auto* inside = new QWidget;
+  auto* column = new QVBoxLayout(inside);
+  column->addWidget(notesBox(), 1);
+  column->addWidget(versionsBox(), 1);
+  column->addWidget(linksBox());
+  auto* scroll = new QScrollArea;
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setAccessibleName(tr("Notes"));
+  scroll->setWidgetResizable(true);
+  scroll->setWidget(inside);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(scroll);
+  setFocusProxy(noteText_);
+  connect(&document_, &ButtonDocument::annotationsChanged, this, &AnnotationsPanel::follow);
+  connect(&settings_, &ViewSettings::changed, this, &AnnotationsPanel::follow);
+  follow();
+}
+
+QPushButton* AnnotationsPanel::addButton(QLayout& row, const char* name, const QString& text,
+                                         const QString& tip) {
+  auto* button = described(new QPushButton(text), name, tip);
+  row.addWidget(button);
+  return button;
+}
+
+QWidget* AnnotationsPanel::notesBox() {
+  auto* box = new QGroupBox(tr("Notes"));
+  auto* column = new QVBoxLayout(box);
+  column->addWidget(notes_);
+  noteText_->setPlaceholderText(tr("New note at the selected point"));
+  auto* row = new QHBoxLayout;
+  row->addWidget(noteText_, 1);
+  removeNote_ = addButton(*row, "noteRemove", tr("Remove"), tr("Take the chosen note away"));
+  column->addLayout(row);
+  connect(noteText_, &QLineEdit::returnPressed, this, &AnnotationsPanel::addNote);
+  connect(removeNote_, &QPushButton::clicked, this, [this] {
+    Annotations next = document_.annotations();
+    if (const int at = chosen(*notes_); at >= 0) next.notes.erase(next.notes.begin() + at);
+    document_.annotate(std::move(next), tr("Remove a note"));
+  });
+  connect(notes_, &QTreeWidget::itemChanged, this, &AnnotationsPanel::renamed);
+  connect(notes_, &QTreeWidget::itemSelectionChanged, this,
+          [this] { removeNote_->setEnabled(chosen(*notes_) >= 0); });
+  return box;
+}
+
+QWidget* AnnotationsPanel::versionsBox() {
+  auto* box = new QGroupBox(tr("Versions"));
+  auto* column = new QVBoxLayout(box);
+  column->addWidget(versions_);
+  versionName_->setPlaceholderText(tr("Keep the button as it is now as …"));
+  column->addWidget(versionName_);
+  auto* row = new QHBoxLayout;
+  goBack_ =
+      addButton(*row, "versionGoBack", tr("Go back to it"), tr("The button becomes the chosen version"));
+  openVersion_ = addButton(*row, "versionOpen", tr("Open beside"),
+                           tr("Open the chosen version as a button of its own, to compare it"));
+  removeVersion_ = addButton(*row, "versionRemove", tr("Remove"), tr("Take the chosen version away"));
+  column->addLayout(row);
+  connect(versionName_, &QLineEdit::returnPressed, this, &AnnotationsPanel::keepVersion);
+  connect(goBack_, &QPushButton::clicked, this, &AnnotationsPanel::goBack);
+  connect(openVersion_, &QPushButton::clicked, this, &AnnotationsPanel::openVersion);
+  connect(removeVersion_, &QPushButton::clicked, this, [this] {
+    Annotations next = document_.annotations();
+    if (const int at = chosen(*versions_); at >= 0) next.versions.erase(next.versions.begin() + at);
+    document_.annotate(std::move(next), tr("Remove a version"));
+  });
+  connect(versions_, &QTreeWidget::itemChanged, this, &AnnotationsPanel::renamed);
+  connect(versions_, &QTreeWidget::itemSelectionChanged, this, [this] {
+    for (QPushButton* button : {goBack_, openVersion_, removeVersion_})
+      button->setEnabled(chosen(*versions_) >= 0);
+  });
+  return box;
+}
+
+QWidget* AnnotationsPanel::linksBox() {
+  auto* box = new QGroupBox(tr("Kept together while editing"));
+  auto* column = new QVBoxLayout(box);
+  column->addWidget(oneEnd_);
+  auto* row = new QHBoxLayout;
+  row->addWidget(releaseFollows_);
+  row->addWidget(offset_);
+  row->addStretch();
+  column->addLayout(row);
+  auto* pinRow = new QHBoxLayout;
+  pinRow->addWidget(pins_, 1);
+  unpin_ = addButton(*pinRow, "linkUnpin", tr("Take all pins out"), tr("All points can be moved again"));
+  column->addLayout(pinRow);
+  offset_->setRange(offsets_N);
+  offset_->setValue(firstOffset_N);
+  offset_->setKeyboardTracking(false);
+  const auto changed = [this] {
+    if (filling_) return;
+    EditLinks links = document_.annotations().links;
+    links.oneTravelEnd = oneEnd_->isChecked();
+    links.releaseBelowPress_N = releaseFollows_->isChecked() ? std::optional(offset_->value()) : std::nullopt;
+    link(links, tr("Keep together"));
+  };
+  connect(oneEnd_, &QCheckBox::toggled, this, changed);
+  connect(releaseFollows_, &QCheckBox::toggled, this, changed);
+  connect(offset_, &QuantityField::valueChanged, this, changed);
+  connect(unpin_, &QPushButton::clicked, this, [this] {
+    EditLinks links = document_.annotations().links;
+    links.pinned.clear();
+    link(links, tr("Take all pins out"));
+  });
+  return box;
+}
+
+int AnnotationsPanel::chosen(const QTreeWidget& list) {
+  const QList<QTreeWidgetItem*> items = list.selectedItems();
+  return items.isEmpty() ? -1 : list.indexOfTopLevelItem(items.front());
+}
+
+// The links and what they ask of the button at once: one step. What cannot be had leaves both as they are.
+void AnnotationsPanel::link(const EditLinks& links, const QString& label) {
+  EditHistory& history = document_.history();
+  if (history.dragging()) return follow();
+  const auto linked = linkedTo(history.committed(), document_.activeState(), links);
+  if (!linked) {
+    emit said(sentenceOf(linked.failure(), settings_.units()));
+    return follow();
+  }
+  Annotations next = document_.annotations();
+  next.links = links;
+  if (next == document_.annotations()) return;
+  history.stack().beginMacro(label);
+  document_.annotate(std::move(next), label);
+  history.replace(*linked, label);
+  history.stack().endMacro();
+}
+
+void AnnotationsPanel::addNote() {
+  const auto selected = canvas_.selected();
+  const auto at = selected ? placeOf(*selected, canvas_.state(), canvas_.values()) : std::nullopt;
+  if (!at) return emit said(tr("Select a point or section in the graph first: the note stands there."));
+  const QString text = noteText_->text().trimmed();
+  if (text.isEmpty() || document_.history().dragging()) return;
+  Annotations next = document_.annotations();
+  next.notes.push_back({document_.activeState(), selected->stroke, at->displacement_mm, text.toStdString()});
+  noteText_->clear();
+  document_.annotate(std::move(next), tr("Note: %1").arg(text));
+}
+
+void AnnotationsPanel::keepVersion() {
+  const QString name = versionName_->text().trimmed();
+  if (name.isEmpty() || document_.history().dragging()) return;
+  Annotations next = document_.annotations();
+  const auto same = [&](const NamedVersion& version) { return version.name == name.toStdString(); };
+  if (std::any_of(next.versions.begin(), next.versions.end(), same))
+    return emit said(tr("There is a version called “%1” already. Give this one another name.").arg(name));
+  next.versions.push_back({name.toStdString(), utcNow(), document_.history().committed().states()});
+  versionName_->clear();
+  document_.annotate(std::move(next), tr("Keep version: %1").arg(name));
+}
+
+void AnnotationsPanel::goBack() {
+  const int at = chosen(*versions_);
+  EditHistory& history = document_.history();
+  if (at < 0 || history.dragging()) return;
+  const NamedVersion& version = document_.annotations().versions[static_cast<std::size_t>(at)];
+  const Button& now = history.committed();
+  if (const auto then = Button::fromStates(now.name(), version.states, now.provenance()))
+    history.replace(*then, tr("Back to: %1").arg(QString::fromStdString(version.name)));
+}
+
+void AnnotationsPanel::openVersion() {
+  const int at = chosen(*versions_);
+  if (at < 0) return;
+  const NamedVersion& version = document_.annotations().versions[static_cast<std::size_t>(at)];
+  const QString name = QStringLiteral("%1, %2").arg(document_.title(), QString::fromStdString(version.name));
+  if (const auto then = Button::fromStates(name.toStdString(), version.states,
+                                           document_.history().committed().provenance()))
+    emit versionOpened(*then);
+}
+
+// A note's text or a version's name was typed into its list.
+void AnnotationsPanel::renamed(QTreeWidgetItem* item) {
+  if (filling_) return;
+  Annotations next = document_.annotations();
+  const bool note = item->treeWidget() == notes_;
+  const auto at = static_cast<std::size_t>(item->treeWidget()->indexOfTopLevelItem(item));
+  const std::string text = item->text(note ? 1 : 0).trimmed().toStdString();
+  const auto same = [&](const NamedVersion& version) { return version.name == text; };
+  const bool taken = !note && std::any_of(next.versions.begin(), next.versions.end(), same);
+  if (text.empty() || taken || document_.history().dragging()) return follow();
+  (note ? next.notes[at].text : next.versions[at].name) = text;
+  // The list is filled anew then: not before its own field has closed.
+  QTimer::singleShot(0, this, [this, next, note] {
+    if (!document_.history().dragging())
+      document_.annotate(next, note ? tr("Change a note") : tr("Rename a version"));
+  });
+}
+
+void AnnotationsPanel::follow() {
+  filling_ = true;
+  fillNotes();
+  fillVersions();
+  followLinks();
+  filling_ = false;
+}
+
+void AnnotationsPanel::fillNotes() {
+  notes_->clear();
+  const auto& notes = document_.annotations().notes;
+  for (std::size_t i = 0; i < notes.size(); ++i) {
+    const Note& note = notes[i];
+    const QString place = QStringLiteral("%1: %2").arg(i + 1).arg(
+        quantityWithUnit(note.displacement_mm, Quantity::length, settings_.units(), 4));
+    const QString stroke = note.stroke == Stroke::press ? tr("press") : tr("release");
+    auto* item = new QTreeWidgetItem({place + ", " + stroke, QString::fromStdString(note.text)});
+    item->setToolTip(1, item->text(1));
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    notes_->addTopLevelItem(item);
+  }
+  notes_->resizeColumnToContents(0);
+  removeNote_->setEnabled(false);
+}
+
+void AnnotationsPanel::fillVersions() {
+  versions_->clear();
+  for (const NamedVersion& version : document_.annotations().versions) {
+    const QDateTime saved = QDateTime::fromString(QString::fromStdString(version.saved), Qt::ISODate);
+    auto* item = new QTreeWidgetItem({QString::fromStdString(version.name),
+                                      QLocale().toString(saved.toLocalTime(), QLocale::ShortFormat)});
+    item->setFlags(item->flags() | Qt::ItemIsEditable);
+    versions_->addTopLevelItem(item);
+  }
+  versions_->resizeColumnToContents(0);
+  for (QPushButton* button : {goBack_, openVersion_, removeVersion_}) button->setEnabled(false);
+}
+
+void AnnotationsPanel::followLinks() {
+  const EditLinks& links = document_.annotations().links;
+  oneEnd_->setChecked(links.oneTravelEnd);
+  releaseFollows_->setChecked(links.releaseBelowPress_N.has_value());
+  offset_->setUnits(settings_.units());
+  if (links.releaseBelowPress_N) offset_->setValue(*links.releaseBelowPress_N);
+  pins_->setText(links.pinned.empty()
+                     ? tr("No point is pinned. P pins the selected one.")
+                     : tr("%n point(s) pinned", nullptr, static_cast<int>(links.pinned.size())));
+  pins_->setWordWrap(true);
+  unpin_->setEnabled(!links.pinned.empty());
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What is kept beside a button: remarks at its curves, forms of it under names, and what its edits keep together.
+
+#include <QCheckBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTreeWidget>
+#include <QWidget>
+
+#include "editor/document/button_document.h"
+#include "editor/document/view_settings.h"
+#include "editor/quantity/quantity_field.h"
+
+namespace detent::editor {
+
+class GraphCanvas;
+
+/// Every change is a step that can be undone. GUI thread.
+class AnnotationsPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// All must outlive it; a new note stands at what is selected on the canvas.
+  AnnotationsPanel(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas);
+
+ signals:
+  void said(const QString& text);
+  /// A version is to be looked at beside the button, as one of its own.
+  void versionOpened(const detent::Button& version);
+
+ private:
+  QWidget* notesBox();
+  QWidget* versionsBox();
+  QWidget* linksBox();
+  QPushButton* addButton(QLayout& row, const char* name, const QString& text, const QString& tip);
+  void follow();
+  void fillNotes();
+  void fillVersions();
+  void followLinks();
+  void addNote();
+  void keepVersion();
+  void goBack();
+  void openVersion();
+  void renamed(QTreeWidgetItem* item);
+  void link(const EditLinks& links, const QString& label);
+  /// -1: none.
+  static int chosen(const QTreeWidget& list);
+
+  ButtonDocument& document_;
+  ViewSettings& settings_;
+  GraphCanvas& canvas_;
+  QTreeWidget *notes_, *versions_;
+  QLineEdit *noteText_, *versionName_;
+  QPushButton *removeNote_ = nullptr, *goBack_ = nullptr, *openVersion_ = nullptr, *removeVersion_ = nullptr,
+              *unpin_ = nullptr;
+  QCheckBox *oneEnd_, *releaseFollows_;
+  QuantityField* offset_;
+  QLabel* pins_;
+  bool filling_ = false;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/panels/point_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <QApplication>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QMouseEvent>
+#include <utility>
+
+#include "editor/document/described.h"
+#include "editor/document/graph_colors.h"
+#include "editor/document/message_words.h"
+#include "editor/tools/mark_edits.h"
+#include "model/edits.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr int scrubStep_px = 4;
+constexpr double away_px = 18;  // of the point, so that it is seen
+constexpr QuantityRange anyLength_mm{-ForceGraph::maxTravel_mm, ForceGraph::maxTravel_mm},
+    anyForce{-ForceGraph::maxForce_N, ForceGraph::maxForce_N};
+
+bool isContact(MarkKind kind) { return kind == MarkKind::operatingPoint || kind == MarkKind::resetPoint; }
+
+}  // namespace
+
+ScrubLabel::ScrubLabel(const QString& text, QuantityField& field) : QLabel(text), field_(field) {
+  setBuddy(&field);
+  setCursor(Qt::SizeHorCursor);
+  setToolTip(tr("Drag to the right for more, to the left for less; with Shift ten times as fast"));
+}
+
+void ScrubLabel::mousePressEvent(QMouseEvent* event) { taken_px_ = event->pos().x(); }
+
+void ScrubLabel::mouseMoveEvent(QMouseEvent* event) {
+  const int steps = (event->pos().x() - taken_px_) / scrubStep_px;
+  if (steps == 0) return;
+  taken_px_ += steps * scrubStep_px;
+  field_.stepBy(event->modifiers() & Qt::ShiftModifier ? 10 * steps : steps);
+}
+
+PointField::PointField(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas)
+    : QFrame(&canvas), document_(document), settings_(settings), canvas_(canvas), trouble_(new QLabel) {
+  described(this, "pointField", {}, tr("Values of the selected point"));
+  setFrameShape(QFrame::StyledPanel);
+  setAutoFillBackground(true);
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(8, 6, 8, 6);
+  grid->setVerticalSpacing(3);
+  displacement_ = makeRow("pointDisplacement", tr("&Displacement"), Quantity::length);
+  force_ = makeRow("pointForce", tr("&Force"), Quantity::force);
+  slopeBefore_ = makeRow("pointSlopeBefore", tr("Slope &before"), Quantity::slope);
+  slopeAfter_ = makeRow("pointSlope", tr("&Slope"), Quantity::slope);
+  described(trouble_, "pointTrouble");
+  trouble_->setWordWrap(true);
+  grid->addWidget(trouble_, grid->rowCount(), 0, 1, 2);
+  hide();
+  connect(&document_.history(), &EditHistory::changed, this, [this] {
+    if (isOpen() && !document_.history().dragging()) close();  // undone, or taken away
+  });
+  connect(&settings_, &ViewSettings::changed, this, [this] {
+    for (Row* row : {&displacement_, &force_, &slopeBefore_, &slopeAfter_})
+      row->field->setUnits(settings_.units());
+  });
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) {
+    if (isOpen() && now && now != this && !isAncestorOf(now)) finish();
+  });
+}
+
+PointField::~PointField() {
+  if (isOpen()) cancel();
+}
+
+PointField::Row PointField::makeRow(const char* name, const QString& text, Quantity quantity) {
+  auto* grid = static_cast<QGridLayout*>(layout());
+  Row row;
+  row.field = described(new QuantityField(quantity, settings_.units()), name);
+  row.field->setRange(quantity == Quantity::length ? anyLength_mm : anyForce);
+  row.label = new ScrubLabel(text, *row.field);
+  row.field->setAccessibleName(QString(text).remove('&'));
+  row.field->installEventFilter(this);
+  const int at = grid->rowCount();
+  grid->addWidget(row.label, at, 0);
+  grid->addWidget(row.field, at, 1);
+  return row;
+}
+
+void PointField::show(Row& row, std::optional<double> value) {
+  row.label->setVisible(value.has_value());
+  row.field->setVisible(value.has_value());
+  row.changed = false;
+  row.field->disconnect(this);
+  if (!value) return;
+  row.field->setValue(*value);
+  connect(row.field, &QuantityField::valueChanged, this, [this, &row] {
+    row.changed = true;
+    preview();
+  });
+}
+
+void PointField::fill(const Mark& mark) {
+  const StrokeCurve& curve = canvas_.state().graph.curve(mark.id.stroke);
+  const auto index = isContact(mark.id.kind) ? std::nullopt : knotAt(curve, mark.at.displacement_mm);
+  knot_ = index ? std::optional(MarkId{MarkKind::knot, mark.id.stroke, *index}) : std::nullopt;
+  show(displacement_, mark.at.displacement_mm);
+  show(force_, isContact(mark.id.kind) ? std::nullopt : std::optional(mark.at.force_N));
+  const bool corner = index && isCorner(curve, *index);
+  const Knot* knot = index ? &curve.knots()[*index] : nullptr;
+  const bool before = corner && *index > 0, after = knot && *index + 1 < curve.knots().size();
+  show(slopeBefore_, before ? std::optional(knot->slopeBefore_N_per_mm) : std::nullopt);
+  show(slopeAfter_, after ? std::optional(knot->slopeAfter_N_per_mm) : std::nullopt);
+  slopeAfter_.label->setText(before ? tr("Slope a&fter") : tr("&Slope"));
+}
+
+// Beside the point, where there is room.
+void PointField::place(CurvePoint at) {
+  layout()->activate();
+  resize(sizeHint());
+  const QPointF point = canvas_.mapping().toPixel(at.displacement_mm, at.force_N);
+  const double right = point.x() + away_px, left = point.x() - away_px - width();
+  const double x = right + width() <= canvas_.width() ? right : std::max(0.0, left);
+  const double y =
+      std::clamp(point.y() - height() / 2.0, 0.0, std::max(0.0, double(canvas_.height() - height())));
+  move(static_cast<int>(x), static_cast<int>(y));
+}
+
+bool PointField::open(FirstValue first) {
+  auto id = canvas_.selected();
+  if (!id || document_.history().dragging()) return false;
+  if (id->kind == MarkKind::slopeBefore || id->kind == MarkKind::slopeAfter) id->kind = MarkKind::knot;
+  const auto at = placeOf(*id, canvas_.state(), canvas_.values());
+  if (!at || id->kind == MarkKind::section) {
+    emit said(tr("Select a point to type its values."));
+    return false;
+  }
+  mark_ = Mark{*id, *at};
+  askedAbout_.clear();
+  trouble_->clear();
+  trouble_->hide();
+  fill(*mark_);
+  document_.history().beginDrag(tr("Set: %1").arg(nameOf(*id)));
+  place(*at);
+  QFrame::show();
+  raise();
+  QuantityField* field =
+      first == FirstValue::force && force_.field->isVisible() ? force_.field : displacement_.field;
+  field->setFocus(Qt::TabFocusReason);
+  field->selectAll();
+  return true;
+}
+
+// From the button as it was: the place first, the slopes at the knot that stands there then.
+Result<Button> PointField::edited() const {
+  const std::size_t state = document_.activeState();
+  Result<Button> next = document_.history().committed();
+  CurvePoint to = mark_->at;
+  if (displacement_.changed) to.displacement_mm = displacement_.field->value();
+  if (force_.changed) to.force_N = force_.field->value();
+  if (displacement_.changed || force_.changed) next = moveMark(*next, state, *mark_, to);
+  for (const Row* row : {&slopeBefore_, &slopeAfter_}) {
+    if (!next || !row->changed || !knot_) continue;
+    const auto index = knotAt(next->states()[state].graph.curve(knot_->stroke), to.displacement_mm);
+    if (!index) continue;
+    const MarkKind side = row == &slopeBefore_ ? MarkKind::slopeBefore : MarkKind::slopeAfter;
+    next = setMarkSlope(*next, state, {side, knot_->stroke, *index}, row->field->value());
+  }
+  return next ? document_.history().ruled(*next) : next;
+}
+
+void PointField::preview() {
+  if (!document_.history().dragging()) return close();  // undone meanwhile
+  const Result<Button> next = edited();
+  const QString why = next ? QString() : sentenceOf(next.failure(), settings_.units());
+  if (next) document_.history().preview(*next);
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText, graphColors(isDark(palette())).refused);
+  trouble_->setPalette(colors);
+  trouble_->setText(why);
+  trouble_->setVisible(!why.isEmpty());
+  adjustSize();
+}
+
+// A number that no button has is asked about once.
+bool PointField::odd() {
+  for (const Row* row : {&displacement_, &force_}) {
+    if (!row->changed) continue;
+    const QString text = row->field->text();
+    const QString question = doubtOf(text, row->field->value(), row->field->quantity(), settings_.units());
+    if (question.isEmpty() || text == askedAbout_) continue;
+    askedAbout_ = text;
+    trouble_->setText(question);
+    trouble_->show();
+    adjustSize();
+    return true;
+  }
+  return false;
+}
+
+void PointField::finish() {
+  if (!isOpen()) return;
+  close();
+  if (document_.history().dragging()) document_.history().finishDrag();
+}
+
+void PointField::cancel() {
+  close();
+  if (document_.history().dragging()) document_.history().cancelDrag();
+}
+
+void PointField::close() {
+  mark_.reset();
+  hide();
+}
+
+bool PointField::eventFilter(QObject* object, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride &&
+      !(static_cast<QKeyEvent*>(event)->modifiers() & (Qt::ControlModifier | Qt::AltModifier))) {
+    event->accept();  // no letter typed here is a tool
+    return true;
+  }
+  if (event->type() != QEvent::KeyPress || !isOpen()) return QFrame::eventFilter(object, event);
+  const int key = static_cast<QKeyEvent*>(event)->key();
+  if (key == Qt::Key_Escape) {
+    cancel();
+    canvas_.setFocus();
+    return true;
+  }
+  if (key != Qt::Key_Return && key != Qt::Key_Enter) return QFrame::eventFilter(object, event);
+  for (const Row* row : {&displacement_, &force_, &slopeBefore_, &slopeAfter_})
+    if (row->field->isVisible() && !row->field->acceptable()) {
+      trouble_->setText(row->field->refusal());
+      trouble_->show();
+      adjustSize();
+      return true;
+    }
+  if (!edited() || odd()) return true;  // said below the fields
+  finish();
+  canvas_.setFocus();
+  return true;
+}
+
+}  // namespace detent::editor

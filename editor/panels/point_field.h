@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The numbers of a selected point, typed beside it.
+
+#include <optional>
+#include <QFrame>
+#include <QLabel>
+
+#include "editor/canvas/graph_marks.h"
+#include "editor/document/button_document.h"
+#include "editor/document/view_settings.h"
+#include "editor/quantity/quantity_field.h"
+#include "editor/tools/tool.h"
+
+namespace detent::editor {
+
+/// The name of a field that changes it while it is dragged to and fro. GUI thread.
+class ScrubLabel : public QLabel {
+  Q_OBJECT
+
+ public:
+  explicit ScrubLabel(const QString& text, QuantityField& field);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+
+ private:
+  QuantityField& field_;
+  int taken_px_ = 0;  ///< up to where the pointer's way has become steps
+};
+
+/// Displacement, force and slope of the selected point over the canvas. What is typed or scrubbed shows at once; Enter, and
+/// a click elsewhere, make one step of it, Escape leaves all as it was. Holds the button while it is open. GUI thread.
+class PointField : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// All three must outlive it; it lies on the canvas.
+  PointField(ButtonDocument& document, ViewSettings& settings, GraphCanvas& canvas);
+  ~PointField() override;
+
+  /// For the selected mark; false where it has no numbers of its own, or another hand holds the button.
+  bool open(FirstValue first);
+  bool isOpen() const { return mark_.has_value(); }
+
+ signals:
+  void said(const QString& text);
+
+ protected:
+  bool eventFilter(QObject* object, QEvent* event) override;
+
+ private:
+  struct Row {
+    ScrubLabel* label = nullptr;
+    QuantityField* field = nullptr;
+    bool changed = false;
+  };
+  Row makeRow(const char* name, const QString& text, Quantity quantity);
+  void show(Row& row, std::optional<double> value);
+  void fill(const Mark& mark);
+  void place(CurvePoint at);
+  Result<Button> edited() const;
+  void preview();
+  bool odd();
+  void finish();
+  void cancel();
+  void close();
+
+  ButtonDocument& document_;
+  ViewSettings& settings_;
+  GraphCanvas& canvas_;
+  Row displacement_, force_, slopeBefore_, slopeAfter_;
+  QLabel* trouble_;
+  std::optional<Mark> mark_;    ///< whose numbers they are, where it stood when this was opened
+  std::optional<MarkId> knot_;  ///< its knot, if one stands there
+  QString askedAbout_;          ///< an odd number that was asked about
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers typed at a point, pins, notes, versions and links, judged by the button.
+#include "editor/panels/point_field.h"
+
+#include <QCheckBox>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTreeWidget>
+
+#include "editor/panels/annotations_panel.h"
+#include "model/edits.h"
+#include "model/sections.h"
+#include "tests/editor/workspace_rig.h"
+
+using namespace detent;
+using namespace detent::editor;
+using namespace detent::editor::tests;
+
+namespace {
+
+constexpr MarkId tactile{MarkKind::tactilePoint, Stroke::press, 0};
+
+QuantityField* field(WorkspaceRig& rig, const char* name) {
+  auto* found = rig.canvas().findChild<QuantityField*>(name);
+  if (!found) qFatal("no field %s", name);
+  return found;
+}
+
+void type(QWidget* into, const QString& text) {
+  QTest::keyClick(into, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(into, text);
+}
+
+TactilePoint peakOf(const WorkspaceRig& rig) {
+  return tactilePoints(rig.document.graph().press(), Stroke::press).front();
+}
+
+}  // namespace
+
+class PointFieldTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void enterOpensItAndEnterMakesOneStep();
+  void whatIsRefusedStaysOpenAndEscapeRestores();
+  void scrubbingALabelChangesTheNumber();
+  void aPinnedPointIsMovedByNothing();
+  void notesStandOnTheCurveAndVersionsComeBack();
+  void linksHoldFromTheMomentTheyAreMade();
+};
+
+void PointFieldTest::enterOpensItAndEnterMakesOneStep() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.canvas().setSelected(tactile);
+  rig.key(Qt::Key_Return);
+  auto* point = rig.canvas().findChild<PointField*>();
+  QVERIFY(point->isOpen() && point->isVisible());
+  QVERIFY(field(rig, "pointDisplacement")->hasFocus());
+  type(field(rig, "pointDisplacement"), "1.4 mm");
+  type(field(rig, "pointForce"), "60 gf");
+  QVERIFY(std::abs(peakOf(rig).force_N - 60 * 0.00980665) < 1e-9);  // seen before it is taken
+  QCOMPARE(rig.steps(), 0);
+  QTest::keyClick(field(rig, "pointForce"), Qt::Key_Return);
+  QCOMPARE(rig.steps(), 1);
+  QVERIFY(!point->isOpen());
+  QCOMPARE(peakOf(rig).displacement_mm, 1.4);
+  rig.key(Qt::Key_F2);
+  QVERIFY(field(rig, "pointForce")->hasFocus());
+  QTest::keyClick(field(rig, "pointForce"), Qt::Key_Return);
+  QCOMPARE(rig.steps(), 1);  // nothing was typed
+}
+
+void PointFieldTest::whatIsRefusedStaysOpenAndEscapeRestores() {
+  WorkspaceRig rig(require(tactileButton()));
+  const Button before = rig.button();
+  rig.canvas().setSelected(tactile);
+  rig.key(Qt::Key_Return);
+  auto* point = rig.canvas().findChild<PointField*>();
+  type(field(rig, "pointDisplacement"), "3.9");  // beyond its flanks
+  QTest::keyClick(field(rig, "pointDisplacement"), Qt::Key_Return);
+  QVERIFY(point->isOpen());
+  QVERIFY(!point->findChild<QLabel*>("pointTrouble")->text().isEmpty());
+  type(field(rig, "pointDisplacement"), "1.35");
+  QVERIFY(point->findChild<QLabel*>("pointTrouble")->text().isEmpty());
+  QVERIFY(!(rig.button() == before));
+  QTest::keyClick(field(rig, "pointDisplacement"), Qt::Key_Escape);
+  QVERIFY(!point->isOpen());
+  QVERIFY(rig.button() == before);
+  rig.key(Qt::Key_Return);
+  rig.document.history().cancelDrag();  // as undo does
+  QTest::keyClick(field(rig, "pointDisplacement"), Qt::Key_Escape);
+  QVERIFY(!point->isOpen());
+}
+
+void PointFieldTest::scrubbingALabelChangesTheNumber() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.canvas().setSelected(tactile);
+  rig.key(Qt::Key_Return);
+  auto* label = rig.canvas().findChildren<ScrubLabel*>()[1];
+  const double before_N = peakOf(rig).force_N;
+  rig.send(*label, QEvent::MouseButtonPress, {4, 4}, Qt::LeftButton);
+  rig.send(*label, QEvent::MouseMove, {24, 4}, Qt::LeftButton);
+  QVERIFY(peakOf(rig).force_N > before_N);
+  rig.send(*label, QEvent::MouseButtonRelease, {24, 4}, Qt::LeftButton);
+  QTest::keyClick(field(rig, "pointForce"), Qt::Key_Return);
+  QCOMPARE(rig.steps(), 1);
+}
+
+void PointFieldTest::aPinnedPointIsMovedByNothing() {
+  WorkspaceRig rig(require(tactileButton()));
+  rig.canvas().setSelected(tactile);
+  rig.key(Qt::Key_P);
+  QCOMPARE(rig.document.annotations().links.pinned.size(), std::size_t(1));
+  const Button before = rig.button();
+  rig.key(Qt::Key_Up);
+  QVERIFY(rig.button() == before);
+  rig.drag(rig.pixel(tactile), rig.pixel(tactile) + QPointF(0, -40));
+  QVERIFY(rig.button() == before);
+  rig.document.history().apply(require(scaleForce(before, 1.1)), "Scale force");
+  QVERIFY(rig.button() == before);
+  rig.canvas().setSelected(tactile);
+  rig.key(Qt::Key_P);
+  rig.key(Qt::Key_Up);
+  QVERIFY(!(rig.button() == before));
+}
+
+void PointFieldTest::notesStandOnTheCurveAndVersionsComeBack() {
+  WorkspaceRig rig(require(tactileButton()));
+  AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
+  const Button first = rig.button();
+  rig.canvas().setSelected(tactile);
+  auto* text = panel.findChild<QLineEdit*>("noteText");
+  const QImage before = rig.canvas().grab().toImage();
+  QTest::keyClicks(text, "unit 7: 57 cN");
+  QTest::keyClick(text, Qt::Key_Return);
+  QCOMPARE(rig.document.annotations().notes.size(), std::size_t(1));
+  QCOMPARE(rig.document.annotations().notes[0].displacement_mm, 1.3);
+  QVERIFY(!(rig.canvas().grab().toImage() == before));  // it is drawn
+  auto* name = panel.findChild<QLineEdit*>("versionName");
+  QTest::keyClicks(name, "first");
+  QTest::keyClick(name, Qt::Key_Return);
+  rig.document.history().apply(require(scaleForce(first, 1.5)), "Scale force");
+  auto* versions = panel.findChild<QTreeWidget*>("versionsList");
+  versions->setCurrentItem(versions->topLevelItem(0));
+  panel.findChild<QPushButton*>("versionGoBack")->click();
+  QVERIFY(rig.button() == first);
+  QTest::keyClicks(name, "first");  // taken
+  QTest::keyClick(name, Qt::Key_Return);
+  QCOMPARE(rig.document.annotations().versions.size(), std::size_t(1));
+  while (rig.document.history().stack().canUndo()) rig.document.history().stack().undo();
+  QVERIFY(rig.document.annotations().empty());
+}
+
+void PointFieldTest::linksHoldFromTheMomentTheyAreMade() {
+  WorkspaceRig rig(require(tactileButton()));
+  AnnotationsPanel panel(rig.document, rig.settings, rig.canvas());
+  panel.findChild<QCheckBox*>("linkRelease")->click();
+  QCOMPARE(rig.steps(), 1);
+  const auto below_N = [&](double at_mm) {
+    return rig.press().force_N(at_mm) - rig.document.graph().release()->force_N(at_mm);
+  };
+  QVERIFY(std::abs(below_N(2) - 0.05) < 1e-9);
+  rig.drag(rig.pixel(tactile), rig.pixel(tactile) + QPointF(10, -30));
+  QVERIFY(peakOf(rig).force_N > 0.56);
+  QVERIFY(std::abs(below_N(1.3) - 0.05) < 1e-9);
+  rig.document.history().stack().undo();
+  rig.document.history().stack().undo();
+  QVERIFY(rig.document.annotations().empty());
+  QVERIFY(!panel.findChild<QCheckBox*>("linkRelease")->isChecked());
+}
+
+QTEST_MAIN(PointFieldTest)
+#include "point_field_test.moc"
