@@ -18,7 +18,6 @@
 // Threads: ordinary threads only. A library built without DETENT_WITH_STUDIES has none of it.
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -67,9 +66,8 @@ class StudyPlayer {
   virtual StudyTrouble troubleSinceAsked() = 0;
 };
 
-/// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(), nothing where nobody says which one X is; `reason` words what tells a pair apart. Some
+/// What the forecast says of a study's buttons, on its device, mode by mode by pairsOf(), nothing where nobody says which one X is. Some
 /// ten milliseconds a button and mode. Failure: as feel(). Any thread.
-Result<std::vector<ForetoldPair>> foretold(const Study& study,
-                                           const std::function<std::string(const PredictedPair&)>& reason);
+Result<std::vector<ForetoldPair>> foretold(const Study& study);
 
 }  // namespace detent::playback

@@ -48,7 +48,7 @@ void ForecastBar::setPair(ButtonDocument* changed, ButtonDocument* other) {
 }
 
 void ForecastBar::say(const Forecast& forecast) {
-  confused_ = !forecast.pairs.empty() && !forecast.pairs.front().distinguishable();
+  confused_ = !forecast.pairs.empty() && !forecast.pairs.front().toldApart();
   words_->setText(forecast.pairs.empty() ? forecast.trouble : forecastWords(forecast.pairs.front()));
   help_->setEnabled(confused_ && !searching_);
 }
@@ -78,7 +78,7 @@ void ForecastBar::offer(const Found& found, const Button& searched) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   if (!found) menu->addAction(sentenceOf(found.failure()))->setEnabled(false);
   if (found && found->empty())
-    menu->addAction(tr("No single change of snap, travel or force by up to a factor 2 helps"))
+    menu->addAction(tr("No single change of snap, travel or force by up to a factor 4 is sure to help"))
         ->setEnabled(false);
   if (found) {
     for (const playback::Suggestion& suggestion : *found)

@@ -26,9 +26,9 @@ ForecastMatrix::ForecastMatrix(QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Who will be taken for whom?"));
   resize(720, 480);
   auto* title =
-      new QLabel(tr("Errors in 90 that people will probably make when they compare two buttons by feel; 45 "
-                    "is guessing. More "
-                    "than 9 (bold): they will probably not tell them apart. Double click: compare the two."));
+      new QLabel(tr("Errors in 90 that people make when they compare two buttons by feel; 45 is guessing. At "
+                    "most 9: they tell them apart; bold where that is not sure. Double click: compare the "
+                    "two."));
   title->setWordWrap(true);
   table_ = described(new QTableWidget, "forecastTable", {}, tr("Predicted errors in 90 of every pair"));
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -125,13 +125,14 @@ void ForecastMatrix::giveUp() {
 }
 
 QTableWidgetItem* ForecastMatrix::cellOf(const playback::PredictedPair& pair) const {
-  auto* item = new QTableWidgetItem(fixedText(pair.errorsPer90(), 1));
+  const QString least = fixedText(pair.leastErrorsPer90(), 0), most = fixedText(pair.mostErrorsPer90(), 0);
+  auto* item = new QTableWidgetItem(least == most ? most : tr("%1 to %2").arg(least, most));
   item->setTextAlignment(Qt::AlignCenter);
   QColor tint = graphColors(isDark(palette())).refused;
   tint.setAlphaF(strongestTint * static_cast<float>(std::min(pair.errorsPer90() / mostErrors, 1.0)));
   item->setBackground(tint);
   QFont font = table_->font();
-  font.setBold(!pair.distinguishable());
+  font.setBold(!pair.toldApart());
   item->setFont(font);
   item->setToolTip(forecastWords(pair));
   return item;

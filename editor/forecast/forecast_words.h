@@ -8,10 +8,8 @@
 
 namespace detent::editor {
 
-/// "People will probably tell these apart: 0 to 7 errors in 90. Most differs on the release: how strong it is."
+/// "People tell these apart: 0 to 7 errors in 90. Most differs on the release: how strong it is." As the terminal and the report say it.
 QString forecastWords(const playback::PredictedPair& pair);
-/// "Most differs on the press: when the click comes."
-QString reasonWords(const playback::PredictedPair& pair);
 /// "told apart: 0 to 7 errors in 90", for a line of a list.
 QString shortForecastWords(const playback::PredictedPair& pair);
 /// "Snap ratio × 1.25": the name of the undo step.

@@ -329,8 +329,7 @@ Result<Done> StudyDesk::writeReportTo(const QString& file) {
   if (!study) return study.failure();
   const auto records = playback::readParticipants(*study);
   if (!records) return records.failure();
-  const auto expected = playback::foretold(
-      *study, [](const playback::PredictedPair& pair) { return reasonWords(pair).toStdString(); });
+  const auto expected = playback::foretold(*study);
   if (!expected) return expected.failure();
   return writeTextFileAtomically(file.toStdString(),
                                  playback::resultsPage(playback::resultsOf(*study, *records), *expected));

@@ -1435,50 +1435,6 @@
         <translation>; </translation>
     </message>
     <message>
-        <source>how strong it is</source>
-        <translation>wie stark er ist</translation>
-    </message>
-    <message>
-        <source>when the click comes</source>
-        <translation>wann der Klick kommt</translation>
-    </message>
-    <message>
-        <source>how far it seems to yield</source>
-        <translation>wie weit er nachzugeben scheint</translation>
-    </message>
-    <message>
-        <source>hardly an error in 90</source>
-        <translation>kaum ein Fehler in 90</translation>
-    </message>
-    <message>
-        <source>about %1 errors in 90</source>
-        <translation>etwa %1 Fehler in 90</translation>
-    </message>
-    <message>
-        <source>told apart: %1</source>
-        <translation>unterschieden: %1</translation>
-    </message>
-    <message>
-        <source>confused: %1</source>
-        <translation>verwechselt: %1</translation>
-    </message>
-    <message>
-        <source>Most differs on the press: %1.</source>
-        <translation>Am meisten verschieden beim Drücken: %1.</translation>
-    </message>
-    <message>
-        <source>Most differs on the release: %1.</source>
-        <translation>Am meisten verschieden auf dem Rückweg: %1.</translation>
-    </message>
-    <message>
-        <source>People will probably tell these apart: %1.</source>
-        <translation>Menschen unterscheiden diese wahrscheinlich: %1.</translation>
-    </message>
-    <message>
-        <source>People will probably not tell these apart: %1.</source>
-        <translation>Menschen unterscheiden diese wahrscheinlich nicht: %1.</translation>
-    </message>
-    <message>
         <source>Snap ratio × %1</source>
         <translation>Schnappverhältnis × %1</translation>
     </message>
@@ -1997,18 +1953,6 @@
     <message>
         <source>Remove: %1</source>
         <translation>Entfernen: %1</translation>
-    </message>
-    <message>
-        <source>how hard one has to press</source>
-        <translation>wie fest man drücken muss</translation>
-    </message>
-    <message>
-        <source>%1 to %2 errors in 90</source>
-        <translation>%1 bis %2 Fehler in 90</translation>
-    </message>
-    <message>
-        <source>Nothing differs.</source>
-        <translation>Nichts unterscheidet sich.</translation>
     </message>
     <message>
         <source>%1 is more than any button has. Press Enter once more if that is meant.</source>
@@ -3702,8 +3646,8 @@
         <translation>Es wird gesucht …</translation>
     </message>
     <message>
-        <source>No single change of snap, travel or force by up to a factor 2 helps</source>
-        <translation>Keine einzelne Änderung von Schnappen, Weg oder Kraft bis zum Faktor 2 hilft</translation>
+        <source>No single change of snap, travel or force by up to a factor 4 is sure to help</source>
+        <translation>Keine einzelne Änderung von Snap, Weg oder Kraft bis zum Faktor 4 hilft sicher</translation>
     </message>
 </context>
 <context>
@@ -3711,10 +3655,6 @@
     <message>
         <source>Who will be taken for whom?</source>
         <translation>Wer wird mit wem verwechselt?</translation>
-    </message>
-    <message>
-        <source>Errors in 90 that people will probably make when they compare two buttons by feel; 45 is guessing. More than 9 (bold): they will probably not tell them apart. Double click: compare the two.</source>
-        <translation>Fehler in 90, die Menschen wahrscheinlich machen, wenn sie zwei Taster nach Gefühl vergleichen; 45 ist geraten. Mehr als 9 (fett): Sie werden sie wahrscheinlich nicht unterscheiden. Doppelklick: die beiden vergleichen.</translation>
     </message>
     <message>
         <source>Predicted errors in 90 of every pair</source>
@@ -3735,6 +3675,14 @@
     <message>
         <source>Open two buttons or more to compare them.</source>
         <translation>Öffnen Sie zwei Taster oder mehr, um sie zu vergleichen.</translation>
+    </message>
+    <message>
+        <source>Errors in 90 that people make when they compare two buttons by feel; 45 is guessing. At most 9: they tell them apart; bold where that is not sure. Double click: compare the two.</source>
+        <translation>Fehler in 90, die Menschen machen, wenn sie zwei Taster nach Gefühl vergleichen; 45 ist geraten. Höchstens 9: Sie unterscheiden sie; fett, wo das nicht sicher ist. Doppelklick: die beiden vergleichen.</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
     </message>
 </context>
 <context>
@@ -7748,6 +7696,73 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Save or export the picture again and import the new file</source>
         <translation>Speichern oder exportieren Sie das Bild noch einmal, und importieren Sie die neue Datei</translation>
+    </message>
+</context>
+<context>
+    <name>detent::playback</name>
+    <message>
+        <source>how strong it is</source>
+        <translation>wie stark er ist</translation>
+    </message>
+    <message>
+        <source>when the click comes</source>
+        <translation>wann der Klick kommt</translation>
+    </message>
+    <message>
+        <source>how hard one has to press</source>
+        <translation>wie fest man drücken muss</translation>
+    </message>
+    <message>
+        <source>how far it seems to yield</source>
+        <translation>wie weit er nachzugeben scheint</translation>
+    </message>
+    <message>
+        <source>hardly an error in 90</source>
+        <translation>kaum ein Fehler in 90</translation>
+    </message>
+    <message>
+        <source>about %1 errors in 90</source>
+        <translation>etwa %1 Fehler in 90</translation>
+    </message>
+    <message>
+        <source>%1 to %2 errors in 90</source>
+        <translation>%1 bis %2 Fehler in 90</translation>
+    </message>
+    <message>
+        <source>people tell these apart: %1</source>
+        <translation>Menschen unterscheiden diese: %1</translation>
+    </message>
+    <message>
+        <source>people do not tell these apart: %1</source>
+        <translation>Menschen unterscheiden diese nicht: %1</translation>
+    </message>
+    <message>
+        <source>whether people tell these apart cannot be said: %1</source>
+        <translation>ob Menschen diese unterscheiden, lässt sich nicht sagen: %1</translation>
+    </message>
+    <message>
+        <source>told apart: %1</source>
+        <translation>unterschieden: %1</translation>
+    </message>
+    <message>
+        <source>not told apart: %1</source>
+        <translation>nicht unterschieden: %1</translation>
+    </message>
+    <message>
+        <source>cannot be said: %1</source>
+        <translation>nicht zu sagen: %1</translation>
+    </message>
+    <message>
+        <source>nothing differs</source>
+        <translation>nichts unterscheidet sich</translation>
+    </message>
+    <message>
+        <source>most differs on the press: %1</source>
+        <translation>am meisten verschieden beim Drücken: %1</translation>
+    </message>
+    <message>
+        <source>most differs on the release: %1</source>
+        <translation>am meisten verschieden auf dem Rückweg: %1</translation>
     </message>
 </context>
 <context>

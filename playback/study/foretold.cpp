@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "playback/study.h"
+#include "playback/study/perception/forecast_words.h"
 
 namespace detent::playback {
 
@@ -22,8 +23,7 @@ Result<std::vector<FeltButton>> feltIn(const Study& study, FeedbackMode mode) {
 
 }  // namespace
 
-Result<std::vector<ForetoldPair>> foretold(const Study& study,
-                                           const std::function<std::string(const PredictedPair&)>& reason) {
+Result<std::vector<ForetoldPair>> foretold(const Study& study) {
   std::vector<ForetoldPair> told;
   if (!asksForX(study.design.kind)) return told;
   for (const FeedbackMode mode : study.design.modes) {
@@ -32,8 +32,9 @@ Result<std::vector<ForetoldPair>> foretold(const Study& study,
     const auto pairs = pairsOf(felt->size());
     const std::vector<PredictedPair> predicted = predictAll(*felt);
     for (std::size_t i = 0; i < pairs.size(); ++i) {
-      told.push_back({mode, pairs[i].first, pairs[i].second, predicted[i].dPrime, predicted[i].shareOfErrors,
-                      reason(predicted[i])});
+      const PredictedPair& pair = predicted[i];
+      told.push_back({mode, pairs[i].first, pairs[i].second, pair.dPrime, pair.shareOfErrors,
+                      english(verdictOf(pair)), english(reasonOf(pair))});
     }
   }
   return told;

@@ -133,6 +133,12 @@ Cue StrokeDifference::cue() const {
   return travel == most ? Cue::travel : Cue::force;
 }
 
+Verdict PredictedPair::verdict() const {
+  constexpr double bar = 0.1;  // K&L: at most one error in ten trials
+  if (mostShareOfErrors <= bar) return Verdict::toldApart;
+  return leastShareOfErrors > bar ? Verdict::notToldApart : Verdict::cannotBeSaid;
+}
+
 PredictedPair predictConfusion(const FeltButton& a, const FeltButton& b, const ConfusionSettings& settings) {
   PredictedPair clearest;
   const std::size_t states = std::max(a.states.size(), b.states.size());

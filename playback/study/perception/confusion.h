@@ -44,6 +44,10 @@ struct ConfusionSettings {
   SensitivityRange range;     ///< further factors, for the range of errors
 };
 
+/// What the range of a forecast bears: that people tell two buttons apart (at most one error in ten, the bar of K&L's test, at both of
+/// its ends), that they do not (more, at both), or neither.
+enum class Verdict : std::uint8_t { toldApart, notToldApart, cannotBeSaid };
+
 /// One forecast. "Errors" are those of an ABX test with mixed pairs.
 struct PredictedPair {
   double dPrime = 0;              ///< mean over quick and slow presses
@@ -57,8 +61,8 @@ struct PredictedPair {
   double errorsPer90() const { return 90 * shareOfErrors; }
   double leastErrorsPer90() const { return 90 * leastShareOfErrors; }
   double mostErrorsPer90() const { return 90 * mostShareOfErrors; }
-  /// People probably tell them apart: d' at which one error in ten is expected, the bar of K&L's test.
-  bool distinguishable() const { return shareOfErrors <= 0.1; }
+  Verdict verdict() const;
+  bool toldApart() const { return verdict() == Verdict::toldApart; }
 };
 
 /// Symmetric; 0 for a button and itself. A few milliseconds. Any thread.

@@ -33,13 +33,13 @@ class Search {
 
   /// The first factor on the way from 1 to `farthest` at which the two are told apart.
   std::optional<Suggestion> along(Lever lever, double farthest) const {
-    constexpr int strides = 6;
+    constexpr int strides = 12;
     int below = 100;
     for (int i = 1; i <= strides; ++i) {
       const int percent = static_cast<int>(std::lround(100 * std::pow(farthest, double(i) / strides)));
       std::optional<Suggestion> found = attempt(lever, percent);
       if (!found) return {};
-      if (found->forecast.distinguishable()) return narrowed(lever, below, percent, *std::move(found));
+      if (found->forecast.toldApart()) return narrowed(lever, below, percent, *std::move(found));
       below = percent;
     }
     return {};
@@ -62,7 +62,7 @@ class Search {
       const int middle = (below + above) / 2;
       std::optional<Suggestion> tried = attempt(lever, middle);
       if (!tried) break;
-      if (tried->forecast.distinguishable()) {
+      if (tried->forecast.toldApart()) {
         above = middle;
         found = *std::move(tried);
       } else {
@@ -88,7 +88,7 @@ Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const 
   Result<FeltButton> felt = feel(other, settings.perception, cancelled);
   if (!felt) return felt.failure();
   std::vector<Suggestion> suggestions;
-  if (predictConfusion(*itself, *felt, settings.confusion).distinguishable()) return suggestions;
+  if (predictConfusion(*itself, *felt, settings.confusion).toldApart()) return suggestions;
   const Search search(button, *felt, settings, cancelled);
   for (const Lever lever : {Lever::snap, Lever::travel, Lever::force})
     for (const double farthest : {settings.largestFactor, 1 / settings.largestFactor})

@@ -25,12 +25,12 @@ struct Suggestion {
 };
 
 struct DesignHelpSettings {
-  double largestFactor = 2;  ///< and its inverse: what goes further is another button
+  double largestFactor = 4;  ///< and its inverse: what goes further is another button
   PerceptionSettings perception;
   ConfusionSettings confusion;
 };
 
-/// The least change by each lever that makes the forecast PredictedPair::distinguishable(), smallest change first; empty where
+/// The least change by each lever that makes the forecast PredictedPair::toldApart(), smallest change first; empty where
 /// none does, or where the two are far enough apart already. `cancelled` empties it, too. About a second.
 /// Failure: as feel().
 Result<std::vector<Suggestion>> makeDistinguishable(const Button& button, const Button& other,

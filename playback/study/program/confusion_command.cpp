@@ -14,6 +14,7 @@
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
 #include "playback/study/perception/design_help.h"
+#include "playback/study/perception/forecast_words.h"
 
 namespace detent::playback {
 
@@ -47,6 +48,11 @@ Result<PerceptionSettings> perceptionOf(const ConfusionArguments& a) {
   return settings;
 }
 
+const char* wordOf(Verdict verdict) {
+  if (verdict == Verdict::toldApart) return "told apart";
+  return verdict == Verdict::notToldApart ? "not told apart" : "cannot be said";
+}
+
 Json jsonOf(const std::string& a, const std::string& b, const PredictedPair& pair) {
   return {{"a", a},
           {"b", b},
@@ -54,15 +60,13 @@ Json jsonOf(const std::string& a, const std::string& b, const PredictedPair& pai
           {"errors_per_90", pair.errorsPer90()},
           {"errors_low", pair.leastErrorsPer90()},
           {"errors_high", pair.mostErrorsPer90()},
-          {"reason", reasonOf(pair)}};
+          {"verdict", wordOf(pair.verdict())},
+          {"reason", english(reasonOf(pair))}};
 }
 
 void say(const std::string& a, const std::string& b, const PredictedPair& pair) {
-  std::fprintf(stderr,
-               "%s | %s: people will probably %stell these apart: about %.0f errors in 90, %.0f to %.0f (d' "
-               "%.1f); %s\n",
-               a.c_str(), b.c_str(), pair.distinguishable() ? "" : "not ", pair.errorsPer90(),
-               pair.leastErrorsPer90(), pair.mostErrorsPer90(), pair.dPrime, reasonOf(pair).c_str());
+  std::fprintf(stderr, "%s | %s: %s; %s (d' %.1f)\n", a.c_str(), b.c_str(), english(verdictOf(pair)).c_str(),
+               english(reasonOf(pair)).c_str(), pair.dPrime);
 }
 
 const char* nameOf(Lever lever) {
@@ -76,10 +80,11 @@ int suggest(const Button& button, const Button& other, const PerceptionSettings&
   settings.perception = perception;
   Result<std::vector<Suggestion>> found = makeDistinguishable(button, other, settings, cancelled);
   if (!found) return fail(found.failure());
-  if (found->empty()) std::fprintf(stderr, "  no single change of up to a factor 2 tells them apart\n");
+  if (found->empty())
+    std::fprintf(stderr, "  no single change of up to a factor 4 is sure to tell them apart\n");
   for (const Suggestion& s : *found)
-    std::fprintf(stderr, "  %s of \"%s\" x %.2f: d' %.1f\n", nameOf(s.lever), button.name().c_str(), s.factor,
-                 s.forecast.dPrime);
+    std::fprintf(stderr, "  %s of \"%s\" x %.2f: %s\n", nameOf(s.lever), button.name().c_str(), s.factor,
+                 english(errorsOf(s.forecast)).c_str());
   return 0;
 }
 
@@ -104,7 +109,7 @@ int run(const ConfusionArguments& a, const Cancelled& cancelled) {
     for (std::size_t first = 0; first < second; ++first, ++at) {
       list.push_back(jsonOf(felt[first].name, felt[second].name, pairs[at]));
       say(felt[first].name, felt[second].name, pairs[at]);
-      if (!a.suggest || pairs[at].distinguishable()) continue;
+      if (!a.suggest || pairs[at].toldApart()) continue;
       if (const int code = suggest((*buttons)[second], (*buttons)[first], *settings, cancelled); code != 0)
         return code;
     }
@@ -113,29 +118,15 @@ int run(const ConfusionArguments& a, const Cancelled& cancelled) {
   return 0;
 }
 
-const char* strokeName(bool press) { return press ? "press" : "release"; }
-
 }  // namespace
-
-std::string reasonOf(const PredictedPair& pair) {
-  if (pair.dPrime <= 0) return "nothing differs";
-  const StrokeDifference& stroke = pair.onPress ? pair.press : pair.release;
-  const char* cue = pair.cue == Cue::strength ? "how strong it is"
-                    : pair.cue == Cue::timing ? "when the click comes"
-                    : pair.cue == Cue::force  ? "how hard one has to press"
-                                              : "how far it seems to yield";
-  char text[160];
-  std::snprintf(text, sizeof text, "most on the %s: %s (%.1f noticeable steps)", strokeName(pair.onPress),
-                cue, stroke.largest());
-  return text;
-}
 
 void addConfusionCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
       "confusion", "Will people tell these buttons apart? A forecast (docs/predicted-confusion.md)");
   const auto a = std::make_shared<ConfusionArguments>();
   app->add_option("BUTTON", a->buttons, "*.button.json, at least two")->required()->expected(2, 1000);
-  app->add_flag("--suggest", a->suggest, "For pairs that are confused: the smallest change that helps");
+  app->add_flag("--suggest", a->suggest,
+                "For pairs not surely told apart: the smallest change after which they are");
   addFeelOptions(*app, a->feel);
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });

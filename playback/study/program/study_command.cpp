@@ -17,7 +17,6 @@
 #include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
 #include "playback/study.h"
-#include "playback/study/program/confusion_command.h"
 #include "playback/study/program/study_terminal.h"
 #include "playback/study/trials/printed_counts.h"
 
@@ -283,7 +282,7 @@ Result<std::vector<ForetoldPair>> foretoldIn(const std::string& folder) {
   if (!study) return study.failure();
   if (!asksForX(study->design.kind))
     return std::vector<ForetoldPair>{};  // it foretells who is taken for whom
-  return foretold(*study, reasonOf);
+  return foretold(*study);
 }
 
 int runReport(const ReadArguments& a) {

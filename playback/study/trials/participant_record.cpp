@@ -246,8 +246,11 @@ Result<ParticipantRecord> readParticipant(const Study& study, const std::filesys
   Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
   const JournalText journal = splitJournal(*text);
+  Result<ParticipantRecord> record =
+      replayJournal(study, file.stem().string(), journal.lines, journal.unfinished, file.string());
+  if (!record) return record;
   if (Result<Done> ok = checkHead(file, journal.lines); !ok) return ok.failure();
-  return replayJournal(study, file.stem().string(), journal.lines, journal.unfinished, file.string());
+  return record;
 }
 
 }  // namespace
@@ -311,6 +314,7 @@ std::string headerLine(const Study& study, const std::string& participant, std::
   return chained({{"format", "detent-study-journal"},
                   {"version", journalVersion},
                   {"participant", participant},
+                  {"head", true},
                   {"begun_before", begunBefore},
                   {"route", jsonOf(route)},
                   {"study", study.name},
@@ -377,16 +381,36 @@ Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, 
   return writeTextFileAtomically(headFileOf(journal).string(), std::to_string(lines) + " " + chain + "\n");
 }
 
+namespace {
+
+/// Whether a journal says that a head lies beside it; those of version 0.2 had none at first.
+bool hadHead(const std::vector<std::string>& lines) {
+  if (lines.empty()) return false;
+  const Json header = Json::parse(lines.front(), nullptr, false);
+  return header.is_object() && header.value("head", false);
+}
+
+}  // namespace
+
 Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<std::string>& lines) {
   const std::filesystem::path file = headFileOf(journal);
   std::error_code error;
-  if (!std::filesystem::exists(file, error)) return Done{};
+  if (!std::filesystem::exists(file, error)) {
+    if (!hadHead(lines)) return Done{};
+    return Failure{FailureCode::unreadableInput, journal.string(), "",
+                   "had a file \"" + file.filename().string() +
+                       "\" beside it that is gone: whether its end was cut off cannot be told",
+                   "Restore both from a copy"};
+  }
   const Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
   std::istringstream head(*text);
   std::size_t count = 0;
   std::string chain;
-  head >> count >> chain;
+  if (!(head >> count))
+    return Failure{FailureCode::unreadableInput, file.string(), "", "does not say how long the journal was",
+                   "Restore both from a copy"};
+  head >> chain;
   if (count <= lines.size() &&
       chainAfter({lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(count)}) == chain)
     return Done{};

@@ -137,11 +137,11 @@ std::string answerLine(const Study& study, const Trial& trial, const Answer& ans
 std::string interruptionLine(const Trial& trial, const std::string& reason, std::string& chain);
 std::string endLine(const std::string& reason, std::string& chain);
 
-/// What the journal held when it was last written, beside it: a journal whose end was cut off or that was emptied is noticed. Written after the
-/// journal; a crash between leaves it behind by a line.
+/// What the journal held when it was last written, beside it: a journal whose end was cut off or that was emptied is noticed. Written before
+/// the first line, which says so, and after each line; a crash between leaves it behind by a line.
 std::filesystem::path headFileOf(const std::filesystem::path& journal);
 Result<Done> writeHead(const std::filesystem::path& journal, std::size_t lines, const std::string& chain);
-/// Failure unreadableInput: the journal holds less than it held. Without a head nothing is known.
+/// Failure unreadableInput: the journal holds less than it held, or its head is gone. Journals begun before heads were kept have none.
 Result<Done> checkHead(const std::filesystem::path& journal, const std::vector<std::string>& lines);
 
 /// The hash after those lines.

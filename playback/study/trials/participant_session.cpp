@@ -71,6 +71,8 @@ Result<ParticipantSession> ParticipantSession::open(const Study& study, const st
   session.file_ = file;
   session.lines_ = text.lines.size();
   if (text.lines.empty()) {
+    // Before the first line: one that says that a head lies beside it must be right after a crash, too.
+    if (Result<Done> ok = writeHead(file, 0, {}); !ok) return ok.failure();
     std::string chain = session.chain_;
     const std::string line = headerLine(study, participant, *others, start.route, chain);
     if (Result<Done> ok = session.append(line, chain); !ok) return ok.failure();

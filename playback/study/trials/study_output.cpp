@@ -38,25 +38,6 @@ std::string seconds(double s) { return formatted("%.6f", s); }
 
 std::string intervalText(const Interval& i) { return formatted("%.1f-%.1f", 100 * i.low, 100 * i.high); }
 
-/// Labels of at most `width` bytes that still differ: those that would come out alike get a number.
-std::vector<std::string> shortened(const std::vector<std::string>& labels, std::size_t width) {
-  const auto cut = [](const std::string& text, std::size_t length) {
-    while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;  // no half letter
-    return text.substr(0, length);
-  };
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    std::string name = cut(labels[i], width);
-    const auto alike = [&](const std::string& other) { return cut(other, width) == name; };
-    if (std::count_if(labels.begin(), labels.end(), alike) > 1) {
-      const std::string number = "~" + std::to_string(i + 1);
-      name = cut(labels[i], width - number.size()) + number;
-    }
-    names.push_back(std::move(name));
-  }
-  return names;
-}
-
 /// Blanks behind, or before, up to so many letters.
 std::string left(const std::string& text, std::size_t width) {
   return text + std::string(width - std::min(width, widthOf(text)), ' ');

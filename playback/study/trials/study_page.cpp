@@ -112,7 +112,9 @@ std::string table2(const StudyResults& results, const GroupResult& group) {
          "</table></section>\n";
 }
 
-constexpr double barsLeft = 130, barsWidth = 430, barHeight = 14, barStep = 24;
+constexpr double barsWidth = 430, barHeight = 14, barStep = 24;
+constexpr double letterWidth = 7.5, besideBars = 16;  // of the chart's 12 px letters
+constexpr std::size_t barLabelBytes = 16;             // of one of the two
 
 /// A scale's end that leaves room for the longest interval: 5, 10, 20, 50 or 100 %.
 double scaleEnd(const GroupResult& group) {
@@ -124,6 +126,11 @@ double scaleEnd(const GroupResult& group) {
 }
 
 std::string bars(const StudyResults& results, const GroupResult& group) {
+  const std::vector<std::string> labels = shortened(results.labels, barLabelBytes);
+  std::size_t longest = 0;
+  for (const PairResult& pair : group.pairs)
+    longest = std::max(longest, widthOf(pairName(labels, pair.first, pair.second)));
+  const double barsLeft = besideBars + letterWidth * static_cast<double>(longest);
   const double end = scaleEnd(group), perShare = barsWidth / end;
   const double height = barStep * static_cast<double>(group.pairs.size()) + 30;
   std::string text =
@@ -138,10 +145,10 @@ std::string bars(const StudyResults& results, const GroupResult& group) {
   }
   double y = 4;
   for (const PairResult& pair : group.pairs) {
-    const std::string name = results.labels[pair.first] + "–" + results.labels[pair.second];
     const double middle = y + barHeight / 2, rate = rateOf(pair.errors);
-    text += formatted("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%s</text>", barsLeft - 8, middle + 4,
-                      escapedForMarkup(name.size() > 24 ? name.substr(0, 24) : name).c_str());
+    text += formatted("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">", barsLeft - 8, middle + 4) +
+            escapedForMarkup(pairName(labels, pair.first, pair.second)) + "<title>" +
+            escapedForMarkup(pairName(results.labels, pair.first, pair.second)) + "</title></text>";
     text += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#3567a8\"/>",
                       barsLeft, y, rate * perShare, barHeight);
     text += formatted(
@@ -162,7 +169,7 @@ std::string pairTable(const StudyResults& results, const GroupResult& group) {
       "</h2>\n<table><tr><th>Pair</th><th>Errors</th><th>Wilson 95 %</th><th>Clopper–Pearson</th>"
       "<th>d′ differencing</th><th>d′ independent</th><th>Failed</th></tr>\n";
   for (const PairResult& pair : group.pairs) {
-    text += "<tr>" + cell(escapedForMarkup(results.labels[pair.first] + "–" + results.labels[pair.second])) +
+    text += "<tr>" + cell(escapedForMarkup(pairName(results.labels, pair.first, pair.second))) +
             cell(formatted("%zu / %zu", pair.errors.errors, pair.errors.trials)) +
             cell(interval(pair.wilson)) + cell(interval(pair.clopperPearson)) +
             cell(sensitivity(pair.sensitivity, pair.sensitivity.differencing) +
@@ -231,16 +238,15 @@ std::string foretoldTable(const StudyResults& results, const GroupResult& group,
     if (seen == nullptr || pair.mode != group.mode) continue;
     found.push_back(rateOf(seen->errors));
     told.push_back(pair.errorRate);
-    lines += "<tr>" + cell(escapedForMarkup(results.labels[pair.first] + "–" + results.labels[pair.second])) +
-             cell(formatted("%.2f", pair.dPrime)) +
-             cell(formatted("%.1f", pair.errorRate * static_cast<double>(seen->errors.trials))) +
-             cell(std::to_string(seen->errors.errors)) + "<td class=\"words\">" +
-             escapedForMarkup(pair.reason) + "</td></tr>\n";
+    lines += "<tr>" + cell(escapedForMarkup(pairName(results.labels, pair.first, pair.second))) +
+             cell(formatted("%.1f", pair.dPrime)) + "<td class=\"words\">" + escapedForMarkup(pair.verdict) +
+             "</td>" + cell(formatted("%zu / %zu", seen->errors.errors, seen->errors.trials)) +
+             "<td class=\"words\">" + escapedForMarkup(pair.reason) + "</td></tr>\n";
   }
   if (lines.empty()) return {};
   return "<section><h2>Foretold and found: " + escapedForMarkup(group.condition) +
-         "</h2>\n<table><tr><th>Pair</th><th>d′ foretold</th><th>Errors foretold</th><th>found</th>"
-         "<th class=\"words\">What differs</th></tr>\n" +
+         "</h2>\n<table><tr><th>Pair</th><th>d′ foretold</th><th class=\"words\">Foretold</th>"
+         "<th>Errors found</th><th class=\"words\">What differs</th></tr>\n" +
          lines +
          formatted(
              "<caption>Rank correlation (Spearman) of foretold and found: %.2f over %zu pairs (one-sided p = "
@@ -260,7 +266,7 @@ std::string comparisons(const StudyResults& results) {
       "<th>Difference of error rates</th><th>95 %</th><th>p</th><th>p, Holm</th></tr>\n";
   for (const GroupComparison& c : results.comparisons) {
     const std::string pair =
-        c.pair ? results.labels[pairs[*c.pair].first] + "–" + results.labels[pairs[*c.pair].second] : "all";
+        c.pair ? pairName(results.labels, pairs[*c.pair].first, pairs[*c.pair].second) : "all";
     text += "<tr>" + cell(escapedForMarkup(c.first + " − " + c.second)) + "<td class=\"words\">" +
             escapedForMarkup(pair) + "</td>" +
             cell(formatted("%zu%s", c.participants, c.paired ? ", in both" : "")) +

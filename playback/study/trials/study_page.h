@@ -15,7 +15,8 @@ struct ForetoldPair {
   FeedbackMode mode = FeedbackMode::full;
   std::size_t first = 0, second = 0;
   double dPrime = 0;
-  double errorRate = 0;  ///< [0, 0.5]
+  double errorRate = 0;  ///< [0, 0.5]; for the order of the pairs, not for reading
+  std::string verdict;   ///< "people tell these apart: 0 to 7 errors in 90"
   std::string reason;
 };
 

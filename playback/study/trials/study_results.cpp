@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 #include <tuple>
 
 #include "playback/study/statistics/abx_sensitivity.h"
@@ -258,7 +259,23 @@ std::vector<GroupComparison> comparisonsOf(const Study& study, const std::vector
   return whole;
 }
 
+/// Every journal tells how many there were when it was begun: one that was taken out of the folder with its head is missed.
+void warnOfMissing(StudyResults& results, const std::vector<ParticipantRecord>& participants) {
+  std::size_t most = 0;
+  const ParticipantRecord* latest = nullptr;
+  for (const ParticipantRecord& p : participants) {
+    if (p.damage || p.begunBefore < most) continue;
+    most = p.begunBefore;
+    latest = &p;
+  }
+  if (latest != nullptr && most + 1 > participants.size())
+    results.warnings.push_back(std::to_string(most + 1 - participants.size()) + " who began before " +
+                               latest->participant +
+                               " are no longer in the folder: their journals were taken out");
+}
+
 void warn(StudyResults& results, const Study& study, const std::vector<ParticipantRecord>& participants) {
+  warnOfMissing(results, participants);
   for (const ParticipantRecord& p : participants) {
     if (p.damage) {
       results.warnings.push_back(p.participant + " is left out: " + p.damage->sentence());
@@ -301,6 +318,27 @@ std::string pairName(const std::vector<std::string>& labels, std::size_t first, 
                      [&](const std::string& label) { return label.find(between) != std::string::npos; }))
       return labels[first] + between + labels[second];
   return std::to_string(first + 1) + "-" + std::to_string(second + 1);
+}
+
+std::vector<std::string> shortened(const std::vector<std::string>& labels, std::size_t width) {
+  const auto cut = [](const std::string& text, std::size_t length) {
+    while (length > 0 && length < text.size() && (text[length] & 0xc0) == 0x80) --length;  // no half letter
+    return text.substr(0, length);
+  };
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < labels.size(); ++i) {
+    std::string name = cut(labels[i], width);
+    const auto alike = [&](const std::string& other) { return cut(other, width) == name; };
+    if (std::count_if(labels.begin(), labels.end(), alike) > 1) {
+      const std::string number = "~" + std::to_string(i + 1);
+      name = cut(labels[i], width - number.size()) + number;
+    }
+    names.push_back(std::move(name));
+  }
+  if (std::set<std::string>(names.begin(), names.end()).size() == names.size()) return names;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    names[i] = "~" + std::to_string(i + 1);  // a label is called so
+  return names;
 }
 
 DiscriminationRule discriminationRule(std::size_t trials, double level) {

@@ -130,6 +130,9 @@ struct StudyResults {
 /// A pair as it is named: "A-B"; where a label holds that hyphen "A | B", or numbers, so that no two pairs are named alike.
 std::string pairName(const std::vector<std::string>& labels, std::size_t first, std::size_t second);
 
+/// Labels of at most `width` bytes (4 or more) that still differ: those that would come out alike get a number, "Long~2".
+std::vector<std::string> shortened(const std::vector<std::string>& labels, std::size_t width);
+
 StudyResults resultsOf(const Study& study, const std::vector<ParticipantRecord>& participants);
 
 }  // namespace detent::playback

@@ -9,6 +9,7 @@
 #include "model/file/button_file.h"
 #include "playback/study/perception/confusion.h"
 #include "playback/study/perception/design_help.h"
+#include "playback/study/perception/forecast_words.h"
 #include "playback/study/perception/middle.h"
 #include "playback/study/statistics/rank_correlation.h"
 #include "tests/playback/study/perception/baselines.h"
@@ -95,7 +96,7 @@ TEST_CASE(
   const PredictedPair same = predictConfusion(b, b);
   CHECK(same.dPrime == 0);
   CHECK(same.errorsPer90() == Approx(45));
-  CHECK_FALSE(same.distinguishable());
+  CHECK_FALSE(same.toldApart());
   const FeltButton c = felt(sample("C")), f = felt(sample("F"));
   CHECK(predictConfusion(b, c).dPrime == Approx(predictConfusion(c, b).dPrime));
   CHECK(predictConfusion(b, f).dPrime > predictConfusion(b, c).dPrime);
@@ -112,7 +113,7 @@ TEST_CASE("confusion: a force is felt as such: more of it is told apart, step by
     CHECK(pair.dPrime > before);
     CHECK(pair.cue == Cue::force);
     before = pair.dPrime;
-    if (factor == 3.0) CHECK(pair.distinguishable());
+    if (factor == 3.0) CHECK(pair.toldApart());
   }
 }
 
@@ -128,6 +129,31 @@ TEST_CASE("confusion: a millinewton more is hardly a difference, where it counts
     press.release.meanForce_N += 0.001;
   }
   CHECK(std::fabs(predictConfusion(itself, other).dPrime - before) <= 0.02);
+}
+
+TEST_CASE("confusion: a verdict says what the whole range bears, and its sentence no more") {
+  const auto pair = [](double least, double most) {
+    PredictedPair p;
+    p.dPrime = 1;
+    p.leastShareOfErrors = least / 90;
+    p.mostShareOfErrors = most / 90;
+    return p;
+  };
+  CHECK(pair(0, 9).verdict() == Verdict::toldApart);
+  CHECK(pair(0, 9.1).verdict() == Verdict::cannotBeSaid);
+  CHECK(pair(5, 36).verdict() == Verdict::cannotBeSaid);  // B and C: 7 of 9 people told them apart
+  CHECK(pair(9.1, 36).verdict() == Verdict::notToldApart);
+  CHECK(english(verdictOf(pair(0, 7))) == "people tell these apart: 0 to 7 errors in 90");
+  CHECK(english(verdictOf(pair(5.2, 36))) ==
+        "whether people tell these apart cannot be said: 5 to 36 errors in 90");
+  CHECK(english(verdictOf(pair(12, 40))) == "people do not tell these apart: 12 to 40 errors in 90");
+  CHECK(english(errorsOf(pair(0, 0.2))) == "hardly an error in 90");
+}
+
+TEST_CASE("confusion: no pair that most of K&L's noisy group told apart is said not to be") {
+  std::vector<FeltButton> buttons;
+  for (const char* name : {"A", "B", "C", "D", "E", "F"}) buttons.push_back(felt(sample(name)));
+  for (const PredictedPair& pair : predictAll(buttons)) CHECK(pair.verdict() != Verdict::notToldApart);
 }
 
 TEST_CASE(
@@ -216,7 +242,7 @@ TEST_CASE("make distinguishable: every offer, applied by the factor that is told
   const std::vector<Button> buttons{sample("B"), sample("C"), sample("D"), sample("E")};
   for (const Button& button : buttons)
     for (const Button& other : buttons) {
-      const bool apart = predictConfusion(felt(button), felt(other)).distinguishable();
+      const bool apart = predictConfusion(felt(button), felt(other)).toldApart();
       const Result<std::vector<Suggestion>> found = makeDistinguishable(button, other);
       REQUIRE(found);
       CHECK((!apart || found->empty()));
@@ -226,12 +252,12 @@ TEST_CASE("make distinguishable: every offer, applied by the factor that is told
         const Result<Button> changed =
             s.lever == Lever::travel ? scaleTravel(button, told) : scaleForce(button, told);
         REQUIRE(changed);
-        CHECK(predictConfusion(felt(*changed), felt(other)).distinguishable());
+        CHECK(predictConfusion(felt(*changed), felt(other)).toldApart());
         const double less = told + (told > 1 ? -0.01 : 0.01);
         const Result<Button> nearly =
             s.lever == Lever::travel ? scaleTravel(button, less) : scaleForce(button, less);
         REQUIRE(nearly);
-        CHECK_FALSE(predictConfusion(felt(*nearly), felt(other)).distinguishable());
+        CHECK_FALSE(predictConfusion(felt(*nearly), felt(other)).toldApart());
       }
     }
 }
@@ -244,7 +270,7 @@ TEST_CASE("make distinguishable: the change is within bounds, passes the bar, an
   REQUIRE_FALSE(found->empty());
   double before = 0;
   for (const Suggestion& s : *found) {
-    CHECK(s.forecast.distinguishable());
+    CHECK(s.forecast.toldApart());
     CHECK(std::fabs(std::log(s.factor)) <= std::log(settings.largestFactor) + 1e-9);
     CHECK(std::fabs(std::log(s.factor)) >= before);
     before = std::fabs(std::log(s.factor));

@@ -340,11 +340,36 @@ TEST_CASE("journal: whole lines cut off its end, emptied or gone, it is noticed"
   CHECK(damaged());
   fs::remove(file);
   CHECK(damaged());
+  std::ofstream(file, std::ios::binary) << text;
+  const std::string head = *readTextFile(headFileOf(file).string());
+  for (const char* worthless : {"", "abc\n"}) {
+    std::ofstream(headFileOf(file), std::ios::binary) << worthless;
+    CHECK(damaged());
+  }
+  fs::remove(
+      headFileOf(file));  // what it would tell is not known then, and the journal says that it was there
+  CHECK(damaged());
+  std::ofstream(headFileOf(file), std::ios::binary) << head;
+  CHECK_FALSE(readParticipants(*made.study)->front().damage);
   // A head that is behind by a line is a crash between the two.
   std::ofstream(file, std::ios::binary) << text;
   std::ofstream(headFileOf(file)) << "1 " << chainAfter({text.substr(0, text.find('\n'))}) << "\n";
   CHECK_FALSE(readParticipants(*made.study)->front().damage);
   CHECK(ParticipantSession::open(*made.study, "P01", simulatedStart));
+}
+
+TEST_CASE("results: a person whose journal was taken out of the folder with its head is missed") {
+  const StudyFolder made;
+  for (const char* id : {"P01", "P02", "P03"}) answer(*made.study, id, "guess", 2);
+  const auto warned = [&] {
+    const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
+    return results.warnings.front().find("1 who began before P03") == 0;
+  };
+  CHECK_FALSE(warned());
+  fs::remove(made.folder() / "participants" / "P02.jsonl");
+  CHECK_FALSE(warned());  // its head tells it
+  fs::remove(made.folder() / "participants" / "P02.head");
+  CHECK(warned());
 }
 
 TEST_CASE("session: ids that sound alike are one person; who listened in one condition goes on in it") {
@@ -406,6 +431,7 @@ TEST_CASE("study: without stimuli, or with a session of a kind nobody knows, it 
 
   const StudyFolder other;
   std::string chain;
+  REQUIRE(writeHead(other.folder() / "participants" / "P01.jsonl", 0, {}));
   std::ofstream journal(other.folder() / "participants" / "P01.jsonl");
   journal << headerLine(*other.study, "P01", 0, {}, chain) << "\n";
   std::string line = sessionLine(simulatedStart, 0, chain);
@@ -618,6 +644,28 @@ TEST_CASE("results: every line of the text fits 80 columns, and long labels stil
   CHECK(lines.size() == 3);
 }
 
+TEST_CASE("page: every bar of the chart has a name of its own, however long the labels are") {
+  StudyResults results;
+  results.labels = {"switch with a long name, sample 1", "switch with a long name, sample 2", "c",
+                    "switch with a l~1"};
+  results.names = results.labels;
+  GroupResult group;
+  group.condition = "quiet";
+  for (const auto& [first, second] : pairsOf(results.labels.size()))
+    group.pairs.push_back(pairResult(first, second, {3, 90}));
+  results.groups.push_back(group);
+  const std::string page = resultsPage(results, {});
+  std::set<std::string> names;
+  std::size_t bars = 0;
+  for (std::size_t at = page.find("<title>", page.find("<svg")); at != std::string::npos;
+       at = page.find("<title>", at + 1), ++bars) {
+    const std::size_t begin = page.rfind('>', at - 1) + 1;
+    names.insert(page.substr(begin, at - begin));
+  }
+  CHECK(bars == 6);
+  CHECK(names.size() == bars);
+}
+
 TEST_CASE("results: no two pairs are named alike, whatever hyphens their labels hold") {
   const std::vector<std::string> plain{"A", "B"}, hyphens{"A-B", "C", "A", "B-C"}, both{"A-B", "C | D", "E"};
   CHECK(pairName(plain, 0, 1) == "A-B");
@@ -698,8 +746,9 @@ TEST_CASE("page: what was foretold of a mode stands beside what was found in it"
   const StudyFolder made;
   answer(*made.study, "P01", "perfect", 1000);
   const StudyResults results = resultsOf(*made.study, *readParticipants(*made.study));
-  ForetoldPair pair{FeedbackMode::full, 0, 1, 2, 0.1, "by its click"};
+  ForetoldPair pair{FeedbackMode::full, 0, 1, 2, 0.1, "nobody knows", "by its click"};
   CHECK(resultsPage(results, {pair}).find("by its click") != std::string::npos);
+  CHECK(resultsPage(results, {pair}).find("nobody knows") != std::string::npos);
   pair.mode = FeedbackMode::clickOnly;
   CHECK(resultsPage(results, {pair}).find("by its click") == std::string::npos);
 }

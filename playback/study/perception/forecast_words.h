@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A forecast in words: the same for the terminal, the report and the window, which translates them.
+
+#include "model/message.h"
+#include "playback/study/perception/confusion.h"
+
+namespace detent::playback {
+
+/// "2 to 12 errors in 90", of the range; "hardly an error in 90".
+Message errorsOf(const PredictedPair& pair);
+/// "People tell these apart: 0 to 7 errors in 90", where the whole range says so.
+Message verdictOf(const PredictedPair& pair);
+/// "told apart: 0 to 7 errors in 90", for a line of a list.
+Message shortVerdictOf(const PredictedPair& pair);
+/// "most differs on the press: when the click comes"; "nothing differs".
+Message reasonOf(const PredictedPair& pair);
+
+}  // namespace detent::playback
