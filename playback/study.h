@@ -24,6 +24,7 @@
 
 #include "playback/playback.h"
 #include "playback/study/perception/design_help.h"
+#include "playback/study/perception/forecast_words.h"
 #include "playback/study/trials/participant_session.h"
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"

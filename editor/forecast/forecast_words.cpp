@@ -5,7 +5,6 @@
 
 #include "editor/document/message_words.h"
 #include "editor/quantity/quantity.h"
-#include "playback/study/perception/forecast_words.h"
 
 namespace detent::editor {
 
