@@ -567,7 +567,7 @@ std::optional<QPointF> onCurve(const At& at, const PlotMapping& map, const Graph
 
 // A number on a flag at the curve; its words stand in the panel and beside the flag, as far as they are short.
 void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  constexpr double flag_px = 30, half_px = 8;
+  constexpr double flag_px = 46, half_px = 8;  // above a tactile point's force
   constexpr int longest = 32;
   for (std::size_t i = 0; i < scene.notes.size(); ++i) {
     const auto at = onCurve(scene.notes[i], map, scene);

@@ -192,6 +192,61 @@ bool isSameGraph(const FrameCorners& a, const FrameCorners& b) {
          leastShare * std::min(x.width() * x.height(), y.width() * y.height());
 }
 
+/// Where on the page a hand's edge of a frame meets a drawn line.
+class LineSnap {
+ public:
+  explicit LineSnap(PageView& view)
+      : picture_(view.state().sheet() ? &view.state().sheet()->picture : nullptr) {
+    const QPointF step = view.pageToWidget().map(QPointF(1, 0)) - view.pageToWidget().map(QPointF(0, 0));
+    reach_ = reach_px / std::max(1e-9, std::hypot(step.x(), step.y()));
+  }
+
+  importer::Box snapped(const importer::Box& box) const {
+    if (!picture_ || picture_->empty()) return box;
+    const double x0 = nearest(box.x0, box.y0, box.y1, true), x1 = nearest(box.x1, box.y0, box.y1, true);
+    const double y0 = nearest(box.y0, box.x0, box.x1, false), y1 = nearest(box.y1, box.x0, box.x1, false);
+    return x0 < x1 && y0 < y1 ? importer::Box{x0, y0, x1, y1} : box;
+  }
+
+ private:
+  static constexpr double reach_px = 7;      // of the screen: a hand without a magnifier
+  static constexpr int samples = 48;         // along an edge
+  static constexpr int leastContrast = 40;   // grey levels between a line and its ground
+  static constexpr double leastShare = 0.6;  // of the edge that the line must be seen along; a dashed one is
+
+  std::optional<int> grey(double across, double along, bool upright) const {
+    const auto color = picture_->colorAt(upright ? QPointF(across, along) : QPointF(along, across));
+    return color ? std::optional(qGray(color->rgb())) : std::nullopt;
+  }
+
+  // The place within reach at which most of the edge has ink; the middle of a thick line.
+  double nearest(double edge, double from, double to, bool upright) const {
+    const double step = 0.5 / picture_->pixelsPerUnit();
+    const int offsets = static_cast<int>(reach_ / step);
+    std::vector<int> seen(static_cast<std::size_t>(2 * offsets + 1), 0);
+    for (int i = 0; i < samples; ++i) {
+      const double along = from + (0.1 + 0.8 * i / (samples - 1)) * (to - from);
+      std::vector<int> greys;
+      for (int k = -offsets; k <= offsets; ++k)
+        greys.push_back(grey(edge + k * step, along, upright).value_or(-1));
+      std::vector<int> sorted = greys;
+      std::nth_element(sorted.begin(), sorted.begin() + offsets, sorted.end());
+      const int ground = sorted[static_cast<std::size_t>(offsets)];
+      for (std::size_t k = 0; k < greys.size(); ++k)
+        if (greys[k] >= 0 && std::abs(greys[k] - ground) >= leastContrast) ++seen[k];
+    }
+    const auto best = std::max_element(seen.begin(), seen.end());
+    if (*best < leastShare * samples) return edge;
+    const auto end = std::find_if(best, seen.end(), [&](int count) { return count < *best; });
+    const double middle =
+        static_cast<double>(best - seen.begin()) + 0.5 * static_cast<double>(end - best - 1);
+    return edge + (middle - offsets) * step;
+  }
+
+  const PagePicture* picture_;
+  double reach_ = 0;  // page units
+};
+
 class DrawFrameTool : public RectangleTool {
  public:
   using RectangleTool::RectangleTool;
@@ -199,11 +254,13 @@ class DrawFrameTool : public RectangleTool {
     return tr(
         "Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn. "
         "Over "
-        "the frame of the graph shown it corrects that; beside it it adds a graph.");
+        "the frame of the graph shown it corrects that; beside it it adds a graph. Its edges cling to "
+        "lines.");
   }
 
  private:
-  void take(const importer::Box& box) override {
+  void take(const importer::Box& drawn) override {
+    const importer::Box box = LineSnap(view_).snapped(drawn);
     const FrameCorners frame{{{box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}}};
     const auto shown = view_.shownCorners();
     if (view_.state().current() && (!shown || isSameGraph(frame, *shown))) {

@@ -131,14 +131,18 @@ QWidget* ComparePanel::figureSide() {
                                    tr("Copy the differences as CSV, in the units shown"));
   connect(copy, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(tableText()); });
   auto* buttons = new QHBoxLayout;
-  for (QPushButton* each : {more_, fewer_, swap, copy}) buttons->addWidget(each);
+  for (QPushButton* each : {more_, fewer_, swap}) buttons->addWidget(each);
   buttons->addStretch();
+  auto* below = new QHBoxLayout;
+  below->addWidget(copy);
+  below->addStretch();
   auto* side = new QWidget;
   auto* column = new QVBoxLayout(side);
   column->setContentsMargins(4, 2, 4, 2);
   column->addLayout(rows_ = new QVBoxLayout);
   column->addLayout(buttons);
   column->addWidget(table_, 1);
+  column->addLayout(below);
   column->addWidget(distance_);
   column->addWidget(forecast_);
   // Where there is no room for all of it, it scrolls.
@@ -209,16 +213,6 @@ QString ComparePanel::nameOf(const Side& side) const {
       ++before;
   }
   return before == 1 ? name : QStringLiteral("%1 #%2").arg(name).arg(before);
-}
-
-QString ComparePanel::title() const {
-  QStringList names;
-  for (const auto& side : sides_)
-    if (side->document) names << nameOf(*side);
-  if (names.size() == 2) return tr("%1 and %2").arg(names[0], names[1]);
-  return names.isEmpty()
-             ? QString()
-             : tr("%1 and %n other(s)", nullptr, static_cast<int>(names.size()) - 1).arg(names[0]);
 }
 
 void ComparePanel::removeLast() {

@@ -45,8 +45,6 @@ class ComparePanel : public QWidget {
   /// What the table says, with units, as CSV text; for the clipboard.
   QString tableText() const;
   const ComparePlot& plot() const { return *plot_; }
-  /// "B and C", "B and 3 others": for titles and file names.
-  QString title() const;
 
  signals:
   /// The plot is to be written as a picture.

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double firstOffset_N = 0.05;
 constexpr QuantityRange offsets_N{0, ForceGraph::maxForce_N};
-constexpr int listRows = 4;
+constexpr int listRows = 3;
 
 QTreeWidget* listOf(const char* name, const QString& accessible, const QStringList& heads) {
   auto* list = described(new QTreeWidget, name, {}, accessible);
@@ -29,6 +29,7 @@ QTreeWidget* listOf(const char* name, const QString& accessible, const QStringLi
   list->setRootIsDecorated(false);
   list->setAlternatingRowColors(true);
   list->setMinimumHeight((listRows + 1) * (list->fontMetrics().height() + 6));
+  list->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Ignored);
   list->setTabKeyNavigation(false);
   list->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   return list;
@@ -54,7 +55,7 @@ AnnotationsPanel::AnnotationsPanel(ButtonDocument& document, ViewSettings& setti
       oneEnd_(
           described(new QCheckBox(tr("&One end of the travel")), "linkOneEnd",
                     tr("Press and release of all states end at one displacement: where one goes, all go"))),
-      releaseFollows_(described(new QCheckBox(tr("&Release follows the press, lower by")), "linkRelease",
+      releaseFollows_(described(new QCheckBox(tr("&Release follows, lower by")), "linkRelease",
                                 tr("While the press is edited, the release is the press less this force"))),
       offset_(described(new QuantityField(Quantity::force, settings.units()), "linkOffset",
                         tr("How far the release lies below the press"))),
@@ -113,13 +114,15 @@ QWidget* AnnotationsPanel::versionsBox() {
   auto* column = new QVBoxLayout(box);
   column->addWidget(versions_);
   versionName_->setPlaceholderText(tr("Keep the button as it is now as …"));
-  column->addWidget(versionName_);
+  auto* nameRow = new QHBoxLayout;
+  nameRow->addWidget(versionName_, 1);
+  removeVersion_ = addButton(*nameRow, "versionRemove", tr("Remove"), tr("Take the chosen version away"));
+  column->addLayout(nameRow);
   auto* row = new QHBoxLayout;
   goBack_ =
       addButton(*row, "versionGoBack", tr("Go back to it"), tr("The button becomes the chosen version"));
   openVersion_ = addButton(*row, "versionOpen", tr("Open beside"),
                            tr("Open the chosen version as a button of its own, to compare it"));
-  removeVersion_ = addButton(*row, "versionRemove", tr("Remove"), tr("Take the chosen version away"));
   column->addLayout(row);
   connect(versionName_, &QLineEdit::returnPressed, this, &AnnotationsPanel::keepVersion);
   connect(goBack_, &QPushButton::clicked, this, &AnnotationsPanel::goBack);
@@ -142,7 +145,9 @@ QWidget* AnnotationsPanel::linksBox() {
   auto* column = new QVBoxLayout(box);
   column->addWidget(oneEnd_);
   auto* row = new QHBoxLayout;
-  row->addWidget(releaseFollows_);
+  column->addWidget(releaseFollows_);
+  constexpr int indent_px = 24;  // of what belongs to a check box
+  row->addSpacing(indent_px);
   row->addWidget(offset_);
   row->addStretch();
   column->addLayout(row);
@@ -300,9 +305,8 @@ void AnnotationsPanel::followLinks() {
   releaseFollows_->setChecked(links.releaseBelowPress_N.has_value());
   offset_->setUnits(settings_.units());
   if (links.releaseBelowPress_N) offset_->setValue(*links.releaseBelowPress_N);
-  pins_->setText(links.pinned.empty()
-                     ? tr("No point is pinned. P pins the selected one.")
-                     : tr("%n point(s) pinned", nullptr, static_cast<int>(links.pinned.size())));
+  pins_->setText(links.pinned.empty() ? tr("No point is pinned. P pins the selected one.")
+                                      : tr("Pinned points: %1").arg(links.pinned.size()));
   pins_->setWordWrap(true);
   unpin_->setEnabled(!links.pinned.empty());
 }

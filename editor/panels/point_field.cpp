@@ -20,6 +20,7 @@ namespace detent::editor {
 namespace {
 
 constexpr int scrubStep_px = 4;
+const QString widest = QStringLiteral("000.0000 cN/mm");
 constexpr double away_px = 18;  // of the point, so that it is seen
 constexpr QuantityRange anyLength_mm{-ForceGraph::maxTravel_mm, ForceGraph::maxTravel_mm},
     anyForce{-ForceGraph::maxForce_N, ForceGraph::maxForce_N};
@@ -80,6 +81,8 @@ PointField::Row PointField::makeRow(const char* name, const QString& text, Quant
   Row row;
   row.field = described(new QuantityField(quantity, settings_.units()), name);
   row.field->setRange(quantity == Quantity::length ? anyLength_mm : anyForce);
+  row.field->setButtonSymbols(QAbstractSpinBox::NoButtons);  // its name is dragged, its arrows are keys
+  row.field->setFixedWidth(fontMetrics().horizontalAdvance(widest) + row.field->sizeHint().height());
   row.label = new ScrubLabel(text, *row.field);
   row.field->setAccessibleName(QString(text).remove('&'));
   row.field->installEventFilter(this);
@@ -116,16 +119,30 @@ void PointField::fill(const Mark& mark) {
   slopeAfter_.label->setText(before ? tr("Slope a&fter") : tr("&Slope"));
 }
 
-// Beside the point, where there is room.
+// Beside the point, or above or below it: where there is room, it is seen. Else in the corner farthest from it.
 void PointField::place(CurvePoint at) {
   layout()->activate();
   resize(sizeHint());
   const QPointF point = canvas_.mapping().toPixel(at.displacement_mm, at.force_N);
-  const double right = point.x() + away_px, left = point.x() - away_px - width();
-  const double x = right + width() <= canvas_.width() ? right : std::max(0.0, left);
-  const double y =
-      std::clamp(point.y() - height() / 2.0, 0.0, std::max(0.0, double(canvas_.height() - height())));
-  move(static_cast<int>(x), static_cast<int>(y));
+  const QRectF room = canvas_.rect();
+  const double w = width(), h = height();
+  const auto within = [](double from, double length, double most) {
+    return std::clamp(from, 0.0, std::max(0.0, most - length));
+  };
+  const double x = within(point.x() - w / 2, w, room.width()),
+               y = within(point.y() - h / 2, h, room.height());
+  const QPointF places[] = {{point.x() + away_px, y},
+                            {point.x() - away_px - w, y},
+                            {x, point.y() + away_px},
+                            {x, point.y() - away_px - h}};
+  QPointF chosen(point.x() < room.center().x() ? std::max(0.0, room.width() - w) : 0,
+                 point.y() < room.center().y() ? std::max(0.0, room.height() - h) : 0);
+  for (const QPointF& place : places)
+    if (room.contains(QRectF(place, QSizeF(w, h)))) {
+      chosen = place;
+      break;
+    }
+  move(chosen.toPoint());
 }
 
 bool PointField::open(FirstValue first) {

@@ -2122,10 +2122,6 @@
         <translation>Drücken und Rückweg aller Zustände enden an einer Stelle: wohin eines geht, gehen alle</translation>
     </message>
     <message>
-        <source>&amp;Release follows the press, lower by</source>
-        <translation>&amp;Rückweg folgt dem Drücken, tiefer um</translation>
-    </message>
-    <message>
         <source>While the press is edited, the release is the press less this force</source>
         <translation>Während das Drücken bearbeitet wird, ist der Rückweg das Drücken weniger diese Kraft</translation>
     </message>
@@ -2233,12 +2229,13 @@
         <source>No point is pinned. P pins the selected one.</source>
         <translation>Kein Punkt ist angeheftet. P heftet den gewählten an.</translation>
     </message>
-    <message numerus="yes">
-        <source>%n point(s) pinned</source>
-        <translation>
-            <numerusform>%n Punkt angeheftet</numerusform>
-            <numerusform>%n Punkte angeheftet</numerusform>
-        </translation>
+    <message>
+        <source>&amp;Release follows, lower by</source>
+        <translation>&amp;Rückweg folgt, tiefer um</translation>
+    </message>
+    <message>
+        <source>Pinned points: %1</source>
+        <translation>Angeheftete Punkte: %1</translation>
     </message>
 </context>
 <context>
@@ -2491,17 +2488,6 @@
     <message>
         <source>State of button %1</source>
         <translation>Zustand von Taster %1</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 und %2</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 and %n other(s)</source>
-        <translation>
-            <numerusform>%1 und %n anderer</numerusform>
-            <numerusform>%1 und %n andere</numerusform>
-        </translation>
     </message>
     <message>
         <source>Open two buttons to compare them.</source>
@@ -2765,12 +2751,12 @@
 <context>
     <name>detent::editor::DrawFrameTool</name>
     <message>
-        <source>Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn. Over the frame of the graph shown it corrects that; beside it it adds a graph.</source>
-        <translation>Ziehen Sie von einer Ecke des Graphen zur gegenüberliegenden: das Rechteck, in dem die Kurven gezeichnet sind. Über dem Rahmen des gezeigten Graphen berichtigt es diesen; daneben kommt ein Graph hinzu.</translation>
-    </message>
-    <message>
         <source>Draw plot frame</source>
         <translation>Rahmen zeichnen</translation>
+    </message>
+    <message>
+        <source>Drag from one corner of the plot to the opposite one: the rectangle in which the curves are drawn. Over the frame of the graph shown it corrects that; beside it it adds a graph. Its edges cling to lines.</source>
+        <translation>Ziehen Sie von einer Ecke des Graphen zur gegenüberliegenden: das Rechteck, in dem die Kurven gezeichnet sind. Über dem Rahmen des gezeigten Graphen berichtigt das ihn; daneben fügt es einen Graphen hinzu. Seine Kanten haften an Linien.</translation>
     </message>
 </context>
 <context>

@@ -169,7 +169,10 @@ void MainWindow::turn(QDockWidget& dock) {
   if (seen) return dock.hide();
   dock.show();
   dock.raise();
-  if (dock.widget()) dock.widget()->setFocus();
+  QWidget* inside = dock.widget();
+  if (auto* stack = qobject_cast<QStackedWidget*>(inside); stack && stack->currentWidget())
+    inside = stack->currentWidget();
+  if (inside) inside->setFocus();
 }
 
 void MainWindow::makeDocks() {

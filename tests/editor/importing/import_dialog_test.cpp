@@ -418,8 +418,13 @@ void ImportDialogTest::aFrameDrawnByHandOnAPictureWithoutGraph() {
   QVERIFY(!state.current());
   QTest::qWait(20);
   keepPicture(dialog, "no-graph");
-  drawFrame(*dialog.view, {100, 100}, {700, 500});
+  // The axes are drawn at x = 100 and y = 500: a hand that misses them by some pixels means them.
+  const double by = 5 / std::sqrt(std::abs(dialog.view->pageToWidget().determinant()));
+  drawFrame(*dialog.view, {100 + by, 100}, {700, 500 - by});
   QVERIFY(state.current());
+  const FrameCorners corners = *state.current()->corners();
+  QVERIFY2(std::abs(corners[3].x - 100) < 1.5 && std::abs(corners[3].y - 500) < 1.5,
+           qPrintable(QString("%1, %2").arg(corners[3].x).arg(corners[3].y)));
   QVERIFY(again(state));
   QVERIFY(state.current()->last->failure);  // numbers are missing, and that is said
   QVERIFY(dialog.banner->isVisible());

@@ -1152,6 +1152,23 @@ class WindowTest : public QObject {
     QVERIFY(QApplication::focusWidget() != &rig.window->tabs().current()->workspace().canvas());
   }
 
+  void thePanelsComeBackAsWideAsTheyWere() {
+    constexpr int wide_px = 391;
+    for (int run = 0; run < 3; ++run) {
+      Rig rig(folder_->path());
+      rig.window->files().open({sample("buttons/B.button.json")});
+      auto* values = rig.window->findChild<QDockWidget*>("valuesDock");
+      QTest::qWait(60);
+      if (run == 0) {
+        rig.window->resize(1280, 820);
+        rig.window->resizeDocks({values}, {wide_px}, Qt::Horizontal);
+        QTest::qWait(20);
+      }
+      QVERIFY2(std::abs(values->width() - wide_px) <= 2, qPrintable(QString::number(values->width())));
+      QVERIFY(rig.window->close());
+    }
+  }
+
   void theTabsOfTheLastSessionComeBack() {
     const QString b = at("b.button.json"), c = at("c.button.json");
     QVERIFY(QFile::copy(sample("buttons/B.button.json"), b));
