@@ -216,7 +216,7 @@ class Walk:
         self.desktop.click((left + 0.3 * width, middle))
         self.desktop.move((left + 0.6 * width, middle))
         wait_for("values under both cursors",
-                 lambda: all(letter + " press" in part for part in self.reading() for letter in "ABC") and len(self.reading()) == 2)
+                 lambda: len(self.reading()) == 2 and all(part.count(" press ") == 3 for part in self.reading()))
         self.look("compared")
 
     @staticmethod
