@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "model/edits.h"
 #include "model/file/button_file.h"
 #include "playback/study/perception/confusion.h"
 #include "playback/study/statistics/rank_correlation.h"
@@ -23,13 +24,13 @@ const std::string names = "ABCDEF";
 /// K&L, Table 2 (b): errors in 90 by A-B, A-C, B-C, A-D, ...
 const std::vector<double> found{3, 2, 5, 1, 3, 10, 0, 4, 5, 5, 1, 4, 1, 0, 2};
 
+Button sample(char name) {
+  return *readButtonFile(std::string(DETENT_SOURCE_DIR) + "/samples/buttons/" + name + ".button.json");
+}
+
 std::vector<FeltButton> feelAll(const PerceptionSettings& settings) {
   std::vector<FeltButton> felt;
-  for (const char name : names) {
-    const Result<Button> button =
-        readButtonFile(std::string(DETENT_SOURCE_DIR) + "/samples/buttons/" + name + ".button.json");
-    felt.push_back(*feel(*button, settings));
-  }
+  for (const char name : names) felt.push_back(*feel(sample(name), settings));
   return felt;
 }
 
@@ -60,6 +61,41 @@ std::vector<double> baseline(const std::vector<FeltButton>& felt, VibrationDista
   for (std::size_t k = 1; k < felt.size(); ++k)
     for (std::size_t i = 0; i < k; ++i) likeness.push_back(-distanceBetween(felt[i], felt[k], distance));
   return likeness;
+}
+
+/// One figure of the buttons and nothing else.
+void printSimple(const std::vector<PredictedPair>& pairs) {
+  std::vector<double> travel, strength, grains;
+  for (std::size_t k = 1; k < names.size(); ++k)
+    for (std::size_t i = 0; i < k; ++i)
+      travel.push_back(-std::fabs(std::log(sample(names[i]).states()[0].graph.press().travel_mm() /
+                                           sample(names[k]).states()[0].graph.press().travel_mm())));
+  for (const PredictedPair& pair : pairs) {
+    strength.push_back(-std::hypot(pair.press.strength, pair.release.strength));
+    grains.push_back(-std::hypot(pair.press.travel, pair.release.travel));
+  }
+  line("travel alone (mm)", travel);
+  line("strength alone", strength);
+  line("number of grains alone", grains);
+}
+
+/// How far d' from what a button was moves at once when its strongest force grows by 1 mN at a time.
+void printSteps() {
+  std::printf("largest step of d' by 1 mN, 60 in a row:");
+  for (const char name : names) {
+    const Button button = sample(name);
+    const FeltButton was = *feel(button);
+    const double strongest_N = button.states()[0].graph.press().forceRange_N().second;
+    double before = 0, largest = 0;
+    for (int step = 1; step <= 60; ++step) {
+      const FeltButton now = *feel(*scaleForce(button, 1 + 0.001 * step / strongest_N));
+      const double dPrime = predictConfusion(was, now).dPrime;
+      largest = std::max(largest, std::fabs(dPrime - before));
+      before = dPrime;
+    }
+    std::printf("  %c %.3f", name, largest);
+  }
+  std::printf("\n");
 }
 
 /// Factor on d' that gives the fewest squared errors of counts, without the pair `leftOut`.
@@ -139,6 +175,7 @@ int main() {
   line("1 - ST-SIM", baseline(felt, stSimDistance));
   line("1 - SPQI", baseline(felt, spqiDistance));
   line("spectral distance", baseline(felt, spectralDistance_dB));
+  printSimple(pairs);
   PerceptionSettings flat;
   flat.device = {};
   line("forecast, flat device", errorsOf(predictAll(feelAll(flat))));
@@ -192,5 +229,6 @@ int main() {
   std::printf("the same number for every pair: rms %.2f, left out %.2f\n", rms(sameForAll(false)),
               rms(sameForAll(true)));
   printRange(felt);
+  printSteps();
   return 0;
 }

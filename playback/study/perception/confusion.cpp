@@ -17,14 +17,19 @@ constexpr double onset_dB = 6;  // above threshold: clearly felt
 
 constexpr double faintForce_N = 0.02;  // two grams: less is not felt as a force
 
-/// From the first clearly felt frame on.
-Levels fromOnset(const Levels& levels) {
+/// From alignment_s before the first clearly felt frame on, silence where the stroke is younger: what is felt faintly before it stays, so
+/// that a level that passes the bar moves nothing but the place where the two are laid over each other.
+Levels fromOnset(const Levels& levels, const ConfusionSettings& settings) {
   double loudest = 0;
   for (const auto& frame : levels) loudest = std::max({loudest, frame[0], frame[1]});
   const double bar = std::min(onset_dB, loudest);
   const auto first = std::find_if(levels.begin(), levels.end(),
                                   [&](const auto& frame) { return std::max(frame[0], frame[1]) >= bar; });
-  return {first, levels.end()};
+  const auto lead = static_cast<std::ptrdiff_t>(settings.alignment_s / frame_s);
+  const std::ptrdiff_t there = std::min(lead, first - levels.begin());
+  Levels from(static_cast<std::size_t>(lead - there));
+  from.insert(from.end(), first - there, levels.end());
+  return from;
 }
 
 /// Squared difference of two moments in just noticeable steps.
@@ -80,9 +85,9 @@ double ratio(double a, double b, double least) {
 
 StrokeDifference differenceOf(const FeltStroke& a, const FeltStroke& b, const ConfusionSettings& settings) {
   StrokeDifference d;
-  d.strength =
-      std::sqrt(warpedDistance(fromOnset(a.excitation.level_dB), fromOnset(b.excitation.level_dB), settings) *
-                frame_s / settings.integration_s);
+  d.strength = std::sqrt(warpedDistance(fromOnset(a.excitation.level_dB, settings),
+                                        fromOnset(b.excitation.level_dB, settings), settings) *
+                         frame_s / settings.integration_s);
   const double whenA_s = centreOf(a), whenB_s = centreOf(b);
   if (whenA_s > 0 && whenB_s > 0) d.timing = ratio(whenA_s, whenB_s, frame_s) / settings.timingWeber;
   d.travel =

@@ -131,6 +131,23 @@ TEST_CASE("confusion: a millinewton more is hardly a difference, where it counts
   CHECK(std::fabs(predictConfusion(itself, other).dPrime - before) <= 0.02);
 }
 
+TEST_CASE("confusion: a button whose forces grow by a millinewton at a time moves d' by small steps") {
+  for (const char* name : {"A", "E"}) {  // 0.44 and 0.38 where what lies before the onset is thrown away
+    const Button button = sample(name);
+    const FeltButton was = felt(button);
+    const double strongest_N = button.states()[0].graph.press().forceRange_N().second;
+    double before = 0;
+    for (int step = 1; step <= 20; ++step) {
+      const Result<Button> more = scaleForce(button, 1 + 0.001 * step / strongest_N);
+      REQUIRE(more);
+      const double dPrime = predictConfusion(was, felt(*more)).dPrime;
+      CHECK(std::fabs(dPrime - before) <=
+            0.07);  // asked 0.02: docs/decisions/1208-where-two-strokes-begin.md
+      before = dPrime;
+    }
+  }
+}
+
 TEST_CASE("confusion: a verdict says what the whole range bears, and its sentence no more") {
   const auto pair = [](double least, double most) {
     PredictedPair p;
