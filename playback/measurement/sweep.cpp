@@ -16,6 +16,7 @@ namespace {
 
 constexpr double fade_s = 0.02;
 constexpr double responseLength_s = 0.8;  // of the impulse response that is kept: 1.25 Hz resolution
+constexpr double wholeShare = 0.5;        // of that length, before it fades out
 constexpr double beforePeak_s = 0.01;
 constexpr double stepsPerOctave = 24;
 constexpr double regularisation = 1e-6;  // of the sweep's strongest bin
@@ -75,6 +76,16 @@ double qualityOf(double width, double height_dB, double depth_dB) {
   return width > 0 ? std::clamp(q, 0.3, 100.0) : 100;
 }
 
+/// What of the impulse response is kept: its foreshadow within a band of 1 kHz is whole, too, and so are the first rings.
+double windowAt(std::size_t i, std::size_t length, std::size_t before) {
+  const auto faded = [](double share) {
+    return 0.5 * (1 - std::cos(std::numbers::pi * std::clamp(share, 0.0, 1.0)));
+  };
+  const double along = static_cast<double>(i), in = 0.5 * static_cast<double>(before);
+  return std::min(faded(along / in), faded((1 - along / static_cast<double>(length)) / (1 - wholeShare)));
+}
+
+/// Peaks and their forms, each by itself.
 void findResonances(FrequencyResponse& r, const SweepSettings& settings) {
   std::vector<double> sorted = r.gain_dB;
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
@@ -95,6 +106,22 @@ void findResonances(FrequencyResponse& r, const SweepSettings& settings) {
   }
   std::sort(r.resonances.begin(), r.resonances.end(),
             [](const Resonance& x, const Resonance& y) { return x.gain_dB > y.gain_dB; });
+}
+
+/// The same resonances at one common minimum, over the bins themselves.
+void fitResonances(FrequencyResponse& r, const Spectrum& response, double binWidth_Hz,
+                   const SweepSettings& settings) {
+  std::vector<double> frequency_Hz, gain_dB;
+  const double low = settings.from_Hz * 1.1, high = settings.to_Hz / 1.05;  // the sweep's edges leak
+  for (auto bin = static_cast<std::size_t>(std::ceil(low / binWidth_Hz));
+       static_cast<double>(bin) * binWidth_Hz <= high; ++bin) {
+    frequency_Hz.push_back(static_cast<double>(bin) * binWidth_Hz);
+    gain_dB.push_back(10 * std::log10(std::norm(response[bin]) + 1e-20));
+  }
+  auto fit = fitSectionsTogether(frequency_Hz, gain_dB, r.resonances, settings.sampleRate_Hz);
+  if (!fit) return;
+  r.resonances = std::move(fit->resonances);
+  r.errors = std::move(fit->errors);
 }
 
 double rootMeanSquare(const std::vector<double>& squaresUpTo, std::size_t from, std::size_t to) {
@@ -187,9 +214,7 @@ Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const s
   const std::size_t analysed = powerOfTwo(length);
   Spectrum response(analysed), expected(size);
   for (std::size_t i = 0; i < length; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(length);
-    const double window = i < before ? static_cast<double>(i) / static_cast<double>(before)
-                                     : 0.5 * (1 + std::cos(std::numbers::pi * share));
+    const double window = windowAt(i, length, before);
     const std::size_t at = (peak + size - before + i) % size;
     response[i] = expected[at] = h[at].real() * window;
   }
@@ -216,6 +241,7 @@ Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const s
     result.gain_dB.push_back(10 * std::log10(power / static_cast<double>(last - from) + 1e-20));
   }
   findResonances(result, settings);
+  fitResonances(result, response, binWidth, settings);
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "model/result.h"
+#include "playback/measurement/joint_sections.h"
 #include "playback/prepare/device_profile.h"
 
 namespace detent::playback {
@@ -29,7 +30,9 @@ struct FrequencyResponse {
   std::vector<double> frequency_Hz;   ///< 1/24-octave steps, from_Hz to to_Hz
   std::vector<double> gain_dB;        ///< recorded over played
   std::vector<Resonance> resonances;  ///< strongest first
-  double delay_s = 0;                 ///< of the sound path
+  std::vector<ResonanceErrors>
+      errors;  ///< one each; empty where the peaks are no sum of sections, and each was measured alone
+  double delay_s = 0;  ///< of the sound path
   std::vector<double>
       dropouts_s;  ///< where the recording is not what this device makes of the sweep: sound was lost
 };

@@ -17,7 +17,7 @@ namespace detent::playback {
 struct Resonance {
   double frequency_Hz = 0;
   double q = 1;
-  double gain_dB = 0;  ///< above the median of the response
+  double gain_dB = 0;  ///< above the response beside it
 };
 
 /// What turns the signal into movement, and what it can bear.

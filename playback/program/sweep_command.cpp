@@ -128,11 +128,24 @@ int run(const SweepArguments& a, const Cancelled& cancelled) {
       return fail(w.failure());
   }
   Json peaks = Json::array();
-  for (const Resonance& r : response->resonances) {
-    std::fprintf(stderr, "resonance %.1f Hz, Q %.1f, %.1f dB above the median\n", r.frequency_Hz, r.q,
-                 r.gain_dB);
-    peaks.push_back({{"frequency_Hz", r.frequency_Hz}, {"q", r.q}, {"gain_dB", r.gain_dB}});
+  for (std::size_t i = 0; i < response->resonances.size(); ++i) {
+    const Resonance& r = response->resonances[i];
+    Json peak{{"frequency_Hz", r.frequency_Hz}, {"q", r.q}, {"gain_dB", r.gain_dB}};
+    if (response->errors.empty()) {
+      std::fprintf(stderr, "resonance %.1f Hz, Q %.1f, %.1f dB above the median\n", r.frequency_Hz, r.q,
+                   r.gain_dB);
+    } else {
+      const ResonanceErrors& e = response->errors[i];
+      std::fprintf(stderr,
+                   "resonance %.2f Hz (+- %.2g), Q %.2f (+- %.2g), %.2f dB (+- %.2g) above the rest\n",
+                   r.frequency_Hz, e.frequency_Hz, r.q, e.q, r.gain_dB, e.gain_dB);
+      peak["sigma_frequency_Hz"] = e.frequency_Hz, peak["sigma_q"] = e.q, peak["sigma_gain_dB"] = e.gain_dB;
+    }
+    peaks.push_back(std::move(peak));
   }
+  if (response->errors.empty() && !response->resonances.empty())
+    std::fprintf(stderr,
+                 "the response is no sum of such resonances: each was measured alone, without an error\n");
   if (response->resonances.empty())
     std::fprintf(stderr, "no resonance: the response is flat within %.0f dB\n",
                  settings.resonanceProminence_dB);

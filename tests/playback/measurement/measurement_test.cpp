@@ -69,6 +69,62 @@ TEST_CASE("sweep: resonances, gain and delay of a known device are found, with n
   CHECK(responseCsv(*response).find("frequency_Hz,gain_dB\n") == 0);
 }
 
+TEST_CASE("sweep: neighbouring sections are found together, within their stated errors") {
+  SweepSettings settings;
+  settings.duration_s = 4;
+  const std::vector<float> played = sweepSignal(settings);
+  const std::vector<Resonance> truths[] = {{{260, 6, 10}, {390, 10, 14}, {780, 12, 18}},
+                                           {{150, 4, 8}, {330, 15, 12}, {520, 8, 9}},
+                                           {{90, 20, 16}, {410, 5, 11}}};
+  std::mt19937 random(7);
+  std::normal_distribution<double> noise(0, 0.002);
+  int within = 0, within2 = 0, all = 0;
+  for (const std::vector<Resonance>& truth : truths) {
+    std::vector<double> x(played.begin(), played.end());
+    for (const Resonance& t : truth) {
+      Biquad section;
+      section.setCoefficients(peaking(settings.sampleRate_Hz, t.frequency_Hz, t.q, t.gain_dB));
+      section.process(x.data(), x.size());
+    }
+    std::vector<float> recorded(played.size(), 0);
+    for (std::size_t i = 700; i < recorded.size(); ++i)
+      recorded[i] = static_cast<float>(0.1 * x[i - 700] + noise(random));
+    const auto response = analyseSweep(played, recorded, settings);
+    REQUIRE(response);
+    REQUIRE(response->errors.size() == truth.size());
+    for (const Resonance& t : truth) {
+      const auto near = std::min_element(response->resonances.begin(), response->resonances.end(),
+                                         [&](const Resonance& a, const Resonance& b) {
+                                           return std::fabs(a.frequency_Hz - t.frequency_Hz) <
+                                                  std::fabs(b.frequency_Hz - t.frequency_Hz);
+                                         });
+      const ResonanceErrors& error =
+          response->errors[static_cast<std::size_t>(near - response->resonances.begin())];
+      INFO(t.frequency_Hz << " Hz: Q " << near->q << " for " << t.q << " +- " << error.q << ", "
+                          << near->gain_dB << " dB for " << t.gain_dB << " +- " << error.gain_dB);
+      CHECK(near->q == Approx(t.q).epsilon(0.01));
+      CHECK(near->gain_dB == Approx(t.gain_dB).margin(0.1));
+      const double z[] = {(near->frequency_Hz - t.frequency_Hz) / error.frequency_Hz,
+                          (near->q - t.q) / error.q, (near->gain_dB - t.gain_dB) / error.gain_dB};
+      for (const double each : z) within += std::fabs(each) < 1, within2 += std::fabs(each) < 2, ++all;
+    }
+  }
+  INFO(within << " and " << within2 << " of " << all);
+  CHECK(within >= 0.4 * all);
+  CHECK(within2 >= 0.8 * all);
+}
+
+TEST_CASE("sweep: what is no sum of sections keeps its peaks, without errors") {
+  std::vector<double> frequency_Hz, gain_dB;
+  for (int i = 10; i < 1000; ++i) {
+    frequency_Hz.push_back(i);
+    gain_dB.push_back(i / 50 % 2 ? 20 : 0);  // a comb
+  }
+  CHECK_FALSE(fitSectionsTogether(frequency_Hz, gain_dB, {{75, 3, 10}}, 48000));
+  CHECK_FALSE(fitSectionsTogether(frequency_Hz, gain_dB, {}, 48000));
+  CHECK_FALSE(fitSectionsTogether({100, 200}, {1, 2}, {{150, 3, 10}}, 48000));
+}
+
 TEST_CASE("sweep: lost sound is seen, noise, distortion and rattling resonances are not taken for it") {
   SweepSettings settings;
   settings.duration_s = 4;

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/measurement/joint_sections.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include <ceres/jet.h>
+#include <ceres/tiny_solver.h>
+#include <Eigen/Dense>
+
+namespace detent::playback {
+namespace {
+
+constexpr std::size_t mostSections = 32;
+constexpr int perSection = 3;  // logarithms of frequency and Q, height in dB
+constexpr int ofLevel = 3;     // a parabola over the octaves
+constexpr double keptRms_dB = 3, keptPlace = 0.1;
+
+/// Gain of a peaking section (realtime/biquad.h), dB; `cosine` and `sine` of the angle at which it is asked.
+template <class T>
+T sectionGain_dB(double cosine, double sine, double sampleRate_Hz, const T& logFrequency, const T& logQ,
+                 const T& height_dB) {
+  using std::cos, std::exp, std::log, std::sin;
+  const T angle = exp(logFrequency) * (2 * std::numbers::pi / sampleRate_Hz);
+  const T alpha = sin(angle) / (2.0 * exp(logQ)), amplitude = exp(height_dB * (std::numbers::ln10 / 40));
+  const T beside = cos(angle) - cosine, up = alpha * amplitude * sine, down = alpha / amplitude * sine;
+  return (10 / std::numbers::ln10) * log((beside * beside + up * up) / (beside * beside + down * down));
+}
+
+/// What a set of sections leaves over of a response; the form that Ceres' solver of small problems asks for.
+class Leftover {
+ public:
+  using Scalar = double;
+  enum { NUM_RESIDUALS = Eigen::Dynamic, NUM_PARAMETERS = Eigen::Dynamic };
+
+  Leftover(const std::vector<double>& frequency_Hz, const std::vector<double>& gain_dB, std::size_t sections,
+           double sampleRate_Hz)
+      : sections_(static_cast<int>(sections)), sampleRate_Hz_(sampleRate_Hz) {
+    const double middle_Hz = std::sqrt(frequency_Hz.front() * frequency_Hz.back());
+    for (std::size_t i = 0; i < frequency_Hz.size(); ++i) {
+      const double angle = 2 * std::numbers::pi * frequency_Hz[i] / sampleRate_Hz;
+      // A sweep dwells at each frequency in inverse proportion to it: so does what noise leaves.
+      const double weight = std::sqrt(middle_Hz / frequency_Hz[i]);
+      places_.push_back(
+          {std::cos(angle), std::sin(angle), std::log2(frequency_Hz[i] / middle_Hz), gain_dB[i], weight});
+    }
+  }
+
+  int NumResiduals() const { return static_cast<int>(places_.size()); }
+  int NumParameters() const { return perSection * sections_ + ofLevel; }
+
+  bool operator()(const double* at, double* left, double* jacobian) const {
+    Eigen::Map<Eigen::MatrixXd> slopes(jacobian, NumResiduals(), jacobian ? NumParameters() : 0);
+    const double* const level = at + perSection * sections_;
+    for (int row = 0; row < NumResiduals(); ++row) {
+      const Place& p = places_[static_cast<std::size_t>(row)];
+      double gain_dB = level[0] + p.octaves * (level[1] + p.octaves * level[2]);
+      for (int k = 0; k < sections_; ++k) {
+        using Three = ceres::Jet<double, perSection>;
+        const double* const own = at + perSection * k;
+        const Three part = sectionGain_dB(p.cosine, p.sine, sampleRate_Hz_, Three(own[0], 0),
+                                          Three(own[1], 1), Three(own[2], 2));
+        gain_dB += part.a;
+        if (jacobian) slopes.block<1, perSection>(row, perSection * k) = p.weight * part.v.transpose();
+      }
+      if (jacobian)
+        slopes.block<1, ofLevel>(row, perSection * sections_) << p.weight, p.weight * p.octaves,
+            p.weight * p.octaves * p.octaves;
+      left[row] = p.weight * (gain_dB - p.gain_dB);
+      if (!std::isfinite(left[row])) return false;
+    }
+    return true;
+  }
+
+  /// Places far off the rest (hum, a lost block) count less: 1 within three times the usual residual, falling beyond (Huber).
+  void holdDown(const Eigen::VectorXd& left) {
+    std::vector<double> sizes(left.data(), left.data() + left.size());
+    for (double& size : sizes) size = std::fabs(size);
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    const double most = 3 * std::max(*middle / 0.6745, 1e-9);
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      const double size = std::fabs(left[static_cast<Eigen::Index>(i)]);
+      if (size > most) places_[i].weight *= std::sqrt(most / size);
+    }
+  }
+
+ private:
+  struct Place {
+    double cosine, sine, octaves, gain_dB, weight;
+  };
+  std::vector<Place> places_;
+  int sections_;
+  double sampleRate_Hz_;
+};
+
+Eigen::VectorXd startOf(const std::vector<Resonance>& start, const std::vector<double>& gain_dB) {
+  std::vector<double> sorted = gain_dB;
+  const auto quarter = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 4);
+  std::nth_element(sorted.begin(), quarter, sorted.end());
+  Eigen::VectorXd at = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(perSection * start.size()) + ofLevel);
+  for (std::size_t k = 0; k < start.size(); ++k)
+    at.segment<perSection>(static_cast<Eigen::Index>(perSection * k)) << std::log(start[k].frequency_Hz),
+        std::log(start[k].q), start[k].gain_dB;
+  at[at.size() - ofLevel] = *quarter;
+  return at;
+}
+
+/// How many neighbouring residuals say the same: twice their correlation, summed until it is gone.
+double alikeInARow(const Eigen::VectorXd& left) {
+  const double all = left.squaredNorm();
+  const Eigen::Index n = left.size();
+  double row = 1;
+  for (Eigen::Index lag = 1; lag < n / 4 && all > 0; ++lag) {
+    const double correlation = left.head(n - lag).dot(left.tail(n - lag)) / all;
+    if (correlation < 0.05) break;
+    row += 2 * correlation;
+  }
+  return row;
+}
+
+/// The covariance of the unknowns; empty where the response does not tell one of them.
+std::optional<Eigen::MatrixXd> covarianceOf(const Leftover& leftover, const Eigen::VectorXd& at) {
+  Eigen::VectorXd left(leftover.NumResiduals());
+  Eigen::MatrixXd slopes(leftover.NumResiduals(), leftover.NumParameters());
+  if (!leftover(at.data(), left.data(), slopes.data())) return {};
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> known(slopes);
+  if (known.rank() < slopes.cols()) return {};
+  const double independent = static_cast<double>(left.size()) / alikeInARow(left);
+  const double freedom = std::max(1.0, independent - static_cast<double>(slopes.cols()));
+  const double variance = left.squaredNorm() / static_cast<double>(left.size()) * independent / freedom;
+  const Eigen::MatrixXd information = slopes.transpose() * slopes;
+  return Eigen::MatrixXd(information.inverse() * variance * alikeInARow(left));
+}
+
+bool keptItsPlace(const Resonance& fitted, const Resonance& start) {
+  const double moved = std::fabs(std::log(fitted.frequency_Hz / start.frequency_Hz));
+  return moved < keptPlace && fitted.q > 0.2 && fitted.q < 200 && fitted.gain_dB > 0 && fitted.gain_dB < 80;
+}
+
+}  // namespace
+
+std::optional<JointSections> fitSectionsTogether(const std::vector<double>& frequency_Hz,
+                                                 const std::vector<double>& gain_dB,
+                                                 const std::vector<Resonance>& start, double sampleRate_Hz) {
+  const std::size_t unknowns = perSection * start.size() + ofLevel;
+  if (start.empty() || start.size() > mostSections || frequency_Hz.size() < 4 * unknowns) return {};
+  Leftover leftover(frequency_Hz, gain_dB, start.size(), sampleRate_Hz);
+  Eigen::VectorXd at = startOf(start, gain_dB), left(leftover.NumResiduals());
+  constexpr int rounds = 3;
+  for (int round = 0; round < rounds; ++round) {
+    ceres::TinySolver<Leftover> solver;
+    solver.options.max_num_iterations = 60;
+    solver.Solve(leftover, &at);
+    if (!at.allFinite() || !leftover(at.data(), left.data(), nullptr)) return {};
+    if (round + 1 < rounds) leftover.holdDown(left);
+  }
+  const auto covariance = covarianceOf(leftover, at);
+  if (!covariance || !covariance->allFinite()) return {};
+
+  JointSections fit;
+  fit.rms_dB = std::sqrt(left.squaredNorm() / static_cast<double>(left.size()));
+  if (!(fit.rms_dB < keptRms_dB)) return {};
+  std::vector<std::size_t> order(start.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto height_dB = [&](std::size_t k) { return at[static_cast<Eigen::Index>(perSection * k) + 2]; };
+  std::ranges::sort(order, [&](std::size_t a, std::size_t b) { return height_dB(a) > height_dB(b); });
+  for (const std::size_t k : order) {
+    const auto own = static_cast<Eigen::Index>(perSection * k);
+    const Resonance found{std::exp(at[own]), std::exp(at[own + 1]), at[own + 2]};
+    if (!keptItsPlace(found, start[k])) return {};
+    const auto sigma = [&](Eigen::Index i) {
+      return std::sqrt(std::max(0.0, (*covariance)(own + i, own + i)));
+    };
+    fit.resonances.push_back(found);
+    fit.errors.push_back({found.frequency_Hz * sigma(0), found.q * sigma(1), sigma(2)});
+  }
+  return fit;
+}
+
+}  // namespace detent::playback
