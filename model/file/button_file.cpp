@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "model/file/base64.h"
+#include "model/file/json_place.h"
 #include "model/file/json_text.h"
 #include "model/file/migrations.h"
 #include "model/file/text_file.h"
@@ -141,26 +142,6 @@ class Reader {
   }
   std::string subject_;
 };
-
-// "line 3, column 7" of a byte offset (1-based offset of the last read byte, as nlohmann counts).
-Message placeOfByte(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
-  const auto lines = std::count(before.begin(), before.end(), '\n');
-  const auto lineStart = before.rfind('\n');
-  const std::size_t column = before.size() - (lineStart == std::string_view::npos ? 0 : lineStart + 1);
-  return Message("line %1, column %2", std::to_string(lines + 1), std::to_string(column + 1));
-}
-
-// What nlohmann says after the position: "syntax error while parsing value - invalid literal; last read:
-// 'x'".
-std::string plainReason(const std::string& what) {
-  const auto colon = what.find(": ");
-  std::string reason = colon == std::string::npos ? what : what.substr(colon + 2);
-  if (reason.size() > 160) reason = reason.substr(0, 160) + "...";
-  for (char& c : reason)
-    if (static_cast<unsigned char>(c) < 0x20) c = ' ';
-  return reason;
-}
 
 // Refuses what the parser would build without complaint: bottomless nesting and keys given twice.
 json parsedJson(std::string_view text, const Reader& reader) {

@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "playback/interchange/player_conventions.h"
+
 namespace detent::playback {
 
 namespace {
@@ -77,6 +79,15 @@ std::int64_t firstOnset(const PressPlan& plan, const Stretch& stretch) {
   return stretch.to;
 }
 
+std::int64_t firstOnsetWithRoom(const PressPlan& plan, const Stretch& stretch, double room_s) {
+  const std::int64_t first = firstOnset(plan, stretch);
+  for (const PlannedBurst& planned : plan.bursts)
+    if (isEvent(planned) && planned.frame >= first && planned.frame < stretch.to &&
+        plan.time_s(planned.frame - first) < room_s)
+      return planned.frame;
+  return first;
+}
+
 std::int64_t firstOnsetOnGrid(const PressPlan& plan, const Stretch& stretch, double grid_s) {
   const std::int64_t first = firstOnset(plan, stretch);
   const double grid = grid_s * plan.sampleRate_Hz;
@@ -137,6 +148,37 @@ PlayedWave smoothed(const std::vector<EnvelopeStep>& steps, double sampleRate_Hz
   return wave;
 }
 
+TimedLevels timedLevels(const PressPlan& plan, const Stretch& stretch, int step_ms, int least_ms, int full) {
+  TimedLevels result{firstOnsetWithRoom(plan, stretch, least_ms / 1000.0), full, {}, {}};
+  if (result.zero >= stretch.to) return result;
+  std::int64_t last_ms = 0;
+  for (const EnvelopeStep& step :
+       stepsOf(plan, {result.zero, stretch.to}, step_ms / 1000.0, least_ms / 1000.0)) {
+    const std::int64_t end_ms =
+        std::max<std::int64_t>(last_ms + least_ms, std::llround(1000 * plan.time_s(step.to - result.zero)));
+    result.levels.push_back({end_ms - last_ms, static_cast<int>(std::lround(full * step.amplitude))});
+    if (step.onset)
+      result.onsets.push_back(result.zero +
+                              std::llround(static_cast<double>(last_ms) * plan.sampleRate_Hz / 1000));
+    last_ms = end_ms;
+  }
+  while (!result.levels.empty() && result.levels.back().level == 0) result.levels.pop_back();
+  result.levels.push_back({least_ms, 0});
+  return result;
+}
+
+PlayedWave waveOf(const TimedLevels& levels, double sampleRate_Hz) {
+  PlayedWave wave;
+  double time_s = static_cast<double>(levels.zero) / sampleRate_Hz;
+  for (const TimedLevels::Level& level : levels.levels) {
+    const double amplitude = static_cast<double>(level.level) / levels.full;
+    wave.points.push_back({time_s, amplitude, assumedResonance_Hz});
+    time_s += static_cast<double>(level.duration_ms) / 1000;
+    wave.points.push_back({time_s, amplitude, assumedResonance_Hz});
+  }
+  return wave;
+}
+
 double worstTimingError_ms(const PressPlan& plan, const Stretch& stretch,
                            const std::vector<std::int64_t>& onsets) {
   double worst_s = 0;
@@ -155,6 +197,13 @@ std::vector<std::int64_t> onsetsOf(const std::vector<EnvelopeStep>& steps) {
   for (const EnvelopeStep& step : steps)
     if (step.onset) onsets.push_back(step.from);
   return onsets;
+}
+
+double furthestFromResonance_Hz(const PressPlan& plan) {
+  double furthest = 0;
+  for (const PlannedBurst& planned : plan.bursts)
+    furthest = std::fmax(furthest, std::fabs(planned.burst.frequency_Hz - assumedResonance_Hz));
+  return furthest;
 }
 
 std::size_t grainsWithin(const PressPlan& plan, const Stretch& stretch) {

@@ -20,7 +20,9 @@ Stretch pressOf(const PressPlan& plan);
 Stretch releaseOf(const PressPlan& plan);
 /// The sample of the first burst that begins within, or `stretch.to`.
 std::int64_t firstOnset(const PressPlan& plan, const Stretch& stretch);
-/// The same on a grid of `grid_s` on which the first jump or bottom-out lies, where there is one: at most a grid's width earlier.
+/// The same; what is no jump or bottom-out and leaves one less than `room_s` behind it is passed over for its moment.
+std::int64_t firstOnsetWithRoom(const PressPlan& plan, const Stretch& stretch, double room_s);
+/// The first on a grid of `grid_s` on which the first jump or bottom-out lies, where there is one: at most a grid's width earlier.
 std::int64_t firstOnsetOnGrid(const PressPlan& plan, const Stretch& stretch, double grid_s);
 
 /// Level and frequency between two moments.
@@ -40,10 +42,30 @@ std::vector<EnvelopeStep> stepsOf(const PressPlan& plan, const Stretch& stretch,
 /// The steps as a wave with straight slopes between their middles and a step at each onset; time 0 is sample `zero`.
 PlayedWave smoothed(const std::vector<EnvelopeStep>& steps, double sampleRate_Hz, std::int64_t zero);
 
+/// Levels by the millisecond, for players that take a level and how long.
+struct TimedLevels {
+  struct Level {
+    std::int64_t duration_ms = 1;
+    int level = 0;  ///< 0..full
+  };
+  std::int64_t zero = 0;  ///< sample at which they begin
+  int full = 255;
+  std::vector<Level> levels;         ///< the last one is 0; empty where nothing is felt
+  std::vector<std::int64_t> onsets;  ///< of jumps and bottom-outs, as played
+};
+/// Of a stretch, in levels of `step_ms` and never shorter than `least_ms`: each jump and bottom-out at least so far behind the one
+/// before begins a level, half a millisecond off at most.
+TimedLevels timedLevels(const PressPlan& plan, const Stretch& stretch, int step_ms, int least_ms, int full);
+/// As a motor at its own resonance plays them.
+PlayedWave waveOf(const TimedLevels& levels, double sampleRate_Hz);
+
 /// Distance in ms of every jump and bottom-out of the stretch from the nearest of `onsets` (samples), at most.
 double worstTimingError_ms(const PressPlan& plan, const Stretch& stretch,
                            const std::vector<std::int64_t>& onsets);
 std::vector<std::int64_t> onsetsOf(const std::vector<EnvelopeStep>& steps);
+
+/// How far a motor at its own resonance moves the press's frequencies, at most.
+double furthestFromResonance_Hz(const PressPlan& plan);
 
 /// Grain positions that were played within.
 std::size_t grainsWithin(const PressPlan& plan, const Stretch& stretch);

@@ -9,9 +9,28 @@ namespace detent::playback {
 
 namespace {
 
+double valueAt(WaveShape shape, double cycles) {
+  const double share = cycles - std::floor(cycles);
+  switch (shape) {
+    case WaveShape::sine:
+      break;
+    case WaveShape::square:
+      return share < 0.5 ? 1 : -1;
+    case WaveShape::triangle:
+      return share < 0.25 ? 4 * share : share < 0.75 ? 2 - 4 * share : 4 * share - 4;
+    case WaveShape::sawtoothUp:
+      return share < 0.5 ? 2 * share : 2 * share - 2;
+    case WaveShape::sawtoothDown:
+      return share < 0.5 ? -2 * share : 2 - 2 * share;
+    case WaveShape::constant:
+      return 1;
+  }
+  return std::sin(2 * std::numbers::pi * cycles);
+}
+
 /// From one point to the next, the end left out; gives the phase reached, in cycles.
-double addSegment(std::vector<double>& samples, const WavePoint& from, const WavePoint& to, double phase,
-                  double sampleRate_Hz) {
+double addSegment(std::vector<double>& samples, const WavePoint& from, const WavePoint& to, WaveShape shape,
+                  double phase, double sampleRate_Hz) {
   const double lasts_s = to.time_s - from.time_s;
   if (!(lasts_s > 0)) return phase;
   const double rise = (to.frequency_Hz - from.frequency_Hz) / lasts_s;
@@ -22,7 +41,7 @@ double addSegment(std::vector<double>& samples, const WavePoint& from, const Wav
   for (double frame = frameAt(from.time_s); frame < end; ++frame) {
     const double t = frame / sampleRate_Hz - from.time_s;
     const double amplitude = from.amplitude + (to.amplitude - from.amplitude) * t / lasts_s;
-    samples[static_cast<std::size_t>(frame)] += amplitude * std::sin(2 * std::numbers::pi * phaseAfter(t));
+    samples[static_cast<std::size_t>(frame)] += amplitude * valueAt(shape, phaseAfter(t));
   }
   return phaseAfter(lasts_s);
 }
@@ -33,7 +52,7 @@ void addTo(std::vector<double>& samples, const std::vector<PlayedWave>& waves, d
   for (const PlayedWave& wave : waves) {
     double phase = wave.phase_cycles;
     for (std::size_t i = 1; i < wave.points.size(); ++i)
-      phase = addSegment(samples, wave.points[i - 1], wave.points[i], phase, sampleRate_Hz);
+      phase = addSegment(samples, wave.points[i - 1], wave.points[i], wave.shape, phase, sampleRate_Hz);
   }
 }
 

@@ -4,6 +4,7 @@
 // reduced to this, and its losses are those of this.
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace detent::playback {
@@ -15,11 +16,22 @@ struct WavePoint {
   double frequency_Hz = 0;
 };
 
-/// amplitude(t) * sin(2 pi (phase + integral of the frequency since the first point)) from the first point to the last, silent
+/// One cycle, from phase 0 to 1.
+enum class WaveShape : std::uint8_t {
+  sine,
+  square,        ///< 1, then -1
+  triangle,      ///< 0, 1, 0, -1
+  sawtoothUp,    ///< 0 to 1, -1 to 0
+  sawtoothDown,  ///< 0 to -1, 1 to 0
+  constant       ///< 1: the amplitudes are the samples
+};
+
+/// amplitude(t) * shape(phase + integral of the frequency since the first point) from the first point to the last, silent
 /// outside. Two points at one time are a step.
 struct PlayedWave {
   std::vector<WavePoint> points;  ///< by time, never falling
   double phase_cycles = 0;
+  WaveShape shape = WaveShape::sine;
 };
 
 /// Adds the waves to `samples`; sample i lies at i / sampleRate_Hz.

@@ -13,6 +13,7 @@
 #include "model/version.h"
 #include "playback/interchange/envelope.h"
 #include "playback/interchange/export_loss_json.h"
+#include "playback/interchange/player_conventions.h"
 #include "playback/interchange/reduction.h"
 
 namespace detent::playback {
@@ -23,8 +24,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* oneRecordedPress =
     "that a finger's force decides what is felt (the table is one press)";
-// An LRA plays at its own resonance whatever is asked; 205 Hz is the DA7280's default and common.
-constexpr double assumedResonance_Hz = 205;
 
 Stretch wholeOf(const PressPlan& plan) { return {0, static_cast<std::int64_t>(plan.samples.size())}; }
 
@@ -96,7 +95,8 @@ class SliceWriter {
     return 1e9;
   }
   const EnvelopeStep& stepAt(double time_s) const {
-    const double frame = time_s * rate_Hz_ + 1;
+    // What begins sooner than a pause can be written begins now.
+    const double frame = (time_s + shortestPause_s) * rate_Hz_;
     for (const EnvelopeStep& step : steps_)
       if (frame < static_cast<double>(step.to)) return step;
     return steps_.back();
@@ -311,63 +311,30 @@ std::string da728xText(const ExportSource& source, const DaPart& press, const Da
          rows(memory, byteText) + "};\n";
 }
 
-// ---- DRV2605: an amplitude every 5 ms
+// ---- DRV2605: amplitudes that last 5 ms at least
 
-constexpr double rtp_s = 0.005;
-constexpr int rtpFull = 127;
+constexpr int rtp_ms = 5, rtpFull = 127;
 
-struct RtpPart {
-  std::int64_t zero = 0;
-  std::vector<int> amplitudes;
-  std::vector<std::int64_t> onsets;
-};
-
-RtpPart rtpPart(const PressPlan& plan, const Stretch& all) {
-  const std::int64_t first = firstOnsetOnGrid(plan, all, rtp_s);
-  RtpPart part{first, {}, {}};
-  const std::int64_t step = std::llround(rtp_s * plan.sampleRate_Hz);
-  for (std::int64_t from = first; from < all.to; from += step) {
-    const std::vector<EnvelopeStep> steps =
-        stepsOf(plan, {from, std::min(all.to, from + step)}, rtp_s, rtp_s);
-    part.amplitudes.push_back(static_cast<int>(std::lround(rtpFull * steps.front().amplitude)));
-  }
-  while (!part.amplitudes.empty() && part.amplitudes.back() == 0) part.amplitudes.pop_back();
-  part.amplitudes.push_back(0);
-  for (const PlannedBurst& planned : plan.bursts)
-    if (planned.kind != EventKind::grain && planned.frame >= first && planned.frame < all.to)
-      part.onsets.push_back(first + (planned.frame - first) / step * step);
-  return part;
-}
-
-PlayedWave waveOf(const RtpPart& part, double sampleRate_Hz) {
-  PlayedWave wave;
-  double time_s = static_cast<double>(part.zero) / sampleRate_Hz;
-  for (const int code : part.amplitudes) {
-    const double amplitude = static_cast<double>(code) / rtpFull;
-    wave.points.push_back({time_s, amplitude, assumedResonance_Hz});
-    time_s += rtp_s;
-    wave.points.push_back({time_s, amplitude, assumedResonance_Hz});
-  }
-  return wave;
-}
-
-std::string drv2605Text(const ExportSource& source, const RtpPart& press, const RtpPart& release,
+std::string drv2605Text(const ExportSource& source, const TimedLevels& press, const TimedLevels& release,
                         const ExportLoss& loss) {
   std::vector<std::string> head = headLines(source, loss);
   head.emplace_back(
-      "DRV2605(L), real-time playback: write one value to RTP_INPUT every 5 ms (signed format, 0..127). The "
-      "motor plays at its");
+      "DRV2605(L), real-time playback: write each amplitude to RTP_INPUT (signed format, 0..127) and hold it "
+      "for its ms, 5 at least.");
   head.emplace_back(
-      "own resonance, for the loss taken as 205 Hz. Set rated voltage and overdrive clamp for your motor "
-      "first.");
-  const auto array = [](const char* name, const RtpPart& part) {
-    return "static const uint8_t " + std::string(name) + "[] = {" +
-           rows(part.amplitudes, [](int value) { return std::to_string(value); }) +
-           "};\nstatic const unsigned " + name + "_count = " + std::to_string(part.amplitudes.size()) +
-           "u;\n";
+      "The motor plays at its own resonance, for the loss taken as 205 Hz. Set rated voltage and overdrive "
+      "clamp for your motor first.");
+  const auto array = [](const char* name, const TimedLevels& part) {
+    return "static const detent_drv2605_step " + std::string(name) + "[] = {" +
+           rows(part.levels,
+                [](const TimedLevels::Level& level) {
+                  return "{" + std::to_string(level.level) + ", " + std::to_string(level.duration_ms) + "}";
+                }) +
+           "};\nstatic const unsigned " + name + "_count = " + std::to_string(part.levels.size()) + "u;\n";
   };
-  return cComment(head) + "#include <stdint.h>\n\n" + array("detent_press", press) +
-         array("detent_release", release);
+  return cComment(head) +
+         "#include <stdint.h>\n\ntypedef struct { uint8_t amplitude, ms; } detent_drv2605_step;\n\n" +
+         array("detent_press", press) + array("detent_release", release);
 }
 
 // ---- the losses chips share
@@ -378,9 +345,7 @@ ExportLoss lraLoss(const PressPlan& plan, const std::vector<std::int64_t>& press
   loss.worstTimingError_ms = std::fmax(worstTimingError_ms(plan, pressOf(plan), press),
                                        worstTimingError_ms(plan, releaseOf(plan), release));
   loss.grainsMerged = grainsWithin(plan, wholeOf(plan));
-  for (const PlannedBurst& planned : plan.bursts)
-    loss.frequencyMoved_Hz =
-        std::fmax(loss.frequencyMoved_Hz, std::fabs(planned.burst.frequency_Hz - assumedResonance_Hz));
+  loss.frequencyMoved_Hz = furthestFromResonance_Hz(plan);
   loss.dropped = {oneRecordedPress, "every frequency (the motor plays its own)"};
   return loss;
 }
@@ -487,7 +452,10 @@ Reduction da728xOf(const ExportSource& source) {
 
 Reduction drv2605Of(const ExportSource& source) {
   const PressPlan& plan = source.plan;
-  const RtpPart press = rtpPart(plan, pressOf(plan)), release = rtpPart(plan, releaseOf(plan));
+  TimedLevels press = timedLevels(plan, pressOf(plan), rtp_ms, rtp_ms, rtpFull);
+  TimedLevels release = timedLevels(plan, releaseOf(plan), rtp_ms, rtp_ms, rtpFull);
+  for (TimedLevels* part : {&press, &release})
+    if (part->levels.empty()) part->levels.push_back({rtp_ms, 0});  // C has no empty arrays
   Reduction reduction;
   reduction.played = playedBy({waveOf(press, plan.sampleRate_Hz), waveOf(release, plan.sampleRate_Hz)}, plan);
   reduction.loss = lraLoss(plan, press.onsets, release.onsets);

@@ -9,6 +9,7 @@
 #include "model/file/json_text.h"
 #include "model/version.h"
 #include "playback/interchange/envelope.h"
+#include "playback/interchange/player_conventions.h"
 #include "playback/interchange/reduction.h"
 #include "playback/measurement/exact_number.h"
 
@@ -19,13 +20,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* oneRecordedPress = "that a finger's force decides what is felt (the file is one press)";
-
-// Sharpness and the frequencies it stands for; .haptic's frequency is converted to it one to one.
-constexpr double lowest_Hz = 80, highest_Hz = 230;
-double sharpnessOf(double frequency_Hz) {
-  return std::clamp((frequency_Hz - lowest_Hz) / (highest_Hz - lowest_Hz), 0.0, 1.0);
-}
-double frequencyOf(double sharpness) { return lowest_Hz + (highest_Hz - lowest_Hz) * sharpness; }
 
 double rounded(double value, double step) { return std::round(value / step) * step; }
 
@@ -47,7 +41,6 @@ std::string joined(const std::vector<std::string>& lines) {
 // parameter curve would scale every event under it, transients too.
 
 constexpr double longestTransient_s = 0.040;
-constexpr double transient_s = 0.022;  // what players make of one: two cycles of 90 Hz
 constexpr double slopeStep_s = 0.010, ahapStep_s = 0.005;
 
 struct AhapEvent {
@@ -164,7 +157,9 @@ std::string hapticText(const ExportSource& source, const OneVoice& voice, const 
   Json amplitude = Json::array(), frequency = Json::array();
   for (const WavePoint& point : voice.points) {
     amplitude.push_back({{"time", point.time_s}, {"amplitude", point.amplitude}});
-    frequency.push_back({{"time", point.time_s}, {"frequency", sharpnessOf(point.frequency_Hz)}});
+    // Converters make the root of it a sharpness (NiceVibrations' own pairs of .haptic and .ahap).
+    const double sharpness = sharpnessOf(point.frequency_Hz);
+    frequency.push_back({{"time", point.time_s}, {"frequency", sharpness * sharpness}});
   }
   const Json file{
       {"version", {{"major", 1}, {"minor", 0}, {"patch", 0}}},
@@ -275,101 +270,107 @@ Reduction oneVoice(const PressPlan& plan, const std::vector<EnvelopeStep>& steps
   return reduction;
 }
 
-// ---- Android: envelopes of at most 16 points at least 20 ms apart, and amplitudes by the millisecond for what has none
+// ---- Android: an envelope of at most 16 points at least 20 ms apart where it keeps every jump's moment, and amplitudes by the
+// millisecond where it does not, or where a device has none
 
 constexpr std::size_t androidPoints = 16;
-constexpr double androidStep_s = 0.020;
+constexpr int androidStep_ms = 20;
+constexpr double androidTiming_ms = 1;  // by which an envelope may move a jump or bottom-out
 
 struct AndroidPoint {
   double amplitude = 0, frequency_Hz = 0;
   std::int64_t duration_ms = 0;
 };
 
-struct AndroidPart {
+struct AndroidEnvelope {
   std::int64_t zero = 0;
-  std::vector<AndroidPoint> envelope;
-  std::vector<std::pair<std::int64_t, int>> waveform;  ///< ms, 0..255
+  std::vector<AndroidPoint> points;
   std::vector<std::int64_t> onsets;
+};
+
+struct AndroidPart {
+  AndroidEnvelope envelope;  ///< without points: none that keeps the moments
+  TimedLevels levels;
+
+  const std::vector<std::int64_t>& onsets() const {
+    return envelope.points.empty() ? levels.onsets : envelope.onsets;
+  }
 };
 
 /// The coarsest steps that fit: 20 ms, or as long as 15 of them need.
 std::vector<EnvelopeStep> androidSteps(const PressPlan& plan, const Stretch& stretch) {
-  for (double step_s = androidStep_s;; step_s *= 1.25) {
-    std::vector<EnvelopeStep> steps = stepsOf(plan, stretch, step_s, androidStep_s);
+  for (double step_s = androidStep_ms / 1000.0;; step_s *= 1.25) {
+    std::vector<EnvelopeStep> steps = stepsOf(plan, stretch, step_s, androidStep_ms / 1000.0);
     if (steps.size() < androidPoints) return steps;
   }
 }
 
-std::int64_t milliseconds(std::int64_t frames, double sampleRate_Hz) {
-  return std::llround(1000 * static_cast<double>(frames) / sampleRate_Hz);
-}
-
-/// Grains that leave a jump no 20 ms are given up for its moment.
-std::int64_t androidStart(const PressPlan& plan, const Stretch& stretch) {
-  const std::int64_t first = firstOnset(plan, stretch);
-  for (const PlannedBurst& planned : plan.bursts)
-    if (planned.kind != EventKind::grain && planned.frame >= first && planned.frame < stretch.to &&
-        plan.time_s(planned.frame - first) < androidStep_s)
-      return planned.frame;
-  return first;
+AndroidEnvelope androidEnvelope(const PressPlan& plan, const Stretch& all) {
+  AndroidEnvelope envelope{firstOnsetWithRoom(plan, all, androidStep_ms / 1000.0), {}, {}};
+  const std::int64_t zero = envelope.zero;
+  if (zero >= all.to) return envelope;
+  std::int64_t last_ms = 0;
+  for (const EnvelopeStep& step : androidSteps(plan, {zero, all.to})) {
+    const std::int64_t end_ms =
+        std::max<std::int64_t>(last_ms + androidStep_ms, std::llround(1000 * plan.time_s(step.to - zero)));
+    envelope.points.push_back({clampedAmplitude(step.amplitude), step.frequency_Hz, end_ms - last_ms});
+    if (step.onset)
+      envelope.onsets.push_back(zero +
+                                std::llround(static_cast<double>(last_ms) * plan.sampleRate_Hz / 1000));
+    last_ms = end_ms;
+  }
+  envelope.points.back().amplitude = 0;  // the builder refuses what does not end at rest
+  return envelope;
 }
 
 AndroidPart androidPart(const PressPlan& plan, const Stretch& all) {
-  const std::int64_t first = androidStart(plan, all);
-  AndroidPart part{first, {}, {}, {}};
-  if (first >= all.to) return part;
-  const Stretch stretch{first, all.to};
-  const auto at_ms = [&](std::int64_t frame) { return milliseconds(frame - first, plan.sampleRate_Hz); };
-  std::int64_t last_ms = 0;
-  for (const EnvelopeStep& step : androidSteps(plan, stretch)) {
-    const std::int64_t end_ms = std::max(last_ms + 20, at_ms(step.to));
-    part.envelope.push_back({clampedAmplitude(step.amplitude), step.frequency_Hz, end_ms - last_ms});
-    if (step.onset)
-      part.onsets.push_back(first + std::llround(static_cast<double>(last_ms) * plan.sampleRate_Hz / 1000));
-    last_ms = end_ms;
-  }
-  part.envelope.back().amplitude = 0;  // the builder refuses what does not end at rest
-  last_ms = 0;
-  for (const EnvelopeStep& step : stepsOf(plan, stretch, envelopeStep_s, 0.002)) {
-    const std::int64_t end_ms = std::max(last_ms + 1, at_ms(step.to));
-    part.waveform.emplace_back(end_ms - last_ms, static_cast<int>(std::lround(255 * step.amplitude)));
-    last_ms = end_ms;
-  }
+  AndroidPart part{androidEnvelope(plan, all), timedLevels(plan, all, 5, 2, 255)};
+  if (worstTimingError_ms(plan, all, part.envelope.onsets) > androidTiming_ms) part.envelope.points.clear();
   return part;
 }
 
 PlayedWave waveOf(const AndroidPart& part, double sampleRate_Hz) {
+  if (part.envelope.points.empty()) return waveOf(part.levels, sampleRate_Hz);
   PlayedWave wave;
-  double time_s = static_cast<double>(part.zero) / sampleRate_Hz;
-  if (part.envelope.empty()) return wave;
-  wave.points.push_back({time_s, 0, part.envelope.front().frequency_Hz});
-  for (const AndroidPoint& point : part.envelope) {
+  double time_s = static_cast<double>(part.envelope.zero) / sampleRate_Hz;
+  wave.points.push_back({time_s, 0, part.envelope.points.front().frequency_Hz});
+  for (const AndroidPoint& point : part.envelope.points) {
     time_s += static_cast<double>(point.duration_ms) / 1000;
     wave.points.push_back({time_s, point.amplitude, point.frequency_Hz});
   }
   return wave;
 }
 
-std::string kotlinPart(const char* name, const AndroidPart& part) {
-  const auto builder = [&] {
-    std::string text =
-        "        VibrationEffect.WaveformEnvelopeBuilder()\n            .setInitialFrequencyHz(" +
-        cFloat(part.envelope.front().frequency_Hz) + ")\n";
-    for (const AndroidPoint& point : part.envelope)
-      text += "            .addControlPoint(" + cFloat(point.amplitude) + ", " + cFloat(point.frequency_Hz) +
-              ", " + std::to_string(point.duration_ms) + "L)\n";
-    return text + "            .build()\n";
-  };
-  const std::string function = "    fun " + std::string(name) + "(vibrator: Vibrator): VibrationEffect? =\n";
-  if (part.envelope.empty()) return function + "        null  // nothing is felt here\n";
+std::string kotlinLevels(const TimedLevels& levels) {
   std::string timings, amplitudes;
-  for (const auto& [time_ms, amplitude] : part.waveform) {
+  for (const auto& [time_ms, amplitude] : levels.levels) {
     timings += (timings.empty() ? "" : ", ") + std::to_string(time_ms);
     amplitudes += (amplitudes.empty() ? "" : ", ") + std::to_string(amplitude);
   }
-  return function + "      if (Build.VERSION.SDK_INT >= 36 && vibrator.areEnvelopeEffectsSupported())\n" +
-         builder() + "      else\n        VibrationEffect.createWaveform(\n            longArrayOf(" +
-         timings + "),\n            intArrayOf(" + amplitudes + "), -1)\n";
+  return "VibrationEffect.createWaveform(\n            longArrayOf(" + timings +
+         "),\n            intArrayOf(" + amplitudes + "), -1)\n";
+}
+
+std::string kotlinPart(const char* name, const AndroidPart& part) {
+  const std::string function = "    fun " + std::string(name) + "(vibrator: Vibrator): VibrationEffect? =\n";
+  if (part.levels.levels.empty()) return function + "        null  // nothing is felt here\n";
+  const std::vector<AndroidPoint>& points = part.envelope.points;
+  if (points.empty())
+    return function +
+           "      // No envelope: its points, 20 ms apart, would move a jump or the bottom-out.\n        " +
+           kotlinLevels(part.levels);
+  const auto [low, high] = std::minmax_element(
+      points.begin(), points.end(),
+      [](const AndroidPoint& a, const AndroidPoint& b) { return a.frequency_Hz < b.frequency_Hz; });
+  std::string text =
+      function + "      if (holds(vibrator, " + cFloat(low->frequency_Hz) + ", " +
+      cFloat(high->frequency_Hz) + "))\n" +
+      "        VibrationEffect.WaveformEnvelopeBuilder()\n            .setInitialFrequencyHz(" +
+      cFloat(points.front().frequency_Hz) + ")\n";
+  for (const AndroidPoint& point : points)
+    text += "            .addControlPoint(" + cFloat(point.amplitude) + ", " + cFloat(point.frequency_Hz) +
+            ", " + std::to_string(point.duration_ms) + "L)\n";
+  return text + "            .build()\n      else\n        " + kotlinLevels(part.levels);
 }
 
 std::string kotlinComment(std::string text) {
@@ -388,14 +389,18 @@ std::string kotlinText(const ExportSource& source, const AndroidPart& press, con
     head += " * " + kotlinComment(clean) + "\n";
   }
   return head +
-         " * Envelopes are played only where the device's frequency range holds them "
-         "(Vibrator.getFrequencyProfile()): the framework\n"
-         " * neither moves nor replaces a frequency that is out of range. VibrationEffect.Builder (newer "
-         "systems) puts press and\n"
-         " * release on one time line; test for the class, not for a version.\n"
+         " * VibrationEffect.Builder (newer systems) puts press and release on one time line; test for the "
+         "class, not for a version.\n"
          " */\n"
          "import android.os.Build\nimport android.os.VibrationEffect\nimport android.os.Vibrator\n\nobject "
-         "DetentButton {\n" +
+         "DetentButton {\n"
+         "    // An envelope with a frequency out of the device's range is not played at all: the framework "
+         "neither moves nor replaces it.\n"
+         "    private fun holds(vibrator: Vibrator, low: Float, high: Float): Boolean {\n"
+         "        if (Build.VERSION.SDK_INT < 36 || !vibrator.areEnvelopeEffectsSupported()) return false\n"
+         "        val profile = vibrator.frequencyProfile ?: return false\n"
+         "        return profile.minFrequencyHz <= low && profile.maxFrequencyHz >= high\n"
+         "    }\n\n" +
          kotlinPart("press", press) + "\n" + kotlinPart("release", release) + "}\n";
 }
 
@@ -461,11 +466,20 @@ Reduction androidOf(const ExportSource& source) {
   const AndroidPart press = androidPart(plan, pressOf(plan)), release = androidPart(plan, releaseOf(plan));
   Reduction reduction;
   reduction.played = playedBy({waveOf(press, plan.sampleRate_Hz), waveOf(release, plan.sampleRate_Hz)}, plan);
-  reduction.loss.worstTimingError_ms = std::fmax(worstTimingError_ms(plan, pressOf(plan), press.onsets),
-                                                 worstTimingError_ms(plan, releaseOf(plan), release.onsets));
+  reduction.loss.worstTimingError_ms =
+      std::fmax(worstTimingError_ms(plan, pressOf(plan), press.onsets()),
+                worstTimingError_ms(plan, releaseOf(plan), release.onsets()));
   reduction.loss.grainsMerged = grainsWithin(plan, {0, static_cast<std::int64_t>(plan.samples.size())});
-  reduction.loss.dropped = {oneRecordedPress, "rises and falls shorter than 20 ms",
-                            "frequency, on devices without envelopes"};
+  reduction.loss.dropped = {oneRecordedPress};
+  const bool envelopes = !press.envelope.points.empty() || !release.envelope.points.empty();
+  const bool levels = press.envelope.points.empty() || release.envelope.points.empty();
+  if (envelopes) reduction.loss.dropped.emplace_back("rises and falls shorter than 20 ms");
+  if (envelopes) reduction.loss.dropped.emplace_back("frequency, on devices without envelopes");
+  if (levels) {
+    reduction.loss.dropped.emplace_back(
+        "every frequency where jumps follow each other within 20 ms (the motor plays its own)");
+    reduction.loss.frequencyMoved_Hz = furthestFromResonance_Hz(plan);
+  }
   reduction.write = [source, press, release](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{"", "", kotlinText(source, press, release, loss)}};
   };

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Presses and their sound as files. Apart from render_press.h because what renders a press in a browser has no files.
+// Presses and their sound as files, and sound files of others. Apart from render_press.h because what renders a press in a browser has no files.
 
 #include <filesystem>
+#include <vector>
 
 #include "playback/offline/render_press.h"
 
@@ -24,5 +25,20 @@ ExpectedSize expectedSize(const PressTrace& trace, const RenderSettings& setting
 /// another ending, or float samples in a FLAC; unreadableInput where the file cannot be written.
 Result<RenderSummary> renderPressToFile(const HapticProgram& program, const PressTrace& trace,
                                         const RenderSettings& settings, const std::filesystem::path& file);
+
+/// Float samples as a mono WAV, or as FLAC of 24 bits, by the file's ending. Written and failing as above.
+Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate_Hz,
+                            const std::filesystem::path& file);
+
+/// One channel of sound.
+struct SoundSamples {
+  double sampleRate_Hz = 0;
+  int channels = 1;            ///< of the file; `samples` is their mean
+  std::vector<float> samples;  ///< full scale is 1; at least one, all finite
+};
+
+/// WAV, FLAC and what else libsndfile reads, at 8000 to 192000 Hz, of at most `longest_s`. Failure unreadableInput: not there, no
+/// sound, cut off, longer, or with a sample that is no number.
+Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double longest_s);
 
 }  // namespace detent::playback

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <memory>
 
 #include <sndfile.h>
@@ -17,6 +19,7 @@ struct CloseSound {
 };
 using SoundFile = std::unique_ptr<SNDFILE, CloseSound>;
 
+constexpr int mostChannels = 16;
 constexpr double largestWav_bytes = 4.0 * 1024 * 1024 * 1024 - 4096;  // its length fields have 32 bits
 
 enum class Container { wav, flac, unknown };
@@ -48,6 +51,52 @@ int formatOf(Container container, SampleFormat format, double bytes) {
   return container == Container::flac && format != SampleFormat::float32 ? SF_FORMAT_FLAC | samples : 0;
 }
 
+/// One channel, complete or not there. `produce` is given where its samples go; it goes on where that answers true.
+template <class Summary>
+Result<Summary> written(const std::filesystem::path& file, double sampleRate_Hz, SampleFormat format,
+                        double bytes, const std::function<Result<Summary>(const SampleSink&)>& produce) {
+  SF_INFO info{};
+  info.channels = 1;
+  info.samplerate = static_cast<int>(sampleRate_Hz);
+  const Container container = containerOf(file);
+  info.format = formatOf(container, samplesIn(container, format), bytes);
+  if (container == Container::flac && info.format == 0) {
+    return Failure{FailureCode::wrongUsage, file.string(), "", "FLAC holds no float samples",
+                   "Give --bits 16 or 24, or a .wav"};
+  }
+  if (info.format == 0) {
+    return Failure{FailureCode::wrongUsage, file.string(), "", "is neither .wav nor .flac",
+                   "Give one of these endings"};
+  }
+  auto draft = StagedFile::beside(file);
+  if (!draft) return draft.failure();
+  std::string trouble;
+  Result<Summary> summary = Failure{};
+  {
+    SoundFile out(sf_open(draft->path().c_str(), SFM_WRITE, &info));
+    if (!out) return draft->notWritten(sf_strerror(nullptr));
+    // No peak chunk: it holds the time of writing, and the same press must give the same file.
+    sf_command(out.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
+    sf_command(out.get(), SFC_SET_CLIPPING, nullptr, SF_TRUE);
+    summary = produce([&](const float* samples, std::size_t count) {
+      if (sf_writef_float(out.get(), samples, static_cast<sf_count_t>(count)) ==
+          static_cast<sf_count_t>(count)) {
+        return true;
+      }
+      trouble = sf_strerror(out.get());
+      return false;
+    });
+    if (!summary) return summary;
+    sf_write_sync(out.get());
+    if (sf_error(out.get()) != SF_ERR_NO_ERROR) trouble = sf_strerror(out.get());
+    const int closed = sf_close(out.release());
+    if (closed != 0) trouble = sf_error_number(closed);
+  }
+  if (!trouble.empty()) return draft->notWritten(trouble);
+  if (const auto kept = draft->commit(); !kept) return kept.failure();
+  return summary;
+}
+
 }  // namespace
 
 ExpectedSize expectedSize(const PressTrace& trace, const RenderSettings& settings,
@@ -67,47 +116,53 @@ ExpectedSize expectedSize(const PressTrace& trace, const RenderSettings& setting
 Result<RenderSummary> renderPressToFile(const HapticProgram& program, const PressTrace& trace,
                                         const RenderSettings& settings, const std::filesystem::path& file) {
   if (Result<Done> ok = checkRendering(trace, settings); !ok) return ok.failure();
+  const double bytes = expectedSize(trace, settings, file).bytes;
+  return written<RenderSummary>(
+      file, settings.sampleRate_Hz, settings.format, bytes,
+      [&](const SampleSink& put) { return renderPress(program, trace, settings, put); });
+}
+
+Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate_Hz,
+                            const std::filesystem::path& file) {
+  const double bytes = static_cast<double>(samples.size() * sizeof(float));
+  return written<Done>(file, sampleRate_Hz, SampleFormat::standard, bytes, [&](const SampleSink& put) {
+    put(samples.data(), samples.size());
+    return Result<Done>(Done{});
+  });
+}
+
+Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double longest_s) {
+  const auto refuse = [&](Message problem, Message remedy) {
+    return Failure{
+        FailureCode::unreadableInput, Subject(file.string()), {}, std::move(problem), std::move(remedy)};
+  };
   SF_INFO info{};
-  info.channels = 1;
-  info.samplerate = static_cast<int>(settings.sampleRate_Hz);
-  const Container container = containerOf(file);
-  const SampleFormat samplesAs = samplesIn(container, settings.format);
-  info.format = formatOf(container, samplesAs, expectedSize(trace, settings, file).bytes);
-  if (container == Container::flac && info.format == 0) {
-    return Failure{FailureCode::wrongUsage, file.string(), "", "FLAC holds no float samples",
-                   "Give --bits 16 or 24, or a .wav"};
+  SoundFile in(sf_open(file.c_str(), SFM_READ, &info));
+  if (!in)
+    return refuse(Message("is no sound file that can be read: %1", sf_strerror(nullptr)), "Give a WAV");
+  if (info.samplerate < 8000 || info.samplerate > 192000)
+    return refuse(Message("has %1 samples a second", info.samplerate), "Give 8000 to 192000");
+  if (info.channels < 1 || info.channels > mostChannels)
+    return refuse(Message("has %1 channels", info.channels), Message("Give at most %1", mostChannels));
+  const auto frames = static_cast<double>(info.frames);
+  if (!(frames >= 1)) return refuse("holds no sample", "Give a longer one");
+  if (frames > longest_s * info.samplerate)
+    return refuse(Message("lasts %1 s", frames / info.samplerate),
+                  Message("Give one of at most %1 s", longest_s));
+  std::vector<float> interleaved(static_cast<std::size_t>(info.frames) *
+                                 static_cast<std::size_t>(info.channels));
+  if (sf_readf_float(in.get(), interleaved.data(), info.frames) != info.frames)
+    return refuse("is cut off", "Export it again");
+  SoundSamples sound{static_cast<double>(info.samplerate), info.channels, {}};
+  const auto channels = static_cast<std::size_t>(info.channels);
+  for (std::size_t i = 0; i < interleaved.size(); i += channels) {
+    double sum = 0;
+    for (std::size_t c = 0; c < channels; ++c) sum += static_cast<double>(interleaved[i + c]);
+    if (!(std::fabs(sum) < 1e9))
+      return refuse(Message("has a sample that is no number, the %1th", i / channels + 1), "Export it again");
+    sound.samples.push_back(static_cast<float>(sum / static_cast<double>(channels)));
   }
-  if (info.format == 0) {
-    return Failure{FailureCode::wrongUsage, file.string(), "", "is neither .wav nor .flac",
-                   "Give one of these endings"};
-  }
-  auto draft = StagedFile::beside(file);
-  if (!draft) return draft.failure();
-  std::string trouble;
-  Result<RenderSummary> summary = Failure{};
-  {
-    SoundFile out(sf_open(draft->path().c_str(), SFM_WRITE, &info));
-    if (!out) return draft->notWritten(sf_strerror(nullptr));
-    // No peak chunk: it holds the time of writing, and the same press must give the same file.
-    sf_command(out.get(), SFC_SET_ADD_PEAK_CHUNK, nullptr, SF_FALSE);
-    sf_command(out.get(), SFC_SET_CLIPPING, nullptr, SF_TRUE);
-    summary = renderPress(program, trace, settings, [&](const float* samples, std::size_t count) {
-      if (sf_writef_float(out.get(), samples, static_cast<sf_count_t>(count)) ==
-          static_cast<sf_count_t>(count)) {
-        return true;
-      }
-      trouble = sf_strerror(out.get());
-      return false;
-    });
-    if (!summary) return summary;
-    sf_write_sync(out.get());
-    if (sf_error(out.get()) != SF_ERR_NO_ERROR) trouble = sf_strerror(out.get());
-    const int closed = sf_close(out.release());
-    if (closed != 0) trouble = sf_error_number(closed);
-  }
-  if (!trouble.empty()) return draft->notWritten(trouble);
-  if (const auto kept = draft->commit(); !kept) return kept.failure();
-  return summary;
+  return sound;
 }
 
 }  // namespace detent::playback

@@ -19,6 +19,7 @@
 #include "playback/program/magnetic_command.h"
 #include "playback/program/page_command.h"
 #include "playback/program/performance_command.h"
+#include "playback/program/reference_command.h"
 #include "playback/program/render_command.h"
 #include "playback/program/sweep_command.h"
 #include "playback/study/program/study_commands.h"
@@ -37,6 +38,7 @@ int run(int argc, char** argv, const Cancelled& cancelled) {
   addRenderCommand(program, chosen);
   addPageCommand(program, chosen);
   addExportCommand(program, chosen);
+  addReferenceCommand(program, chosen);
   addPerformanceCommand(program, chosen);
   addMagneticCommand(program, chosen);
   addDevicesCommand(program, chosen);

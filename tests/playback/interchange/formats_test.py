@@ -217,7 +217,7 @@ class Formats(unittest.TestCase):
             envelopes = file["signals"]["continuous"]["envelopes"]
             times = [p["time"] for p in envelopes["amplitude"]]
             self.assertEqual(times, sorted(times))
-            points = [(a["time"], a["amplitude"], 80 + 150 * f["frequency"])
+            points = [(a["time"], a["amplitude"], 80 + 150 * math.sqrt(f["frequency"]))
                       for a, f in zip(envelopes["amplitude"], envelopes["frequency"])]
             self.assert_told(sine(numpy.arange(len(original)) / RATE, points), original, loss)
 
@@ -241,12 +241,16 @@ class Formats(unittest.TestCase):
             slices = [tuple(map(int, m)) for m in re.findall(r"\{(\d+), (\d+), (\d+)\}", text)]
             original = self.rendered(button)
             time, played, now = numpy.arange(len(original)) / RATE, numpy.zeros(len(original)), 0.0
+            starts = []
             for amplitude, frequency, cycles in slices:
                 self.assertTrue(0 <= amplitude <= 4095 and 1 <= frequency <= 255 and 1 <= cycles <= 255)
                 end = now + cycles / (3.9 * frequency)
+                if amplitude > 0:
+                    starts.append(now)
                 played += sine(time, [(now, amplitude / 4095, 3.9 * frequency), (end, amplitude / 4095, 3.9 * frequency)])
                 now = end
             self.assert_told(played, original, loss)
+            self.assertLessEqual(abs(self.onset_error_ms(button, starts) - loss["worst_timing_error_ms"]), 3)
 
     def test_da728x(self):
         """The memory as the maker's decoder walks it: end pointers are indices of last bytes, a ramp starts where the last one ended."""
@@ -274,25 +278,82 @@ class Formats(unittest.TestCase):
             self.assertLess(sum(lasts), len(original) / RATE + 0.2)
             self.assertLess(loss["worst_timing_error_ms"], 0.7 * 4)
 
+    def zeros_s(self, button, room_s):
+        """When each half begins: at its first burst, or at a jump or bottom-out within `room_s` of it."""
+        events = json.loads(self.export(button, "package", ".json")[0][0])["example_press"]["events"]
+        turn, zeros = self.turn_s(button), []
+        for low, high in ((-1, turn - 1e-9), (turn - 1e-9, 1e9)):
+            half = [(e["sample"] / RATE, e["kind"]) for e in events if low <= e["sample"] / RATE < high]
+            strong = [t for t, kind in half if kind != "grain" and t - half[0][0] < room_s]
+            zeros.append((strong or [half[0][0]])[0] if half else None)
+        return zeros
+
+    def onset_error_ms(self, button, starts):
+        """Of jumps and bottom-outs to the nearest beginning of a level."""
+        events = json.loads(self.export(button, "package", ".json")[0][0])["example_press"]["events"]
+        return max(min(abs(e["sample"] / RATE - start) for start in starts) for e in events if e["kind"] != "grain") * 1000
+
+    def levels(self, time, zero, steps, full):
+        """(level, ms) one after another, by a motor at 205 Hz; and when each begins."""
+        points, starts, now = [], [], zero
+        for level, lasts_ms in steps:
+            starts.append(now)
+            points += [(now, level / full, 205), (now + lasts_ms / 1000, level / full, 205)]
+            now += lasts_ms / 1000
+        return sine(time, points), starts
+
     def test_drv2605(self):
-        (text,), loss = self.export("A", "drv2605", ".h")
-        for name in ("detent_press", "detent_release"):
-            numbers = re.search(name + r"\[\] = \{(.*?)\}", text, re.S).group(1)
-            values = [int(n) for n in numbers.split(",") if n.strip()]
-            self.assertTrue(all(0 <= v <= 127 for v in values))
-            self.assertEqual(values[-1], 0)
-        self.assertIn("every frequency", " ".join(loss["dropped"]))
+        for button in ("A", "B", "F", "latch"):
+            (text,), loss = self.export(button, "drv2605", ".h")
+            original = self.rendered(button)
+            time = numpy.arange(len(original)) / RATE
+            played, starts = numpy.zeros(len(original)), []
+            for name, zero in zip(("detent_press", "detent_release"), self.zeros_s(button, 0.005)):
+                numbers = re.search(name + r"\[\] = \{(.*?)\};", text, re.S).group(1)
+                steps = [(int(a), int(ms)) for a, ms in re.findall(r"\{(\d+), (\d+)\}", numbers)]
+                self.assertTrue(all(0 <= a <= 127 and 5 <= ms <= 255 for a, ms in steps))
+                self.assertEqual(steps[-1][0], 0)
+                if zero is not None:
+                    wave, begins = self.levels(time, zero, steps, 127)
+                    played, starts = played + wave, starts + begins
+            self.assert_told(played, original, loss)
+            self.assertLessEqual(self.onset_error_ms(button, starts), 1)
+            self.assertLessEqual(loss["worst_timing_error_ms"], 1)
 
     def test_android(self):
-        for button in ("A", "B", "latch"):
+        for button in ("A", "B", "F", "latch"):
             (text,), loss = self.export(button, "android", ".kt")
-            for part in re.findall(r"WaveformEnvelopeBuilder\(\)(.*?)\.build", text, re.S):
-                points = re.findall(r"addControlPoint\(([\d.e+-]+)f, ([\d.e+-]+)f, (\d+)L\)", part)
-                self.assertTrue(1 <= len(points) <= 16)
-                self.assertTrue(all(int(lasts) >= 20 for _, _, lasts in points))
-                self.assertTrue(all(0 <= float(a) <= 1 for a, _, _ in points))
-                self.assertEqual(float(points[-1][0]), 0)
-            self.assertLess(loss["worst_timing_error_ms"], 20)
+            original = self.rendered(button)
+            time = numpy.arange(len(original)) / RATE
+            played, starts = numpy.zeros(len(original)), []
+            halves = re.search(r"fun press(.*?)fun release(.*)", text, re.S).groups()
+            rooms = zip(self.zeros_s(button, 0.02), self.zeros_s(button, 0.002))
+            for half, (zero, fine_zero) in zip(halves, rooms):
+                points = [(float(a), float(f), int(ms)) for a, f, ms in
+                          re.findall(r"addControlPoint\(([\d.e+-]+)f, ([\d.e+-]+)f, (\d+)L\)", half)]
+                timings = re.search(r"longArrayOf\((.*?)\)", half, re.S)
+                if not timings:
+                    continue
+                durations = [int(n) for n in timings.group(1).split(",")]
+                levels = [int(n) for n in re.search(r"intArrayOf\((.*?)\)", half, re.S).group(1).split(",")]
+                self.assertEqual(len(durations), len(levels))
+                self.assertTrue(all(ms >= 1 for ms in durations) and all(0 <= a <= 255 for a in levels))
+                if not points:
+                    wave, begins = self.levels(time, fine_zero, list(zip(levels, durations)), 255)
+                    played, starts = played + wave, starts + begins
+                    continue
+                self.assertTrue(len(points) <= 16 and all(ms >= 20 and 0 <= a <= 1 for a, _, ms in points))
+                self.assertEqual(points[-1][0], 0)
+                self.assertIn("holds(vibrator, ", half)
+                course, now = [(zero, 0, points[0][1])], zero
+                for amplitude, frequency, lasts_ms in points:
+                    starts.append(now)
+                    now += lasts_ms / 1000
+                    course.append((now, amplitude, frequency))
+                played = played + sine(time, course)
+            self.assert_told(played, original, loss)
+            self.assertLessEqual(self.onset_error_ms(button, starts), 1)
+            self.assertLessEqual(loss["worst_timing_error_ms"], 1)
 
     def test_header_compiles_as_c_and_cpp(self):
         compilers = [(shutil.which("gcc"), ["-std=c99", "-x", "c"]), (shutil.which("g++"), ["-std=c++11", "-x", "c++"])]

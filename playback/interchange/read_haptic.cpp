@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Lofelt's and Meta's .haptic, version 1: played as its own conversion to AHAP has it (NiceVibrations): intensity is the root of an
+// amplitude, sharpness the root of a frequency; at an emphasis the envelope is ducked and a transient stands on it.
+
+#include <cmath>
+
+#include "playback/interchange/reference_signal.h"
+#include "playback/interchange/reference_waves.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr double ducked = 0.8;  // of the intensity under an emphasis
+
+struct Breakpoint {
+  double time_s = 0, value = 0;
+};
+
+/// Times never fall; values within 0..1: what its own reader demands.
+Breakpoint breakpointOf(const JsonPlace& entry, const char* value, const std::vector<Breakpoint>& before) {
+  const Breakpoint point{entry.at("time").number(0, longestReference_s), entry.at(value).number(0, 1)};
+  if (!before.empty() && point.time_s < before.back().time_s)
+    entry.at("time").refuse("lies before the point it follows", "Sort the points by time");
+  return point;
+}
+
+double straight(const std::vector<Breakpoint>& points, std::size_t next, double time_s) {
+  if (next == 0) return points.front().value;
+  if (next == points.size()) return points.back().value;
+  const Breakpoint &a = points[next - 1], &b = points[next];
+  return b.time_s > a.time_s ? a.value + (b.value - a.value) * (time_s - a.time_s) / (b.time_s - a.time_s)
+                             : b.value;
+}
+
+/// Both courses over one list of times. A step of one, two points at one time, stays a step.
+std::vector<WavePoint> merged(const std::vector<Breakpoint>& amplitudes,
+                              const std::vector<Breakpoint>& frequencies) {
+  std::vector<WavePoint> points;
+  std::size_t a = 0, f = 0;
+  while (a < amplitudes.size()) {
+    const bool amplitudeNext = f == frequencies.size() || amplitudes[a].time_s <= frequencies[f].time_s;
+    const double time_s = amplitudeNext ? amplitudes[a].time_s : frequencies[f].time_s;
+    const double level = amplitudeNext ? amplitudes[a].value : straight(amplitudes, a, time_s);
+    const bool both = amplitudeNext && f < frequencies.size() && frequencies[f].time_s == time_s;
+    const double frequency = frequencies.empty()      ? 0
+                             : !amplitudeNext || both ? frequencies[f].value
+                                                      : straight(frequencies, f, time_s);
+    // Before the envelope begins nothing sounds.
+    if (amplitudeNext || a > 0) points.push_back({time_s, level, frequencyOf(frequency)});
+    if (amplitudeNext) ++a;
+    if (!amplitudeNext || both) ++f;
+  }
+  return points;
+}
+
+void refuseOtherVersions(const JsonPlace& version) {
+  const double major = version.at("major").number(0, 1e9);
+  if (major != 1)
+    version.refuse(Message("is %1: another version of .haptic than 1", major),
+                   "Export it again as version 1");
+}
+
+}  // namespace
+
+ReferenceWaves hapticWaves(const JsonPlace& file) {
+  refuseOtherVersions(file.at("version"));
+  const JsonPlace envelopes = file.at("signals").at("continuous").at("envelopes");
+  ReferenceWaves result;
+  std::vector<Breakpoint> amplitudes, frequencies;
+  for (const JsonPlace& entry : envelopes.at("amplitude").elements()) {
+    Breakpoint point = breakpointOf(entry, "amplitude", amplitudes);
+    if (entry.has("emphasis")) {
+      const JsonPlace emphasis = entry.at("emphasis");
+      const double amplitude = emphasis.at("amplitude").number(0, 1);
+      const double frequency_Hz = frequencyOf(emphasis.at("frequency").number(0, 1));
+      if (amplitude < point.value)
+        emphasis.refuse("is weaker than the point it stands on", "Give it at least that point's amplitude");
+      result.waves.push_back(
+          {{{point.time_s, amplitude, frequency_Hz}, {point.time_s + transient_s, 0, frequency_Hz}}});
+      point.value *= ducked * ducked;
+    }
+    amplitudes.push_back(point);
+  }
+  if (amplitudes.empty()) envelopes.at("amplitude").refuse("holds no point", "Give at least one");
+  if (envelopes.has("frequency"))
+    for (const JsonPlace& entry : envelopes.at("frequency").elements()) {
+      // Straight between the roots, as AHAP's curves are.
+      frequencies.push_back(breakpointOf(entry, "frequency", frequencies));
+      frequencies.back().value = std::sqrt(frequencies.back().value);
+    }
+  result.events = amplitudes.size();
+  result.waves.insert(result.waves.begin(), PlayedWave{merged(amplitudes, frequencies)});
+  return result;
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "model/file/json_place.h"
+#include "model/file/text_file.h"
+#include "playback/interchange/reference_signal.h"
+#include "playback/interchange/reference_waves.h"
+#include "playback/offline/press_files.h"
+#include "playback/offline/resample.h"
+
+namespace detent::playback {
+
+namespace {
+
+constexpr std::size_t largestText = std::size_t{16} << 20;
+constexpr double mostSounding_s = 1200;  // all waves together: what is read in well under a second
+constexpr std::size_t longestName = 60, mostNotes = 16;
+
+Failure unreadable(const std::string& name, Message place, Message problem, Message remedy) {
+  return {FailureCode::unreadableInput, Subject(name), std::move(place), std::move(problem),
+          std::move(remedy)};
+}
+
+Message anyOfThem() { return "Give an AHAP, .haptic or HJIF file, or a WAV"; }
+
+/// Notes are for people: a file's own words are kept short.
+std::string shortened(std::string text) {
+  if (text.size() > longestName) text = text.substr(0, longestName) + "...";
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = '?';
+  return text;
+}
+
+/// Full scale is full scale.
+void turnDown(std::vector<double>& samples, ReferenceSignal& signal) {
+  double peak = 0;
+  for (const double sample : samples) peak = std::fmax(peak, std::fabs(sample));
+  const double gain = peak > 1 ? 1 / peak : 1;
+  // What rounding adds to full scale is not worth a word.
+  if (peak > 1 + 1e-6)
+    signal.notes.emplace_back(Message("it passes full scale by a factor of %1 and is turned down", peak));
+  signal.samples.reserve(samples.size());
+  for (const double sample : samples) signal.samples.push_back(static_cast<float>(sample * gain));
+  signal.peak = peak * gain;
+}
+
+Result<ReferenceSignal> played(const ReferenceWaves& read, ReferenceFormat format, const std::string& name) {
+  double end_s = 0, sounding_s = 0;
+  for (const PlayedWave& wave : read.waves) {
+    if (wave.points.empty()) continue;
+    end_s = std::fmax(end_s, wave.points.back().time_s);
+    sounding_s += wave.points.back().time_s - wave.points.front().time_s;
+  }
+  if (!(end_s > 0)) return unreadable(name, {}, "holds nothing that sounds", "Give a file with events");
+  if (end_s > longestReference_s)
+    return unreadable(name, {}, Message("lasts %1 s", end_s),
+                      Message("Give one of at most %1 s", longestReference_s));
+  if (sounding_s > mostSounding_s)
+    return unreadable(name, {}, Message("holds events of %1 s, one on top of another", sounding_s),
+                      Message("Give one whose events last %1 s together at most", mostSounding_s));
+  std::vector<double> samples(static_cast<std::size_t>(std::ceil(end_s * referenceRate_Hz)) + 1, 0);
+  addTo(samples, read.waves, referenceRate_Hz);
+  ReferenceSignal signal;
+  signal.format = format;
+  signal.events = read.events;
+  signal.notes = read.notes;
+  turnDown(samples, signal);
+  return signal;
+}
+
+bool isSound(const std::array<char, 12>& head) {
+  const std::string_view first(head.data(), 4);
+  return first == "RIFF" || first == "RF64" || first == "fLaC" || first == "FORM" || first == "OggS";
+}
+
+Result<ReferenceSignal> soundReference(const std::filesystem::path& file) {
+  Result<SoundSamples> sound = readSoundFile(file, longestReference_s);
+  if (!sound) return sound.failure();
+  ReferenceSignal signal;
+  signal.format = ReferenceFormat::sound;
+  if (sound->channels > 1)
+    signal.notes.emplace_back(
+        Message("the mean of its %1 channels is played", static_cast<std::size_t>(sound->channels)));
+  const std::vector<float> even = resampled(sound->samples, sound->sampleRate_Hz, referenceRate_Hz);
+  std::vector<double> samples(even.begin(), even.end());
+  turnDown(samples, signal);
+  return signal;
+}
+
+ReferenceSignal playedOrThrown(const nlohmann::json& json, const std::string& name) {
+  const JsonPlace file(json, "", name);
+  const auto give = [&](const ReferenceWaves& waves, ReferenceFormat format) {
+    Result<ReferenceSignal> signal = played(waves, format, name);
+    if (!signal) throw signal.failure();
+    return *std::move(signal);
+  };
+  if (file.has("Pattern")) return give(ahapWaves(file), ReferenceFormat::ahap);
+  if (file.has("signals")) return give(hapticWaves(file), ReferenceFormat::haptic);
+  if (file.has("perceptions")) return give(hjifWaves(file), ReferenceFormat::hjif);
+  file.refuse("is JSON, but no haptic file", anyOfThem());
+}
+
+}  // namespace
+
+void ReferenceWaves::note(Message message) {
+  const std::string said = english(message);
+  const bool known =
+      std::any_of(notes.begin(), notes.end(), [&](const Message& n) { return english(n) == said; });
+  if (!known && notes.size() < mostNotes) notes.push_back(std::move(message));
+}
+
+JsonPlace JsonPlace::at(const char* key) const {
+  const std::string place = place_.empty() ? key : place_ + "." + key;
+  if (!has(key)) refuse(Message("has no %1", key), anyOfThem());
+  return {value_.at(key), place, file_};
+}
+
+std::vector<JsonPlace> JsonPlace::elements() const {
+  if (!value_.is_array()) refuse("is no list", anyOfThem());
+  std::vector<JsonPlace> list;
+  list.reserve(value_.size());
+  for (std::size_t i = 0; i < value_.size(); ++i)
+    list.emplace_back(value_[i], place_ + "[" + std::to_string(i) + "]", file_);
+  return list;
+}
+
+double JsonPlace::number(double low, double high) const {
+  if (!value_.is_number()) refuse("is no number", "Correct it");
+  const double number = value_.get<double>();
+  if (!(number >= low && number <= high))
+    refuse(Message("is %1", number), Message("Give a number from %1 to %2", low, high));
+  return number;
+}
+
+double JsonPlace::numberOr(const char* key, double otherwise, double low, double high) const {
+  return has(key) ? at(key).number(low, high) : otherwise;
+}
+
+std::string JsonPlace::text() const {
+  if (!value_.is_string()) refuse("is no text", "Correct it");
+  return shortened(value_.get<std::string>());
+}
+
+std::string JsonPlace::textOr(const char* key, const std::string& otherwise) const {
+  return has(key) ? at(key).text() : otherwise;
+}
+
+void JsonPlace::refuse(Message problem, Message remedy) const {
+  throw unreadable(file_, Message(place_), std::move(problem), std::move(remedy));
+}
+
+Result<ReferenceSignal> referenceFromText(std::string_view text, const std::string& name) {
+  if (text.size() > largestText)
+    return unreadable(name, {}, Message("is larger than %1 MB", largestText >> 20), "Give a shorter one");
+  try {
+    return playedOrThrown(nlohmann::json::parse(text.begin(), text.end()), name);
+  } catch (const Failure& failure) {
+    return failure;
+  } catch (const nlohmann::json::parse_error& error) {
+    return unreadable(name, placeOfByte(text, error.byte),
+                      Message("is not valid JSON: %1", plainReason(error.what())),
+                      "Export it again: it may have been cut off");
+  } catch (const nlohmann::json::out_of_range& error) {
+    return unreadable(name, {}, Message("holds a number no double can hold: %1", plainReason(error.what())),
+                      "Correct the number");
+  }
+}
+
+Result<ReferenceSignal> readReference(const std::filesystem::path& file) {
+  std::array<char, 12> head{};
+  std::ifstream(file, std::ios::binary).read(head.data(), head.size());
+  if (isSound(head)) return soundReference(file);
+  Result<std::string> text = readTextFile(file.string());
+  if (!text) return text.failure();
+  const std::size_t first = text->find_first_not_of(" \t\r\n");
+  if (std::string_view(head.data(), 4) == "MIHS" || first == std::string::npos || (*text)[first] != '{')
+    return unreadable(file.string(), {}, "is neither JSON nor a sound file that can be read", anyOfThem());
+  return referenceFromText(*text, file.string());
+}
+
+}  // namespace detent::playback

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A signal that another program made, to be felt beside a button: never a button, since no such file says what force or place
+// belongs to what is felt (docs/export-formats.md: how each is played).
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "model/message.h"
+#include "model/named_values.h"
+#include "model/result.h"
+
+namespace detent::playback {
+
+enum class ReferenceFormat : std::uint8_t {
+  ahap,    ///< Apple, version 1
+  haptic,  ///< Lofelt and Meta, version 1
+  hjif,    ///< ISO/IEC 23090-31
+  sound    ///< WAV, FLAC and what else libsndfile reads
+};
+
+inline constexpr auto referenceFormats = named<ReferenceFormat>({{"ahap", ReferenceFormat::ahap},
+                                                                 {"haptic", ReferenceFormat::haptic},
+                                                                 {"hjif", ReferenceFormat::hjif},
+                                                                 {"sound", ReferenceFormat::sound}});
+
+/// Of every reference: what is read of any format is played at this rate.
+inline constexpr double referenceRate_Hz = 48000;
+/// Longest reference, in seconds.
+inline constexpr double longestReference_s = 120;
+
+struct ReferenceSignal {
+  ReferenceFormat format = ReferenceFormat::sound;
+  std::vector<float> samples;  ///< at referenceRate_Hz, within [-1, 1]; at least one
+  double peak = 0;             ///< largest |sample|
+  std::size_t events = 0;      ///< that it was made of; 0 for sound
+  std::vector<Message> notes;  ///< what of the file is not played, or played differently
+
+  double duration_s() const { return static_cast<double>(samples.size()) / referenceRate_Hz; }
+};
+
+/// By its content, not its ending. Failure unreadableInput names the file, the place in it and what is wrong: cut off, another version,
+/// numbers that mean nothing, longer than `longestReference_s`. Any thread; allocates; some 100 ms for what is allowed at most.
+Result<ReferenceSignal> readReference(const std::filesystem::path& file);
+
+/// The same of a text that is JSON of one of the formats; `name` is what a Failure calls it.
+Result<ReferenceSignal> referenceFromText(std::string_view text, const std::string& name);
+
+}  // namespace detent::playback

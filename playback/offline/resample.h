@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Samples at another rate.
+
+#include <vector>
+
+namespace detent::playback {
+
+/// Band-limited (a windowed sinc of 32 zero crossings): what lies below 0.45 of the lower rate stays within 1e-3. The same samples for
+/// the same rate. Rates > 0, at most a factor of 24 apart.
+std::vector<float> resampled(const std::vector<float>& samples, double from_Hz, double to_Hz);
+
+}  // namespace detent::playback

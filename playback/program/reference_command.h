@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// detent-play reference: a signal of another program, as the feel panel plays it.
+
+#include "playback/program/command.h"
+
+namespace detent::playback {
+
+void addReferenceCommand(CLI::App& program, Action& chosen);
+
+}  // namespace detent::playback

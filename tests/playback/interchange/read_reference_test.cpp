@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include <catch2/catch.hpp>
+
+#include "model/file/text_file.h"
+#include "playback/interchange/reference_signal.h"
+#include "playback/interchange/reference_waves.h"
+#include "playback/offline/press_files.h"
+#include "playback/offline/resample.h"
+
+using namespace detent;
+using namespace detent::playback;
+
+namespace {
+
+constexpr double rate_Hz = referenceRate_Hz;
+
+ReferenceSignal read(const std::string& text) {
+  Result<ReferenceSignal> signal = referenceFromText(text, "file");
+  INFO((signal ? std::string() : signal.failure().sentence()));
+  REQUIRE(signal.ok());
+  return *signal;
+}
+
+std::string refusal(const std::string& text) {
+  Result<ReferenceSignal> signal = referenceFromText(text, "file");
+  REQUIRE_FALSE(signal.ok());
+  CHECK(signal.failure().code == FailureCode::unreadableInput);
+  CHECK_FALSE(signal.failure().remedies.empty());
+  return signal.failure().sentence();
+}
+
+/// Largest difference from `expected(time)` between two times.
+template <class Expected>
+double worst(const ReferenceSignal& signal, double from_s, double to_s, Expected expected) {
+  double most = 0;
+  for (auto i = static_cast<std::size_t>(std::ceil(from_s * rate_Hz));
+       i < static_cast<std::size_t>(to_s * rate_Hz); ++i)
+    most = std::fmax(most, std::fabs(static_cast<double>(signal.samples.at(i)) -
+                                     expected(static_cast<double>(i) / rate_Hz)));
+  return most;
+}
+
+double sine(double cycles) { return std::sin(2 * std::numbers::pi * cycles); }
+
+std::string ahap(const std::string& pattern) { return R"({"Version": 1.0, "Pattern": [)" + pattern + "]}"; }
+std::string haptic(const std::string& envelopes) {
+  return R"({"version": {"major": 1, "minor": 0, "patch": 0}, "signals": {"continuous": {"envelopes": )" +
+         envelopes + "}}}";
+}
+std::string hjif(const std::string& band, const std::string& rest = R"("timescale": 1000)") {
+  return R"({"version": "2023", "profile": "Main", "level": 1, )" + rest +
+         R"(, "perceptions": [{"id": 0, "effect_library": [{"id": 7, "effect_type": "Basis", "position": 5, "base_signal": "Sine",
+            "keyframes": [{"relative_position": 0, "amplitude_modulation": 0.5, "frequency_modulation": 200}, {"relative_position": 10}]}],
+            "channels": [{"gain": 0.5, "bands": [)" +
+         band + "]}]}]}";
+}
+
+const std::string continuous =
+    R"({"Event": {"Time": 0.1, "EventType": "HapticContinuous", "EventDuration": 0.2, "EventParameters": [
+       {"ParameterID": "HapticIntensity", "ParameterValue": 0.8}, {"ParameterID": "HapticSharpness", "ParameterValue": 0.4}]}})";
+
+}  // namespace
+
+TEST_CASE("An AHAP event is as strong as the square of its intensity and as high as its sharpness") {
+  const ReferenceSignal signal = read(ahap(continuous));
+  CHECK(signal.format == ReferenceFormat::ahap);
+  CHECK(signal.events == 1);
+  CHECK(signal.notes.empty());
+  CHECK(worst(signal, 0, 0.1, [](double) { return 0.0; }) == 0);
+  CHECK(worst(signal, 0.1, 0.3, [](double t) { return 0.64 * sine((t - 0.1) * (80 + 150 * 0.4)); }) < 1e-6);
+  CHECK(signal.duration_s() == Approx(0.3).margin(1e-4));
+}
+
+TEST_CASE("An AHAP curve multiplies the intensity and is kept behind its last point; a transient falls") {
+  const ReferenceSignal signal = read(ahap(continuous + R"(,
+    {"ParameterCurve": {"ParameterID": "HapticIntensityControl", "Time": 0.1, "ParameterCurveControlPoints": [
+       {"Time": 0, "ParameterValue": 0}, {"Time": 0.1, "ParameterValue": 0.5}]}},
+    {"Event": {"Time": 0.5, "EventType": "HapticTransient", "EventParameters": [
+       {"ParameterID": "HapticIntensity", "ParameterValue": 7}, {"ParameterID": "HapticSharpness", "ParameterValue": -3}]}})"));
+  const auto level = [](double t) { return std::pow(0.8 * std::fmin(0.5, 5 * (t - 0.1)), 2); };
+  CHECK(worst(signal, 0.1, 0.3, [&](double t) { return level(t) * sine((t - 0.1) * 140); }) < 1e-4);
+  CHECK(worst(signal, 0.5, 0.522,
+              [](double t) { return 0.25 * (1 - (t - 0.5) / 0.022) * sine((t - 0.5) * 80); }) < 1e-6);
+}
+
+TEST_CASE("Of AHAP, what is not played is told") {
+  std::string points;
+  for (int i = 0; i < 17; ++i)
+    points += (i ? "," : "") + std::string(R"({"Time": )") + std::to_string(i) + R"(, "ParameterValue": 1})";
+  const ReferenceSignal signal =
+      read(ahap(continuous + R"(, {"Event": {"Time": 0, "EventType": "AudioCustom"}},
+    {"ParameterCurve": {"ParameterID": "HapticIntensityControl", "ParameterCurveControlPoints": [)" +
+                points + "]}}"));
+  REQUIRE(signal.notes.size() == 2);
+  CHECK(english(signal.notes[0]).find("AudioCustom") != std::string::npos);
+  CHECK(english(signal.notes[1]).find("16") != std::string::npos);
+}
+
+TEST_CASE("A .haptic envelope runs straight; an emphasis ducks it and stands on it") {
+  const ReferenceSignal plain =
+      read(haptic(R"({"amplitude": [{"time": 0, "amplitude": 0}, {"time": 1, "amplitude": 1}],
+                      "frequency": [{"time": 0, "frequency": 0.25}]})"));
+  CHECK(plain.format == ReferenceFormat::haptic);
+  CHECK(worst(plain, 0, 1, [](double t) { return t * sine(t * (80 + 150 * 0.5)); }) < 1e-5);
+  const ReferenceSignal emphasis = read(haptic(
+      R"({"amplitude": [{"time": 0, "amplitude": 0.5, "emphasis": {"amplitude": 0.6, "frequency": 1}}, {"time": 1, "amplitude": 0.5}]})"));
+  CHECK(worst(emphasis, 0, 0.022, [](double t) {
+          return (0.32 + 0.18 * t) * sine(t * 80) + 0.6 * (1 - t / 0.022) * sine(t * 230);
+        }) < 1e-5);
+}
+
+TEST_CASE("HJIF bands are evaluated as the reference software does") {
+  const std::string two =
+      R"("keyframes": [{"relative_position": 0, "amplitude_modulation": 1, "frequency_modulation": 100},
+                                           {"relative_position": 20, "amplitude_modulation": 0, "frequency_modulation": 300}])";
+  const auto effect = [&](const std::string& shape) {
+    return R"({"band_type": "VectorialWave", "lower_frequency_limit": 0, "upper_frequency_limit": 1000, "effects": [
+              {"effect_type": "Basis", "position": 10, "phase": 0, "base_signal": ")" +
+           shape + "\", " + two + "}]}";
+  };
+  const auto cycles = [](double t) { return (t - 0.01) * (100 + 200 * (t - 0.01) / 0.04); };
+  const auto level = [](double t) { return 0.5 * (1 - (t - 0.01) / 0.02); };
+  CHECK(worst(read(hjif(effect("Sine"))), 0.01, 0.03, [&](double t) { return level(t) * sine(cycles(t)); }) <
+        1e-6);
+  // The formulas of the reference software's base signals.
+  CHECK(worst(read(hjif(effect("Triangle"))), 0.01, 0.03, [&](double t) {
+          const double x = cycles(t) - 0.25;
+          return level(t) * (1 - 4 * std::fabs(std::round(x) - x));
+        }) < 1e-6);
+  CHECK(worst(read(hjif(effect("SawToothUp"))), 0.0101, 0.03,
+              [&](double t) { return level(t) * 2 * (cycles(t) - std::floor(cycles(t) + 0.5)); }) < 1e-6);
+  // At 48000 ticks the same numbers are shorter, not higher.
+  const ReferenceSignal fast = read(hjif(effect("Sine"), R"("timescale": 48000)"));
+  CHECK(fast.duration_s() < 0.002);
+  const ReferenceSignal transient =
+      read(hjif(R"({"band_type": "Transient", "effects": [{"effect_type": "Basis", "position": 10,
+      "keyframes": [{"relative_position": 0, "amplitude_modulation": 1, "frequency_modulation": 10}]}]})"));
+  CHECK(worst(transient, 0.01, 0.032, [](double t) { return 0.5 * sine(2 * (t - 0.01) / 0.022); }) < 1e-6);
+  const ReferenceSignal line =
+      read(hjif(R"({"band_type": "Curve", "curve_type": "Linear", "effects": [{"effect_type": "Basis",
+      "position": 0, "keyframes": [{"relative_position": 0, "amplitude_modulation": 0}, {"relative_position": 10, "amplitude_modulation": 1}]}]})"));
+  CHECK(worst(line, 0, 0.01, [](double t) { return 50 * t; }) < 1e-6);
+  const ReferenceSignal library = read(hjif(
+      R"({"band_type": "VectorialWave", "effects": [{"effect_type": "Reference", "id": 7, "position": 20}]})"));
+  CHECK(worst(library, 0.02, 0.03, [](double t) { return 0.25 * sine(200 * (t - 0.02)); }) < 1e-6);
+}
+
+TEST_CASE("What passes full scale is turned down, and told") {
+  const ReferenceSignal signal = read(ahap(continuous + "," + continuous + "," + continuous));
+  CHECK(signal.peak == Approx(1).margin(1e-6));
+  REQUIRE(signal.notes.size() == 1);
+  CHECK(english(signal.notes[0]).find("1.9") != std::string::npos);
+}
+
+TEST_CASE("Foreign files that cannot be are refused with the place") {
+  CHECK(refusal("{").find("line 1") != std::string::npos);
+  CHECK(refusal("{}").find("no haptic file") != std::string::npos);
+  CHECK(refusal(std::string(1000000, '[')).find("JSON") != std::string::npos);
+  CHECK(refusal(ahap("")).find("nothing that sounds") != std::string::npos);
+  CHECK(refusal(R"({"Version": 2.0, "Pattern": []})").find("Version") != std::string::npos);
+  CHECK(refusal(R"({"Pattern": []})").find("Version") != std::string::npos);
+  CHECK(refusal(ahap(R"({"Event": {"Time": 1e300, "EventType": "HapticTransient"}})"))
+            .find("Pattern[0].Event.Time") != std::string::npos);
+  CHECK(refusal(ahap(R"({"Event": {"Time": "x", "EventType": "HapticTransient"}})")).find("no number") !=
+        std::string::npos);
+  CHECK(refusal(ahap(R"({"Event": {"Time": 0, "EventType": "HapticContinuous", "EventDuration": 31}})"))
+            .find("31") != std::string::npos);
+  CHECK(refusal(R"({"Version": 1e999, "Pattern": []})").find("number") != std::string::npos);
+  CHECK(refusal(haptic(R"({"amplitude": []})")).find("amplitude") != std::string::npos);
+  CHECK(refusal(haptic(R"({"amplitude": [{"time": 0, "amplitude": 1.5}]})")).find("amplitude[0].amplitude") !=
+        std::string::npos);
+  CHECK(refusal(haptic(R"({"amplitude": [{"time": 1, "amplitude": 1}, {"time": 0, "amplitude": 1}]})"))
+            .find("amplitude[1].time") != std::string::npos);
+  CHECK(refusal(R"({"version": {"major": 2}, "signals": {}})").find("version") != std::string::npos);
+  CHECK(refusal(hjif(R"({"band_type": "Quantum", "effects": []})")).find("Quantum") != std::string::npos);
+  CHECK(refusal(hjif("", R"("timescale": 0)")).find("timescale") != std::string::npos);
+  CHECK(refusal(R"({"version": "2031", "perceptions": []})").find("2031") != std::string::npos);
+  CHECK(
+      refusal(
+          hjif(
+              R"({"band_type": "VectorialWave", "effects": [{"effect_type": "Reference", "id": 9, "position": 0}]})"))
+          .find("effects[0].id") != std::string::npos);
+  std::string many = continuous;
+  for (int i = 0; i < 7000; ++i) many += "," + continuous;
+  CHECK(refusal(ahap(many)).find("one on top of another") != std::string::npos);
+}
+
+TEST_CASE("Cut-off and changed reference files are refused or played within full scale") {
+  std::mt19937 chance(28);
+  const std::vector<std::string> whole{
+      ahap(
+          continuous +
+          R"(, {"ParameterCurve": {"ParameterID": "HapticSharpnessControl", "Time": 0, "ParameterCurveControlPoints": [{"Time": 0, "ParameterValue": 0.5}, {"Time": 0.4, "ParameterValue": -1}]}})"),
+      haptic(
+          R"({"amplitude": [{"time": 0, "amplitude": 0.5, "emphasis": {"amplitude": 0.6, "frequency": 1}}, {"time": 1, "amplitude": 0.5}],
+                 "frequency": [{"time": 0, "frequency": 0.2}, {"time": 0.7, "frequency": 1}]})"),
+      hjif(
+          R"({"band_type": "Curve", "effects": [{"position": 3, "keyframes": [{"relative_position": 0, "amplitude_modulation": 0}, {"relative_position": 10, "amplitude_modulation": 1}]}]})")};
+  const std::vector<std::string> numbers{"-1", "1e308",      "-1e308", "1e-320", "0",    "null",
+                                         "[]", "2147483648", "\"1\"",  "NaN",    "1e999"};
+  std::size_t accepted = 0;
+  for (int i = 0; i < 2000; ++i) {
+    std::string text = whole[static_cast<std::size_t>(i) % whole.size()];
+    const auto within = [&](std::size_t size) {
+      return std::uniform_int_distribution<std::size_t>(0, size - 1)(chance);
+    };
+    switch (chance() % 3) {
+      case 0:
+        text.resize(within(text.size()));
+        break;
+      case 1:
+        text[within(text.size())] = static_cast<char>(chance() % 256);
+        break;
+      default: {
+        const std::size_t at = text.find_first_of("0123456789", within(text.size()));
+        if (at != std::string::npos) text.replace(at, 1, numbers[within(numbers.size())]);
+      }
+    }
+    Result<ReferenceSignal> signal = referenceFromText(text, "changed");
+    if (!signal) {
+      CHECK(signal.failure().code == FailureCode::unreadableInput);
+      continue;
+    }
+    ++accepted;
+    CHECK_FALSE(signal->samples.empty());
+    for (const float sample : signal->samples) {
+      if (!(std::fabs(sample) <= 1)) FAIL(text);
+    }
+  }
+  CHECK(accepted > 50);
+}
+
+TEST_CASE("A sound file is read at the reference's rate, several channels as their mean") {
+  const auto path = std::filesystem::temp_directory_path() / "detent-reference-test.wav";
+  std::vector<float> tone;
+  for (int i = 0; i < 22050; ++i) tone.push_back(static_cast<float>(0.5 * sine(390 * i / 44100.0)));
+  REQUIRE(writeSoundFile(tone, 44100, path).ok());
+  Result<ReferenceSignal> signal = readReference(path);
+  REQUIRE(signal.ok());
+  CHECK(signal->format == ReferenceFormat::sound);
+  CHECK(signal->duration_s() == Approx(0.5).margin(1e-4));
+  CHECK(worst(*signal, 0.01, 0.49, [](double t) { return 0.5 * sine(390 * t); }) < 1e-4);
+  // Cut off in its samples, and in its head.
+  const auto size = std::filesystem::file_size(path);
+  std::filesystem::resize_file(path, size / 2);
+  const Result<ReferenceSignal> half = readReference(path);
+  CHECK((!half || half->duration_s() < 0.3));
+  std::filesystem::resize_file(path, 20);
+  CHECK_FALSE(readReference(path).ok());
+  std::filesystem::remove(path);
+  CHECK(readReference(path).failure().code == FailureCode::unreadableInput);
+}
+
+// NiceVibrations' own pairs (core/datamodel/src/test_data/ios): a .haptic and what its makers' converter made of it.
+TEST_CASE("Pairs of .haptic and .ahap made by others say the same") {
+  const char* const folder = std::getenv("DETENT_HAPTIC_PAIRS");
+  if (folder == nullptr) return;
+  std::size_t pairs = 0;
+  for (const char* name : {"2_points", "3_points", "16_points", "17_points", "long_clip"}) {
+    const auto text = [&](const char* ending) {
+      return nlohmann::json::parse(readTextFile(std::string(folder) + "/" + name + ending).value());
+    };
+    const std::string file = name;
+    const nlohmann::json hapticJson = text(".haptic"), ahapJson = text(".ahap");
+    const ReferenceWaves mine = hapticWaves({hapticJson, "", file}), theirs = ahapWaves({ahapJson, "", file});
+    double furthest = 0, furthest_Hz = 0;
+    std::size_t points = 0;
+    for (const WavePoint& point : mine.waves.front().points) {
+      // Of a step, the side that is meant.
+      double nearest = 1, nearest_Hz = 1000;
+      for (const PlayedWave& other : theirs.waves) {
+        for (const WavePoint& there : other.points) {
+          if (std::fabs(there.time_s - point.time_s) > 1e-6) continue;
+          nearest = std::fmin(nearest, std::fabs(there.amplitude - point.amplitude));
+          nearest_Hz = std::fmin(nearest_Hz, std::fabs(there.frequency_Hz - point.frequency_Hz));
+        }
+      }
+      furthest = std::fmax(furthest, nearest);
+      furthest_Hz = std::fmax(furthest_Hz, nearest_Hz);
+      ++points;
+    }
+    CAPTURE(name, points);
+    CHECK(points > 1);
+    CHECK(furthest <= 1e-6);
+    CHECK(furthest_Hz <= 150e-6);
+    ++pairs;
+  }
+  CHECK(pairs == 5);
+}
