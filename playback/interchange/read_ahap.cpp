@@ -65,13 +65,16 @@ void readCurve(const JsonPlace& curve, Controls& controls, ReferenceWaves& resul
   if (control == nullptr) return result.note(Message("the parameter curve %1 is left out", parameter));
   const double from_s = timeOf(curve);
   std::vector<std::pair<double, double>> points;
-  for (const JsonPlace& point : curve.at("ParameterCurveControlPoints").elements()) {
+  const std::vector<JsonPlace> entries = curve.at("ParameterCurveControlPoints").elements();
+  // Times are the curve's own, from 0; Lofelt's and Meta's converters write the pattern's.
+  const bool patternTimes = from_s > 0 && !entries.empty() && timeOf(entries.front()) >= from_s;
+  for (const JsonPlace& point : entries) {
     if (points.size() == curvePoints) {
       result.note(Message("control points behind the %1th of a curve are left out, as Core Haptics does",
                           curvePoints));
       break;
     }
-    const double time_s = from_s + timeOf(point);
+    const double time_s = timeOf(point) + (patternTimes ? 0 : from_s);
     if (!points.empty() && time_s < points.back().first)
       point.refuse("lies before the control point it follows", "Sort the curve's points by time");
     points.emplace_back(time_s, point.numberOr("ParameterValue", 0, -anyNumber, anyNumber));
