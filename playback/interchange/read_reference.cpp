@@ -76,7 +76,19 @@ bool isSound(const std::array<char, 12>& head) {
   return first == "RIFF" || first == "RF64" || first == "fLaC" || first == "FORM" || first == "OggS";
 }
 
-Result<ReferenceSignal> soundReference(const std::filesystem::path& file) {
+/// A RIFF file says how long it is; 0 and the largest number are what streams write that did not know.
+bool isCutOff(const std::array<char, 12>& head, const std::filesystem::path& file) {
+  if (std::string_view(head.data(), 4) != "RIFF") return false;
+  std::uint64_t told = 0;
+  for (std::size_t i = 0; i < 4; ++i)
+    told |= static_cast<std::uint64_t>(static_cast<unsigned char>(head[4 + i])) << (8 * i);
+  std::error_code unknown;
+  const std::uint64_t size = std::filesystem::file_size(file, unknown);
+  return !unknown && told != 0 && told != 0xFFFFFFFF && told + 8 > size;
+}
+
+Result<ReferenceSignal> soundReference(const std::array<char, 12>& head, const std::filesystem::path& file) {
+  if (isCutOff(head, file)) return unreadable(file.string(), {}, "is cut off", "Export or copy it again");
   Result<SoundSamples> sound = readSoundFile(file, longestReference_s);
   if (!sound) return sound.failure();
   ReferenceSignal signal;
@@ -172,7 +184,7 @@ Result<ReferenceSignal> referenceFromText(std::string_view text, const std::stri
 Result<ReferenceSignal> readReference(const std::filesystem::path& file) {
   std::array<char, 12> head{};
   std::ifstream(file, std::ios::binary).read(head.data(), head.size());
-  if (isSound(head)) return soundReference(file);
+  if (isSound(head)) return soundReference(head, file);
   Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
   const std::size_t first = text->find_first_not_of(" \t\r\n");

@@ -251,8 +251,8 @@ TEST_CASE("A sound file is read at the reference's rate, several channels as the
   // Cut off in its samples, and in its head.
   const auto size = std::filesystem::file_size(path);
   std::filesystem::resize_file(path, size / 2);
-  const Result<ReferenceSignal> half = readReference(path);
-  CHECK((!half || half->duration_s() < 0.3));
+  REQUIRE_FALSE(readReference(path).ok());
+  CHECK(readReference(path).failure().sentence().find("cut off") != std::string::npos);
   std::filesystem::resize_file(path, 20);
   CHECK_FALSE(readReference(path).ok());
   std::filesystem::remove(path);
