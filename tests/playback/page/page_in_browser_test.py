@@ -143,6 +143,56 @@ class PageInBrowser(unittest.TestCase):
         self.browser.act("key", {"type": "keyUp", "value": " "})
         self.press_until(deep=False)
 
+    def test_a_force_sensor_presses(self):
+        """Lines of docs/serial-protocol.md from a port that stands for the real one: newtons, then counts by a device profile."""
+        self.browser.run("""
+          window.lines = [];
+          const readable = new ReadableStream({ async pull(c) {
+            await new Promise((go) => setTimeout(go, 5));
+            const line = window.lines.shift() || window.line || '# detent-force 1 test divider 1023';
+            c.enqueue(new TextEncoder().encode(line + '\\n')); } });
+          Object.defineProperty(navigator, 'serial', { configurable: true, value: navigator.serial || {} });
+          navigator.serial.requestPort = async () => ({ open: async (o) => { window.baud = o.baudRate; }, readable });""")
+        if not self.browser.run("return document.getElementById('connect').getClientRects().length"):
+            self.skipTest("this Chromium has no Web Serial")
+        self.browser.run("document.getElementById('connect').click()")
+        self.browser.wait("return window.baud === 230400")
+        self.browser.run("window.line = '5.00N'")
+        self.press_until(deep=True)
+        self.browser.run("window.line = '0.00N'")
+        self.press_until(deep=False)
+        self.browser.run("window.line = '5.00N*00'")  # a wrong checksum presses nothing
+        time.sleep(0.2)
+        self.assertLess(self.travel(), 0.5)
+        self.browser.run("""
+          const profile = new DataTransfer();
+          profile.items.add(new File(['detent-device 1\\nsensor.circuit = linear\\nsensor.full_scale_counts = 1023\\nsensor.coefficients = 0 5\\n'], 'p.device'));
+          const input = document.getElementById('profile');
+          input.files = profile.files;
+          input.dispatchEvent(new Event('change'));""")
+        self.browser.wait("return document.getElementById('status').textContent.includes('profile')")
+        self.browser.run("window.line = '1000'")
+        self.press_until(deep=True)
+
+    def test_nothing_is_allocated_after_the_start(self):
+        grown = self.browser.run("""
+          const data = JSON.parse(document.getElementById('data').textContent);
+          const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+          const engine = detentInstance(new WebAssembly.Module(bytes(data.engine)),
+                                        data.buttons.map((b) => new Float64Array(bytes(b.numbers).buffer)));
+          engine.detent_start(48000);
+          const before = engine.memory.buffer.byteLength;
+          for (let i = 0; i < data.buttons.length; ++i) {
+            engine.detent_use(i);
+            for (let k = 0; k < 1500; ++k) {
+              if (k % 150 === 0) engine.detent_press();
+              if (k % 150 === 80) engine.detent_lift();
+              engine.detent_process(128);
+            }
+          }
+          return engine.memory.buffer.byteLength - before;""")
+        self.assertEqual(0, grown)
+
     def test_a_name_is_text(self):
         self.assertNotEqual("taken", self.browser.run("return document.title"))
         self.assertEqual("</script><script>document.title='taken'</script>", self.browser.run("return detent.buttons.at(-1)"))
