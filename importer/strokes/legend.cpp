@@ -14,15 +14,16 @@ namespace detent::importer {
 namespace {
 
 constexpr std::array kPressWords = {
-    "press",       "pressing", "pressed",   "downstroke", "down",      "push",       "pushing",
-    "forward",     "loading",  "load",      "depress",    "actuate",   "actuation",  "in",
-    "hinweg",      "vorlauf",  "druecken",  "drücken",    "betätigen", "betaetigen", "betätigung",
-    "betaetigung", "belasten", "belastung", "hinhub",     "appui",     "enfoncement"};
+    "press",    "pressing", "pressed",     "downstroke", "down",       "push",        "pushing",  "forward",
+    "loading",  "load",     "depress",     "actuate",    "actuation",  "in",          "hinweg",   "vorlauf",
+    "druecken", "drücken",  "betätigen",   "betaetigen", "betätigung", "betaetigung", "belasten", "belastung",
+    "hinhub",   "appui",    "enfoncement", "нажатие",    "Нажатие",    "нажим",       "Нажим"};
 constexpr std::array kReleaseWords = {
-    "release",    "releasing",    "released",      "upstroke",    "up",       "return",    "returning",
-    "backward",   "reverse",      "unloading",     "unload",      "reset",    "out",       "rückweg",
-    "rueckweg",   "rücklauf",     "ruecklauf",     "rückhub",     "rueckhub", "loslassen", "entlasten",
-    "entlastung", "rückstellung", "rueckstellung", "relâchement", "retour"};
+    "release",     "releasing", "released",   "upstroke",   "up",           "return",
+    "returning",   "backward",  "reverse",    "unloading",  "unload",       "reset",
+    "out",         "rückweg",   "rueckweg",   "rücklauf",   "ruecklauf",    "rückhub",
+    "rueckhub",    "loslassen", "entlasten",  "entlastung", "rückstellung", "rueckstellung",
+    "relâchement", "retour",    "отпускание", "Отпускание", "возврат",      "Возврат"};
 constexpr std::array kPressSigns = {"按压", "按下", "下压", "压下", "去程",
                                     "加载", "押下", "押す", "押し", "往路"};
 constexpr std::array kReleaseSigns = {"释放", "松开", "抬起", "回弹", "回程", "弹起",

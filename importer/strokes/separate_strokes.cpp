@@ -174,6 +174,14 @@ std::optional<std::string> releaseNamedBeside(const CurveTrace& press, const std
   return named == texts.end() ? std::nullopt : std::optional(named->utf8);
 }
 
+/// Words that name a release and nothing else, a legend's or a callout's: where they stand, a release is drawn.
+std::optional<std::string> releaseNamedAnywhere(const std::vector<SeenText>& texts) {
+  const auto named = std::ranges::find_if(texts, [](const SeenText& text) {
+    return strokeNamedBy(text.utf8) == Stroke::release && switchNamedBy(text.utf8).empty();
+  });
+  return named == texts.end() ? std::nullopt : std::optional(named->utf8);
+}
+
 Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& axes) {
   Found<StrokePair> found;
   found.value.press = inUnits(trace, axes.calibration.value);
@@ -184,7 +192,10 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
                    "its curve has fewer than two points",
                    {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
-  const auto notSeen = releaseNamedBeside(trace, axes.texts);
+  auto notSeen = releaseNamedBeside(trace, axes.texts);
+  // In an ink without a name of its own the release's words may have come to the only curve that was found.
+  const bool unnamed = trace.label.empty() || namedRelease;
+  if (!notSeen && unnamed) notSeen = releaseNamedAnywhere(axes.texts);
   // Confidences of a single trace, by what it is called.
   constexpr double ofOneNamed = 0.9, ofRelease = 0.5, ofBoth = 0.4;
   const bool both = namesBothStrokes(trace.label) || notSeen;

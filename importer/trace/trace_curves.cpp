@@ -13,6 +13,7 @@
 #include "importer/trace/centre_line.h"
 #include "importer/trace/curve_choice.h"
 #include "importer/trace/curve_trace.h"
+#include "importer/trace/foot_line.h"
 #include "importer/trace/line_ends.h"
 #include "importer/trace/settled_chroma.h"
 #include "importer/trace/trace_loop.h"
@@ -459,6 +460,7 @@ Result<std::vector<CurveTrace>> traceCurves(const PageView& view, const PlotFram
   auto traces = traceRaster(area, view, axes, hints, options, progress);
   if (!traces) return traces;
   for (CurveTrace& trace : *traces) cutFallAlongAxis(trace, frame);
+  cutAlongFootLine(*traces, area);
   addLostWalls(*traces, area);
   return traces;
 }

@@ -65,7 +65,8 @@ std::vector<Polyline> cutAtTurns(const Polyline& line, double minReturn_px) {
   return parts;
 }
 
-/// Cuts where the line folds back on itself between two long straight arms: strokes that begin in one point.
+/// Cuts where the line folds back on itself between two long straight arms: strokes that begin in one point. A line that goes
+/// on to the same side is one stroke, however steeply its force drops there.
 std::vector<Polyline> cutAtFolds(const Polyline& line, double leastArm_px) {
   constexpr double foldCosine = -0.64;  // turns by more than 130°
   std::vector<Polyline> parts;
@@ -74,7 +75,7 @@ std::vector<Polyline> cutAtFolds(const Polyline& line, double leastArm_px) {
     const Point in = line[i] - line[i - 1], out = line[i + 1] - line[i];
     const double inLength = norm(in), outLength = norm(out);
     if (inLength < leastArm_px || outLength < leastArm_px) continue;
-    if (dot(in, out) > foldCosine * inLength * outLength) continue;
+    if (in.x * out.x > 0 || dot(in, out) > foldCosine * inLength * outLength) continue;
     parts.emplace_back(line.begin() + static_cast<std::ptrdiff_t>(begin),
                        line.begin() + static_cast<std::ptrdiff_t>(i) + 1);
     begin = i;

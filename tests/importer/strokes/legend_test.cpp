@@ -11,12 +11,12 @@ using detent::importer::strokeNamedBy;
 using detent::importer::switchNamedBy;
 
 TEST_CASE("Legend words in the languages of datasheets", "[legend]") {
-  for (const char* text :
-       {"Press", "downstroke", "DOWNSTROKE", "Downstroke (press)", "down stroke", "Loading", "Hinweg",
-        "Betätigung", "BETÄTIGUNG", "按压", "下压力曲线", "押し込み", "Harimau housing downstroke"})
+  for (const char* text : {"Press", "downstroke", "DOWNSTROKE", "Downstroke (press)", "down stroke",
+                           "Loading", "Hinweg", "Betätigung", "BETÄTIGUNG", "按压", "下压力曲线", "押し込み",
+                           "Нажатие", "Harimau housing downstroke"})
     CHECK(strokeNamedBy(text) == Stroke::press);
   for (const char* text : {"Release", "upstroke", "Upstroke (release)", "Unloading", "Rückhub", "RÜCKLAUF",
-                           "return", "释放", "回弹", "戻り", "T1 housing upstroke"})
+                           "return", "释放", "回弹", "戻り", "Отпускание", "T1 housing upstroke"})
     CHECK(strokeNamedBy(text) == Stroke::release);
 }
 

@@ -93,6 +93,20 @@ TEST_CASE("A press alone is doubted where its legend has an entry for the releas
   CHECK(confidenceBeside("press force", below) > 0.8);
 }
 
+TEST_CASE("A press alone without a name is doubted where the plot names a release", "[strokes]") {
+  AxesFound read = axes();
+  const auto confidenceBeside = [&](const std::string& text) {
+    read.texts = {{text, {400, 300, 460, 312}, 1, 0}};
+    const auto found = separateStrokes({trace(0.1)}, read);
+    REQUIRE(found.ok());
+    return found->confidence;
+  };
+  CHECK(confidenceBeside("Release") < 0.5);
+  CHECK(confidenceBeside("Release date") > 0.8);
+  CHECK(confidenceBeside("Release point") > 0.8);
+  CHECK(confidenceBeside("Press") > 0.8);
+}
+
 TEST_CASE("The legend outweighs hysteresis", "[strokes]") {
   std::vector<CurveTrace> traces = {trace(0.004), trace(0, {255, 0, 0})};
   traces[0].label = "Upstroke";

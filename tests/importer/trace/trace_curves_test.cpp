@@ -13,6 +13,7 @@
 #include "importer/page/document.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/explanation.h"
+#include "importer/trace/foot_line.h"
 
 using namespace detent;
 using namespace detent::importer;
@@ -486,6 +487,31 @@ TEST_CASE("A gridline above a curve's end is no wall", "[trace]") {
   REQUIRE(traces.ok());
   for (const CurveTrace& trace : *traces)
     for (const Point& p : trace.points_px) CHECK(p.y > plot.at(x, 0.65).y);
+}
+
+TEST_CASE("A stroke followed along the axis ends where it came down to it, unless it is drawn on there",
+          "[trace]") {
+  const double latched = 0.42;
+  Plot plot(700, 430);
+  plot.line(plot.at({{0, 1}, {0, 0}, {1, 0}}), 1, kBlack);
+  const Curve drawn = {{latched, 0}, {latched + 0.05, 0.22}, {0.8, 0.6}};
+  plot.line(plot.at(drawn), 2, kBlack);
+  const bool runsOn = GENERATE(false, true);
+  if (runsOn) plot.line(plot.at({{0.02, 0}, {latched, 0}}), 2, kBlack);
+  Curve followed = {{0.02, 0}};
+  followed.insert(followed.end(), drawn.begin(), drawn.end());
+  CurveTrace stroke;
+  stroke.points_px = dense(plot.at(followed));
+  const bool fromRight = GENERATE(false, true);
+  if (fromRight) std::ranges::reverse(stroke.points_px);
+  stroke.color = kBlack;
+  stroke.width_px.assign(stroke.points_px.size(), 2);
+  std::vector<CurveTrace> traces{stroke};
+  trace::cutAlongFootLine(traces, trace::makePlotArea(plot.view().raster, plot.frame()));
+  const auto [left, right] = std::ranges::minmax(traces[0].points_px, {}, &Point::x);
+  CHECK(std::abs(left.x - plot.at(runsOn ? 0.02 : latched, 0).x) < 4);
+  CHECK(std::abs(right.x - plot.at(0.8, 0).x) < 1);
+  CHECK(traces[0].width_px.size() == traces[0].points_px.size());
 }
 
 TEST_CASE("What a result leaves unexplained is found, with its likeness to a curve", "[trace]") {

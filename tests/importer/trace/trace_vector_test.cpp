@@ -287,6 +287,19 @@ TEST_CASE("a loop drawn as one line is cut at its turn") {
   }
 }
 
+TEST_CASE("a force that drops and comes back while the line goes on is one stroke") {
+  Drawing drawing;
+  Polyline noisy = part(press, 0, 150);
+  const Point p = noisy.back();
+  noisy.push_back({p.x + 0.4, p.y - 14});
+  noisy.push_back({p.x + 0.8, p.y});
+  for (const Point& q : part(press, 151, 200)) noisy.push_back(q);
+  drawing.stroke(noisy);
+  const auto traces = drawing.traced();
+  REQUIRE(traces.size() == 1);
+  CHECK(apart(traces[0].points_px, noisy) <= 1e-6);
+}
+
 TEST_CASE("a release that runs into the press shares its rest") {
   Drawing drawing;
   drawing.stroke(press);

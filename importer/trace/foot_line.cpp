@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/trace/foot_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include "importer/page/quantile.h"
+#include "importer/trace/curve_ink.h"
+
+namespace detent::importer::trace {
+
+namespace {
+
+constexpr double kLeastTail = 0.05;     // of the frame's width: shorter ones are the rounding of a corner
+constexpr double kLeastBare = 0.03;     // of it, for the line to be known where no curve is
+constexpr double kLeastThicker = 1.12;  // times the line's own: a curve drawn over it would show
+constexpr double kSame =
+    0.35;  // of the step from the line's thickness to the curve's: what is less is the line
+constexpr double kThickest_px = 8;  // of a curve: what is farther from the foot line is not on it
+constexpr double kBeside = 3;       // widths of the curve within which it thickens the line
+constexpr double kColumn_px = 3;    // beside a plumb line of the plot, where the foot line is thicker
+
+/// The columns of the area between two places, without those of the plot's plumb lines.
+class FootLine {
+ public:
+  FootLine(const CurveInkOnArea& ink, const PlotArea& area) : ink_(ink), area_(area) {}
+
+  /// How thick it is at the columns that `take` wants; nothing where they are fewer than `least_px`.
+  template <class Take>
+  std::optional<double> thickness(double from, double to, double least_px, Take take) const {
+    std::vector<double> runs;
+    for (int x = static_cast<int>(std::ceil(from)); x <= to; ++x) {
+      const bool crossed = std::ranges::any_of(
+          area_.columns_px, [&](double column) { return std::abs(column - x) <= kColumn_px; });
+      if (!crossed && take(x)) runs.push_back(ink_.across(x, area_.frame.y1, false).thickness_px);
+    }
+    if (static_cast<double>(runs.size()) < std::max(1.0, least_px)) return {};
+    return quantileOf(runs, 0.5);
+  }
+
+ private:
+  const CurveInkOnArea& ink_;
+  const PlotArea& area_;
+};
+
+/// A trace on the area, from left to right.
+std::vector<Point> onArea(const CurveTrace& trace, const PlotArea& area) {
+  std::vector<Point> points;
+  for (const Point& p : trace.points_px) points.push_back(area.fromView(p));
+  if (!points.empty() && points.front().x > points.back().x) std::ranges::reverse(points);
+  return points;
+}
+
+/// Whether any of the curves comes near the foot line in a column.
+std::vector<char> columnsNearFoot(const std::vector<CurveTrace>& traces, const PlotArea& area,
+                                  double near_px) {
+  std::vector<char> near(static_cast<std::size_t>(area.raster.width_px), 0);
+  for (const CurveTrace& trace : traces) {
+    const std::vector<Point> points = onArea(trace, area);
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      if (area.frame.y1 - std::max(points[i - 1].y, points[i].y) > near_px) continue;
+      const int from = std::max(0, static_cast<int>(points[i - 1].x - near_px)),
+                to = std::min(area.raster.width_px - 1, static_cast<int>(points[i].x + near_px));
+      for (int x = from; x <= to; ++x) near[static_cast<std::size_t>(x)] = 1;
+    }
+  }
+  return near;
+}
+
+/// The points at a trace's left end that lie on the foot line: past the last of them, if they are a stretch worth looking at.
+std::optional<std::size_t> tailOnFoot(const std::vector<Point>& points, const PlotArea& area,
+                                      double within_px) {
+  const auto leaves =
+      std::ranges::find_if(points, [&](Point p) { return std::abs(area.frame.y1 - p.y) > within_px; });
+  if (leaves == points.begin() || leaves == points.end()) return {};
+  if (std::prev(leaves)->x - points.front().x < kLeastTail * area.frame.width()) return {};
+  return static_cast<std::size_t>(leaves - points.begin());
+}
+
+/// How many points at a trace's left end lie on the foot line and are nothing but that line.
+std::size_t pointsOnFootLine(const CurveTrace& trace, const std::vector<CurveTrace>& traces,
+                             const PlotArea& area, const CurveInkOnArea& ink) {
+  const std::vector<Point> points = onArea(trace, area);
+  std::vector<Point> clear;
+  std::ranges::copy_if(points, std::back_inserter(clear),
+                       [&](Point p) { return p.y < area.frame.y1 - kThickest_px; });
+  const double width = area.frame.width(), thick_px = ink.thicknessAlong(clear);
+  const auto tail = tailOnFoot(points, area, 0.5 * thick_px + 1.5);
+  if (!tail) return 0;
+  const double from = points.front().x, to = points[*tail - 1].x;
+  const FootLine line(ink, area);
+  const double near_px = kBeside * thick_px + 4;
+  const std::vector<char> near = columnsNearFoot(traces, area, near_px);
+  const auto own = line.thickness(area.frame.x0 + near_px, area.frame.x1 - near_px, kLeastBare * width,
+                                  [&](int x) { return !near[static_cast<std::size_t>(x)]; });
+  const auto here = line.thickness(from, to - near_px, 0, [](int) { return true; });
+  if (!own || !here || *own <= 0 || thick_px < kLeastThicker * *own) return 0;
+  return *here < std::lerp(*own, thick_px, kSame) ? *tail - 1 : 0;
+}
+
+}  // namespace
+
+void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotArea& area) {
+  if (area.raster.empty()) return;
+  const auto mayRunOnFoot = [&](const CurveTrace& trace) {
+    return !trace.fromVector && tailOnFoot(onArea(trace, area), area, kThickest_px).has_value();
+  };
+  if (std::ranges::none_of(traces, mayRunOnFoot)) return;
+  const Backdrop backdrop = Backdrop::measure(area);
+  std::vector<std::size_t> onLine;
+  for (const CurveTrace& trace : traces) {
+    const CurveInkOnArea ink(area, backdrop, trace.color);
+    onLine.push_back(mayRunOnFoot(trace) && ink.distinct() ? pointsOnFootLine(trace, traces, area, ink) : 0);
+  }
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    const auto count = static_cast<std::ptrdiff_t>(onLine[i]);
+    if (count == 0) continue;
+    const bool fromRight = traces[i].points_px.front().x > traces[i].points_px.back().x;
+    const auto drop = [&](auto& values) {
+      values.erase(fromRight ? values.end() - count : values.begin(),
+                   fromRight ? values.end() : values.begin() + count);
+    };
+    drop(traces[i].points_px);
+    if (!traces[i].width_px.empty()) drop(traces[i].width_px);
+  }
+}
+
+}  // namespace detent::importer::trace

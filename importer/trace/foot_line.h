@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The end of a stroke that was followed along the plot's own foot line: a key that stays down gives no force any more, and
+// its release ends on the axis in the middle of the travel. Private to importer/trace.
+
+#include <vector>
+
+#include "importer/trace/curve_trace.h"
+#include "importer/trace/plot_area.h"
+
+namespace detent::importer::trace {
+
+/// Cuts traces where they run along the foot line and it is no thicker there than where no curve comes near it. A line as
+/// thick as the curves tells nothing, and nothing is cut.
+void cutAlongFootLine(std::vector<CurveTrace>& traces, const PlotArea& area);
+
+}  // namespace detent::importer::trace
