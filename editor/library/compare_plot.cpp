@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <QApplication>
 
+#include "editor/canvas/plot_dress.h"
 #include "editor/canvas/unit_ticker.h"
-#include "editor/document/graph_colors.h"
 #include "editor/quantity/quantity.h"
 #include "model/sampling.h"
 
@@ -34,14 +34,9 @@ ComparePlot::ComparePlot(QWidget* parent)
       margins_(new QCPMarginGroup(this)) {
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  legend->setVisible(true);
-  legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);  // lines above the curves
+  putLegendAbove(*this);
   legend->setWrap(namesInLine);
   axisRect()->setMarginGroup(QCP::msLeft, margins_);
-  plotLayout()->insertRow(0);
-  plotLayout()->addElement(0, 0, legend);
-  constexpr double noMoreThanNeeded = 1e-3;
-  plotLayout()->setRowStretchFactor(0, noMoreThanNeeded);
   setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
   for (QCPAxis* axis : {xAxis, yAxis}) axis->setTicker(QSharedPointer<UnitTicker>::create());
   for (QCPItemStraightLine* line : {cursor_, pinned_}) line->setVisible(false);
@@ -58,23 +53,8 @@ void ComparePlot::setGraphs(std::vector<ComparedGraph> graphs, const DisplayUnit
   emit readingChanged(reading());
 }
 
-void ComparePlot::dress(QCPAxis& axis, const GraphColors& colors) {
-  axis.setBasePen(QPen(colors.axis));
-  axis.setTickPen(QPen(colors.axis));
-  axis.setSubTickPen(QPen(colors.axis));
-  axis.setTickLabelColor(colors.text);
-  axis.setLabelColor(colors.text);
-  axis.grid()->setPen(QPen(colors.grid));
-  axis.grid()->setZeroLinePen(QPen(colors.axis));
-}
-
 void ComparePlot::dress() {
-  const GraphColors colors = graphColors(isDark(palette()));
-  setBackground(colors.background);
-  for (QCPAxis* axis : {xAxis, yAxis}) dress(*axis, colors);
-  legend->setTextColor(colors.text);
-  legend->setBrush(QBrush(colors.background));
-  legend->setBorderPen(QPen(colors.grid));
+  const GraphColors colors = dressPlot(*this);
   cursor_->setPen(QPen(colors.text, 1));
   pinned_->setPen(QPen(colors.selection, 1, Qt::DashLine));
   const QString displacement = tr("Displacement (%1)").arg(units_.lengthSymbol());
@@ -82,7 +62,7 @@ void ComparePlot::dress() {
   yAxis->setLabel(tr("Force (%1)").arg(units_.forceSymbol()));
   if (!differences_) return;
   for (QCPAxis* axis : {differences_->axis(QCPAxis::atBottom), differences_->axis(QCPAxis::atLeft)})
-    dress(*axis, colors);
+    dressAxis(*axis, colors);
   differences_->axis(QCPAxis::atBottom)->setLabel(displacement);
   differences_->axis(QCPAxis::atLeft)->setLabel(tr("Difference (%1)").arg(units_.forceSymbol()));
 }

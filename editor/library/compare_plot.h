@@ -50,7 +50,6 @@ class ComparePlot : public QCustomPlot {
 
  private:
   void dress();
-  void dress(QCPAxis& axis, const GraphColors& colors);
   void drawCurves();
   void drawDifferences();
   std::unique_ptr<ComparePlot> forPicture() const;

@@ -21,6 +21,8 @@ constexpr QSize pictureSize(34, 22);
 
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
 
+}  // namespace
+
 Quantity quantityOf(KeyFigure figure) {
   switch (unitOf(figure)) {
     case FigureUnit::mm:
@@ -36,8 +38,6 @@ Quantity quantityOf(KeyFigure figure) {
   }
   return Quantity::number;
 }
-
-}  // namespace
 
 QString termOf(KeyFigure figure) {
   return QCoreApplication::translate("detent", keyFigureNames()[static_cast<std::size_t>(figure)].term);

@@ -78,6 +78,8 @@ class KeyFiguresModel : public QAbstractTableModel {
   QTimer pause_;
 };
 
+/// What the number means; work, which is shown in mJ, is a plain number.
+Quantity quantityOf(KeyFigure figure);
 /// "Peak force", in the person's language.
 QString termOf(KeyFigure figure);
 /// What it is: the sentence of docs/glossary.md.

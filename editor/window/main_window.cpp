@@ -30,6 +30,7 @@
 #include "editor/library/compare_panel.h"
 #include "editor/library/library_panel.h"
 #include "editor/library/morph_dialog.h"
+#include "editor/measured/measured_window.h"
 #include "editor/panels/key_figures_model.h"
 #include "editor/quantity/quantity.h"
 #include "editor/study/study_desk.h"
@@ -414,6 +415,7 @@ void MainWindow::updateDocuments() {
   library_->setDocuments(documents, current ? &current->document() : nullptr);
   if (comparison_) comparison_->setDocuments(documents);
   if (forecasts_) forecasts_->setDocuments(documents);
+  if (measured_) measured_->followDocuments();
   if (!feel_) return;
   updateFeel();
   other_->clear();
@@ -543,6 +545,47 @@ void MainWindow::showStudy() {
     study_ = new StudyDesk(places, this);
   }
   bringUp(*study_);
+}
+
+std::vector<ButtonDocument*> MainWindow::openAll(const std::vector<Button>& buttons) {
+  std::vector<ButtonDocument*> opened;
+  for (const Button& button : buttons)
+    opened.push_back(&tabs_->add(std::make_unique<ButtonDocument>(button)).document());
+  return opened;
+}
+
+MeasuredWindow& MainWindow::showMeasured() {
+  if (!measured_) {
+    const auto folder = [this] { return at_.settings.value("measured/last", QDir::homePath()).toString(); };
+    const auto remember = [this](const QString& path) {
+      if (!path.isEmpty()) at_.settings.setValue("measured/last", QFileInfo(path).absolutePath());
+      return path;
+    };
+    MeasuredPlaces places{at_.view, at_.settings, {}, {}, {}, {}, {}, {}};
+    places.documents = [this] { return tabs_->documents(); };
+    places.open = [this](const std::vector<Button>& buttons) {
+      openAll(buttons);
+      bringUp(*this);
+    };
+    places.compare = [this](const std::vector<Button>& buttons) {
+      compareAll(openAll(buttons));
+      bringUp(*this);
+    };
+    places.libraryFile = [this, folder, remember](QWidget* parent) {
+      const QStringList files = at_.prompts.filesToOpen(parent, tr("Open a library"), folder(),
+                                                        {tr("Libraries (*.db *.sqlite *.sqlite3)")});
+      return remember(files.isEmpty() ? QString() : files.front());
+    };
+    places.folder = [this, folder, remember](QWidget* parent) {
+      return remember(at_.prompts.folder(parent, tr("Add a folder of measurements"), folder()));
+    };
+    places.page = [this](QWidget* parent, const QString& suggested) {
+      return at_.prompts.fileToSave(parent, tr("Write a page"), suggested, tr("Pages (*.html)"));
+    };
+    measured_ = new MeasuredWindow(std::move(places), this);
+  }
+  bringUp(*measured_);
+  return *measured_;
 }
 
 // ---- units, appearance

@@ -23,6 +23,7 @@ class StudyDesk;
 class FeelPanel;
 class FeelSession;
 class LibraryPanel;
+class MeasuredWindow;
 class MarginOverlay;
 
 QPalette currentDesktopPalette();
@@ -64,6 +65,8 @@ class MainWindow : public QMainWindow {
   void average();
   void showForecasts();
   void showStudy();
+  /// Thousands of measured switches; made when it is first asked for.
+  MeasuredWindow& showMeasured();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -114,6 +117,7 @@ class MainWindow : public QMainWindow {
   void makeComparison();
   void showComparison();
   void writeComparison();
+  std::vector<ButtonDocument*> openAll(const std::vector<Button>& buttons);
   void updateTitle();
   void updateKeepPage();
   void updateUnits();
@@ -152,6 +156,7 @@ class MainWindow : public QMainWindow {
   StudyDesk* study_ = nullptr;
   QStackedWidget *values_ = nullptr, *figures_ = nullptr, *history_ = nullptr, *checks_ = nullptr,
                  *annotations_ = nullptr;
+  MeasuredWindow* measured_ = nullptr;
   QDockWidget *libraryDock_ = nullptr, *valuesDock_ = nullptr, *figuresDock_ = nullptr,
               *historyDock_ = nullptr, *checksDock_ = nullptr, *annotationsDock_ = nullptr,
               *compareDock_ = nullptr, *feelDock_ = nullptr;

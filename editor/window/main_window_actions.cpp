@@ -12,6 +12,7 @@
 
 #include "editor/document/described.h"
 #include "editor/document/line_icon.h"
+#include "editor/measured/measured_window.h"
 #include "editor/window/main_window.h"
 
 namespace detent::editor {
@@ -249,6 +250,12 @@ void MainWindow::makeWindowActions() {
   menu->addAction(action("forecasts", tr("&Who will be taken for whom?…"),
                          tr("Predict for all open buttons which of them people will confuse"),
                          QKeySequence("Ctrl+Shift+K"), [this] { showForecasts(); }));
+  menu->addAction(action("measured", tr("&Measured switches…"),
+                         tr("Look through thousands of measured switches: table, map, curves"),
+                         QKeySequence("Ctrl+M"), [this] { showMeasured(); }));
+  menu->addAction(tabAction(
+      "feelsLike", tr("What &feels like this?…"), tr("List the measured switches nearest to this button"),
+      QKeySequence("Ctrl+Shift+M"), [this](DocumentTab& tab) { showMeasured().askFor(tab.document()); }));
   menu->addAction(action("study", tr("&Study with people…"),
                          tr("Ask people whether they can tell buttons apart"), QKeySequence("Ctrl+Alt+K"),
                          [this] { showStudy(); }));

@@ -46,6 +46,10 @@ QStringList Prompts::filesToOpen(QWidget* parent, const QString& title, const QS
   return QFileDialog::getOpenFileNames(parent, title, folder, filters.join(QStringLiteral(";;")));
 }
 
+QString Prompts::folder(QWidget* parent, const QString& title, const QString& at) {
+  return QFileDialog::getExistingDirectory(parent, title, at);
+}
+
 QString Prompts::fileToSave(QWidget* parent, const QString& title, const QString& suggested,
                             const QString& filter) {
   return QFileDialog::getSaveFileName(parent, title, suggested, filter);

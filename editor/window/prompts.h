@@ -29,6 +29,7 @@ class Prompts {
   /// Empty: cancelled. `filters` as QFileDialog has them.
   virtual QStringList filesToOpen(QWidget* parent, const QString& title, const QString& folder,
                                   const QStringList& filters);
+  virtual QString folder(QWidget* parent, const QString& title, const QString& at);
   virtual QString fileToSave(QWidget* parent, const QString& title, const QString& suggested,
                              const QString& filter);
   /// Something that cannot be taken back; `act` is the text of the button that does it.

@@ -8,6 +8,8 @@
 #include "importer/library/switch_name.h"
 #include "importer/log/recorded_switches.h"
 #include "model/file/button_file.h"
+#include "model/file/text_file.h"
+#include "model/sha256.h"
 #include "model/text.h"
 
 namespace detent::importer {
@@ -17,16 +19,20 @@ bool isButtonFile(const std::filesystem::path& path) {
   return lowered(path.filename().string()).ends_with(".button.json");
 }
 
+/// Of thousands of logs: a fit of 20 ms instead of 300, of the same samples.
+constexpr Quality forFigures = Quality::draft;
+
 /// One state of a button in a file.
 struct ReadState {
   ButtonState state;
   std::string name;
+  std::optional<Provenance> provenance;
 };
 
 /// `name` is what the button's own file or sheet calls it, if it does.
 void addStates(const Button& button, const std::string& name, std::vector<ReadState>& all) {
   for (const ButtonState& state : button.states())
-    all.push_back({state, state.name.empty() ? name : name + " (" + state.name + ")"});
+    all.push_back({state, state.name.empty() ? name : name + " (" + state.name + ")", button.provenance()});
 }
 
 /// "" for the only switch of a file, else one word for each, as `StrokeHints::curve` takes it.
@@ -36,7 +42,7 @@ Result<std::vector<RecordedSwitch>> switchesIn(const std::string& path) {
 }
 
 /// Every state of every switch in a file.
-Result<std::vector<ReadState>> readStates(const std::string& path) {
+Result<std::vector<ReadState>> readStates(const std::string& path, Quality quality) {
   std::vector<ReadState> all;
   const std::string fileName = switchNameFrom(path).name;
   if (isButtonFile(path)) {
@@ -51,8 +57,7 @@ Result<std::vector<ReadState>> readStates(const std::string& path) {
   if (!session) return session.failure();
   ImportRequest request;
   request.path = path;
-  request.quality =
-      Quality::draft;  // figures of thousands of logs: a fit of 20 ms instead of 300, of the same samples
+  request.quality = quality;
   for (std::size_t i = 0; i < recorded->size(); ++i) {
     if (recorded->size() > 1) request.hints.strokes.curve = std::to_string(i + 1);
     const auto report = session->importGraph(request);
@@ -70,7 +75,7 @@ Result<std::vector<ReadState>> readStates(const std::string& path) {
 bool isLibraryFile(const std::filesystem::path& path) { return isForceLogPath(path.string()); }
 
 Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path) {
-  const auto states = readStates(path);
+  const auto states = readStates(path, forFigures);
   if (!states) return states.failure();
   const SwitchName fromFile = switchNameFrom(path);
   std::vector<LibrarySwitch> all;
@@ -92,17 +97,22 @@ Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path) {
   return all;
 }
 
-Result<std::vector<Button>> readButtons(const std::string& path) {
-  auto states = readStates(path);
+Result<Button> buttonOf(const LibrarySwitch& entry, Quality quality) {
+  const auto file = readTextFile(entry.source);
+  const Failure changed{FailureCode::unreadableInput, entry.source, "", "it has changed since it was indexed",
+                        "Index its folder again"};
+  if (!file) return file.failure();
+  if (sha256Hex(*file) != entry.sha256) return changed;
+  auto states = readStates(entry.source, quality);
   if (!states) return states.failure();
-  std::vector<Button> buttons;
-  for (ReadState& read : *states) {
-    read.state.name.clear();
-    auto button = Button::fromStates(read.name, {std::move(read.state)});
-    if (!button) return button.failure();
-    buttons.push_back(std::move(*button));
-  }
-  return buttons;
+  const auto part = static_cast<std::size_t>(entry.part);
+  if (part > states->size()) return changed;
+  ReadState& read = (*states)[part - 1];
+  read.state.name.clear();
+  std::string name = read.name;
+  if (!entry.unit.empty()) name += " unit " + entry.unit;
+  if (!entry.run.empty()) name += " run " + entry.run;
+  return Button::fromStates(name, {std::move(read.state)}, std::move(read.provenance));
 }
 
 }  // namespace detent::importer

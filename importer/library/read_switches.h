@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "importer/importer.h"
 #include "importer/library/library_switch.h"
 #include "model/result.h"
 
@@ -17,7 +18,8 @@ bool isLibraryFile(const std::filesystem::path& path);
 /// At least one; name, unit, run, part, figures and shape are filled in. Failure: why the file is refused. Any thread.
 Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path);
 
-/// The same as buttons of one state each, in the same order.
-Result<std::vector<Button>> readButtons(const std::string& path);
+/// The switch as a button of one state, named and with where it came from. Failure unreadableInput: the file is not what was indexed.
+/// Any thread.
+Result<Button> buttonOf(const LibrarySwitch& entry, Quality quality);
 
 }  // namespace detent::importer

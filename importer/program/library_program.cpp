@@ -305,13 +305,8 @@ Json nearestJson(const std::vector<NearMiss>& nearest) {
 }
 
 Result<Button> bentFrom(const LibrarySwitch& entry, const std::vector<FigureRange>& ranges) {
-  auto buttons = readButtons(entry.source);
-  if (!buttons) return buttons.failure();
-  const auto part = static_cast<std::size_t>(entry.part);
-  if (part > buttons->size())
-    return Failure{FailureCode::unreadableInput, entry.source, "", "it has changed since it was indexed",
-                   "Index its folder again"};
-  return buttonWithin((*buttons)[part - 1], ranges);
+  auto button = buttonOf(entry, Quality::draft);  // whose figures were compared
+  return button ? buttonWithin(*button, ranges) : std::move(button);
 }
 
 /// Of the answer the first that can be bent into the ranges; why the first of all cannot, where none can.

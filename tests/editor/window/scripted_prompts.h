@@ -33,6 +33,7 @@ class ScriptedPrompts : public Prompts {
   QStringList filesToOpen(QWidget*, const QString&, const QString&, const QStringList&) override {
     return next(openAnswers, {});
   }
+  QString folder(QWidget*, const QString&, const QString&) override { return next(saveAnswers, {}); }
   QString fileToSave(QWidget*, const QString&, const QString& suggested, const QString&) override {
     lastSuggested = suggested;
     return takesSuggestions ? suggested : next(saveAnswers, {});

@@ -249,21 +249,26 @@ TEST_CASE("figures that no switch has: the nearest is told, and bent it has them
   CHECK(result->nearest[0].miss_labNoise > 1);
   CHECK(result->nearest[0].miss_labNoise < result->nearest[1].miss_labNoise);
 
-  const auto buttons = readButtons((folder / "s/strong.csv").string());
-  REQUIRE(buttons);
-  const auto bent = buttonWithin(buttons->front(), wanted);
+  const auto button = buttonOf(result->nearest[0].entry, Quality::draft);
+  REQUIRE(button);
+  const auto bent = buttonWithin(*button, wanted);
   REQUIRE(bent);
   const KeyFigures figures = keyFiguresOf(bent->states().front());
   CHECK(*missOf(figures, wanted) < 0.01);
   const std::vector<FigureRange> already{{KeyFigure::peakForce, 0, 9}};
-  CHECK(*buttonWithin(buttons->front(), already) == buttons->front());
+  CHECK(*buttonWithin(*button, already) == *button);
   const auto impossible =
-      buttonWithin(buttons->front(), {{KeyFigure::drop, 3, 3.1}, {KeyFigure::peakForce, 1, 1.1}});
+      buttonWithin(*button, {{KeyFigure::drop, 3, 3.1}, {KeyFigure::peakForce, 1, 1.1}});
   REQUIRE_FALSE(impossible);
   CHECK(impossible.failure().code == FailureCode::notCertain);
-  const auto linear = readButtons((folder / "s/linear.csv").string());
-  REQUIRE(linear);
-  CHECK_FALSE(buttonWithin(linear->front(), wanted));
+  const auto all = findSwitches({database, {}, {}, 10});
+  REQUIRE(all);
+  for (const auto& [each, distance] : all->found) {
+    if (each.name != "linear") continue;
+    const auto linear = buttonOf(each, Quality::draft);
+    REQUIRE(linear);
+    CHECK_FALSE(buttonWithin(*linear, wanted));
+  }
 }
 
 TEST_CASE("a damaged library is kept aside and made anew, another program's is left alone") {

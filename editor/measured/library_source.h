@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The library's file, read and filled beside the window.
+
+#include <atomic>
+#include <memory>
+#include <QObject>
+#include <QString>
+#include <QThreadPool>
+
+#include "editor/measured/measured_table.h"
+
+namespace detent::editor {
+
+/// One worker thread: what is asked first is done first. GUI thread; answers come through the event loop.
+class LibrarySource : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit LibrarySource(QObject* parent = nullptr);
+  ~LibrarySource() override;  ///< cancels what runs, and waits for it
+
+  /// `loaded` or `failed` follows.
+  void load(const QString& database);
+  /// `indexed`, then what load() gives; or `failed`. Calls `progressed` meanwhile.
+  void index(importer::IndexRequest request);
+  /// Ends an index run; what was read stays read, and is loaded.
+  void cancel();
+  /// `opened` or `failed` follows for each, in this order.
+  void open(const std::vector<importer::LibrarySwitch>& entries);
+
+ signals:
+  void loaded(const QString& database, std::shared_ptr<const detent::editor::MeasuredSwitches> switches);
+  void indexed(const detent::importer::IndexSummary& summary);
+  void progressed(double fraction, const QString& file);
+  /// All that were asked for and could be read; `last` of the call.
+  void opened(const std::vector<detent::Button>& buttons);
+  void failed(const QString& sentence);
+
+ private:
+  void loadHere(const QString& database);  // worker thread
+  void run(std::function<void()> work);
+
+  std::atomic<bool> cancelled_{false};
+  QThreadPool worker_;  // last: its thread uses the others
+};
+
+}  // namespace detent::editor

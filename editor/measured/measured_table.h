@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The measured switches as a table: every figure, filtered, sorted, nearest first.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "editor/document/display_units.h"
+#include "editor/measured/switch_filter.h"
+
+namespace detent::editor {
+
+/// What an open library holds. Immutable once it is shared.
+struct MeasuredSwitches {
+  std::vector<importer::LibrarySwitch> switches;
+  importer::FeelMap map;  ///< a place for each
+};
+
+/// A switch among those of the library: its index there. Rows are what is shown of them.
+using SwitchIndex = std::size_t;
+
+/// The name is the row's header. GUI thread.
+class MeasuredTable : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column {
+    kindColumn,
+    distanceColumn,
+    forecastColumn,
+    firstFigureColumn,
+    licenceColumn = firstFigureColumn + static_cast<int>(keyFigureCount),
+    creditColumn,
+    fileColumn,
+    columns
+  };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// Takes away what was asked for and forecast; filter and order stay.
+  void setSwitches(std::shared_ptr<const MeasuredSwitches> switches);
+  void setUnits(const DisplayUnits& units);
+  void setFilter(SwitchFilter filter);
+  /// Distances of all to this shape; without one there are none. Where no column sorts, the nearest is first.
+  void rankBy(const std::optional<importer::FeltShape>& like);
+  /// What is foretold of one, in a few words.
+  void setForecast(SwitchIndex of, const QString& words);
+  /// By a column; -1: the nearest first, or by name. What has no value comes last in either order.
+  void sort(int column, Qt::SortOrder order = Qt::AscendingOrder) override;
+
+  const std::vector<importer::LibrarySwitch>& switches() const;
+  const importer::FeelMap& map() const;
+  /// Of the rows, from the top.
+  const std::vector<SwitchIndex>& shown() const { return shown_; }
+  std::optional<double> distanceOf(SwitchIndex of) const;
+  bool ranked() const { return !distances_.empty(); }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  void arrange();
+  void order();
+  template <class KeyOf>
+  void orderBy(KeyOf keyOf);
+  QString text(const importer::LibrarySwitch& entry, SwitchIndex index, int column) const;
+  QString tip(const importer::LibrarySwitch& entry, int column) const;
+
+  std::shared_ptr<const MeasuredSwitches> all_;
+  std::vector<QString> searched_;  // of each
+  std::vector<SwitchIndex> shown_;
+  std::vector<double> distances_;  // in lab noises, of each; empty: nothing is asked for
+  std::map<SwitchIndex, QString> forecasts_;
+  SwitchFilter filter_;
+  DisplayUnits units_;
+  int sortColumn_ = -1;
+  Qt::SortOrder sortOrder_ = Qt::AscendingOrder;
+};
+
+}  // namespace detent::editor

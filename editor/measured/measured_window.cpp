@@ -1,0 +1,640 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/measured/measured_window.h"
+
+#include <algorithm>
+#include <QAction>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLocale>
+#include <QMenu>
+#include <QPlainTextEdit>
+#include <QScreen>
+#include <QShortcut>
+#include <QSplitter>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include "editor/document/described.h"
+#include "editor/document/message_words.h"
+#include "editor/forecast/forecast_words.h"
+#include "editor/measured/measured_words.h"
+#include "editor/panels/key_figures_model.h"
+#include "model/file/text_file.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr QSize first_px{1180, 760}, roomForFrame_px{8, 40}, leastPlot_px{260, 180};
+constexpr int nameColumn_em = 16, figureColumn_em = 6, wideColumn_em = 12, headerLines = 3;
+constexpr int tableShare = 3, plotsShare = 2;  // of the width
+constexpr int rankPause_ms = 120;              // of an edit of the button asked for
+constexpr int forecastPause_ms = 400;
+constexpr std::size_t foretoldSwitches = 8, reportedSwitches = 20, comparedSwitches = 6;
+constexpr int longestList = 4;  // of credits and licences in a line
+
+QLabel* wordsOf(const char* name) {
+  auto* label = described(new QLabel, QString::fromLatin1(name));
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);  // files name themselves what they like
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
+}
+
+QString joined(const QStringList& texts) {
+  if (texts.size() <= longestList) return texts.join(QStringLiteral(", "));
+  return texts.first(longestList).join(QStringLiteral(", ")) + QStringLiteral(" \u2026");
+}
+
+}  // namespace
+
+MeasuredWindow::MeasuredWindow(MeasuredPlaces places, QWidget* parent)
+    : QDialog(parent), places_(std::move(places)) {
+  setObjectName("measuredWindow");
+  setWindowTitle(tr("Measured switches"));
+  setWindowFlag(Qt::WindowMinMaxButtonsHint);
+  table_.setUnits(places_.view.units());
+  credits_ = wordsOf("measuredCredits");
+  pages_ = new QStackedWidget;
+  pages_->addWidget(emptyPage());
+  pages_->addWidget(fullPage());
+  said_ = wordsOf("measuredSaid");
+  progress_ = described(new QProgressBar, "measuredProgress", {}, tr("How far the folders are read"));
+  progress_->setRange(0, 1000);
+  cancel_ = actionButton("measuredCancel", tr("Stop"), tr("Stop reading; what was read is kept"),
+                         [this] { source_.cancel(); });
+  refusedButton_ = actionButton("measuredRefused", tr("Refused files…"),
+                                tr("Which files were not taken, and why"), [this] { showRefused(); });
+  auto* state = new QHBoxLayout;
+  state->addWidget(said_, 1);
+  state->addWidget(refusedButton_);
+  state->addWidget(progress_);
+  state->addWidget(cancel_);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(pages_, 1);
+  layout->addLayout(state);
+  sayBusy(false);
+  refusedButton_->hide();
+  said_->hide();
+
+  rankSoon_.setSingleShot(true);
+  rankSoon_.setInterval(rankPause_ms);
+  connect(&rankSoon_, &QTimer::timeout, this, &MeasuredWindow::rank);
+  forecastSoon_.setSingleShot(true);
+  forecastSoon_.setInterval(forecastPause_ms);
+  connect(&forecastSoon_, &QTimer::timeout, this, &MeasuredWindow::forecastNearest);
+  connect(&forecasts_, &NearestForecasts::foretold, this,
+          [this](SwitchIndex of, const auto& pair) { table_.setForecast(of, shortForecastWords(pair)); });
+  connect(&source_, &LibrarySource::loaded, this, &MeasuredWindow::take);
+  connect(&source_, &LibrarySource::indexed, this, &MeasuredWindow::sayIndexed);
+  connect(&source_, &LibrarySource::progressed, this, [this](double fraction, const QString& file) {
+    progress_->setValue(static_cast<int>(1000 * fraction));
+    progress_->setToolTip(file);
+  });
+  connect(&source_, &LibrarySource::opened, this, [this](const std::vector<Button>& buttons) {
+    const auto& act = comparing_ ? places_.compare : places_.open;
+    if (!buttons.empty() && act) act(buttons);
+  });
+  connect(&source_, &LibrarySource::failed, this, [this](const QString& sentence) {
+    said_->setText(sentence);
+    said_->show();
+    sayBusy(false);
+    emit shown();
+  });
+  connect(&places_.view, &ViewSettings::changed, this, &MeasuredWindow::followUnits);
+  auto* find = new QShortcut(QKeySequence::Find, this);
+  connect(find, &QShortcut::activated, this,
+          [this] { filter_->findChild<QLineEdit*>("measuredWords")->setFocus(); });
+  followDocuments();
+  showChosen();
+  resize(first_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+}
+
+// ---- the parts
+
+QPushButton* MeasuredWindow::actionButton(const char* name, const QString& text, const QString& tip,
+                                          const std::function<void()>& act) {
+  auto* button = described(new QPushButton(text), name, tip);
+  button->setAutoDefault(false);  // the return key belongs to the search
+  connect(button, &QPushButton::clicked, this, act);
+  return button;
+}
+
+QWidget* MeasuredWindow::emptyPage() {
+  emptyWords_ = wordsOf("measuredEmpty");
+  emptyWords_->setText(
+      tr("More than 1,500 key switches have been measured in public. Clone one of these collections "
+         "(force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements "
+         "(CSV, ODS, JSON, button files), and add their folder. Detent ships none: whose they are and what "
+         "may be done with them stands with each."));
+  auto* page = new QWidget;
+  auto* row = new QHBoxLayout;
+  row->addWidget(actionButton("measuredAddFolder", tr("&Add a folder…"),
+                              tr("Read the measurements of a folder and all below it"), [this] {
+                                if (const QString at = places_.folder(this); !at.isEmpty()) addFolder(at);
+                              }));
+  row->addWidget(actionButton("measuredOpenLibrary", tr("&Open a library…"),
+                              tr("Show a library that detent-import has made"), [this] {
+                                if (const QString at = places_.libraryFile(this); !at.isEmpty())
+                                  openLibrary(at);
+                              }));
+  row->addStretch();
+  auto* layout = new QVBoxLayout(page);
+  layout->addStretch();
+  layout->addWidget(emptyWords_);
+  layout->addLayout(row);
+  layout->addStretch();
+  return page;
+}
+
+QToolButton* MeasuredWindow::libraryButton() {
+  auto* button =
+      described(new QToolButton, "measuredLibrary", tr("Folders and files of the library"), tr("Library"));
+  button->setText(tr("&Library"));
+  button->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(button);
+  menu->setToolTipsVisible(true);
+  const auto add = [&](const char* name, const QString& text, const QString& tip,
+                       const std::function<void()>& act) {
+    auto* action = described(new QAction(text, menu), name, tip);
+    connect(action, &QAction::triggered, this, act);
+    menu->addAction(action);
+  };
+  add("measuredAddMore", tr("&Add a folder…"), tr("Read the measurements of a folder and all below it"),
+      [this] {
+        if (const QString at = places_.folder(this); !at.isEmpty()) addFolder(at);
+      });
+  add("measuredIndexAgain", tr("&Read the folders again"),
+      tr("Take in what changed; the rest is not read anew"), [this] { indexAgain(); });
+  add("measuredOpenOther", tr("&Open another library…"), tr("Show a library that detent-import has made"),
+      [this] {
+        if (const QString at = places_.libraryFile(this); !at.isEmpty()) openLibrary(at);
+      });
+  button->setMenu(menu);
+  return button;
+}
+
+QLayout* MeasuredWindow::askRow() {
+  like_ =
+      described(new QComboBox, "measuredLike",
+                tr("The switches that feel like this one come first, with their distance"), tr("Feels like"));
+  like_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  auto* label = new QLabel(tr("Feels &like:"));
+  label->setBuddy(like_);
+  count_ = wordsOf("measuredCount");
+  count_->setWordWrap(false);
+  auto* row = new QHBoxLayout;
+  row->addWidget(libraryButton());
+  row->addWidget(label);
+  row->addWidget(like_);
+  row->addStretch();
+  row->addWidget(count_);
+  connect(like_, &QComboBox::activated, this, &MeasuredWindow::chooseAsked);
+  return row;
+}
+
+QWidget* MeasuredWindow::tableView() {
+  view_ = described(new QTableView, "measuredTable", {}, tr("Measured switches"));
+  view_->setModel(&table_);
+  view_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  view_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  view_->setAlternatingRowColors(true);
+  view_->setCornerButtonEnabled(false);
+  view_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  view_->setWordWrap(false);
+  const int em = fontMetrics().horizontalAdvance('M');
+  QHeaderView* const across = view_->horizontalHeader();
+  across->setDefaultAlignment(static_cast<Qt::Alignment>(Qt::AlignCenter | Qt::TextWordWrap));
+  across->setDefaultSectionSize(figureColumn_em * em);
+  across->setFixedHeight(headerLines * fontMetrics().lineSpacing() + em);
+  across->setSortIndicatorClearable(true);  // back to the nearest first
+  across->setSortIndicator(-1, Qt::AscendingOrder);
+  across->setContextMenuPolicy(Qt::CustomContextMenu);
+  across->setSectionsMovable(true);
+  for (const int column : {MeasuredTable::forecastColumn, MeasuredTable::licenceColumn,
+                           MeasuredTable::creditColumn, MeasuredTable::fileColumn})
+    view_->setColumnWidth(column, wideColumn_em * em);
+  view_->setSortingEnabled(true);
+  QHeaderView* const down = view_->verticalHeader();
+  down->setSectionResizeMode(QHeaderView::Fixed);
+  down->setDefaultSectionSize(fontMetrics().lineSpacing() + em / 2);
+  down->setFixedWidth(nameColumn_em * em);
+  connect(across, &QHeaderView::customContextMenuRequested, this, &MeasuredWindow::columnMenu);
+  connect(view_->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+          &MeasuredWindow::chosenInTable);
+  connect(&table_, &QAbstractItemModel::modelReset, this, &MeasuredWindow::rowsChanged);
+  connect(view_, &QTableView::doubleClicked, this, [this] { openChosen(false); });
+  connect(down, &QHeaderView::sectionDoubleClicked, this, [this] { openChosen(false); });
+  return view_;
+}
+
+QWidget* MeasuredWindow::mapView() {
+  map_ =
+      described(new SwitchMap(table_), "measuredMap",
+                tr("Click a dot or draw a rectangle to choose; with Ctrl to add; a double click shows all"),
+                tr("Map of the switches shown"));
+  map_->setMinimumSize(leastPlot_px);
+  const auto scaleBox = [this](const char* name, const QString& words, int chosen) {
+    auto* box = described(new QComboBox, QString::fromLatin1(name), words, words);
+    for (const int axis : {0, 1}) box->addItem(tr("Principal axis %1").arg(axis + 1), -1 - axis);
+    for (const KeyFigureName& figure : keyFigureNames())
+      box->addItem(termOf(figure.figure), static_cast<int>(figure.figure));
+    box->setCurrentIndex(chosen);
+    connect(box, &QComboBox::currentIndexChanged, this, [this] { followUnits(); });
+    return box;
+  };
+  mapX_ = scaleBox("measuredMapX", tr("What the map counts to the right"), 0);
+  mapY_ = scaleBox("measuredMapY", tr("What the map counts upwards"), 1);
+  auto* choice = new QHBoxLayout;
+  for (const auto& [words, box] : {std::pair(tr("Map: &right"), mapX_), std::pair(tr("&up"), mapY_)}) {
+    auto* label = new QLabel(words);
+    label->setBuddy(box);
+    box->setMinimumContentsLength(12);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    choice->addWidget(label);
+    choice->addWidget(box, 1);
+  }
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addLayout(choice);
+  layout->addWidget(map_, 1);
+  connect(map_, &SwitchMap::chosen, this, &MeasuredWindow::choose);
+  return page;
+}
+
+QLayout* MeasuredWindow::actionRow() {
+  likeThis_ =
+      actionButton("measuredLikeThis", tr("What feels like &this?"),
+                   tr("Put those first that feel like the switch chosen"), [this] { askLikeChosen(); });
+  openButton_ =
+      actionButton("measuredOpen", tr("Open as a &button"),
+                   tr("Open what is chosen as buttons in tabs of their own"), [this] { openChosen(false); });
+  compareButton_ = actionButton("measuredCompare", tr("&Compare"),
+                                tr("Open what is chosen, two to six, and lay them over each other"),
+                                [this] { openChosen(true); });
+  report_ =
+      actionButton("measuredReport", tr("Write a &page…"),
+                   tr("Write the nearest as a page with plots that can be sent"), [this] { writeReport(); });
+  auto* row = new QHBoxLayout;
+  for (QPushButton* button : {likeThis_, openButton_, compareButton_, report_}) row->addWidget(button);
+  row->addStretch();
+  return row;
+}
+
+QWidget* MeasuredWindow::fullPage() {
+  filter_ = described(new FilterBar(places_.view.units()), "measuredFilter");
+  overlay_ = described(new OverlayPlot, "measuredOverlay", {}, tr("Curves of the switches chosen"));
+  overlay_->setMinimumSize(leastPlot_px);
+  auto* plots = new QSplitter(Qt::Vertical);
+  plots->addWidget(mapView());
+  plots->addWidget(overlay_);
+  auto* sides = new QSplitter(Qt::Horizontal);
+  sides->addWidget(tableView());
+  sides->addWidget(plots);
+  sides->setStretchFactor(0, tableShare);
+  sides->setStretchFactor(1, plotsShare);
+  sides->setChildrenCollapsible(false);
+  auto* page = new QWidget;
+  auto* layout = new QVBoxLayout(page);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addLayout(askRow());
+  layout->addWidget(filter_);
+  layout->addWidget(sides, 1);
+  layout->addWidget(credits_);
+  layout->addLayout(actionRow());
+  connect(filter_, &FilterBar::changed, this, &MeasuredWindow::filterChanged);
+  return page;
+}
+
+// ---- the library
+
+QString MeasuredWindow::database() const {
+  const QString chosen = places_.settings.value("measured/library").toString();
+  if (!chosen.isEmpty()) return chosen;
+  return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/switches.db");
+}
+
+QStringList MeasuredWindow::folders() const {
+  return places_.settings.value("measured/folders").toStringList();
+}
+
+void MeasuredWindow::showEvent(QShowEvent* event) {
+  QDialog::showEvent(event);
+  if (loadedOnce_ || !QFileInfo::exists(database())) return;
+  sayBusy(true);
+  source_.load(database());
+}
+
+void MeasuredWindow::openLibrary(const QString& path) {
+  loadedOnce_ = true;
+  places_.settings.setValue("measured/library", path);
+  places_.settings.remove("measured/folders");
+  sayBusy(true);
+  source_.load(path);
+}
+
+void MeasuredWindow::addFolder(const QString& folder) {
+  QStringList all = folders();
+  if (!all.contains(folder)) all << folder;
+  places_.settings.setValue("measured/folders", all);
+  indexAgain();
+}
+
+void MeasuredWindow::indexAgain() {
+  loadedOnce_ = true;
+  importer::IndexRequest request;
+  for (const QString& folder : folders())
+    if (QFileInfo::exists(folder)) request.folders.push_back(QFile::encodeName(folder).toStdString());
+  if (request.folders.empty()) {
+    said_->setText(tr("None of its folders is there. Add one."));
+    return said_->show();
+  }
+  QDir().mkpath(QFileInfo(database()).absolutePath());
+  request.database = QFile::encodeName(database()).toStdString();
+  sayBusy(true);
+  source_.index(std::move(request));
+}
+
+void MeasuredWindow::sayBusy(bool busy) {
+  progress_->setValue(0);
+  progress_->setVisible(busy);
+  cancel_->setVisible(busy);
+}
+
+void MeasuredWindow::sayIndexed(const importer::IndexSummary& summary) {
+  refused_ = summary.refusals;
+  refusedButton_->setVisible(!refused_.empty());
+  QString sentence = tr("%1 files read (%2 switches), %3 unchanged, %4 refused, %5 gone.")
+                         .arg(summary.imported)
+                         .arg(summary.switches)
+                         .arg(summary.unchanged)
+                         .arg(summary.refused)
+                         .arg(summary.gone);
+  if (!summary.rebuilt.empty()) sentence = asSentence(inWords(summary.rebuilt)) + ' ' + sentence;
+  said_->setText(sentence);
+  said_->show();
+}
+
+void MeasuredWindow::showRefused() {
+  QDialog dialog(this);
+  dialog.setObjectName("measuredRefusedList");
+  dialog.setWindowTitle(tr("Refused files"));
+  auto* list = described(new QPlainTextEdit, "measuredRefusedText", {}, tr("Refused files"));
+  list->setReadOnly(true);
+  for (const importer::RefusedFile& each : refused_)
+    list->appendPlainText(QFile::decodeName(QByteArray::fromStdString(each.file)) + '\n' +
+                          QString::fromStdString(each.reason) + '\n');
+  auto* layout = new QVBoxLayout(&dialog);
+  layout->addWidget(list);
+  dialog.resize(first_px / 2);
+  dialog.exec();
+}
+
+void MeasuredWindow::take(const QString& path, const std::shared_ptr<const MeasuredSwitches>& switches) {
+  loadedOnce_ = true;
+  setWindowTitle(tr("Measured switches \u2013 %1").arg(QFileInfo(path).fileName()));
+  sayBusy(false);
+  chosen_.clear();
+  if (asked_ && asked_->own) asked_.reset();  // its place in the library may be another's
+  table_.setSwitches(switches);
+  pages_->setCurrentIndex(switches->switches.empty() ? 0 : 1);
+  listAsked();
+  rank();
+  followUnits();
+  emit shown();
+}
+
+// ---- what is asked for
+
+void MeasuredWindow::followDocuments() {
+  if (places_.documents) listed_ = places_.documents();
+  if (asked_ && !asked_->own && std::ranges::find(listed_, asked_->document.data()) == listed_.end()) {
+    asked_.reset();
+    rank();
+  }
+  listAsked();
+}
+
+void MeasuredWindow::listAsked() {
+  like_->clear();
+  like_->addItem(tr("nothing asked for"));
+  for (ButtonDocument* document : listed_) {
+    like_->addItem(document->title());
+    if (asked_ && asked_->document == document) like_->setCurrentIndex(like_->count() - 1);
+  }
+  if (!asked_ || !asked_->own) return;
+  like_->addItem(asked_->name);
+  like_->setCurrentIndex(like_->count() - 1);
+}
+
+void MeasuredWindow::chooseAsked() {
+  const int index = like_->currentIndex();
+  if (index > 0 && static_cast<std::size_t>(index) <= listed_.size())
+    return askFor(*listed_[static_cast<std::size_t>(index - 1)]);
+  if (index > 0) return;
+  asked_.reset();
+  rank();
+  listAsked();
+}
+
+void MeasuredWindow::askFor(ButtonDocument& document) {
+  if (asked_ && asked_->document) asked_->document->disconnect(&rankSoon_);
+  asked_ = Asked{document.title(), {}, {}, &document};
+  for (const auto signal : {&ButtonDocument::changed, &ButtonDocument::activeStateChanged})
+    connect(&document, signal, &rankSoon_, qOverload<>(&QTimer::start));
+  listAsked();
+  rank();
+}
+
+void MeasuredWindow::askLikeChosen() {
+  if (chosen_.size() != 1) return;
+  const importer::LibrarySwitch& entry = table_.switches()[*chosen_.begin()];
+  asked_ = Asked{titleOf(entry), entry, *chosen_.begin(), {}};
+  listAsked();
+  rank();
+}
+
+void MeasuredWindow::rank() {
+  std::optional<importer::FeltShape> shape;
+  if (asked_ && asked_->document) {
+    ButtonDocument& document = *asked_->document;
+    const ButtonState& state = document.button().states()[document.activeState()];
+    shape = importer::feltShapeOf(state.graph);
+    asked_->entry.name = document.title().toStdString();
+    asked_->entry.licence = importer::noLicenceStated;
+    asked_->entry.figures = keyFiguresOf(state);
+    if (shape) asked_->entry.shape = *shape;
+  } else if (asked_ && asked_->own) {
+    shape = asked_->entry.shape;
+  }
+  forecasts_.cancel();
+  view_->setColumnHidden(MeasuredTable::distanceColumn, !shape);
+  view_->setColumnHidden(MeasuredTable::forecastColumn, !shape);
+  table_.rankBy(shape);
+  if (shape) {
+    view_->scrollToTop();
+    forecastSoon_.start();
+  }
+  report_->setEnabled(shape.has_value());
+}
+
+void MeasuredWindow::forecastNearest() {
+  if (!asked_ || !table_.ranked()) return;
+  std::vector<std::pair<SwitchIndex, importer::LibrarySwitch>> nearest;
+  for (const SwitchIndex each : table_.shown()) {
+    if (nearest.size() == foretoldSwitches) break;
+    if (asked_->own != each) nearest.emplace_back(each, table_.switches()[each]);
+  }
+  if (asked_->document) return forecasts_.ask(asked_->document->button(), std::move(nearest));
+  const auto button = importer::buttonOf(asked_->entry, importer::Quality::draft);
+  if (button) forecasts_.ask(*button, std::move(nearest));
+}
+
+// ---- what is shown and chosen
+
+void MeasuredWindow::filterChanged() {
+  table_.setFilter(filter_->filter());
+  if (table_.ranked()) forecastSoon_.start();
+}
+
+void MeasuredWindow::rowsChanged() {
+  restoreChosen();
+  count_->setText(tr("%L1 of %L2 switches").arg(table_.rowCount()).arg(table_.switches().size()));
+  map_->draw();
+  showChosen();
+}
+
+// Selects in the table what is chosen and shown there.
+void MeasuredWindow::restoreChosen() {
+  QItemSelection selection;
+  const std::vector<SwitchIndex>& rows = table_.shown();
+  for (std::size_t row = 0; row < rows.size(); ++row) {
+    if (!chosen_.contains(rows[row])) continue;
+    std::size_t end = row;
+    while (end + 1 < rows.size() && chosen_.contains(rows[end + 1])) ++end;
+    selection.append(QItemSelectionRange(table_.index(static_cast<int>(row), 0),
+                                         table_.index(static_cast<int>(end), MeasuredTable::columns - 1)));
+    row = end;
+  }
+  restoring_ = true;
+  view_->selectionModel()->select(selection, QItemSelectionModel::ClearAndSelect);
+  restoring_ = false;
+}
+
+void MeasuredWindow::choose(const std::set<SwitchIndex>& chosen) {
+  chosen_ = chosen;
+  restoreChosen();
+  const auto first =
+      std::ranges::find_if(table_.shown(), [&](SwitchIndex each) { return chosen_.contains(each); });
+  if (first != table_.shown().end())
+    view_->scrollTo(table_.index(static_cast<int>(first - table_.shown().begin()), view_->columnAt(0)));
+  showChosen();
+}
+
+void MeasuredWindow::chosenInTable() {
+  if (restoring_) return;
+  chosen_.clear();
+  for (const QItemSelectionRange& range : view_->selectionModel()->selection())
+    for (int row = range.top(); row <= range.bottom(); ++row)
+      chosen_.insert(table_.shown()[static_cast<std::size_t>(row)]);
+  showChosen();
+}
+
+void MeasuredWindow::showChosen() {
+  std::vector<OverlayPlot::Entry> entries;
+  for (const SwitchIndex each : table_.shown())
+    if (chosen_.contains(each)) {
+      const importer::LibrarySwitch& entry = table_.switches()[each];
+      entries.push_back({titleOf(entry), &entry.shape});
+    }
+  const std::size_t count = entries.size();
+  overlay_->show(std::move(entries),
+                 asked_ && table_.ranked() ? std::optional(asked_->entry.shape) : std::nullopt,
+                 places_.view.units());
+  map_->setChosen(chosen_);
+  likeThis_->setEnabled(count == 1);
+  openButton_->setEnabled(count >= 1 && count <= comparedSwitches);
+  compareButton_->setEnabled(count >= 2 && count <= comparedSwitches);
+  report_->setEnabled(table_.ranked());
+  sayCredits();
+}
+
+void MeasuredWindow::sayCredits() {
+  QStringList credits, licences, names;
+  const bool anyChosen = !chosen_.empty();
+  for (const SwitchIndex each : table_.shown()) {
+    if (anyChosen && !chosen_.contains(each)) continue;
+    const importer::LibrarySwitch& entry = table_.switches()[each];
+    names << titleOf(entry);
+    if (const QString credit = creditWords(entry); !credits.contains(credit)) credits << credit;
+    if (const QString licence = licenceWords(entry); !licences.contains(licence)) licences << licence;
+  }
+  if (names.isEmpty()) return credits_->clear();
+  const QString of = anyChosen ? joined(names) : tr("All shown");
+  credits_->setText(tr("%1. Credit: %2. Licence: %3.").arg(of, joined(credits), joined(licences)));
+}
+
+std::vector<importer::LibrarySwitch> MeasuredWindow::chosenEntries() const {
+  std::vector<importer::LibrarySwitch> entries;
+  for (const SwitchIndex each : table_.shown())
+    if (chosen_.contains(each)) entries.push_back(table_.switches()[each]);
+  return entries;
+}
+
+void MeasuredWindow::openChosen(bool compare) {
+  const auto entries = chosenEntries();
+  if (entries.empty() || entries.size() > comparedSwitches) return;
+  comparing_ = compare;
+  source_.open(entries);
+}
+
+void MeasuredWindow::writeReport() {
+  if (!asked_ || !table_.ranked()) return;
+  const QString path = places_.page(this, asked_->name + QStringLiteral(".html"));
+  if (path.isEmpty()) return;
+  std::vector<importer::FoundSwitch> found;
+  for (const SwitchIndex each : table_.shown())
+    found.push_back({table_.switches()[each], table_.distanceOf(each)});
+  std::ranges::stable_sort(found, {}, &importer::FoundSwitch::distance_labNoise);
+  const std::size_t fitting = found.size();
+  if (found.size() > reportedSwitches) found.erase(found.begin() + reportedSwitches, found.end());
+  const auto written = writeTextFileAtomically(QFile::encodeName(path).toStdString(),
+                                               importer::reportPage(asked_->entry, found, fitting));
+  said_->setText(written ? tr("Written: %1.").arg(QDir::toNativeSeparators(path))
+                         : sentenceOf(written.failure()));
+  said_->show();
+}
+
+void MeasuredWindow::columnMenu(QPoint at) {
+  QMenu menu(this);
+  for (int column = 0; column < MeasuredTable::columns; ++column) {
+    if (!table_.ranked() &&
+        (column == MeasuredTable::distanceColumn || column == MeasuredTable::forecastColumn))
+      continue;
+    QAction* action = menu.addAction(table_.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    action->setCheckable(true);
+    action->setChecked(!view_->isColumnHidden(column));
+    connect(action, &QAction::toggled, this,
+            [this, column](bool shown) { view_->setColumnHidden(column, !shown); });
+  }
+  menu.exec(view_->horizontalHeader()->mapToGlobal(at));
+}
+
+void MeasuredWindow::followUnits() {
+  const DisplayUnits& units = places_.view.units();
+  table_.setUnits(units);
+  filter_->setUnits(units);
+  const auto scaleOf = [](const QComboBox& box) {
+    const int chosen = box.currentData().toInt();
+    if (chosen < 0) return MapScale{{}, static_cast<std::size_t>(-1 - chosen)};
+    return MapScale{static_cast<KeyFigure>(chosen), 0};
+  };
+  map_->setScales(scaleOf(*mapX_), scaleOf(*mapY_));
+  map_->setUnits(units);
+  showChosen();
+}
+
+}  // namespace detent::editor

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The measured switches of a library: table, map, overlay; which of them feels like a button; credit and licence always in view.
+
+#include <functional>
+#include <optional>
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QPointer>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QTableView>
+#include <QTimer>
+#include <QToolButton>
+#include <set>
+#include <vector>
+
+#include "editor/document/button_document.h"
+#include "editor/document/view_settings.h"
+#include "editor/measured/filter_bar.h"
+#include "editor/measured/library_source.h"
+#include "editor/measured/measured_table.h"
+#include "editor/measured/nearest_forecasts.h"
+#include "editor/measured/overlay_plot.h"
+#include "editor/measured/switch_map.h"
+
+namespace detent::editor {
+
+/// How the window reaches the tabs and the disk; tests put their own in. All of it outlives the window.
+struct MeasuredPlaces {
+  ViewSettings& view;
+  QSettings& settings;  ///< "measured/…": the library's file, its folders
+  std::function<std::vector<ButtonDocument*>()> documents;
+  /// In tabs of their own.
+  std::function<void(const std::vector<Button>&)> open;
+  /// Likewise, and over each other in the comparison.
+  std::function<void(const std::vector<Button>&)> compare;
+  // What a person chooses; empty: cancelled.
+  std::function<QString(QWidget*parent)> libraryFile, folder;
+  std::function<QString(QWidget* parent, const QString& suggested)> page;
+};
+
+/// Not modal. GUI thread.
+class MeasuredWindow : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit MeasuredWindow(MeasuredPlaces places, QWidget* parent = nullptr);
+
+  /// The open buttons that can be asked for changed.
+  void followDocuments();
+  /// The nearest to this one first.
+  void askFor(ButtonDocument& document);
+  /// Shows this library from now on.
+  void openLibrary(const QString& database);
+  /// Its measurements, into the library shown; the person's own where there is none.
+  void addFolder(const QString& folder);
+
+ signals:
+  /// What an answer to openLibrary or addFolder has brought is shown.
+  void shown();
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+
+ private:
+  /// What the others are compared with.
+  struct Asked {
+    QString name;
+    importer::LibrarySwitch entry;   ///< its own where it is of the library
+    std::optional<SwitchIndex> own;  ///< likewise
+    QPointer<ButtonDocument> document;
+  };
+  QWidget* emptyPage();
+  QWidget* fullPage();
+  QWidget* tableView();
+  QWidget* mapView();
+  QLayout* askRow();
+  QLayout* actionRow();
+  QToolButton* libraryButton();
+  QPushButton* actionButton(const char* name, const QString& text, const QString& tip,
+                            const std::function<void()>& act);
+
+  QString database() const;
+  QStringList folders() const;
+  void indexAgain();
+  void take(const QString& database, const std::shared_ptr<const MeasuredSwitches>& switches);
+  void sayIndexed(const importer::IndexSummary& summary);
+  void sayBusy(bool busy);
+  void showRefused();
+
+  void chooseAsked();
+  void askLikeChosen();
+  void rank();
+  void forecastNearest();
+  void listAsked();
+
+  void filterChanged();
+  void rowsChanged();
+  void restoreChosen();
+  void choose(const std::set<SwitchIndex>& chosen);
+  void chosenInTable();
+  void showChosen();
+  void sayCredits();
+  std::vector<importer::LibrarySwitch> chosenEntries() const;
+  void openChosen(bool compare);
+  void writeReport();
+  void columnMenu(QPoint at);
+  void followUnits();
+
+  MeasuredPlaces places_;
+  MeasuredTable table_;
+  std::set<SwitchIndex> chosen_;
+  std::optional<Asked> asked_;
+  std::vector<importer::RefusedFile> refused_;
+  std::vector<ButtonDocument*> listed_;  // in the order of the choice
+  bool loadedOnce_ = false, restoring_ = false, comparing_ = false;
+
+  QStackedWidget* pages_ = nullptr;
+  FilterBar* filter_ = nullptr;
+  QComboBox *like_ = nullptr, *mapX_ = nullptr, *mapY_ = nullptr;
+  QTableView* view_ = nullptr;
+  SwitchMap* map_ = nullptr;
+  OverlayPlot* overlay_ = nullptr;
+  QLabel *count_ = nullptr, *credits_ = nullptr, *said_ = nullptr, *emptyWords_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QPushButton *cancel_ = nullptr, *refusedButton_ = nullptr, *likeThis_ = nullptr, *openButton_ = nullptr,
+              *compareButton_ = nullptr, *report_ = nullptr;
+  QTimer rankSoon_, forecastSoon_;
+  NearestForecasts forecasts_;
+  LibrarySource source_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "editor/measured/measured_words.h"
+
+#include <QCoreApplication>
+
+#include "editor/panels/key_figures_model.h"
+#include "editor/quantity/quantity.h"
+
+namespace detent::editor {
+namespace {
+
+constexpr int digits = 4;
+constexpr double percent = 100;
+
+struct Measured {
+  Q_DECLARE_TR_FUNCTIONS(Measured)
+};
+
+QString unitWords(KeyFigure figure, const DisplayUnits& units) {
+  const FigureUnit unit = keyFigureNames()[static_cast<std::size_t>(figure)].unit;
+  if (unit == FigureUnit::mJ) return QStringLiteral("mJ");
+  return unit == FigureUnit::share ? QStringLiteral("%") : symbolOf(quantityOf(figure), units);
+}
+
+}  // namespace
+
+QString titleOf(const importer::LibrarySwitch& entry) {
+  QString title = QString::fromStdString(entry.name);
+  if (!entry.unit.empty()) title = Measured::tr("%1, unit %2").arg(title, QString::fromStdString(entry.unit));
+  if (!entry.run.empty()) title = Measured::tr("%1, run %2").arg(title, QString::fromStdString(entry.run));
+  return title;
+}
+
+QString kindWords(importer::SwitchKind kind) {
+  switch (kind) {
+    case importer::SwitchKind::linear:
+      return Measured::tr("linear");
+    case importer::SwitchKind::between:
+      return Measured::tr("between");
+    case importer::SwitchKind::tactile:
+      return Measured::tr("tactile");
+  }
+  return {};
+}
+
+QString licenceWords(const importer::LibrarySwitch& entry) {
+  return entry.licence.empty() || entry.licence == importer::noLicenceStated
+             ? Measured::tr("none stated")
+             : QString::fromStdString(entry.licence);
+}
+
+QString creditWords(const importer::LibrarySwitch& entry) {
+  return entry.credit.empty() ? Measured::tr("unknown") : QString::fromStdString(entry.credit);
+}
+
+double shownFigure(double value, KeyFigure figure, const DisplayUnits& units) {
+  const Quantity quantity = quantityOf(figure);
+  return quantity == Quantity::share ? percent * value : value / shownUnitOf(quantity, units);
+}
+
+QString figureText(double value, KeyFigure figure, const DisplayUnits& units) {
+  return numberText(shownFigure(value, figure, units), digits);
+}
+
+QString figureTitle(KeyFigure figure, const DisplayUnits& units) {
+  return Measured::tr("%1 (%2)").arg(termOf(figure), unitWords(figure, units));
+}
+
+}  // namespace detent::editor

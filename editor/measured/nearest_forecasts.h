@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Whether people will tell the nearest switches from the button asked for.
+
+#include <atomic>
+#include <QObject>
+#include <QThreadPool>
+
+#include "editor/forecast/forecast_source.h"
+#include "editor/measured/measured_table.h"
+
+namespace detent::editor {
+
+/// Reads the switches' logs anew, since a forecast needs the whole button; the latest question wins. GUI thread.
+class NearestForecasts : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit NearestForecasts(QObject* parent = nullptr);
+  ~NearestForecasts() override;
+
+  /// `foretold` follows once for each that could be read, unless another question overtakes this one.
+  void ask(const Button& asked, std::vector<std::pair<SwitchIndex, importer::LibrarySwitch>> nearest);
+  void cancel();
+
+ signals:
+  void foretold(detent::editor::SwitchIndex of, const detent::playback::PredictedPair& pair);
+
+ private:
+  void request(quint64 question, const Button& asked, const std::vector<SwitchIndex>& read,
+               const std::vector<Button>& buttons);
+
+  std::atomic<quint64> question_{0};
+  std::vector<SwitchIndex> asked_;  // of the request that is worked on
+  ForecastSource source_;
+  QThreadPool reader_;  // last: its thread uses the others
+};
+
+}  // namespace detent::editor

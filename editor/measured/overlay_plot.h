@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// Measured curves over each other from first contact on, with the scatter of all chosen as a band.
+
+#include <optional>
+#include <vector>
+
+#include <qcustomplot.h>
+
+#include "editor/document/display_units.h"
+#include "importer/switch_library.h"
+
+namespace detent::editor {
+
+/// Mean and scatter of several presses at one displacement.
+struct ScatterPoint {
+  double displacement_mm = 0, mean_N = 0, sd_N = 0;  ///< sd of one of them, n - 1
+};
+
+/// Over the travel that all have; empty for fewer than two.
+std::vector<ScatterPoint> scatterOf(const std::vector<const importer::FeltShape*>& shapes);
+
+/// Press solid, release dashed, a colour each; beyond `mostCurves` only the band speaks for the rest. GUI thread.
+class OverlayPlot : public QCustomPlot {
+  Q_OBJECT
+
+ public:
+  static constexpr std::size_t mostCurves = 6;  ///< as many colours can be told apart
+
+  explicit OverlayPlot(QWidget* parent = nullptr);
+
+  /// A switch that is drawn.
+  struct Entry {
+    QString name;
+    const importer::FeltShape* shape = nullptr;  ///< lives as long as it is shown
+  };
+  /// `asked` is what the others are compared with; it is drawn in the text's colour.
+  void show(std::vector<Entry> entries, std::optional<importer::FeltShape> asked, const DisplayUnits& units);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void draw();
+  void drawShape(const importer::FeltShape& shape, const QPen& pen, const QString& name);
+  void drawBand(const QColor& color);
+
+  std::vector<Entry> entries_;
+  std::optional<importer::FeltShape> asked_;
+  DisplayUnits units_;
+};
+
+}  // namespace detent::editor

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// The shown switches as dots: over two figures or the two principal axes, coloured by kind.
+
+#include <optional>
+#include <set>
+#include <vector>
+
+#include <qcustomplot.h>
+
+#include "editor/measured/measured_table.h"
+
+namespace detent::editor {
+
+/// What a direction of the map counts: a figure, or a principal axis (0 or 1).
+struct MapScale {
+  std::optional<KeyFigure> figure;
+  std::size_t axis = 0;
+  friend bool operator==(const MapScale&, const MapScale&) = default;
+};
+
+/// A click chooses the nearest dot, a drag all in the rectangle; with Ctrl they are added to those chosen. The wheel zooms, a double
+/// click shows all again. Switches without a figure have no place. GUI thread.
+class SwitchMap : public QCustomPlot {
+  Q_OBJECT
+
+ public:
+  /// `table` must outlive this; draw() after it changed.
+  explicit SwitchMap(const MeasuredTable& table, QWidget* parent = nullptr);
+
+  void setScales(const MapScale& x, const MapScale& y);
+  void setUnits(const DisplayUnits& units);
+  /// These stand out.
+  void setChosen(std::set<SwitchIndex> chosen);
+  void draw();
+  /// Where a switch lies in the widget; empty where it has no place or is not shown.
+  std::optional<QPointF> placeOf(SwitchIndex which) const;
+  /// "Peak force (cN)", "Principal axis 1 (64 %; mostly peak force)".
+  QString titleOf(const MapScale& scale) const;
+
+ signals:
+  void chosen(std::set<detent::editor::SwitchIndex> switches);
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  struct Dot {
+    SwitchIndex which = 0;
+    double x = 0, y = 0;
+  };
+  std::optional<double> valueOf(SwitchIndex which, const MapScale& scale) const;
+  std::optional<Dot> dotOf(SwitchIndex which) const;
+  std::optional<SwitchIndex> nearestTo(QPointF at_px) const;
+  void dress();
+  void fill();
+  void drawChosen();
+  void choose(std::set<SwitchIndex> switches, Qt::KeyboardModifiers keys);
+
+  const MeasuredTable& table_;
+  MapScale x_, y_;
+  DisplayUnits units_;
+  std::vector<Dot> dots_;
+  std::set<SwitchIndex> chosen_;
+  QPoint pressedAt_;
+  bool fitNext_ = true;  // another library, or another scale
+};
+
+}  // namespace detent::editor
