@@ -351,6 +351,41 @@
     </message>
 </context>
 <context>
+    <name>Measured</name>
+    <message>
+        <source>%1, unit %2</source>
+        <translation>%1, Exemplar %2</translation>
+    </message>
+    <message>
+        <source>%1, run %2</source>
+        <translation>%1, Lauf %2</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>between</source>
+        <translation>dazwischen</translation>
+    </message>
+    <message>
+        <source>tactile</source>
+        <translation>taktil</translation>
+    </message>
+    <message>
+        <source>none stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>unbekannt</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+</context>
+<context>
     <name>PageWords</name>
     <message>
         <source>Source: %1, page %2, graph %3</source>
@@ -3275,6 +3310,57 @@
     </message>
 </context>
 <context>
+    <name>detent::editor::FilterBar</name>
+    <message>
+        <source>Show only switches with these words in name, credit, licence or file</source>
+        <translation>Nur Schalter mit diesen Wörtern in Name, Urheber, Lizenz oder Datei zeigen</translation>
+    </message>
+    <message>
+        <source>Words to look for</source>
+        <translation>Gesuchte Wörter</translation>
+    </message>
+    <message>
+        <source>Search: maker, name, credit …</source>
+        <translation>Suche: Hersteller, Name, Urheber …</translation>
+    </message>
+    <message>
+        <source>Show only switches of this kind</source>
+        <translation>Nur Schalter dieser Art zeigen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>all kinds</source>
+        <translation>alle Arten</translation>
+    </message>
+    <message>
+        <source>&amp;Figure from … to …</source>
+        <translation>&amp;Kenngröße von … bis …</translation>
+    </message>
+    <message>
+        <source>Show only switches with a figure within bounds</source>
+        <translation>Nur Schalter zeigen, deren Kenngröße in Grenzen liegt</translation>
+    </message>
+    <message>
+        <source>Figure</source>
+        <translation>Kenngröße</translation>
+    </message>
+    <message>
+        <source>at least</source>
+        <translation>mindestens</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>höchstens</translation>
+    </message>
+    <message>
+        <source>Take this condition away</source>
+        <translation>Diese Bedingung wegnehmen</translation>
+    </message>
+</context>
+<context>
     <name>detent::editor::FindingsPanel</name>
     <message>
         <source>I have checked it against the page</source>
@@ -5363,6 +5449,42 @@
         <source>Comparison</source>
         <translation>Vergleich</translation>
     </message>
+    <message>
+        <source>Open a library</source>
+        <translation>Sammlung öffnen</translation>
+    </message>
+    <message>
+        <source>Libraries (*.db *.sqlite *.sqlite3)</source>
+        <translation>Sammlungen (*.db *.sqlite *.sqlite3)</translation>
+    </message>
+    <message>
+        <source>Add a folder of measurements</source>
+        <translation>Ordner mit Messungen hinzufügen</translation>
+    </message>
+    <message>
+        <source>Write a page</source>
+        <translation>Seite schreiben</translation>
+    </message>
+    <message>
+        <source>Pages (*.html)</source>
+        <translation>Seiten (*.html)</translation>
+    </message>
+    <message>
+        <source>&amp;Measured switches…</source>
+        <translation>&amp;Gemessene Schalter …</translation>
+    </message>
+    <message>
+        <source>Look through thousands of measured switches: table, map, curves</source>
+        <translation>Tausende gemessener Schalter durchsehen: Tabelle, Karte, Kurven</translation>
+    </message>
+    <message>
+        <source>What &amp;feels like this?…</source>
+        <translation>Was &amp;fühlt sich so an? …</translation>
+    </message>
+    <message>
+        <source>List the measured switches nearest to this button</source>
+        <translation>Die gemessenen Schalter nennen, die diesem Taster am nächsten sind</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::MarginOverlay</name>
@@ -5395,6 +5517,248 @@
     <message>
         <source>Paint over what is not a curve. [ and ] change the size of the brush.</source>
         <translation>Übermalen Sie, was keine Kurve ist. [ und ] ändern die Größe des Pinsels.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::MeasuredTable</name>
+    <message>
+        <source>%1
+Credit: %2
+Licence: %3</source>
+        <translation>%1
+Urheber: %2
+Lizenz: %3</translation>
+    </message>
+    <message>
+        <source>By the drop: linear below 5 gf, tactile above 8 gf, between</source>
+        <translation>Nach dem Kraftabfall: linear unter 5 gf, taktil über 8 gf, sonst dazwischen</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>In lab noises, what two laboratories differ by on one switch: below 1 nobody can say that two differ</source>
+        <translation>In Laborabweichungen, also dem, worin zwei Labors bei einem Schalter abweichen: unter 1 kann niemand sagen, dass zwei sich unterscheiden</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Whether people will tell it from the one asked for; of the nearest only</source>
+        <translation>Ob man ihn vom gesuchten unterscheiden wird; nur für die nächsten</translation>
+    </message>
+    <message>
+        <source>Forecast</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>What the folder says of who may do what with the measurements</source>
+        <translation>Was der Ordner dazu sagt, wer mit den Messungen was tun darf</translation>
+    </message>
+    <message>
+        <source>Licence</source>
+        <translation>Lizenz</translation>
+    </message>
+    <message>
+        <source>Whose measurements these are</source>
+        <translation>Von wem die Messungen sind</translation>
+    </message>
+    <message>
+        <source>Credit</source>
+        <translation>Urheber</translation>
+    </message>
+    <message>
+        <source>The file the switch was read from</source>
+        <translation>Die Datei, aus der der Schalter gelesen wurde</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::MeasuredWindow</name>
+    <message>
+        <source>Measured switches</source>
+        <translation>Gemessene Schalter</translation>
+    </message>
+    <message>
+        <source>How far the folders are read</source>
+        <translation>Wie weit die Ordner gelesen sind</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Stop reading; what was read is kept</source>
+        <translation>Mit dem Lesen aufhören; Gelesenes bleibt</translation>
+    </message>
+    <message>
+        <source>Refused files…</source>
+        <translation>Abgelehnte Dateien …</translation>
+    </message>
+    <message>
+        <source>Which files were not taken, and why</source>
+        <translation>Welche Dateien nicht genommen wurden, und warum</translation>
+    </message>
+    <message>
+        <source>More than 1,500 key switches have been measured in public. Clone one of these collections (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) or take your own measurements (CSV, ODS, JSON, button files), and add their folder. Detent ships none: whose they are and what may be done with them stands with each.</source>
+        <translation>Mehr als 1.500 Tastenschalter sind öffentlich vermessen. Klonen Sie eine dieser Sammlungen (force-curves-tidy, Open-Switch-Curve-Meter, topre-force-curves …) oder nehmen Sie eigene Messungen (CSV, ODS, JSON, Taster-Dateien), und fügen Sie deren Ordner hinzu. Detent bringt keine mit: von wem sie sind und was man damit tun darf, steht bei jeder.</translation>
+    </message>
+    <message>
+        <source>&amp;Add a folder…</source>
+        <translation>Ordner &amp;hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Read the measurements of a folder and all below it</source>
+        <translation>Die Messungen eines Ordners und aller darunter lesen</translation>
+    </message>
+    <message>
+        <source>&amp;Open a library…</source>
+        <translation>Sammlung ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Show a library that detent-import has made</source>
+        <translation>Eine Sammlung zeigen, die detent-import angelegt hat</translation>
+    </message>
+    <message>
+        <source>Folders and files of the library</source>
+        <translation>Ordner und Dateien der Sammlung</translation>
+    </message>
+    <message>
+        <source>Library</source>
+        <translation>Sammlung</translation>
+    </message>
+    <message>
+        <source>&amp;Library</source>
+        <translation>&amp;Sammlung</translation>
+    </message>
+    <message>
+        <source>&amp;Read the folders again</source>
+        <translation>Ordner &amp;neu lesen</translation>
+    </message>
+    <message>
+        <source>Take in what changed; the rest is not read anew</source>
+        <translation>Aufnehmen, was sich geändert hat; der Rest wird nicht neu gelesen</translation>
+    </message>
+    <message>
+        <source>&amp;Open another library…</source>
+        <translation>Andere Sammlung ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>The switches that feel like this one come first, with their distance</source>
+        <translation>Schalter, die sich so anfühlen, stehen zuerst, mit ihrem Abstand</translation>
+    </message>
+    <message>
+        <source>Feels like</source>
+        <translation>Fühlt sich an wie</translation>
+    </message>
+    <message>
+        <source>Feels &amp;like:</source>
+        <translation>Fühlt sich an &amp;wie:</translation>
+    </message>
+    <message>
+        <source>Click a dot or draw a rectangle to choose; with Ctrl to add; a double click shows all</source>
+        <translation>Einen Punkt anklicken oder ein Rechteck ziehen, um zu wählen; mit Strg dazu; ein Doppelklick zeigt alles</translation>
+    </message>
+    <message>
+        <source>Map of the switches shown</source>
+        <translation>Karte der gezeigten Schalter</translation>
+    </message>
+    <message>
+        <source>Principal axis %1</source>
+        <translation>Hauptachse %1</translation>
+    </message>
+    <message>
+        <source>What the map counts to the right</source>
+        <translation>Was die Karte nach rechts zählt</translation>
+    </message>
+    <message>
+        <source>What the map counts upwards</source>
+        <translation>Was die Karte nach oben zählt</translation>
+    </message>
+    <message>
+        <source>Map: &amp;right</source>
+        <translation>Karte: &amp;rechts</translation>
+    </message>
+    <message>
+        <source>&amp;up</source>
+        <translation>&amp;oben</translation>
+    </message>
+    <message>
+        <source>What feels like &amp;this?</source>
+        <translation>Was fühlt sich &amp;so an?</translation>
+    </message>
+    <message>
+        <source>Put those first that feel like the switch chosen</source>
+        <translation>Die zuerst, die sich wie der gewählte Schalter anfühlen</translation>
+    </message>
+    <message>
+        <source>Open as a &amp;button</source>
+        <translation>Als &amp;Taster öffnen</translation>
+    </message>
+    <message>
+        <source>Open what is chosen as buttons in tabs of their own</source>
+        <translation>Gewähltes als Taster in eigenen Reitern öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleichen</translation>
+    </message>
+    <message>
+        <source>Open what is chosen, two to six, and lay them over each other</source>
+        <translation>Gewähltes öffnen, zwei bis sechs, und übereinanderlegen</translation>
+    </message>
+    <message>
+        <source>Write a &amp;page…</source>
+        <translation>&amp;Seite schreiben …</translation>
+    </message>
+    <message>
+        <source>Write the nearest as a page with plots that can be sent</source>
+        <translation>Die nächsten als Seite mit Diagrammen schreiben, die man verschicken kann</translation>
+    </message>
+    <message>
+        <source>Curves of the switches chosen</source>
+        <translation>Kurven der gewählten Schalter</translation>
+    </message>
+    <message>
+        <source>None of its folders is there. Add one.</source>
+        <translation>Keiner ihrer Ordner ist da. Fügen Sie einen hinzu.</translation>
+    </message>
+    <message>
+        <source>%1 files read (%2 switches), %3 unchanged, %4 refused, %5 gone.</source>
+        <translation>%1 Dateien gelesen (%2 Schalter), %3 unverändert, %4 abgelehnt, %5 verschwunden.</translation>
+    </message>
+    <message>
+        <source>Refused files</source>
+        <translation>Abgelehnte Dateien</translation>
+    </message>
+    <message>
+        <source>Measured switches – %1</source>
+        <translation>Gemessene Schalter – %1</translation>
+    </message>
+    <message>
+        <source>nothing asked for</source>
+        <translation>nichts gesucht</translation>
+    </message>
+    <message>
+        <source>%L1 of %L2 switches</source>
+        <translation>%L1 von %L2 Schaltern</translation>
+    </message>
+    <message>
+        <source>All shown</source>
+        <translation>Alle gezeigten</translation>
+    </message>
+    <message>
+        <source>%1. Credit: %2. Licence: %3.</source>
+        <translation>%1. Urheber: %2. Lizenz: %3.</translation>
+    </message>
+    <message>
+        <source>Written: %1.</source>
+        <translation>Geschrieben: %1.</translation>
     </message>
 </context>
 <context>
@@ -5627,6 +5991,28 @@ Gegen den gezeigten Taster: %2</translation>
     <message>
         <source>found, %1 % sure</source>
         <translation>gefunden, %1 % sicher</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::OverlayPlot</name>
+    <message numerus="yes">
+        <source>press of %n, ± 1 standard deviation</source>
+        <translation>
+            <numerusform>Drücken von %n, ± 1 Standardabweichung</numerusform>
+            <numerusform>Drücken von %n, ± 1 Standardabweichung</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>From first contact (%1)</source>
+        <translation>Ab erster Berührung (%1)</translation>
+    </message>
+    <message>
+        <source>Force (%1)</source>
+        <translation>Kraft (%1)</translation>
+    </message>
+    <message>
+        <source>asked for</source>
+        <translation>gesucht</translation>
     </message>
 </context>
 <context>
@@ -6735,6 +7121,29 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>The sound device went away. Please call the experimenter.</source>
         <translation>Das Audiogerät ist weg. Bitte rufen Sie die Versuchsleitung.</translation>
+    </message>
+</context>
+<context>
+    <name>detent::editor::SwitchMap</name>
+    <message>
+        <source>Principal axis %1</source>
+        <translation>Hauptachse %1</translation>
+    </message>
+    <message>
+        <source>%1 (%2 % of what differs)</source>
+        <translation>%1 (%2 % der Unterschiede)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 % of what differs; goes with: %3)</source>
+        <translation>%1 (%2 % der Unterschiede; geht mit: %3)</translation>
+    </message>
+    <message>
+        <source>%1
+Credit: %2
+Licence: %3</source>
+        <translation>%1
+Urheber: %2
+Lizenz: %3</translation>
     </message>
 </context>
 <context>

@@ -66,7 +66,7 @@ struct Axis {
 /// The axis of the largest variance, by power iteration from `start`.
 Axis largestOf(const Matrix& matrix, Vector start) {
   constexpr int most = 500;
-  constexpr double settled = 1e-12;
+  constexpr double settled = 1e-12;  // share: 1 - cosine of a turn
   Axis axis{start, 0};
   normalize(axis.direction);
   for (int i = 0; i < most; ++i) {

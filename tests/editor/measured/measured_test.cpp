@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window of measured switches: table, filter, map, overlay, what feels like a button.
+
+#include <cmath>
+#include <fstream>
+#include <QAction>
+#include <QComboBox>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "editor/measured/measured_window.h"
+#include "model/templates.h"
+#include "model/units.h"
+
+using namespace detent;
+using namespace detent::editor;
+
+namespace {
+
+constexpr int patience_ms = 60000;
+
+importer::LibrarySwitch switchOf(const std::string& name, double start_N, double bump_N, double travel_mm) {
+  importer::LibrarySwitch entry;
+  entry.name = name;
+  entry.source = "/measured/" + name + ".csv";
+  entry.licence = name < "m" ? "MIT" : importer::noLicenceStated;
+  entry.credit = name < "m" ? "someone/curves" : "";
+  entry.shape.travel_mm = travel_mm;
+  for (std::size_t i = 0; i < importer::FeltShape::samples; ++i) {
+    const double share = static_cast<double>(i) / importer::FeltShape::samples;
+    const double force_N = start_N + 0.2 * share + bump_N * std::exp(-50 * (share - 0.3) * (share - 0.3));
+    entry.shape.press_N.push_back(static_cast<float>(force_N));
+    entry.shape.release_N.push_back(static_cast<float>(force_N - 0.05));
+  }
+  if (bump_N > 0) {
+    entry.figures[KeyFigure::peakForce] = start_N + bump_N;
+    entry.figures[KeyFigure::drop] = bump_N;
+  }
+  entry.figures[KeyFigure::totalTravel] = travel_mm;
+  return entry;
+}
+
+std::shared_ptr<const MeasuredSwitches> madeUp(std::size_t count) {
+  auto all = std::make_shared<MeasuredSwitches>();
+  for (std::size_t i = 0; i < count; ++i)
+    all->switches.push_back(switchOf(std::string(1, static_cast<char>('a' + i % 26)) + std::to_string(i),
+                                     0.3 + 0.01 * static_cast<double>(i % 37), i % 3 == 0 ? 0 : 0.2,
+                                     3.2 + 0.01 * static_cast<double>(i % 91)));
+  all->map = importer::feelMapOf(all->switches);
+  return all;
+}
+
+std::string csvOf(double start_gf, double bump_gf) {
+  std::string text = "force,displacement,judge,name\n";
+  const auto force_gf = [&](double x) {
+    return std::min(start_gf, 300 * x) + 8 * x + bump_gf * std::exp(-(x - 1.2) * (x - 1.2) / 0.08) +
+           (x > 3.6 ? 400 * (x - 3.6) : 0);
+  };
+  const auto row = [&](double f, double x) {
+    text += std::to_string(f) + "," + std::to_string(x) + ",0,switch\n";
+  };
+  for (int i = 0; i <= 380; ++i) row(force_gf(0.01 * i), 0.01 * i);
+  for (int i = 380; i >= 0; --i) row(std::max(0.0, force_gf(0.01 * i) - 6), 0.01 * i);
+  return text;
+}
+
+}  // namespace
+
+class MeasuredTest : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void aTableIsFilteredSortedAndRanked() {
+    MeasuredTable table;
+    table.setSwitches(madeUp(90));
+    QCOMPARE(table.rowCount(), 90);
+    SwitchFilter filter;
+    filter.words = "SOMEONE a";
+    filter.kind = importer::SwitchKind::tactile;
+    filter.ranges = {{KeyFigure::peakForce, 0.6, 0.8}};
+    table.setFilter(filter);
+    QVERIFY(table.rowCount() > 0 && table.rowCount() < 90);
+    for (const SwitchIndex each : table.shown()) {
+      const importer::LibrarySwitch& entry = table.switches()[each];
+      QCOMPARE(entry.credit, std::string("someone/curves"));
+      QVERIFY(*entry.figures[KeyFigure::peakForce] >= 0.6 && *entry.figures[KeyFigure::peakForce] <= 0.8);
+    }
+    table.setFilter({});
+    const int peak = MeasuredTable::firstFigureColumn + static_cast<int>(KeyFigure::peakForce);
+    for (const Qt::SortOrder order : {Qt::AscendingOrder, Qt::DescendingOrder}) {
+      table.sort(peak, order);
+      const auto first = table.switches()[table.shown()[0]].figures[KeyFigure::peakForce];
+      const auto second = table.switches()[table.shown()[40]].figures[KeyFigure::peakForce];
+      QVERIFY(order == Qt::AscendingOrder ? *first < *second : *first > *second);
+      QVERIFY(!table.switches()[table.shown().back()].figures[KeyFigure::peakForce]);  // none: last in either
+    }
+    table.sort(-1);
+    table.rankBy(table.switches()[17].shape);
+    QCOMPARE(table.shown()[0], SwitchIndex(17));
+    QCOMPARE(*table.distanceOf(17), 0.0);
+    QVERIFY(*table.distanceOf(table.shown()[89]) > *table.distanceOf(table.shown()[1]));
+  }
+
+  void fiveThousandAreShownWithoutAWait() {
+    MeasuredTable table;
+    table.setSwitches(madeUp(5000));
+    SwitchMap map(table);
+    map.setScales({{}, 0}, {{}, 1});
+    map.resize(500, 400);
+    constexpr qint64 most_ms = 500;  // ten times the bar: machines are busy, instrumented
+    QElapsedTimer clock;
+    clock.start();
+    table.setFilter({"a", {}, {}});
+    QVERIFY(clock.restart() < most_ms);
+    table.setFilter({});
+    clock.restart();
+    table.sort(MeasuredTable::firstFigureColumn + static_cast<int>(KeyFigure::totalTravel));
+    QVERIFY(clock.restart() < most_ms);
+    map.draw();
+    QVERIFY(map.placeOf(4999).has_value());
+  }
+
+  void theMapSeparatesWhatDiffers() {
+    std::vector<importer::LibrarySwitch> switches;
+    for (int i = 0; i < 30; ++i)
+      switches.push_back(switchOf("x" + std::to_string(i), 0.3 + 0.02 * i, 0, i % 2 == 0 ? 3.4 : 3.6));
+    const importer::FeelMap map = importer::feelMapOf(switches);
+    QVERIFY(map.axes[0].share > 0.8 && map.axes[0].share + map.axes[1].share > 0.999);
+    QVERIFY(map.places[29][0] > map.places[0][0]);  // forces grow to the right
+    QVERIFY(map.places[1][1] > map.places[0][1]);   // travel grows upwards
+    QCOMPARE(map.axes[1].likest, std::optional(KeyFigure::totalTravel));
+    QVERIFY(importer::feelMapOf({}).places.empty());
+  }
+
+  void theBandIsTheScatterOfAllChosen() {
+    const auto a = switchOf("a", 0.4, 0, 3.0), b = switchOf("b", 0.6, 0, 3.5);
+    QVERIFY(scatterOf({&a.shape}).empty());
+    const auto scatter = scatterOf({&a.shape, &b.shape});
+    QCOMPARE(scatter.back().displacement_mm, 3.0);  // what both have
+    QVERIFY(std::abs(scatter.front().mean_N - 0.5) < 1e-6);
+    QVERIFY(std::abs(scatter.front().sd_N - 0.2 / std::sqrt(2.0)) < 1e-6);
+  }
+
+  void aFolderBecomesALibraryThatIsAskedAndOpened() {
+    QTemporaryDir folder;
+    QDir().mkpath(folder.filePath("m"));
+    const auto write = [&](const char* name, const std::string& text) {
+      std::ofstream(folder.filePath(QString("m/") + name).toStdString()) << text;
+    };
+    write("Soft.csv", csvOf(30, 0));
+    write("Firm.csv", csvOf(60, 0));
+    write("Click.csv", csvOf(45, 30));
+    write("LICENSE", "MIT License");
+    write("broken.csv", "force,displacement\nnone,none\n");
+    ViewSettings view;
+    QSettings settings(folder.filePath("s.ini"), QSettings::IniFormat);
+    settings.setValue("measured/library", folder.filePath("l.db"));
+    std::vector<Button> opened, compared;
+    ButtonDocument document(*tactileButton());
+    MeasuredPlaces places{view, settings, {}, {}, {}, {}, {}, {}};
+    places.documents = [&] { return std::vector<ButtonDocument*>{&document}; };
+    places.open = [&](const std::vector<Button>& buttons) { opened = buttons; };
+    places.compare = [&](const std::vector<Button>& buttons) { compared = buttons; };
+    places.page = [&](QWidget*, const QString&) { return folder.filePath("page.html"); };
+    MeasuredWindow window(std::move(places));
+    QSignalSpy shown(&window, &MeasuredWindow::shown);
+    window.show();
+    window.addFolder(folder.filePath("m"));
+    QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 1, patience_ms);
+    auto* view_ = window.findChild<QTableView*>("measuredTable");
+    auto* credits = window.findChild<QLabel*>("measuredCredits");
+    QCOMPARE(view_->model()->rowCount(), 3);
+    QVERIFY(window.findChild<QPushButton*>("measuredRefused")->isVisible());
+    QVERIFY2(credits->text().contains("MIT"), qPrintable(credits->text()));
+    QVERIFY(view_->isColumnHidden(MeasuredTable::distanceColumn));
+
+    view_->selectRow(1);  // by name: Click, Firm, Soft
+    QVERIFY2(credits->text().startsWith("Firm"), qPrintable(credits->text()));
+    QTest::mouseClick(window.findChild<QPushButton*>("measuredLikeThis"), Qt::LeftButton);
+    QVERIFY(!view_->isColumnHidden(MeasuredTable::distanceColumn));
+    QCOMPARE(view_->model()->headerData(0, Qt::Vertical, Qt::DisplayRole).toString(), QString("Firm"));
+    QTest::mouseClick(window.findChild<QPushButton*>("measuredOpen"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(opened.size(), std::size_t(1), patience_ms);
+    QCOMPARE(opened[0].name(), std::string("Firm"));
+
+    view_->selectAll();
+    QTest::mouseClick(window.findChild<QPushButton*>("measuredCompare"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(compared.size(), std::size_t(3), patience_ms);
+
+    window.askFor(document);
+    QVERIFY(window.findChild<QComboBox*>("measuredLike")->currentIndex() == 1);
+    QTest::mouseClick(window.findChild<QPushButton*>("measuredReport"), Qt::LeftButton);
+    QVERIFY(QFile(folder.filePath("page.html")).size() > 1000);
+
+    window.findChild<QLineEdit*>("measuredWords")->setText("soft");
+    QCOMPARE(view_->model()->rowCount(), 1);
+  }
+
+  void whatIsNoLibraryIsSaid() {
+    QTemporaryDir folder;
+    std::ofstream(folder.filePath("x.db").toStdString()) << "no library";
+    ViewSettings view;
+    QSettings settings(folder.filePath("s.ini"), QSettings::IniFormat);
+    MeasuredWindow window({view, settings, {}, {}, {}, {}, {}, {}});
+    QSignalSpy shown(&window, &MeasuredWindow::shown);
+    window.openLibrary(folder.filePath("x.db"));
+    QTRY_COMPARE_WITH_TIMEOUT(shown.count(), 1, patience_ms);
+    QVERIFY(window.findChild<QLabel*>("measuredSaid")->text().contains("x.db"));
+  }
+};
+
+QTEST_MAIN(MeasuredTest)
+#include "measured_test.moc"
