@@ -86,8 +86,8 @@ QString SwitchMap::titleOf(const MapScale& scale) const {
   const QString name = tr("Principal axis %1").arg(scale.axis + 1);
   if (table_.switches().empty()) return name;
   const int share = static_cast<int>(std::lround(percent * axis.share));
-  if (!axis.likest) return tr("%1 (%2 % of what differs)").arg(name).arg(share);
-  return tr("%1 (%2 % of what differs; goes with: %3)").arg(name).arg(share).arg(termOf(*axis.likest));
+  if (!axis.likest) return tr("%1: %2 %").arg(name).arg(share);
+  return tr("%1: %2 %, %3").arg(name).arg(share).arg(termOf(*axis.likest));
 }
 
 void SwitchMap::dress() {

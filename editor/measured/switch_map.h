@@ -35,7 +35,7 @@ class SwitchMap : public QCustomPlot {
   void draw();
   /// Where a switch lies in the widget; empty where it has no place or is not shown.
   std::optional<QPointF> placeOf(SwitchIndex which) const;
-  /// "Peak force (cN)", "Principal axis 1 (64 %; mostly peak force)".
+  /// "Peak force (cN)", "Principal axis 1: 64 %, Peak force": its share of what differs, the figure it goes with most.
   QString titleOf(const MapScale& scale) const;
 
  signals:

@@ -7130,12 +7130,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Hauptachse %1</translation>
     </message>
     <message>
-        <source>%1 (%2 % of what differs)</source>
-        <translation>%1 (%2 % der Unterschiede)</translation>
+        <source>%1: %2 %</source>
+        <translation>%1: %2 %</translation>
     </message>
     <message>
-        <source>%1 (%2 % of what differs; goes with: %3)</source>
-        <translation>%1 (%2 % der Unterschiede; geht mit: %3)</translation>
+        <source>%1: %2 %, %3</source>
+        <translation>%1: %2 %, %3</translation>
     </message>
     <message>
         <source>%1
