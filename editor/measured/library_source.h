@@ -3,6 +3,7 @@
 // The library's file, read and filled beside the window.
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <QObject>
 #include <QString>
