@@ -257,8 +257,7 @@ TEST_CASE("figures that no switch has: the nearest is told, and bent it has them
   CHECK(*missOf(figures, wanted) < 0.01);
   const std::vector<FigureRange> already{{KeyFigure::peakForce, 0, 9}};
   CHECK(*buttonWithin(*button, already) == *button);
-  const auto impossible =
-      buttonWithin(*button, {{KeyFigure::drop, 3, 3.1}, {KeyFigure::peakForce, 1, 1.1}});
+  const auto impossible = buttonWithin(*button, {{KeyFigure::drop, 3, 3.1}, {KeyFigure::peakForce, 1, 1.1}});
   REQUIRE_FALSE(impossible);
   CHECK(impossible.failure().code == FailureCode::notCertain);
   const auto all = findSwitches({database, {}, {}, 10});
