@@ -205,7 +205,9 @@ class Walk:
         self.check_curve("the bridged curve", BARE, self.save("bridged"), 0.012)
         self.desktop.key("ctrl+k")
         self.editor.click("compareAdd")
-        table = wait_for("three columns", lambda: self.columns_of(self.editor.find("compareTable"), 7))
+        wait_for("a third button", lambda: self.editor.find("compareButtonC"))
+        # What the panel has no room for stands beyond its scroll bar: the figure and the three values are in view.
+        table = wait_for("three columns", lambda: self.columns_of(self.editor.find("compareTable"), 4))
         largest = [row for row in table if "largest force" in row[0]][0]
         for shown, plot in zip(largest[1:4], (BARE, WHOLE, WITHOUT_UNIT)):
             true_cN = 100 * max(force(x / 100, plot.bump) for x in range(401))
@@ -224,7 +226,7 @@ class Walk:
         rows = {}
         for cell in table["cells"] if table else []:
             rows.setdefault(cell["row"], []).append(cell["text"])
-        return list(rows.values()) if rows and len(rows[0]) == count else None
+        return list(rows.values()) if rows and len(rows[0]) >= count else None
 
     def reading(self):
         return self.editor.find("compareReading").get("text", "").splitlines()
