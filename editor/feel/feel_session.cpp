@@ -106,7 +106,7 @@ void FeelSession::setWatched(bool watched) {
 void FeelSession::request(Slot& slot) {
   slot.stale = !watched_;
   if (slot.stale || !slot.document) return;
-  playback::PlaybackSettings settings;
+  playback::PlaybackSettings settings = playback::usualSettings();
   settings.mode = settings_.mode;
   settings.placement = settings_.placement;
   slot.source.request({slot.document->button(), profile_.value_or(playback::DeviceProfile{}), settings,

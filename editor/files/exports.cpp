@@ -78,7 +78,7 @@ Result<Done> exportDrawing(QSize size, const QString& path,
 }
 
 Result<Done> exportWav(const Button& button, std::size_t state, const QString& path) {
-  const auto prepared = playback::prepareProgram(begunIn(button, state), {}, {});
+  const auto prepared = playback::prepareProgram(begunIn(button, state), {}, playback::usualSettings());
   if (!prepared) return prepared.failure();
   const auto written =
       playback::renderPressToFile(prepared->program, playback::standardPress(prepared->program), {},
@@ -94,7 +94,7 @@ Result<Done> exportPage(const std::vector<Button>& buttons, const QString& path)
 }
 
 Result<playback::Exported> deviceExport(const Button& button, const DeviceExport& wanted) {
-  const auto prepared = playback::prepareProgram(button, {}, {});
+  const auto prepared = playback::prepareProgram(button, {}, playback::usualSettings());
   if (!prepared) return prepared.failure();
   const std::string press = pressName(wanted.wayDown_s);
   const auto trace = playback::namedPress(press, prepared->program);

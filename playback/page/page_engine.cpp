@@ -45,7 +45,7 @@ class Page {
   int add() {
     Result<Button> button = buttonFrom(numbers_);
     if (!button) return -1;
-    Result<PreparedProgram> prepared = prepareProgram(*button, {}, {});
+    Result<PreparedProgram> prepared = prepareProgram(*button, {}, usualSettings());
     if (!prepared) return -1;
     programs_.push_back(std::make_unique<HapticProgram>(prepared->program));
     return static_cast<int>(programs_.size()) - 1;

@@ -88,7 +88,7 @@ Json figuresOf(const ButtonState& state) {
 }
 
 Result<Json> described(const Button& button, std::size_t index) {
-  Result<PreparedProgram> prepared = prepareProgram(button, {}, {});
+  Result<PreparedProgram> prepared = prepareProgram(button, {}, usualSettings());
   if (!prepared) return prepared.failure();
   Json states = Json::array();
   for (const ButtonState& state : button.states())

@@ -42,6 +42,27 @@ enum class JumpFrequencySource {
            ///< settings
 };
 
+/// How slope, jumps and bottom-out stand to each other.
+enum class Feel {
+  paper,  ///< as K&L have it
+  clear   ///< the jumps come through, and a denser slope is felt as stronger (docs/decisions/0915)
+};
+
+inline constexpr auto feels = named<Feel>({{"paper", Feel::paper}, {"clear", Feel::clear}});
+
+/// The rules of Feel::clear, each worth what docs/decisions/0915 says.
+struct ClearFeel {
+  bool jumpsByRoot =
+      true;  ///< amplitude by the root of the paper's: twice the area is 3 dB more, and few jumps end at full scale
+  /// Slope and bottom-out stay so far below the weakest jump of their stroke, by felt_level.h; they are never raised. > 0.
+  double jumpAbove_dB = 8;
+  double slopeUnderJump = 0.1;  ///< level of the slope while a jump sounds; [0, 1]
+  double longestBottomOutWait_s =
+      0.05;  ///< it begins when the jump before it has ended; tactile feedback may be so late (TAP 2014)
+  double loudestSpeed_mm_per_s =
+      200;  ///< at which a grain has its amplitude; slower ones are quieter, 2.3 dB per halving
+};
+
 struct PlaybackSettings {
   FeedbackMode mode = FeedbackMode::full;
 
@@ -77,6 +98,9 @@ struct PlaybackSettings {
       0.030;  ///< "with an increasing 30ms saw-tooth envelope"; rounded to half cycles; (0, 1]
   double bottomOutAmplitude = 0.7;  ///< not given by K&L; [0, 1]
 
+  Feel feel = Feel::paper;
+  ClearFeel clear;  ///< used by Feel::clear alone
+
   // Following the finger.
   SectionSettings sections;     ///< what counts as a tactile point (model/sections.h)
   double hysteresis_N = 0;      ///< turning back; 0: from the sensor's noise (docs/decisions/0906); [0, 10]
@@ -95,5 +119,12 @@ struct PlaybackSettings {
   /// jump would lose what it was put there for (docs/decisions/0907).
   EqualizerUse equalizer = EqualizerUse::sparingJumps;
 };
+
+/// What is played where nobody asks for the paper's own.
+inline PlaybackSettings usualSettings() {
+  PlaybackSettings settings;
+  settings.feel = Feel::clear;
+  return settings;
+}
 
 }  // namespace detent::playback

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <numeric>
 
+#include "playback/prepare/felt_level.h"
 #include "playback/prepare/stroke_table.h"
 #include "playback/realtime/biquad.h"
 
@@ -74,6 +75,7 @@ class Preparation {
   bool clicks() const {
     return settings_.mode == FeedbackMode::full || settings_.mode == FeedbackMode::clickOnly;
   }
+  bool clear() const { return settings_.feel == Feel::clear; }
   bool slopes() const {
     return settings_.mode == FeedbackMode::full || settings_.mode == FeedbackMode::slopeOnly;
   }
@@ -142,6 +144,11 @@ class Preparation {
     p.longestInterval_s = std::max(4 * s.sensorPeriod_s, 0.02);
     p.burstSpacing_s = s.burstSpacing_s;
     p.gain = profile_.gain;
+    if (clear()) {
+      p.loudestDensity_per_s = s.clear.loudestSpeed_mm_per_s * s.grainsPerMm;
+      p.slopeUnderJump = s.clear.slopeUnderJump;
+      p.longestBottomOutWait_s = s.clear.longestBottomOutWait_s;
+    }
     setJumpFrequencies();
     setEqualizer();
   }
@@ -206,6 +213,7 @@ class Preparation {
     setBottomOut(press, to);
     prepareStroke(press, to, to.press);
     prepareStroke(release, to, to.release);
+    if (clear()) letJumpsThrough(to);
     prepared_.summary.pressJumps += to.press.jumpCount;
     prepared_.summary.releaseJumps += to.release.jumpCount;
     prepared_.summary.bottomOuts += to.hasBottomOut ? 1 : 0;
@@ -215,6 +223,23 @@ class Preparation {
         if (r.last >= r.first) prepared_.summary.grains += static_cast<std::size_t>(r.last - r.first + 1);
       }
     }
+  }
+
+  /// Slope and bottom-out stay below the weakest jump of their stroke. A stroke without one keeps what it has.
+  void letJumpsThrough(StateProgram& state) {
+    const HapticProgram& p = prepared_.program;
+    const auto below = [&](const StrokeTable& stroke, double level_dB) {
+      double room_dB = 0;
+      for (std::size_t i = 0; i < stroke.jumpCount; ++i) {
+        if (!(stroke.jumps[i].burst.amplitude > 0)) continue;
+        const double jump_dB = feltLevel_dB(stroke.jumps[i].burst, profile_, p);
+        room_dB = std::min(room_dB, jump_dB - settings_.clear.jumpAbove_dB - level_dB);
+      }
+      return std::pow(10, room_dB / 20);
+    };
+    state.bottomOutLevel = below(state.press, feltLevel_dB(p.bottomOut, profile_, p));
+    for (StrokeTable* stroke : {&state.press, &state.release})
+      stroke->slopeLevel = below(*stroke, feltSlopeLevel_dB(profile_, p));
   }
 
   void setContact(const ButtonState& from, const StrokePlan& press, StateProgram& to) {
@@ -360,6 +385,8 @@ class Preparation {
             millimetres(section.from_mm), wanted});
     }
     entry.burst.amplitude = std::clamp(wanted, s.faintestJump, 1.0);
+    if (clear() && s.clear.jumpsByRoot) entry.burst.amplitude = std::sqrt(entry.burst.amplitude);
+    entry.burst.quietensSlope = clear();
     entry.burst.envelope = Envelope::falling;
     return entry;
   }
@@ -418,6 +445,10 @@ Result<Done> checkSettings(const PlaybackSettings& s) {
        {"pressJumpFrequency_Hz", s.pressJumpFrequency_Hz, 0, highestFrequency_Hz, false},
        {"releaseJumpFrequency_Hz", s.releaseJumpFrequency_Hz, 0, highestFrequency_Hz, false},
        {"bottomOutFrequency_Hz", s.bottomOutFrequency_Hz, lowestBottomOut_Hz, highestFrequency_Hz, true},
+       {"clear.jumpAbove_dB", s.clear.jumpAbove_dB, 0, 60, false},
+       {"clear.slopeUnderJump", s.clear.slopeUnderJump, 0, 1, true},
+       {"clear.longestBottomOutWait_s", s.clear.longestBottomOutWait_s, 0, 1, true},
+       {"clear.loudestSpeed_mm_per_s", s.clear.loudestSpeed_mm_per_s, 0, 1e5, false},
        {"bottomOutDuration_s", s.bottomOutDuration_s, 0, 1, false},
        {"bottomOutAmplitude", s.bottomOutAmplitude, 0, 1, true},
        {"highPass_Hz", s.highPass_Hz, 0, 100, true},

@@ -36,6 +36,10 @@ void addFeelOptions(CLI::App& app, FeelOptions& options) {
   PlaybackSettings& s = options.settings;
   const std::string group = "How it feels (defaults: Kim & Lee 2013)";
   addChoice(app, "--mode", s.mode, feedbackModes, "What is felt", "full")->group(group);
+  addChoice(app, "--feel", s.feel, feels,
+            "The jumps come through and a dense slope is stronger (clear), or all as in the paper",
+            feels.word(s.feel))
+      ->group(group);
   addPlacementOption(app, s.placement)->group(group);
   app.add_option("--grains-per-mm", s.grainsPerMm, "Grains per mm of slope, 0..1000")
       ->capture_default_str()

@@ -11,7 +11,7 @@ namespace detent::playback {
 
 /// "How it feels": every setting of the paper, and the device it is prepared for.
 struct FeelOptions {
-  PlaybackSettings settings;
+  PlaybackSettings settings = usualSettings();
   std::string profileFile;  ///< empty: a perfect device
 };
 void addFeelOptions(CLI::App& app, FeelOptions& options);

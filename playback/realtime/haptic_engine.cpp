@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "playback/realtime/grain_density.h"
+#include "playback/realtime/sine.h"
+
 namespace detent::playback {
 
 namespace {
@@ -71,7 +74,8 @@ void HapticEngine::setSampleRate(double sampleRate_Hz) {
 void HapticEngine::forgetWaiting() {
   pendingCount_ = 0;
   lastScheduled_ = now_;
-  nextBurstFrame_ = now_;
+  nextBurstFrame_ = jumpEnds_ = now_;
+  lastGrain_frames_ = never_frames;
 }
 
 void HapticEngine::use(const HapticProgram* program) {
@@ -149,20 +153,67 @@ void HapticEngine::apply(const EngineInput& input) {
 }
 
 void HapticEngine::schedule(const Crossings& crossings, double from_frames, double to_frames) {
-  if (program_->placement == EventPlacement::atOnce) {
-    for (std::size_t i = 0; i < crossings.count; ++i) {
-      scheduleOne(crossings.items[i], static_cast<double>(now_));
-    }
-    return;
-  }
+  const bool atOnce = program_->placement == EventPlacement::atOnce;
   const double delay = bufferDelay_frames_ + program_->interpolationDelay_s * sampleRate_Hz_;
   for (std::size_t i = 0; i < crossings.count; ++i) {
     const Crossing& c = crossings.items[i];
-    scheduleOne(c, from_frames + (to_frames - from_frames) * c.fraction + delay);
+    const double met_frames = from_frames + (to_frames - from_frames) * c.fraction;
+    scheduleOne(c, atOnce ? static_cast<double>(now_) : met_frames + delay, met_frames);
   }
 }
 
-void HapticEngine::scheduleOne(const Crossing& crossing, double time_frames) {
+Burst HapticEngine::grainOf(const Crossing& crossing, double met_frames) {
+  const StateProgram& state = program_->states[crossing.state];
+  Burst burst = program_->grain;
+  burst.amplitude *= tracker_.position().releasing ? state.release.slopeLevel : state.press.slopeLevel;
+  if (program_->loudestDensity_per_s > 0) {
+    const double gap_s = (met_frames - lastGrain_frames_) / sampleRate_Hz_;
+    burst.amplitude *=
+        levelOfDensity(crossing.count / gap_s, program_->loudestDensity_per_s, 1 / burst.duration_s);
+  }
+  lastGrain_frames_ = met_frames;
+  return burst;
+}
+
+Burst HapticEngine::burstOf(const Crossing& crossing, double met_frames) {
+  const StateProgram& state = program_->states[crossing.state];
+  switch (crossing.kind) {
+    case CrossingKind::grain:
+      return grainOf(crossing, met_frames);
+    case CrossingKind::pressJump:
+      return state.press.jumps[crossing.jump].burst;
+    case CrossingKind::releaseJump:
+      return state.release.jumps[crossing.jump].burst;
+    case CrossingKind::bottomOut: {
+      Burst burst = program_->bottomOut;
+      burst.amplitude *= state.bottomOutLevel;
+      return burst;
+    }
+    default:
+      return {};
+  }
+}
+
+// Of jumps and bottom-outs, which keep their distance. False: too many wait already.
+bool HapticEngine::waitForTurn(Pending& p) {
+  const bool bottomOut = p.event.kind == EventKind::bottomOut;
+  const double waits_frames = static_cast<double>(nextBurstFrame_ - p.frame);
+  // The bottom-out always plays: without it a press has no end.
+  if (!bottomOut && waits_frames > longestQueue_s * sampleRate_Hz_) {
+    ++counts_.crowded;
+    return false;
+  }
+  if (bottomOut) {
+    const std::int64_t latest = p.frame + wholeFrame(program_->longestBottomOutWait_s * sampleRate_Hz_);
+    if (p.frame < jumpEnds_) p.frame = jumpEnds_ < latest ? jumpEnds_ : latest;
+  }
+  if (p.frame < nextBurstFrame_) p.frame = nextBurstFrame_;
+  nextBurstFrame_ = p.frame + wholeFrame(program_->burstSpacing_s * sampleRate_Hz_);
+  if (!bottomOut) jumpEnds_ = p.frame + wholeFrame(samplesIn(p.burst.duration_s, sampleRate_Hz_));
+  return true;
+}
+
+void HapticEngine::scheduleOne(const Crossing& crossing, double time_frames, double met_frames) {
   Pending p;
   p.frame = wholeFrame(time_frames);
   if (p.frame < now_) {
@@ -177,33 +228,8 @@ void HapticEngine::scheduleOne(const Crossing& crossing, double time_frames) {
   p.event.jump = crossing.jump;
   p.event.count = crossing.count;
   p.event.displacement_mm = crossing.displacement_mm;
-  const StateProgram& state = program_->states[crossing.state];
-  switch (crossing.kind) {
-    case CrossingKind::grain:
-      p.burst = program_->grain;
-      break;
-    case CrossingKind::pressJump:
-      p.burst = state.press.jumps[crossing.jump].burst;
-      break;
-    case CrossingKind::releaseJump:
-      p.burst = state.release.jumps[crossing.jump].burst;
-      break;
-    case CrossingKind::bottomOut:
-      p.burst = program_->bottomOut;
-      break;
-    default:
-      break;
-  }
-  if (p.event.kind != EventKind::grain && p.burst.amplitude > 0) {
-    const double waits_frames = static_cast<double>(nextBurstFrame_ - p.frame);
-    // The bottom-out always plays: without it a press has no end.
-    if (crossing.kind != CrossingKind::bottomOut && waits_frames > longestQueue_s * sampleRate_Hz_) {
-      ++counts_.crowded;
-      return;
-    }
-    if (p.frame < nextBurstFrame_) p.frame = nextBurstFrame_;
-    nextBurstFrame_ = p.frame + wholeFrame(program_->burstSpacing_s * sampleRate_Hz_);
-  }
+  p.burst = burstOf(crossing, met_frames);
+  if (p.event.kind != EventKind::grain && p.burst.amplitude > 0 && !waitForTurn(p)) return;
   insert(p);
 }
 
@@ -263,7 +289,7 @@ void HapticEngine::play(const Pending& pending) {
   switch (event.kind) {
     case EventKind::grain:
       counts_.grains += event.count;
-      if (!chain().grainSounds()) lookFrame_ = now_;
+      if (!chain().grainSounds() || pending.burst.amplitude > chain().grainLoudness()) lookFrame_ = now_;
       chain().startGrain(pending.burst);
       break;
     case EventKind::pressJump:

@@ -141,11 +141,15 @@ class HapticEngine {
   static constexpr std::size_t chainCount = 3;
   static constexpr std::size_t span = 256;
   static constexpr std::int64_t never = std::numeric_limits<std::int64_t>::max();
+  static constexpr double never_frames = -0x1p62;
 
   void applyDueInputs();
   void apply(const EngineInput& input);
   void schedule(const Crossings& crossings, double from_frames, double to_frames);
-  void scheduleOne(const Crossing& crossing, double time_frames);
+  void scheduleOne(const Crossing& crossing, double time_frames, double met_frames);
+  Burst burstOf(const Crossing& crossing, double met_frames);
+  Burst grainOf(const Crossing& crossing, double met_frames);
+  bool waitForTurn(Pending& pending);
   void insert(const Pending& pending);
   void playDue();
   void play(const Pending& pending);
@@ -171,6 +175,8 @@ class HapticEngine {
   double lastInput_frames_ = 0;
   std::int64_t lastScheduled_ = 0;
   std::int64_t nextBurstFrame_ = 0;
+  std::int64_t jumpEnds_ = 0;               ///< frame at which the last jump planned will have ended
+  double lastGrain_frames_ = never_frames;  ///< when the finger met the last one
 
   std::array<EngineInput, inputCapacity> inputs_;
   std::size_t inputHead_ = 0, inputCount_ = 0;

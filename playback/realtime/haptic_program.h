@@ -31,6 +31,7 @@ struct Burst {
   double duration_s = 0;
   double amplitude = 0;  ///< of full scale, 0..1
   Envelope envelope = Envelope::falling;
+  bool quietensSlope = false;  ///< while it sounds, grains are as quiet as HapticProgram::slopeUnderJump
 };
 
 /// One vertex of a stroke's force table; linear in between, two vertices at one displacement make a wall.
@@ -61,6 +62,7 @@ struct StrokeTable {
   std::array<TablePoint, maxTablePoints> points{};  ///< by increasing displacement, both strokes
   std::array<JumpEntry, maxJumps> jumps{};          ///< in the order travelled
   std::array<GrainRange, maxSlopes> slopes{};       ///< by increasing grain index, both strokes
+  double slopeLevel = 1;                            ///< on the amplitude of its grains
 };
 
 struct StateProgram {
@@ -72,6 +74,7 @@ struct StateProgram {
   bool hasBottomOut = false;
   double bottomOut_mm = 0;       ///< felt when a press arrives here
   double bottomOutRearm_mm = 0;  ///< armed again once the position has come back to here
+  double bottomOutLevel = 1;     ///< on its amplitude
   bool hasOperatingPoint = false;
   bool hasResetPoint = false;
   double operating_mm =
@@ -116,6 +119,13 @@ struct HapticProgram {
   double gridOrigin_mm = 0;  ///< grain k lies at gridOrigin_mm + k / grainsPerMm, for all states
   Burst grain;
   Burst bottomOut;
+
+  /// Where a press comes through (docs/decisions/0915); 0, 1 and 0: as the paper has it.
+  double loudestDensity_per_s =
+      0;                      ///< > 0: a grain is as loud as so many in a second make it (grain_density.h)
+  double slopeUnderJump = 1;  ///< level of the slope while a jump sounds
+  double longestBottomOutWait_s =
+      0;  ///< a bottom-out begins when the jump before it has ended, at most so much later
 
   GrainCarrier grainCarrier = GrainCarrier::running;
   LowPass lowPass;

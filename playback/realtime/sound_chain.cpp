@@ -6,9 +6,10 @@
 namespace detent::playback {
 
 namespace {
+constexpr double slopeTurn_s = 0.004;  // from the whole level to none: no click
 constexpr double grainBehindLowPass =
     0.8;  // 0.71 at the cutoff, where its carrier stands, and what restarts add
-}
+}  // namespace
 
 void SoundChain::use(const HapticProgram& program, double sampleRate_Hz) {
   stop();
@@ -28,6 +29,9 @@ void SoundChain::use(const HapticProgram& program, double sampleRate_Hz) {
         peaking(sampleRate_Hz, band.frequency_Hz, band.q, band.gain_dB));
     if (band.gain_dB > 0) raise_ *= std::pow(10, band.gain_dB / 20);
   }
+  underJump_ = program.slopeUnderJump;
+  slopeLevel_ = 1;
+  slopeStep_ = 1 / (slopeTurn_s * sampleRate_Hz);
   stealFade_frames_ = static_cast<std::int64_t>(program.stealFade_s * sampleRate_Hz);
   gain_ = program.gain;
 }
@@ -37,6 +41,7 @@ void SoundChain::stop() {
   for (Voice& v : voices_) v.stop();
   lowPass_.reset();
   highPass_.reset();
+  slopeLevel_ = 1;
   for (Biquad& section : equalizer_) section.reset();
 }
 
@@ -66,7 +71,7 @@ bool SoundChain::startBurst(const Burst& burst) {
 }
 
 bool SoundChain::silent() const {
-  if (grain_.active()) return false;
+  if (grain_.active() || slopeLevel_ < 1) return false;
   if ((lowPassOnSlope_ || lowPassOnAll_) && !lowPass_.silent()) return false;
   if (highPassOn_ && !highPass_.silent()) return false;
   for (std::size_t i = 0; i < equalizerCount_; ++i) {
@@ -86,11 +91,28 @@ double SoundChain::loudestWithin(double samples) const {
   return raise_ * sum;
 }
 
+void SoundChain::quietenSlope(double* bus, std::size_t count) {
+  std::int64_t jumps = 0;  // samples until the last of them has ended
+  for (const Voice& v : voices_) {
+    if (v.active() && v.quietensSlope() && v.left() > jumps) jumps = v.left();
+  }
+  if (jumps == 0 && slopeLevel_ == 1) return;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (static_cast<std::int64_t>(i) < jumps) {
+      slopeLevel_ = slopeLevel_ - slopeStep_ > underJump_ ? slopeLevel_ - slopeStep_ : underJump_;
+    } else {
+      slopeLevel_ = slopeLevel_ + slopeStep_ < 1 ? slopeLevel_ + slopeStep_ : 1;
+    }
+    bus[i] *= slopeLevel_;
+  }
+}
+
 void SoundChain::addTo(double* mix, double* bus, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) bus[i] = 0;
   if (grain_.active()) grain_.addTo(bus, count);
   if (lowPassOnSlope_) lowPass_.process(bus, count);
   if (highPassOn_) highPass_.process(bus, count);
+  if (underJump_ < 1) quietenSlope(bus, count);
   for (Voice& v : voices_) {
     if (v.active()) v.addTo(bus, count);
   }

@@ -33,6 +33,7 @@ class SoundChain {
   /// Nothing sounds and no filter rings.
   bool silent() const;
   bool grainSounds() const { return grain_.active(); }
+  double grainLoudness() const { return grain_.active() ? grain_.loudest() : 0; }
   /// What the sum of its voices hardly passes in the next `samples`: their envelopes, as much as gain and equalizer raise them.
   double loudestWithin(double samples) const;
 
@@ -40,6 +41,8 @@ class SoundChain {
   void addTo(double* mix, double* bus, std::size_t count);
 
  private:
+  void quietenSlope(double* bus, std::size_t count);
+
   double sampleRate_Hz_ = 48000;
   GrainCarrier carrier_ = GrainCarrier::running;
   GrainVoice grain_;
@@ -49,6 +52,8 @@ class SoundChain {
   std::array<Biquad, maxEqualizerBands> equalizer_;
   std::size_t equalizerCount_ = 0;
   std::int64_t stealFade_frames_ = 1;
+  double underJump_ = 1, slopeLevel_ = 1,
+         slopeStep_ = 1;  // of the grains while a jump sounds, now, per sample
   double gain_ = 1;
   double raise_ = 1;       // by gain and equalizer
   double grainShare_ = 1;  // of a grain's amplitude that is left behind the low-pass

@@ -15,6 +15,8 @@ class Voice {
  public:
   bool active() const { return position_ < length_; }
   bool fading() const { return fadeLength_ > 0; }
+  bool quietensSlope() const { return quietensSlope_; }
+  std::int64_t left() const { return length_ - position_; }
   std::int64_t age() const { return position_; }
   /// The highest its envelope gets in the next `samples`, as far as it is not stolen.
   double loudestWithin(double samples) const {
@@ -30,6 +32,7 @@ class Voice {
     cyclesPerSample_ = cyclesPerSample(burst.frequency_Hz, sampleRate_Hz);
     amplitude_ = burst.amplitude;
     envelope_ = burst.envelope;
+    quietensSlope_ = burst.quietensSlope;
     const double exactLength = samplesIn(burst.duration_s, sampleRate_Hz);
     perLength_ = exactLength > 0 ? 1 / exactLength : 0;
     length_ = exactLength > 0 ? static_cast<std::int64_t>(std::ceil(exactLength - 1e-9)) : 0;
@@ -71,6 +74,7 @@ class Voice {
   std::int64_t length_ = 0, position_ = 0;
   std::int64_t fadeLength_ = 0, fadePosition_ = 0;
   Envelope envelope_ = Envelope::falling;
+  bool quietensSlope_ = false;
 };
 
 }  // namespace detent::playback

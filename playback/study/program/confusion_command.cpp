@@ -127,6 +127,7 @@ void addConfusionCommand(CLI::App& program, Action& chosen) {
   app->add_option("BUTTON", a->buttons, "*.button.json, at least two")->required()->expected(2, 1000);
   app->add_flag("--suggest", a->suggest,
                 "For pairs not surely told apart: the smallest change after which they are");
+  a->feel.settings.feel = Feel::paper;  // the forecast was held against the paper's own presses
   addFeelOptions(*app, a->feel);
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// How strongly a vibration is felt at a fingertip, in dB above its threshold: the Pacinian channel of docs/predicted-confusion.md,
+// best at 250 Hz, behind what the device makes of the signal.
+
+#include <cstddef>
+
+#include "playback/prepare/device_profile.h"
+#include "playback/realtime/haptic_program.h"
+
+namespace detent::playback {
+
+/// A sine of full scale at 250 Hz on a device whose level nobody measured: MPEG's haptics reference model (ISO/IEC 23090-31).
+inline constexpr double assumedFullScale_dB = 45;
+
+/// Threshold of the Pacinian channel at `frequency_Hz` (> 0) over that at 250 Hz: 12 dB per octave on both flanks, 0 at best.
+double pacinianWeight_dB(double frequency_Hz);
+
+/// By how much the device, its equalizer and its gain raise a frequency.
+double raisedBy_dB(const DeviceProfile& device, const HapticProgram& program, double frequency_Hz);
+
+/// A burst's strongest 10 ms, dB above threshold; no more than silence (-infinity) where it has no amplitude.
+double feltLevel_dB(const Burst& burst, const DeviceProfile& device, const HapticProgram& program);
+/// Of grains that come so densely that they are one tone.
+double feltSlopeLevel_dB(const DeviceProfile& device, const HapticProgram& program);
+
+}  // namespace detent::playback
