@@ -40,6 +40,9 @@ void addOptions(CLI::App& app, ExportArguments& a) {
   app.add_option("--rate", a.settings.sampleRate_Hz, "Samples per second of pcm, 8000..192000")
       ->capture_default_str();
   app.add_option("--bits", a.settings.bits, "Bits per sample of pcm, 8 or 16")->capture_default_str();
+  // Bursts and grains of their own are all that the formats hold: none can quieten the slope under a jump.
+  a.feel.settings.feel = Feel::paper;
+  a.feel.settings.clear.slopeUnderJump = 1;
   addFeelOptions(app, a.feel);
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }

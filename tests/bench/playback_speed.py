@@ -77,7 +77,7 @@ def measure(program, folder, button, travel, speed, options, span_s):
     trace, sound = folder / "trace.csv", folder / "out.wav"
     trace.write_text(stroke(speed, travel))
     subprocess.run([program, "render", SOURCE / f"samples/buttons/{button}.button.json", "--press", trace, "-o", sound,
-                    "--rate", str(RATE), *options], check=True, capture_output=True)
+                    "--rate", str(RATE), "--feel", "paper", *options], check=True, capture_output=True)
     samples = samples_of(sound)
     sounding = [i for i, s in enumerate(samples) if s != 0]
     if not sounding:

@@ -79,7 +79,7 @@ class Formats(unittest.TestCase):
 
     def rendered(self, button):
         out = os.path.join(self.folder, button + ".wav")
-        done = self.run_play("render", SAMPLES / f"{button}.button.json", "--standard-press", "-o", out)
+        done = self.run_play("render", SAMPLES / f"{button}.button.json", "--standard-press", "--feel", "paper", "-o", out)
         self.assertEqual(done.returncode, 0, done.stderr)
         return floats_of_wav(out)
 

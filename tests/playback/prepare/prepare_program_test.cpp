@@ -8,6 +8,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "playback/prepare/felt_level.h"
 #include "playback/prepare/stroke_table.h"
 #include "tests/playback/sample_buttons.h"
 
@@ -39,6 +40,50 @@ TEST_CASE("prepare: jumps follow the paper's rules") {
   CHECK(program->bottomOut.envelope == Envelope::rising);
   CHECK(program->grain.frequency_Hz == 150);
   CHECK(program->grainsPerMm == 20);
+}
+
+TEST_CASE(
+    "prepare: the paper's feel leaves every level as it is, the clear one lets the weakest jump through") {
+  PlaybackSettings settings;
+  const auto plain = std::make_unique<HapticProgram>(programOf(twoLevelButton(), settings));
+  CHECK(plain->loudestDensity_per_s == 0);
+  CHECK(plain->slopeUnderJump == 1);
+  CHECK(plain->longestBottomOutWait_s == 0);
+  CHECK(plain->states[0].bottomOutLevel == 1);
+  CHECK(plain->states[0].press.slopeLevel == 1);
+  CHECK_FALSE(plain->states[0].press.jumps[0].burst.quietensSlope);
+
+  settings.feel = Feel::clear;
+  const auto clear = std::make_unique<HapticProgram>(programOf(twoLevelButton(), settings));
+  Burst bottomOut = clear->bottomOut;
+  bottomOut.amplitude *= clear->states[0].bottomOutLevel;
+  double weakest_dB = 1000;
+  const StrokeTable &press = clear->states[0].press, &before = plain->states[0].press;
+  for (std::size_t i = 0; i < press.jumpCount; ++i) {
+    CHECK(press.jumps[i].burst.amplitude == Approx(std::sqrt(before.jumps[i].burst.amplitude)));
+    CHECK(press.jumps[i].burst.quietensSlope);
+    weakest_dB = std::min(weakest_dB, feltLevel_dB(press.jumps[i].burst, {}, *clear));
+  }
+  CHECK(feltLevel_dB(bottomOut, {}, *clear) <= weakest_dB - settings.clear.jumpAbove_dB + 1e-9);
+  CHECK(feltSlopeLevel_dB({}, *clear) + 20 * std::log10(press.slopeLevel) <=
+        weakest_dB - settings.clear.jumpAbove_dB + 1e-9);
+
+  const auto linear = std::make_unique<HapticProgram>(programOf(linearButton(), settings));
+  CHECK(linear->states[0].bottomOutLevel == 1);
+  CHECK(linear->states[0].press.slopeLevel == 1);
+}
+
+TEST_CASE(
+    "prepare: levels above threshold: 45 dB at 250 Hz, 12 dB per octave far from it, and what the device "
+    "adds") {
+  CHECK(pacinianWeight_dB(250) == 0);
+  CHECK(pacinianWeight_dB(4000) - pacinianWeight_dB(8000) == Approx(12).margin(0.2));
+  const auto program = std::make_unique<HapticProgram>(programOf(linearButton()));
+  DeviceProfile device;
+  device.resonances = {{250, 8, 12}};
+  const Burst burst{250, 1, 1, Envelope::falling};
+  CHECK(feltLevel_dB(burst, {}, *program) == Approx(45).margin(0.1));
+  CHECK(feltLevel_dB(burst, device, *program) == Approx(57).margin(0.1));
 }
 
 TEST_CASE("prepare: only what the button has") {

@@ -9,6 +9,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "playback/realtime/grain_density.h"
 #include "tests/playback/poisoned.h"
 #include "tests/playback/sample_buttons.h"
 
@@ -89,6 +90,60 @@ TEST_CASE("engine: the result does not depend on the block, to the last bit") {
     const auto any = renderIn(*engine, press, [&] { return std::size_t{1} + random() % 8192; });
     CHECK(std::memcmp(any.data(), expected.data(), any.size() * sizeof(float)) == 0);
   }
+}
+
+TEST_CASE("engine: a clear press is the same in every block, and its bottom-out waits for the jump") {
+  PlaybackSettings settings;
+  settings.feel = Feel::clear;
+  const auto program = std::make_unique<HapticProgram>(programOf(twoLevelButton(), settings));
+  const double rate = 48000;
+  const Press press = presses(rate, 2, 0.12, 4);
+  std::vector<EngineEvent> events;
+  const auto whole = std::make_unique<HapticEngine>(rate), cut = std::make_unique<HapticEngine>(rate);
+  whole->use(program.get());
+  cut->use(program.get());
+  const std::vector<float> expected = renderIn(
+      *whole, press, [] { return std::size_t{8192}; }, &events);
+  const std::vector<float> got = renderIn(*cut, press, [] { return std::size_t{17}; });
+  CHECK(std::memcmp(expected.data(), got.data(), expected.size() * sizeof(float)) == 0);
+  std::int64_t jumpEnds = 0;
+  int bottomOuts = 0;
+  for (const EngineEvent& e : events) {
+    if (e.kind == EventKind::pressJump) {
+      const Burst& burst = program->states[0].press.jumps[e.jump].burst;
+      jumpEnds = e.frame + static_cast<std::int64_t>(std::floor(burst.duration_s * rate));
+    }
+    if (e.kind != EventKind::bottomOut) continue;
+    ++bottomOuts;
+    CHECK(e.frame >= jumpEnds);
+  }
+  CHECK(bottomOuts == 2);
+}
+
+TEST_CASE("engine: twice as many grains are felt as louder by one step at least, from 5 to 200 mm/s") {
+  PlaybackSettings settings;
+  settings.feel = Feel::clear;
+  const auto program = std::make_unique<HapticProgram>(programOf(linearButton(), settings));
+  const double rate = 48000;
+  std::vector<double> levels_dB, energies_dB;
+  for (double speed_mm_per_s = 5; speed_mm_per_s <= 200; speed_mm_per_s *= 2) {
+    const auto engine = std::make_unique<HapticEngine>(rate);
+    engine->use(program.get());
+    Press press;
+    for (int i = 0; i * speed_mm_per_s / 1000 < 3.9; ++i)
+      press.inputs.push_back({InputKind::displacement, i * rate / 1000, i * speed_mm_per_s / 1000});
+    press.frames = static_cast<std::int64_t>(press.inputs.back().time_frames);
+    const std::vector<float> out = renderIn(*engine, press, [] { return std::size_t{512}; });
+    double sum = 0;
+    for (const float x : out) sum += static_cast<double>(x) * static_cast<double>(x);
+    levels_dB.push_back(10 * std::log10(sum / static_cast<double>(out.size())));
+    energies_dB.push_back(10 * std::log10(sum));
+  }
+  for (std::size_t i = 1; i < levels_dB.size(); ++i) CHECK(levels_dB[i] - levels_dB[i - 1] >= 1.5);
+  const auto [least, most] = std::minmax_element(energies_dB.begin(), energies_dB.end());
+  CHECK(*most - *least <= 6);
+  CHECK(levelOfDensity(NAN, 4000, 50) == levelOfDensity(50, 4000, 50));
+  CHECK(levelOfDensity(1e9, 4000, 50) == 1);
 }
 
 TEST_CASE("engine: a burst equals its closed form within 1e-6") {
