@@ -10,7 +10,8 @@ namespace detent::playback {
 
 namespace {
 
-constexpr double best_Hz = 250, bandQ = 0.9;  // of two band-passes one behind the other, as excitation.cpp has them
+constexpr double best_Hz = 250,
+                 bandQ = 0.9;  // of two band-passes one behind the other, as excitation.cpp has them
 constexpr double look_s = 0.010;
 constexpr double anyRate_Hz = 192000;  // the highest: there every band lies where it is meant
 
@@ -54,8 +55,8 @@ double feltSlopeLevel_dB(const DeviceProfile& device, const HapticProgram& progr
   double level_dB = assumedFullScale_dB + dB(program.grain.amplitude) + pacinianWeight_dB(frequency_Hz) +
                     raisedBy_dB(device, program, frequency_Hz);
   if (program.lowPass.placement != LowPassPlacement::none)
-    level_dB += dB(magnitude(lowPass(anyRate_Hz, program.lowPass.cutoff_Hz, program.lowPass.order), anyRate_Hz,
-                             frequency_Hz));
+    level_dB += dB(magnitude(lowPass(anyRate_Hz, program.lowPass.cutoff_Hz, program.lowPass.order),
+                             anyRate_Hz, frequency_Hz));
   return level_dB;
 }
 
