@@ -199,7 +199,7 @@ TEST_CASE("confusion: a button beside itself differs in nothing, and no cue is n
   const ProgramResult other = play({"confusion", "A.button.json", "B.button.json", "--json"});
   REQUIRE(other.exitCode == 0);
   const json told = json::parse(other.out)["pairs"][0];
-  CHECK(contains(told["reason"], "most on the "));
+  CHECK(contains(told["reason"], "most differs on the "));
   CHECK(told["errors_low"] < told["errors_per_90"]);
   CHECK(told["errors_per_90"] < told["errors_high"]);
   CHECK(told["errors_high"] <= 45);
