@@ -255,7 +255,7 @@ void MainWindow::makeWindowActions() {
                          QKeySequence("Ctrl+M"), [this] { showMeasured(); }));
   menu->addAction(tabAction(
       "feelsLike", tr("What &feels like this?…"), tr("List the measured switches nearest to this button"),
-      QKeySequence("Ctrl+Shift+M"), [this](DocumentTab& tab) { showMeasured().askFor(tab.document()); }));
+      QKeySequence("Ctrl+Alt+M"), [this](DocumentTab& tab) { showMeasured().askFor(tab.document()); }));
   menu->addAction(action("study", tr("&Study with people…"),
                          tr("Ask people whether they can tell buttons apart"), QKeySequence("Ctrl+Alt+K"),
                          [this] { showStudy(); }));
