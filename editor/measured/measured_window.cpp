@@ -28,7 +28,7 @@ namespace detent::editor {
 namespace {
 
 constexpr QSize first_px{1180, 760}, roomForFrame_px{8, 40}, leastPlot_px{260, 180};
-constexpr int nameColumn_em = 16, figureColumn_em = 6, wideColumn_em = 12, headerLines = 3;
+constexpr int nameColumn_em = 16, figureColumn_em = 8, wideColumn_em = 12, headerLines = 3;
 constexpr int tableShare = 3, plotsShare = 2;  // of the width
 constexpr int rankPause_ms = 120;              // of an edit of the button asked for
 constexpr int forecastPause_ms = 400;

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/measured/measured_words.h"
 
+#include <algorithm>
+#include <cmath>
 #include <QCoreApplication>
 
+#include "editor/document/number_text.h"
 #include "editor/panels/key_figures_model.h"
 #include "editor/quantity/quantity.h"
 
 namespace detent::editor {
 namespace {
 
-constexpr int digits = 4;
 constexpr double percent = 100;
+constexpr double leastStep =
+    1e-3;  // N, mm, N/mm, mJ and share: finer than any meter behind these measurements
+constexpr int mostDecimals = 6;
 
 struct Measured {
   Q_DECLARE_TR_FUNCTIONS(Measured)
@@ -20,6 +25,13 @@ QString unitWords(KeyFigure figure, const DisplayUnits& units) {
   const FigureUnit unit = keyFigureNames()[static_cast<std::size_t>(figure)].unit;
   if (unit == FigureUnit::mJ) return QStringLiteral("mJ");
   return unit == FigureUnit::share ? QStringLiteral("%") : symbolOf(quantityOf(figure), units);
+}
+
+/// As many as the least step needs in the unit shown: numbers of a column stand under each other.
+int decimalsOf(KeyFigure figure, const DisplayUnits& units) {
+  const double step = shownFigure(leastStep, figure, units);
+  constexpr double rounding = 1e-9;
+  return std::clamp(static_cast<int>(std::ceil(-std::log10(step) - rounding)), 0, mostDecimals);
 }
 
 }  // namespace
@@ -59,7 +71,7 @@ double shownFigure(double value, KeyFigure figure, const DisplayUnits& units) {
 }
 
 QString figureText(double value, KeyFigure figure, const DisplayUnits& units) {
-  return numberText(shownFigure(value, figure, units), digits);
+  return fixedText(shownFigure(value, figure, units), decimalsOf(figure, units));
 }
 
 QString figureTitle(KeyFigure figure, const DisplayUnits& units) {

@@ -122,7 +122,9 @@ void OverlayPlot::draw() {
     rescaleAxes();
     yAxis->setRange(std::min(0.0, yAxis->range().lower), yAxis->range().upper * roomAbove);
   }
-  legend->setVisible(graphCount() > 0);
+  const bool anything = graphCount() > 0;
+  legend->setVisible(anything);
+  axisRect()->setVisible(anything);  // beside a legend without entries the axes would have next to no room
   replot(rpQueuedReplot);
 }
 

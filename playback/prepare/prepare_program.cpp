@@ -16,6 +16,9 @@ namespace {
 
 constexpr double highestFrequency_Hz = 2000;
 constexpr double lowestBottomOut_Hz = 1;  // it lasts half a wave at least
+constexpr double sharpestResonance = 1e4;
+constexpr double largestCoefficient = 1e9;  // N; a divider's linear quantity goes down to 1e-3
+constexpr double largestNoise_N = 50, longestLatency_s = 10;
 constexpr double faintestCeiling = 1e-6;  // -120 dB: below it a profile's transducer bears nothing at all
 
 // Following the finger (docs/decisions/0906). What reaches the tracker is steadied already (force_steadier.h);
@@ -464,8 +467,26 @@ Result<Done> checkSettings(const PlaybackSettings& s) {
   return bounds;
 }
 
+/// What no sensor and no link is; the numbers would else go on into forces and hysteresis.
+Result<Done> checkMeasured(const DeviceProfile& profile) {
+  const SensorCalibration& sensor = profile.sensor;
+  for (std::size_t i = 0; i < sensor.coefficientCount; ++i) {
+    if (Result<Done> ok = checkBounds("device profile", {{"sensor.coefficients", sensor.coefficients[i],
+                                                          -largestCoefficient, largestCoefficient, true}});
+        !ok)
+      return ok;
+  }
+  const MeasuredLatency latency = profile.latency.value_or(MeasuredLatency{});
+  return checkBounds("device profile", {{"sensor.noise_N", sensor.noise_N, 0, largestNoise_N, true},
+                                        {"sensor.residual_N", sensor.residual_N, 0, largestNoise_N, true},
+                                        {"latency mean_s", latency.mean_s, 0, longestLatency_s, true},
+                                        {"latency sd_s", latency.sd_s, 0, longestLatency_s, true},
+                                        {"latency p95_s", latency.p95_s, 0, longestLatency_s, true}});
+}
+
 Result<Done> checkProfile(const DeviceProfile& profile) {
-  if (Result<Done> gain = checkBounds("device profile", {{"gain", profile.gain, 0, 10, false}}); !gain)
+  if (Result<Done> gain = checkBounds("device profile", {{"gain", profile.gain, faintestCeiling, 10, true}});
+      !gain)
     return gain;
   if (profile.equalizer.size() > maxEqualizerBands) {
     return Failure{
@@ -484,11 +505,14 @@ Result<Done> checkProfile(const DeviceProfile& profile) {
   }
   for (const Resonance& r : profile.resonances) {
     if (Result<Done> ok = checkBounds(
-            "device profile", {{"resonance frequency_Hz", r.frequency_Hz, 0, highestFrequency_Hz, false}});
+            "device profile", {{"resonance frequency_Hz", r.frequency_Hz, 0, highestFrequency_Hz, false},
+                               {"resonance q", r.q, 0, sharpestResonance, false},
+                               {"resonance gain_dB", r.gain_dB, -60, 120, true}});
         !ok) {
       return ok;
     }
   }
+  if (Result<Done> ok = checkMeasured(profile); !ok) return ok;
   // Whatever the circuit, more force is a larger reading.
   const SensorCalibration& sensor = profile.sensor;
   if (sensor.circuit != SensorCircuit::newtons || sensor.weights > 0) {

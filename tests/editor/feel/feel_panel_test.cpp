@@ -197,7 +197,8 @@ class FeelPanelTest : public QObject {
     QCOMPARE(felt.count(), 1);
     QVERIFY(rig.part<QToolButton>("feelB")->isChecked());
     QTRY_VERIFY(rig.view()->pressSignal() &&
-                rig.view()->pressSignal()->samples == pressSignalOf({linearButton(), {}, {}}).samples);
+                rig.view()->pressSignal()->samples ==
+                    pressSignalOf({linearButton(), {}, playback::usualSettings()}).samples);
     rig.finger.clear();
     rig.press();
     QTRY_VERIFY(!rig.otherFinger.empty() && !rig.otherFinger.back());
@@ -255,11 +256,12 @@ class FeelPanelTest : public QObject {
       QVERIFY(next);
       rig.a.history().preview(*next);
     }
-    const auto expected = pressSignalOf({*next, {}, {}});
+    const auto expected = pressSignalOf({*next, {}, playback::usualSettings()});
     QTRY_VERIFY(rig.view()->pressSignal()->samples == expected.samples);
     QVERIFY(rig.shown.size() < 30);
     rig.a.history().cancelDrag();
-    QTRY_VERIFY(rig.view()->pressSignal()->samples == pressSignalOf({tactileButton(), {}, {}}).samples);
+    QTRY_VERIFY(rig.view()->pressSignal()->samples ==
+                pressSignalOf({tactileButton(), {}, playback::usualSettings()}).samples);
   }
 
   void aHiddenPanelComputesNothing() {

@@ -206,6 +206,28 @@ TEST_CASE("prepare: of more equal jumps than a program holds the first are kept,
                     [](const PrepareWarning& w) { return w.code == PrepareWarningCode::jumpsLeftOut; }));
 }
 
+TEST_CASE("prepare: a profile with what no device measures is refused by name") {
+  const double absurd = GENERATE(1e300, -1e300);
+  const auto refused = [](const DeviceProfile& profile, const std::string& name) {
+    const Result<PreparedProgram> prepared = prepareProgram(tactileButton(), profile, {});
+    REQUIRE_FALSE(prepared);
+    CHECK(prepared.failure().sentence().find(name) != std::string::npos);
+  };
+  const auto with = [](auto change) {
+    DeviceProfile profile;
+    change(profile);
+    return profile;
+  };
+  CHECK(prepareProgram(tactileButton(), with([](auto& p) { p.resonances = {{780, 12, 20}}; }), {}));
+  refused(with([](auto& p) { p.gain = 1e-300; }), "gain");
+  refused(with([&](auto& p) { p.resonances = {{780, absurd, 20}}; }), "resonance q");
+  refused(with([&](auto& p) { p.resonances = {{780, 12, absurd}}; }), "resonance gain_dB");
+  refused(with([&](auto& p) { p.sensor.coefficients[1] = absurd; }), "sensor.coefficients");
+  refused(with([&](auto& p) { p.sensor.noise_N = absurd; }), "sensor.noise_N");
+  refused(with([&](auto& p) { p.sensor.residual_N = absurd; }), "sensor.residual_N");
+  refused(with([&](auto& p) { p.latency = {50, absurd, 0, 0}; }), "latency mean_s");
+}
+
 TEST_CASE("prepare: a transducer's power bounds the ceiling, its sensor's noise the hysteresis") {
   DeviceProfile profile;
   profile.transducer = {1, 4, 8};  // 2 V of 8
