@@ -148,7 +148,7 @@ std::vector<PrintedSpec> variantsIn(const std::string& row, SpecQuantity quantit
       R"((\d+(?:[.,]\d+)?)\s*([A-Za-z]*)(\s*(?:±|\+/-|\+-|-|–|−)\s*\d+(?:[.,]\d+)?)?\s*([A-Za-z]*))");
   std::vector<PrintedSpec> variants;
   for (std::sregex_iterator it(row.begin(), row.end(), value), end; it != end; ++it) {
-    for (const int word : {2, 4}) {
+    for (const std::size_t word : {std::size_t{2}, std::size_t{4}}) {
       const std::string unit = (*it)[word];
       if (!unit.empty() && factorIn(" " + unit, quantity) != rowFactor) return {*first};
     }

@@ -19,9 +19,8 @@ constexpr std::size_t largestText = std::size_t{16} << 20;
 constexpr double mostSounding_s = 1200;  // all waves together: what is read in well under a second
 constexpr std::size_t longestName = 60, mostNotes = 16;
 
-Failure unreadable(const std::string& name, Message place, Message problem, Message remedy) {
-  return {FailureCode::unreadableInput, Subject(name), std::move(place), std::move(problem),
-          std::move(remedy)};
+Failure unreadable(const std::string& name, Message place, Message problem, const Message& remedy) {
+  return {FailureCode::unreadableInput, Subject(name), std::move(place), std::move(problem), remedy};
 }
 
 Message anyOfThem() { return "Give an AHAP, .haptic or HJIF file, or a WAV"; }

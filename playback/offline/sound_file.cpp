@@ -132,9 +132,8 @@ Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate
 }
 
 Result<SoundSamples> readSoundFile(const std::filesystem::path& file, double longest_s) {
-  const auto refuse = [&](Message problem, Message remedy) {
-    return Failure{
-        FailureCode::unreadableInput, Subject(file.string()), {}, std::move(problem), std::move(remedy)};
+  const auto refuse = [&](Message problem, const Message& remedy) {
+    return Failure{FailureCode::unreadableInput, Subject(file.string()), {}, std::move(problem), remedy};
   };
   SF_INFO info{};
   SoundFile in(sf_open(file.c_str(), SFM_READ, &info));
