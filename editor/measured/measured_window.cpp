@@ -312,7 +312,7 @@ QWidget* MeasuredWindow::fullPage() {
 // ---- the library
 
 QString MeasuredWindow::database() const {
-  const QString chosen = places_.settings.value("measured/library").toString();
+  QString chosen = places_.settings.value("measured/library").toString();
   if (!chosen.isEmpty()) return chosen;
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + QStringLiteral("/switches.db");
 }
@@ -503,7 +503,7 @@ void MeasuredWindow::filterChanged() {
 void MeasuredWindow::rowsChanged() {
   restoreChosen();
   count_->setText(tr("%L1 of %L2 switches").arg(table_.rowCount()).arg(table_.switches().size()));
-  map_->draw();
+  map_->redraw();
   showChosen();
 }
 

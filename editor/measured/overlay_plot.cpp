@@ -56,7 +56,7 @@ void OverlayPlot::show(std::vector<Entry> entries, std::optional<importer::FeltS
   entries_ = std::move(entries);
   asked_ = std::move(asked);
   units_ = units;
-  draw();
+  redraw();
 }
 
 void OverlayPlot::drawShape(const importer::FeltShape& shape, const QPen& pen, const QString& name) {
@@ -105,7 +105,7 @@ void OverlayPlot::drawBand(const QColor& color) {
   upper->setName(tr("press of %n, \u00b1 1 standard deviation", nullptr, static_cast<int>(entries_.size())));
 }
 
-void OverlayPlot::draw() {
+void OverlayPlot::redraw() {
   clearGraphs();
   const GraphColors colors = dressPlot(*this);
   const bool dark = isDark(palette());
@@ -130,7 +130,7 @@ void OverlayPlot::draw() {
 
 void OverlayPlot::changeEvent(QEvent* event) {
   QCustomPlot::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) draw();
+  if (event->type() == QEvent::PaletteChange) redraw();
 }
 
 }  // namespace detent::editor

@@ -41,7 +41,7 @@ class OverlayPlot : public QCustomPlot {
   void changeEvent(QEvent* event) override;
 
  private:
-  void draw();
+  void redraw();
   void drawShape(const importer::FeltShape& shape, const QPen& pen, const QString& name);
   void drawBand(const QColor& color);
 

@@ -65,13 +65,13 @@ void SwitchMap::setScales(const MapScale& x, const MapScale& y) {
   x_ = x;
   y_ = y;
   fitNext_ = true;
-  draw();
+  redraw();
 }
 
 void SwitchMap::setUnits(const DisplayUnits& units) {
   units_ = units;
   fitNext_ = true;
-  draw();
+  redraw();
 }
 
 void SwitchMap::setChosen(std::set<SwitchIndex> chosen) {
@@ -83,7 +83,7 @@ void SwitchMap::setChosen(std::set<SwitchIndex> chosen) {
 QString SwitchMap::titleOf(const MapScale& scale) const {
   if (scale.figure) return figureTitle(*scale.figure, units_);
   const importer::FeelAxis& axis = table_.map().axes[scale.axis];
-  const QString name = tr("Principal axis %1").arg(scale.axis + 1);
+  QString name = tr("Principal axis %1").arg(scale.axis + 1);
   if (table_.switches().empty()) return name;
   const int share = static_cast<int>(std::lround(percent * axis.share));
   if (!axis.likest) return tr("%1: %2 %").arg(name).arg(share);
@@ -130,7 +130,7 @@ void SwitchMap::drawChosen() {
   graph(static_cast<int>(kinds.size()))->setData(x, y);
 }
 
-void SwitchMap::draw() {
+void SwitchMap::redraw() {
   dress();
   fill();
   drawChosen();
@@ -184,12 +184,12 @@ void SwitchMap::mouseReleaseEvent(QMouseEvent* event) {
 
 void SwitchMap::mouseDoubleClickEvent(QMouseEvent*) {
   fitNext_ = true;
-  draw();
+  redraw();
 }
 
 void SwitchMap::changeEvent(QEvent* event) {
   QCustomPlot::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) draw();
+  if (event->type() == QEvent::PaletteChange) redraw();
 }
 
 bool SwitchMap::event(QEvent* event) {

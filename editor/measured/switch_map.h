@@ -25,14 +25,14 @@ class SwitchMap : public QCustomPlot {
   Q_OBJECT
 
  public:
-  /// `table` must outlive this; draw() after it changed.
+  /// `table` must outlive this; redraw() after it changed.
   explicit SwitchMap(const MeasuredTable& table, QWidget* parent = nullptr);
 
   void setScales(const MapScale& x, const MapScale& y);
   void setUnits(const DisplayUnits& units);
   /// These stand out.
   void setChosen(std::set<SwitchIndex> chosen);
-  void draw();
+  void redraw();
   /// Where a switch lies in the widget; empty where it has no place or is not shown.
   std::optional<QPointF> placeOf(SwitchIndex which) const;
   /// "Peak force (cN)", "Principal axis 1: 64 %, Peak force": its share of what differs, the figure it goes with most.

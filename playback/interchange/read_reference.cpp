@@ -159,8 +159,8 @@ std::string JsonPlace::textOr(const char* key, const std::string& otherwise) con
   return has(key) ? at(key).text() : otherwise;
 }
 
-void JsonPlace::refuse(Message problem, Message remedy) const {
-  throw unreadable(file_, Message(place_), std::move(problem), std::move(remedy));
+void JsonPlace::refuse(Message problem, const Message& remedy) const {
+  throw unreadable(file_, Message(place_), std::move(problem), remedy);
 }
 
 Result<ReferenceSignal> referenceFromText(std::string_view text, const std::string& name) {

@@ -120,7 +120,7 @@ class MeasuredTest : public QObject {
     clock.restart();
     table.sort(MeasuredTable::firstFigureColumn + static_cast<int>(KeyFigure::totalTravel));
     QVERIFY(clock.restart() < most_ms);
-    map.draw();
+    map.redraw();
     QVERIFY(map.placeOf(4999).has_value());
   }
 
