@@ -42,7 +42,7 @@ class JsonPlace {
   std::string text() const;
   std::string textOr(const char* key, const std::string& otherwise) const;
 
-  [[noreturn]] void refuse(Message problem, Message remedy) const;
+  [[noreturn]] void refuse(Message problem, const Message& remedy) const;
 
  private:
   const nlohmann::json& value_;
