@@ -7,6 +7,7 @@
 #include <QFontMetricsF>
 
 #include "editor/canvas/curve_path.h"
+#include "editor/document/message_words.h"
 #include "editor/quantity/reading_error.h"
 
 namespace detent::editor {
@@ -580,8 +581,7 @@ void paintNotes(QPainter& painter, const PlotMapping& map, const GraphScene& sce
     painter.drawEllipse(flag, half_px, half_px);
     const QRectF inside(flag - QPointF(half_px, half_px), 2 * QSizeF(half_px, half_px));
     painter.drawText(inside, Qt::AlignCenter, QString::number(i + 1));
-    QString words = QString::fromStdString(scene.notes[i].text).simplified();
-    if (words.size() > longest) words = words.left(longest - 1) + QChar(0x2026);
+    const QString words = shortened(QString::fromStdString(scene.notes[i].text).simplified(), longest);
     const double wide = QFontMetricsF(painter.font()).horizontalAdvance(words) / 2 + half_px + 8;
     const double side = flag.x() + 2 * wide < map.clip_px.right() ? 1 : -1;
     paintTag(painter, flag + QPointF(side * wide, 0), words, scene.colors.text, scene.colors.background,

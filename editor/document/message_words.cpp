@@ -48,6 +48,10 @@ QString asSentence(QString text) {
   return text;
 }
 
+QString shortened(const QString& text, int longest) {
+  return text.size() <= longest ? text : text.left(longest - 1) + QChar(0x2026);
+}
+
 QString sentenceOf(const Failure& failure, const DisplayUnits& units) {
   QStringList where;
   if (!failure.subject.empty()) where << inWords(failure.subject.name, units);

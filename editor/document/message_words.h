@@ -17,6 +17,9 @@ QString inWords(const Message& message, const DisplayUnits& units = modelUnits);
 /// With a capital letter and a full stop; empty stays empty.
 QString asSentence(QString text);
 
+/// At most `longest` characters (>= 1), the last of a longer one an ellipsis.
+QString shortened(const QString& text, int longest);
+
 /// "SUBJECT, PLACE: PROBLEM. REMEDIES.": those remedies that are words, not options of a program.
 QString sentenceOf(const Failure& failure, const DisplayUnits& units = modelUnits);
 

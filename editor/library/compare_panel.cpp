@@ -52,10 +52,6 @@ QLabel* wrapped(const char* name) {
   return label;
 }
 
-QString shortened(const QString& name) {
-  return name.size() <= longestHead ? name : name.left(longestHead - 1) + QChar(0x2026);
-}
-
 }  // namespace
 
 ComparePanel::ComparePanel(ViewSettings& settings, QWidget* parent) : QWidget(parent), settings_(settings) {
@@ -356,11 +352,11 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
   QStringList heads{tr("Figure")}, whole{tr("Figure")};
   for (std::size_t i = 0; i < states.size(); ++i) {
     whole << nameOf(*sides_[i]);
-    heads << shortened(whole.back());
+    heads << shortened(whole.back(), longestHead);
   }
   for (std::size_t i = 1; i < states.size(); ++i) {
     whole << tr("%1 less %2").arg(nameOf(*sides_[i]), nameOf(*sides_[0]));
-    heads << QStringLiteral("\u0394 ") + shortened(nameOf(*sides_[i]));
+    heads << QStringLiteral("\u0394 ") + shortened(nameOf(*sides_[i]), longestHead);
   }
   heads << tr("Unit");
   whole << heads.back();

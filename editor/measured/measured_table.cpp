@@ -158,7 +158,7 @@ QString MeasuredTable::text(const importer::LibrarySwitch& entry, SwitchIndex in
 
 QString MeasuredTable::tip(const importer::LibrarySwitch& entry, int column) const {
   if (column == fileColumn) return QString::fromStdString(entry.source);
-  return tr("%1\nCredit: %2\nLicence: %3").arg(titleOf(entry), creditWords(entry), licenceWords(entry));
+  return creditedTitle(entry);
 }
 
 QVariant MeasuredTable::data(const QModelIndex& index, int role) const {

@@ -132,14 +132,10 @@ QWidget* MeasuredWindow::emptyPage() {
   auto* page = new QWidget;
   auto* row = new QHBoxLayout;
   row->addWidget(actionButton("measuredAddFolder", tr("&Add a folder…"),
-                              tr("Read the measurements of a folder and all below it"), [this] {
-                                if (const QString at = places_.folder(this); !at.isEmpty()) addFolder(at);
-                              }));
+                              tr("Read the measurements of a folder and all below it"),
+                              [this] { askForFolder(); }));
   row->addWidget(actionButton("measuredOpenLibrary", tr("&Open a library…"),
-                              tr("Show a library that detent-import has made"), [this] {
-                                if (const QString at = places_.libraryFile(this); !at.isEmpty())
-                                  openLibrary(at);
-                              }));
+                              tr("Show a library that detent-import has made"), [this] { askForLibrary(); }));
   row->addStretch();
   auto* layout = new QVBoxLayout(page);
   layout->addStretch();
@@ -163,15 +159,11 @@ QToolButton* MeasuredWindow::libraryButton() {
     menu->addAction(action);
   };
   add("measuredAddMore", tr("&Add a folder…"), tr("Read the measurements of a folder and all below it"),
-      [this] {
-        if (const QString at = places_.folder(this); !at.isEmpty()) addFolder(at);
-      });
+      [this] { askForFolder(); });
   add("measuredIndexAgain", tr("&Read the folders again"),
       tr("Take in what changed; the rest is not read anew"), [this] { indexAgain(); });
   add("measuredOpenOther", tr("&Open another library…"), tr("Show a library that detent-import has made"),
-      [this] {
-        if (const QString at = places_.libraryFile(this); !at.isEmpty()) openLibrary(at);
-      });
+      [this] { askForLibrary(); });
   button->setMenu(menu);
   return button;
 }
@@ -242,7 +234,7 @@ QWidget* MeasuredWindow::mapView() {
     for (const KeyFigureName& figure : keyFigureNames())
       box->addItem(termOf(figure.figure), static_cast<int>(figure.figure));
     box->setCurrentIndex(chosen);
-    connect(box, &QComboBox::currentIndexChanged, this, [this] { followUnits(); });
+    connect(box, &QComboBox::currentIndexChanged, this, &MeasuredWindow::followScales);
     return box;
   };
   mapX_ = scaleBox("measuredMapX", tr("What the map counts to the right"), 0);
@@ -334,6 +326,14 @@ void MeasuredWindow::openLibrary(const QString& path) {
   places_.settings.remove("measured/folders");
   sayBusy(true);
   source_.load(path);
+}
+
+void MeasuredWindow::askForFolder() {
+  if (const QString at = places_.folder(this); !at.isEmpty()) addFolder(at);
+}
+
+void MeasuredWindow::askForLibrary() {
+  if (const QString at = places_.libraryFile(this); !at.isEmpty()) openLibrary(at);
 }
 
 void MeasuredWindow::addFolder(const QString& folder) {
@@ -627,14 +627,18 @@ void MeasuredWindow::followUnits() {
   const DisplayUnits& units = places_.view.units();
   table_.setUnits(units);
   filter_->setUnits(units);
+  followScales();
+  map_->setUnits(units);
+  showChosen();
+}
+
+void MeasuredWindow::followScales() {
   const auto scaleOf = [](const QComboBox& box) {
     const int chosen = box.currentData().toInt();
     if (chosen < 0) return MapScale{{}, static_cast<std::size_t>(-1 - chosen)};
     return MapScale{static_cast<KeyFigure>(chosen), 0};
   };
   map_->setScales(scaleOf(*mapX_), scaleOf(*mapY_));
-  map_->setUnits(units);
-  showChosen();
 }
 
 }  // namespace detent::editor

@@ -109,7 +109,10 @@ class MeasuredWindow : public QDialog {
   void openChosen(bool compare);
   void writeReport();
   void columnMenu(QPoint at);
+  void askForFolder();
+  void askForLibrary();
   void followUnits();
+  void followScales();
 
   MeasuredPlaces places_;
   MeasuredTable table_;

@@ -65,6 +65,11 @@ QString creditWords(const importer::LibrarySwitch& entry) {
   return entry.credit.empty() ? Measured::tr("unknown") : QString::fromStdString(entry.credit);
 }
 
+QString creditedTitle(const importer::LibrarySwitch& entry) {
+  return Measured::tr("%1\nCredit: %2\nLicence: %3")
+      .arg(titleOf(entry), creditWords(entry), licenceWords(entry));
+}
+
 double shownFigure(double value, KeyFigure figure, const DisplayUnits& units) {
   const Quantity quantity = quantityOf(figure);
   return quantity == Quantity::share ? percent * value : value / shownUnitOf(quantity, units);

@@ -14,6 +14,8 @@ QString titleOf(const importer::LibrarySwitch& entry);
 QString kindWords(importer::SwitchKind kind);
 QString licenceWords(const importer::LibrarySwitch& entry);
 QString creditWords(const importer::LibrarySwitch& entry);
+/// Title, credit and licence, a line each.
+QString creditedTitle(const importer::LibrarySwitch& entry);
 /// In the unit shown, without it; a share in %.
 QString figureText(double value, KeyFigure figure, const DisplayUnits& units);
 /// "Peak force (cN)".

@@ -8,6 +8,7 @@
 
 #include "editor/canvas/plot_dress.h"
 #include "editor/canvas/unit_ticker.h"
+#include "editor/document/message_words.h"
 
 namespace detent::editor {
 namespace {
@@ -112,12 +113,9 @@ void OverlayPlot::redraw() {
   xAxis->setLabel(tr("From first contact (%1)").arg(units_.lengthSymbol()));
   yAxis->setLabel(tr("Force (%1)").arg(units_.forceSymbol()));
   drawBand(colors.axis);
-  const auto shortened = [](const QString& name) {
-    return name.size() <= longestName ? name : name.left(longestName - 1) + QChar(0x2026);
-  };
   if (asked_) drawShape(*asked_, QPen(colors.text, 3), tr("asked for"));
   for (std::size_t i = 0; i < std::min(entries_.size(), mostCurves); ++i)
-    drawShape(*entries_[i].shape, QPen(seriesColor(i, dark), 1.5), shortened(entries_[i].name));
+    drawShape(*entries_[i].shape, QPen(seriesColor(i, dark), 1.5), shortened(entries_[i].name, longestName));
   if (graphCount() > 0) {
     rescaleAxes();
     yAxis->setRange(std::min(0.0, yAxis->range().lower), yAxis->range().upper * roomAbove);

@@ -200,11 +200,7 @@ bool SwitchMap::event(QEvent* event) {
     QToolTip::hideText();
     return true;
   }
-  const importer::LibrarySwitch& entry = table_.switches()[*nearest];
-  QToolTip::showText(
-      help->globalPos(),
-      tr("%1\nCredit: %2\nLicence: %3").arg(editor::titleOf(entry), creditWords(entry), licenceWords(entry)),
-      this);
+  QToolTip::showText(help->globalPos(), creditedTitle(table_.switches()[*nearest]), this);
   return true;
 }
 

@@ -353,6 +353,14 @@
 <context>
     <name>Measured</name>
     <message>
+        <source>%1
+Credit: %2
+Licence: %3</source>
+        <translation>%1
+Urheber: %2
+Lizenz: %3</translation>
+    </message>
+    <message>
         <source>%1, unit %2</source>
         <translation>%1, Exemplar %2</translation>
     </message>
@@ -5522,14 +5530,6 @@
 <context>
     <name>detent::editor::MeasuredTable</name>
     <message>
-        <source>%1
-Credit: %2
-Licence: %3</source>
-        <translation>%1
-Urheber: %2
-Lizenz: %3</translation>
-    </message>
-    <message>
         <source>By the drop: linear below 5 gf, tactile above 8 gf, between</source>
         <translation>Nach dem Kraftabfall: linear unter 5 gf, taktil über 8 gf, sonst dazwischen</translation>
     </message>
@@ -7136,14 +7136,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>%1: %2 %, %3</source>
         <translation>%1: %2 %, %3</translation>
-    </message>
-    <message>
-        <source>%1
-Credit: %2
-Licence: %3</source>
-        <translation>%1
-Urheber: %2
-Lizenz: %3</translation>
     </message>
 </context>
 <context>
