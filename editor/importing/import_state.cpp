@@ -499,11 +499,6 @@ void ImportState::stopAll() {
   emit resultChanged();
 }
 
-void ImportState::retry() {
-  if (ImportGraph* graph = currentRef()) askForImport(*graph, Urgency::now);
-  emit resultChanged();
-}
-
 void ImportState::askForImport(ImportGraph& graph, Urgency urgency) {
   desk_.forget(graph.pending);
   graph.askedWith = graph.history.now();

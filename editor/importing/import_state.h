@@ -143,7 +143,6 @@ class ImportState : public QObject {
   bool working() const;
   /// Stops the running import; the last good result stays.
   void cancel();
-  void retry();
   /// Nothing is worked on any more; what is known stays.
   void stopAll();
 

@@ -168,7 +168,6 @@ void PageView::fitRect(QRectF page, double margin) {
 
 void PageView::setTransform(const QTransform& pageToWidget) {
   pageToWidget_ = pageToWidget;
-  emit zoomChanged();
   update();
 }
 

@@ -80,7 +80,6 @@ class PageView : public QWidget {
  signals:
   void toolChanged(PageToolKind kind);
   void hint(const QString& text);  ///< what the tool does, and why something was refused
-  void zoomChanged();
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -80,19 +80,13 @@ void ChecksPanel::show(const std::vector<Warning>& warnings) {
   const int row = list_->currentRow();
   list_->clear();
   places_.clear();
-  int odd = 0;
-  for (const Warning& warning : warnings) {
+  for (const Warning& warning : warnings)
     add(wordsOf(warning, document_.button(), settings_.units()), true, warning.spot);
-    ++odd;
-  }
-  for (const importer::SpecCheck& check : importer::checkAgainst(specsOf(document_), document_.button())) {
+  for (const importer::SpecCheck& check : importer::checkAgainst(specsOf(document_), document_.button()))
     add(wordsOf(check, settings_.units()), !check.agrees, {});
-    odd += !check.agrees;
-  }
   list_->setCurrentRow(std::min(row, list_->count() - 1));
   list_->setVisible(list_->count() > 0);
   nothing_->setVisible(list_->count() == 0);
-  emit countChanged(odd);
 }
 
 void ChecksPanel::add(const QString& text, bool odd, const WarningPlace& place) {

@@ -25,8 +25,6 @@ class ChecksPanel : public QWidget {
  signals:
   /// A check was chosen: where it is, as far as it has a place.
   void placeChosen(detent::WarningPlace place);
-  /// How many checks ask for a look.
-  void countChanged(int odd);
 
  protected:
   void showEvent(QShowEvent* event) override;

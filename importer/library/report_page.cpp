@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "model/file/markup.h"
+#include "model/file/svg_plot.h"
 #include "model/units.h"
 #include "model/version.h"
 
@@ -78,30 +79,22 @@ std::string curvesOf(const Axes& axes, const FeltShape& shape, const std::string
          pathOf(axes, shape.release_N, shape.travel_mm, (kind + " up").c_str());
 }
 
-/// 1, 2 or 5 times a power of ten, so that there are about four to a length.
-double strideFor(double length) {
-  const double rough = length / 4, power = std::pow(10, std::floor(std::log10(rough)));
-  for (const double factor : {1.0, 2.0, 5.0})
-    if (factor * power >= rough) return factor * power;
-  return 10 * power;
-}
-
 std::string gridOf(const Axes& axes) {
   std::string text;
-  const double step_mm = strideFor(axes.most_mm), step_gf = strideFor(axes.most_gf);
-  for (int i = 0; i * step_mm <= axes.most_mm; ++i) {
-    const double x = axes.x(i * step_mm);
+  const Ticks travel_mm = niceTicks(0, axes.most_mm, 4), force_gf = niceTicks(0, axes.most_gf, 4);
+  for (int i = 0; i < travel_mm.count && travel_mm.at(i) <= axes.most_mm; ++i) {
+    const double x = axes.x(travel_mm.at(i));
     text += format("<line class=\"grid\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>", x, x,
                    Axes::top_px, Axes::height_px - Axes::bottom_px);
     text += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%g</text>", x,
-                   Axes::height_px - Axes::bottom_px + 13, i * step_mm);
+                   Axes::height_px - Axes::bottom_px + 13, travel_mm.at(i));
   }
-  for (int i = 0; i * step_gf <= axes.most_gf; ++i) {
-    const double y = axes.y(i * step_gf);
+  for (int i = 0; i < force_gf.count && force_gf.at(i) <= axes.most_gf; ++i) {
+    const double y = axes.y(force_gf.at(i));
     text += format("<line class=\"grid\" x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\"/>", Axes::left_px,
                    Axes::width_px - Axes::right_px, y, y);
     text += format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%g</text>", Axes::left_px - 5, y + 4,
-                   i * step_gf);
+                   force_gf.at(i));
   }
   return text + format("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">mm from contact; gf</text>",
                        Axes::width_px - Axes::right_px, Axes::height_px - 4);

@@ -249,8 +249,6 @@ class FalconForceDevice : public ForceDevice {
 
 }  // namespace
 
-bool falconAvailable() { return true; }
-
 Result<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings& settings) {
   const std::atomic<bool> never{false};
   Result<Started> started = startedFalcon(settings, never);

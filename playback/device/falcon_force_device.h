@@ -21,9 +21,6 @@ struct FalconSettings {
 /// Where a button's rest lies, before the middle of the base, mm.
 inline constexpr double falconRest_mm = 140;
 
-/// False in a build without libusb (DETENT_WITH_FALCON).
-bool falconAvailable();
-
 /// Opens it, gives it the firmware where it has none (some seconds; it may take several tries, counted). Trouble: not connected, no
 /// right to it, no firmware, none taken. Until the person has moved the handle all the way out and in, it is `homing`.
 Result<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings& settings);

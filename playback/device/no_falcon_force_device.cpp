@@ -5,8 +5,6 @@
 
 namespace detent::playback {
 
-bool falconAvailable() { return false; }
-
 Result<std::unique_ptr<ForceDevice>> openFalcon(const FalconSettings&) {
   return Failure{FailureCode::deviceTrouble, "Novint Falcon", "", "is not part of this build",
                  "Build with libusb-1.0-0-dev and -DDETENT_WITH_FALCON=ON"};

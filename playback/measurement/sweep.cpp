@@ -3,10 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
-#include "model/file/markup.h"
 #include "playback/measurement/exact_number.h"
 #include "playback/measurement/fourier.h"
 
@@ -279,58 +277,6 @@ std::string responseCsv(const FrequencyResponse& response) {
     text += exact(response.frequency_Hz[i]) + "," + exact(response.gain_dB[i]) + "\n";
   }
   return text;
-}
-
-std::string responseSvg(const FrequencyResponse& r, const std::string& title) {
-  constexpr double width = 800, height = 420, left = 70, right = 20, top = 40, bottom = 55;
-  const auto [low, high] = std::minmax_element(r.gain_dB.begin(), r.gain_dB.end());
-  const double floor_dB = std::floor(*low / 10) * 10, ceiling_dB = std::ceil((*high + 1e-9) / 10) * 10;
-  const double span = std::max(ceiling_dB - floor_dB, 10.0);
-  const double octaves = std::log(r.frequency_Hz.back() / r.frequency_Hz.front());
-  const auto x = [&](double f) {
-    return left + (width - left - right) * std::log(f / r.frequency_Hz.front()) / octaves;
-  };
-  const auto y = [&](double g) { return top + (height - top - bottom) * (1 - (g - floor_dB) / span); };
-  std::string svg;
-  const auto put = [&](const char* format, auto... values) {
-    char text[400];
-    std::snprintf(text, sizeof text, format, values...);
-    svg += text;
-  };
-  put("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%g\" height=\"%g\" font-family=\"sans-serif\" "
-      "font-size=\"12\">\n",
-      width, height);
-  svg += "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
-  svg += "<text x=\"70\" y=\"24\" font-size=\"15\">" + escapedForMarkup(title) + "</text>\n";
-  for (double g = floor_dB; g <= floor_dB + span + 1e-9; g += span > 60 ? 20 : 10) {
-    put("<path d=\"M%.1f %.1fH%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" "
-        "text-anchor=\"end\">%g</text>\n",
-        left, y(g), width - right, left - 6, y(g) + 4, g);
-  }
-  for (double decade = 1; decade < 1e6; decade *= 10) {
-    for (double step : {1.0, 2.0, 5.0}) {
-      const double f = decade * step;
-      if (f < r.frequency_Hz.front() - 1e-9 || f > r.frequency_Hz.back() * 1.001) continue;
-      put("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#ddd\"/><text x=\"%.1f\" y=\"%.1f\" "
-          "text-anchor=\"middle\">%g</text>\n",
-          x(f), top, height - bottom, x(f), height - bottom + 18, f);
-    }
-  }
-  svg += "<polyline fill=\"none\" stroke=\"#1f5fa8\" stroke-width=\"1.6\" points=\"";
-  for (std::size_t i = 0; i < r.frequency_Hz.size(); ++i)
-    put("%.1f,%.1f ", x(r.frequency_Hz[i]), y(r.gain_dB[i]));
-  svg += "\"/>\n";
-  for (const Resonance& peak : r.resonances) {
-    put("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\" fill=\"#a02020\">%.0f Hz</text>\n",
-        x(peak.frequency_Hz), top + 12, peak.frequency_Hz);
-    put("<path d=\"M%.1f %.1fV%.1f\" stroke=\"#a02020\" stroke-dasharray=\"3 3\"/>\n", x(peak.frequency_Hz),
-        top + 16, height - bottom);
-  }
-  put("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">frequency [Hz]</text>\n",
-      (left + width - right) / 2, height - 14);
-  put("<text transform=\"translate(18 %.1f) rotate(-90)\" text-anchor=\"middle\">gain [dB]</text>\n</svg>\n",
-      (top + height - bottom) / 2);
-  return svg;
 }
 
 }  // namespace detent::playback

@@ -49,7 +49,5 @@ bool agree(const FrequencyResponse& a, const FrequencyResponse& b);
 void applyResponse(const FrequencyResponse& response, const SweepSettings& settings, DeviceProfile& profile);
 
 std::string responseCsv(const FrequencyResponse& response);
-/// A plot with both axes labelled; resonances marked.
-std::string responseSvg(const FrequencyResponse& response, const std::string& title);
 
 }  // namespace detent::playback

@@ -20,7 +20,6 @@ class KeyTables {
  public:
   explicit KeyTables(const ButtonState& state);
 
-  double end_m() const { return end_m_; }
   /// Mean of press and release, N; below 0 and beyond the end the stops are part of it.
   double mean_N(double depth_m) const;
   /// Energy stored since depth 0, J; the exact integral of mean_N.

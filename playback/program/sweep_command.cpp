@@ -14,6 +14,7 @@
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
+#include "playback/program/xy_plot.h"
 
 namespace detent::playback {
 
@@ -49,6 +50,18 @@ void addOptions(CLI::App& app, SweepArguments& a) {
       ->capture_default_str()
       ->check(numberWithin(0.001, 1));
   app.add_flag("--json", a.json, "One JSON object on stdout");
+}
+
+XyPlot responsePlot(const FrequencyResponse& response, const std::string& title) {
+  XyPlot plot{title, "frequency [Hz]", "gain [dB]", {}, {{"", "#1f5fa8", {}}}, XScale::decades, {}};
+  for (std::size_t i = 0; i < response.frequency_Hz.size(); ++i)
+    plot.lines[0].points.push_back({response.frequency_Hz[i], response.gain_dB[i]});
+  for (const Resonance& peak : response.resonances) {
+    char name[32];
+    std::snprintf(name, sizeof name, "%.0f Hz", peak.frequency_Hz);
+    plot.marks.push_back({peak.frequency_Hz, name});
+  }
+  return plot;
 }
 
 /// The device's own rate; what most have where the device is not found (playing will say so).
@@ -124,7 +137,8 @@ int run(const SweepArguments& a, const Cancelled& cancelled) {
       return fail(w.failure());
   }
   if (!a.plotFile.empty()) {
-    if (Result<Done> w = writeTextFileAtomically(a.plotFile, responseSvg(*response, profile->name)); !w)
+    if (Result<Done> w = writeTextFileAtomically(a.plotFile, svgOf({responsePlot(*response, profile->name)}));
+        !w)
       return fail(w.failure());
   }
   Json peaks = Json::array();

@@ -42,6 +42,37 @@ struct Range {
   }
 };
 
+/// The horizontal axis: where it begins and ends, and the values that are printed.
+struct XAxis {
+  XScale scale = XScale::even;
+  double low = 0, high = 1;
+  std::vector<double> at;
+  int decimals = 0;
+
+  double shareOf(double x) const {
+    return scale == XScale::even ? (x - low) / (high - low) : std::log(x / low) / std::log(high / low);
+  }
+};
+
+XAxis evenAxis(const Range& range) {
+  const Ticks ticks = range.ticks();
+  XAxis axis{XScale::even, ticks.at(0), ticks.last(), {}, ticks.decimals};
+  for (int i = 0; i < ticks.count; ++i) axis.at.push_back(ticks.at(i));
+  return axis;
+}
+
+// From the first value to the last, with 1, 2 and 5 of each decade printed.
+XAxis decadesAxis(const Range& range) {
+  XAxis axis{XScale::decades, range.low, range.high, {}, 0};
+  for (double decade = std::pow(10, std::floor(std::log10(range.low))); decade <= range.high; decade *= 10) {
+    for (const double x : {decade, 2 * decade, 5 * decade})
+      if (x >= range.low * (1 - 1e-9) && x <= range.high * (1 + 1e-3)) axis.at.push_back(x);
+    if (decade < 1 && range.low < 1)
+      axis.decimals = std::max(axis.decimals, static_cast<int>(std::ceil(-std::log10(decade) - 1e-9)));
+  }
+  return axis;
+}
+
 class Panel {
  public:
   Panel(const XyPlot& plot, double y) : plot_(plot), top_(y + top) {
@@ -49,7 +80,7 @@ class Panel {
     for (const PlotLine& line : plot.lines) {
       for (const PlotPoint& p : line.points) xs.add(p.x), ys.add(p.y);
     }
-    x_ = xs.ticks();
+    x_ = plot.xScale == XScale::even ? evenAxis(xs) : decadesAxis(xs);
     y_ = ys.ticks();
   }
 
@@ -59,6 +90,7 @@ class Panel {
            escapedForMarkup(plot_.title).c_str());
     grid(out);
     for (const PlotLine& line : plot_.lines) draw(out, line);
+    for (const PlotMark& mark : plot_.marks) draw(out, mark);
     words(out);
     return out;
   }
@@ -71,19 +103,17 @@ class Panel {
   }
 
  private:
-  double px(double x) const {
-    return left + (x - x_.at(0)) / (x_.last() - x_.at(0)) * (width - left - right);
-  }
+  double px(double x) const { return left + x_.shareOf(x) * (width - left - right); }
   double py(double y) const {
     return top_ + plotHeight - (y - y_.at(0)) / (y_.last() - y_.at(0)) * plotHeight;
   }
 
   void grid(std::string& out) const {
-    for (int i = 0; i < x_.count; ++i) {
-      const double x = px(x_.at(i));
+    for (const double value : x_.at) {
+      const double x = px(value);
       append(out, "<path d=\"M%.2f %.2fV%.2f\" stroke=\"#ddd\"/>\n", x, top_, top_ + plotHeight);
       append(out, "<text x=\"%.2f\" y=\"%.2f\" text-anchor=\"middle\">%.*f</text>\n", x,
-             top_ + plotHeight + 16, x_.decimals, x_.at(i));
+             top_ + plotHeight + 16, x_.decimals, value);
     }
     for (int i = 0; i < y_.count; ++i) {
       const double y = py(y_.at(i));
@@ -119,6 +149,14 @@ class Panel {
     out += "\"/>\n";
   }
 
+  void draw(std::string& out, const PlotMark& mark) const {
+    const double x = px(mark.x);
+    append(out, "<path d=\"M%.2f %.2fV%.2f\" stroke=\"#a02020\" stroke-dasharray=\"3 3\"/>\n", x, top_ + 16,
+           top_ + plotHeight);
+    append(out, "<text x=\"%.2f\" y=\"%.2f\" fill=\"#a02020\" text-anchor=\"middle\">%s</text>\n", x,
+           top_ + 12, escapedForMarkup(mark.name).c_str());
+  }
+
   void words(std::string& out) const {
     double y = top_ + plotHeight + axisRoom + 8;
     for (const PlotLine& line : plot_.lines) {
@@ -137,7 +175,8 @@ class Panel {
 
   const XyPlot& plot_;
   double top_;
-  Ticks x_, y_;
+  XAxis x_;
+  Ticks y_;
 };
 
 }  // namespace

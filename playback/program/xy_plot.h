@@ -19,10 +19,21 @@ struct PlotLine {
   bool dashed = false;
 };
 
+/// How the horizontal axis runs: in equal steps, or in decades (values > 0).
+enum class XScale { even, decades };
+
+/// A place on the horizontal axis that has a name.
+struct PlotMark {
+  double x = 0;
+  std::string name;
+};
+
 struct XyPlot {
   std::string title, xTitle, yTitle;
   std::vector<std::string> notes;  ///< lines of text under the plot: equations, settings
   std::vector<PlotLine> lines;
+  XScale xScale = XScale::even;
+  std::vector<PlotMark> marks = {};
 };
 
 /// A whole SVG document with the plots one below the other. Lines are thinned to what a screen shows. Deterministic.

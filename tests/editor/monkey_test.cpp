@@ -267,7 +267,7 @@ class ImportMonkey {
       case 3:
         return state_.redo();
       case 4:
-        return upTo(4) == 0 ? state_.cancel() : state_.retry();
+        return upTo(4) == 0 ? state_.cancel() : state_.selectGraph(state_.current()->id);
       case 5:
         return state_.setConfirmed(upTo(2) == 0);
       case 6:

@@ -27,11 +27,6 @@ std::string shown(const FigureCell& cell, const FigureColumn& column, const char
   return text;
 }
 
-std::string kept(const FigureCell& cell) {
-  if (const auto* words = std::get_if<std::string>(&cell)) return csvField(*words);
-  return isNumber(cell) ? exact(std::get<double>(cell)) : std::string();
-}
-
 /// Whether a column holds words, which stand at the left.
 bool ofWords(const FigureTable& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(), [&](const std::vector<FigureCell>& row) {
@@ -92,18 +87,6 @@ std::string tableText(const FigureTable& table) {
     text += row + "\n";
   }
   return text + wrapped(table.note, "  ");
-}
-
-std::string tableCsv(const FigureTable& table) {
-  std::string text;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    text += (c > 0 ? "," : "") + csvField(table.columns[c].key);
-  text += "\n";
-  for (const std::vector<FigureCell>& row : table.rows) {
-    for (std::size_t c = 0; c < row.size(); ++c) text += (c > 0 ? "," : "") + kept(row[c]);
-    text += "\n";
-  }
-  return text;
 }
 
 std::string tableMarkup(const FigureTable& table) {

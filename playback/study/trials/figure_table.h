@@ -29,8 +29,6 @@ struct FigureTable {
 
 /// Aligned columns under the title.
 std::string tableText(const FigureTable& table);
-/// Keys, then a line for each row (RFC 4180); numbers to the last digit.
-std::string tableCsv(const FigureTable& table);
 /// A section of a page.
 std::string tableMarkup(const FigureTable& table);
 /// {"key", "title", "note", "columns": [{"key", "heading", "description"}], "rows": [{key: value or null}]}

@@ -348,7 +348,7 @@ void ImportDialogTest::aWorkIsStopped() {
   QTest::qWait(300);
   QCOMPARE(state.current()->last, before);
   QVERIFY(!state.current()->upToDate(state.quality()));
-  state.retry();
+  state.selectGraph(state.current()->id);
   QVERIFY(again(state));
   QVERIFY(state.current()->upToDate(state.quality()));
 }

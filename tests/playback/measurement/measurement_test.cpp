@@ -65,7 +65,6 @@ TEST_CASE("sweep: resonances, gain and delay of a known device are found, with n
   applyResponse(*response, settings, profile);
   CHECK(profile.equalizer.size() == 3);
   CHECK(profile.equalizer[0].gain_dB == Approx(-12));
-  CHECK(responseSvg(*response, "a < b").find("a &lt; b") != std::string::npos);
   CHECK(responseCsv(*response).find("frequency_Hz,gain_dB\n") == 0);
 }
 
