@@ -86,7 +86,7 @@ void EditHistory::finishDrag() {
   dragLabel_.reset();
   preview_.reset();
   if (dragged && !(*dragged == committed_)) {
-    apply(*dragged, label);
+    stack_.push(new Step(*this, committed_, *dragged, label, {}));  // the rule has seen it as a preview
   } else if (dragged) {
     emit changed();
   }
