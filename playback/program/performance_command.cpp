@@ -17,6 +17,7 @@
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/performance_limits.h"
+#include "playback/program/press_effects.h"
 
 namespace detent::playback {
 
@@ -224,11 +225,12 @@ void addPerformanceCommand(CLI::App& program, Action& chosen) {
   app->add_option("--limits", a->limitsFile,
                   "JSON table of further limits of standards (docs/press-forecast.md)");
   app->add_flag("--json", a->json, "One JSON object on stdout");
-  app->footer(
-      "Only differences between buttons mean something: absolute numbers depend on the body's parameters. "
-      "Which\n"
-      "published effects the forecast hits and which it misses: docs/press-forecast.md, \"Hits and "
-      "misses\".");
+  app->footer(std::string("Only differences between buttons mean something: absolute numbers depend on the "
+                          "body's parameters. "
+                          "Published\n"
+                          "effects, forecast (5 to 95 % of the fingers) and whether that is what people did "
+                          "(docs/press-forecast.md):\n") +
+              pressEffects);
   app->callback([&chosen, a] { chosen = [a](const Cancelled& cancelled) { return run(*a, cancelled); }; });
 }
 

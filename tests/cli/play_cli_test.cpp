@@ -138,6 +138,15 @@ TEST_CASE("usage: help states defaults and exit codes, nonsense is wrong usage")
   CHECK(play({"none.button.json"}).exitCode == 3);
 }
 
+TEST_CASE("performance: its help says what the forecast hits and what it misses") {
+  const std::string help = Play()({"performance", "--help"}).out;
+  for (int effect = 1; effect <= 11; ++effect) CHECK(contains(help, "\n  " + std::to_string(effect) + "  "));
+  CHECK(contains(help, "  2  peak force, 1.02 : 0.47 N: "));
+  CHECK(contains(help, ", people: 1.40, hit\n"));
+  CHECK(contains(help, ", people: 0.06 to 0.63, missed\n"));
+  CHECK(!contains(help, "**"));
+}
+
 TEST_CASE("render: long presses are warned of, samples stand as asked") {
   const Play play;
   play.write("long.csv", "time_s,force_N\n0,0\n0.2,1.5\n0.4,0\n601,0\n");

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace detent::playback {
+
+/// The table "Hits and misses" of docs/press-forecast.md as lines of a help text, one effect each; made from the page when the build
+/// is configured.
+extern const char* const pressEffects;
+
+}  // namespace detent::playback
