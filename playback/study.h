@@ -5,7 +5,9 @@
 // In:  buttons, a design, answers of participants.
 // Out: a journal for each participant, figures with intervals as text, JSON, CSV, BIDS and a page; a forecast without anyone.
 // Reading order of the house:
+//   study/trials/consent.h             what participants agree to
 //   study/trials/study_design.h        which buttons, which task, how often: one folder
+//   study/trials/study_plan.h          power, a page to preregister, everybody's list (planned_places.h) before the first person comes
 //   study/trials/trial_plan.h          the list of one participant
 //   study/trials/participant_record.h  what a journal says (study/journal: lines that are on the disk)
 //   study/trials/trial_desk.h          one trial as it is worked on
@@ -25,6 +27,7 @@
 #include "playback/playback.h"
 #include "playback/study/perception/design_help.h"
 #include "playback/study/perception/forecast_words.h"
+#include "playback/study/trials/consent.h"
 #include "playback/study/trials/participant_session.h"
 #include "playback/study/trials/study_output.h"
 #include "playback/study/trials/study_page.h"

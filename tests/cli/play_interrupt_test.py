@@ -114,7 +114,7 @@ def commands(source, sensor, sound):
         ("calibrate at the keyboard", ["calibrate", "--sensor", sensor.port, "-o", "out.device"], b""),
         ("calibrate while weighing", ["calibrate", "--sensor", sensor.port, "-o", "out.device"], b"0\n20\n50\n100\n200\n500\n"),
         ("force", ["force", button, "--device", "sim", "--finger", "press", "--seconds", "1000", "--log", "out.csv"], b""),
-        ("study at the keyboard", ["study", "run", "study", "--participant", "K1", "--rehearse"], b"12x"),
+        ("study at the keyboard", ["study", "run", "study", "--participant", "K1", "--rehearse"], b"y12x"),
         ("study simulated", ["study", "run", "study", "--participant", "S1", "--simulate", "guess"], b""),
         ("confusion", ["confusion", *(str(source / f"samples/buttons/{b}.button.json") for b in "ABCDEF")], b""),
     ]
@@ -125,7 +125,7 @@ def commands(source, sensor, sound):
         ("sweep", ["sweep", "--device", "JACK", "-o", "out.device", "--csv", "out.csv"], b""),
         ("latency", ["latency", "--device", "JACK", "--trials", "1000", "--csv", "out.csv"], b""),
         ("latency with a sensor", ["latency", "--device", "JACK", "--sensor", sensor.port, "-o", "out.device"], b""),
-        ("study with sound", ["study", "run", "study", "--participant", "R1", "--device", "JACK"], b"12x"),
+        ("study with sound", ["study", "run", "study", "--participant", "R1", "--device", "JACK"], b"y12x"),
     ]
     return quiet + (with_sound if sound else [])
 

@@ -206,6 +206,8 @@ def run(program, samples, folder, number, seed):
     for _ in range(100):
         if not terminal.look(0.1):
             break
+        if "I agree" in terminal.screen and "Trial" not in terminal.screen:
+            terminal.type("y")
         started = "Trial 1 of" in terminal.screen
         if started:
             break

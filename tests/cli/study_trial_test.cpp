@@ -73,6 +73,8 @@ TEST_CASE("study: a key is felt as soon as the player's own finger is") {
   {
     TerminalProgram study({DETENT_PLAY, "study", "run", "s", "--participant", "P1", "--device", "JACK"},
                           folder->path());
+    REQUIRE(study.shows("I agree", 10));
+    study.type("y");
     REQUIRE(study.shows("Trial 1 of", 10));
     JackListener listener;
     REQUIRE(listener.listenTo("detent:out_1"));
@@ -110,6 +112,8 @@ TEST_CASE("study: a masked trial at a terminal: rain on the second output, answe
     TerminalProgram study({DETENT_PLAY, "study", "run", "s", "--participant", "P1", "--device", "JACK",
                            "--condition", "masked", "--noise-level", "0.05"},
                           folder->path());
+    REQUIRE(study.shows("I agree", 10));
+    study.type("Y");  // Caps Lock
     REQUIRE(study.shows("Trial 1 of 4", 10));
     CHECK(study.screen().find("Rain plays") != std::string::npos);
     JackListener ears, finger;
@@ -149,4 +153,41 @@ TEST_CASE("study: a masked trial at a terminal: rain on the second output, answe
   CHECK(journal.find("\"noise_level\":0.05") != std::string::npos);
   REQUIRE(folder->run(DETENT_PLAY, {"study", "report", "s", "--csv", "t.csv"}).exitCode == 0);
   CHECK(folder->read("t.csv").find("masked") != std::string::npos);
+}
+
+TEST_CASE("study: who says no at a terminal is in no journal, and is counted") {
+  const auto folder = studyOf({"A", "B"});
+  {
+    TerminalProgram study(
+        {DETENT_PLAY, "study", "run", "s", "--participant", "P1", "--rehearse", "--language", "de"},
+        folder->path());
+    REQUIRE(study.shows("virtuelle Tasten", 10));
+    REQUIRE(study.shows("no, thank you", 10));
+    study.type("1");
+    study.type("n");
+    CHECK(study.exitCode(5) == 0);
+    CHECK(study.screen().find("Thank you for coming") != std::string::npos);
+  }
+  const json status = json::parse(folder->run(DETENT_PLAY, {"study", "status", "s", "--json"}).out);
+  CHECK(status.at("participants").empty());
+  CHECK(status.at("declined") == 1);
+  CHECK(folder->read("s/declined.jsonl").find("\"language\":\"de\"") != std::string::npos);
+}
+
+TEST_CASE("study: what was agreed to stands in the journal, and is asked once") {
+  const auto folder = studyOf({"A", "B"});
+  for (const bool again : {false, true}) {
+    TerminalProgram study({DETENT_PLAY, "study", "run", "s", "--participant", "P1", "--rehearse"},
+                          folder->path());
+    if (!again) {
+      REQUIRE(study.shows("I agree", 10));
+      study.type("y");
+    }
+    REQUIRE(study.shows("Trial 1 of 4", 10));
+    study.type("p");
+    CHECK(study.exitCode(5) == 0);
+  }
+  const json status = json::parse(folder->run(DETENT_PLAY, {"study", "status", "s", "--json"}).out);
+  CHECK(status.at("participants")[0].at("consent").at("language") == "en");
+  CHECK(status.at("participants")[0].at("consent").at("sha256").get<std::string>().size() == 64);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/study/program/study_command.h"
 
-#include <chrono>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -13,12 +12,14 @@
 
 #include "model/file/text_file.h"
 #include "model/program/command_line.h"
+#include "playback/device/steady_clock.h"
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
 #include "playback/program/shared_options.h"
 #include "playback/study.h"
 #include "playback/study/program/study_terminal.h"
 #include "playback/study/trials/printed_counts.h"
+#include "playback/study/trials/study_plan.h"
 
 namespace detent::playback {
 
@@ -36,7 +37,8 @@ struct NewArguments {
   std::optional<std::size_t> trials;
   std::vector<std::string> modes;
   bool physical = false;
-  std::string profileFile, consentFile;
+  std::string profileFile;
+  std::vector<std::string> consentFiles;
   bool json = false;
 };
 
@@ -62,10 +64,10 @@ int runNew(NewArguments a) {
     if (!named) return fail(named.failure());
     a.design.modes = *std::move(named);
   }
-  if (!a.consentFile.empty()) {
-    Result<std::string> consent = readTextFile(a.consentFile);
+  for (const std::string& file : a.consentFiles) {
+    Result<ConsentText> consent = readConsent(file);
     if (!consent) return fail(consent.failure());
-    a.design.consent = *std::move(consent);
+    a.design.consents.push_back(*std::move(consent));
   }
   Result<Study> study = createStudy(a.folder, a.buttons, a.profileFile, a.design);
   if (!study) return fail(study.failure());
@@ -115,7 +117,12 @@ void addNew(CLI::App& parent, Action& chosen) {
       ->capture_default_str();
   app->add_flag("--physical", a->physical, "matching: X is a real switch, handed over by number");
   app->add_option("--profile", a->profileFile, "Device profile (docs/device-profile.md)");
-  app->add_option("--consent", a->consentFile, "Text shown before the first trial");
+  app->add_option(
+         "--consent", a->consentFiles,
+         "Text shown before the first trial, one for each language: NAME.en.txt, NAME.de.txt; any other "
+         "name is for all other languages. Default: a short text in English and German")
+      ->delimiter(',')
+      ->allow_extra_args(false);
   app->add_flag("--json", a->json, "One JSON object on stdout");
   app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runNew(*a); }; });
 }
@@ -127,16 +134,16 @@ struct RunArguments {
   std::optional<Listening> condition;  ///< empty: as in the journal
   Listening listening = Listening::quiet;
   StudyDevices devices;
+  std::string language = "en";  ///< of the consent text
   bool json = false;
 };
 
-double wallClock_s() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
 int reportProgress(const RunArguments& a, const ParticipantRecord& record) {
-  std::fprintf(stderr, "%s: %zu of %zu trials answered%s\n", a.participant.c_str(), record.answers.size(),
-               record.plan.size(), record.complete() ? ", complete" : "");
+  if (record.plan.empty())
+    std::fprintf(stderr, "%s: not begun\n", a.participant.c_str());
+  else
+    std::fprintf(stderr, "%s: %zu of %zu trials answered%s\n", a.participant.c_str(), record.answers.size(),
+                 record.plan.size(), record.complete() ? ", complete" : "");
   if (a.json)
     print({{"status", "ok"},
            {"participant", a.participant},
@@ -176,8 +183,8 @@ int runRun(RunArguments a, const Cancelled& cancelled) {
   if (a.listening == Listening::quiet) a.devices.player.masking = {};
   if (Result<Done> ok = checkStimuli(*study); !ok) return fail(ok.failure());
   if (!a.simulation.empty()) return simulate(a, *study, cancelled);
-  Result<ParticipantRecord> record =
-      askParticipant(*study, a.participant, a.listening, a.devices, wallClock_s, cancelled);
+  const Result<ParticipantRecord> record =
+      askParticipant(*study, {a.participant, a.language, a.listening}, a.devices, cancelled);
   if (!record) return fail(record.failure());
   return reportProgress(a, *record);
 }
@@ -195,6 +202,7 @@ void addRun(CLI::App& parent, Action& chosen) {
             "same for all of a "
             "participant's trials; default: as so far, quiet at first",
             "");
+  app->add_option("--language", a->language, "Of the consent text: en, de, ...")->capture_default_str();
   app->add_option("--noise-level", a->devices.player.masking.level,
                   "masked: rms of the rain, share of full scale, 0..0.3; 0: you play a noise yourself")
       ->default_str(CLI::detail::to_string(usualNoiseLevel))
@@ -214,7 +222,7 @@ void addRun(CLI::App& parent, Action& chosen) {
 
 struct ReadArguments {
   std::string folder, htmlFile, csvFile, feltFile, bidsFolder;
-  bool json = false;
+  bool json = false, follow = false;
 };
 
 Json jsonOf(const ParticipantRecord& record) {
@@ -226,43 +234,85 @@ Json jsonOf(const ParticipantRecord& record) {
           {"next_trial", next != nullptr ? Json(next->number) : Json(nullptr)},
           {"kind", record.sessions.empty() ? "none" : nameOf(record.sessions.back().kind)},
           {"ended_early", record.endedEarly},
+          {"consent", record.consent ? Json{{"language", record.consent->language},
+                                            {"sha256", record.consent->sha256},
+                                            {"utc_s", record.consent->utc_s}}
+                                     : Json(nullptr)},
           {"unreadable", record.damage ? Json(record.damage->sentence()) : Json(nullptr)},
           {"notes", record.notes}};
 }
 
-int runStatus(const ReadArguments& a) {
+std::string progressWords(const ParticipantRecord& record) {
+  std::string text = std::to_string(record.answers.size()) + " of " + std::to_string(record.plan.size());
+  if (record.complete()) text += ", complete";
+  if (record.endedEarly) text += ", ended early";
+  if (!record.sessions.empty() && record.sessions.back().kind != SessionKind::real)
+    text += std::string(", ") + nameOf(record.sessions.back().kind);
+  return text;
+}
+
+/// How far everyone is, as text.
+Result<std::string> statusWords(const Study& study) {
+  Result<std::vector<ParticipantRecord>> records = readParticipants(study);
+  if (!records) return records.failure();
+  const auto padded = [](std::string id) {
+    constexpr std::size_t idColumns = 16;
+    if (id.size() < idColumns) id.resize(idColumns, ' ');
+    return "  " + id + " ";
+  };
+  std::string text = study.name + ": " + nameOf(study.design.kind) + ", " +
+                     std::to_string(study.givenButtons()) + " buttons, " +
+                     std::to_string(countedTrials(study)) + " trials for each participant\n";
+  for (const ParticipantRecord& record : *records) {
+    text += padded(record.participant) + (record.damage ? record.damage->sentence() : progressWords(record)) +
+            "\n";
+    for (const std::string& note : record.notes) text += "    " + note + "\n";
+  }
+  if (records->empty()) text += "  no participant yet\n";
+  if (const std::size_t declined = declinedIn(study.folder); declined > 0)
+    text += "  " + std::to_string(declined) + " said \"no, thank you\"\n";
+  return text;
+}
+
+int printStatusJson(const Study& study) {
+  Result<std::vector<ParticipantRecord>> records = readParticipants(study);
+  if (!records) return fail(records.failure());
+  Json list = Json::array();
+  for (const ParticipantRecord& record : *records) list.push_back(jsonOf(record));
+  print({{"status", "ok"},
+         {"study", study.name},
+         {"kind", nameOf(study.design.kind)},
+         {"trials_per_participant", countedTrials(study)},
+         {"declined", declinedIn(study.folder)},
+         {"participants", list}});
+  return 0;
+}
+
+/// Says again whenever something has changed.
+int followStatus(const Study& study, const Cancelled& cancelled) {
+  constexpr double look_s = 0.3;
+  std::string shown;
+  while (!cancelled()) {
+    const Result<std::string> words = statusWords(study);
+    if (!words) return fail(words.failure());
+    if (*words != shown) {
+      std::printf("%s%s", shown.empty() ? "" : "\n", words->c_str());
+      std::fflush(stdout);
+      shown = *words;
+    }
+    sleepUntil(now_s() + look_s);
+  }
+  return 0;
+}
+
+int runStatus(const ReadArguments& a, const Cancelled& cancelled) {
   Result<Study> study = openStudy(a.folder);
   if (!study) return fail(study.failure());
-  Result<std::vector<ParticipantRecord>> records = readParticipants(*study);
-  if (!records) return fail(records.failure());
-  if (a.json) {
-    Json list = Json::array();
-    for (const ParticipantRecord& record : *records) list.push_back(jsonOf(record));
-    print({{"status", "ok"},
-           {"study", study->name},
-           {"kind", nameOf(study->design.kind)},
-           {"trials_per_participant", countedTrials(*study)},
-           {"participants", list}});
-    return 0;
-  }
-  std::printf("%s: %s, %zu buttons, %zu trials for each participant\n", study->name.c_str(),
-              nameOf(study->design.kind), study->givenButtons(), countedTrials(*study));
-  for (const ParticipantRecord& record : *records) {
-    if (record.damage) {
-      std::printf("  %-16s %s\n", record.participant.c_str(), record.damage->sentence().c_str());
-      continue;
-    }
-    std::printf("  %-16s %zu of %zu%s%s\n", record.participant.c_str(), record.answers.size(),
-                record.plan.size(),
-                record.complete()   ? ", complete"
-                : record.endedEarly ? ", ended early"
-                                    : "",
-                record.sessions.empty() || record.sessions.back().kind == SessionKind::real
-                    ? ""
-                    : (std::string(", ") + nameOf(record.sessions.back().kind)).c_str());
-    for (const std::string& note : record.notes) std::printf("    %s\n", note.c_str());
-  }
-  if (records->empty()) std::printf("  no participant yet\n");
+  if (a.follow) return followStatus(*study, cancelled);
+  if (a.json) return printStatusJson(*study);
+  const Result<std::string> words = statusWords(*study);
+  if (!words) return fail(words.failure());
+  std::fputs(words->c_str(), stdout);
   return 0;
 }
 
@@ -311,6 +361,63 @@ int runReport(const ReadArguments& a) {
   return 0;
 }
 
+// ---- plan
+
+struct PlanArguments {
+  std::string folder, htmlFile, listsFolder;
+  std::size_t people = 12;
+  bool json = false;
+};
+
+int runPlan(const PlanArguments& a) {
+  const Result<Study> study = openStudy(a.folder);
+  if (!study) return fail(study.failure());
+  Preregistration plan{a.people, {}, powerTables(*study)};
+  if (!a.listsFolder.empty()) {
+    Result<std::string> sha256 = writeLists(*study, usualPlaces(a.people), a.listsFolder);
+    if (!sha256) return fail(sha256.failure());
+    plan.listsSha256 = *std::move(sha256);
+  }
+  if (!a.htmlFile.empty()) {
+    Result<std::vector<ForetoldPair>> expected = foretoldIn(a.folder);
+    if (!expected) return fail(expected.failure());
+    plan.foretold = *std::move(expected);
+    if (Result<Done> ok = writeTextFileAtomically(a.htmlFile, preregistrationPage(*study, plan)); !ok)
+      return fail(ok.failure());
+  }
+  std::string text;
+  Json tables = Json::array();
+  for (const FigureTable& table : plan.power) {
+    text += (text.empty() ? "" : "\n") + tableText(table);
+    tables.push_back(Json::parse(tableJson(table)));
+  }
+  std::fputs(text.c_str(), a.json ? stderr : stdout);
+  if (a.json)
+    print({{"status", "ok"},
+           {"study", study->name},
+           {"people", a.people},
+           {"trials_per_participant", countedTrials(*study)},
+           {"lists_sha256", plan.listsSha256.empty() ? Json(nullptr) : Json(plan.listsSha256)},
+           {"power", tables}});
+  return 0;
+}
+
+void addPlan(CLI::App& parent, Action& chosen) {
+  CLI::App* app = parent.add_subcommand(
+      "plan", "Before the first person comes: power, a page to preregister, everybody's list");
+  const auto a = std::make_shared<PlanArguments>();
+  app->add_option("DIR", a->folder, "Folder of the study")->required();
+  app->add_option("--people", a->people, "Participants planned, 2..999; their ids are P01, P02, ...")
+      ->capture_default_str()
+      ->check(CLI::Range(2, 999));
+  app->add_option("-o,--output", a->htmlFile,
+                  "One HTML page to preregister: hypotheses, design, power, tests, what was foretold");
+  app->add_option("--lists", a->listsFolder,
+                  "Folder for one CSV of trials for each participant; the study keeps to them");
+  app->add_flag("--json", a->json, "One JSON object on stdout");
+  app->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runPlan(*a); }; });
+}
+
 void addReading(CLI::App& parent, Action& chosen) {
   const auto a = std::make_shared<ReadArguments>();
   CLI::App* status = parent.add_subcommand("status", "How far each participant is");
@@ -324,7 +431,10 @@ void addReading(CLI::App& parent, Action& chosen) {
   report->add_option("--felt-csv", a->feltFile,
                      "One row for each trial and stimulus: presses, force in N, travel in mm");
   report->add_option("--bids", a->bidsFolder, "Folder for BIDS events");
-  status->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runStatus(*a); }; });
+  status->add_flag("--follow", a->follow,
+                   "Say it again at each answer, for the experimenter; Ctrl-C ends it");
+  status->callback(
+      [&chosen, a] { chosen = [a](const Cancelled& cancelled) { return runStatus(*a, cancelled); }; });
   report->callback([&chosen, a] { chosen = [a](const Cancelled&) { return runReport(*a); }; });
 }
 
@@ -334,6 +444,7 @@ void addStudyCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand("study", "Can people tell these buttons apart?");
   app->require_subcommand(1);
   addNew(*app, chosen);
+  addPlan(*app, chosen);
   addRun(*app, chosen);
   addReading(*app, chosen);
 }

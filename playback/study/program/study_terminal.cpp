@@ -27,6 +27,8 @@ struct Given {
   std::optional<double> rating;
 };
 
+char lowerCase(char key) { return key >= 'A' && key <= 'Z' ? static_cast<char>(key - 'A' + 'a') : key; }
+
 /// What the device settings come to: a player, or a rehearsal where there is no device and never was one.
 Result<std::unique_ptr<StudyPlayer>> playerFor(const Study& study, const StudyDevices& devices,
                                                bool wasReal) {
@@ -93,9 +95,7 @@ class Desk {
       const std::optional<char> typed = terminal.key(look_s);
       desk.felt(player_.takeFelt());
       if (!typed) continue;
-      const char letter =
-          *typed >= 'A' && *typed <= 'Z' ? static_cast<char>(*typed - 'A' + 'a') : *typed;  // Caps Lock
-      const std::optional<char> key = letter;
+      const std::optional<char> key = lowerCase(*typed);     // Caps Lock
       if (*key == 'p' || *key == 4) return Outcome::paused;  // Ctrl-D
       if (*key == 'q' && confirmed(terminal)) return Outcome::stopped;
       press(desk, *key);
@@ -237,7 +237,7 @@ class Desk {
   bool confirmed(RawTerminal& terminal) const {
     std::fprintf(stderr, "\nStop for good? y stops, any other key goes on. ");
     while (!cancelled_()) {
-      if (const std::optional<char> key = terminal.key(look_s)) return *key == 'y';
+      if (const std::optional<char> key = terminal.key(look_s)) return lowerCase(*key) == 'y';
     }
     return false;
   }
@@ -250,21 +250,46 @@ class Desk {
   std::string typed_;  ///< of a number
 };
 
-bool answeredForReal(const std::vector<ParticipantRecord>& records, const std::string& participant) {
-  for (const ParticipantRecord& record : records) {
-    if (record.participant != participant) continue;
-    return std::any_of(record.sessions.begin(), record.sessions.end(),
-                       [](const SessionStart& s) { return s.kind == SessionKind::real; });
+bool answeredForReal(const ParticipantRecord& record) {
+  return std::any_of(record.sessions.begin(), record.sessions.end(),
+                     [](const SessionStart& s) { return s.kind == SessionKind::real; });
+}
+
+enum class Decision : std::uint8_t { agreed, declined, left };
+
+Decision decided(const Cancelled& cancelled) {
+  RawTerminal terminal;
+  std::fprintf(stderr, "\n  y = I agree: begin     n = no, thank you\n");
+  while (!cancelled()) {
+    const std::optional<char> key = terminal.key(look_s);
+    if (!key) continue;
+    if (lowerCase(*key) == 'y' || lowerCase(*key) == 'j') return Decision::agreed;
+    if (lowerCase(*key) == 'n') return Decision::declined;
+    if (*key == 4) break;  // Ctrl-D
   }
-  return false;
+  return Decision::left;
+}
+
+/// Shows the text and asks; whether to begin. A "no" is counted, and nothing else is kept.
+Result<bool> consented(const Study& study, const std::string& language, const Cancelled& cancelled,
+                       SessionStart& start) {
+  const Result<ConsentText> text = consentIn(study.folder, language);
+  if (!text) return text.failure();
+  std::fprintf(stderr, "%s", text->text.c_str());
+  const Decision decision = decided(cancelled);
+  const ConsentDecision kept{text->language, text->sha256, wallClock_s()};
+  if (decision == Decision::agreed) start.consent = kept;
+  if (decision == Decision::declined) {
+    if (Result<Done> ok = recordDeclined(study.folder, kept); !ok) return ok.failure();
+    std::fprintf(stderr, "\nThank you for coming. Nothing about you was kept.\n");
+  }
+  return decision == Decision::agreed;
 }
 
 }  // namespace
 
-Result<ParticipantRecord> askParticipant(const Study& study, const std::string& participant,
-                                         Listening listening, const StudyDevices& devices,
-                                         const std::function<double()>& wallClock_s,
-                                         const Cancelled& cancelled) {
+Result<ParticipantRecord> askParticipant(const Study& study, const AskedParticipant& asked,
+                                         const StudyDevices& devices, const Cancelled& cancelled) {
   if (study.buttons.size() > mostKeys && study.design.kind == StudyKind::matching)
     return Failure{FailureCode::wrongUsage, "study run", "",
                    "a terminal has keys for 9 buttons, the study has " + std::to_string(study.buttons.size()),
@@ -273,21 +298,29 @@ Result<ParticipantRecord> askParticipant(const Study& study, const std::string& 
     return Failure{FailureCode::deviceTrouble, "study run", "",
                    "standard input is not a terminal to answer at",
                    "Run it in a terminal or in detent-edit, or pass --simulate"};
-  Result<std::vector<ParticipantRecord>> before = readParticipants(study);
+  const Result<ParticipantRecord> before = readParticipant(study, asked.id);
   if (!before) return before.failure();
-  Result<std::unique_ptr<StudyPlayer>> player =
-      playerFor(study, devices, answeredForReal(*before, participant));
+  Result<std::unique_ptr<StudyPlayer>> player = playerFor(study, devices, answeredForReal(*before));
   if (!player) return player.failure();
   const bool sounding = (*player)->sounding();
   const double noiseLevel = sounding ? devices.player.masking.level : 0;
-  const SessionStart start{sounding ? SessionKind::real : SessionKind::rehearsal,
-                           listening,
-                           (*player)->device(),
-                           "",
-                           wallClock_s(),
-                           noiseLevel,
-                           (*player)->route()};
-  Result<ParticipantSession> session = ParticipantSession::open(study, participant, start);
+  SessionStart start{sounding ? SessionKind::real : SessionKind::rehearsal,
+                     asked.listening,
+                     (*player)->device(),
+                     "",
+                     wallClock_s(),
+                     noiseLevel,
+                     (*player)->route(),
+                     {}};
+  const Result<ParticipantRecord> known = ParticipantSession::toOpen(study, asked.id, start);
+  if (!known) return known.failure();
+  if (!known->consent && !known->complete()) {
+    const Result<bool> agreed = consented(study, asked.language, cancelled, start);
+    if (!agreed) return agreed.failure();
+    if (!*agreed) return *known;
+    start.utc_s = wallClock_s();
+  }
+  Result<ParticipantSession> session = ParticipantSession::open(study, asked.id, start);
   if (!session) return session.failure();
   for (const std::string& note : session->record().notes) std::fprintf(stderr, "warning: %s\n", note.c_str());
   if (session->trial() == nullptr) return session->record();
@@ -295,10 +328,6 @@ Result<ParticipantRecord> askParticipant(const Study& study, const std::string& 
     std::fprintf(stderr, "Rain plays %s; turn it up until the vibration cannot be heard.\n",
                  devices.player.masking.device.empty() ? "on the outputs behind the vibration's"
                                                        : ("on " + devices.player.masking.device).c_str());
-  if (session->record().answers.empty()) {
-    if (Result<std::string> consent = readTextFile((study.folder / "consent.txt").string()); consent)
-      std::fprintf(stderr, "%s", consent->c_str());
-  }
   Desk desk(study, *session, **player, cancelled);
   if (Result<Done> ok = desk.work(); !ok) return ok.failure();
   return session->record();

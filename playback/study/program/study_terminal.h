@@ -2,7 +2,6 @@
 #pragma once
 // One participant at a terminal: single keys, no labels, nothing to be skipped.
 
-#include <functional>
 #include <string>
 
 #include "playback/program/shared_options.h"
@@ -18,11 +17,16 @@ struct StudyDevices {
   bool rehearse = false;          ///< no sound device on purpose
 };
 
-/// Asks until all is answered, the participant stops, or `cancelled`. Gives what the journal holds then.
+/// Who is asked, in which language and what they listen to.
+struct AskedParticipant {
+  std::string id;
+  std::string language;  ///< of the consent text: "en", "de"
+  Listening listening = Listening::quiet;
+};
+
+/// Asks for consent, then until all is answered, the participant stops, or `cancelled`. Gives what the journal holds then; who does not agree is in no journal.
 /// Failure deviceTrouble: no terminal to ask at, or no device where earlier answers had one.
-Result<ParticipantRecord> askParticipant(const Study& study, const std::string& participant,
-                                         Listening listening, const StudyDevices& devices,
-                                         const std::function<double()>& wallClock_s,
-                                         const Cancelled& cancelled);
+Result<ParticipantRecord> askParticipant(const Study& study, const AskedParticipant& asked,
+                                         const StudyDevices& devices, const Cancelled& cancelled);
 
 }  // namespace detent::playback

@@ -90,6 +90,7 @@ class Replay {
     const Json json = Json::parse(split->body);
     if (line_ == 1) return header(json);
     const std::string event = json.at("event");
+    if (event == "consent") return consent(json);
     if (event == "session") return session(json);
     if (event == "answer") return answer(json);
     if (event == "interruption") return ++record_.interruptions, Done{};
@@ -118,8 +119,14 @@ class Replay {
                    "Restore study.json, or move the journal to its own study");
     record_.program = json.at("program");
     record_.begunBefore = json.value("begun_before", std::size_t{0});
-    record_.plan = planTrials(study_, record_.participant, record_.begunBefore);
+    record_.place = json.value("place", record_.begunBefore);
+    record_.plan = planTrials(study_, record_.participant, record_.place);
     placeNextLevel(study_, record_);
+    return Done{};
+  }
+
+  Result<Done> consent(const Json& json) {
+    record_.consent = ConsentDecision{json.at("language"), json.at("sha256"), json.at("utc_s")};
     return Done{};
   }
 
@@ -219,7 +226,7 @@ class Replay {
 }  // namespace
 
 const Trial* ParticipantRecord::next() const {
-  return complete() || endedEarly ? nullptr : &plan[answers.size()];
+  return answers.size() >= plan.size() || endedEarly ? nullptr : &plan[answers.size()];
 }
 
 Result<ParticipantRecord> replayJournal(const Study& study, const std::string& participant,
@@ -240,20 +247,34 @@ Result<ParticipantRecord> replayJournal(const Study& study, const std::string& p
   return record;
 }
 
+std::filesystem::path journalOf(const Study& study, const std::string& participant) {
+  return study.folder / "participants" / (participant + ".jsonl");
+}
+
 namespace {
 
-Result<ParticipantRecord> readParticipant(const Study& study, const std::filesystem::path& file) {
-  Result<std::string> text = readTextFile(file.string());
-  if (!text) return text.failure();
-  const JournalText journal = splitJournal(*text);
-  Result<ParticipantRecord> record =
-      replayJournal(study, file.stem().string(), journal.lines, journal.unfinished, file.string());
-  if (!record) return record;
-  if (Result<Done> ok = checkHead(file, journal.lines); !ok) return ok.failure();
+ParticipantRecord notBegun(const std::string& participant) {
+  ParticipantRecord record;
+  record.participant = participant;
   return record;
 }
 
 }  // namespace
+
+Result<ParticipantRecord> readParticipant(const Study& study, const std::string& participant) {
+  const std::filesystem::path file = journalOf(study, participant);
+  std::error_code error;
+  if (!std::filesystem::exists(file, error) && !std::filesystem::exists(headFileOf(file), error))
+    return notBegun(participant);
+  Result<std::string> text = readTextFile(file.string());
+  if (!text) return text.failure();
+  const JournalText journal = splitJournal(*text);
+  Result<ParticipantRecord> record =
+      replayJournal(study, participant, journal.lines, journal.unfinished, file.string());
+  if (!record) return record;
+  if (Result<Done> ok = checkHead(file, journal.lines); !ok) return ok.failure();
+  return record;
+}
 
 void Felt::add(const Felt& more) {
   presses += more.presses;
@@ -294,7 +315,7 @@ Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
                    "cannot be read (" + error.message() + ")", "Restore the folder"};
   std::vector<ParticipantRecord> records;
   for (const std::filesystem::path& file : files) {
-    Result<ParticipantRecord> record = readParticipant(study, file);
+    Result<ParticipantRecord> record = readParticipant(study, file.stem().string());
     if (!record) {
       ParticipantRecord damaged;
       damaged.participant = file.stem().string();
@@ -306,16 +327,17 @@ Result<std::vector<ParticipantRecord>> readParticipants(const Study& study) {
   return records;
 }
 
-std::string headerLine(const Study& study, const std::string& participant, std::size_t begunBefore,
-                       const StudyRoute& route, std::string& chain) {
+std::string headerLine(const Study& study, const ParticipantRecord& participant, const StudyRoute& route,
+                       std::string& chain) {
   Json buttons = Json::array();
   for (std::size_t i = 0; i < study.givenButtons(); ++i)
     buttons.push_back({{"label", study.buttons[i].label}, {"sha256", study.buttons[i].sha256}});
   return chained({{"format", "detent-study-journal"},
                   {"version", journalVersion},
-                  {"participant", participant},
+                  {"participant", participant.participant},
                   {"head", true},
-                  {"begun_before", begunBefore},
+                  {"begun_before", participant.begunBefore},
+                  {"place", participant.place},
                   {"route", jsonOf(route)},
                   {"study", study.name},
                   {"study_sha256", study.sha256},
@@ -323,6 +345,15 @@ std::string headerLine(const Study& study, const std::string& participant, std::
                   {"seed", study.design.seed},
                   {"profile_sha256", study.profileSha256},
                   {"buttons", buttons}},
+                 chain);
+}
+
+std::string consentLine(const ConsentDecision& d, std::string& chain) {
+  return chained({{"event", "consent"},
+                  {"decision", "agreed"},
+                  {"language", d.language},
+                  {"sha256", d.sha256},
+                  {"utc_s", d.utc_s}},
                  chain);
 }
 

@@ -47,6 +47,7 @@ struct SessionStart {
   double utc_s = 0;        ///< wall clock, since 1970
   double noiseLevel = 0;   ///< of the masking noise made here, rms share of full scale; 0: none was made
   StudyRoute route{};
+  std::optional<ConsentDecision> consent{};  ///< agreed just before; none: agreed before, or a simulation
 };
 
 /// What a participant did with one stimulus in one trial, as the sensor (or the key that presses) says.
@@ -85,8 +86,10 @@ struct RecordedAnswer {
 /// The state of a participant: the replay of the journal.
 struct ParticipantRecord {
   std::string participant;
-  std::string program;          ///< that began it
-  std::size_t begunBefore = 0;  ///< participants who began before: see planTrials
+  std::string program;                     ///< that began it
+  std::size_t begunBefore = 0;             ///< participants who began before
+  std::size_t place = 0;                   ///< see planTrials: as planned (study_plan.h), else begunBefore
+  std::optional<ConsentDecision> consent;  ///< what they agreed to last
   /// Why the journal cannot be used; then there is no plan and no answer.
   std::optional<Failure> damage;
   std::vector<Trial> plan;
@@ -97,7 +100,7 @@ struct ParticipantRecord {
   std::string endReason;
   std::vector<std::string> notes;  ///< what a reader must know: cut lines, clocks that disagree
 
-  bool complete() const { return !damage && answers.size() >= plan.size(); }
+  bool complete() const { return !damage && !plan.empty() && answers.size() >= plan.size(); }
   /// The trial that comes next; none when complete or ended early (until another session goes on).
   const Trial* next() const;
 };
@@ -107,6 +110,12 @@ struct ParticipantRecord {
 Result<ParticipantRecord> replayJournal(const Study& study, const std::string& participant,
                                         const std::vector<std::string>& lines, const std::string& unfinished,
                                         const std::string& file);
+
+/// The file of a participant's journal.
+std::filesystem::path journalOf(const Study& study, const std::string& participant);
+
+/// One participant; nothing planned or answered where there is no journal yet. Failure: as replayJournal and checkHead.
+Result<ParticipantRecord> readParticipant(const Study& study, const std::string& participant);
 
 /// All participants of a study by id; journals are read while they are written, too. One that cannot be used costs that person only:
 /// see ParticipantRecord::damage.
@@ -130,8 +139,9 @@ void placeNextLevel(const Study& study, ParticipantRecord& record);
 // ---- lines
 
 /// The one place that words journal lines. `chain` is the hash so far and is moved on.
-std::string headerLine(const Study& study, const std::string& participant, std::size_t begunBefore,
-                       const StudyRoute& route, std::string& chain);
+std::string headerLine(const Study& study, const ParticipantRecord& participant, const StudyRoute& route,
+                       std::string& chain);
+std::string consentLine(const ConsentDecision& decision, std::string& chain);
 std::string sessionLine(const SessionStart& session, std::size_t cutBytes, std::string& chain);
 std::string answerLine(const Study& study, const Trial& trial, const Answer& answer, std::string& chain);
 std::string interruptionLine(const Trial& trial, const std::string& reason, std::string& chain);

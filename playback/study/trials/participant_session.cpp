@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <cmath>
 
 #include "playback/study/statistics/quest_plus.h"
 #include "playback/study/statistics/shuffle.h"
+#include "playback/study/trials/planned_places.h"
 
 namespace detent::playback {
 
@@ -48,12 +50,22 @@ Result<std::size_t> othersIn(const Study& study, const std::string& participant)
 
 }  // namespace
 
+Result<ParticipantRecord> ParticipantSession::toOpen(const Study& study, const std::string& participant,
+                                                     const SessionStart& start) {
+  if (Result<Done> ok = checkParticipantId(participant); !ok) return ok.failure();
+  if (const Result<std::size_t> others = othersIn(study, participant); !others) return others.failure();
+  Result<ParticipantRecord> record = readParticipant(study, participant);
+  if (!record) return record;
+  if (Result<Done> ok = checkKind(*record, start); !ok) return ok.failure();
+  return record;
+}
+
 Result<ParticipantSession> ParticipantSession::open(const Study& study, const std::string& participant,
                                                     const SessionStart& start) {
   if (Result<Done> ok = checkParticipantId(participant); !ok) return ok.failure();
   const Result<std::size_t> others = othersIn(study, participant);
   if (!others) return others.failure();
-  const std::filesystem::path file = study.folder / "participants" / (participant + ".jsonl");
+  const std::filesystem::path file = journalOf(study, participant);
   Result<LineJournal> journal = LineJournal::open(file);
   if (!journal) return journal.failure();
   const JournalText text = journal->opened();
@@ -61,8 +73,11 @@ Result<ParticipantSession> ParticipantSession::open(const Study& study, const st
   Result<ParticipantRecord> record = replayJournal(study, participant, text.lines, {}, file.string());
   if (!record) return record.failure();
   if (text.lines.empty()) {
+    const Result<PlannedPlaces> places = placesOf(study.folder);
+    if (!places) return places.failure();
     record->begunBefore = *others;
-    record->plan = planTrials(study, participant, *others);
+    record->place = placeOf(*places, participant, *others);
+    record->plan = planTrials(study, participant, record->place);
     placeNextLevel(study, *record);
   }
   if (Result<Done> ok = checkKind(*record, start); !ok) return ok.failure();
@@ -74,10 +89,16 @@ Result<ParticipantSession> ParticipantSession::open(const Study& study, const st
     // Before the first line: one that says that a head lies beside it must be right after a crash, too.
     if (Result<Done> ok = writeHead(file, 0, {}); !ok) return ok.failure();
     std::string chain = session.chain_;
-    const std::string line = headerLine(study, participant, *others, start.route, chain);
+    const std::string line = headerLine(study, session.record_, start.route, chain);
     if (Result<Done> ok = session.append(line, chain); !ok) return ok.failure();
   }
   if (session.record_.complete()) return session;
+  if (start.consent) {
+    std::string agreed = session.chain_;
+    const std::string consent = consentLine(*start.consent, agreed);
+    if (Result<Done> ok = session.append(consent, agreed); !ok) return ok.failure();
+    session.record_.consent = start.consent;
+  }
   std::string chain = session.chain_;
   const std::string line = sessionLine(start, text.unfinished.size(), chain);
   if (Result<Done> ok = session.append(line, chain); !ok) return ok.failure();
@@ -137,6 +158,10 @@ Result<Done> ParticipantSession::end(const std::string& reason) {
   record_.endedEarly = !record_.complete();
   record_.endReason = reason;
   return Done{};
+}
+
+double wallClock_s() {
+  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
 Listening listeningOf(const Study& study, const std::string& participant,

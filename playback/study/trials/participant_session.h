@@ -16,6 +16,10 @@ class ParticipantSession {
   static Result<ParticipantSession> open(const Study& study, const std::string& participant,
                                          const SessionStart& start);
 
+  /// What open() would go on with, by the same checks; nothing is written. Without a plan where the participant has not begun.
+  static Result<ParticipantRecord> toOpen(const Study& study, const std::string& participant,
+                                          const SessionStart& start);
+
   const ParticipantRecord& record() const { return record_; }
   /// The trial to be shown; null when all are answered.
   const Trial* trial() const { return record_.next(); }
@@ -40,6 +44,9 @@ class ParticipantSession {
   std::size_t lines_ = 0;
   std::string chain_;
 };
+
+/// Now by the wall clock, seconds since 1970: for SessionStart and ConsentDecision.
+double wallClock_s();
 
 /// What a participant listens to: as asked, else as in their journal, else in quiet.
 Listening listeningOf(const Study& study, const std::string& participant,

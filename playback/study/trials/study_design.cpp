@@ -29,10 +29,6 @@ constexpr int studyVersion = 2;  // 1: see planTrials
 constexpr double stimulusRate_Hz = 48000;
 constexpr std::size_t mostTrials = 1000, mostPractice = 100, mostButtons = 64;
 constexpr const char* buttonEnding = ".button.json";
-constexpr const char* standardConsent =
-    "You will press virtual buttons and compare how they feel. It takes about half an hour; you may stop at "
-    "any\n"
-    "time without giving a reason. Only your answers, their times and an anonymous number are kept.\n";
 
 Failure wrong(const std::string& subject, const std::string& problem, const std::string& remedy) {
   return {FailureCode::wrongUsage, subject, "", problem, remedy};
@@ -278,8 +274,7 @@ Result<Done> writeParts(const fs::path& folder, const Study& study, const std::v
   if (error)
     return unreadable(folder, "cannot be made (" + error.message() + ")",
                       "Check the folder, its rights and the free space");
-  const std::string consent = study.design.consent.empty() ? standardConsent : study.design.consent;
-  if (Result<Done> ok = writeTextFileAtomically((folder / "consent.txt").string(), consent); !ok) return ok;
+  if (Result<Done> ok = writeConsents(folder, study.design.consents); !ok) return ok;
   return writeTextFileAtomically((folder / "study.json").string(), jsonText(jsonOf(study), 2) + "\n");
 }
 

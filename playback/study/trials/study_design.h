@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 // What a study with people is: which buttons, which task, how often. One study is one folder that can be
-// copied: study.json, buttons/, device.device (optional), consent.txt, participants/ID.jsonl.
+// copied: study.json, buttons/, device.device (optional), consent.txt and consent.LANGUAGE.txt (consent.h), participants/ID.jsonl.
 
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +15,7 @@
 #include "playback/prepare/device_profile.h"
 #include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
+#include "playback/study/trials/consent.h"
 
 namespace detent::playback {
 
@@ -74,7 +75,8 @@ struct StudyDesign {
   std::size_t practice = 0;   ///< trials before the first that counts; 0..100
   std::size_t pairsEach = 0;  ///< a random subset of so many pairs for each participant; 0: all
   std::uint64_t seed = 0;
-  std::string consent;  ///< shown before the first trial; empty: a short standard text
+  std::vector<ConsentText>
+      consents;  ///< one for each language; empty: a short standard text in English and in German
 };
 
 /// Trials a kind usually needs. Threshold: docs/studies.md has what they come to.

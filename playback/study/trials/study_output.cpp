@@ -292,12 +292,30 @@ std::string feltCsv(const StudyResults& results) {
   return text;
 }
 
+namespace {
+
+std::string bidsReadme(const StudyResults& results) {
+  std::string text = results.study + ": answers of people who felt virtual buttons (" + nameOf(results.kind) +
+                     "), written by Detent.\n\nButtons: ";
+  for (std::size_t i = 0; i < results.labels.size(); ++i) text += (i > 0 ? ", " : "") + results.labels[i];
+  text += ".\n";
+  if (results.anySimulated) text += "\nSIMULATED: the program answered in place of people.\n";
+  if (results.anyRehearsal) text += "\nREHEARSAL: there was no sound device; nothing was felt.\n";
+  for (const std::string& warning : results.warnings) text += "\n" + wrapped(warning, "- ");
+  return text +
+         "\nTo be added by those who publish it: authors (dataset_description.json), who took part, "
+         "ethics.\n";
+}
+
+}  // namespace
+
 Result<Done> writeBids(const StudyResults& results, const std::filesystem::path& folder) {
   if (Result<Done> ok = makeFolder(folder); !ok) return ok;
   const std::string task = taskName(results);
   const Json dataset{{"Name", results.study},
                      {"BIDSVersion", "1.8.0"},
                      {"DatasetType", "raw"},
+                     {"Authors", Json::array({"to be named by those who publish it"})},
                      {"GeneratedBy", Json::array({{{"Name", "Detent"}, {"Version", version()}}})}};
   Json columns{{"onset", {{"Description", "when the trial was shown"}, {"Units", "s"}}},
                {"duration", {{"Description", "from there to the answer"}, {"Units", "s"}}},
@@ -320,6 +338,8 @@ Result<Done> writeBids(const StudyResults& results, const std::filesystem::path&
   for (const KindColumn& column : kindColumns(results.kind))
     columns[column.name] = {{"Description", column.description}};
   const Json people{{"study_id", {{"Description", "the participant's id in the study"}}}};
+  if (Result<Done> ok = writeTextFileAtomically((folder / "README").string(), bidsReadme(results)); !ok)
+    return ok;
   if (Result<Done> ok =
           writeTextFileAtomically((folder / "participants.json").string(), jsonText(people, 2) + "\n");
       !ok)

@@ -26,7 +26,7 @@ caption { caption-side: bottom; text-align: left; color: #56606e; font-size: .85
 .banded { padding-top: 2.2rem; } .sheet, .sheet > * > tr > td { display: block; border: 0; padding: 0; margin: 0; text-align: left; }
 .notes { border-left: 4px solid #c77700; padding: .2rem 1rem; background: #fff7ea; }
 .small { color: #56606e; font-size: .85rem; } svg text { font: 12px system-ui, "DejaVu Sans", sans-serif; fill: #1c2430; }
-section { break-inside: avoid; } @media print { body { margin: 0; max-width: none; } .banded { padding-top: 0; }
+.blank { color: #56606e; overflow: hidden; } section { break-inside: avoid; } @media print { body { margin: 0; max-width: none; } .banded { padding-top: 0; }
   .sheet { display: table; width: 100%; } .sheet > thead { display: table-header-group; } .sheet > thead > tr > td { height: 2.6rem; } }
 )";
 
@@ -298,13 +298,16 @@ std::string notes(const StudyResults& results) {
 
 }  // namespace
 
+std::string pageBeginning(const std::string& title, const std::string& bodyClass) {
+  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
+         escapedForMarkup(title) + "</title><style>" + style + "</style></head>\n<body" +
+         (bodyClass.empty() ? "" : " class=\"" + bodyClass + "\"") + ">\n";
+}
+
 std::string resultsPage(const StudyResults& results, const std::vector<ForetoldPair>& foretold) {
   const std::string warning = band(results);
-  std::string text =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"><title>" +
-      escapedForMarkup(results.study) + "</title><style>" + style + "</style></head>\n<body" +
-      (warning.empty() ? "" : " class=\"banded\"") + ">\n";
+  std::string text = pageBeginning(results.study, warning.empty() ? "" : "banded");
   // The head of a table is printed on every page and keeps the band's place free.
   if (!warning.empty())
     text += "<div class=\"band\">" + warning +

@@ -58,7 +58,7 @@ std::vector<Cell> balancedSides(std::size_t count, StudyRandom& random) {
 }
 
 /// Which pairs this participant gets: the next ones of a list that all participants go through in turn.
-std::vector<Pair> pairsFor(const Study& study, std::size_t begunBefore, StudyRandom& random) {
+std::vector<Pair> pairsFor(const Study& study, std::size_t place, StudyRandom& random) {
   std::vector<Pair> pairs = pairsOf(study.buttons.size());
   const std::size_t each = study.design.pairsEach;
   if (each == 0) return pairs;
@@ -69,7 +69,7 @@ std::vector<Pair> pairsFor(const Study& study, std::size_t begunBefore, StudyRan
   }
   StudyRandom everyones = randomSeededBy(std::to_string(study.design.seed) + ":pairs");
   shuffle(pairs, everyones);
-  std::rotate(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(begunBefore * each % pairs.size()),
+  std::rotate(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(place * each % pairs.size()),
               pairs.end());
   pairs.resize(each);
   return pairs;
@@ -173,12 +173,11 @@ std::vector<Trial> trialsOf(const Study& study, const std::vector<Pair>& pairs, 
 }
 
 /// Each mode as often first, second and last as the number of people allows: rotated from one to the next, then the same backwards.
-std::vector<FeedbackMode> modesInTurn(const Study& study, std::size_t begunBefore) {
+std::vector<FeedbackMode> modesInTurn(const Study& study, std::size_t place) {
   std::vector<FeedbackMode> modes = study.design.modes;
   if (study.version == 1) return modes;
-  std::rotate(modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(begunBefore % modes.size()),
-              modes.end());
-  if (begunBefore / modes.size() % 2 == 1) std::reverse(modes.begin(), modes.end());
+  std::rotate(modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(place % modes.size()), modes.end());
+  if (place / modes.size() % 2 == 1) std::reverse(modes.begin(), modes.end());
   return modes;
 }
 
@@ -201,12 +200,12 @@ std::size_t countedTrials(const Study& study) {
   return cells * d.trials * d.modes.size();
 }
 
-std::vector<Trial> planTrials(const Study& study, const std::string& participant, std::size_t begunBefore) {
+std::vector<Trial> planTrials(const Study& study, const std::string& participant, std::size_t place) {
   StudyRandom random = randomSeededBy(std::to_string(study.design.seed) + ":" + participant);
   std::vector<Pair> pairs;
-  if (asksForPairs(study.design)) pairs = pairsFor(study, begunBefore, random);
+  if (asksForPairs(study.design)) pairs = pairsFor(study, place, random);
   std::vector<Trial> counted;
-  for (const FeedbackMode mode : modesInTurn(study, begunBefore))
+  for (const FeedbackMode mode : modesInTurn(study, place))
     addBlock(study, trialsOf(study, pairs, mode, random), random, counted);
   if (study.version == 1) shuffle(counted, random);
   std::vector<Trial> plan;

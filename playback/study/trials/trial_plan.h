@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// The list of trials of one participant: a function of the study's seed, the participant's id and how many began before, so
+// The list of trials of one participant: a function of the study's seed, the participant's id and place, so
 // that it can be made again after a crash and by anyone who doubts it.
 
 #include <cstddef>
@@ -28,10 +28,9 @@ struct Trial {
 /// the answers (next_level.cpp): until then its place holds the button itself.
 /// rating: every button, or pair, `trials` times in every mode; of a pair each is first as often as second.
 /// Trials are shuffled within a mode; of rating, each button or pair once before any comes again. Modes are blocks with a break between; over participants their order is counterbalanced by
-/// `begunBefore`, the number of those who began before. So are the pairs where each gets some: they differ by at most one.
+/// `place`, which is planned (planned_places.h) or the number of those who began before. So are the pairs where each gets some: they differ by at most one.
 /// Studies of version 1 were shuffled as one list, and X was balanced by sides alone.
-std::vector<Trial> planTrials(const Study& study, const std::string& participant,
-                              std::size_t begunBefore = 0);
+std::vector<Trial> planTrials(const Study& study, const std::string& participant, std::size_t place = 0);
 
 /// How many of them count.
 std::size_t countedTrials(const Study& study);

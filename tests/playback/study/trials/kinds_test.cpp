@@ -238,7 +238,7 @@ TEST_CASE("answers off their list or scale are refused when a journal is read") 
   const StudyFolder folder(ratings(RatingScale::preference), {"A"});
   const Study& study = *folder.study;
   std::string chain;
-  std::vector<std::string> lines{headerLine(study, "P01", 0, {}, chain)};
+  std::vector<std::string> lines{headerLine(study, detent::test::beginner("P01"), {}, chain)};
   lines.push_back(sessionLine(simulatedStart, 0, chain));
   const Trial trial = planTrials(study, "P01").front();
   Answer given = simulatedAnswer(study, "P01", trial, {});

@@ -44,6 +44,13 @@ class StudyFolder {
 inline const playback::SessionStart simulatedStart{SessionKind::simulated, Listening::quiet, "", "perfect",
                                                    1000};
 
+/// Somebody who begins, first of all.
+inline ParticipantRecord beginner(const std::string& id) {
+  ParticipantRecord record;
+  record.participant = id;
+  return record;
+}
+
 /// Answers up to `count` trials in the person's or program's place.
 inline void answer(const Study& study, const std::string& id, const std::string& how, std::size_t count,
                    const SessionStart& start = simulatedStart) {

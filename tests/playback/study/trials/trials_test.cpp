@@ -433,12 +433,13 @@ TEST_CASE("study: without stimuli, or with a session of a kind nobody knows, it 
   std::string chain;
   REQUIRE(writeHead(other.folder() / "participants" / "P01.jsonl", 0, {}));
   std::ofstream journal(other.folder() / "participants" / "P01.jsonl");
-  journal << headerLine(*other.study, "P01", 0, {}, chain) << "\n";
+  journal << headerLine(*other.study, detent::test::beginner("P01"), {}, chain) << "\n";
   std::string line = sessionLine(simulatedStart, 0, chain);
   const std::string body = line.substr(0, line.rfind(",\"chain\"")) + "}";
   const std::string strange =
       body.substr(0, body.find("simulated")) + "telepathy" + body.substr(body.find("simulated") + 9);
-  chain = chainAfter({headerLine(*other.study, "P01", 0, {}, *std::make_unique<std::string>())});
+  chain = chainAfter(
+      {headerLine(*other.study, detent::test::beginner("P01"), {}, *std::make_unique<std::string>())});
   journal << strange.substr(0, strange.size() - 1) << ",\"chain\":\""
           << sha256Hex(chain + strange).substr(0, 16) << "\"}\n";
   journal.close();

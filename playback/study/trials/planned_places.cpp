@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "playback/study/trials/planned_places.h"
+
+#include <algorithm>
+
+#include <nlohmann/json.hpp>
+
+#include "model/file/json_text.h"
+#include "model/file/text_file.h"
+
+namespace detent::playback {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr const char* planFile = "plan.json";
+constexpr int planVersion = 1;
+
+Failure brokenPlan(const fs::path& file, const std::string& problem) {
+  return {FailureCode::unreadableInput, file.string(), "", problem,
+          "Restore it from a copy, or plan anew before the first person comes"};
+}
+
+}  // namespace
+
+PlannedPlaces usualPlaces(std::size_t people) {
+  PlannedPlaces places;
+  for (std::size_t i = 1; i <= people; ++i)
+    places.participants.push_back((i < 10 ? "P0" : "P") + std::to_string(i));
+  return places;
+}
+
+Result<PlannedPlaces> placesOf(const fs::path& folder) {
+  const fs::path file = folder / planFile;
+  std::error_code error;
+  if (!fs::exists(file, error)) return PlannedPlaces{};
+  const Result<std::string> text = readTextFile(file.string());
+  if (!text) return text.failure();
+  try {
+    const Json json = Json::parse(*text);
+    if (json.at("format") != "detent-study-plan" || json.at("version") != planVersion)
+      return brokenPlan(file, "is not a plan this program knows");
+    PlannedPlaces places;
+    for (const Json& id : json.at("participants")) places.participants.push_back(id.get<std::string>());
+    return places;
+  } catch (const Json::exception& fault) {
+    return brokenPlan(file, std::string("is broken (") + fault.what() + ")");
+  }
+}
+
+std::size_t placeOf(const PlannedPlaces& places, const std::string& participant, std::size_t begunBefore) {
+  const auto at = std::find(places.participants.begin(), places.participants.end(), participant);
+  if (at == places.participants.end()) return places.participants.size() + begunBefore;
+  return static_cast<std::size_t>(at - places.participants.begin());
+}
+
+Result<Done> writePlaces(const fs::path& folder, const PlannedPlaces& places, const std::string& studySha256,
+                         const std::string& listsSha256) {
+  const Json plan{{"format", "detent-study-plan"},
+                  {"version", planVersion},
+                  {"study_sha256", studySha256},
+                  {"lists_sha256", listsSha256},
+                  {"participants", places.participants}};
+  return writeTextFileAtomically((folder / planFile).string(), jsonText(plan, 2) + "\n");
+}
+
+}  // namespace detent::playback
