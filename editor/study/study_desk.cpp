@@ -2,13 +2,15 @@
 #include "editor/study/study_desk.h"
 
 #include <algorithm>
-#include <chrono>
+#include <QApplication>
 #include <QCoreApplication>
 #include <QFileDialog>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLocale>
 #include <QProgressDialog>
+#include <QScreen>
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
@@ -25,10 +27,6 @@ namespace {
 constexpr double usualNoiseLevel = 0.1;  // rms, share of full scale; as `detent-play study run`
 
 enum Column { idColumn, answeredColumn, kindColumn, notesColumn, columnCount };
-
-double wallClock_s() {
-  return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
 
 QString progressWords(const playback::ParticipantRecord& record) {
   const QString answered =
@@ -63,12 +61,28 @@ QString freeId(const std::vector<playback::ParticipantRecord>& records) {
 
 }  // namespace
 
+void HiddenWindows::hideAllBut(const QWidget* shown, const QWidget* alsoShown) {
+  for (QWidget* window : QApplication::topLevelWidgets()) {
+    if (window == shown || window == alsoShown || !window->isVisible()) continue;
+    hidden_.emplace_back(window);
+    window->hide();
+  }
+}
+
+void HiddenWindows::bringBack() {
+  for (const QPointer<QWidget>& window : hidden_)
+    if (window) window->show();
+  hidden_.clear();
+}
+
 StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), places_(std::move(places)) {
   setObjectName("studyDesk");
   setWindowTitle(tr("Study: experimenter"));
   resize(onScreen(*this, {760, 560}));
   title_ = described(new QLabel, "studyTitle");
   title_->setWordWrap(true);
+  progress_ = described(new QLabel, "studyProgress");
+  progress_->setWordWrap(true);
   trouble_ = described(new QLabel, "studyTrouble");
   trouble_->setWordWrap(true);
   trouble_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -77,6 +91,7 @@ StudyDesk::StudyDesk(StudyPlaces places, QWidget* parent) : QDialog(parent), pla
   layout->addWidget(title_);
   layout->addWidget(peopleTable(), 1);
   layout->addLayout(nextForm());
+  layout->addWidget(progress_);
   layout->addWidget(trouble_);
   layout->addLayout(actionRow());
   refresh();
@@ -140,9 +155,21 @@ QLayout* StudyDesk::nextForm() {
   sensor_->setEditable(true);
   sensor_->addItem(QString());
   sensor_->addItems(serialPorts());
+  language_ = comboBox("studyLanguage", tr("Of everything the participant reads"));
+  for (const QString& code : ParticipantLanguage::carried())
+    addChoice(language_, QLocale(code).nativeLanguageName(), code);
+  select(language_, QLocale().name().section('_', 0, 0));
+  screen_ = comboBoxOfNames("studyScreen", tr("It is covered wholly; on another one this window stays"));
+  const QList<QScreen*> screens = QGuiApplication::screens();
+  for (int i = 0; i < screens.size(); ++i)
+    addChoice(screen_, QStringLiteral("%1: %2").arg(i + 1).arg(screens[i]->name()), i);
+  screen_->setCurrentIndex(screen_->count() - 1);
   auto* form = new QFormLayout;
   form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
   form->addRow(tr("Next &participant:"), participant_);
+  form->addRow(tr("Their lan&guage:"), language_);
+  form->addRow(tr("Their s&creen:"), screen_);
+  form->setRowVisible(screen_, screens.size() > 1);
   form->addRow(tr("&Answers by:"), answers_);
   form->addRow(tr("&Listening:"), listening_);
   form->addRow(tr("&Headphones:"), headphones_);
@@ -231,7 +258,6 @@ void StudyDesk::listPeople(const std::vector<playback::ParticipantRecord>& recor
 void StudyDesk::start() {
   tell({});
   if (window_) {
-    window_->raise();
     return tell(tr("A participant is at work: finish or pause there first."));
   }
   Result<playback::Study> study = playback::openStudy(folder_.toStdString());
@@ -245,14 +271,11 @@ void StudyDesk::start() {
 }
 
 Result<Done> StudyDesk::startPerson(playback::Study opened) {
-  if (!playback::asksForX(opened.design.kind))
-    return Failure{FailureCode::wrongUsage, opened.name, "",
-                   "asks for thresholds or ratings, which this window does not",
-                   "Run it in a terminal with detent-play study run"};
   StudyWork work;
   work.study = std::make_unique<playback::Study>(std::move(opened));
-  const std::string id = participant_->text().trimmed().toStdString();
-  if (Result<Done> ok = playback::checkParticipantId(id); !ok) return ok;
+  work.participant = participant_->text().trimmed().toStdString();
+  work.language = language_->currentData().toString();
+  if (Result<Done> ok = playback::checkParticipantId(work.participant); !ok) return ok;
   playback::StudyPlayerSettings settings;
   settings.player = places_.sound();
   if (masked()) settings.player.masking = {usualNoiseLevel, headphones_->text().trimmed().toStdString()};
@@ -266,26 +289,90 @@ Result<Done> StudyDesk::startPerson(playback::Study opened) {
     return Done{};
   }
   work.player = *std::move(player);
-  playback::SessionStart begin;
-  begin.kind = work.player->sounding() ? playback::SessionKind::real : playback::SessionKind::rehearsal;
-  begin.listening = listening();
-  begin.noiseLevel = work.player->sounding() ? settings.player.masking.level : 0;
-  begin.device = work.player->device();
-  begin.utc_s = wallClock_s();
-  begin.route = work.player->route();
-  Result<playback::ParticipantSession> session = playback::ParticipantSession::open(*work.study, id, begin);
+  work.start.kind = work.player->sounding() ? playback::SessionKind::real : playback::SessionKind::rehearsal;
+  work.start.listening = listening();
+  work.start.noiseLevel = work.player->sounding() ? settings.player.masking.level : 0;
+  work.start.device = work.player->device();
+  work.start.utc_s = playback::wallClock_s();
+  work.start.route = work.player->route();
+  const Result<playback::ParticipantRecord> record =
+      playback::ParticipantSession::toOpen(*work.study, work.participant, work.start);
+  if (!record) return record.failure();
+  if (record->complete()) return tellDone(work.participant);
+  if (Result<Done> ok = askOrOpen(*record, work); !ok) return ok;
+  showStation(std::move(work));
+  return Done{};
+}
+
+/// Who has agreed goes on at once; who has not is asked first, and is in no journal until then.
+Result<Done> StudyDesk::askOrOpen(const playback::ParticipantRecord& record, StudyWork& work) {
+  if (!record.consent) {
+    Result<playback::ConsentText> consent =
+        playback::consentIn(work.study->folder, work.language.toStdString());
+    if (!consent) return consent.failure();
+    work.consent = *std::move(consent);
+    return Done{};
+  }
+  Result<playback::ParticipantSession> session =
+      playback::ParticipantSession::open(*work.study, work.participant, work.start);
   if (!session) return session.failure();
-  if (session->trial() == nullptr) return tellDone(id);
   work.session = std::make_unique<playback::ParticipantSession>(*std::move(session));
-  if (const Result<std::string> consent = readTextFile((work.study->folder / "consent.txt").string());
-      consent)
-    work.consent = QString::fromStdString(*consent);
+  return Done{};
+}
+
+QScreen* StudyDesk::participantScreen() const {
+  const QList<QScreen*> screens = QGuiApplication::screens();
+  const int chosen = screen_->currentData().toInt();
+  return chosen < screens.size() ? screens[chosen] : QGuiApplication::primaryScreen();
+}
+
+/// Over the whole of the participant's screen, with nothing of the program behind it. On a screen of its own the desk stays.
+void StudyDesk::showStation(StudyWork work) {
+  atWork_ = QString::fromStdString(work.participant);
   window_ = new StudyWindow(std::move(work));
+  QScreen* const theirs = participantScreen();
+  connect(window_, &StudyWindow::progressed, this, &StudyDesk::showProgress);
+  connect(window_, &StudyWindow::finished, this, [this] {
+    hidden_.bringBack();
+    progress_->clear();
+    raise();
+    activateWindow();
+  });
   connect(window_, &QObject::destroyed, this, &StudyDesk::refresh, Qt::QueuedConnection);
-  window_->show();
+  window_->setGeometry(theirs->geometry());
+  window_->showFullScreen();
+  hidden_.hideAllBut(window_, theirs == screen() ? nullptr : this);
   window_->raise();
   window_->activateWindow();  // the keys are the participant's at once
-  return Done{};
+  window_->setFocus();
+  progress_->setText(tr("%1 is at work.").arg(atWork_));
+}
+
+void StudyDesk::showProgress(const StudyProgress& progress) {
+  const auto words = [&] {
+    switch (progress.at) {
+      case StudyProgress::At::consent:
+        return tr("reads the consent text");
+      case StudyProgress::At::words:
+        return tr("reads what comes");
+      case StudyProgress::At::question:
+        return tr("is at a question");
+      case StudyProgress::At::rest:
+        return tr("rests");
+      case StudyProgress::At::pause:
+        return tr("pauses");
+      case StudyProgress::At::trouble:
+        return tr("waits for you: a device went away");
+      case StudyProgress::At::end:
+        break;
+    }
+    return tr("is done and waits for you");
+  };
+  progress_->setText(tr("%1: %2 of %3 answered; %4")
+                         .arg(atWork_)
+                         .arg(progress.answered)
+                         .arg(progress.questions)
+                         .arg(words()));
 }
 
 Result<Done> StudyDesk::tellDone(const std::string& participant) {
@@ -299,7 +386,8 @@ Result<Done> StudyDesk::simulate(const playback::Study& study) {
   if (!simulation) return simulation.failure();
   const std::string id = participant_->text().trimmed().toStdString();
   Result<playback::ParticipantSession> session = playback::ParticipantSession::open(
-      study, id, {playback::SessionKind::simulated, listening(), "", simulation->name, wallClock_s()});
+      study, id,
+      {playback::SessionKind::simulated, listening(), "", simulation->name, playback::wallClock_s()});
   if (!session) return session.failure();
   if (session->trial() == nullptr) return tellDone(id);
   QProgressDialog progress(tr("The program answers…"), tr("Stop"), 0,

@@ -4,6 +4,7 @@
 // study_window.h.
 
 #include <functional>
+#include <memory>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -32,6 +33,17 @@ struct StudyPlaces {
       open = playback::StudyPlayer::start;
 };
 
+/// The windows of the program that a participant must not see. GUI thread.
+class HiddenWindows {
+ public:
+  /// Hides all that are open but these.
+  void hideAllBut(const QWidget* shown, const QWidget* alsoShown);
+  void bringBack();
+
+ private:
+  std::vector<QPointer<QWidget>> hidden_;
+};
+
 /// Not modal. GUI thread.
 class StudyDesk : public QDialog {
   Q_OBJECT
@@ -55,6 +67,10 @@ class StudyDesk : public QDialog {
   void listPeople(const std::vector<playback::ParticipantRecord>& records);
   void start();
   Result<Done> startPerson(playback::Study study);
+  static Result<Done> askOrOpen(const playback::ParticipantRecord& record, StudyWork& work);
+  void showStation(StudyWork work);
+  void showProgress(const StudyProgress& progress);
+  QScreen* participantScreen() const;
   Result<Done> tellDone(const std::string& participant);
   Result<Done> simulate(const playback::Study& study);
   void writeReport();
@@ -72,7 +88,11 @@ class StudyDesk : public QDialog {
   QLabel *title_ = nullptr, *trouble_ = nullptr;
   QTableWidget* people_ = nullptr;
   QLineEdit *participant_ = nullptr, *headphones_ = nullptr;
-  QComboBox *answers_ = nullptr, *listening_ = nullptr, *sensor_ = nullptr;
+  QComboBox *answers_ = nullptr, *listening_ = nullptr, *sensor_ = nullptr, *language_ = nullptr,
+            *screen_ = nullptr;
+  QLabel* progress_ = nullptr;
+  QString atWork_;  ///< id of the participant in window_
+  HiddenWindows hidden_;
   QPushButton *start_ = nullptr, *report_ = nullptr;
 };
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <QDir>
 #include <QFileDialog>
-#include <QFormLayout>
 #include <QHBoxLayout>
 #include <QRandomGenerator>
 #include <QSet>
@@ -55,7 +54,7 @@ StudyMaker::StudyMaker(const std::vector<ButtonDocument*>& documents, const QStr
     : QDialog(parent), profileFile_(profileFile) {
   setObjectName("studyMaker");
   setWindowTitle(tr("New study"));
-  resize(onScreen(*this, {520, 560}));
+  resize(onScreen(*this, {560, 640}));
   list_ = described(new QListWidget, "makerButtons", {}, tr("Buttons of the study"));
   QSet<QString> taken;
   for (const ButtonDocument* document : documents) {
@@ -85,29 +84,75 @@ QLayout* StudyMaker::designForm() {
   kind_ = comboBox("makerKind", tr("What a participant is asked"));
   addChoice(kind_, tr("Which of two is X?"), static_cast<int>(playback::StudyKind::abx));
   addChoice(kind_, tr("Which of all is X?"), static_cast<int>(playback::StudyKind::matching));
+  addChoice(kind_, tr("Which of two has more? A threshold"),
+            static_cast<int>(playback::StudyKind::threshold));
+  addChoice(kind_, tr("How is it? A rating"), static_cast<int>(playback::StudyKind::rating));
+  quantity_ = comboBox("makerQuantity", tr("What there is more of; how much more follows from the answers"));
+  for (const auto& [text, quantity] :
+       {std::pair{tr("force"), playback::LevelQuantity::peakForce},
+        std::pair{tr("strength of the click"), playback::LevelQuantity::eventSize},
+        std::pair{tr("travel"), playback::LevelQuantity::travel},
+        std::pair{tr("snap"), playback::LevelQuantity::snap},
+        std::pair{tr("roughness on the way"), playback::LevelQuantity::grainStrength}})
+    addChoice(quantity_, text, static_cast<int>(quantity));
+  scale_ = comboBox("makerScale", tr("How it is rated"));
+  addChoice(scale_, tr("how much one likes it, 1 to 7"), static_cast<int>(playback::RatingScale::preference));
+  addChoice(scale_, tr("how strong it is, any number"), static_cast<int>(playback::RatingScale::magnitude));
+  addChoice(scale_, tr("which of two is better"), static_cast<int>(playback::RatingScale::pairwise));
   trials_ = countField("makerTrials", 1, mostTrials, usualTrials,
-                       tr("Questions for each pair (of two) or button (of all), and kind of feedback"));
+                       tr("Questions for each pair or button, and kind of feedback"));
   practice_ = countField("makerPractice", 0, mostPractice, usualPractice,
                          tr("Questions before the first that counts"));
   full_ = modeBox("makerFull", tr("everything"), true);
   clicks_ = modeBox("makerClicks", tr("clicks only"), false);
   slopes_ = modeBox("makerSlopes", tr("slopes only"), false);
-  connect(kind_, &QComboBox::currentIndexChanged, this, &StudyMaker::showLength);
+  connect(kind_, &QComboBox::currentIndexChanged, this, &StudyMaker::kindChosen);
+  connect(scale_, &QComboBox::currentIndexChanged, this, &StudyMaker::showLength);
   for (QuantityField* field : {trials_, practice_}) {
     connect(field, &QuantityField::valueChanged, this, &StudyMaker::showLength);
     connect(field, &QuantityField::refusalChanged, this, &StudyMaker::showLength);
   }
   for (QCheckBox* box : {full_, clicks_, slopes_})
     connect(box, &QCheckBox::toggled, this, &StudyMaker::showLength);
-  auto* form = new QFormLayout;
+  form_ = new QFormLayout;
+  QFormLayout* const form = form_;
   form->addRow(tr("&Task:"), kind_);
+  form->addRow(tr("Mo&re of:"), quantity_);
+  form->addRow(tr("&Scale:"), scale_);
   form->addRow(tr("&Questions each:"), trials_);
   form->addRow(tr("&Practice:"), practice_);
   form->addRow(tr("Feedback:"), rowOf({full_, clicks_, slopes_}));
   form->addRow(tr("Device profile:"),
                new QLabel(profileFile_.isEmpty() ? tr("none (chosen under Setup of Feel it)")
                                                  : QFileInfo(profileFile_).fileName()));
+  form->addRow(tr("C&onsent texts:"), consentRow());
+  form->setRowVisible(quantity_, false);
+  form->setRowVisible(scale_, false);
   return form;
+}
+
+QWidget* StudyMaker::consentRow() {
+  consent_ = described(
+      new QLineEdit, "makerConsent",
+      tr("Text files that participants read first, one for each language: NAME.en.txt, NAME.de.txt; "
+         "several parted by semicolons"));
+  consent_->setPlaceholderText(tr("a short text in English and German"));
+  auto* browse = described(new QPushButton(tr("C&hoose…")), "makerConsentBrowse", tr("Choose consent texts"));
+  browse->setAutoDefault(false);
+  connect(browse, &QPushButton::clicked, this, [this] {
+    const QStringList files =
+        QFileDialog::getOpenFileNames(this, tr("Consent texts"), QDir::homePath(), tr("Texts (*.txt)"));
+    if (!files.isEmpty()) consent_->setText(files.join("; "));
+  });
+  return rowOf({consent_, browse});
+}
+
+/// What a kind usually takes stands there first.
+void StudyMaker::kindChosen() {
+  form_->setRowVisible(quantity_, kind() == playback::StudyKind::threshold);
+  form_->setRowVisible(scale_, kind() == playback::StudyKind::rating);
+  trials_->setValue(static_cast<double>(playback::usualTrials(kind())));
+  showLength();
 }
 
 QLayout* StudyMaker::folderRow() {
@@ -144,7 +189,9 @@ QLayout* StudyMaker::actionRow() {
 
 playback::StudyDesign StudyMaker::design() const {
   playback::StudyDesign design;
-  design.kind = static_cast<playback::StudyKind>(kind_->currentData().toInt());
+  design.kind = kind();
+  design.quantity = static_cast<playback::LevelQuantity>(quantity_->currentData().toInt());
+  design.scale = static_cast<playback::RatingScale>(scale_->currentData().toInt());
   design.trials = static_cast<std::size_t>(trials_->value());
   design.practice = static_cast<std::size_t>(practice_->value());
   design.modes.clear();
@@ -170,12 +217,22 @@ void StudyMaker::showLength() {
   const bool readable = trials_->acceptable() && practice_->acceptable();
   make_->setEnabled(possible.ok() && readable && !folder_->text().trimmed().isEmpty());
   if (!possible) return length_->setText(sentenceOf(possible.failure()));
-  const std::size_t cells =
-      asked.kind == playback::StudyKind::abx ? playback::pairsOf(buttons).size() : buttons;
+  const std::size_t cells = playback::asksForPairs(asked) ? playback::pairsOf(buttons).size() : buttons;
   const std::size_t questions = cells * asked.trials * asked.modes.size() + asked.practice;
   length_->setText(tr("Questions for each participant: %1, about %2 minutes.")
                        .arg(questions)
                        .arg(std::ceil(static_cast<double>(questions) * question_s / 60)));
+}
+
+Result<std::vector<playback::ConsentText>> StudyMaker::consents() const {
+  std::vector<playback::ConsentText> texts;
+  for (const QString& file : consent_->text().split(';', Qt::SkipEmptyParts)) {
+    if (file.trimmed().isEmpty()) continue;
+    Result<playback::ConsentText> text = playback::readConsent(file.trimmed().toStdString());
+    if (!text) return text.failure();
+    texts.push_back(*std::move(text));
+  }
+  return texts;
 }
 
 Result<playback::Study> StudyMaker::makeFrom(const QString& filesFolder) const {
@@ -186,8 +243,12 @@ Result<playback::Study> StudyMaker::makeFrom(const QString& filesFolder) const {
     if (Result<Done> written = writeButtonFile(files.back(), buttons_[row]); !written)
       return written.failure();
   }
+  playback::StudyDesign asked = design();
+  Result<std::vector<playback::ConsentText>> texts = consents();
+  if (!texts) return texts.failure();
+  asked.consents = *std::move(texts);
   return playback::createStudy(QDir::cleanPath(folder_->text().trimmed()).toStdString(), files,
-                               profileFile_.toStdString(), design());
+                               profileFile_.toStdString(), asked);
 }
 
 void StudyMaker::make() {

@@ -5,6 +5,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -34,8 +35,12 @@ class StudyMaker : public QDialog {
  private:
   QLayout* designForm();
   QLayout* folderRow();
+  QWidget* consentRow();
   QLayout* actionRow();
+  void kindChosen();
+  playback::StudyKind kind() const { return static_cast<playback::StudyKind>(kind_->currentData().toInt()); }
   playback::StudyDesign design() const;
+  Result<std::vector<playback::ConsentText>> consents() const;
   std::vector<std::size_t> chosen() const;
   void showLength();
   void make();
@@ -45,7 +50,9 @@ class StudyMaker : public QDialog {
   std::vector<Button> buttons_;
   QString profileFile_;
   QListWidget* list_ = nullptr;
-  QComboBox* kind_ = nullptr;
+  QFormLayout* form_ = nullptr;
+  QComboBox *kind_ = nullptr, *quantity_ = nullptr, *scale_ = nullptr;
+  QLineEdit* consent_ = nullptr;
   QuantityField *trials_ = nullptr, *practice_ = nullptr;
   QCheckBox *full_ = nullptr, *clicks_ = nullptr, *slopes_ = nullptr;
   QLineEdit* folder_ = nullptr;

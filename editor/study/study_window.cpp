@@ -2,355 +2,388 @@
 #include "editor/study/study_window.h"
 
 #include <QCloseEvent>
-#include <QGridLayout>
 #include <QKeyEvent>
 #include <QVBoxLayout>
 
 #include "editor/document/message_words.h"
-#include "editor/feel/setup_widgets.h"
 
 namespace detent::editor {
 
 namespace {
 
 constexpr int watch_ms = 30;
-constexpr int largeText_pt = 22, plainText_pt = 15;
-constexpr int pressHeight_px = 110, answerHeight_px = 70, smallHeight_px = 40;
-constexpr int mostColumns = 5;
-constexpr std::size_t mostListedKeys = 4;
-constexpr int margin_px = 36, spacing_px = 18, mostWidth_px = 1100;
-
-template <class Widget>
-Widget* large(Widget* widget, int points) {
-  QFont font = widget->font();
-  font.setPointSize(points);
-  widget->setFont(font);
-  return widget;
-}
-
-QPushButton* largeButton(const QString& text, const QString& name, int points, int height_px) {
-  auto* button = large(new QPushButton(text), points);
-  button->setObjectName(name);
-  button->setMinimumSize(button->sizeHint().width() + spacing_px, height_px);
-  button->setFocusPolicy(Qt::NoFocus);  // the keys belong to the question
-  return button;
-}
-
-QLabel* plainLabel(const QString& name, int points, Qt::Alignment alignment = Qt::AlignCenter) {
-  auto* label = large(new QLabel, points);
-  label->setObjectName(name);
-  label->setWordWrap(true);
-  label->setAlignment(alignment);
-  return label;
-}
-
-QLabel* banner(const QString& text) {
-  QLabel* label = plainLabel("studyBanner", plainText_pt);
-  label->setText(text);
-  label->setStyleSheet("background: #b3261e; color: white; padding: 6px; font-weight: bold;");
-  return label;
-}
-
-/// A large button that stays down while it is under the finger; it acts when it goes down, not when it comes up.
-QPushButton* feelButton(const QString& text, const QString& name) {
-  QPushButton* button = largeButton(text, name, largeText_pt, pressHeight_px);
-  button->setCheckable(true);
-  button->setStyleSheet(
-      "QPushButton:checked { border: 5px solid palette(highlight); border-radius: 4px; background: "
-      "palette(button); }");
-  QObject::connect(button, &QPushButton::clicked, button, [button] { button->setChecked(true); });
-  return button;
-}
-
-/// "1, 2, 3", or "1 to 9" where they are many.
-QString keysFrom(char first, std::size_t count) {
-  QStringList keys;
-  for (std::size_t i = 0; i < count; ++i) keys << QString(QChar(first + static_cast<char>(i)));
-  return count <= mostListedKeys ? keys.join(", ")
-                                 : StudyWindow::tr("%1 to %2").arg(keys.front(), keys.back());
-}
+constexpr int consentText_pt = 18;
 
 /// The text of a file: its lines are broken anew, empty lines part paragraphs.
-QString flowing(const QString& text) {
-  QStringList paragraphs = text.trimmed().split("\n\n");
+QString flowing(const std::string& text) {
+  QStringList paragraphs = QString::fromStdString(text).trimmed().split("\n\n");
   for (QString& paragraph : paragraphs) paragraph = paragraph.simplified();
   return paragraphs.join("\n\n");
-}
-
-/// Its content in the middle, however wide the screen is.
-QVBoxLayout* columnOf(QWidget* page) {
-  auto* inner = new QWidget;
-  inner->setMaximumWidth(mostWidth_px);
-  auto* outer = new QHBoxLayout(page);
-  outer->setContentsMargins(margin_px, margin_px, margin_px, margin_px);
-  outer->addWidget(inner);
-  auto* column = new QVBoxLayout(inner);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(spacing_px);
-  return column;
 }
 
 }  // namespace
 
 StudyWindow::StudyWindow(StudyWork work, QWidget* parent)
-    : QWidget(parent, Qt::Window), work_(std::move(work)) {
+    : QWidget(parent, Qt::Window), work_(std::move(work)), language_(work_.language) {
   setObjectName("studyWindow");
-  setWindowTitle(tr("Study"));
+  setWindowTitle(words("Study"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(onScreen(*this, {960, 680}));
+  setFocusPolicy(Qt::StrongFocus);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  if (rehearsal()) layout->addWidget(banner(tr("REHEARSAL: there is no sound device, nothing is felt")));
+  if (rehearsal()) {
+    auto* banner = new QLabel(words("REHEARSAL: there is no sound device, nothing is felt"));
+    banner->setObjectName("studyBanner");
+    banner->setAlignment(Qt::AlignCenter);
+    banner->setStyleSheet("background: #b3261e; color: white; padding: 6px; font: bold 15pt;");
+    layout->addWidget(banner);
+  }
   pages_ = new QStackedWidget;
   layout->addWidget(pages_, 1);
-  trialPage_ = trialPage();
-  stopPage_ = stopPage();
-  endPage_ = endPage();
-  for (QWidget* page : {consentPage(), trialPage_, stopPage_, endPage_}) pages_->addWidget(page);
+  consent_ = consentPage();
+  said_ = wordsPage();
+  trial_ = trialPage();
+  paused_ = pausePage();
+  stop_ = stopPage();
+  end_ = endPage();
+  for (KeyedPage* page : {consent_, said_, static_cast<KeyedPage*>(trial_), paused_, stop_, end_})
+    pages_->addWidget(page);
   clock_.start();
   watch_.setInterval(watch_ms);
   connect(&watch_, &QTimer::timeout, this, &StudyWindow::watchDevice);
-  if (!work_.session->record().answers.empty()) begin();  // agreed already
+  if (!work_.consent) agree();  // agreed already
 }
 
 double StudyWindow::now_s() const { return static_cast<double>(clock_.nsecsElapsed()) * 1e-9; }
 
 // ---- pages
 
-QWidget* StudyWindow::consentPage() {
-  auto* page = new QWidget;
-  QLabel* text = plainLabel("studyConsent", plainText_pt, Qt::AlignLeft | Qt::AlignVCenter);
-  text->setText(flowing(work_.consent));
-  auto* agree = largeButton(tr("I agree: begin"), "studyBegin", largeText_pt, answerHeight_px);
-  auto* leave = largeButton(tr("No, thank you"), "studyLeave", plainText_pt, smallHeight_px);
-  connect(agree, &QPushButton::clicked, this, &StudyWindow::begin);
-  connect(leave, &QPushButton::clicked, this, &QWidget::close);
-  QVBoxLayout* column = columnOf(page);
-  column->addWidget(text, 1);
-  column->addWidget(agree);
-  column->addWidget(leave);
+KeyedPage* StudyWindow::consentPage() {
+  auto* page = new KeyedPage;
+  page->addLongText("studyConsent", work_.consent ? flowing(work_.consent->text) : QString(), consentText_pt);
+  consentTrouble_ = page->addText("studyConsentTrouble", {}, plainText_pt);
+  consentTrouble_->setStyleSheet("color: #b3261e;");
+  const QString yes = words("Y"), no = words("N");
+  page->addButton({"studyBegin", words("I agree: begin"), {Qt::Key_A + yes[0].unicode() - 'A', yes}},
+                  [this] { agree(); });
+  page->addButton({"studyLeave", words("No, thank you"), {Qt::Key_A + no[0].unicode() - 'A', no}},
+                  [this] { decline(); });
+  page->addButton(closeButton("studyCloseUnasked"), [this] { close(); });
   return page;
 }
 
-QWidget* StudyWindow::trialPage() {
-  auto* page = new QWidget;
-  task_ = plainLabel("studyHint", plainText_pt);
-  trouble_ = plainLabel("studyTrouble", plainText_pt);
-  trouble_->setStyleSheet("color: #b3261e;");
-  trouble_->hide();
-  const bool physical = work_.study->design.targets == playback::TargetKind::physicalButton;
-  x_ = feelButton(tr("Feel X"), "studyX");
-  x_->setEnabled(!physical);
-  connect(x_, &QPushButton::pressed, this, &StudyWindow::pressX);
-  QVBoxLayout* column = columnOf(page);
-  column->addWidget(task_);
-  column->addWidget(trouble_);
-  column->addWidget(x_);
-  column->addLayout(choiceGrid(), 1);
-  column->addLayout(bottomRow());
+KeyedPage* StudyWindow::wordsPage() {
+  auto* page = new KeyedPage;
+  saidText_ = page->addText("studyWords", {}, largeText_pt, Qt::AlignCenter, 1);
+  page->addButton({"studyContinue", words("Go on"), enterKey()}, [this] { showTrial(); });
   return page;
 }
 
-QLayout* StudyWindow::choiceGrid() {
-  const bool abx = work_.study->design.kind == playback::StudyKind::abx;
-  const std::size_t count = abx ? 2 : work_.study->buttons.size();
-  auto* grid = new QGridLayout;
-  grid->setSpacing(spacing_px);
-  for (std::size_t i = 0; i < count; ++i) {
-    auto* press = feelButton(tr("Feel %1").arg(i + 1), QString("studyPress%1").arg(i + 1));
-    auto* choose = largeButton(tr("X is %1").arg(i + 1), QString("studyAnswer%1").arg(i + 1), largeText_pt,
-                               answerHeight_px);
-    connect(press, &QPushButton::pressed, this, [this, i] { pressChoice(i); });
-    connect(choose, &QPushButton::clicked, this, [this, i] { answer(i); });
-    const int row = 2 * (static_cast<int>(i) / mostColumns), column = static_cast<int>(i) % mostColumns;
-    grid->addWidget(press, row, column);
-    grid->addWidget(choose, row + 1, column);
-    choices_.push_back(press);
-    answers_.push_back(choose);
+TrialPage* StudyWindow::trialPage() {
+  auto* page = new TrialPage(*work_.study, trialWords());
+  page->addBelow(page->makeButton(
+      {"studyPause", words("Pause"), {Qt::Key_P, "P"}, plainText_pt, smallHeight_px}, [this] { pause(); }));
+  page->addBelow(
+      page->makeButton({"studyStop", words("Stop for good"), {Qt::Key_Q, "Q"}, plainText_pt, smallHeight_px},
+                       [this] { show(stop_, At::question); }));
+  connect(page, &TrialPage::felt, this, &StudyWindow::feel);
+  connect(page, &TrialPage::answered, this, [this](std::size_t choice) { answer(choice, {}); });
+  connect(page, &TrialPage::rated, this, [this](double number) { answer(0, number); });
+  connect(page, &TrialPage::unreadableNumber, this,
+          [this] { tell(words("Type a number above 0, then Enter.")); });
+  return page;
+}
+
+KeyedPage* StudyWindow::pausePage() {
+  auto* page = new KeyedPage;
+  page->addText("studyPauseWords",
+                words("A pause, as long as you like. The question you were at begins anew."), largeText_pt,
+                Qt::AlignCenter, 1);
+  page->addButton({"studyPauseOver", words("Go on"), enterKey()}, [this] { showTrial(); });
+  page->addButton(
+      {"studyLater", words("Go on another day"), {Qt::Key_L, "L"}, plainText_pt, smallHeight_px},
+      [this] { showEnd(words("Thank you. Next time it goes on at the very question you were at.")); });
+  return page;
+}
+
+KeyedPage* StudyWindow::stopPage() {
+  auto* page = new KeyedPage;
+  page->addText("studyStopWords", words("Stop for good? What you have answered is kept."), largeText_pt,
+                Qt::AlignCenter, 1);
+  page->addButton({"studyGoOn", words("No, go on"), enterKey()}, [this] { show(trial_, At::question); });
+  page->addButton({"studyStopNow", words("Yes, stop"), {Qt::Key_S, "S"}, plainText_pt, smallHeight_px},
+                  [this] { stopForGood(); });
+  return page;
+}
+
+KeyedPage* StudyWindow::endPage() {
+  auto* page = new KeyedPage;
+  endText_ = page->addText("studyEnd", {}, largeText_pt, Qt::AlignCenter, 1);
+  page->addText("studyCall", words("Please call the experimenter."), plainText_pt);
+  page->addButton(closeButton("studyClose"), [this] { close(); });
+  return page;
+}
+
+PageButton StudyWindow::closeButton(const char* name) const {
+  return {name, words("For the experimenter: close"), {Qt::Key_F12, "F12"}, smallText_pt, smallHeight_px};
+}
+
+// ---- words
+
+QString StudyWindow::answerWords() const {
+  const playback::StudyDesign& design = work_.study->design;
+  if (playback::asksForX(design.kind)) return words("X is %1");
+  if (design.kind == playback::StudyKind::rating) return words("%1 is better");
+  switch (design.quantity) {
+    case playback::LevelQuantity::peakForce:
+      return words("%1 needs more force");
+    case playback::LevelQuantity::eventSize:
+      return words("%1 has the stronger click");
+    case playback::LevelQuantity::travel:
+      return words("%1 goes deeper");
+    case playback::LevelQuantity::snap:
+      return words("%1 snaps more");
+    case playback::LevelQuantity::grainStrength:
+      break;
   }
-  return grid;
+  return words("%1 feels rougher on the way");
 }
 
-QLayout* StudyWindow::bottomRow() {
-  count_ = plainLabel("studyCount", plainText_pt, Qt::AlignLeft | Qt::AlignVCenter);
-  auto* pause = largeButton(tr("Pause"), "studyPause", plainText_pt, smallHeight_px);
-  pause->setToolTip(tr("Close; the next start goes on at this very question"));
-  connect(pause, &QPushButton::clicked, this, &QWidget::close);
-  auto* stop = largeButton(tr("Stop for good"), "studyStop", plainText_pt, smallHeight_px);
-  connect(stop, &QPushButton::clicked, this, [this] { pages_->setCurrentWidget(stopPage_); });
-  auto* row = new QHBoxLayout;
-  row->addWidget(count_, 1);
-  row->addWidget(pause);
-  row->addWidget(stop);
-  return row;
+TrialWords StudyWindow::trialWords() const {
+  TrialWords said;
+  said.feelX = words("Feel X");
+  said.feelOne = words("Feel %1");
+  said.feelIt = words("Feel it");
+  said.answer = answerWords();
+  said.space = words("space bar");
+  said.enter = words("Enter");
+  said.backspace = words("Backspace");
+  said.takeBack = words("Take back");
+  said.take = words("This is my number");
+  said.least = words("1: I do not like it at all");
+  said.most = words("7: I like it very much");
+  return said;
 }
 
-QWidget* StudyWindow::stopPage() {
-  auto* page = new QWidget;
-  QLabel* text = plainLabel("studyStopWords", largeText_pt);
-  text->setText(tr("Stop for good? What you have answered is kept."));
-  auto* back = largeButton(tr("No, go on"), "studyGoOn", largeText_pt, answerHeight_px);
-  auto* stop = largeButton(tr("Yes, stop"), "studyStopNow", plainText_pt, smallHeight_px);
-  connect(back, &QPushButton::clicked, this, [this] { pages_->setCurrentWidget(trialPage_); });
-  connect(stop, &QPushButton::clicked, this, &StudyWindow::stopForGood);
-  QVBoxLayout* column = columnOf(page);
-  column->addWidget(text, 1);
-  column->addWidget(back);
-  column->addWidget(stop);
-  return page;
+QString StudyWindow::taskWords() const {
+  const playback::StudyDesign& design = work_.study->design;
+  if (playback::asksForX(design.kind))
+    return words("X is one of those below. Feel X and the others, then say which one it is.");
+  if (design.kind == playback::StudyKind::threshold)
+    return words("Feel both, then say which one has more. If you are not sure, guess.");
+  if (design.scale == playback::RatingScale::pairwise)
+    return words("Feel both, then say which one is better. There is no right or wrong.");
+  if (design.scale == playback::RatingScale::preference)
+    return words("Feel it, then say how much you like it. There is no right or wrong.");
+  return words(
+      "Feel it, then give a number as great as it feels strong: what feels twice as strong gets twice the "
+      "number. Any number above 0 will do.");
 }
 
-QWidget* StudyWindow::endPage() {
-  auto* page = new QWidget;
-  endWords_ = plainLabel("studyEnd", largeText_pt);
-  endWords_->setText(tr("That was the last one. Thank you."));
-  auto* close = largeButton(tr("Close"), "studyClose", largeText_pt, answerHeight_px);
-  connect(close, &QPushButton::clicked, this, &QWidget::close);
-  QVBoxLayout* column = columnOf(page);
-  column->addWidget(endWords_, 1);
-  column->addWidget(close);
-  return page;
+QString StudyWindow::howWords() const {
+  return work_.sensor ? words("Choose one, then press the pad with your finger.")
+                      : words("Its key or a click makes you feel it under your finger.");
+}
+
+/// Which ones were not pressed through yet, and which of them were let go too early.
+QString StudyWindow::unfeltWords() const {
+  if (desk_->slotOfX() == 1) return words("First press it to the end and let go.");  // of a scale
+  QStringList missing;
+  for (std::size_t slot = 0; slot <= desk_->slotOfX(); ++slot) {
+    const bool isX = slot == desk_->slotOfX();
+    if (desk_->feltOf(slot).whole > 0 || (isX && !desk_->hasX())) continue;
+    const QString name = isX ? QStringLiteral("X") : QString::number(slot + 1);
+    missing << (desk_->feltOf(slot).presses > 0 ? words("%1 (not to the end yet)").arg(name) : name);
+  }
+  return words("First press to the end and let go: %1.").arg(missing.join(", "));
 }
 
 // ---- at work
 
-void StudyWindow::begin() {
+void StudyWindow::show(KeyedPage* page, At at) {
+  pages_->setCurrentWidget(page);
+  at_ = at;
+  StudyProgress progress{at, 0, 0};
+  if (work_.session) {
+    progress.answered = work_.session->record().answers.size();
+    progress.questions = work_.session->record().plan.size();
+  }
+  emit progressed(progress);
+}
+
+Result<Done> StudyWindow::openSession() {
+  work_.start.utc_s = playback::wallClock_s();
+  if (work_.consent)
+    work_.start.consent = {work_.consent->language, work_.consent->sha256, work_.start.utc_s};
+  Result<playback::ParticipantSession> session =
+      playback::ParticipantSession::open(*work_.study, work_.participant, work_.start);
+  if (!session) return session.failure();
+  work_.session = std::make_unique<playback::ParticipantSession>(*std::move(session));
+  return Done{};
+}
+
+void StudyWindow::agree() {
+  if (!work_.session) {
+    if (const Result<Done> opened = openSession(); !opened)
+      return consentTrouble_->setText(sentenceOf(opened.failure()));
+  }
   watch_.start();
-  showTrial();
+  showIntroduction();
+}
+
+void StudyWindow::decline() {
+  const playback::ConsentDecision decision{work_.consent->language, work_.consent->sha256,
+                                           playback::wallClock_s()};
+  if (const Result<Done> kept = playback::recordDeclined(work_.study->folder, decision); !kept)
+    return consentTrouble_->setText(sentenceOf(kept.failure()));
+  showEnd(words("Thank you for coming. Nothing about you was kept."));
+}
+
+void StudyWindow::showIntroduction() {
+  const playback::Trial* trial = work_.session->trial();
+  if (trial == nullptr) return showNext();
+  restedBefore_ = trial->number;
+  QString text = taskWords() + "\n\n" + howWords();
+  if (trial->practice)
+    text += "\n\n" + words("Questions for practice, which do not count: %1")
+                         .arg(work_.study->design.practice - trial->number + 1);
+  showWords(text, At::words);
+}
+
+/// What comes after an answer: words before the first one that counts, a rest, the next question, or the end.
+void StudyWindow::showNext() {
+  const playback::Trial* trial = work_.session->trial();
+  if (trial == nullptr) return showEnd(words("That was the last one. Thank you."));
+  if (trial->number == restedBefore_) return showTrial();
+  const bool first = trial->number == work_.study->design.practice + 1;
+  if (first && trial->number > 1) {
+    restedBefore_ = trial->number;
+    return showWords(words("That was the practice. From now on your answers count."), At::words);
+  }
+  if (!trial->breakBefore) return showTrial();
+  restedBefore_ = trial->number;
+  showWords(words("Time for a rest, as long as you like. You have answered %1 of %2.")
+                .arg(work_.session->record().answers.size())
+                .arg(work_.session->record().plan.size()),
+            At::rest);
+}
+
+void StudyWindow::showWords(const QString& text, At at) {
+  desk_.reset();
+  saidText_->setText(text);
+  show(said_, at);
 }
 
 void StudyWindow::showTrial() {
   const playback::Trial* trial = work_.session->trial();
-  if (trial == nullptr) {
-    watch_.stop();
-    desk_.reset();
-    pages_->setCurrentWidget(endPage_);
-    return;
-  }
+  if (trial == nullptr) return showNext();
   desk_.emplace(*work_.study, *trial, 0, now_s());
   work_.player->beginTrial();
   work_.player->troubleSinceAsked();
-  mark(nullptr);
-  trouble_->hide();
-  count_->setText((trial->practice ? tr("Practice: question %1 of %2") : tr("Question %1 of %2"))
-                      .arg(trial->number)
-                      .arg(work_.session->record().plan.size()));
-  if (desk_->physicalTarget()) x_->setText(tr("X is the real switch number %1").arg(desk_->physicalNumber()));
-  pages_->setCurrentWidget(trialPage_);
+  trial_->mark({});
+  trial_->clearNumber();
+  trial_->showTrouble({});
+  trial_->showCount((trial->practice ? words("Practice: question %1 of %2") : words("Question %1 of %2"))
+                        .arg(trial->number)
+                        .arg(work_.session->record().plan.size()));
+  if (desk_->physicalTarget())
+    trial_->showRealX(words("X is the real switch number %1").arg(desk_->physicalNumber()));
+  show(trial_, At::question);
   refresh();
 }
 
 void StudyWindow::refresh() {
   const bool may = desk_->mayAnswer();
-  for (QPushButton* button : answers_) button->setEnabled(may);
-  if (may && !away_) trouble_->hide();
-  const QString keys = tr("Keys: %1 and X to feel, %2 to answer.")
-                           .arg(keysFrom('1', choices_.size()), keysFrom('A', answers_.size()));
-  const QString ask = may ? tr("Which one is X? Feel each as often as you like, then answer below it.")
-                          : tr("X is one of those below. Feel X and the others, then say which one it is.");
-  const QString how = work_.sensor ? tr("Choose one, then press the pad with your finger.")
-                                   : tr("Click to feel it under your finger.");
-  task_->setText(QStringLiteral("<p><b>%1</b></p><p>%2 %3</p>").arg(ask, how, keys));
-}
-
-/// Which one is under the finger.
-void StudyWindow::mark(const QPushButton* underFinger) {
-  x_->setChecked(x_ == underFinger);
-  for (QPushButton* choice : choices_) choice->setChecked(choice == underFinger);
-}
-
-void StudyWindow::pressChoice(std::size_t choice) {
-  if (!desk_) return;
-  feel(choice);
-  mark(choices_[choice]);
+  trial_->allowAnswers(may);
+  if (may && !away_) trial_->showTrouble({});
+  const QString ask = may ? words("Now answer, or feel again as often as you like.") : taskWords();
+  trial_->showQuestion(QStringLiteral("<p><b>%1</b></p><p>%2</p>").arg(ask, howWords()));
 }
 
 /// Puts it under the finger; what was done with the one before belongs to that one.
 void StudyWindow::feel(std::size_t slot) {
+  if (!desk_ || away_ || (slot == desk_->slotOfX() && !desk_->hasX())) return;
   desk_->felt(work_.player->takeFelt());
   work_.player->press(slot, desk_->buttonIn(slot), desk_->trial().mode);
   desk_->tried(slot, now_s());
   desk_->felt(work_.player->takeFelt());
+  trial_->mark(slot);
   refresh();
 }
 
-void StudyWindow::pressX() {
-  if (!desk_ || desk_->physicalTarget()) return;
-  feel(desk_->slotOfX());
-  mark(x_);
-}
-
-void StudyWindow::answer(std::size_t choice) {
+void StudyWindow::answer(std::size_t choice, std::optional<double> rating) {
   if (!desk_ || away_) return;
   desk_->felt(work_.player->takeFelt());
   if (!desk_->mayAnswer()) return tell(unfeltWords());
-  if (const Result<Done> kept = work_.session->record(desk_->answer(choice, now_s())); !kept)
-    return tell(tr("Your answer is not kept yet. %1 Then answer again.").arg(sentenceOf(kept.failure())));
+  if (!playback::ratingFits(*work_.study, rating)) return tell(words("Type a number above 0, then Enter."));
+  playback::Answer given = desk_->answer(choice, now_s());
+  given.rating = rating;
+  if (const Result<Done> kept = work_.session->record(given); !kept)
+    return tell(words("Your answer is not kept yet. %1 Then answer again.").arg(sentenceOf(kept.failure())));
+  desk_.reset();
   if (work_.session->trial() == nullptr) {
     if (const Result<Done> ended = work_.session->end("complete"); !ended)
-      endWords_->setText(endWords_->text() + "\n" + sentenceOf(ended.failure()));
+      return showEnd(sentenceOf(ended.failure()));
   }
-  showTrial();
+  showNext();
 }
 
-void StudyWindow::tell(const QString& trouble) {
-  trouble_->setText(trouble);
-  trouble_->show();
+void StudyWindow::tell(const QString& trouble) { trial_->showTrouble(trouble); }
+
+void StudyWindow::pause() {
+  desk_.reset();
+  show(paused_, At::pause);
 }
 
 void StudyWindow::stopForGood() {
   if (const Result<Done> ended = work_.session->end("stopped by the participant"); !ended) {
-    pages_->setCurrentWidget(trialPage_);
+    show(trial_, At::question);
     return tell(sentenceOf(ended.failure()));
   }
-  close();
+  showEnd(words("Thank you. What you have answered is kept."));
 }
 
-/// Which ones were not pressed through yet, and which of them were let go too early.
-QString StudyWindow::unfeltWords() const {
-  QStringList missing;
-  for (std::size_t slot = 0; slot <= desk_->slotOfX(); ++slot) {
-    if (desk_->feltOf(slot).whole > 0 || (slot == desk_->slotOfX() && desk_->physicalTarget())) continue;
-    const QString name = slot == desk_->slotOfX() ? QStringLiteral("X") : QString::number(slot + 1);
-    missing << (desk_->feltOf(slot).presses > 0 ? tr("%1 (not to the end yet)").arg(name) : name);
-  }
-  return tr("First press to the end and let go: %1.").arg(missing.join(", "));
+void StudyWindow::showEnd(const QString& text) {
+  watch_.stop();
+  desk_.reset();
+  endText_->setText(text);
+  show(end_, At::end);
 }
 
 /// What was half felt is asked anew, once the device is back.
 void StudyWindow::watchDevice() {
   if (!desk_) return;
   desk_->felt(work_.player->takeFelt());
-  if (desk_->mayAnswer() != answers_.front()->isEnabled()) refresh();
+  if (!away_ && desk_->mayAnswer() != trial_->answersAllowed()) refresh();
   const playback::StudyTrouble trouble = work_.player->troubleSinceAsked();
   if ((trouble != playback::StudyTrouble::none) == away_) return;
   away_ = !away_;
-  trialPage_->setEnabled(!away_);
   if (!away_) {
     showTrial();
-    return tell(tr("It is back. This question begins anew."));
+    return tell(words("It is back. This question begins anew."));
   }
   const Result<Done> noted = work_.session->interrupted(nameOf(trouble));
-  const QString words = trouble == playback::StudyTrouble::soundLost
-                            ? tr("The sound device went away. Please call the experimenter.")
-                            : tr("The force sensor went away. Please call the experimenter.");
-  tell(noted ? words : sentenceOf(noted.failure()));
+  const QString said = trouble == playback::StudyTrouble::soundLost
+                           ? words("The sound device went away. Please call the experimenter.")
+                           : words("The force sensor went away. Please call the experimenter.");
+  trial_->allowAnswers(false);
+  show(trial_, At::trouble);
+  tell(noted ? said : sentenceOf(noted.failure()));
 }
 
 void StudyWindow::keyPressEvent(QKeyEvent* event) {
-  const int key = event->key();
-  if (event->isAutoRepeat() || away_ || pages_->currentWidget() != trialPage_)
-    return QWidget::keyPressEvent(event);
-  if (key == Qt::Key_X) return pressX();
-  const int press = key - Qt::Key_1, choose = key - Qt::Key_A;
-  if (press >= 0 && press < static_cast<int>(choices_.size()))
-    return pressChoice(static_cast<std::size_t>(press));
-  if (choose >= 0 && choose < static_cast<int>(answers_.size()))
-    return answer(static_cast<std::size_t>(choose));
-  QWidget::keyPressEvent(event);
+  if (event->isAutoRepeat()) return;
+  const int key = event->key() == Qt::Key_Pause ? static_cast<int>(Qt::Key_P) : event->key();
+  const auto* page = static_cast<const KeyedPage*>(pages_->currentWidget());
+  if (!page->press(key)) QWidget::keyPressEvent(event);
 }
 
 void StudyWindow::closeEvent(QCloseEvent* event) {
+  if (event->spontaneous() && at_ != At::end) {  // not over what is behind it
+    event->ignore();
+    if (work_.session && work_.session->trial() != nullptr) pause();
+    return;
+  }
   watch_.stop();
   desk_.reset();
   emit finished();

@@ -1,33 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a participant sees: one question at a time, large plain controls, no label of any button. The
-// experimenter's view is study_desk.h.
+// The participant's station: consent, what is asked, one question at a time, rests, the end. Large plain controls, each with its key, in
+// the participant's language; no label of any button. The experimenter's view is study_desk.h.
 
 #include <memory>
 #include <optional>
 #include <QElapsedTimer>
-#include <QLabel>
-#include <QPushButton>
 #include <QStackedWidget>
 #include <QTimer>
 #include <QWidget>
-#include <vector>
 
+#include "editor/study/participant_language.h"
+#include "editor/study/trial_page.h"
 #include "playback/study.h"
 
 namespace detent::editor {
 
-/// One participant at work. The session belongs to the study.
+/// One participant at work. The session, once it is open, belongs to the study.
 struct StudyWork {
   std::unique_ptr<playback::Study> study;
-  std::unique_ptr<playback::ParticipantSession> session;
+  std::string participant;
+  playback::SessionStart start;  ///< the session is opened with it once the participant agrees
+  /// What they are asked to agree to first; none: they have agreed before.
+  std::optional<playback::ConsentText> consent;
   std::unique_ptr<playback::StudyPlayer> player;
   bool sensor = false;  ///< a force sensor presses; else keys and the large buttons do
-  QString consent;      ///< shown before the first trial
+  QString language = QStringLiteral("en");
+  std::unique_ptr<playback::ParticipantSession> session{};  ///< open already where no consent is asked for
 };
 
-/// Works through one participant's trials. Every answer is on the disk before the next question is shown.
-/// GUI thread.
+/// Where a participant is, for the experimenter.
+struct StudyProgress {
+  enum class At : std::uint8_t { consent, words, question, rest, pause, trouble, end };
+  At at = At::consent;
+  std::size_t answered = 0, questions = 0;  ///< practice too
+};
+
+/// Works through one participant's trials. Every answer is on the disk before the next question is shown. Shown over a whole screen;
+/// closing it from outside (Alt+F4) pauses. GUI thread.
 class StudyWindow : public QWidget {
   Q_OBJECT
 
@@ -35,42 +45,60 @@ class StudyWindow : public QWidget {
   explicit StudyWindow(StudyWork work, QWidget* parent = nullptr);
 
  signals:
-  void finished();  ///< all answered, paused or stopped; the window is closed
+  void progressed(const StudyProgress& progress);
+  void finished();  ///< the experimenter has it again; the window is about to close
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
 
  private:
-  QWidget* consentPage();
-  QWidget* trialPage();
-  QLayout* choiceGrid();
-  QLayout* bottomRow();
-  QWidget* stopPage();
-  QWidget* endPage();
-  void begin();
+  using At = StudyProgress::At;
+
+  KeyedPage* consentPage();
+  KeyedPage* wordsPage();
+  TrialPage* trialPage();
+  KeyedPage* pausePage();
+  KeyedPage* stopPage();
+  KeyedPage* endPage();
+  PageButton closeButton(const char* name) const;
+  PageKey enterKey() const { return {Qt::Key_Return, words("Enter")}; }
+  TrialWords trialWords() const;
+  QString answerWords() const;
+  QString taskWords() const;
+  QString howWords() const;
+
+  void agree();
+  void decline();
+  Result<Done> openSession();
+  void showIntroduction();
+  void showNext();
+  void showWords(const QString& text, At at);
   void showTrial();
-  void pressChoice(std::size_t choice);
-  void pressX();
   void feel(std::size_t slot);
+  void answer(std::size_t choice, std::optional<double> rating);
   QString unfeltWords() const;
-  void mark(const QPushButton* underFinger);
-  void answer(std::size_t choice);
   void stopForGood();
+  void pause();
+  void showEnd(const QString& text);
   void watchDevice();
   void tell(const QString& trouble);
   void refresh();
+  void show(KeyedPage* page, At at);
   bool rehearsal() const { return !work_.player->sounding(); }
   double now_s() const;
+  QString words(const char* text) const { return language_.words(text); }
 
   StudyWork work_;
+  ParticipantLanguage language_;
   std::optional<playback::TrialDesk> desk_;
   QStackedWidget* pages_ = nullptr;
-  QWidget *trialPage_ = nullptr, *stopPage_ = nullptr, *endPage_ = nullptr;
-  QLabel *count_ = nullptr, *task_ = nullptr, *trouble_ = nullptr, *endWords_ = nullptr;
-  QPushButton* x_ = nullptr;
-  std::vector<QPushButton*> choices_, answers_;
-  bool away_ = false;  ///< the sound device, just now
+  KeyedPage *consent_ = nullptr, *said_ = nullptr, *paused_ = nullptr, *stop_ = nullptr, *end_ = nullptr;
+  TrialPage* trial_ = nullptr;
+  QLabel *saidText_ = nullptr, *endText_ = nullptr, *consentTrouble_ = nullptr;
+  std::size_t restedBefore_ = 0;  ///< number of the trial a rest or words were shown before
+  At at_ = At::consent;
+  bool away_ = false;  ///< a device, just now
   QElapsedTimer clock_;
   QTimer watch_;
 };

@@ -7122,6 +7122,58 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Written: %1</source>
         <translation>Geschrieben: %1</translation>
     </message>
+    <message>
+        <source>Of everything the participant reads</source>
+        <translation>Von allem, was die Versuchsperson liest</translation>
+    </message>
+    <message>
+        <source>It is covered wholly; on another one this window stays</source>
+        <translation>Er wird ganz bedeckt; auf einem anderen bleibt dieses Fenster stehen</translation>
+    </message>
+    <message>
+        <source>Their lan&amp;guage:</source>
+        <translation>Deren S&amp;prache:</translation>
+    </message>
+    <message>
+        <source>Their s&amp;creen:</source>
+        <translation>Deren Bil&amp;dschirm:</translation>
+    </message>
+    <message>
+        <source>%1 is at work.</source>
+        <translation>%1 ist an der Arbeit.</translation>
+    </message>
+    <message>
+        <source>reads the consent text</source>
+        <translation>liest die Einwilligung</translation>
+    </message>
+    <message>
+        <source>reads what comes</source>
+        <translation>liest, was kommt</translation>
+    </message>
+    <message>
+        <source>is at a question</source>
+        <translation>ist an einer Frage</translation>
+    </message>
+    <message>
+        <source>rests</source>
+        <translation>ruht aus</translation>
+    </message>
+    <message>
+        <source>pauses</source>
+        <translation>macht eine Pause</translation>
+    </message>
+    <message>
+        <source>waits for you: a device went away</source>
+        <translation>wartet auf Sie: ein Gerät ist weg</translation>
+    </message>
+    <message>
+        <source>is done and waits for you</source>
+        <translation>ist fertig und wartet auf Sie</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 answered; %4</source>
+        <translation>%1: %2 von %3 beantwortet; %4</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::StudyMaker</name>
@@ -7152,10 +7204,6 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>Which of all is X?</source>
         <translation>Welcher von allen ist X?</translation>
-    </message>
-    <message>
-        <source>Questions for each pair (of two) or button (of all), and kind of feedback</source>
-        <translation>Fragen je Paar (von zweien) oder Taster (von allen) und Art der Rückmeldung</translation>
     </message>
     <message>
         <source>Questions before the first that counts</source>
@@ -7229,13 +7277,97 @@ oder öffnen Sie eine Datei (%2).</translation>
         <source>Questions for each participant: %1, about %2 minutes.</source>
         <translation>Fragen an jede Person: %1, etwa %2 Minuten.</translation>
     </message>
+    <message>
+        <source>Which of two has more? A threshold</source>
+        <translation>Welcher von zweien hat mehr? Eine Schwelle</translation>
+    </message>
+    <message>
+        <source>How is it? A rating</source>
+        <translation>Wie ist er? Eine Bewertung</translation>
+    </message>
+    <message>
+        <source>What there is more of; how much more follows from the answers</source>
+        <translation>Wovon es mehr gibt; wie viel mehr, folgt aus den Antworten</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>strength of the click</source>
+        <translation>Stärke des Klicks</translation>
+    </message>
+    <message>
+        <source>travel</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>snap</source>
+        <translation>Schnappen</translation>
+    </message>
+    <message>
+        <source>roughness on the way</source>
+        <translation>Rauheit unterwegs</translation>
+    </message>
+    <message>
+        <source>How it is rated</source>
+        <translation>Wie bewertet wird</translation>
+    </message>
+    <message>
+        <source>how much one likes it, 1 to 7</source>
+        <translation>wie sehr er gefällt, 1 bis 7</translation>
+    </message>
+    <message>
+        <source>how strong it is, any number</source>
+        <translation>wie stark er ist, jede Zahl</translation>
+    </message>
+    <message>
+        <source>which of two is better</source>
+        <translation>welcher von zweien besser ist</translation>
+    </message>
+    <message>
+        <source>Questions for each pair or button, and kind of feedback</source>
+        <translation>Fragen je Paar oder Taster und Art der Rückmeldung</translation>
+    </message>
+    <message>
+        <source>Mo&amp;re of:</source>
+        <translation>&amp;Mehr von:</translation>
+    </message>
+    <message>
+        <source>&amp;Scale:</source>
+        <translation>S&amp;kala:</translation>
+    </message>
+    <message>
+        <source>C&amp;onsent texts:</source>
+        <translation>&amp;Einwilligungen:</translation>
+    </message>
+    <message>
+        <source>Text files that participants read first, one for each language: NAME.en.txt, NAME.de.txt; several parted by semicolons</source>
+        <translation>Textdateien, die Versuchspersonen zuerst lesen, eine je Sprache: NAME.en.txt, NAME.de.txt; mehrere durch Semikolon getrennt</translation>
+    </message>
+    <message>
+        <source>a short text in English and German</source>
+        <translation>ein kurzer Text auf Englisch und Deutsch</translation>
+    </message>
+    <message>
+        <source>C&amp;hoose…</source>
+        <translation>Au&amp;swählen …</translation>
+    </message>
+    <message>
+        <source>Choose consent texts</source>
+        <translation>Einwilligungen auswählen</translation>
+    </message>
+    <message>
+        <source>Consent texts</source>
+        <translation>Einwilligungen</translation>
+    </message>
+    <message>
+        <source>Texts (*.txt)</source>
+        <translation>Texte (*.txt)</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::StudyWindow</name>
-    <message>
-        <source>%1 to %2</source>
-        <translation>%1 bis %2</translation>
-    </message>
     <message>
         <source>Study</source>
         <translation>Studie</translation>
@@ -7269,10 +7401,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Pause</translation>
     </message>
     <message>
-        <source>Close; the next start goes on at this very question</source>
-        <translation>Schließen; der nächste Start macht genau bei dieser Frage weiter</translation>
-    </message>
-    <message>
         <source>Stop for good</source>
         <translation>Endgültig aufhören</translation>
     </message>
@@ -7293,10 +7421,6 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Das war die letzte. Vielen Dank.</translation>
     </message>
     <message>
-        <source>Close</source>
-        <translation>Schließen</translation>
-    </message>
-    <message>
         <source>Practice: question %1 of %2</source>
         <translation>Übung: Frage %1 von %2</translation>
     </message>
@@ -7309,24 +7433,12 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>X ist der echte Schalter Nummer %1</translation>
     </message>
     <message>
-        <source>Keys: %1 and X to feel, %2 to answer.</source>
-        <translation>Tasten: %1 und X zum Fühlen, %2 zum Antworten.</translation>
-    </message>
-    <message>
-        <source>Which one is X? Feel each as often as you like, then answer below it.</source>
-        <translation>Welcher ist X? Fühlen Sie jeden, so oft Sie mögen, dann antworten Sie darunter.</translation>
-    </message>
-    <message>
         <source>X is one of those below. Feel X and the others, then say which one it is.</source>
         <translation>X ist einer von denen unten. Fühlen Sie X und die anderen, dann sagen Sie, welcher es ist.</translation>
     </message>
     <message>
         <source>Choose one, then press the pad with your finger.</source>
         <translation>Wählen Sie einen, dann drücken Sie das Feld mit dem Finger.</translation>
-    </message>
-    <message>
-        <source>Click to feel it under your finger.</source>
-        <translation>Klicken Sie, um ihn unter dem Finger zu fühlen.</translation>
     </message>
     <message>
         <source>Your answer is not kept yet. %1 Then answer again.</source>
@@ -7351,6 +7463,146 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>The sound device went away. Please call the experimenter.</source>
         <translation>Das Audiogerät ist weg. Bitte rufen Sie die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>J</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Type a number above 0, then Enter.</source>
+        <translation>Tippen Sie eine Zahl über 0, dann die Eingabetaste.</translation>
+    </message>
+    <message>
+        <source>A pause, as long as you like. The question you were at begins anew.</source>
+        <translation>Eine Pause, so lange Sie mögen. Die Frage, an der Sie waren, beginnt von vorn.</translation>
+    </message>
+    <message>
+        <source>Go on another day</source>
+        <translation>An einem anderen Tag weitermachen</translation>
+    </message>
+    <message>
+        <source>Thank you. Next time it goes on at the very question you were at.</source>
+        <translation>Vielen Dank. Beim nächsten Mal geht es genau bei der Frage weiter, an der Sie waren.</translation>
+    </message>
+    <message>
+        <source>Please call the experimenter.</source>
+        <translation>Bitte rufen Sie die Versuchsleitung.</translation>
+    </message>
+    <message>
+        <source>For the experimenter: close</source>
+        <translation>Für die Versuchsleitung: schließen</translation>
+    </message>
+    <message>
+        <source>%1 is better</source>
+        <translation>%1 ist besser</translation>
+    </message>
+    <message>
+        <source>%1 needs more force</source>
+        <translation>%1 braucht mehr Kraft</translation>
+    </message>
+    <message>
+        <source>%1 has the stronger click</source>
+        <translation>%1 hat den stärkeren Klick</translation>
+    </message>
+    <message>
+        <source>%1 goes deeper</source>
+        <translation>%1 geht tiefer</translation>
+    </message>
+    <message>
+        <source>%1 snaps more</source>
+        <translation>%1 schnappt mehr</translation>
+    </message>
+    <message>
+        <source>%1 feels rougher on the way</source>
+        <translation>%1 fühlt sich unterwegs rauer an</translation>
+    </message>
+    <message>
+        <source>Feel it</source>
+        <translation>Fühlen</translation>
+    </message>
+    <message>
+        <source>space bar</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Rücktaste</translation>
+    </message>
+    <message>
+        <source>Take back</source>
+        <translation>Zurücknehmen</translation>
+    </message>
+    <message>
+        <source>This is my number</source>
+        <translation>Das ist meine Zahl</translation>
+    </message>
+    <message>
+        <source>1: I do not like it at all</source>
+        <translation>1: gefällt mir gar nicht</translation>
+    </message>
+    <message>
+        <source>7: I like it very much</source>
+        <translation>7: gefällt mir sehr</translation>
+    </message>
+    <message>
+        <source>Feel both, then say which one has more. If you are not sure, guess.</source>
+        <translation>Fühlen Sie beide, dann sagen Sie, welcher mehr hat. Sind Sie nicht sicher, raten Sie.</translation>
+    </message>
+    <message>
+        <source>Feel both, then say which one is better. There is no right or wrong.</source>
+        <translation>Fühlen Sie beide, dann sagen Sie, welcher besser ist. Es gibt kein Richtig oder Falsch.</translation>
+    </message>
+    <message>
+        <source>Feel it, then say how much you like it. There is no right or wrong.</source>
+        <translation>Fühlen Sie ihn, dann sagen Sie, wie sehr er Ihnen gefällt. Es gibt kein Richtig oder Falsch.</translation>
+    </message>
+    <message>
+        <source>Feel it, then give a number as great as it feels strong: what feels twice as strong gets twice the number. Any number above 0 will do.</source>
+        <translation>Fühlen Sie ihn, dann geben Sie eine Zahl, die so groß ist, wie er sich stark anfühlt: Was sich doppelt so stark anfühlt, bekommt die doppelte Zahl. Jede Zahl über 0 ist recht.</translation>
+    </message>
+    <message>
+        <source>Its key or a click makes you feel it under your finger.</source>
+        <translation>Mit seiner Taste oder einem Klick fühlen Sie ihn unter dem Finger.</translation>
+    </message>
+    <message>
+        <source>First press it to the end and let go.</source>
+        <translation>Erst bis zum Ende drücken und loslassen.</translation>
+    </message>
+    <message>
+        <source>Thank you for coming. Nothing about you was kept.</source>
+        <translation>Vielen Dank, dass Sie da waren. Es wurde nichts über Sie festgehalten.</translation>
+    </message>
+    <message>
+        <source>Questions for practice, which do not count: %1</source>
+        <translation>Fragen zur Übung, die nicht zählen: %1</translation>
+    </message>
+    <message>
+        <source>That was the practice. From now on your answers count.</source>
+        <translation>Das war die Übung. Von jetzt an zählen Ihre Antworten.</translation>
+    </message>
+    <message>
+        <source>Time for a rest, as long as you like. You have answered %1 of %2.</source>
+        <translation>Zeit für eine Pause, so lange Sie mögen. Sie haben %1 von %2 beantwortet.</translation>
+    </message>
+    <message>
+        <source>Now answer, or feel again as often as you like.</source>
+        <translation>Antworten Sie jetzt, oder fühlen Sie noch einmal, so oft Sie mögen.</translation>
+    </message>
+    <message>
+        <source>Thank you. What you have answered is kept.</source>
+        <translation>Vielen Dank. Was Sie beantwortet haben, bleibt erhalten.</translation>
     </message>
 </context>
 <context>

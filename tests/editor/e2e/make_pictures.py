@@ -148,6 +148,7 @@ class Camera:
         self.editor.click("studyStart", "studyDesk")
         time.sleep(1.5)  # until the window is where it says
         self.editor.click("studyBegin", "studyWindow")
+        self.editor.click("studyContinue", "studyWindow")
         time.sleep(0.5)
         self.desktop.key("1", "2", "x")
         self.take("study-participant")

@@ -2,11 +2,13 @@
 // Studies in the window: made, worked through by a participant with keys and large buttons, followed by the experimenter.
 
 #include <QComboBox>
+#include <QFile>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPointer>
 #include <QPushButton>
+#include <QScreen>
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -96,15 +98,20 @@ struct Rig {
       if (auto* window = qobject_cast<StudyWindow*>(widget); window && window->isVisible()) return window;
     return nullptr;
   }
-  playback::ParticipantRecord record() {
-    const auto opened = playback::openStudy(study.toStdString());
-    const auto records = playback::readParticipants(*opened);
-    return records->front();
+  std::vector<playback::ParticipantRecord> records() {
+    return *playback::readParticipants(*playback::openStudy(study.toStdString()));
   }
+  playback::ParticipantRecord record() { return records().front(); }
   const playback::Trial* next(const playback::ParticipantRecord& r) { return r.next(); }
 };
 
 QPushButton* buttonIn(StudyWindow* window, const char* name) { return window->findChild<QPushButton*>(name); }
+
+/// Agrees and reads what is said first.
+void agree(StudyWindow* window) {
+  if (buttonIn(window, "studyBegin")->isVisible()) QTest::keyClick(window, Qt::Key_Y);
+  if (buttonIn(window, "studyContinue")->isVisible()) QTest::keyClick(window, Qt::Key_Return);
+}
 
 void feelAll(StudyWindow* window) {
   for (const Qt::Key key : {Qt::Key_1, Qt::Key_2, Qt::Key_X}) QTest::keyClick(window, key);
@@ -166,8 +173,8 @@ class StudyTest : public QObject {
     QVERIFY(window->findChild<QLabel*>("studyBanner") == nullptr);
     QVERIFY(buttonIn(window, "studyBegin")->isVisible());
     QTest::keyClick(window, Qt::Key_A);  // nothing is answered before it begins
-    QVERIFY(rig.record().answers.empty());
-    buttonIn(window, "studyBegin")->click();
+    QVERIFY(rig.records().empty());      // nor is anybody in a journal who has not agreed
+    agree(window);
     for (std::size_t i = 0; i < 4; ++i) {
       QVERIFY(!buttonIn(window, "studyAnswer1")->isEnabled());
       QTest::keyClick(window, Qt::Key_A);
@@ -198,7 +205,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeStudy();
     StudyWindow* window = rig.begin();
-    buttonIn(window, "studyBegin")->click();
+    agree(window);
     rig.finger->lets_go_early = true;
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
@@ -221,7 +228,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeStudy();
     StudyWindow* window = rig.begin();
-    buttonIn(window, "studyBegin")->click();
+    agree(window);
     QStringList texts{window->windowTitle()};
     for (const QLabel* label : window->findChildren<QLabel*>()) texts << label->text() << label->toolTip();
     for (const QPushButton* button : window->findChildren<QPushButton*>())
@@ -236,7 +243,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeStudy();
     StudyWindow* window = rig.begin();
-    buttonIn(window, "studyBegin")->click();
+    agree(window);
     for (const char* name : {"studyPress1", "studyPress2", "studyX"}) {
       auto* button = buttonIn(window, name);
       QVERIFY(button->height() >= 80);
@@ -256,14 +263,24 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeStudy();
     QPointer<StudyWindow> window = rig.begin();
-    buttonIn(window, "studyBegin")->click();
+    agree(window);
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
-    buttonIn(window, "studyPause")->click();
+    QTest::keyClick(window, Qt::Key_Pause);  // as its button and P do
+    QVERIFY(buttonIn(window, "studyPauseOver")->isVisible());
+    QTest::keyClick(window, Qt::Key_1);
+    QCOMPARE(rig.finger->pressed.size(), std::size_t{3});
+    QTest::keyClick(window, Qt::Key_Return);
+    QVERIFY(window->findChild<QLabel*>("studyCount")->isVisible());
+    QTest::keyClick(window, Qt::Key_P);
+    QTest::keyClick(window, Qt::Key_L);
+    QVERIFY(window->findChild<QLabel*>("studyEnd")->isVisible());
+    QTest::keyClick(window, Qt::Key_F12);
     QTRY_VERIFY(!window);
     window = rig.begin();
     QVERIFY(window);
-    QVERIFY(window->findChild<QLabel*>("studyCount")->isVisible());  // agreed already
+    QVERIFY(!buttonIn(window, "studyBegin")->isVisible());  // agreed already
+    QTest::keyClick(window, Qt::Key_Return);
     QVERIFY(window->findChild<QLabel*>("studyCount")->text().contains("2"));
     window->close();
   }
@@ -272,7 +289,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeStudy();
     QPointer<StudyWindow> window = rig.begin();
-    buttonIn(window, "studyBegin")->click();
+    agree(window);
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
     buttonIn(window, "studyStop")->click();
@@ -280,10 +297,12 @@ class StudyTest : public QObject {
     QCOMPARE(rig.finger->pressed.size(), std::size_t{3});
     buttonIn(window, "studyGoOn")->click();
     QVERIFY(window->findChild<QLabel*>("studyHint")->isVisible());
-    buttonIn(window, "studyStop")->click();
-    buttonIn(window, "studyStopNow")->click();
-    QTRY_VERIFY(!window);
+    QTest::keyClick(window, Qt::Key_Q);
+    QTest::keyClick(window, Qt::Key_S);
     QVERIFY(rig.record().endedEarly);
+    QVERIFY(window->findChild<QLabel*>("studyEnd")->isVisible());  // not what is behind the window
+    QTest::keyClick(window, Qt::Key_F12);
+    QTRY_VERIFY(!window);
     QTRY_VERIFY(rig.cell(0, 1).contains("ended early"));
   }
 
@@ -300,7 +319,7 @@ class StudyTest : public QObject {
     Rig rig;
     rig.makeStudy();
     StudyWindow* window = rig.begin();
-    buttonIn(window, "studyBegin")->click();
+    agree(window);
     feelAll(window);
     rig.finger->lost = true;
     QTRY_VERIFY(window->findChild<QLabel*>("studyTrouble")->text().contains("away"));
@@ -324,7 +343,7 @@ class StudyTest : public QObject {
     StudyWindow* window = rig.begin();
     QVERIFY(rig.asked.rehearse);
     QVERIFY(window->findChild<QLabel*>("studyBanner")->text().contains("REHEARSAL"));
-    buttonIn(window, "studyBegin")->click();
+    agree(window);
     feelAll(window);
     QTest::keyClick(window, Qt::Key_A);
     QVERIFY(rig.record().answers.front().kind == playback::SessionKind::rehearsal);
@@ -371,11 +390,188 @@ class StudyTest : public QObject {
     QVERIFY(headphones->isVisible());
     headphones->setText("USB headphones");
     StudyWindow* window = rig.begin();
+    agree(window);
     QVERIFY(rig.asked.player.masking.level > 0);
     QCOMPARE(rig.asked.player.masking.device, std::string("USB headphones"));
     QVERIFY(rig.record().sessions.front().listening == playback::Listening::masked);
     QCOMPARE(rig.record().sessions.front().noiseLevel, rig.asked.player.masking.level);
     window->close();
+  }
+
+  void noThankYouIsNoUnfinishedParticipant() {
+    Rig rig;
+    rig.makeStudy();
+    QPointer<StudyWindow> window = rig.begin();
+    QTest::keyClick(window, Qt::Key_N);
+    QVERIFY(window->findChild<QLabel*>("studyEnd")->isVisible());
+    QTest::keyClick(window, Qt::Key_F12);
+    QTRY_VERIFY(!window);
+    QVERIFY(rig.records().empty());
+    QCOMPARE(playback::declinedIn(rig.study.toStdString()), std::size_t{1});
+    QCOMPARE(rig.desk->findChild<QLineEdit*>("studyParticipant")->text(), QString("P01"));
+  }
+
+  void aLongConsentIsReadByKeys() {
+    Rig rig;
+    rig.makeStudy();
+    QFile text(rig.study + "/consent.txt");
+    QVERIFY(text.open(QIODevice::WriteOnly));
+    for (int i = 0; i < 200; ++i) text.write("What you agree to is this.\n\n");
+    text.close();
+    StudyWindow* window = rig.begin();
+    QVERIFY(window->height() <= window->screen()->geometry().height());
+    const QLabel* words = window->findChild<QLabel*>("studyConsent");
+    const int before = words->mapTo(window, QPoint(0, 0)).y();
+    QTest::keyClick(window, Qt::Key_PageDown);
+    QVERIFY(words->mapTo(window, QPoint(0, 0)).y() < before - 100);
+    QVERIFY(buttonIn(window, "studyLeave")->size() ==
+            buttonIn(window, "studyBegin")->size());  // neither is the easier one
+    window->close();
+  }
+
+  void whatWasAgreedToStandsInTheJournal() {
+    Rig rig;
+    rig.makeStudy();
+    StudyWindow* window = rig.begin();
+    QVERIFY(window->findChild<QLabel*>("studyConsent")->text().contains("virtual buttons"));
+    agree(window);
+    const auto text = playback::consentIn(rig.study.toStdString(), "en");
+    const auto kept = rig.record().consent;
+    QVERIFY(kept && text);
+    QCOMPARE(kept->sha256, text->sha256);
+    QCOMPARE(kept->language, std::string("en"));
+    QVERIFY(kept->utc_s > 1.6e9);
+    window->close();
+  }
+
+  /// The station covers the screen and nothing of the program is behind it; afterwards all is as it was.
+  void nothingIsBehindTheStation() {
+    Rig rig;
+    rig.makeStudy();
+    QWidget other;
+    other.show();
+    QPointer<StudyWindow> window = rig.begin();
+    QVERIFY(window->isFullScreen());
+    QVERIFY(!rig.desk->isVisible() && !other.isVisible());
+    QCOMPARE(window->windowTitle(), QString("Study"));
+    agree(window);
+    QCloseEvent fromOutside;
+    QGuiApplication::sendEvent(window->windowHandle(), &fromOutside);  // Alt+F4
+    QVERIFY(window && window->isVisible());
+    QVERIFY(buttonIn(window, "studyPauseOver")->isVisible());
+    QTest::keyClick(window, Qt::Key_L);
+    QTest::keyClick(window, Qt::Key_F12);
+    QTRY_VERIFY(!window);
+    QVERIFY(rig.desk->isVisible() && other.isVisible());
+  }
+
+  /// editor_study_two_screens runs it where there are two.
+  void theDeskStaysOnAScreenOfItsOwn() {
+    const QList<QScreen*> screens = QGuiApplication::screens();
+    if (screens.size() < 2) QSKIP("there is one screen");
+    Rig rig;
+    rig.makeStudy();
+    QWidget other;
+    other.show();
+    QVERIFY(rig.desk->findChild<QComboBox*>("studyScreen")->isVisible());
+    StudyWindow* window = rig.begin();
+    QCOMPARE(window->geometry(), screens.last()->geometry());
+    QVERIFY(rig.desk->isVisible() && !other.isVisible());
+    agree(window);
+    feelAll(window);
+    QTest::keyClick(window, Qt::Key_A);
+    const QString words = rig.desk->findChild<QLabel*>("studyProgress")->text();
+    QVERIFY2(words.contains("P01") && words.contains("1 of 4"), qPrintable(words));
+    window->close();
+    QVERIFY(other.isVisible());
+  }
+
+  void practiceAndRestsAreSaid() {
+    Rig rig;
+    StudyMaker maker({&rig.a, &rig.b}, {});
+    maker.findChild<QuantityField*>("makerTrials")->setValue(51);
+    maker.findChild<QuantityField*>("makerPractice")->setValue(1);
+    maker.setFolder(rig.study);
+    maker.findChild<QPushButton*>("makerMake")->click();
+    rig.desk->showStudy(rig.study);
+    StudyWindow* window = rig.begin();
+    const auto words = [&] { return window->findChild<QLabel*>("studyWords"); };
+    QTest::keyClick(window, Qt::Key_Y);
+    QVERIFY(words()->isVisible() && words()->text().contains("practice"));
+    for (int i = 0; i < 52; ++i) {
+      if (i == 1) QVERIFY(words()->isVisible() && words()->text().contains("count"));
+      if (i == 51)
+        QVERIFY2(words()->isVisible() && words()->text().contains("51 of 52"), qPrintable(words()->text()));
+      if (words()->isVisible()) QTest::keyClick(window, Qt::Key_Return);
+      feelAll(window);
+      QTest::keyClick(window, Qt::Key_A);
+    }
+    QVERIFY(window->findChild<QLabel*>("studyEnd")->isVisible());
+    QVERIFY(rig.record().complete());
+    window->close();
+  }
+
+  void aThresholdIsAskedInTheWindow() {
+    Rig rig;
+    StudyMaker maker({&rig.a}, {});
+    maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(2);
+    QCOMPARE(maker.findChild<QuantityField*>("makerTrials")->value(), 60.0);
+    maker.findChild<QuantityField*>("makerTrials")->setValue(3);
+    maker.findChild<QuantityField*>("makerPractice")->setValue(0);
+    maker.setFolder(rig.study);
+    maker.findChild<QPushButton*>("makerMake")->click();
+    rig.desk->showStudy(rig.study);
+    StudyWindow* window = rig.begin();
+    agree(window);
+    QVERIFY(buttonIn(window, "studyX") == nullptr);
+    QVERIFY(buttonIn(window, "studyAnswer1")->text().contains("force"));
+    for (int i = 0; i < 3; ++i) {
+      QTest::keyClick(window, Qt::Key_A);  // unfelt
+      QCOMPARE(rig.record().answers.size(), static_cast<std::size_t>(i));
+      QTest::keyClick(window, Qt::Key_1);
+      QTest::keyClick(window, Qt::Key_2);
+      QTest::keyClick(window, Qt::Key_B);
+    }
+    QVERIFY(rig.record().complete());
+    window->close();
+  }
+
+  void scalesAreAskedInTheWindow() {
+    for (const int scale : {0, 1, 2}) {
+      Rig rig;
+      StudyMaker maker({&rig.a, &rig.b}, {});
+      maker.findChild<QComboBox*>("makerKind")->setCurrentIndex(3);
+      maker.findChild<QComboBox*>("makerScale")->setCurrentIndex(scale);
+      maker.findChild<QuantityField*>("makerTrials")->setValue(1);
+      maker.findChild<QuantityField*>("makerPractice")->setValue(0);
+      maker.setFolder(rig.study);
+      maker.findChild<QPushButton*>("makerMake")->click();
+      rig.desk->showStudy(rig.study);
+      StudyWindow* window = rig.begin();
+      agree(window);
+      const int questions = scale == 2 ? 1 : 2;
+      for (int i = 0; i < questions; ++i) {
+        if (scale == 2)
+          for (const Qt::Key key : {Qt::Key_1, Qt::Key_2, Qt::Key_A}) QTest::keyClick(window, key);
+        if (scale == 0) {
+          QTest::keyClick(window, Qt::Key_5);  // unfelt
+          for (const Qt::Key key : {Qt::Key_Space, Qt::Key_5}) QTest::keyClick(window, key);
+        }
+        if (scale == 1) {
+          QTest::keyClick(window, Qt::Key_Space);
+          QTest::keyClick(window, Qt::Key_Return);  // no number yet
+          QVERIFY(window->findChild<QLabel*>("studyTrouble")->isVisible());
+          for (const Qt::Key key :
+               {Qt::Key_7, Qt::Key_Backspace, Qt::Key_2, Qt::Key_Comma, Qt::Key_5, Qt::Key_Enter})
+            QTest::keyClick(window, key);
+        }
+      }
+      const playback::ParticipantRecord record = rig.record();
+      QVERIFY(record.complete());
+      if (scale == 0) QCOMPARE(record.answers[1].answer.rating.value(), 5.0);
+      if (scale == 1) QCOMPARE(record.answers[1].answer.rating.value(), 2.5);
+      window->close();
+    }
   }
 
   void theSensorReachesTheFinger() {
@@ -384,7 +580,7 @@ class StudyTest : public QObject {
     rig.desk->findChild<QComboBox*>("studySensor")->setCurrentText("/dev/ttyACM3");
     StudyWindow* window = rig.begin();
     QCOMPARE(rig.asked.sensorPort, std::string("/dev/ttyACM3"));
-    buttonIn(window, "studyBegin")->click();
+    agree(window);
     QVERIFY(window->findChild<QLabel*>("studyHint")->text().contains("pad"));
     window->close();
   }

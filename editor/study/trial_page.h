@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// One question as a participant sees it: what can be felt and what can be answered, for each kind of study. It knows no label of any button.
+
+#include <optional>
+
+#include "editor/study/keyed_page.h"
+#include "editor/study/participant_language.h"
+#include "playback/study.h"
+
+namespace detent::editor {
+
+/// What is written on a question's controls, in the participant's language.
+struct TrialWords {
+  QString feelX, feelOne, feelIt;  ///< "Feel X", "Feel %1", "Feel it"
+  QString answer;                  ///< "X is %1", "%1 is better"
+  QString space, enter, backspace, takeBack, take;
+  QString least, most;  ///< ends of the scale 1 to 7
+};
+
+/// GUI thread.
+class TrialPage : public KeyedPage {
+  Q_OBJECT
+
+ public:
+  TrialPage(const playback::Study& study, const TrialWords& words, QWidget* parent = nullptr);
+
+  void showQuestion(const QString& text) { question_->setText(text); }
+  void showCount(const QString& text) { count_->setText(text); }
+  /// X is a real switch that is handed over.
+  void showRealX(const QString& text) { x_->setText(text); }
+  /// Empty: nothing is wrong.
+  void showTrouble(const QString& text);
+  void allowAnswers(bool allowed);
+  bool answersAllowed() const;
+  /// Which one is under the finger; nothing: none.
+  void mark(std::optional<std::size_t> slot);
+  /// Buttons beside the count, below the question.
+  void addBelow(QWidget* widget) { bottom_->addWidget(widget); }
+  /// A number that was begun is gone.
+  void clearNumber();
+
+ signals:
+  void felt(std::size_t slot);
+  void answered(std::size_t choice);
+  void rated(double number);
+  void unreadableNumber();
+
+ private:
+  void addChoices(const playback::Study& study, const TrialWords& words);
+  void addScale(const TrialWords& words);
+  void addNumber(const TrialWords& words);
+  void type(QChar digit);
+  void takeNumber();
+
+  QLabel *question_ = nullptr, *trouble_ = nullptr, *count_ = nullptr, *number_ = nullptr;
+  QHBoxLayout* bottom_ = nullptr;
+  QPushButton* x_ = nullptr;
+  std::vector<QPushButton*> choices_, answers_;
+  QString typed_;
+};
+
+}  // namespace detent::editor
