@@ -157,7 +157,7 @@ QLayout* StudyDesk::nextForm() {
   sensor_->addItems(serialPorts());
   language_ = comboBox("studyLanguage", tr("Of everything the participant reads"));
   for (const QString& code : ParticipantLanguage::carried())
-    addChoice(language_, QLocale(code).nativeLanguageName(), code);
+    addChoice(language_, code == "en" ? QStringLiteral("English") : QLocale(code).nativeLanguageName(), code);
   select(language_, QLocale().name().section('_', 0, 0));
   screen_ = comboBoxOfNames("studyScreen", tr("It is covered wholly; on another one this window stays"));
   const QList<QScreen*> screens = QGuiApplication::screens();
