@@ -13,7 +13,8 @@ constexpr const char* english = "en";
 }  // namespace
 
 ParticipantLanguage::ParticipantLanguage(const QString& code) : code_(code) {
-  if (code != QLatin1String(english)) (void)texts_.load(QStringLiteral("detent_%1").arg(code), QString::fromLatin1(folder));
+  if (code != QLatin1String(english))
+    (void)texts_.load(QStringLiteral("detent_%1").arg(code), QString::fromLatin1(folder));
 }
 
 QString ParticipantLanguage::words(const char* text) const {
