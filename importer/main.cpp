@@ -6,6 +6,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 
 #include "importer/program/arguments.h"
 #include "importer/program/library_program.h"
@@ -25,7 +26,7 @@ int main(int argc, char** argv) {
   try {
     if (detent::importer::isLibraryCommand(argc, argv))
       return detent::importer::runLibrary(argc, argv, [] { return interrupted.load(); });
-    const auto parsed = detent::importer::parseArguments(argc, argv);
+    const auto parsed = detent::importer::parseArguments(argc, argv, std::cout, std::cerr);
     if (!parsed.arguments) return parsed.exitCode;
     return detent::importer::run(*parsed.arguments, [] { return interrupted.load(); });
   } catch (const std::exception& fault) {

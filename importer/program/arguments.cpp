@@ -290,7 +290,7 @@ void settle(const RawOptions& raw, Arguments& a) {
 
 }  // namespace
 
-Parsed parseArguments(int argc, char** argv) {
+Parsed parseArguments(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   CLI::App app{
       "Reads the force graph of a push button from a plot, a datasheet page or a force meter's log.\n"
       "With no hints it finds everything itself. Displacement in mm, force in N in everything it writes.\n"
@@ -312,7 +312,7 @@ Parsed parseArguments(int argc, char** argv) {
     arguments.settledBy = settledBy(app);
   } catch (const CLI::ParseError& stop) {
     const bool wanted = stop.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success);  // --help
-    app.exit(stop, std::cout, std::cerr);
+    app.exit(stop, out, err);
     return {{}, wanted ? 0 : static_cast<int>(FailureCode::wrongUsage)};
   }
   return {std::move(arguments), 0};

@@ -2,6 +2,7 @@
 #pragma once
 // The command line of detent-import: a fixed contract, scripts rely on it.
 
+#include <iosfwd>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,6 +33,7 @@ struct Parsed {
   int exitCode = 0;
 };
 
-Parsed parseArguments(int argc, char** argv);
+/// Help and version go to `out`, what is wrong with the words to `err`.
+Parsed parseArguments(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 
 }  // namespace detent::importer

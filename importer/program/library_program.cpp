@@ -20,6 +20,7 @@
 #include "importer/library/report_page.h"
 #include "importer/library/wanted_button.h"
 #include "importer/program/forced_end.h"
+#include "importer/program/library_json.h"
 #include "importer/program/progress_line.h"
 #include "importer/program/report_json.h"
 #include "model/file/button_file.h"
@@ -215,31 +216,6 @@ int runIndex(const LibraryArguments& a, const std::function<bool()>& cancelled) 
   return 0;
 }
 
-Json switchJson(const FoundSwitch& each) {
-  const LibrarySwitch& entry = each.entry;
-  Json json = {{"name", entry.name},
-               {"source", entry.source},
-               {"part", entry.part},
-               {"licence", entry.licence},
-               {"credit", entry.credit},
-               {"unit", entry.unit},
-               {"run", entry.run},
-               {"kind", nameOf(kindOf(entry.figures))},
-               {"distance_lab_noise", nullptr},
-               {"group", nullptr}};
-  if (each.distance_labNoise) {
-    json["distance_lab_noise"] = *each.distance_labNoise;
-    json["group"] = groupOf(*each.distance_labNoise);
-  }
-  for (const KeyFigureName& name : keyFigureNames()) {
-    const auto& value = entry.figures[name.figure];
-    json[std::string(name.key)] = value ? Json(*value) : Json(nullptr);
-  }
-  json["sha256"] = entry.sha256;
-  json["version"] = entry.version;
-  return json;
-}
-
 /// A figure in a column of the table; a dash where there is none.
 std::string cell(const std::optional<double>& value, double unit, const char* format) {
   if (!value) return "-";
@@ -292,18 +268,6 @@ void printNearest(const std::vector<NearMiss>& nearest) {
                 entry.credit.empty() ? "credit unknown" : entry.credit.c_str(), entry.source.c_str());
 }
 
-Json nearestJson(const std::vector<NearMiss>& nearest) {
-  Json list = Json::array();
-  for (const auto& [entry, miss] : nearest)
-    list.push_back({{"name", entry.name},
-                    {"source", entry.source},
-                    {"part", entry.part},
-                    {"licence", entry.licence},
-                    {"credit", entry.credit},
-                    {"miss_lab_noise", miss}});
-  return list;
-}
-
 Result<Button> bentFrom(const LibrarySwitch& entry, const std::vector<FigureRange>& ranges) {
   auto button = buttonOf(entry, Quality::draft);  // whose figures were compared
   return button ? buttonWithin(*button, ranges) : std::move(button);
@@ -350,13 +314,7 @@ int runFind(const LibraryArguments& a) {
     if (const auto written = writeWanted(a, *result); !written)
       return refused(written.failure(), a.wanted, a.json);
   if (a.json) {
-    Json found = Json::array();
-    for (const FoundSwitch& each : result->found) found.push_back(switchJson(each));
-    const Json json = {{"found", std::move(found)},
-                       {"nearest", nearestJson(result->nearest)},
-                       {"fitting", result->fitting},
-                       {"lab_noise_N", labNoise_gf * newtonsPer(ForceUnit::gramForce)}};
-    std::fprintf(stdout, "%s\n", jsonText(json).c_str());
+    std::fprintf(stdout, "%s\n", foundJson(*result).c_str());
     return 0;
   }
   printTable(result->found);

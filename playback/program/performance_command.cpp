@@ -16,6 +16,7 @@
 #include "playback/performance/forecast.h"
 #include "playback/program/json_output.h"
 #include "playback/program/number_option.h"
+#include "playback/program/performance_json.h"
 #include "playback/program/performance_limits.h"
 #include "playback/program/press_effects.h"
 
@@ -44,44 +45,6 @@ Result<Button> namedButton(const std::string& file) {
   return button;
 }
 
-Json jsonOf(const Band& band) { return {{"median", band.median}, {"low", band.low}, {"high", band.high}}; }
-
-Json numberOrNull(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
-
-const char* nameOf(LimitOutcome outcome) {
-  if (outcome == LimitOutcome::withinTolerance) return "within_tolerance";
-  return outcome == LimitOutcome::pass ? "pass" : "fail";
-}
-
-Json jsonOf(const LimitFinding& finding) {
-  const Limit& limit = finding.limit;
-  return {{"standard", limit.standard},       {"edition", limit.edition},
-          {"clause", limit.clause},           {"kind", limit.kind},
-          {"figure", keyOf(limit.figure)},    {"least", numberOrNull(limit.least)},
-          {"most", numberOrNull(limit.most)}, {"tolerance", limit.tolerance},
-          {"value", finding.value},           {"outcome", nameOf(finding.outcome)}};
-}
-
-Json jsonOf(const Forecasted& one) {
-  const PressForecast& forecast = one.forecast;
-  Json json{{"name", forecast.name},
-            {"operating_point_mm", numberOrNull(forecast.operatingPoint_mm)},
-            {"reset_point_mm", numberOrNull(forecast.resetPoint_mm)},
-            {"jump_is_felt", forecast.jumpIsFelt}};
-  Json reasons = Json::object();
-  for (std::size_t f = 0; f < pressFigureCount; ++f) {
-    const char* key = pressFigureNames()[f].key;
-    const std::vector<double>& values = forecast.ofFingers[f];
-    json[key] = values.empty() ? Json(nullptr) : jsonOf(bandOf(values));
-    if (values.empty()) reasons[key] = reasonOf(forecast.why[f]);
-  }
-  json["reasons"] = std::move(reasons);
-  Json limits = Json::array();
-  for (const LimitFinding& finding : one.limits) limits.push_back(jsonOf(finding));
-  json["limits"] = std::move(limits);
-  return json;
-}
-
 const char* nameOf(Claim claim) {
   switch (claim) {
     case Claim::noDifference:
@@ -104,7 +67,7 @@ Json differencesOf(const PressForecast& first, const PressForecast& second) {
     const PressDifference difference = differenceOf(first, second, static_cast<PressFigure>(f));
     const bool known = difference.claim != Claim::notForecast;
     json[pressFigureNames()[f].key] = {{"forecast", nameOf(difference.claim)},
-                                       {"ratio", known ? jsonOf(difference.ratio) : Json(nullptr)}};
+                                       {"ratio", known ? bandJson(difference.ratio) : Json(nullptr)}};
   }
   return json;
 }
@@ -201,7 +164,7 @@ int run(const PerformanceArguments& a, const Cancelled& cancelled) {
     all.push_back({std::move(button), *std::move(forecast), std::move(findings)});
     say(all.back().forecast);
     for (const LimitFinding& finding : all.back().limits) say(finding);
-    list.push_back(jsonOf(all.back()));
+    list.push_back(forecastJson(all.back().forecast, all.back().limits));
   }
   const Json differences = allDifferences(all);
   if (a.json)
@@ -213,6 +176,10 @@ int run(const PerformanceArguments& a, const Cancelled& cancelled) {
 }
 
 }  // namespace
+
+std::string buttonJson(const PressForecast& forecast, const std::vector<LimitFinding>& findings) {
+  return jsonText(forecastJson(forecast, findings));
+}
 
 void addPerformanceCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(

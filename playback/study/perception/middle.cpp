@@ -2,6 +2,7 @@
 #include "playback/study/perception/middle.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -75,6 +76,20 @@ class Search {
 }  // namespace
 
 bool PerceptualMiddle::equal() const { return std::fabs(imbalanceOf(*this)) <= equalWithin; }
+
+Result<PerceptualMiddle> placeBetween(const Button& from, const Button& to, double share,
+                                      const std::function<bool()>& cancelled) {
+  auto button = between(from, to, share);
+  if (!button) return button.failure();
+  std::array<FeltButton, 3> felt;
+  for (std::size_t i = 0; i < felt.size(); ++i) {
+    auto one = feel(i == 0 ? from : i == 1 ? *button : to, {}, cancelled);
+    if (!one) return one.failure();
+    felt[i] = *std::move(one);
+  }
+  return PerceptualMiddle{share, *std::move(button), predictConfusion(felt[0], felt[1]).dPrime,
+                          predictConfusion(felt[1], felt[2]).dPrime};
+}
 
 Result<PerceptualMiddle> perceptualMiddle(const Button& from, const Button& to,
                                           const PerceptionSettings& perception,

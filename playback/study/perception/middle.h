@@ -17,6 +17,10 @@ struct PerceptualMiddle {
   bool equal() const;
 };
 
+/// The button at a share of the way, 0 to 1, and how it is told from either. Failures: those of between() and feel().
+Result<PerceptualMiddle> placeBetween(const Button& from, const Button& to, double share,
+                                      const std::function<bool()>& cancelled = {});
+
 /// Where the halves are never equal, the place where they differ least. Half the way for two that do not differ. Some 40 forecasts. Failures: those of between() and feel().
 Result<PerceptualMiddle> perceptualMiddle(const Button& from, const Button& to,
                                           const PerceptionSettings& perception = {},

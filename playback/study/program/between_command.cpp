@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/study/program/between_command.h"
 
-#include <array>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -10,7 +9,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include "model/blend.h"
 #include "model/file/button_file.h"
 #include "model/program/command_line.h"
 #include "playback/program/json_output.h"
@@ -26,27 +24,13 @@ struct BetweenArguments {
   bool json = false;
 };
 
-Result<PerceptualMiddle> placeAt(const Button& from, const Button& to, double share,
-                                 const Cancelled& cancelled) {
-  auto button = between(from, to, share);
-  if (!button) return button.failure();
-  std::array<FeltButton, 3> felt;
-  for (std::size_t i = 0; i < felt.size(); ++i) {
-    auto one = feel(i == 0 ? from : i == 1 ? *button : to, {}, cancelled);
-    if (!one) return one.failure();
-    felt[i] = *std::move(one);
-  }
-  return PerceptualMiddle{share, *std::move(button), predictConfusion(felt[0], felt[1]).dPrime,
-                          predictConfusion(felt[1], felt[2]).dPrime};
-}
-
 int run(const BetweenArguments& a, const Cancelled& cancelled) {
   const auto from = readButtonFile(a.from);
   if (!from) return fail(from.failure());
   const auto to = readButtonFile(a.to);
   if (!to) return fail(to.failure());
-  const auto place =
-      a.share ? placeAt(*from, *to, *a.share, cancelled) : perceptualMiddle(*from, *to, {}, {}, cancelled);
+  const auto place = a.share ? placeBetween(*from, *to, *a.share, cancelled)
+                             : perceptualMiddle(*from, *to, {}, {}, cancelled);
   if (!place) return fail(place.failure());
   if (auto written = writeButtonFile(a.out, place->button); !written) return fail(written.failure());
   std::fprintf(stderr, "%s: %.1f %% of the way; forecast d' %.2f from %s, %.2f from %s\n", a.out.c_str(),

@@ -120,6 +120,10 @@ int run(const ConfusionArguments& a, const Cancelled& cancelled) {
 
 }  // namespace
 
+std::string pairJson(const std::string& a, const std::string& b, const PredictedPair& pair) {
+  return jsonText(jsonOf(a, b, pair));
+}
+
 void addConfusionCommand(CLI::App& program, Action& chosen) {
   CLI::App* app = program.add_subcommand(
       "confusion", "Will people tell these buttons apart? A forecast (docs/predicted-confusion.md)");

@@ -2,10 +2,16 @@
 #pragma once
 // detent-play confusion: will people tell these buttons apart?
 
+#include <string>
+
 #include "playback/program/command.h"
+#include "playback/study/perception/confusion.h"
 
 namespace detent::playback {
 
 void addConfusionCommand(CLI::App& program, Action& chosen);
+
+/// What is foretold of two buttons of these names, as scripts read it.
+std::string pairJson(const std::string& a, const std::string& b, const PredictedPair& pair);
 
 }  // namespace detent::playback

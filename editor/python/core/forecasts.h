@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What detent-play renders and foretells, and what detent-import library finds, as functions. All throw Refusal; JSON as the programs
+// print it. Any thread.
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "editor/python/core/interruptible.h"
+#include "model/button.h"
+
+namespace detent::python {
+
+/// Samples of a press (a trace's file; empty: a human-like one) as shares of full scale.
+std::vector<float> renderedPress(const Button& button, const std::string& traceFile, double rate_Hz,
+                                 const Cancelled& cancelled);
+
+/// A JSON array, one entry a pair; `a` and `b` are the buttons' places, as text.
+std::string confusionOf(const std::vector<Button>& buttons, const Cancelled& cancelled);
+
+/// A JSON array, one entry a button.
+std::string performanceOf(const std::vector<Button>& buttons, const std::optional<double>& operateAt_mm,
+                          const Cancelled& cancelled);
+
+/// The button at `share` of the way (empty: as far from either), and what is said of it.
+std::pair<Button, std::string> buttonBetween(const Button& from, const Button& to,
+                                             const std::optional<double>& share, const Cancelled& cancelled);
+
+/// What `detent-import library find --like` prints for the button's first state.
+std::string switchesLike(const Button& button, const std::string& database, std::size_t limit);
+
+}  // namespace detent::python

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What detent-import does, as functions: a file in, a button and its report out.
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/python/core/interruptible.h"
+#include "editor/python/core/refusal.h"
+#include "importer/importer.h"
+#include "model/button.h"
+
+namespace detent::python {
+
+struct ReadButton {
+  Button button;
+  std::string reportJson;  ///< as `detent-import --json` prints it, without outputs
+};
+
+/// Options as detent-import takes them ("--page=2"), checked by its own parser. Throws Refusal.
+importer::ImportRequest requestOf(const std::vector<std::string>& options);
+
+/// Any thread. Throws Refusal.
+ReadButton readGraph(importer::ImportRequest request, const std::string& path, const Cancelled& cancelled);
+
+/// Many files by several threads, given in their order. One thread asks.
+class ReadMany {
+ public:
+  /// Begins at once. `jobs` >= 1.
+  ReadMany(const std::vector<std::string>& paths, const importer::ImportRequest& request, std::size_t jobs);
+  ~ReadMany() { stop(); }
+  ReadMany(const ReadMany&) = delete;
+  ReadMany& operator=(const ReadMany&) = delete;
+
+  /// What came of the next file; waits as `await` does, and stops where that throws.
+  Answer<ReadButton> next();
+  /// Files not begun are not; those that are read are told to end. Returns at once.
+  void stop();
+
+ private:
+  struct Shared;
+  std::shared_ptr<Shared> shared_;
+  std::size_t given_ = 0;
+};
+
+}  // namespace detent::python

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A Failure on its way to Python, where it becomes the exception of its kind.
+
+#include <exception>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "model/result.h"
+
+namespace detent::python {
+
+/// What the caller is told.
+struct Refused {
+  int code = 1;                       ///< the programs' exit code
+  std::string sentence;               ///< as the program says it
+  std::vector<std::string> remedies;  ///< one for each, likeliest first
+  std::string reportJson;             ///< what the program prints with --json; empty where it prints none
+
+  static Refused from(const Failure& failure, std::string reportJson = {});
+};
+
+/// Raised as detent.Failure or one of its kinds.
+class Refusal : public std::exception {
+ public:
+  explicit Refusal(Refused why) : why_(std::move(why)) {}
+  const Refused& why() const { return why_; }
+  const char* what() const noexcept override { return why_.sentence.c_str(); }
+
+ private:
+  Refused why_;
+};
+
+/// A value, or the Refusal to throw once Python's lock is held again.
+template <class T>
+struct Answer {
+  std::optional<T> value;
+  Refused refused;
+
+  T take() && {
+    if (!value) throw Refusal(std::move(refused));
+    return *std::move(value);
+  }
+};
+
+/// What `work` gives; of an exception that leaves it the Refusal a program would end with.
+template <class T, class Work>
+Answer<T> answerOf(const Work& work) {
+  try {
+    return {work(), {}};
+  } catch (const Refusal& refusal) {
+    return {{}, refusal.why()};
+  } catch (const std::bad_alloc&) {
+    return {{}, {3, "needs more memory than there is.", {}, {}}};
+  } catch (const std::exception& fault) {
+    return {{},
+            {1,
+             std::string("internal fault: ") + fault.what() + ". Please report it with the input file.",
+             {},
+             {}}};
+  }
+}
+
+/// The value, or its Failure thrown.
+template <class T>
+T valueOf(Result<T> result) {
+  if (!result) throw Refusal(Refused::from(result.failure()));
+  return std::move(*result);
+}
+
+}  // namespace detent::python

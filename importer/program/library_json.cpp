@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/program/library_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "model/file/json_text.h"
+#include "model/units.h"
+
+namespace detent::importer {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json switchJson(const FoundSwitch& each) {
+  const LibrarySwitch& entry = each.entry;
+  Json json = {{"name", entry.name},
+               {"source", entry.source},
+               {"part", entry.part},
+               {"licence", entry.licence},
+               {"credit", entry.credit},
+               {"unit", entry.unit},
+               {"run", entry.run},
+               {"kind", nameOf(kindOf(entry.figures))},
+               {"distance_lab_noise", nullptr},
+               {"group", nullptr}};
+  if (each.distance_labNoise) {
+    json["distance_lab_noise"] = *each.distance_labNoise;
+    json["group"] = groupOf(*each.distance_labNoise);
+  }
+  for (const KeyFigureName& name : keyFigureNames()) {
+    const auto& value = entry.figures[name.figure];
+    json[std::string(name.key)] = value ? Json(*value) : Json(nullptr);
+  }
+  json["sha256"] = entry.sha256;
+  json["version"] = entry.version;
+  return json;
+}
+
+Json nearestJson(const std::vector<NearMiss>& nearest) {
+  Json list = Json::array();
+  for (const auto& [entry, miss] : nearest)
+    list.push_back({{"name", entry.name},
+                    {"source", entry.source},
+                    {"part", entry.part},
+                    {"licence", entry.licence},
+                    {"credit", entry.credit},
+                    {"miss_lab_noise", miss}});
+  return list;
+}
+
+}  // namespace
+
+std::string foundJson(const FoundSwitches& result) {
+  Json found = Json::array();
+  for (const FoundSwitch& each : result.found) found.push_back(switchJson(each));
+  return jsonText(Json{{"found", std::move(found)},
+                       {"nearest", nearestJson(result.nearest)},
+                       {"fitting", result.fitting},
+                       {"lab_noise_N", labNoise_gf * newtonsPer(ForceUnit::gramForce)}});
+}
+
+}  // namespace detent::importer

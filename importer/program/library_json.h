@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// What the library answers, as JSON in the shape that scripts rely on.
+
+#include <string>
+
+#include "importer/library/find_switches.h"
+
+namespace detent::importer {
+
+/// One object, one line: `found`, `nearest`, `fitting`, `lab_noise_N`.
+std::string foundJson(const FoundSwitches& result);
+
+}  // namespace detent::importer

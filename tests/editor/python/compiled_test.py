@@ -1,0 +1,301 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""import detent against the programs, over all samples: module_test.py --root FOLDER --build FOLDER"""
+
+import argparse
+import json
+import os
+import pickle
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+ROOT = BUILD = detent = None
+UNTYPED = ("--ignore-missing-imports",)  # pandas and matplotlib of Debian 12 carry no types
+SAMPLES = ("png", "svg", "pdf", "csv")
+
+
+def program(name, *words):
+    return subprocess.run([BUILD / "bin" / name, *map(str, words)], capture_output=True, text=True, check=False)
+
+
+def plots():
+    return [path for path in sorted((ROOT / "samples/plots").iterdir()) if path.suffix[1:] in SAMPLES]
+
+
+def rows(csv, stroke):
+    return np.array([[float(x) for x in line.split(",")[1:]] for line in csv.splitlines() if line.startswith(stroke + ",")])
+
+
+def without_times(report):
+    return {key: value for key, value in report.items() if key not in ("seconds", "outputs")}
+
+
+class Reading(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def test_every_sample_gives_what_the_program_gives(self):
+        read = 0
+        for plot in plots():
+            with self.subTest(plot.name):
+                out, csv = self.folder / "x.button.json", self.folder / "x.csv"
+                ran = program("detent-import", plot, "-o", out, "--csv", csv, "--json")
+                if ran.returncode != 0:
+                    with self.assertRaises(detent.Failure) as raised:
+                        detent.read(plot)
+                    self.assertEqual(raised.exception.code, ran.returncode)
+                    self.assertEqual(str(raised.exception), json.loads(ran.stdout)["problem"])
+                    continue
+                button = detent.read(plot)
+                read += 1
+                self.assertEqual(without_times(button.report), without_times(json.loads(ran.stdout)))
+                self.assertEqual(button.to_json(), out.read_text())
+                np.testing.assert_array_equal(button.press, rows(csv.read_text(), "press"))
+                if button.release is not None:
+                    np.testing.assert_array_equal(button.release, rows(csv.read_text(), "release"))
+                self.assertEqual(button.press.shape[1], 2)
+        self.assertGreater(read, 5)
+
+    def test_hints_settle_what_they_say(self):
+        plot = ROOT / "samples/plots/black-red-curves.png"
+        given = detent.read(plot, x_axis=(0, 10), x_unit="mm", quality="draft", page=1)
+        self.assertEqual((given.report["x_axis"]["min"], given.report["x_axis"]["max"]), (0, 10))
+        self.assertEqual(given.report["quality"], "draft")
+
+    def test_failures_carry_code_and_remedies(self):
+        (self.folder / "broken.png").write_text("not a picture")
+        with self.assertRaises(detent.UnreadableInput) as raised:
+            detent.read(self.folder / "broken.png")
+        self.assertEqual(raised.exception.code, 3)
+        with self.assertRaises(detent.NotCertain) as raised:
+            detent.read(ROOT / "samples/plots/black-red-curves.png", sure=1.0)
+        self.assertEqual(raised.exception.code, 5)
+        self.assertTrue(raised.exception.remedies)
+        with self.assertRaises(detent.WrongUsage) as raised:
+            detent.read(ROOT / "samples/plots/black-red-curves.png", y_unit="furlong")
+        self.assertIn("furlong", str(raised.exception))
+        copy = pickle.loads(pickle.dumps(raised.exception))
+        self.assertEqual((copy.code, str(copy)), (2, str(raised.exception)))
+
+    def test_many_come_in_order_with_their_failures(self):
+        (self.folder / "broken.png").write_text("not a picture")
+        asked = [self.folder / "broken.png", *plots()[:3], self.folder / "absent.png"]
+        got = list(detent.import_many(asked, jobs=2, quality="draft"))
+        self.assertEqual([path for path, _ in got], asked)
+        self.assertEqual([getattr(result, "code", 0) for _, result in got], [3, 0, 0, 0, 3])
+
+    def test_what_was_read_before_changes_nothing(self):
+        """The text engine and its thread live on between calls."""
+        readable = [plot for plot in plots() if plot.suffix == ".png"]
+        first = {plot: detent.read(plot, quality="draft", sure=0.0).to_json() for plot in readable}
+        for plot, button in detent.import_many(readable[::-1], jobs=2, quality="draft", sure=0.0):
+            self.assertEqual(button.to_json(), first[plot], plot)
+
+    def test_what_python_refuses_is_not_begun(self):
+        with self.assertRaises(detent.WrongUsage):
+            detent.import_many(plots(), y_unit="furlong")
+        with self.assertRaises(detent.WrongUsage):
+            detent.import_many(plots(), jobs=0)
+        with self.assertRaises(TypeError):
+            detent.import_many(plots(), colour="red")
+
+    def test_a_forked_process_reads(self):
+        detent.read(plots()[0])  # by a thread that the child does not have
+        pid = os.fork()
+        if pid == 0:
+            try:
+                detent.read(plots()[0])
+                os._exit(0)
+            finally:
+                os._exit(1)
+        self.assertEqual(os.waitpid(pid, 0)[1], 0)
+
+    def test_control_c_ends_many(self):
+        pipe = self.folder / "page.csv"
+        os.mkfifo(pipe)
+        threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+        begun = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            list(detent.import_many([pipe], jobs=2))
+        self.assertLess(time.monotonic() - begun, 1.5)
+
+    def test_control_c_ends_a_read_within_half_a_second(self):
+        pipe = self.folder / "page.csv"
+        os.mkfifo(pipe)  # never written to: a read that lasts as long as it is let
+        threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+        begun = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            detent.read(pipe)
+        self.assertLess(time.monotonic() - begun, 1.5)
+
+
+class Buttons(unittest.TestCase):
+    def setUp(self):
+        self.file = ROOT / "samples/buttons/C.button.json"
+        self.button = detent.load(self.file)
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+
+    def test_figures_are_the_programs(self):
+        shown = json.loads(program("detent-graph", "show", self.file, "--json").stdout)["states"][0]["figures"]
+        self.assertEqual(self.button.figures(), shown)
+        self.assertEqual(self.button.figures()["total_travel_mm"], self.button.press[:, 0].max() - self.button.press[:, 0].min())
+        self.assertEqual(self.button.figures()["peak_force_N"], self.button.press[self.button.press[:, 0] <= self.button.figures()["peak_travel_mm"], 1].max())
+        with self.assertRaises(IndexError):
+            self.button.figures(2)
+
+    def test_render_is_the_programs_sample_for_sample(self):
+        wave = self.folder / "c.wav"
+        program("detent-play", "render", self.file, "--standard-press", "-o", wave, "--bits", "float")
+        samples = detent.render(self.button)
+        self.assertEqual(wave.read_bytes()[-4 * samples.size:], samples.tobytes())
+        self.assertGreater(np.abs(samples).max(), 0.01)
+        with self.assertRaises(detent.Failure):
+            detent.render(self.button, rate_Hz=1)
+
+    def test_a_button_is_a_value(self):
+        self.button.save(self.folder / "copy.button.json")
+        self.assertEqual((self.folder / "copy.button.json").read_bytes(), self.file.read_bytes())
+        for copy in (detent.load(self.folder / "copy.button.json"), pickle.loads(pickle.dumps(self.button)),
+                     detent.Button.from_json(self.button.to_json())):
+            self.assertEqual(copy, self.button)
+            self.assertEqual(hash(copy), hash(self.button))
+        self.assertNotEqual(self.button, detent.load(ROOT / "samples/buttons/D.button.json"))
+        with self.assertRaises(ValueError):
+            self.button.press[0, 0] = 1
+        with self.assertRaises(OSError):
+            self.button.save(self.folder / "absent" / "x.button.json")
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["copy.button.json"])
+
+    def test_edits_are_values(self):
+        double = detent.edits.scale_force(2)
+        self.assertEqual(pickle.loads(pickle.dumps(double)), double)
+        both = self.button.edited(double, detent.edits.rename("twice"))
+        self.assertEqual(both.name, "twice")
+        self.assertAlmostEqual(both.figures()["peak_force_N"], 2 * self.button.figures()["peak_force_N"])
+        self.assertEqual(self.button, detent.load(self.file))
+        with self.assertRaises(detent.WrongUsage):
+            self.button.edited(detent.edits.scale_force(0))
+
+    def test_curves_are_views(self):
+        graph = self.button.graphs[0]
+        self.assertTrue(np.shares_memory(graph.press_force_N, graph.press))
+        self.assertFalse(graph.press.flags.owndata)
+        kept = detent.load(self.file).press  # outlives its button
+        np.testing.assert_array_equal(kept, self.button.press)
+        latch = detent.load(ROOT / "samples/buttons/latch.button.json")
+        self.assertEqual([each.name for each in latch.graphs], ["off", "on"])
+
+    def test_a_notebook_shows_the_graph(self):
+        self.assertRegex(self.button._repr_svg_(), re.compile(r"<svg.*</svg>", re.S))
+        self.assertIn("mm", repr(self.button))
+
+    def test_confusion_names_places(self):
+        pairs = detent.confusion(self.button, detent.load(ROOT / "samples/buttons/D.button.json"), self.button)
+        self.assertEqual([(pair["a"], pair["b"]) for pair in pairs], [(0, 1), (0, 2), (1, 2)])
+        self.assertAlmostEqual(pairs[1]["d_prime"], 0)
+        self.assertGreater(pairs[0]["d_prime"], 0)
+
+
+class Library(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.b, self.c = (detent.load(ROOT / f"samples/buttons/{name}.button.json") for name in "BC")
+
+    def test_what_feels_alike(self):
+        database = self.folder / "l.db"
+        self.assertEqual(program("detent-import", "library", "index", ROOT / "samples/buttons", "--db", database).returncode, 0)
+        found = detent.find_like(self.b, database, limit=3)
+        self.assertEqual(len(found), 3)
+        self.assertEqual((found[0]["name"], found[0]["group"]), (self.b.name, 1))
+        self.assertLess(found[0]["distance_lab_noise"], 1e-6)
+        with self.assertRaises(detent.UnreadableInput):
+            detent.find_like(self.b, self.folder / "none.db")
+
+    def test_between_and_average(self):
+        self.assertTrue(np.array_equal(detent.between(self.b, self.c, 0).press, self.b.press))
+        middle = detent.between(self.b, self.c)
+        self.assertTrue(0 < middle.report["share"] < 1)
+        mean, spread = detent.average(self.b, self.c)
+        figure = spread["states"][0]["figures"]["total_travel_mm"]
+        self.assertAlmostEqual(figure["mean"], (self.b.figures()["total_travel_mm"] + self.c.figures()["total_travel_mm"]) / 2)
+        self.assertAlmostEqual(mean.figures()["total_travel_mm"], figure["mean"], places=6)
+        with self.assertRaises(detent.WrongUsage):
+            detent.average(self.b)
+        with self.assertRaises(detent.WrongUsage):
+            detent.between(self.b, self.c, 2)
+
+    def test_performance_of_each(self):
+        forecast = detent.performance(self.b)
+        self.assertEqual(len(forecast), 1)
+        self.assertIn("activation_s", forecast[0])
+
+
+class Importing(unittest.TestCase):
+    def imported(self, folder, **environment):
+        return subprocess.run([sys.executable, "-c", "import detent"], env={**os.environ, "PYTHONPATH": str(folder), **environment},
+                              capture_output=True, text=True, check=False)
+
+    def test_another_version_says_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copytree(BUILD / "python/detent", Path(folder, "detent"))
+            Path(folder, "detent/_version.py").write_text('version = "9.9.9"\n')
+            ran = self.imported(folder)
+        self.assertNotEqual(ran.returncode, 0)
+        self.assertRegex(ran.stderr, r"ImportError: detent: the module is of version 9\.9\.9, its library \(.*\) of \d")
+
+
+def cells_of(notebook):
+    """The code of a notebook, a cell after the other."""
+    cells = json.loads(notebook.read_text())["cells"]
+    return "\n\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
+
+
+class Notebooks(unittest.TestCase):
+    def test_they_run(self):
+        for notebook in sorted((ROOT / "samples/notebooks").glob("*.ipynb")):
+            with self.subTest(notebook.name), tempfile.TemporaryDirectory() as folder:
+                ran = subprocess.run([sys.executable, "-c", cells_of(notebook)], cwd=ROOT, capture_output=True, text=True, check=False,
+                                     env={**os.environ, "PYTHONPATH": str(BUILD / "python"), "MPLBACKEND": "agg", "TMPDIR": folder})
+                if "No module named" in ran.stderr and "detent" not in ran.stderr.split("No module named")[1]:
+                    print("SKIPPED", notebook.name, ran.stderr.splitlines()[-1])
+                    continue
+                self.assertEqual(ran.returncode, 0, ran.stderr)
+
+
+class Types(unittest.TestCase):
+    def test_types_are_strict(self):
+        if not shutil.which("mypy", path="/usr/bin"):
+            print("SKIPPED types: mypy is not installed")
+            return
+        with tempfile.TemporaryDirectory() as folder:
+            scripts = []
+            for notebook in (ROOT / "samples/notebooks").glob("*.ipynb"):
+                scripts.append(Path(folder, notebook.stem.replace("-", "_") + ".py"))
+                scripts[-1].write_text(cells_of(notebook))
+            ran = subprocess.run(["/usr/bin/mypy", "--strict", "--cache-dir", folder, *UNTYPED, BUILD / "python/detent", *scripts],
+                                 env={**os.environ, "MYPYPATH": str(BUILD / "python")}, capture_output=True, text=True, check=False)
+        self.assertEqual(ran.returncode, 0, ran.stdout)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--root", type=Path, required=True)
+    parser.add_argument("--build", type=Path, required=True)
+    chosen, rest = parser.parse_known_args()
+    ROOT, BUILD = chosen.root.resolve(), chosen.build.resolve()
+    sys.path.insert(0, str(BUILD / "python"))
+    import detent  # noqa: F811
+    unittest.main(argv=[sys.argv[0], *rest])
