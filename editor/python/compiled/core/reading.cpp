@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/python/core/reading.h"
+#include "editor/python/compiled/core/reading.h"
 
 #include <algorithm>
 #include <sstream>
