@@ -30,11 +30,13 @@ build_packages=(
   portaudio19-dev libjack-jackd2-dev liblo-dev libsndfile1-dev libreaderwriterqueue-dev
   libsqlite3-dev                   # the library of switches
   libusb-1.0-0-dev                 # the Novint Falcon
+  pybind11-dev python3-dev         # import detent
   clang-14 lld-14 wasi-libc libc++-14-dev-wasm32 libclang-rt-14-dev-wasm32  # the engine for browsers (detent-play page)
 )
 test_packages=(
   catch2 librapidcheck-dev libbenchmark-dev
   git python3 python3-numpy python3-scipy python3-jsonschema mypy time
+  python3-pandas python3-matplotlib python3-tqdm  # samples/notebooks
   snakemake slurm-wlm munge        # samples/cluster
   jackd2 puredata-core
   chromium chromium-driver         # a shared page is opened in it

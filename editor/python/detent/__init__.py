@@ -1,102 +1,189 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Detent in Python: from a printed force graph to a button, its figures and its sound.
 
-The programs do the work, so the numbers are theirs to the last bit. Displacement in mm, force in N.
+What the programs do, by the same library, so the numbers are theirs to the last bit. Displacement in mm, force in N, time in s.
 
     import detent
     button = detent.read("datasheet.pdf", page=3)
     print(button.figures()["peak_force_N"], button.report["confidence"])
     displacement_mm, force_N = button.press.T
 
-What cannot be done raises detent.Failure. Ctrl-C ends a call within half a second. Threads may call side by side.
+What cannot be done raises detent.Failure. Ctrl-C ends a call within half a second. Threads may call side by side: nothing that takes
+long holds Python's lock.
 """
 
 from __future__ import annotations
 
+import importlib
+import inspect
 import json
 import os
-import tempfile
 import threading
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from typing import Any, Literal, Union
 
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _programs
+from . import _core, edits
 from ._version import version as __version__
+from .edits import Edit
 from .failure import Failure, NoForceGraph, NotCertain, UnreadableInput, WrongUsage
 
 __all__ = [
-    "Button", "Failure", "NoForceGraph", "NotCertain", "UnreadableInput", "WrongUsage",
-    "average", "between", "confusion", "find_like", "import_many", "load", "performance", "read", "render", "__version__",
+    "Button", "Edit", "Failure", "Graph", "NoForceGraph", "NotCertain", "UnreadableInput", "WrongUsage",
+    "average", "between", "compare", "confusion", "edits", "find_like", "import_many", "load", "performance", "read", "render",
+    "__version__",
 ]
 
-_programs.check_version()
+if _core.version != __version__:
+    raise ImportError(f"detent: the module is of version {__version__}, its library ({_core.__file__}) of {_core.version}. "
+                      "Install both from the same release.")
 
 AnyPath = Union[str, "os.PathLike[str]"]
 Quality = Literal["draft", "standard", "precise"]
 Curve = NDArray[np.float64]
+Column = NDArray[np.float64]
 
 
-class Button:
-    """A button: a value that does not change; made by read, load and from_json. Can be compared, pickled and shown in a notebook.
+class Graph:
+    """The force graph of one state of a button: a value that does not change. Arrays are views on the library's memory, not to be written to.
 
-    report: what its import says of itself, the dictionary of `detent-import --json`; empty for a button from a file.
-    press: (n, 2), displacement in mm and force in N of the first state, in the order travelled; not to be written to.
+    name: "" for the only state, else "unlocked" or "locked".
+    press: (n, 2), displacement in mm and force in N, in the order travelled.
     release: the same of the release, from deep to rest; None where it is not known.
     """
 
-    __slots__ = ("report", "press", "release", "_text")
+    __slots__ = ("_core", "_state", "press", "release")
 
-    def __init__(self, text: str, curves: str, report: dict[str, Any] | None = None) -> None:
-        self._text = text
-        self.report: dict[str, Any] = report or {}
-        press = _stroke(curves, "press")
-        assert press is not None  # no button is without
+    def __init__(self, core: _core.Button, state: int) -> None:
+        self._core = core
+        self._state = state
+        press = core.points(state, True)
+        assert press is not None  # no state is without
         self.press: Curve = press
-        self.release: Curve | None = _stroke(curves, "release")
+        self.release: Curve | None = core.points(state, False)
+
+    @property
+    def name(self) -> str:
+        """Of the state; "" for the only one."""
+        return self._core.state_name(self._state)
+
+    @property
+    def press_displacement_mm(self) -> Column:
+        """(n,): where the press was sampled, a view on `press`."""
+        column: Column = self.press[:, 0]
+        return column
+
+    @property
+    def press_force_N(self) -> Column:
+        """(n,): its force there."""
+        column: Column = self.press[:, 1]
+        return column
+
+    @property
+    def release_displacement_mm(self) -> Column | None:
+        """(n,): where the release was sampled; None where it is not known."""
+        return None if self.release is None else self.release[:, 0]
+
+    @property
+    def release_force_N(self) -> Column | None:
+        """(n,): its force there."""
+        return None if self.release is None else self.release[:, 1]
+
+    @property
+    def operating_point_mm(self) -> float | None:
+        """Where the contact closes on the press; None where it is not known."""
+        return self._core.operating_point_mm(self._state)
+
+    @property
+    def reset_point_mm(self) -> float | None:
+        """Where it opens on the release; None where it is not known."""
+        return self._core.reset_point_mm(self._state)
+
+    @property
+    def damping(self) -> Curve:
+        """(n, 2): displacement in mm and damping in N s/mm; no rows where none is modelled."""
+        return self._core.damping(self._state)
+
+    def figures(self) -> dict[str, float]:
+        """Key figures it has, the unit at the name's end: peak_force_N, pre_travel_mm; a share (snap_ratio) has none."""
+        return self._core.figures(self._state)
+
+    def __repr__(self) -> str:
+        release = "with release" if self.release is not None else "press only"
+        return f"<detent.Graph {self.name!r}: {self.press[-1, 0]:.4g} mm, up to {self.press[:, 1].max():.4g} N, {release}>"
+
+
+class Button:
+    """A button: a value that does not change; made by read, load, from_json and edited. Can be compared, pickled and shown in a notebook.
+
+    report: what its import says of itself, the dictionary of `detent-import --json`; empty for a button from a file.
+    """
+
+    __slots__ = ("report", "_core", "_graphs")
+
+    def __init__(self, core: _core.Button, report: dict[str, Any] | None = None) -> None:
+        self._core = core
+        self._graphs: tuple[Graph, ...] | None = None
+        self.report: dict[str, Any] = report or {}
 
     @property
     def name(self) -> str:
         """The button's name; may be empty."""
-        return str(json.loads(self._text).get("name", ""))
+        return self._core.name
+
+    @property
+    def graphs(self) -> tuple[Graph, ...]:
+        """Its states: one, or two of a self-locking button."""
+        if self._graphs is None:
+            self._graphs = tuple(Graph(self._core, state) for state in range(len(self._core)))
+        return self._graphs
+
+    @property
+    def press(self) -> Curve:
+        """(n, 2): displacement in mm and force in N of the first state, in the order travelled; not to be written to."""
+        return self.graphs[0].press
+
+    @property
+    def release(self) -> Curve | None:
+        """The same of the release, from deep to rest; None where it is not known."""
+        return self.graphs[0].release
 
     def figures(self, state: int = 0) -> dict[str, float]:
         """Key figures the button has, the unit at the name's end: peak_force_N, pre_travel_mm. IndexError: no such state."""
-        with _folder_with(self) as folder:
-            shown = _programs.run("detent-graph", "show", _button_in(folder), "--json")
-        return dict(shown["states"][state]["figures"])
+        return self._core.figures(state)
+
+    def edited(self, *changes: Edit) -> Button:
+        """The button after these edits, one after the other; without a report. WrongUsage: one cannot be made."""
+        core = self._core
+        for change in changes:
+            core = change.of(core)
+        return Button(core)
 
     def to_json(self) -> str:
         """The text of a button file (*.button.json)."""
-        return self._text
+        return self._core.to_json()
 
     @staticmethod
     def from_json(text: str) -> Button:
         """The button of such a text. UnreadableInput: it is none, or of a newer version."""
-        with tempfile.TemporaryDirectory(prefix="detent-") as folder:
-            Path(_button_in(folder)).write_text(text, encoding="utf-8")
-            return load(_button_in(folder))
+        return Button(_core.Button.from_json(text, "button.json"))
 
     def save(self, path: AnyPath) -> None:
         """Writes a button file, whole or not at all. OSError: it cannot be written."""
         target = Path(path)
         staged = target.with_name(f".{target.name}.{os.getpid()}.{threading.get_ident()}")
         try:
-            staged.write_text(self._text, encoding="utf-8")
+            staged.write_text(self.to_json(), encoding="utf-8")
             os.replace(staged, target)
         finally:
             staged.unlink(missing_ok=True)
 
     def svg(self) -> str:
         """The graph as a datasheet prints it: an SVG document."""
-        with _folder_with(self) as folder:
-            out = os.path.join(folder, "graph.svg")
-            _programs.run("detent-graph", "convert", _button_in(folder), out, "--json")
-            return Path(out).read_text(encoding="utf-8")
+        return self._core.svg()
 
     def _repr_svg_(self) -> str:
         return self.svg()
@@ -106,33 +193,44 @@ class Button:
         return f"<detent.Button {self.name!r}: {self.press[-1, 0]:.4g} mm, up to {self.press[:, 1].max():.4g} N, {release}>"
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Button) and self._text == other._text
+        return isinstance(other, Button) and self._core == other._core
 
     def __hash__(self) -> int:
-        return hash(self._text)
+        return hash(self.to_json())
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _restored, (self.to_json(), self.report)
 
 
-def _button_in(folder: str) -> str:
-    return os.path.join(folder, "button.button.json")
-
-
-def _folder_with(button: Button) -> tempfile.TemporaryDirectory[str]:
-    folder = tempfile.TemporaryDirectory(prefix="detent-")
-    Path(_button_in(folder.name)).write_text(button.to_json(), encoding="utf-8")
-    return folder
-
-
-def _stroke(csv: str, name: str) -> Curve | None:
-    rows = [line.split(",")[1:] for line in csv.splitlines()[1:] if line.startswith(name + ",")]
-    if not rows:
-        return None
-    points = np.array([[float(displacement), float(force)] for displacement, force in rows])
-    points.flags.writeable = False
-    return points
+def _restored(text: str, report: dict[str, Any]) -> Button:
+    return Button(Button.from_json(text)._core, report)
 
 
 def _joined(numbers: Sequence[float], separator: str = ",") -> str:
     return separator.join(repr(float(number)) for number in numbers)
+
+
+def _cores(buttons: Sequence[Button]) -> list[_core.Button]:
+    return [button._core for button in buttons]
+
+
+def _options(hints: dict[str, Any]) -> list[bytes]:
+    """The options of detent-import that the hints of `read` stand for."""
+    inspect.signature(read).bind("", **hints)  # TypeError: no hint has such a name
+    given: list[tuple[str, object]] = []
+    for name, value in hints.items():
+        if value is None or value is False:
+            continue
+        option = name.replace("_", "-")
+        if name == "mask":
+            given += [(option, _joined(box)) for box in value]
+        elif name in ("x_axis", "y_axis"):
+            given.append((option, _joined(value, ":")))
+        elif name in ("frame", "press_line", "release_line"):
+            given.append((option, _joined(value)))
+        else:
+            given.append((option, value))
+    return [os.fsencode(f"--{option}" if value is True else f"--{option}={value}") for option, value in given]
 
 
 def read(
@@ -176,36 +274,17 @@ def read(
 
     Raises WrongUsage, UnreadableInput, NoForceGraph, NotCertain.
     """
-    given: list[tuple[str, object]] = [
-        ("page", page), ("graph", graph), ("curve", curve), ("quality", quality), ("sure", sure), ("dpi", dpi),
-        ("frame", _joined(frame) if frame is not None else None),
-        ("x-axis", _joined(x_axis, ":") if x_axis is not None else None),
-        ("y-axis", _joined(y_axis, ":") if y_axis is not None else None),
-        ("x-unit", x_unit), ("y-unit", y_unit), ("press-color", press_color), ("release-color", release_color),
-        ("press-line", _joined(press_line) if press_line is not None else None),
-        ("release-line", _joined(release_line) if release_line is not None else None),
-        *(("mask", _joined(box)) for box in mask),
-    ]
-    options = [f"--{option}={value}" for option, value in given if value is not None]
-    if swap_strokes:
-        options.append("--swap-strokes")
-    with tempfile.TemporaryDirectory(prefix="detent-") as folder:
-        text, curves = Path(_button_in(folder)), Path(folder, "curves.csv")
-        report = _programs.run("detent-import", "--json", "-o", str(text), "--csv", str(curves), *options, "--", os.fspath(path))
-        report["outputs"] = []  # what was written is gone when this returns
-        return Button(text.read_text(encoding="utf-8"), curves.read_text(encoding="utf-8"), report)
+    hints = {name: value for name, value in locals().items() if name != "path"}
+    return _told(*_core.read(os.fsencode(path), _options(hints)))
+
+
+def _told(core: _core.Button, report: str) -> Button:
+    return Button(core, json.loads(report))
 
 
 def load(path: AnyPath) -> Button:
     """A button from its file: *.button.json, or a CSV stroke,displacement_mm,force_N. UnreadableInput names the place that is wrong."""
-    source = os.fspath(path)
-    with tempfile.TemporaryDirectory(prefix="detent-") as folder:
-        curves = os.path.join(folder, "curves.csv")
-        _programs.run("detent-graph", "convert", source, curves, "--json")
-        if not source.endswith(".json"):
-            _programs.run("detent-graph", "convert", source, _button_in(folder), "--json")
-            source = _button_in(folder)
-        return Button(Path(source).read_text(encoding="utf-8"), Path(curves).read_text(encoding="utf-8"))
+    return Button(_core.Button.load(os.fsencode(path)))
 
 
 def render(button: Button, press: AnyPath | None = None, *, rate_Hz: float = 48000) -> NDArray[np.float32]:
@@ -213,31 +292,9 @@ def render(button: Button, press: AnyPath | None = None, *, rate_Hz: float = 480
 
     press: a trace (CSV: time_s,force_N or time_s,displacement_mm); without one a human-like press of 0.3 s.
     rate_Hz: samples per second, 8000 to 192000.
-    Failure: a setting out of its range, a trace that cannot be read.
+    WrongUsage: a setting out of its range. UnreadableInput: a trace that cannot be read.
     """
-    with _folder_with(button) as folder:
-        wave = os.path.join(folder, "press.wav")
-        finger = ["--standard-press"] if press is None else ["--press", os.fspath(press)]
-        _programs.run("detent-play", "render", _button_in(folder), *finger, "--bits", "float", "--rate", repr(float(rate_Hz)),
-                      "-o", wave, "--json")
-        return _samples(Path(wave).read_bytes())
-
-
-def _samples(wave: bytes) -> NDArray[np.float32]:
-    """The data of a WAV of 32 bit float samples."""
-    at = 12
-    while wave[at:at + 4] != b"data":
-        at += 8 + int.from_bytes(wave[at + 4:at + 8], "little")
-    size = int.from_bytes(wave[at + 4:at + 8], "little")
-    return np.frombuffer(wave, dtype="<f4", count=size // 4, offset=at + 8)
-
-
-def _files_in(folder: str, buttons: Sequence[Button]) -> list[str]:
-    """Buttons as files of a folder, in order."""
-    paths = [os.path.join(folder, f"{place}.button.json") for place in range(len(buttons))]
-    for path, button in zip(paths, buttons):
-        Path(path).write_text(button.to_json(), encoding="utf-8")
-    return paths
+    return _core.render(button._core, b"" if press is None else os.fsencode(press), rate_Hz)
 
 
 def confusion(*buttons: Button) -> list[dict[str, Any]]:
@@ -245,20 +302,16 @@ def confusion(*buttons: Button) -> list[dict[str, Any]]:
 
     a, b: the buttons' places among the arguments, from 0. WrongUsage: fewer than two buttons.
     """
-    with tempfile.TemporaryDirectory(prefix="detent-") as folder:
-        pairs: list[dict[str, Any]] = _programs.run("detent-play", "confusion", *_files_in(folder, buttons), "--json")["pairs"]
-    order = [(a, b) for a in range(len(buttons)) for b in range(a + 1, len(buttons))]
-    return [{**pair, "a": a, "b": b} for pair, (a, b) in zip(pairs, order)]
+    pairs = json.loads(_core.confusion(_cores(buttons)))
+    return [{**pair, "a": int(pair["a"]), "b": int(pair["b"])} for pair in pairs]
 
 
-def performance(*buttons: Button) -> list[dict[str, Any]]:
+def performance(*buttons: Button, operate_at_mm: float | None = None) -> list[dict[str, Any]]:
     """How people will press these buttons: one entry a button, of `detent-play performance --json`: activation_s, misses_per_1000, ...
 
-    Some seconds a button. WrongUsage: no button.
+    operate_at_mm: what if the contact closed there. Some seconds a button. WrongUsage: no button.
     """
-    with tempfile.TemporaryDirectory(prefix="detent-") as folder:
-        forecast = _programs.run("detent-play", "performance", *_files_in(folder, buttons), "--json")
-    return list(forecast["buttons"])
+    return list(json.loads(_core.performance(_cores(buttons), operate_at_mm)))
 
 
 def find_like(button: Button, database: AnyPath, *, limit: int = 10) -> list[dict[str, Any]]:
@@ -268,10 +321,16 @@ def find_like(button: Button, database: AnyPath, *, limit: int = 10) -> list[dic
     distance_lab_noise (below 1 nobody can say that two differ), group and the key figures.
     UnreadableInput: no library, or one of another version.
     """
-    with _folder_with(button) as folder:
-        answer = _programs.run("detent-import", "library", "find", f"--db={os.fspath(database)}", f"--like={_button_in(folder)}",
-                               f"--limit={limit}", "--json")
-    return list(answer["found"])
+    return list(json.loads(_core.find_like(button._core, os.fsencode(database), limit))["found"])
+
+
+def compare(first: Button, second: Button, *, state: int = 0, other_state: int = 0) -> dict[str, Any]:
+    """How far two graphs lie apart, in mm, N and shares of the first one's span: `detent-graph compare --json`.
+
+    WrongUsage: they have no stroke in common. IndexError: no such state.
+    """
+    distance: dict[str, Any] = json.loads(_core.compare(first._core, second._core, state, other_state))
+    return {key: value for key, value in distance.items() if key not in ("status", "command", "file", "other")}
 
 
 def average(*units: Button) -> tuple[Button, dict[str, Any]]:
@@ -280,12 +339,10 @@ def average(*units: Button) -> tuple[Button, dict[str, Any]]:
     `units`: by place among the arguments how far each lies from the median (distance_N), and whether it is an outlier;
     `states`: figures with mean, sd, least, most; press_band and release_band. WrongUsage: fewer than two.
     """
-    with tempfile.TemporaryDirectory(prefix="detent-") as folder:
-        out = os.path.join(folder, "mean.button.json")
-        spread = _programs.run("detent-graph", "average", *_files_in(folder, units), "-o", out, "--json")
-        mean = load(out)
+    core, text = _core.average(_cores(units))
+    spread = json.loads(text)
     of_units = [{"distance_N": unit["distance_N"], "outlier": unit["outlier"]} for unit in spread["units"]]
-    return mean, {"units": of_units, "states": spread["states"]}
+    return Button(core), {"units": of_units, "states": spread["states"]}
 
 
 def between(first: Button, second: Button, share: float | None = None) -> Button:
@@ -293,14 +350,7 @@ def between(first: Button, second: Button, share: float | None = None) -> Button
 
     share: 0 (first) to 1 (second); without it the place forecast to differ as much from either. WrongUsage: a share outside.
     """
-    with tempfile.TemporaryDirectory(prefix="detent-") as folder:
-        out = os.path.join(folder, "middle.button.json")
-        at = [] if share is None else [f"--at={float(share)!r}"]
-        report = _programs.run("detent-play", "between", *_files_in(folder, (first, second)), *at, "-o", out, "--json")
-        button = load(out)
-    del report["output"]
-    button.report = report
-    return button
+    return _told(*_core.between(first._core, second._core, share))
 
 
 def import_many(
@@ -309,33 +359,36 @@ def import_many(
     """Reads many files side by side and gives, in their order, each path with its button or the Failure it raised.
 
     jobs: files at once, >= 1 (default: one per core). progress: a bar, where tqdm is installed. hints: as for read, for all.
-    Each file has a process of its own: a crash costs that file only.
+    The library's own threads read; Python goes on meanwhile. Of files from strangers, `detent-import --batch` gives each a process.
+    WrongUsage, before anything is read: a hint or `jobs` that cannot be.
     """
     listed = list(paths)
-    bar = _bar(len(listed)) if progress else None
+    if jobs is not None and jobs < 1:
+        raise WrongUsage(2, f"jobs: {jobs} is not 1 or more.")
+    many = _core.ReadMany([os.fsencode(path) for path in listed], _options(hints), jobs or os.cpu_count() or 1)
+    return _results(listed, many, _bar(len(listed)) if progress else None)
 
-    def one(path: AnyPath) -> Button | Failure:
-        try:
-            return read(path, **hints)
-        except Failure as failure:
-            return failure
 
-    pool = ThreadPoolExecutor(jobs or os.cpu_count() or 1)
+def _results(listed: list[AnyPath], many: _core.ReadMany, bar: Any) -> Iterator[tuple[AnyPath, Button | Failure]]:
     try:
-        running: list[Future[Button | Failure]] = [pool.submit(one, path) for path in listed]
-        for path, future in zip(listed, running):
-            yield path, future.result()
+        for path in listed:
+            result: Button | Failure
+            try:
+                result = _told(*many.next())
+            except Failure as failure:
+                result = failure
+            yield path, result
             if bar is not None:
                 bar.update()
     finally:
-        pool.shutdown(wait=False, cancel_futures=True)
+        many.stop()
         if bar is not None:
             bar.close()
 
 
 def _bar(total: int) -> Any:
     try:
-        from tqdm.auto import tqdm  # type: ignore[import]
+        bars = importlib.import_module("tqdm.auto")
     except ImportError:
         return None
-    return tqdm(total=total, unit="file")
+    return bars.tqdm(total=total, unit="file")

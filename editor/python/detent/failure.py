@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import json
+from collections.abc import Sequence
 from typing import Any
 
 
@@ -11,17 +13,16 @@ class Failure(Exception):
 
     code: the program's exit code (1 internal fault, 2 wrong usage, 3 input cannot be read, 4 no force graph found,
         5 found but not certain enough, 6 device trouble).
-    remedies: what to do next, in sentences; may be empty.
+    remedies: what to do next, in sentences, the likeliest first; may be empty.
     report: what the program prints with --json; may be empty.
     """
 
-    def __init__(self, code: int, sentence: str, report: dict[str, Any] | None = None) -> None:
-        super().__init__(code, sentence, report)
+    def __init__(self, code: int, sentence: str, remedies: Sequence[str] = (), report: dict[str, Any] | None = None) -> None:
+        super().__init__(code, sentence, list(remedies), report)
         self.code = code
         self.sentence = sentence
+        self.remedies: list[str] = list(remedies)
         self.report: dict[str, Any] = report or {}
-        remedy = self.report.get("remedy", "")
-        self.remedies: list[str] = [remedy] if remedy else []
 
     def __str__(self) -> str:
         return self.sentence
@@ -43,7 +44,7 @@ class NotCertain(Failure):
     """Found, but not certain enough; the remedies say what to give by hand (code 5)."""
 
 
-def failure_of(code: int, sentence: str, report: dict[str, Any] | None = None) -> Failure:
-    """The exception for an exit code."""
+def failure_of(code: int, sentence: str, remedies: Sequence[str] = (), report_json: str = "") -> Failure:
+    """The exception for an exit code; what the compiled part raises."""
     kinds: dict[int, type[Failure]] = {2: WrongUsage, 3: UnreadableInput, 4: NoForceGraph, 5: NotCertain}
-    return kinds.get(code, Failure)(code, sentence, report)
+    return kinds.get(code, Failure)(code, sentence, remedies, json.loads(report_json) if report_json else None)

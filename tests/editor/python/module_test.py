@@ -9,17 +9,20 @@ import pickle
 import re
 import shutil
 import signal
+import struct
 import subprocess
 import sys
 import tempfile
 import threading
 import time
 import unittest
+import zlib
 from pathlib import Path
 
 import numpy as np
 
 ROOT = BUILD = detent = None
+UNTYPED = ("--ignore-missing-imports",)  # pandas and matplotlib of Debian 12 carry no types
 SAMPLES = ("png", "svg", "pdf", "csv")
 
 
@@ -94,6 +97,41 @@ class Reading(unittest.TestCase):
         self.assertEqual([path for path, _ in got], asked)
         self.assertEqual([getattr(result, "code", 0) for _, result in got], [3, 0, 0, 0, 3])
 
+    def test_what_was_read_before_changes_nothing(self):
+        """The text engine and its thread live on between calls."""
+        readable = [plot for plot in plots() if plot.suffix == ".png"]
+        first = {plot: detent.read(plot, quality="draft", sure=0.0).to_json() for plot in readable}
+        for plot, button in detent.import_many(readable[::-1], jobs=2, quality="draft", sure=0.0):
+            self.assertEqual(button.to_json(), first[plot], plot)
+
+    def test_what_python_refuses_is_not_begun(self):
+        with self.assertRaises(detent.WrongUsage):
+            detent.import_many(plots(), y_unit="furlong")
+        with self.assertRaises(detent.WrongUsage):
+            detent.import_many(plots(), jobs=0)
+        with self.assertRaises(TypeError):
+            detent.import_many(plots(), colour="red")
+
+    def test_a_forked_process_reads(self):
+        detent.read(plots()[0])  # by a thread that the child does not have
+        pid = os.fork()
+        if pid == 0:
+            try:
+                detent.read(plots()[0])
+                os._exit(0)
+            finally:
+                os._exit(1)
+        self.assertEqual(os.waitpid(pid, 0)[1], 0)
+
+    def test_control_c_ends_many(self):
+        pipe = self.folder / "page.csv"
+        os.mkfifo(pipe)
+        threading.Timer(1.0, os.kill, (os.getpid(), signal.SIGINT)).start()
+        begun = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            list(detent.import_many([pipe], jobs=2))
+        self.assertLess(time.monotonic() - begun, 1.5)
+
     def test_control_c_ends_a_read_within_half_a_second(self):
         pipe = self.folder / "page.csv"
         os.mkfifo(pipe)  # never written to: a read that lasts as long as it is let
@@ -102,6 +140,81 @@ class Reading(unittest.TestCase):
         with self.assertRaises(KeyboardInterrupt):
             detent.read(pipe)
         self.assertLess(time.monotonic() - begun, 1.5)
+
+
+def grey_png(width, height):
+    """A picture without a graph."""
+    def chunk(kind, data):
+        return struct.pack(">I", len(data)) + kind + data + struct.pack(">I", zlib.crc32(kind + data))
+    return b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 0, 0, 0, 0)) + \
+        chunk(b"IDAT", zlib.compress((b"\0" + b"\x80" * width) * height)) + chunk(b"IEND", b"")
+
+
+class Refusals(unittest.TestCase):
+    """What a program refuses is refused with its sentence and code, and typed."""
+
+    def setUp(self):
+        self.folder = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.folder)
+        self.b = ROOT / "samples/buttons/B.button.json"
+
+    def assert_refused(self, call, ran):
+        kinds = {2: detent.WrongUsage, 3: detent.UnreadableInput, 4: detent.NoForceGraph, 5: detent.NotCertain}
+        said = re.sub("^detent-(play|graph|import): ", "", ran.stderr).split("\nRun with ")[0].rstrip("\n").splitlines()[0]
+        self.assertNotEqual(ran.returncode, 0)
+        with self.assertRaises(kinds[ran.returncode]) as raised:
+            call()
+        self.assertEqual((str(raised.exception), raised.exception.code), (said, ran.returncode))
+        return raised.exception
+
+    def file(self, name, content):
+        (self.folder / name).write_bytes(content)
+        return self.folder / name
+
+    def test_inputs(self):
+        page = (ROOT / "samples/plots/white-vector.pdf").read_bytes()
+        inputs = [self.folder / "absent.png", self.folder, self.file("empty.png", b""), self.file("words.png", b"not a picture"),
+                  self.file("cut.pdf", page[:len(page) // 2]), self.file("grey.png", grey_png(300, 200)), self.file("empty.svg", b"<svg"),
+                  self.file("words.csv", b"a,b\nc,d\n"), self.file("picture.gif", b"GIF89a" + bytes(30)),
+                  self.file("n\xc3\xa4ve \xff.png".encode("latin-1").decode("utf-8", "surrogateescape"), b"none"), self.file("--json", b"none")]
+        for path in inputs:
+            with self.subTest(path):
+                self.assert_refused(lambda: detent.read(path), program("detent-import", path))
+
+    def test_hints(self):
+        plot = ROOT / "samples/plots/two-level-legend.png"
+        for hints, options in (({"y_unit": "furlong"}, ["--y-unit", "furlong"]), ({"x_unit": "gf"}, ["--x-unit", "gf"]), ({"page": 0}, ["--page", "0"]),
+                               ({"page": 9}, ["--page", "9"]), ({"graph": 7}, ["--graph", "7"]), ({"curve": "nobody"}, ["--curve", "nobody"]),
+                               ({"sure": 2}, ["--sure", "2"]), ({"x_axis": (3, 3)}, ["--x-axis", "3.0:3.0"]), ({"frame": (1, 2, 3)}, ["--frame", "1.0,2.0,3.0"]),
+                               ({"frame": (0, 0, 5, 5)}, ["--frame", "0.0,0.0,5.0,5.0"]), ({"press_color": "red"}, ["--press-color", "red"]),
+                               ({"mask": [(1, 2)]}, ["--mask", "1.0,2.0"]), ({"mask": [(0, 0, 9999, 9999)]}, ["--mask", "0.0,0.0,9999.0,9999.0"]),
+                               ({"quality": "best"}, ["--quality", "best"]), ({"dpi": 1}, ["--dpi", "1"]),
+                               ({"y_axis": (0, float("nan"))}, ["--y-axis", "0.0:nan"]), ({"sure": 1.0}, ["--sure", "1.0"])):
+            with self.subTest(hints):
+                refusal = self.assert_refused(lambda: detent.read(plot, **hints), program("detent-import", plot, *options))
+                if hints == {"sure": 1.0}:
+                    self.assertTrue(refusal.remedies)
+
+    def test_button_files(self):
+        for name, content in (("n.button.json", b'{"format":"detent-button","version":99}'), ("w.button.json", b"{}"), ("c.button.json", self.b.read_bytes()[:300]),
+                              ("x.csv", b"stroke,displacement_mm,force_N\npress,0,nan\n")):
+            path = self.file(name, content)
+            with self.subTest(name):
+                self.assert_refused(lambda: detent.load(path), program("detent-graph", "show", path))
+
+    def test_presses(self):
+        button = detent.load(self.b)
+        for name, content in (("p.csv", b"time_s,force_N\n0,0\n0,1\n"), ("h.csv", b"time,force\n"), ("e.csv", b"")):
+            path = self.file(name, content)
+            with self.subTest(name):
+                self.assert_refused(lambda: detent.render(button, path),
+                                    program("detent-play", "render", self.b, "--press", path, "-o", self.folder / "x.wav"))
+
+    def test_what_has_no_option_is_an_error_of_python(self):
+        with self.assertRaises(TypeError):
+            detent.read(ROOT / "samples/plots/two-level-legend.png", colour="red")
+        with self.assertRaises(TypeError):
+            detent.render("a.button.json")
 
 
 class Buttons(unittest.TestCase):
@@ -142,9 +255,63 @@ class Buttons(unittest.TestCase):
             self.button.save(self.folder / "absent" / "x.button.json")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["copy.button.json"])
 
+    def test_edits_are_values(self):
+        double = detent.edits.scale_force(2)
+        self.assertEqual(pickle.loads(pickle.dumps(double)), double)
+        both = self.button.edited(double, detent.edits.rename("twice"))
+        self.assertEqual(both.name, "twice")
+        self.assertAlmostEqual(both.figures()["peak_force_N"], 2 * self.button.figures()["peak_force_N"])
+        self.assertEqual(self.button, detent.load(self.file))
+        with self.assertRaises(detent.WrongUsage):
+            self.button.edited(detent.edits.scale_force(0))
+
+    def test_curves_are_views(self):
+        graph = self.button.graphs[0]
+        self.assertTrue(np.shares_memory(graph.press_force_N, graph.press))
+        self.assertFalse(graph.press.flags.owndata)
+        kept = detent.load(self.file).press  # outlives its button
+        np.testing.assert_array_equal(kept, self.button.press)
+        latch = detent.load(ROOT / "samples/buttons/latch.button.json")
+        self.assertEqual([each.name for each in latch.graphs], ["off", "on"])
+
     def test_a_notebook_shows_the_graph(self):
         self.assertRegex(self.button._repr_svg_(), re.compile(r"<svg.*</svg>", re.S))
         self.assertIn("mm", repr(self.button))
+
+    def test_every_sample_is_what_the_programs_say_of_it(self):
+        for file in sorted((ROOT / "samples/buttons").glob("*.button.json")):
+            with self.subTest(file.name):
+                button = detent.load(file)
+                self.assertEqual(button.to_json(), file.read_text())
+                shown = json.loads(program("detent-graph", "show", file, "--json").stdout)["states"]
+                self.assertEqual([graph.figures() for graph in button.graphs], [state["figures"] for state in shown])
+                for ending in ("svg", "csv"):
+                    program("detent-graph", "convert", file, self.folder / f"x.{ending}")
+                self.assertEqual(button.svg(), (self.folder / "x.svg").read_text())
+                if len(button.graphs) == 1:
+                    csv = (self.folder / "x.csv").read_text()
+                    np.testing.assert_array_equal(button.press, rows(csv, "press"))
+                    if button.release is not None:
+                        np.testing.assert_array_equal(button.release, rows(csv, "release"))
+                wave = self.folder / "x.wav"
+                program("detent-play", "render", file, "--standard-press", "-o", wave, "--bits", "float")
+                self.assertEqual(wave.read_bytes()[-4 * detent.render(button).size:], detent.render(button).tobytes())
+
+    def test_confusion_of_six_is_the_programs(self):
+        """Pairs of four and more come in another order than two loops would give."""
+        files = [ROOT / f"samples/buttons/{name}.button.json" for name in "ABCDEF"]
+        told = json.loads(program("detent-play", "confusion", *files, "--json").stdout)["pairs"]
+        place = {detent.load(file).name: at for at, file in enumerate(files)}
+        expected = [{**pair, "a": place[pair["a"]], "b": place[pair["b"]]} for pair in told]
+        self.assertEqual(len(expected), 15)
+        self.assertEqual(detent.confusion(*map(detent.load, files)), expected)
+
+    def test_performance_and_compare_are_the_programs(self):
+        other = ROOT / "samples/buttons/D.button.json"
+        told = json.loads(program("detent-play", "performance", self.file, other, "--operate-at", "1.5", "--json").stdout)["buttons"]
+        self.assertEqual(detent.performance(self.button, detent.load(other), operate_at_mm=1.5), told)
+        distance = json.loads(program("detent-graph", "compare", self.file, other, "--json").stdout)
+        self.assertEqual(detent.compare(self.button, detent.load(other)), {key: value for key, value in distance.items() if key not in ("status", "command", "file", "other")})
 
     def test_confusion_names_places(self):
         pairs = detent.confusion(self.button, detent.load(ROOT / "samples/buttons/D.button.json"), self.button)
@@ -197,13 +364,27 @@ class Importing(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(BUILD / "python/detent", Path(folder, "detent"))
             Path(folder, "detent/_version.py").write_text('version = "9.9.9"\n')
-            ran = self.imported(folder, DETENT_PROGRAMS=str(BUILD / "bin"))
+            ran = self.imported(folder)
         self.assertNotEqual(ran.returncode, 0)
-        self.assertRegex(ran.stderr, r"ImportError: detent: the module is of version 9\.9\.9, .*detent-import of \d")
+        self.assertRegex(ran.stderr, r"ImportError: detent: the module is of version 9\.9\.9, its library \(.*\) of \d")
 
-    def test_absent_programs_say_so(self):
-        ran = self.imported(BUILD / "python", DETENT_PROGRAMS="/nowhere")
-        self.assertRegex(ran.stderr, "ImportError: detent: the program detent-import is not in /nowhere")
+
+def cells_of(notebook):
+    """The code of a notebook, a cell after the other."""
+    cells = json.loads(notebook.read_text())["cells"]
+    return "\n\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "code")
+
+
+class Notebooks(unittest.TestCase):
+    def test_they_run(self):
+        for notebook in sorted((ROOT / "samples/notebooks").glob("*.ipynb")):
+            with self.subTest(notebook.name), tempfile.TemporaryDirectory() as folder:
+                ran = subprocess.run([sys.executable, "-c", cells_of(notebook)], cwd=ROOT, capture_output=True, text=True, check=False,
+                                     env={**os.environ, "PYTHONPATH": str(BUILD / "python"), "MPLBACKEND": "agg", "TMPDIR": folder})
+                if "No module named" in ran.stderr and "detent" not in ran.stderr.split("No module named")[1]:
+                    print("SKIPPED", notebook.name, ran.stderr.splitlines()[-1])
+                    continue
+                self.assertEqual(ran.returncode, 0, ran.stderr)
 
 
 class Types(unittest.TestCase):
@@ -212,8 +393,12 @@ class Types(unittest.TestCase):
             print("SKIPPED types: mypy is not installed")
             return
         with tempfile.TemporaryDirectory() as folder:
-            ran = subprocess.run(["/usr/bin/mypy", "--strict", "--cache-dir", folder, str(BUILD / "python/detent")],
-                                 capture_output=True, text=True, check=False)
+            scripts = []
+            for notebook in (ROOT / "samples/notebooks").glob("*.ipynb"):
+                scripts.append(Path(folder, notebook.stem.replace("-", "_") + ".py"))
+                scripts[-1].write_text(cells_of(notebook))
+            ran = subprocess.run(["/usr/bin/mypy", "--strict", "--cache-dir", folder, *UNTYPED, BUILD / "python/detent", *scripts],
+                                 env={**os.environ, "MYPYPATH": str(BUILD / "python")}, capture_output=True, text=True, check=False)
         self.assertEqual(ran.returncode, 0, ran.stdout)
 
 

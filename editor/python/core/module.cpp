@@ -14,10 +14,10 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include "editor/python/compiled/core/forecasts.h"
-#include "editor/python/compiled/core/interruptible.h"
-#include "editor/python/compiled/core/reading.h"
-#include "editor/python/compiled/core/refusal.h"
+#include "editor/python/core/forecasts.h"
+#include "editor/python/core/interruptible.h"
+#include "editor/python/core/reading.h"
+#include "editor/python/core/refusal.h"
 #include "model/compare.h"
 #include "model/edits.h"
 #include "model/file/button_file.h"

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "editor/python/compiled/core/interruptible.h"
-#include "editor/python/compiled/core/refusal.h"
+#include "editor/python/core/interruptible.h"
+#include "editor/python/core/refusal.h"
 #include "importer/importer.h"
 #include "model/button.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/python/compiled/core/forecasts.h"
+#include "editor/python/core/forecasts.h"
 
 #include <charconv>
 #include <utility>
 
-#include "editor/python/compiled/core/refusal.h"
+#include "editor/python/core/refusal.h"
 #include "importer/library/felt_shape.h"
 #include "importer/program/library_json.h"
 #include "playback/offline/press_files.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/python/compiled/core/reading.h"
+#include "editor/python/core/reading.h"
 
 #include <algorithm>
 #include <sstream>
@@ -11,14 +11,8 @@
 namespace detent::python {
 namespace {
 
-/// Lines as one sentence after another.
-std::string inOneLine(const std::string& text) {
-  std::istringstream lines(text);
-  std::string all;
-  for (std::string line; std::getline(lines, line);)
-    if (!line.empty()) all += (all.empty() ? "" : " ") + line;
-  return all;
-}
+/// What is wrong with the words, without the line after it that sends to --help.
+std::string whatIsWrong(const std::string& told) { return told.substr(0, told.find("\nRun with ")); }
 
 }  // namespace
 
@@ -29,7 +23,7 @@ importer::ImportRequest requestOf(const std::vector<std::string>& options) {
   std::ostringstream out, err;
   const auto parsed = importer::parseArguments(static_cast<int>(words.size()), words.data(), out, err);
   if (!parsed.arguments)
-    throw Refusal({static_cast<int>(FailureCode::wrongUsage), inOneLine(err.str()), {}, {}});
+    throw Refusal({static_cast<int>(FailureCode::wrongUsage), whatIsWrong(err.str()), {}, {}});
   return parsed.arguments->request;
 }
 

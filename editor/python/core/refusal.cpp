@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/python/compiled/core/refusal.h"
+#include "editor/python/core/refusal.h"
 
 namespace detent::python {
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "editor/python/compiled/core/interruptible.h"
+#include "editor/python/core/interruptible.h"
 #include "model/button.h"
 
 namespace detent::python {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "editor/python/compiled/core/interruptible.h"
+#include "editor/python/core/interruptible.h"
 
 #include <thread>
 #include <vector>
