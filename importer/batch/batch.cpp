@@ -9,6 +9,7 @@
 #include <cstring>
 #include <map>
 #include <optional>
+#include <set>
 #include <thread>
 
 #include <fcntl.h>
@@ -115,6 +116,7 @@ InputOutcome reap(Child& child, const std::string& input, const BatchOptions& op
   } else if (WIFSIGNALED(status)) {
     outcome.exitCode = static_cast<int>(FailureCode::internalFault);
     outcome.death = std::string("crashed (") + strsignal(WTERMSIG(status)) + ")";
+    outcome.killed = WTERMSIG(status) == SIGKILL;
   } else {
     outcome.exitCode = WEXITSTATUS(status);
   }
@@ -134,6 +136,8 @@ Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOpti
   std::vector<Child> running;
   std::map<std::size_t, InputOutcome> waiting;  // done, but an earlier input is not
   std::size_t next = 0, reported = 0;
+  std::vector<std::size_t> again;  // killed from outside once
+  std::set<std::size_t> repeated;
   const auto stopAll = [&] {
     for (Child& child : running) {
       kill(child.pid, SIGKILL);
@@ -142,8 +146,9 @@ Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOpti
   };
 
   while (reported < inputs.size()) {
-    while (running.size() < jobs && next < inputs.size()) {
-      auto child = startChild(next, inputs[next], options, handle);
+    while (running.size() < jobs && (!again.empty() || next < inputs.size())) {
+      const std::size_t index = again.empty() ? next : again.back();
+      auto child = startChild(index, inputs[index], options, handle);
       if (!child) {
         stopAll();
         return Failure{FailureCode::internalFault, "batch", "",
@@ -151,7 +156,7 @@ Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOpti
                        "Pass a smaller --jobs"};
       }
       running.push_back(std::move(*child));
-      ++next;
+      again.empty() ? void(++next) : again.pop_back();
     }
 
     std::vector<pollfd> polled;
@@ -170,7 +175,11 @@ Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOpti
       }
       const bool open = polled[i].revents == 0 ? !late : drain(child) && !late;
       if (open) continue;
-      waiting.emplace(child.inputIndex, reap(child, inputs[child.inputIndex], options));
+      InputOutcome outcome = reap(child, inputs[child.inputIndex], options);
+      if (outcome.killed && repeated.insert(child.inputIndex).second)
+        again.push_back(child.inputIndex);
+      else
+        waiting.emplace(child.inputIndex, std::move(outcome));
       running.erase(running.begin() + static_cast<std::ptrdiff_t>(i));
     }
     for (auto done = waiting.find(reported); done != waiting.end(); done = waiting.find(reported)) {

@@ -23,10 +23,12 @@ struct InputOutcome {
   int exitCode = 0;
   std::string reportLines;  ///< JSON lines, each ending in '\n'; empty if the child died
   std::string death;        ///< "crashed (signal 11)", "hung for more than 120 s"; else empty
+  bool killed = false;      ///< by somebody else: a person, a machine out of memory
 };
 
 /// Runs `handle(input)` in a child for every input; it prints JSON lines to the file descriptor it is given
-/// as a stream of text and returns the exit code. `finished` is called in the order of the inputs, whatever
+/// as a stream of text and returns the exit code. A child that is killed from outside is started
+/// once more. `finished` is called in the order of the inputs, whatever
 /// `jobs` is, on the calling thread; `cancelled` is asked several times a second. Call from a process without
 /// other threads.
 Result<Done> runIsolated(const std::vector<std::string>& inputs, const BatchOptions& options,

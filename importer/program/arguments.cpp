@@ -124,6 +124,8 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
       ->check(within(0.0, 1.0))
       ->capture_default_str();
   app.add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
+  app.add_flag("--json-lines", a.jsonLines,
+               "progress as JSON objects, one a line on stdout; the last line is what --json prints");
 }
 
 void addOutputs(CLI::App& app, Arguments& a) {
@@ -236,7 +238,8 @@ std::vector<std::string> withListsRead(const std::vector<std::string>& inputs) {
 /// Options that were given, one a line, but for those that do not bear on a result: where results go, how many processes make
 /// them, how they are told.
 std::string settledBy(const CLI::App& app) {
-  static const std::set<std::string> besides{"INPUT", "--batch", "--out-dir", "--jobs", "--resume", "--json"};
+  static const std::set<std::string> besides{"INPUT",    "--batch", "--out-dir",   "--jobs",
+                                             "--resume", "--json",  "--json-lines"};
   std::string lines;
   for (const CLI::Option* option : app.get_options()) {
     if (option->count() == 0 || besides.count(option->get_name())) continue;
@@ -274,6 +277,7 @@ void settle(const RawOptions& raw, Arguments& a) {
   if (!raw.releaseLine.empty()) hints.drawn.release = parseLine("--release-line", raw.releaseLine);
   for (const std::string& mask : raw.masks) hints.trace.masks_px.push_back(parseBox(mask));
 
+  a.json = a.json || a.jsonLines;
   if (a.batch) a.inputs = withListsRead(a.inputs);
   if (a.batch && a.outDir.empty())
     throw CLI::ValidationError("--batch", "needs --out-dir DIR for its results");

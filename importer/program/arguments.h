@@ -18,6 +18,7 @@ struct Arguments {
   bool list = false;
   bool all = false;
   bool json = false;
+  bool jsonLines = false;                                   ///< with it json
   std::string buttonPath, csvPath, tracePath, overlayPath;  ///< empty: not asked for
 
   bool batch = false;

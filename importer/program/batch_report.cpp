@@ -94,11 +94,19 @@ Result<BatchReport> BatchReport::open(const std::string& folder, const std::vect
   report.journal_.open(journal, mode);
   report.report_.open(report.path_, mode);
   if (!report.report_ || !report.journal_) return unwritable(report.path_);
+  std::error_code none;
+  report.size_ = fs::file_size(report.path_, none);
   return report;
 }
 
 Result<Done> BatchReport::add(const std::string& input, const std::string& key, const std::string& lines) {
-  if (report_ << lines << std::flush && journal_ << journalLine(input, key) << std::flush) return Done{};
+  if (report_ << lines << std::flush && journal_ << journalLine(input, key) << std::flush) {
+    size_ += lines.size();
+    return Done{};
+  }
+  report_.close();
+  std::error_code none;
+  fs::resize_file(path_, size_, none);  // no half line stays
   return Failure{FailureCode::internalFault, path_, "", "the disk takes no more",
                  "Make room, then run it again with --resume"};
 }

@@ -2,6 +2,7 @@
 #pragma once
 // The report of a batch on the disk, and what a batch that goes on need not repeat.
 
+#include <cstdint>
 #include <fstream>
 #include <map>
 #include <string>
@@ -28,12 +29,14 @@ class BatchReport {
   bool has(const std::string& input) const { return done_.count(input) > 0; }
   std::size_t kept() const { return done_.size(); }  ///< inputs that the report answered when it was opened
 
-  /// `lines`: complete, each ending in '\n'. Failure internalFault: the disk refused; the input is not done.
+  /// `lines`: complete, each ending in '\n'. Failure internalFault: the disk refused; the input is not done,
+  /// and no part of its lines stays. Nothing can be added after that.
   Result<Done> add(const std::string& input, const std::string& key, const std::string& lines);
 
  private:
   std::string path_;
   std::map<std::string, std::string> done_;
+  std::uintmax_t size_ = 0;  ///< of the report, whole lines
   std::ofstream report_, journal_;
 };
 

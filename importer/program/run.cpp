@@ -15,12 +15,14 @@
 #include "importer/overlay/overlay.h"
 #include "importer/program/batch_report.h"
 #include "importer/program/forced_end.h"
+#include "importer/program/progress_json.h"
 #include "importer/program/progress_line.h"
 #include "importer/program/report_json.h"
 #include "importer/program/staged_outputs.h"
 #include "model/file/button_file.h"
 #include "model/file/curve_csv.h"
 #include "model/file/json_text.h"
+#include "model/file/text_file.h"
 
 namespace detent::importer {
 namespace {
@@ -84,51 +86,58 @@ std::string warningLines(const std::vector<Remark>& remarks) {
   return lines;
 }
 
-/// One graph of an open input: import, write, say so. `objects` gets one JSON object.
+/// What is said of an input's graphs.
+struct Told {
+  std::vector<std::string> objects;  ///< JSON, one for each graph
+  std::string text;
+  bool written = true;  ///< false: the disk refused an output
+};
+
+/// One graph of an open input: import, write, say so. `told` gets one JSON object.
 int importOne(ImportSession& session, const ImportRequest& request, const OutputPaths& paths,
-              const Progress& progress, std::vector<std::string>& objects, std::string& text) {
+              const Progress& progress, Told& told) {
   const auto [report, evidence] = session.attempt(request, progress);
   Result<std::vector<std::string>> written = std::vector<std::string>{};
   if (report) written = writeOutputs(*report, paths);
   if (!report || !written) {
     const Failure& failure = report ? written.failure() : report.failure();
-    objects.push_back(
+    told.objects.push_back(
         failureJson(failure, request.path, evidence ? evidence->switches : std::vector<PlotSwitch>{}));
-    text += failure.sentence() + "\n";
-    if (!report && evidence) text += writeRefusal(*evidence, failure, paths);
+    told.text += failure.sentence() + "\n";
+    told.written = told.written && written;
+    if (!report && evidence) told.text += writeRefusal(*evidence, failure, paths);
     return failure.exitCode();
   }
-  objects.push_back(reportJson(*report, request.path, *written));
-  text += report->brief() + "\n";
-  text += warningLines(report->remarks);
-  for (const std::string& path : *written) text += "wrote " + path + "\n";
+  told.objects.push_back(reportJson(*report, request.path, *written));
+  told.text += report->brief() + "\n";
+  told.text += warningLines(report->remarks);
+  for (const std::string& path : *written) told.text += "wrote " + path + "\n";
   return 0;
 }
 
 /// Every graph of an input. The exit code is 0 if each came through, else the first failure's.
-int importAll(const ImportRequest& request, const OutputPaths& paths, const Progress& progress,
-              std::vector<std::string>& objects, std::string& text) {
+int importAll(const ImportRequest& request, const OutputPaths& paths, const Progress& progress, Told& told) {
   const auto refused = [&](const Failure& failure) {
-    objects.push_back(failureJson(failure, request.path));
-    text += failure.sentence() + "\n";
+    told.objects.push_back(failureJson(failure, request.path));
+    told.text += failure.sentence() + "\n";
     return failure.exitCode();
   };
   auto session = ImportSession::open(request.path, request.limits);
   if (!session) return refused(session.failure());
-  if (session->isForceLog()) return importOne(*session, request, paths, progress, objects, text);
+  if (session->isForceLog()) return importOne(*session, request, paths, progress, told);
 
   auto listed = session->list(request.page, request.quality, request.hints, progress);
   if (!listed) return refused(listed.failure());
-  text += warningLines(listed->remarks);
+  told.text += warningLines(listed->remarks);
   if (listed->graphs.empty())
-    return importOne(*session, request, paths, progress, objects, text);  // says why there is none
+    return importOne(*session, request, paths, progress, told);  // says why there is none
   int exitCode = 0;
   for (const ListedGraph& graph : listed->graphs) {
     ImportRequest one = request;
     one.page = graph.page, one.graph = graph.graph;
     const OutputPaths onePaths =
         listed->graphs.size() == 1 ? paths : numbered(paths, graph.page, graph.graph);
-    const int code = importOne(*session, one, onePaths, progress, objects, text);
+    const int code = importOne(*session, one, onePaths, progress, told);
     if (exitCode == 0) exitCode = code;
   }
   return exitCode;
@@ -174,23 +183,21 @@ int runImport(const Arguments& a, const Progress& progress) {
   ImportRequest request = a.request;
   request.path = a.inputs.front();
   const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath};
-  std::vector<std::string> objects;
-  std::string text;
+  Told told;
   int exitCode = 0;
   if (a.all) {
-    exitCode = importAll(request, paths, progress, objects, text);
-    print(a, "{\"imports\":[" + joined(objects, ",") + "]}\n", text, exitCode);  // still one object
+    exitCode = importAll(request, paths, progress, told);
+    print(a, "{\"imports\":[" + joined(told.objects, ",") + "]}\n", told.text, exitCode);  // still one object
     return exitCode;
   }
   auto session = ImportSession::open(request.path, request.limits);
   if (session) {
-    exitCode = importOne(*session, request, paths, progress, objects, text);
+    exitCode = importOne(*session, request, paths, progress, told);
   } else {
-    objects = {failureJson(session.failure(), request.path)};
-    text = session.failure().sentence() + "\n";
+    told = {{failureJson(session.failure(), request.path)}, session.failure().sentence() + "\n"};
     exitCode = session.failure().exitCode();
   }
-  print(a, joined(objects, "\n") + "\n", text, exitCode);
+  print(a, joined(told.objects, "\n") + "\n", told.text, exitCode);
   return exitCode;
 }
 
@@ -316,28 +323,27 @@ class AcceptedByBar {
 };
 
 /// In the child: a fault that reaches here costs this input only.
-int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths,
-                std::string& reportLines) {
+int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths, Told& told) {
   ImportRequest request = a.request;
   request.path = input;
-  std::vector<std::string> objects;
-  std::string text;
-  int exitCode = 0;
   try {
-    exitCode = importAll(request, paths, {}, objects, text);
+    return importAll(request, paths, {}, told);
   } catch (const std::bad_alloc&) {
     const Failure tooLarge{
         FailureCode::unreadableInput, input, "", "needs more memory than the limit",
         "Pass a larger --memory-limit, or a smaller --max-megapixels to refuse such inputs early"};
-    objects = {failureJson(tooLarge, input)};
-    exitCode = tooLarge.exitCode();
+    told.objects = {failureJson(tooLarge, input)};
+    return tooLarge.exitCode();
   }
-  reportLines = joined(objects, "\n") + "\n";
-  return exitCode;
 }
 
+/// Stands for the key of an input whose outputs the disk refused: that is no finding about the input, and ends the batch.
+constexpr const char* notWritten = "outputs not written";
+
 /// What a child hands back: the key of its input on a line of its own, then the report's lines.
-std::string withKey(const std::string& key, const std::string& lines) { return key + "\n" + lines; }
+std::string withKey(const std::string& key, const Told& told) {
+  return (told.written ? key : notWritten) + "\n" + joined(told.objects, "\n") + "\n";
+}
 
 /// Of a child that died without a key: whatever killed it, the next batch tries again.
 std::pair<std::string, std::string> keyAndLines(const InputOutcome& outcome) {
@@ -349,6 +355,11 @@ std::pair<std::string, std::string> keyAndLines(const InputOutcome& outcome) {
   const auto code = static_cast<FailureCode>(outcome.exitCode);
   const Failure died{code, outcome.input, "", outcome.death, "Import it alone to see how far it comes"};
   return {"", failureJson(died, outcome.input) + "\n"};
+}
+
+Failure noRoomFor(const std::string& input) {
+  return {FailureCode::internalFault, input, "", "its results cannot be written, no permission or no space",
+          "Make room, then run it again with --resume"};
 }
 
 std::vector<std::string> toDo(const std::vector<std::string>& inputs, const BatchReport& report) {
@@ -392,18 +403,22 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
   ProgressLine line;
   BatchCounts counts;
   AcceptedByBar accepted(a.request.sure);
+  if (const auto before = readTextFile(report->path())) accepted.count(*before);  // kept by --resume
   Result<Done> kept = Done{};
   const auto handle = [&](const std::string& input, std::string& lines) {
     const std::string key = resultKey(input, a.settledBy);  // of what is about to be read
     const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
+    Told told;
     const int code = handleInput(
-        a, input, {base + ".button.json", base + ".csv", base + ".trace.csv", base + ".overlay.png"}, lines);
-    lines = withKey(key, lines);
+        a, input, {base + ".button.json", base + ".csv", base + ".trace.csv", base + ".overlay.png"}, told);
+    lines = withKey(key, told);
     return code;
   };
   const auto finished = [&](const InputOutcome& outcome) {
     const auto [key, lines] = keyAndLines(outcome);
+    if (kept && key == notWritten) kept = noRoomFor(outcome.input);
     if (kept) kept = report->add(outcome.input, key, lines);
+    if (!kept) return;
     accepted.count(lines);
     ++counts.handled;
     if (outcome.exitCode != 0) {
@@ -411,6 +426,7 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
       std::fprintf(stderr, "exit %d: %s\n", outcome.exitCode, outcome.input.c_str());
     }
     line.show(double(counts.handled) / double(inputs.size()), outcome.input);
+    if (a.jsonLines) showInputDone(outcome.input, outcome.exitCode, counts.handled, inputs.size());
   };
   if (inputs.size() > 1) loadTextEngine();  // once, not in every child
   const auto ran =
@@ -429,8 +445,12 @@ int run(const Arguments& arguments, const std::function<bool()>& cancelled) {
   {
     const ForcedEnd end(cancelled);
     ProgressLine line;
+    StepLines lines;
     Progress progress;
-    progress.report = [&](double fraction, ImportStep step) { line.show(fraction, inProgress(step)); };
+    progress.report = [&](double fraction, ImportStep step) {
+      line.show(fraction, inProgress(step));
+      if (arguments.jsonLines) lines.show(fraction, step);
+    };
     progress.cancelled = cancelled;
     exitCode = arguments.list ? runList(arguments, progress) : runImport(arguments, progress);
   }

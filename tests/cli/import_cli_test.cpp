@@ -415,6 +415,26 @@ TEST_CASE("A batch takes its inputs from a list and repeats what is no longer th
   }
 }
 
+TEST_CASE("Results that cannot be written end a batch and are made anew") {
+  const ProgramFolder folder("import_unwritable");
+  const auto inTheWay = folder.path() / "out/two-level-legend.csv";
+  std::filesystem::create_directories(inTheWay / "full");
+  const std::string log = plots + "force-meter-log.csv";
+  const auto batch = [&] {
+    return import(folder, {"--batch", plot, log, "--out-dir", "out", "--resume", "--quality", "draft"});
+  };
+  const ProgramResult run = batch();
+  CHECK(run.exitCode == 1);
+  CHECK_THAT(run.err, Catch::Contains("two-level-legend.png") && Catch::Contains("--resume"));
+  CHECK(folder.read("out/report.jsonl").empty());
+  CHECK(folder.read("out/report.done").empty());
+
+  std::filesystem::remove_all(inTheWay);
+  const ProgramResult again = batch();
+  CHECK(again.exitCode == 0);
+  CHECK_THAT(again.out, Catch::Contains("2 inputs handled, 0 failed, 0 already done"));
+}
+
 TEST_CASE("Two inputs of one name get results of their own") {
   const ProgramFolder folder("import_names");
   std::filesystem::create_directories(folder.path() / "a");

@@ -97,6 +97,24 @@ class Schemas(unittest.TestCase):
                         self.assertTrue(lines, f"nothing on stdout; {run.stderr}")
                         self.assertEqual([], [said for line in lines for said in complaints(wanted, json.loads(line), self.schemas.values())][:5])
 
+    def test_progress_comes_as_lines_before_the_result(self):
+        plots = [str(ROOT / "samples/plots" / name) for name in ("force-meter-log.csv", "two-level-legend.png")]
+        with tempfile.TemporaryDirectory() as out:
+            for words, last in (([plots[1], "--quality", "draft"], "import-report"), (["no-such-file.png"], "import-failure"),
+                                (["--batch", *plots, "README.md", "--out-dir", out], "import-batch")):
+                run = subprocess.run([BIN / "detent-import", *words, "--json-lines"], cwd=ROOT, capture_output=True, text=True, timeout=200)
+                *lines, result = map(json.loads, run.stdout.splitlines())
+                for line in lines:
+                    self.assertEqual([], complaints(self.schemas["import-progress"], line))
+                self.assertEqual([], complaints(self.schemas[last], result, self.schemas.values()))
+                shares = [line["progress"] for line in lines]
+                self.assertEqual(shares, sorted(shares))
+                if last == "import-report":
+                    self.assertIn("trace", [line["step"] for line in lines])
+                if last == "import-batch":
+                    self.assertEqual([(line["input"], line["exit_code"], line["done"]) for line in lines],
+                                     [(plots[0], 0, 1), (plots[1], 0, 2), ("README.md", 3, 3)])
+
     def test_an_unknown_a_missing_and_a_wrong_field_are_refused(self):
         schema = self.schemas["graph-check"]
         good = {"status": "ok", "command": "check", "file": "a.button.json", "states": 1, "warnings": []}

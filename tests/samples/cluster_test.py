@@ -124,6 +124,14 @@ class Cluster(unittest.TestCase):
         return sum(len(path.read_text().splitlines()) for path in (self.folder / "out/batches").glob("*/report.done"))
 
 
+def may_mount():
+    """Disks of a size and nodes that do not see a folder are mounted for a test, which takes root."""
+    allowed = os.getuid() == 0 and subprocess.run(["unshare", "--mount", "mount", "-t", "tmpfs", "none", "/mnt"], capture_output=True, check=False).returncode == 0
+    if not allowed:
+        print("SKIPPED a full disk, a node without the pages: mounting is not allowed")
+    return allowed
+
+
 @unittest.skipIf(missing(SNAKEMAKE), "no Snakemake")
 class OneMachine(Cluster):
     def test_a_run_gives_what_a_serial_one_gives_and_is_not_repeated(self):
@@ -151,6 +159,37 @@ class OneMachine(Cluster):
         process = self.begin()
         until(lambda: kill_one(process.pid, "detent-import"), "an importer killed")
         self.assertEqual(process.wait(LONGEST_WAIT_s), 0)
+        self.assert_as_serial()
+
+    def test_a_full_disk_fails_the_batch_by_name_and_leaves_no_table(self):
+        if not may_mount():
+            return
+        out = self.folder / "out"
+        out.mkdir()
+        subprocess.run(["mount", "-t", "tmpfs", "-o", "size=600k", "none", out], check=True)
+        self.addCleanup(subprocess.run, ["umount", "--lazy", out], check=False)
+        ran = subprocess.run(self.command(), cwd=self.folder, env=self.environment(), capture_output=True, text=True, check=False)
+        self.assertNotEqual(ran.returncode, 0)
+        self.assertRegex(ran.stderr, r"pages/plot \d\.png: its results cannot be written")
+        self.assertFalse((out / "all.jsonl").exists())
+        self.assertFalse((out / "table.csv").exists())
+        subprocess.run(["mount", "-o", "remount,size=60m", out], check=True)
+        self.snakemake()
+        self.assert_as_serial()
+
+    def test_a_node_without_the_pages_fails_the_batch_by_name(self):
+        if not may_mount():
+            return
+        node = self.folder / "node"  # what sbatch would be: the job where the pages are not to be seen
+        node.write_text(f'#!/bin/sh\nexec unshare --mount sh -c \'mount -t tmpfs none {self.folder}/pages && exec sh "$0"\' "$1"\n')
+        node.chmod(0o755)
+        ran = subprocess.run([*self.command(), "--cluster", node, "--jobs", "2", "--restart-times", "0"], cwd=self.folder, env=self.environment(),
+                             capture_output=True, text=True, check=False)
+        self.assertNotEqual(ran.returncode, 0)
+        self.assertRegex(ran.stderr + ran.stdout, r"pages/")
+        self.assertFalse((self.folder / "out/all.jsonl").exists())
+        self.assertFalse((self.folder / "out/table.csv").exists())
+        self.snakemake()
         self.assert_as_serial()
 
     def test_an_absent_program_is_said_by_name(self):

@@ -387,6 +387,15 @@ class Notebooks(unittest.TestCase):
                 self.assertEqual(ran.returncode, 0, ran.stderr)
 
 
+class Page(unittest.TestCase):
+    def test_what_the_page_shows_runs(self):
+        text = (ROOT / "docs/python.md").read_text()
+        code = "\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.S | re.M))
+        ran = subprocess.run([sys.executable, "-c", code], cwd=ROOT, env={**os.environ, "PYTHONPATH": str(BUILD / "python")}, capture_output=True, text=True, check=False)
+        self.assertEqual(ran.returncode, 0, ran.stderr)
+        self.assertIn("sure", ran.stdout)  # the doubt, and what to do next
+
+
 class Types(unittest.TestCase):
     def test_types_are_strict(self):
         if not shutil.which("mypy", path="/usr/bin"):

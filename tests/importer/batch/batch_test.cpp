@@ -2,7 +2,10 @@
 #include "importer/batch/batch.h"
 
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <new>
 #include <thread>
 
@@ -15,6 +18,8 @@ using namespace detent::importer;
 namespace {
 
 const auto neverCancelled = [] { return false; };
+
+const auto killedBefore = std::filesystem::current_path() / "batch_test.killed";
 
 /// Children that behave as their input's name says.
 int misbehave(const std::string& input, std::string& lines) {
@@ -30,6 +35,11 @@ int misbehave(const std::string& input, std::string& lines) {
     } catch (const std::bad_alloc&) {
       return 3;
     }
+  }
+  if (input == "killed") kill(getpid(), SIGKILL);
+  if (input == "killed once" && !std::filesystem::exists(killedBefore)) {
+    std::ofstream(killedBefore) << "yes";
+    kill(getpid(), SIGKILL);
   }
   if (input == "chatty") lines.assign(1 << 20, 'c');  // more than a pipe holds
   return 0;
@@ -58,6 +68,18 @@ TEST_CASE("A crash or a hang costs its own input only") {
   CHECK_THAT(outcomes[2].death, Catch::Contains("longer than the limit of 1 s"));
   CHECK(outcomes[3].exitCode == 4);
   CHECK(outcomes[4].reportLines == "started b\n");
+}
+
+TEST_CASE("A child that somebody else kills is started once more") {
+  std::filesystem::remove(killedBefore);
+  const auto outcomes = outcomesOf({"killed once", "killed", "b"}, {1, 20, 4096});
+  std::filesystem::remove(killedBefore);
+  REQUIRE(outcomes.size() == 3);
+  CHECK(outcomes[0].death.empty());
+  CHECK(outcomes[0].reportLines == "started killed once\n");
+  CHECK(outcomes[1].exitCode == 1);
+  CHECK_FALSE(outcomes[1].death.empty());
+  CHECK(outcomes[2].reportLines == "started b\n");
 }
 
 TEST_CASE("Results come in the order of the inputs whatever the number of processes") {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// --json-lines: how far the work is, one JSON object a line on stdout; what --json prints is the last line.
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "importer/page/findings.h"
+
+namespace detent::importer {
+
+/// Of one import: a line where another step begins, and at every twentieth of the whole. One thread.
+class StepLines {
+ public:
+  void show(double fraction, ImportStep step);  ///< 0..1 over the whole import
+
+ private:
+  std::optional<ImportStep> last_;
+  double shown_ = 0;
+};
+
+/// Of a batch: an input is done, the `done`th of `total`. `exitCode` is what detent-import would have ended with for it.
+void showInputDone(const std::string& input, int exitCode, std::size_t done, std::size_t total);
+
+}  // namespace detent::importer
