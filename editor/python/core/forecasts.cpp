@@ -9,6 +9,7 @@
 #include "importer/program/library_json.h"
 #include "playback/offline/press_files.h"
 #include "playback/offline/standard_press.h"
+#include "playback/prepare/playback_settings.h"
 #include "playback/prepare/prepare_program.h"
 #include "playback/program/performance_command.h"
 #include "playback/study/perception/middle.h"
@@ -34,11 +35,21 @@ std::string numberText(double value) {
   throw Refusal(Refused::from({FailureCode::wrongUsage, what, "", needs, remedy}));
 }
 
+playback::PlaybackSettings settingsOf(const std::string& feel) {
+  playback::PlaybackSettings settings = playback::usualSettings();
+  const auto known = playback::feels.value(feel);
+  if (!known)
+    throw Refusal(Refused::from(
+        {FailureCode::wrongUsage, "feel", Message(feel), "is not clear or paper", "Pass one of the two"}));
+  settings.feel = *known;
+  return settings;
+}
+
 }  // namespace
 
 std::vector<float> renderedPress(const Button& button, const std::string& traceFile, double rate_Hz,
-                                 const Cancelled& cancelled) {
-  const auto prepared = valueOf(playback::prepareProgram(button, {}, {}));
+                                 const std::string& feel, const Cancelled& cancelled) {
+  const auto prepared = valueOf(playback::prepareProgram(button, {}, settingsOf(feel)));
   const auto trace = traceFile.empty() ? playback::standardPress(prepared.program)
                                        : valueOf(playback::readPressTrace(traceFile));
   playback::RenderSettings settings;

@@ -13,9 +13,9 @@
 
 namespace detent::python {
 
-/// Samples of a press (a trace's file; empty: a human-like one) as shares of full scale.
+/// Samples of a press (a trace's file; empty: a human-like one) as shares of full scale. `feel` as --feel takes it.
 std::vector<float> renderedPress(const Button& button, const std::string& traceFile, double rate_Hz,
-                                 const Cancelled& cancelled);
+                                 const std::string& feel, const Cancelled& cancelled);
 
 /// A JSON array, one entry a pair; `a` and `b` are the buttons' places, as text.
 std::string confusionOf(const std::vector<Button>& buttons, const Cancelled& cancelled);

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include <pybind11/numpy.h>
-#include <pybind11/operators.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -191,7 +190,8 @@ void bindButton(py::module_& core) {
       .def("damping",
            [](const KeptButton& b, std::size_t state) { return columnsOf(b.state(state).damping); })
       .def("figures", &figuresOf)
-      .def(py::self == py::self);
+      .def(
+          "__eq__", [](const KeptButton& a, const KeptButton& b) { return a == b; }, py::is_operator());
   bindEdits(button);
 }
 
@@ -225,10 +225,11 @@ std::vector<Button> plain(const std::vector<KeptButton>& kept) {
   return buttons;
 }
 
-py::array_t<float> rendered(const KeptButton& kept, const std::string& traceFile, double rate_Hz) {
-  auto samples =
-      answered<std::vector<float>>([button = kept.button, traceFile, rate_Hz](const Cancelled& cancelled) {
-        return renderedPress(button, traceFile, rate_Hz, cancelled);
+py::array_t<float> rendered(const KeptButton& kept, const std::string& traceFile, double rate_Hz,
+                            const std::string& feel) {
+  auto samples = answered<std::vector<float>>(
+      [button = kept.button, traceFile, rate_Hz, feel](const Cancelled& cancelled) {
+        return renderedPress(button, traceFile, rate_Hz, feel, cancelled);
       });
   const auto count = static_cast<py::ssize_t>(samples.size());
   return viewOf<float>(std::make_unique<std::vector<float>>(std::move(samples)), {count});
@@ -274,13 +275,22 @@ void bindAnswers(py::module_& core) {
   });
 }
 
+/// Text of Python; bytes of a file's name that are no UTF-8 as os.fsdecode gives them.
+py::str textOf(const std::string& bytes) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(bytes.data(), static_cast<py::ssize_t>(bytes.size()), "surrogateescape"));
+}
+
 void raise(std::exception_ptr thrown) {
   try {
     std::rethrow_exception(std::move(thrown));
   } catch (const Refusal& refusal) {
     const Refused& why = refusal.why();
-    const py::object failure = py::module_::import("detent.failure")
-                                   .attr("failure_of")(why.code, why.sentence, why.remedies, why.reportJson);
+    py::list remedies;
+    for (const std::string& remedy : why.remedies) remedies.append(textOf(remedy));
+    const py::object failure =
+        py::module_::import("detent.failure")
+            .attr("failure_of")(why.code, textOf(why.sentence), remedies, textOf(why.reportJson));
     PyErr_SetObject(py::type::handle_of(failure).ptr(), failure.ptr());
   }
 }

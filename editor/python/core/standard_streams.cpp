@@ -3,17 +3,15 @@
 // must be such objects; these are seen by nobody else and are the C library's before anything runs.
 #include <dlfcn.h>
 
-struct _IO_FILE;
-
-extern "C" {
-__attribute__((visibility("hidden"))) _IO_FILE* stdin = nullptr;
-__attribute__((visibility("hidden"))) _IO_FILE* stdout = nullptr;
-__attribute__((visibility("hidden"))) _IO_FILE* stderr = nullptr;
+extern "C" {  // pointers, of whatever type
+__attribute__((visibility("hidden"))) void* stdin = nullptr;
+__attribute__((visibility("hidden"))) void* stdout = nullptr;
+__attribute__((visibility("hidden"))) void* stderr = nullptr;
 }
 
 namespace {
 
-_IO_FILE* streamOf(const char* name) { return *static_cast<_IO_FILE**>(dlsym(RTLD_DEFAULT, name)); }
+void* streamOf(const char* name) { return *static_cast<void**>(dlsym(RTLD_DEFAULT, name)); }
 
 __attribute__((constructor(101))) void takeStreams() {
   stdin = streamOf("stdin");

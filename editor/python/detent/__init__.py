@@ -43,6 +43,7 @@ if _core.version != __version__:
 
 AnyPath = Union[str, "os.PathLike[str]"]
 Quality = Literal["draft", "standard", "precise"]
+Feel = Literal["clear", "paper"]
 Curve = NDArray[np.float64]
 Column = NDArray[np.float64]
 
@@ -211,7 +212,13 @@ def _joined(numbers: Sequence[float], separator: str = ",") -> str:
 
 
 def _cores(buttons: Sequence[Button]) -> list[_core.Button]:
-    return [button._core for button in buttons]
+    return [_core_of(button) for button in buttons]
+
+
+def _core_of(button: Button) -> _core.Button:
+    if not isinstance(button, Button):
+        raise TypeError(f"a detent.Button is wanted, not {type(button).__name__}; detent.load makes one of a file")
+    return button._core
 
 
 def _options(hints: dict[str, Any]) -> list[bytes]:
@@ -287,14 +294,15 @@ def load(path: AnyPath) -> Button:
     return Button(_core.Button.load(os.fsencode(path)))
 
 
-def render(button: Button, press: AnyPath | None = None, *, rate_Hz: float = 48000) -> NDArray[np.float32]:
+def render(button: Button, press: AnyPath | None = None, *, rate_Hz: float = 48000, feel: Feel = "clear") -> NDArray[np.float32]:
     """A press as vibration, (n,): what `detent-play render` writes, sample for sample, as shares of full scale.
 
     press: a trace (CSV: time_s,force_N or time_s,displacement_mm); without one a human-like press of 0.3 s.
     rate_Hz: samples per second, 8000 to 192000.
+    feel: "clear", or "paper" as K&L have it.
     WrongUsage: a setting out of its range. UnreadableInput: a trace that cannot be read.
     """
-    return _core.render(button._core, b"" if press is None else os.fsencode(press), rate_Hz)
+    return _core.render(_core_of(button), b"" if press is None else os.fsencode(press), rate_Hz, feel)
 
 
 def confusion(*buttons: Button) -> list[dict[str, Any]]:
@@ -321,7 +329,7 @@ def find_like(button: Button, database: AnyPath, *, limit: int = 10) -> list[dic
     distance_lab_noise (below 1 nobody can say that two differ), group and the key figures.
     UnreadableInput: no library, or one of another version.
     """
-    return list(json.loads(_core.find_like(button._core, os.fsencode(database), limit))["found"])
+    return list(json.loads(_core.find_like(_core_of(button), os.fsencode(database), limit))["found"])
 
 
 def compare(first: Button, second: Button, *, state: int = 0, other_state: int = 0) -> dict[str, Any]:
@@ -329,7 +337,7 @@ def compare(first: Button, second: Button, *, state: int = 0, other_state: int =
 
     WrongUsage: they have no stroke in common. IndexError: no such state.
     """
-    distance: dict[str, Any] = json.loads(_core.compare(first._core, second._core, state, other_state))
+    distance: dict[str, Any] = json.loads(_core.compare(_core_of(first), _core_of(second), state, other_state))
     return {key: value for key, value in distance.items() if key not in ("status", "command", "file", "other")}
 
 
@@ -350,7 +358,7 @@ def between(first: Button, second: Button, share: float | None = None) -> Button
 
     share: 0 (first) to 1 (second); without it the place forecast to differ as much from either. WrongUsage: a share outside.
     """
-    return _told(*_core.between(first._core, second._core, share))
+    return _told(*_core.between(_core_of(first), _core_of(second), share))
 
 
 def import_many(

@@ -27,7 +27,7 @@ SAMPLES = ("png", "svg", "pdf", "csv")
 
 
 def program(name, *words):
-    return subprocess.run([BUILD / "bin" / name, *map(str, words)], capture_output=True, text=True, check=False)
+    return subprocess.run([BUILD / "bin" / name, *map(str, words)], capture_output=True, text=True, errors="surrogateescape", check=False)
 
 
 def plots():
@@ -204,7 +204,7 @@ class Refusals(unittest.TestCase):
 
     def test_presses(self):
         button = detent.load(self.b)
-        for name, content in (("p.csv", b"time_s,force_N\n0,0\n0,1\n"), ("h.csv", b"time,force\n"), ("e.csv", b"")):
+        for name, content in (("p.csv", b"time_s,force_N\n0,0\n1,x\n"), ("h.csv", b"time,force\n"), ("e.csv", b"")):
             path = self.file(name, content)
             with self.subTest(name):
                 self.assert_refused(lambda: detent.render(button, path),
@@ -238,8 +238,13 @@ class Buttons(unittest.TestCase):
         samples = detent.render(self.button)
         self.assertEqual(wave.read_bytes()[-4 * samples.size:], samples.tobytes())
         self.assertGreater(np.abs(samples).max(), 0.01)
-        with self.assertRaises(detent.Failure):
-            detent.render(self.button, rate_Hz=1)
+        program("detent-play", "render", self.file, "--standard-press", "--feel", "paper", "-o", wave, "--bits", "float")
+        paper = detent.render(self.button, feel="paper")
+        self.assertEqual(wave.read_bytes()[-4 * paper.size:], paper.tobytes())
+        self.assertFalse(np.array_equal(paper, samples))
+        for wrong in ({"rate_Hz": 1}, {"feel": "loud"}):
+            with self.assertRaises(detent.WrongUsage):
+                detent.render(self.button, **wrong)
 
     def test_a_button_is_a_value(self):
         self.button.save(self.folder / "copy.button.json")
@@ -393,7 +398,7 @@ class Page(unittest.TestCase):
         code = "\n".join(re.findall(r"^```python\n(.*?)^```$", text, re.S | re.M))
         ran = subprocess.run([sys.executable, "-c", code], cwd=ROOT, env={**os.environ, "PYTHONPATH": str(BUILD / "python")}, capture_output=True, text=True, check=False)
         self.assertEqual(ran.returncode, 0, ran.stderr)
-        self.assertIn("sure", ran.stdout)  # the doubt, and what to do next
+        self.assertIn("Pass --", ran.stdout)  # the doubt, and what to do next
 
 
 class Types(unittest.TestCase):
