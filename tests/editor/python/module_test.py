@@ -365,6 +365,14 @@ class Importing(unittest.TestCase):
         return subprocess.run([sys.executable, "-c", "import detent"], env={**os.environ, "PYTHONPATH": str(folder), **environment},
                               capture_output=True, text=True, check=False)
 
+    def test_installed_it_is_where_debians_python_looks(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for prefix, place in (("usr", "usr/lib/python3/dist-packages"), ("local", "local/lib/python3.11/dist-packages")):
+                subprocess.run(["cmake", "--install", BUILD, "--component", "python", "--prefix", Path(folder, prefix)], check=True, capture_output=True)
+                self.assertEqual(self.imported(Path(folder, place)).returncode, 0, place)
+                files = {path.name for path in Path(folder, place, "detent").iterdir()}
+                self.assertTrue({"__init__.py", "_core.pyi", "_version.py", "py.typed"} <= files, files)
+
     def test_another_version_says_so(self):
         with tempfile.TemporaryDirectory() as folder:
             shutil.copytree(BUILD / "python/detent", Path(folder, "detent"))
