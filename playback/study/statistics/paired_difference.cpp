@@ -58,7 +58,7 @@ PairedDifference pairedDifference(const std::vector<double>& differences, double
   const double total = std::accumulate(differences.begin(), differences.end(), 0.0);
   const double size = std::accumulate(differences.begin(), differences.end(), 0.0,
                                       [](double sum, double d) { return sum + std::fabs(d); });
-  result.mean = total / static_cast<double>(differences.size());
+  result.mean = std::fabs(total) <= roundOff * size ? 0 : total / static_cast<double>(differences.size());
   std::size_t patterns = 0, asFar = 0;
   std::vector<double> means;
   forSubsets(differences, [&](double sum, std::size_t members) {

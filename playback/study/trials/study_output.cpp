@@ -113,10 +113,11 @@ std::string nameOfPair(const std::vector<std::string>& labels, std::size_t pair)
 std::string comparisonLines(const StudyResults& results) {
   std::string text = "Conditions against each other (p two-sided; Holm over all, then over all pairs)\n";
   const std::vector<std::string> names = shortened(results.labels, 7);
+  std::string said;
   for (const GroupComparison& c : results.comparisons) {
-    if (!c.pair) {
-      text += "  " + c.first + " - " + c.second + "\n";
-    }
+    const std::string conditions = "  " + c.first + " - " + c.second + "\n";
+    if (conditions != said) text += conditions;
+    said = conditions;
     text += "  " + left(c.pair ? nameOfPair(names, *c.pair) : "all trials", 17) +
             formatted(" %+6.2f %% errors", 100 * c.difference);
     if (c.interval) text += formatted(" (%+.1f to %+.1f)", 100 * c.interval->low, 100 * c.interval->high);

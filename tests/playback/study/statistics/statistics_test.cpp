@@ -209,6 +209,7 @@ TEST_CASE(
 }
 
 TEST_CASE("paired: few people, nobody, no difference, many people") {
+  CHECK(pairedDifference({0.1, 0.2, -0.3}).mean == 0);  // not -0.00 or +0.00 for want of the last digit
   CHECK(pairedDifference({}).p == 1);
   CHECK(pairedDifference({0, 0, 0, 0, 0, 0, 0}).p == 1);
   CHECK_FALSE(pairedDifference({0.1, 0.2, 0.3, 0.4, 0.5}).interval);

@@ -628,6 +628,24 @@ TEST_CASE("results: eight people all better in one mode: p is exact, and Holm co
   CHECK(results.groups[1].pairs[0].tests[0].adjusted == Approx(6.0 / 1024));
 }
 
+TEST_CASE("results: of several comparisons each line of a pair stands below its conditions") {
+  StudyDesign design;
+  design.trials = 2;
+  design.modes = {FeedbackMode::full, FeedbackMode::clickOnly, FeedbackMode::slopeOnly};
+  const StudyFolder made(design, {"A", "B"});
+  answer(*made.study, "P01", "guess", 6);
+  const std::string text = resultsText(resultsOf(*made.study, *readParticipants(*made.study)));
+  std::istringstream lines(text.substr(text.find("Conditions against each other")));
+  std::string line, before;
+  std::size_t pairs = 0;
+  for (; std::getline(lines, line); before = line) {
+    if (!line.starts_with("  A-B ")) continue;
+    ++pairs;
+    CHECK(before.find(" - ") != std::string::npos);
+  }
+  CHECK(pairs == 3);
+}
+
 TEST_CASE("results: every line of the text fits 80 columns, and long labels still differ") {
   StudyResults results;
   results.labels = {"a very long label one", "a very long label two", "c"};
