@@ -31,16 +31,17 @@ class Search {
          const std::function<bool()>& cancelled)
       : button_(button), other_(other), settings_(settings), cancelled_(cancelled) {}
 
-  /// The first factor on the way from 1 to `farthest` at which the two are told apart.
+  /// The first factor on the way from 1 to `farthest` at which the two are told apart: found in strides, then looked for in the two strides
+  /// before it, because a verdict may come, go and come again.
   std::optional<Suggestion> along(Lever lever, double farthest) const {
     constexpr int strides = 12;
-    int below = 100;
+    int below = 100, beforeThat = 100;
     for (int i = 1; i <= strides; ++i) {
       const int percent = static_cast<int>(std::lround(100 * std::pow(farthest, double(i) / strides)));
       std::optional<Suggestion> found = attempt(lever, percent);
       if (!found) return {};
-      if (found->forecast.toldApart()) return narrowed(lever, below, percent, *std::move(found));
-      below = percent;
+      if (found->forecast.toldApart()) return firstBetween(lever, beforeThat, percent, *std::move(found));
+      beforeThat = std::exchange(below, percent);
     }
     return {};
   }
@@ -57,17 +58,27 @@ class Search {
     return Suggestion{lever, factor, *std::move(changed), forecast};
   }
 
-  Suggestion narrowed(Lever lever, int below, int above, Suggestion found) const {
-    while (std::abs(above - below) > 1) {
-      const int middle = (below + above) / 2;
-      std::optional<Suggestion> tried = attempt(lever, middle);
+  /// The first that is told apart behind `from`, in steps of 2 %, then of a hundredth; `found` is told apart at `to`.
+  Suggestion firstBetween(Lever lever, int from, int to, Suggestion found) const {
+    constexpr double step = 0.02;
+    const int direction = to > from ? 1 : -1;
+    int last = from;
+    while (last != to) {
+      const int stride = std::max(1, static_cast<int>(std::lround(step * last)));
+      const int next = std::abs(to - last) <= stride ? to : last + direction * stride;
+      const std::optional<Suggestion> tried = attempt(lever, next);
       if (!tried) break;
-      if (tried->forecast.toldApart()) {
-        above = middle;
-        found = *std::move(tried);
-      } else {
-        below = middle;
-      }
+      if (tried->forecast.toldApart()) return firstHundredth(lever, last + direction, next, *tried);
+      last = next;
+    }
+    return found;
+  }
+
+  Suggestion firstHundredth(Lever lever, int from, int to, Suggestion found) const {
+    for (int percent = from; percent != to; percent += to > from ? 1 : -1) {
+      std::optional<Suggestion> tried = attempt(lever, percent);
+      if (!tried) break;
+      if (tried->forecast.toldApart()) return *std::move(tried);
     }
     return found;
   }
