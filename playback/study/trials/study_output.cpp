@@ -313,11 +313,12 @@ std::string bidsReadme(const StudyResults& results) {
 Result<Done> writeBids(const StudyResults& results, const std::filesystem::path& folder) {
   if (Result<Done> ok = makeFolder(folder); !ok) return ok;
   const std::string task = taskName(results);
-  const Json dataset{{"Name", results.study},
-                     {"BIDSVersion", "1.8.0"},
-                     {"DatasetType", "raw"},
-                     {"Authors", Json::array({"to be named by those who publish it"})},
-                     {"GeneratedBy", Json::array({{{"Name", "Detent"}, {"Version", version()}}})}};
+  const Json dataset{
+      {"Name", results.study},
+      {"BIDSVersion", "1.8.0"},
+      {"DatasetType", "raw"},
+      {"Authors", Json::array({"(first author, to be named)", "(second author, to be named)"})},
+      {"GeneratedBy", Json::array({{{"Name", "Detent"}, {"Version", version()}}})}};
   Json columns{{"onset", {{"Description", "when the trial was shown"}, {"Units", "s"}}},
                {"duration", {{"Description", "from there to the answer"}, {"Units", "s"}}},
                {"first_press", {{"Description", "from onset to the first press"}, {"Units", "s"}}},

@@ -21,7 +21,7 @@ h1 { font-size: 1.6rem; margin-bottom: .2rem; } h2 { font-size: 1.15rem; margin:
 table { border-collapse: collapse; margin: .5rem 0; } th, td { padding: .25rem .7rem; text-align: right; border-bottom: 1px solid #dde3ea; }
 th { font-weight: 600; } td:first-child, th:first-child, .words { text-align: left; }
 td.one { background: #d9dde3; } td.more { background: #8b95a3; color: #fff; }
-caption { caption-side: bottom; text-align: left; color: #56606e; font-size: .85rem; padding-top: .3rem; }
+caption { caption-side: bottom; min-width: 26rem; text-align: left; color: #56606e; font-size: .85rem; padding-top: .3rem; }
 .band { position: fixed; top: 0; left: 0; right: 0; background: #b3261e; color: #fff; text-align: center; font-weight: 700; padding: .3rem; z-index: 1; }
 .banded { padding-top: 2.2rem; } .sheet, .sheet > * > tr > td { display: block; border: 0; padding: 0; margin: 0; text-align: left; }
 .notes { border-left: 4px solid #c77700; padding: .2rem 1rem; background: #fff7ea; }
@@ -229,6 +229,18 @@ std::string confusionTable(const StudyResults& results, const GroupResult& group
   return text + "<caption>Rows: what X was. Columns: what was answered.</caption></table></section>\n";
 }
 
+/// Nothing where so few pairs have no order to speak of.
+std::string rankCaption(const std::vector<double>& told, const std::vector<double>& found) {
+  constexpr std::size_t fewest = 3;
+  if (found.size() < fewest) return {};
+  return formatted(
+      "<caption>Rank correlation (Spearman) of foretold and found: %.2f over %zu pairs (one-sided p = "
+      "%.3f, pairs permuted). What is found "
+      "scatters by itself: a perfect forecast of the paper's noisy group would reach about "
+      "0.74.</caption>",
+      spearman(told, found), found.size(), spearmanP(told, found));
+}
+
 std::string foretoldTable(const StudyResults& results, const GroupResult& group,
                           const std::vector<ForetoldPair>& foretold) {
   std::vector<double> found, told;
@@ -247,14 +259,7 @@ std::string foretoldTable(const StudyResults& results, const GroupResult& group,
   return "<section><h2>Foretold and found: " + escapedForMarkup(group.condition) +
          "</h2>\n<table><tr><th>Pair</th><th>d′ foretold</th><th class=\"words\">Foretold</th>"
          "<th>Errors found</th><th class=\"words\">What differs</th></tr>\n" +
-         lines +
-         formatted(
-             "<caption>Rank correlation (Spearman) of foretold and found: %.2f over %zu pairs (one-sided p = "
-             "%.3f, pairs permuted). What is found "
-             "scatters by itself: a perfect forecast of the paper's noisy group would reach about "
-             "0.74.</caption>",
-             spearman(told, found), found.size(), spearmanP(told, found)) +
-         "</table></section>\n";
+         lines + rankCaption(told, found) + "</table></section>\n";
 }
 
 std::string comparisons(const StudyResults& results) {
