@@ -13,6 +13,7 @@
 #include "playback/device/serial_sensor.h"
 #include "playback/device/signal_server.h"
 #include "playback/device/steady_clock.h"
+#include "playback/offline/resample.h"
 #include "playback/playback.h"
 
 namespace detent::playback {
@@ -20,6 +21,7 @@ namespace detent::playback {
 namespace {
 
 constexpr std::size_t mostKeptEvents = 8192;
+constexpr std::size_t mostTakes = 16;
 constexpr double traceAhead_s = 0.25;
 constexpr double traceStep_s = 0.05;
 constexpr double silentRate_Hz = 48000;  // in which a player without a device numbers its events
@@ -190,6 +192,31 @@ class Player : public LivePlayer {
   }
   bool tracePlaying() const override { return tracePlaying_; }
 
+  Result<Done> playSamples(const std::vector<float>& samples, double sampleRate_Hz) override {
+    if (std::optional<Failure> wrong = unplayable(samples, sampleRate_Hz)) return *std::move(wrong);
+    auto take = std::make_unique<OwnedTake>();
+    const double rate_Hz = session_.sampleRate_Hz();
+    take->samples = sampleRate_Hz == rate_Hz ? samples : resampled(samples, sampleRate_Hz, rate_Hz);
+    take->taken = {take->samples.data(), take->samples.size(), peakOf(take->samples)};
+    receive();
+    const std::lock_guard lock(controlMutex_);
+    if (takes_.size() >= mostTakes || !sendTake(&take->taken)) {
+      return Failure{FailureCode::wrongUsage, "samples", "", "were asked for too often at once",
+                     "Wait until one has begun"};
+    }
+    takes_.push_back(std::move(take));
+    return Done{};
+  }
+  void stopSamples() override {
+    const std::lock_guard lock(controlMutex_);
+    if (!takes_.empty()) sendTake(nullptr);
+  }
+  bool samplesPlaying() override {
+    receive();
+    const std::lock_guard lock(controlMutex_);
+    return !takes_.empty();
+  }
+
   PlayerStatus status() override {
     receive();
     PlayerStatus s;
@@ -257,6 +284,41 @@ class Player : public LivePlayer {
   }
 
  private:
+  /// Samples and what the callback knows them by.
+  struct OwnedTake {
+    std::vector<float> samples;
+    SoundTake taken;
+  };
+
+  static double peakOf(const std::vector<float>& samples) {
+    double peak = 0;
+    for (const float sample : samples) peak = std::max(peak, std::fabs(static_cast<double>(sample)));
+    return peak;
+  }
+
+  std::optional<Failure> unplayable(const std::vector<float>& samples, double sampleRate_Hz) const {
+    const auto wrong = [](const char* problem, const char* remedy) {
+      return Failure{FailureCode::wrongUsage, "samples", "", problem, remedy};
+    };
+    if (!sounding_) return wrong("cannot be played without a sound device", "Start a player on a device");
+    if (samples.empty()) return wrong("are none", "Give at least one");
+    if (!(sampleRate_Hz >= HapticEngine::lowestSampleRate_Hz &&
+          sampleRate_Hz <= HapticEngine::highestSampleRate_Hz))
+      return wrong("have a rate outside 8000..192000 Hz", "Choose another rate");
+    const bool within =
+        std::all_of(samples.begin(), samples.end(), [](float v) { return v >= -1 && v <= 1; });
+    if (!within) return wrong("pass full scale", "Give samples within -1 and 1");
+    return std::nullopt;
+  }
+
+  /// controlMutex_ is held.
+  bool sendTake(const SoundTake* take) {
+    SessionCommand command;
+    command.kind = CommandKind::take;
+    command.take = take;
+    return session_.send(Lane::control, command);
+  }
+
   /// The rain's own device: a stream whose session has no program.
   Result<Done> openRain(const MaskingNoise& masking) {
     rainSession_.emplace(session_.sampleRate_Hz());
@@ -307,6 +369,9 @@ class Player : public LivePlayer {
           break;
         case ReportKind::retired:
           std::erase_if(programs_, [&](const auto& p) { return p.get() == report.retired; });
+          break;
+        case ReportKind::takeEnded:
+          std::erase_if(takes_, [&](const auto& t) { return &t->taken == report.endedTake; });
           break;
       }
     }
@@ -494,6 +559,7 @@ class Player : public LivePlayer {
   std::mutex controlMutex_, readingMutex_, networkMutex_;  // control before reading where both are held
   std::mutex traceMutex_;                                  // before all others: one playTrace at a time
   std::vector<std::unique_ptr<HapticProgram>> programs_;
+  std::vector<std::unique_ptr<OwnedTake>> takes_;  // controlMutex_; in the callback's hands
   SessionStatus lastStatus_;
   std::deque<EngineEvent> events_;
   ForceConditioner ownForce_;

@@ -143,6 +143,14 @@ class LivePlayer {
   virtual Result<std::int64_t> playTrace(const PressTrace& trace, double lead_s) = 0;
   virtual bool tracePlaying() const = 0;
 
+  /// Plays samples that another program made, beside whatever is pressed: with the player's gain, at most to full scale, without the
+  /// device's equalizer. They begin within one buffer and end by themselves; a second call replaces the first. Failure wrongUsage: no
+  /// sample, one beyond [-1, 1], a rate outside 8000..192000 Hz, 16 that have not ended, or a player without a sound device.
+  virtual Result<Done> playSamples(const std::vector<float>& samples, double sampleRate_Hz) = 0;
+  /// What plays of them fades out.
+  virtual void stopSamples() = 0;
+  virtual bool samplesPlaying() = 0;
+
   virtual PlayerStatus status() = 0;
   /// Everything felt since the last call, oldest first (at most a few thousand are kept).
   virtual std::vector<EngineEvent> takeEvents() = 0;

@@ -5,7 +5,10 @@
 #include <QAction>
 #include <QBoxLayout>
 #include <QButtonGroup>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QHideEvent>
+#include <QLabel>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -18,6 +21,7 @@
 #include "editor/feel/force_setup.h"
 #include "editor/feel/press_pad.h"
 #include "editor/feel/press_strip.h"
+#include "editor/feel/setup_widgets.h"
 #include "editor/feel/signal_view.h"
 #include "editor/feel/sound_box.h"
 
@@ -27,6 +31,9 @@ namespace {
 constexpr double stripTail_s = 0.3;  // the strip runs on a little after a press
 constexpr double wideRatio = 1.35;   // wider than this, the parts stand side by side
 constexpr int leastControls_px = 120;
+constexpr double comparableDurations = 4;  // of two signals whose times are drawn to one scale
+constexpr int longestNote = 200;
+constexpr int leastOfTwoViews_px = 140;  // a low dock has room for both
 constexpr FeelSide sides[] = {FeelSide::a, FeelSide::b};
 
 PadButton padButtonOf(const ButtonDocument& document, std::size_t state, double full_N) {
@@ -71,6 +78,7 @@ FeelPanel::FeelPanel(ViewSettings& settings, FeelSession& session, QWidget* pare
   showSettings();
   showPair();
   showFelt();
+  showReference();
 }
 
 // ---- widgets
@@ -90,8 +98,13 @@ QWidget* FeelPanel::viewColumn() {
   view_ = described(new SignalView, "signalView");
   auto* whole = new QWidget;
   auto* column = bare(new QVBoxLayout(whole), 6);
+  referenceView_ = described(new SignalView, "referenceView");
+  referenceNote_ = noteLabel("referenceNote");
   column->addLayout(pressRow());
   column->addWidget(view_, 1);
+  column->addLayout(referenceRow());
+  column->addWidget(referenceNote_);
+  column->addWidget(referenceView_, 1);
   return whole;
 }
 
@@ -213,6 +226,38 @@ QLayout* FeelPanel::pressRow() {
   return row;
 }
 
+/// What another program made, to compare with.
+QLayout* FeelPanel::referenceRow() {
+  referenceChoice_ = described(new QToolButton, "referenceFile",
+                               tr("Compare with a signal of another program: AHAP, .haptic, HJIF, WAV"));
+  referenceChoice_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  connect(referenceChoice_, &QToolButton::clicked, this, &FeelPanel::chooseReference);
+  playReference_ = ownAction("playReference", tr("Play the reference"),
+                             tr("Play the reference on the sound device, at the same gain as the press; "
+                                "once more ends it"),
+                             Qt::Key_R);
+  connect(playReference_, &QAction::triggered, this, [this] {
+    session_.player().samplesPlaying() ? session_.stopReference() : session_.playReference();
+    showPresses();
+  });
+  referencePlay_ = buttonOf(playReference_, "playReferenceButton", tr("Play"));
+  noReference_ = described(new QToolButton, "noReference", tr("Take the reference away"));
+  noReference_->setText(QStringLiteral("×"));
+  connect(noReference_, &QToolButton::clicked, &session_, [this] { session_.setReference({}); });
+  auto* row = bare(new QHBoxLayout, 4);
+  row->addWidget(referenceChoice_, 1);
+  row->addWidget(referencePlay_);
+  row->addWidget(noReference_);
+  return row;
+}
+
+void FeelPanel::chooseReference() {
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Reference signal"), QFileInfo(session_.settings().referenceFile).path(),
+      tr("Signals (*.ahap *.haptic *.hjif *.wav *.flac *.aiff *.ogg);;All files (*)"));
+  if (!file.isEmpty()) session_.setReference(file);
+}
+
 void FeelPanel::layOut() {
   const bool wide = width() > wideRatio * height();
   sections_->setDirection(wide ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
@@ -244,6 +289,7 @@ void FeelPanel::connectSession() {
   connect(&session_, &FeelSession::feltChanged, this, &FeelPanel::showFelt);
   connect(&session_, &FeelSession::stateChanged, this, &FeelPanel::showPad);
   connect(&session_, &FeelSession::ownPressChanged, this, &FeelPanel::showPresses);
+  connect(&session_, &FeelSession::referenceChanged, this, &FeelPanel::showReference);
   connect(&session_, &FeelSession::moved, this, &FeelPanel::follow);
   connect(&session_, &FeelSession::eventsFelt, this, &FeelPanel::showEvents);
   const FeelPlayer& player = session_.player();
@@ -276,11 +322,18 @@ void FeelPanel::writeNames() {
                          (document ? document->title() : QStringLiteral("–"));
     choice->setText(choice->fontMetrics().elidedText(name, Qt::ElideRight, choice->width() - 14));
   }
+  const QString file = QFileInfo(session_.settings().referenceFile).fileName();
+  referenceChoice_->setText(
+      referenceChoice_->fontMetrics().elidedText(file.isEmpty() ? tr("Compare with a reference…") : file,
+                                                 Qt::ElideMiddle, referenceChoice_->width() - 14));
+  referenceChoice_->setAccessibleName(file.isEmpty() ? tr("Compare with a reference…")
+                                                     : tr("Reference: %1").arg(file));
 }
 
 void FeelPanel::showFelt() {
   choices_[static_cast<std::size_t>(session_.feltSide())]->setChecked(true);
   view_->setSignal(session_.signal());
+  showScale();
   showPad();
   showPresses();
 }
@@ -303,6 +356,41 @@ void FeelPanel::showPad() {
 void FeelPanel::showPresses() {
   myPress_->setEnabled(session_.ownPressKnown());
   play_->setEnabled(session_.playable());
+  const bool sounds = session_.player().samplesPlaying();
+  playReference_->setEnabled(session_.reference() && (sounds || session_.playable()));
+  referencePlay_->setText(sounds ? tr("Stop") : tr("Play"));
+}
+
+void FeelPanel::showReference() {
+  const auto& reference = session_.reference();
+  const QString name = QFileInfo(session_.settings().referenceFile).fileName();
+  QStringList notes;
+  if (!session_.referenceTrouble().isEmpty()) notes << session_.referenceTrouble();
+  if (reference)
+    for (const Message& note : reference->notes) notes << asSentence(inWords(note));
+  referenceNote_->setText(shortened(notes.join(' '), longestNote));
+  referenceNote_->setToolTip(notes.join('\n'));
+  referenceNote_->setVisible(!notes.isEmpty());
+  for (QWidget* part : std::initializer_list<QWidget*>{referenceView_, referencePlay_, noReference_})
+    part->setVisible(reference != nullptr);
+  for (SignalView* view : {view_, referenceView_}) view->setMinimumHeight(reference ? leastOfTwoViews_px : 0);
+  referenceView_->setReference(reference, name);
+  showScale();
+  showPresses();
+  writeNames();
+}
+
+/// Both signals to one scale, as long as one of them is not lost beside the other.
+void FeelPanel::showScale() {
+  const auto& press = session_.signal();
+  const auto& reference = session_.reference();
+  const bool both = press && !press->failure && reference;
+  const double longer_s = both ? std::max(press->duration_s(), reference->duration_s()) : 0;
+  const double shorter_s = both ? std::min(press->duration_s(), reference->duration_s()) : 0;
+  const double duration_s = longer_s <= comparableDurations * shorter_s ? longer_s : 0;
+  const double peak = both ? std::max(press->peak, reference->peak) : 0;
+  view_->setLeast(duration_s, peak);
+  referenceView_->setLeast(duration_s, peak);
 }
 
 void FeelPanel::showSettings() {

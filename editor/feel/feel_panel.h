@@ -11,6 +11,7 @@
 
 class QAction;
 class QBoxLayout;
+class QLabel;
 class QToolButton;
 
 namespace detent::editor {
@@ -49,6 +50,7 @@ class FeelPanel : public QWidget {
   QWidget* setupPage(ViewSettings& settings);
   QLayout* choiceRow();
   QLayout* pressRow();
+  QLayout* referenceRow();
   QAction* ownAction(const char* name, const QString& text, const QString& tip, Qt::Key key);
   QToolButton* buttonOf(QAction* action, const char* name, const QString& text);
   void connectPad();
@@ -59,6 +61,9 @@ class FeelPanel : public QWidget {
   void showFelt();
   void showPad();
   void showPresses();
+  void showReference();
+  void showScale();
+  void chooseReference();
   void showSettings();
   void follow();
   void showEvents(const std::vector<playback::EngineEvent>& events);
@@ -69,13 +74,15 @@ class FeelPanel : public QWidget {
   QBoxLayout* sections_ = nullptr;
   PressPad* pad_ = nullptr;
   PressStrip* strip_ = nullptr;
-  SignalView* view_ = nullptr;
+  SignalView *view_ = nullptr, *referenceView_ = nullptr;
   FeelSetup* setup_ = nullptr;
   ForceSetup* forceSetup_ = nullptr;
   QWidget* setupPage_ = nullptr;
   std::array<QToolButton*, 2> choices_{};
-  QToolButton *setupToggle_ = nullptr, *standardPress_ = nullptr, *myPress_ = nullptr;
-  QAction *exchange_ = nullptr, *play_ = nullptr;
+  QToolButton *setupToggle_ = nullptr, *standardPress_ = nullptr, *myPress_ = nullptr,
+              *referenceChoice_ = nullptr, *referencePlay_ = nullptr, *noReference_ = nullptr;
+  QLabel* referenceNote_ = nullptr;
+  QAction *exchange_ = nullptr, *play_ = nullptr, *playReference_ = nullptr;
 };
 
 }  // namespace detent::editor

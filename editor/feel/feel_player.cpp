@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "editor/document/message_words.h"
+#include "editor/feel/drawn_signal.h"
 
 namespace detent::editor {
 namespace {
@@ -158,6 +159,7 @@ void FeelPlayer::adopt() {
   status_ = player_->status();
   setSound(SoundState::on);
   if (toPlay_) play(std::exchange(toPlay_, nullptr));
+  if (samplesToPlay_) playSamples(std::exchange(samplesToPlay_, nullptr));
   pace();
 }
 
@@ -168,7 +170,10 @@ void FeelPlayer::setGain(double gain) {
 }
 
 void FeelPlayer::setSound(SoundState state, const QString& trouble) {
-  if (state == SoundState::off || state == SoundState::failed) toPlay_.reset();
+  if (state == SoundState::off || state == SoundState::failed) {
+    toPlay_.reset();
+    samplesToPlay_.reset();
+  }
   if (state == sound_ && trouble == trouble_) return;
   sound_ = state;
   trouble_ = trouble;
@@ -270,9 +275,12 @@ void FeelPlayer::lift() {
   liftedAt_ = Clock::now();
 }
 
+bool FeelPlayer::mayPlay() const {
+  return player_ && program_ && soundWanted_ && !pressed_ && !playing() && !devicePosition_mm_;
+}
+
 bool FeelPlayer::play(std::shared_ptr<const playback::PressTrace> press) {
-  if (!player_ || !program_ || !soundWanted_ || pressed_ || playing() || devicePosition_mm_ || !press)
-    return false;
+  if (!mayPlay() || !press) return false;
   if (!status_.sounding) {
     startSound();
     toPlay_ = std::move(press);
@@ -282,6 +290,24 @@ bool FeelPlayer::play(std::shared_ptr<const playback::PressTrace> press) {
   movedAt_ = Clock::now();
   pace();
   return plays;
+}
+
+bool FeelPlayer::playSamples(std::shared_ptr<const std::vector<float>> samples) {
+  if (!mayPlay() || !samples) return false;
+  if (!status_.sounding) {
+    startSound();
+    samplesToPlay_ = std::move(samples);
+    return true;
+  }
+  const bool plays = static_cast<bool>(player_->playSamples(*samples, drawnRate_Hz));
+  movedAt_ = Clock::now();
+  pace();
+  return plays;
+}
+
+void FeelPlayer::stopSamples() {
+  samplesToPlay_.reset();
+  if (player_) player_->stopSamples();
 }
 
 // From the first touch to rest, zero at both ends, so that it can be played again.

@@ -73,7 +73,11 @@ class FeelPlayer : public QObject {
   /// Plays a press on the sound device, opening it if need be. Nothing can be pressed meanwhile. False: sound
   /// is off, or another press is under way.
   bool play(std::shared_ptr<const playback::PressTrace> press);
-  bool playing() const { return player_ && player_->tracePlaying(); }
+  bool playing() const { return player_ && (player_->tracePlaying() || player_->samplesPlaying()); }
+  /// Plays samples (at 48000 a second) that no button made, in the same way. False likewise.
+  bool playSamples(std::shared_ptr<const std::vector<float>> samples);
+  void stopSamples();
+  bool samplesPlaying() const { return samplesToPlay_ || (player_ && player_->samplesPlaying()); }
 
   /// A finger, or a force above rest on the sensor.
   bool pressed() const { return pressed_; }
@@ -98,6 +102,7 @@ class FeelPlayer : public QObject {
   using Clock = std::chrono::steady_clock;
 
   bool take(Finger finger);
+  bool mayPlay() const;
   void letGo();
   void startSilent();
   void attachSensor();
@@ -134,8 +139,10 @@ class FeelPlayer : public QObject {
   bool liftsForce_ = true;
   Clock::time_point liftedAt_, movedAt_;
   bool pressed_ = false;
-  std::shared_ptr<const playback::PressTrace> toPlay_;  // as soon as the device is open
-  std::shared_ptr<playback::PressTrace> recording_;     // the press under way
+  // As soon as the device is open, one of them.
+  std::shared_ptr<const playback::PressTrace> toPlay_;
+  std::shared_ptr<const std::vector<float>> samplesToPlay_;
+  std::shared_ptr<playback::PressTrace> recording_;  // the press under way
   Clock::time_point recordedFrom_;
   playback::PlayerStatus status_;
   QTimer timer_;

@@ -33,6 +33,7 @@ FeelSession::FeelSession(QObject* parent, const FeelDevices& devices)
     emit ownPressChanged();
   });
   connect(&player_, &FeelPlayer::sensorChanged, this, &FeelSession::followSensor);
+  connect(&referenceSource_, &ReferenceSource::ready, this, &FeelSession::takeReference);
   connect(&force_, &ForceSession::stateChanged, this, &FeelSession::followForceState);
   connect(&force_, &ForceSession::moved, this, &FeelSession::followForce);
   connect(&force_, &ForceSession::said, this, &FeelSession::said);
@@ -132,6 +133,45 @@ void FeelSession::play() {
     emit said(settings_.sound ? tr("One press at a time") : tr("Switch the sound on to play a press"));
 }
 
+// ---- a signal of another program
+
+void FeelSession::setReference(const QString& file) {
+  FeelSettings next = settings_;
+  next.referenceFile = file;
+  if (next.referenceFile == settings_.referenceFile) {
+    loadReference();  // it may be another file by now
+  } else {
+    setSettings(next);
+  }
+}
+
+void FeelSession::loadReference() {
+  referenceSource_.forget();
+  player_.stopSamples();
+  reference_.reset();
+  referenceTrouble_.clear();
+  if (!settings_.referenceFile.isEmpty()) referenceSource_.request(settings_.referenceFile.toStdString());
+  emit referenceChanged();
+}
+
+void FeelSession::takeReference(std::shared_ptr<const ReferenceDrawing> drawing) {
+  if (drawing->failure) {
+    referenceTrouble_ = sentenceOf(*drawing->failure);
+    settings_.referenceFile.clear();
+    emit said(referenceTrouble_);
+    emit settingsChanged();
+  } else {
+    reference_ = std::move(drawing);
+  }
+  emit referenceChanged();
+}
+
+void FeelSession::playReference() {
+  if (!reference_) return;
+  if (!player_.playSamples({reference_, &reference_->samples}))
+    emit said(settings_.sound ? tr("One press at a time") : tr("Switch the sound on to play it"));
+}
+
 // ---- settings
 
 void FeelSession::setSettings(const FeelSettings& settings) {
@@ -144,6 +184,7 @@ void FeelSession::setSettings(const FeelSettings& settings) {
     player_.setOutput(outputOf(settings));
   const bool profileChanged = settings.profileFile != before.profileFile;
   if (profileChanged) loadProfile();
+  if (settings.referenceFile != before.referenceFile) loadReference();
   if (settings_.sensorPort != before.sensorPort || settings_.sensorBaud != before.sensorBaud ||
       (profileChanged && !settings_.sensorPort.isEmpty()))
     connectSensor();

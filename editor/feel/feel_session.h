@@ -18,6 +18,7 @@
 #include "editor/feel/feel_settings.h"
 #include "editor/feel/force_session.h"
 #include "editor/feel/press_signal_source.h"
+#include "editor/feel/reference_source.h"
 #include "editor/feel/sound_device_list.h"
 
 namespace detent::editor {
@@ -87,6 +88,16 @@ class FeelSession : public QObject {
   /// Plays the drawn press on the sound device, from the state in which it was drawn.
   void play();
 
+  /// A signal of another program beside the button's; null: none, or it could not be read. No part of any document.
+  const std::shared_ptr<const ReferenceDrawing>& reference() const { return reference_; }
+  /// Why there is none; empty where nothing is wrong.
+  const QString& referenceTrouble() const { return referenceTrouble_; }
+  /// Reads a file as the reference; an empty one takes it away.
+  void setReference(const QString& file);
+  /// On the sound device, or ends it.
+  void playReference();
+  void stopReference() { player_.stopSamples(); }
+
   FeelPlayer& player() { return player_; }
   /// The felt button as force. While it runs the device's finger presses, and vibration follows it.
   ForceSession& force() { return force_; }
@@ -102,6 +113,7 @@ class FeelSession : public QObject {
   void stateChanged();
   void settingsChanged();
   void ownPressChanged();
+  void referenceChanged();
   /// A port to connect to by hand: remembered, or one that could not be reached.
   void sensorOffered(const QString& port);
   /// motion() has changed; at least 60 times a second while a finger presses.
@@ -130,6 +142,8 @@ class FeelSession : public QObject {
   void takeSignal(FeelSide side, std::shared_ptr<const PressSignal> signal);
   void underFinger();
   void loadProfile();
+  void loadReference();
+  void takeReference(std::shared_ptr<const ReferenceDrawing> drawing);
   void connectSensor();
   void followSensor();
   void followPlayer();
@@ -154,6 +168,9 @@ class FeelSession : public QObject {
   std::shared_ptr<const playback::PressTrace> ownPress_;  ///< the last one by hand
   std::size_t ownState_ = 0, pressBegan_ = 0;             ///< in which that one, and the running one, began
   bool drawsOwn_ = false;
+  std::shared_ptr<const ReferenceDrawing> reference_;
+  QString referenceTrouble_;
+  ReferenceSource referenceSource_;
   FeelMotion motion_;
 };
 

@@ -52,6 +52,7 @@ QVariantMap toMap(const FeelSettings& s) {
           {"mode", QLatin1String(playback::feedbackModes.word(s.mode))},
           {"placement", QLatin1String(playback::eventPlacements.word(s.placement))},
           {"profileFile", s.profileFile},
+          {"referenceFile", s.referenceFile},
           {"sound", s.sound},
           {"device", s.device},
           {"rate_Hz", s.rate_Hz},
@@ -77,6 +78,7 @@ FeelSettings feelSettingsFrom(const QVariantMap& map) {
   read(map, "mode", playback::feedbackModes, s.mode);
   read(map, "placement", playback::eventPlacements, s.placement);
   s.profileFile = map.value("profileFile").toString();
+  s.referenceFile = map.value("referenceFile").toString();
   read(map, "sound", s.sound);
   s.device = map.value("device").toString();
   read(map, "rate_Hz", 0, 192000, s.rate_Hz);

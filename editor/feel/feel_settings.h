@@ -33,7 +33,8 @@ struct FeelSettings {
   bool followState = true;  ///< the graph shows the state that is felt
   playback::FeedbackMode mode = playback::FeedbackMode::full;
   playback::EventPlacement placement = playback::EventPlacement::timeStamped;
-  QString profileFile;  ///< empty: a perfect device
+  QString profileFile;    ///< empty: a perfect device
+  QString referenceFile;  ///< a signal of another program to compare with; empty: none
 
   bool sound = true;    ///< the first press opens the device
   QString device;       ///< empty: the default output

@@ -2,18 +2,13 @@
 #pragma once
 // What a press of a button feels like, as signals to look at. Pure: same request, same answer.
 
-#include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "playback/playback.h"
+#include "editor/feel/drawn_signal.h"
 
 namespace detent::editor {
-
-/// Sample rate of what is drawn; the sound device may have another.
-inline constexpr double drawnRate_Hz = 48000;
 
 struct PressSignalRequest {
   Button button;
@@ -23,24 +18,14 @@ struct PressSignalRequest {
   std::size_t firstState = 0;  ///< of a self-locking button: in which the press begins
 };
 
-/// A button prepared for playing, and one press of it. Where something could not
-/// be done `failure` says so and everything else is empty.
-struct PressSignal {
-  std::uint64_t revision = 0;  ///< of the request, counted by PressSignalSource
+/// A button prepared for playing, and one press of it.
+struct PressSignal : DrawnSignal {
   std::shared_ptr<const playback::HapticProgram> program;
   std::string summary;            ///< what was prepared, in one line
   std::vector<Message> warnings;  ///< what did not fit a program
-  std::vector<float> samples;     ///< at drawnRate_Hz, full scale is 1
-  double peak = 0;                ///< largest |sample|
-  std::vector<playback::EngineEvent> events;
-  playback::PressTrace press;  ///< what was pressed with
-  bool standard = true;        ///< playback::StandardPress, or a recorded one
-  std::size_t firstState = 0;  ///< the button's state that is the program's first
-  playback::Spectrogram spectrogram;
-  std::optional<Failure> failure;
+  bool standard = true;           ///< playback::StandardPress, or a recorded one
+  std::size_t firstState = 0;     ///< the button's state that is the program's first
   double computing_s = 0;
-
-  double duration_s() const { return static_cast<double>(samples.size()) / drawnRate_Hz; }
 };
 
 /// Some milliseconds of work; any thread.

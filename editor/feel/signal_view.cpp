@@ -16,7 +16,7 @@ namespace {
 
 using playback::EventKind;
 
-constexpr double left_px = 44, right_px = 12, top_px = 18, timeAxis_px = 30, marks_px = 22;
+constexpr double left_px = 44, right_px = 12, top_px = 18, timeAxis_px = 30, marks_px = 22, noMarks_px = 6;
 constexpr double lowestSpan = 0.1;  // of full scale: silence is not blown up
 
 QFont small(const QFont& font) {
@@ -137,25 +137,53 @@ QSize SignalView::sizeHint() const { return {360, 300}; }
 QSize SignalView::minimumSizeHint() const { return {240, 190}; }
 
 void SignalView::setSignal(std::shared_ptr<const PressSignal> signal) {
+  press_ = std::move(signal);
+  const bool standard = !press_ || press_->standard;
+  setDrawn(press_, standard ? tr("Vibration of a standard press") : tr("Vibration of my last press"),
+           press_ ? QString::fromStdString(press_->summary) : QString());
+}
+
+void SignalView::setReference(std::shared_ptr<const ReferenceDrawing> reference, const QString& name) {
+  press_.reset();
+  setAccessibleName(tr("Reference: %1").arg(name));
+  setToolTip(
+      tr("<p>A signal of another program, to compare with: above as a share of full scale, below its "
+         "spectrogram. "
+         "Level and, unless one is four times longer, time are drawn to the scale of the press.</p>"));
+  setDrawn(std::move(reference), tr("Reference: %1").arg(name), {});
+}
+
+void SignalView::setLeast(double duration_s, double peak) {
+  if (duration_s == leastDuration_s_ && peak == leastPeak_) return;
+  leastDuration_s_ = duration_s;
+  leastPeak_ = peak;
+  update();
+}
+
+void SignalView::setDrawn(std::shared_ptr<const DrawnSignal> signal, const QString& heading,
+                          const QString& details) {
   signal_ = std::move(signal);
+  heading_ = heading;
   picture_ = {};
   if (signal_ && !signal_->failure)
     setAccessibleDescription(tr("Peak %1 percent of full scale, %2 milliseconds. %3")
                                  .arg(100 * signal_->peak, 0, 'f', 0)
                                  .arg(1000 * signal_->duration_s(), 0, 'f', 0)
-                                 .arg(QString::fromStdString(signal_->summary)));
+                                 .arg(details));
   update();
 }
 
 SignalView::Layout SignalView::layoutOf() const {
   Layout layout;
   const double width_px = std::max(10.0, width() - left_px - right_px);
-  const double free_px = std::max(20.0, height() - top_px - timeAxis_px - marks_px);
+  const double felt_px = press_ ? marks_px : noMarks_px;
+  const double free_px = std::max(20.0, height() - top_px - timeAxis_px - felt_px);
   const double wave_px = 0.46 * free_px;
   layout.wave = {left_px, top_px, width_px, wave_px};
-  layout.marks = {left_px, top_px + wave_px, width_px, marks_px};
-  layout.spectrum = {left_px, top_px + wave_px + marks_px, width_px, free_px - wave_px};
-  if (signal_ && !signal_->samples.empty()) layout.duration_s = signal_->duration_s();
+  layout.marks = {left_px, top_px + wave_px, width_px, felt_px};
+  layout.spectrum = {left_px, top_px + wave_px + felt_px, width_px, free_px - wave_px};
+  if (signal_ && !signal_->samples.empty())
+    layout.duration_s = std::max(signal_->duration_s(), leastDuration_s_);
   return layout;
 }
 
@@ -173,7 +201,7 @@ void SignalView::paintEvent(QPaintEvent*) {
   } else {
     const Layout layout = layoutOf();
     paintWave(painter, layout, colors);
-    paintMarks(painter, layout, colors);
+    if (press_) paintMarks(painter, layout, colors);
     paintSpectrum(painter, layout, colors);
     paintTime(painter, layout, colors);
     paintCursor(painter, layout, colors);
@@ -183,7 +211,7 @@ void SignalView::paintEvent(QPaintEvent*) {
 
 void SignalView::paintWave(QPainter& painter, const Layout& layout, const GraphColors& colors) const {
   const QRectF& area = layout.wave;
-  const double span = amplitudeSpan(signal_->peak);
+  const double span = amplitudeSpan(std::max(signal_->peak, leastPeak_));
   const auto y = [&](double v) { return area.center().y() - v / span * (area.height() / 2 - 2); };
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(colors.grid);
@@ -215,11 +243,13 @@ void SignalView::paintWave(QPainter& painter, const Layout& layout, const GraphC
   const double pixel = 1 / devicePixelRatioF();
   const auto columns = static_cast<std::size_t>(std::max(1.0, std::floor(area.width() / pixel)));
   const std::vector<float>& samples = signal_->samples;
+  const auto drawn = std::max(samples.size(), static_cast<std::size_t>(layout.duration_s * drawnRate_Hz));
   QPolygonF upper, lower;
   float previous = 0;
   for (std::size_t c = 0; c < columns; ++c) {
-    const std::size_t from = c * samples.size() / columns;
-    const std::size_t to = std::max(from + 1, (c + 1) * samples.size() / columns);
+    const std::size_t from = c * drawn / columns;
+    const std::size_t to = std::max(from + 1, (c + 1) * drawn / columns);
+    if (from >= samples.size()) break;
     float low = previous, high = previous;  // joined to its neighbour
     for (std::size_t i = from; i < to && i < samples.size(); ++i) {
       low = std::min(low, samples[i]);
@@ -237,12 +267,13 @@ void SignalView::paintWave(QPainter& painter, const Layout& layout, const GraphC
   painter.drawPolygon(upper + lower);
 
   painter.setPen(colors.text);
-  painter.drawText(
-      QRectF(area.left(), 1, area.width(), top_px - 3), Qt::AlignLeft | Qt::AlignVCenter,
-      signal_->standard ? tr("Vibration of a standard press") : tr("Vibration of my last press"));
+  const QString peak = tr("peak %1 %").arg(100 * signal_->peak, 0, 'f', 0);
+  const QRectF line(area.left(), 1, area.width(), top_px - 3);
+  const int room_px = static_cast<int>(area.width()) - painter.fontMetrics().horizontalAdvance(peak + "  ");
+  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                   painter.fontMetrics().elidedText(heading_, Qt::ElideMiddle, room_px));
   painter.setPen(colors.axis);
-  painter.drawText(QRectF(area.left(), 1, area.width(), top_px - 3), Qt::AlignRight | Qt::AlignVCenter,
-                   tr("peak %1 %").arg(100 * signal_->peak, 0, 'f', 0));
+  painter.drawText(line, Qt::AlignRight | Qt::AlignVCenter, peak);
 }
 
 void SignalView::paintMarks(QPainter& painter, const Layout& layout, const GraphColors& colors) const {

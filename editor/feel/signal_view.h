@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a press feels like, drawn: vibration and its spectrogram over one time axis.
+// What a press feels like, or what another program made, drawn: vibration and its spectrogram over one time axis.
 
 #include <memory>
 #include <optional>
@@ -9,6 +9,7 @@
 
 #include "editor/document/graph_colors.h"
 #include "editor/feel/press_signal.h"
+#include "editor/feel/reference_source.h"
 
 namespace detent::editor {
 
@@ -21,7 +22,13 @@ class SignalView : public QWidget {
 
   /// Null: nothing to show.
   void setSignal(std::shared_ptr<const PressSignal> signal);
-  const std::shared_ptr<const PressSignal>& pressSignal() const { return signal_; }
+  const std::shared_ptr<const PressSignal>& pressSignal() const { return press_; }
+  /// A signal of another program instead, called `name`.
+  void setReference(std::shared_ptr<const ReferenceDrawing> reference, const QString& name);
+  /// Draws at least so long a time (s) and so high a level (share of full scale), so that two views compare; 0: what the signal needs.
+  void setLeast(double duration_s, double peak);
+  /// How much time the axis spans.
+  double drawnDuration_s() const { return layoutOf().duration_s; }
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
@@ -43,6 +50,7 @@ class SignalView : public QWidget {
     double duration_s = 1;
   };
   Layout layoutOf() const;
+  void setDrawn(std::shared_ptr<const DrawnSignal> signal, const QString& heading, const QString& details);
   void paintWave(QPainter& painter, const Layout& layout, const GraphColors& colors) const;
   void paintMarks(QPainter& painter, const Layout& layout, const GraphColors& colors) const;
   void paintSpectrum(QPainter& painter, const Layout& layout, const GraphColors& colors);
@@ -50,7 +58,10 @@ class SignalView : public QWidget {
   void paintCursor(QPainter& painter, const Layout& layout, const GraphColors& colors) const;
   QString readout(const Layout& layout) const;
 
-  std::shared_ptr<const PressSignal> signal_;
+  std::shared_ptr<const DrawnSignal> signal_;
+  std::shared_ptr<const PressSignal> press_;  ///< the same, where it is one
+  QString heading_;
+  double leastDuration_s_ = 0, leastPeak_ = 0;
   QImage picture_;  ///< of the spectrogram, one pixel per column and row; made when first drawn
   std::optional<QPointF> cursor_;
 };

@@ -3118,6 +3118,42 @@ Lizenz: %3</translation>
         <source>Sound, force and setup</source>
         <translation>Ton, Kraft und Einrichtung</translation>
     </message>
+    <message>
+        <source>Compare with a signal of another program: AHAP, .haptic, HJIF, WAV</source>
+        <translation>Mit dem Signal eines anderen Programms vergleichen: AHAP, .haptic, HJIF, WAV</translation>
+    </message>
+    <message>
+        <source>Play the reference</source>
+        <translation>Vergleichssignal abspielen</translation>
+    </message>
+    <message>
+        <source>Play the reference on the sound device, at the same gain as the press; once more ends it</source>
+        <translation>Das Vergleichssignal auf dem Audiogerät spielen, mit derselben Verstärkung wie den Druck; noch einmal beendet es</translation>
+    </message>
+    <message>
+        <source>Take the reference away</source>
+        <translation>Vergleichssignal entfernen</translation>
+    </message>
+    <message>
+        <source>Reference signal</source>
+        <translation>Vergleichssignal</translation>
+    </message>
+    <message>
+        <source>Signals (*.ahap *.haptic *.hjif *.wav *.flac *.aiff *.ogg);;All files (*)</source>
+        <translation>Signale (*.ahap *.haptic *.hjif *.wav *.flac *.aiff *.ogg);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Compare with a reference…</source>
+        <translation>Mit Vergleichssignal vergleichen …</translation>
+    </message>
+    <message>
+        <source>Reference: %1</source>
+        <translation>Vergleich: %1</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
 </context>
 <context>
     <name>detent::editor::FeelSession</name>
@@ -3132,6 +3168,10 @@ Lizenz: %3</translation>
     <message>
         <source>Switch the sound on to play a press</source>
         <translation>Schalten Sie den Ton ein, um einen Druck zu spielen</translation>
+    </message>
+    <message>
+        <source>Switch the sound on to play it</source>
+        <translation>Schalten Sie den Ton ein, um es zu spielen</translation>
     </message>
 </context>
 <context>
@@ -6875,6 +6915,14 @@ oder öffnen Sie eine Datei (%2).</translation>
     <message>
         <source>%1   %2 % of full scale</source>
         <translation>%1   %2 % der Vollaussteuerung</translation>
+    </message>
+    <message>
+        <source>Reference: %1</source>
+        <translation>Vergleich: %1</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;A signal of another program, to compare with: above as a share of full scale, below its spectrogram. Level and, unless one is four times longer, time are drawn to the scale of the press.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Das Signal eines anderen Programms zum Vergleich: oben als Anteil der Vollaussteuerung, unten sein Spektrogramm. Der Pegel und, wenn keines viermal länger ist, die Zeit haben den Maßstab des Drucks.&lt;/p&gt;</translation>
     </message>
 </context>
 <context>

@@ -47,9 +47,13 @@ InputKind inputKindOf(CommandKind kind) {
 /// What the callback and the other threads share, and the callback's own book-keeping.
 struct LiveSession::State {
   explicit State(double wanted_Hz)
-      : engine(wanted_Hz), sampleRate_Hz(engine.sampleRate_Hz()), clock(engine.sampleRate_Hz()) {}
+      : engine(wanted_Hz), sampleRate_Hz(engine.sampleRate_Hz()), clock(engine.sampleRate_Hz()) {
+    takes.setSampleRate(engine.sampleRate_Hz());
+  }
 
   HapticEngine engine;
+  TakePlayer takes;
+  float takePeak = 0;                 // of what was heard while a take played, since the last status
   std::atomic<double> sampleRate_Hz;  // the engine's, for other threads
   StreamClock clock;
   double lastInput_frames = 0;
@@ -76,6 +80,7 @@ void LiveSession::setSampleRate(double sampleRate_Hz) {
   State& s = *state_;
   takeWhileAway();
   s.engine.setSampleRate(sampleRate_Hz);
+  s.takes.setSampleRate(s.engine.sampleRate_Hz());
   s.sampleRate_Hz.store(s.engine.sampleRate_Hz(), std::memory_order_relaxed);
   s.clock = StreamClock(s.engine.sampleRate_Hz());
 }
@@ -85,7 +90,8 @@ void LiveSession::takeWhileAway() {
   SessionCommand command;
   for (auto& lane : s.lanes) {
     while (lane.try_dequeue(command)) {
-      if (command.kind == CommandKind::program || command.kind == CommandKind::gain) {
+      if (command.kind == CommandKind::program || command.kind == CommandKind::gain ||
+          command.kind == CommandKind::take) {
         handle(command, 0);
       } else {
         ++s.status.staleCommands;
@@ -93,7 +99,9 @@ void LiveSession::takeWhileAway() {
     }
   }
   s.placeUnknown = s.engine.frame() > 0;  // before the first stream nothing was missed
+  s.takes.stop();
   publishRetired();
+  publishEndedTakes();
 }
 
 bool LiveSession::send(Lane lane, const SessionCommand& command) {
@@ -113,6 +121,8 @@ void LiveSession::process(float* out, std::size_t count, double entry_s) {
     while (lane.try_dequeue(command)) handle(command, count);
   }
   s.engine.render(out, count);
+  const float peak = s.takes.addTo(out, count);
+  if (peak > s.takePeak) s.takePeak = peak;
   if (s.engine.limiting()) ++s.status.limitedBlocks;
   publish();
 }
@@ -191,6 +201,10 @@ void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
     }
     case CommandKind::gain:
       engine.setGain(command.value);
+      s.takes.setGain(command.value > 0 ? command.value : 0);
+      break;
+    case CommandKind::take:
+      s.takes.play(command.take);
       break;
   }
 }
@@ -215,9 +229,20 @@ void LiveSession::publishRetired() {
   }
 }
 
+// A take must come home too; what does not fit now comes with a later block.
+void LiveSession::publishEndedTakes() {
+  State& s = *state_;
+  SessionReport report;
+  report.kind = ReportKind::takeEnded;
+  while (s.reports.size_approx() < reportCapacity && s.takes.nextEnded(report.endedTake)) {
+    if (!s.reports.try_enqueue(report)) ++s.status.droppedReports;
+  }
+}
+
 void LiveSession::publish() {
   State& s = *state_;
   publishRetired();
+  publishEndedTakes();
   SessionReport report;
   report.kind = ReportKind::event;
   while (s.engine.nextEvent(report.event)) {
@@ -229,6 +254,8 @@ void LiveSession::publish() {
   s.status.frame = now;
   s.status.position = s.engine.position();
   s.status.peak = s.engine.takePeak();
+  if (s.takePeak > s.status.peak) s.status.peak = s.takePeak;
+  s.takePeak = 0;
   s.status.counts = s.engine.counts();
   report.kind = ReportKind::status;
   report.status = s.status;

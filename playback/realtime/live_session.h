@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "playback/realtime/haptic_engine.h"
+#include "playback/realtime/take_player.h"
 
 namespace detent::playback {
 
@@ -31,7 +32,8 @@ enum class CommandKind : std::uint8_t {
   burst,
   grain,
   program,
-  gain
+  gain,
+  take  ///< samples of another program; none: what plays of them ends
 };
 
 /// One message to the callback. Plain value.
@@ -42,6 +44,7 @@ struct SessionCommand {
   double value = 0;                        ///< N, mm, or gain
   Burst burst;                             ///< for burst
   const HapticProgram* program = nullptr;  ///< for program; must live until it comes back as retired
+  const SoundTake* take = nullptr;         ///< for take; must live until it comes back as takeEnded
 };
 
 /// How the stream is doing; sent about 50 times a second.
@@ -60,7 +63,7 @@ struct SessionStatus {
   EngineCounts counts;
 };
 
-enum class ReportKind : std::uint8_t { event, status, retired };
+enum class ReportKind : std::uint8_t { event, status, retired, takeEnded };
 
 /// One message from the callback.
 struct SessionReport {
@@ -68,6 +71,7 @@ struct SessionReport {
   EngineEvent event;
   SessionStatus status;
   const HapticProgram* retired = nullptr;  ///< no longer read by the callback; may be freed
+  const SoundTake* endedTake = nullptr;    ///< likewise
 };
 
 /// One stream's engine and its queues. Construct and destroy outside the callback.
@@ -82,7 +86,7 @@ class LiveSession {
   double sampleRate_Hz() const;
 
   /// These two belong to whoever opens and closes the stream, while no callback runs.
-  /// The next stream runs at this rate: program, position, gain and counts stay; a trace that was playing is gone.
+  /// The next stream runs at this rate: program, position, gain and counts stay; a trace or take that was playing is gone.
   void setSampleRate(double sampleRate_Hz);
   /// Takes the programs and gains that were sent meanwhile, so that nothing piles up; what was to be felt is dropped.
   void takeWhileAway();
@@ -106,6 +110,7 @@ class LiveSession {
   double frameOf(const SessionCommand& command) const;
   void publish();
   void publishRetired();
+  void publishEndedTakes();
 
   std::unique_ptr<State> state_;
 };

@@ -10,6 +10,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
@@ -142,6 +143,46 @@ class FeelLiveTest : public QObject {
     rig.press();
     QTest::qWait(200);
     QCOMPARE(loudest(listener, silent + 4800), 0.0);
+  }
+
+  void aReferenceSoundsAsItIsAndEndsWhenAskedTo() {
+    JackServer server(128);
+    if (skipped(server, "the feel panel's reference")) return;
+    Rig rig;
+    QTRY_VERIFY(rig.ready());
+    QTemporaryDir folder;
+    const std::string file = folder.filePath("tone.wav").toStdString();
+    std::vector<float> tone(48000);
+    for (std::size_t i = 0; i < tone.size(); ++i)
+      tone[i] = static_cast<float>(0.4 * std::sin(2 * M_PI * 250 * static_cast<double>(i) / 48000));
+    QVERIFY(playback::writeSoundFile(tone, 48000, file));
+    rig.session.setReference(QString::fromStdString(file));
+    QTRY_VERIFY(rig.session.reference());
+    rig.press();  // opens the device
+    QTRY_VERIFY_WITH_TIMEOUT(rig.sounding(), 5000);
+    QTRY_VERIFY(!rig.finger);
+    JackListener listener;
+    QVERIFY(listener.ready() && listener.listenTo("detent:out_1"));
+    auto* play = rig.part<QToolButton>("playReferenceButton");
+    QTRY_VERIFY(play->isEnabled());
+    QTest::qWait(300);
+
+    const std::size_t from = listener.recorded().size();
+    QTest::mouseClick(play, Qt::LeftButton);
+    QTRY_VERIFY(play->text().contains("Stop"));
+    QTRY_VERIFY_WITH_TIMEOUT(!rig.session.player().samplesPlaying(), 10000);
+    QTest::qWait(150);
+    QVERIFY(std::fabs(loudest(listener, from) - 0.4) < 0.002);
+    const std::vector<float> heard = listener.recorded();
+    const auto sounding = std::count_if(heard.begin() + static_cast<std::ptrdiff_t>(from), heard.end(),
+                                        [](float v) { return std::fabs(v) > 0.01f; });
+    QVERIFY2(sounding > 40000 && sounding < 49000, qPrintable(QString::number(sounding)));
+
+    QTRY_VERIFY(play->isEnabled() && play->text().contains("Play"));
+    QTest::mouseClick(play, Qt::LeftButton);
+    QTRY_VERIFY(play->text().contains("Stop"));
+    QTest::mouseClick(play, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!rig.session.player().samplesPlaying(), 500);  // of a second that it lasts
   }
 
   void forceAndVibrationComeFromOnePress() {

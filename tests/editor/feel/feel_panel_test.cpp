@@ -10,6 +10,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -24,6 +25,7 @@
 #include "editor/feel/signal_view.h"
 #include "editor/quantity/quantity_field.h"
 #include "model/edits.h"
+#include "playback/playback.h"
 #include "tests/editor/feel/feel_buttons.h"
 
 using namespace detent;
@@ -31,6 +33,40 @@ using namespace detent::editor;
 using namespace detent::test;
 
 namespace {
+
+constexpr const char* transientAhap =
+    R"({"Version": 1.0, "Pattern": [{"Event": {"Time": 0.05, "EventType": "HapticTransient", "EventParameters": [
+      {"ParameterID": "HapticIntensity", "ParameterValue": 0.8}, {"ParameterID": "HapticSharpness", "ParameterValue": 0.5}]}}]})";
+constexpr const char* hapticEnvelope =
+    R"({"version": {"major": 1, "minor": 0, "patch": 0}, "metadata": {"editor": "", "source": "", "project": "", "tags": [],
+      "description": ""}, "signals": {"continuous": {"envelopes": {"amplitude": [{"time": 0.0, "amplitude": 0.9},
+      {"time": 0.3, "amplitude": 0.5}], "frequency": [{"time": 0.0, "frequency": 0.5}, {"time": 0.3, "frequency": 0.5}]}}}})";
+constexpr const char* hjifSine =
+    R"({"version": "2023", "profile": "Main", "level": 1, "date": "", "description": "", "timescale": 1000, "avatars": [], "syncs": [],
+      "perceptions": [{"id": 0, "avatar_id": 0, "priority": 0, "description": "", "perception_modality": "Vibrotactile",
+        "reference_devices": [], "effect_library": [], "channels": [{"id": 0, "description": "", "body_part_mask": 0,
+          "priority": 0, "gain": 1.0, "mixing_weight": 1.0, "vertices": [], "bands": [{"band_type": "VectorialWave",
+            "lower_frequency_limit": 0, "upper_frequency_limit": 1000, "effects": [{"effect_type": "Basis", "position": 0,
+              "phase": 0.0, "base_signal": "Sine", "keyframes": [
+                {"relative_position": 0, "amplitude_modulation": 0.6, "frequency_modulation": 150},
+                {"relative_position": 500, "amplitude_modulation": 0.6, "frequency_modulation": 150}]}]}]}]}]})";
+
+QString written(const QTemporaryDir& folder, const QString& name, const QByteArray& content) {
+  QFile file(folder.filePath(name));
+  if (!file.open(QIODevice::WriteOnly)) return {};
+  file.write(content);
+  return file.fileName();
+}
+
+QString writtenWave(const QTemporaryDir& folder, const QString& name) {
+  std::vector<float> samples(4800);
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    samples[i] = static_cast<float>(0.5 * std::sin(2 * M_PI * 100 * static_cast<double>(i) / 48000));
+  const std::string wave = folder.filePath("sound.wav").toStdString();
+  if (!playback::writeSoundFile(samples, 48000, wave)) return {};
+  const QString path = folder.filePath(name);
+  return QFile::rename(QString::fromStdString(wave), path) ? path : QString();
+}
 
 /// A panel in a window, with what it tells others.
 struct Rig {
@@ -347,6 +383,129 @@ class FeelPanelTest : public QObject {
     QCOMPARE(rig.view()->pressSignal()->press.readings.size(), own->press.readings.size());
     QTest::mouseClick(rig.part<QToolButton>("standardPress"), Qt::LeftButton);
     QTRY_VERIFY(rig.view()->pressSignal()->standard);
+  }
+
+  void aReferenceIsDrawnBesideThePressAndBelongsToNoButton() {
+    Rig rig;
+    rig.open();
+    auto* view = rig.part<SignalView>("referenceView");
+    QVERIFY(!view->isVisible());
+    QVERIFY(!rig.part<QToolButton>("playReferenceButton")->isVisible());
+    QTemporaryDir folder;
+    const QString file = written(folder, "click.ahap", transientAhap);
+    const Button before = rig.a.button();
+    rig.session.setReference(file);
+    QTRY_VERIFY(rig.session.reference());
+    QVERIFY(view->isVisible());
+    QVERIFY(view->accessibleName().contains("click.ahap"));
+    QVERIFY(rig.part<QToolButton>("referenceFile")->accessibleName().contains("click.ahap"));
+    QVERIFY(rig.session.reference()->peak > 0.55 &&
+            rig.session.reference()->peak < 0.64);  // intensity 0.8, squared, falling
+    QVERIFY(rig.part<QLabel>("referenceNote")->text().isEmpty());
+
+    // Undo is the button's alone.
+    QVERIFY(!rig.a.history().stack().canUndo());
+    const Result<Button> louder = scaleForce(rig.a.button(), 1.5);
+    QVERIFY(louder);
+    rig.a.history().apply(*louder, "Scale");
+    rig.a.history().stack().undo();
+    QCOMPARE(rig.a.button(), before);
+    QVERIFY(rig.session.reference());
+
+    // Kept with the panel's choices, also by another panel.
+    Rig other;
+    other.panel.restoreState(rig.panel.saveState());
+    QTRY_VERIFY(other.session.reference());
+    QCOMPARE(other.session.reference()->samples, rig.session.reference()->samples);
+
+    QTest::mouseClick(rig.part<QToolButton>("noReference"), Qt::LeftButton);
+    QVERIFY(!rig.session.reference());
+    QVERIFY(!view->isVisible());
+    QVERIFY(rig.panel.saveState().value("referenceFile").toString().isEmpty());
+  }
+
+  void everyKindOfReferenceIsReadByItsContent() {
+    Rig rig;
+    rig.open();
+    QTemporaryDir folder;
+    const QStringList files{written(folder, "a.txt", transientAhap), written(folder, "b.txt", hapticEnvelope),
+                            written(folder, "c.txt", hjifSine), writtenWave(folder, "d.txt")};
+    for (const QString& file : files) {
+      rig.session.setReference(file);
+      QTRY_VERIFY2(rig.session.reference(), qPrintable(rig.session.referenceTrouble()));
+      QVERIFY(rig.session.reference()->peak > 0.2);
+      rig.session.setReference({});
+    }
+  }
+
+  void aReferenceThatCannotBeReadIsSaidAndTakesNothingWithIt() {
+    Rig rig;
+    rig.open();
+    QTemporaryDir folder;
+    for (const char* text :
+         {"{\"Version\": 1.0, \"Pattern\": [", "{\"Version\": 7.0, \"Pattern\": []}", "press me", ""}) {
+      QSignalSpy said(&rig.session, &FeelSession::said);
+      rig.session.setReference(written(folder, "bad.ahap", text));
+      QTRY_COMPARE(said.count(), 1);
+      QVERIFY(!rig.session.reference());
+      QVERIFY(rig.part<QLabel>("referenceNote")->text().contains("bad.ahap"));
+      QVERIFY(rig.panel.saveState().value("referenceFile").toString().isEmpty());
+    }
+    rig.session.setReference(folder.filePath("nowhere.ahap"));
+    QTRY_VERIFY(rig.session.referenceTrouble().contains("nowhere.ahap"));
+    rig.pressToTheEnd();
+    QTRY_VERIFY(rig.atRest());
+  }
+
+  void twoFilesInOneBreathLeaveTheLast() {
+    Rig rig;
+    rig.open();
+    QTemporaryDir folder;
+    const QString one = written(folder, "one.ahap", transientAhap),
+                  two = written(folder, "two.hjif", hjifSine);
+    QSignalSpy changed(&rig.session, &FeelSession::referenceChanged);
+    rig.session.setReference(one);
+    rig.session.setReference(two);
+    QTRY_VERIFY(rig.session.reference());
+    const auto last = referenceDrawingOf(two.toStdString());
+    QCOMPARE(rig.session.reference()->samples, last.samples);
+    rig.session.setReference(one);
+    rig.session.setReference({});
+    QTest::qWait(150);
+    QVERIFY(!rig.session.reference());
+  }
+
+  void signalsOfLikeLengthAreDrawnToOneScale() {
+    Rig rig;
+    rig.open();
+    QTemporaryDir folder;
+    rig.session.setReference(written(folder, "c.hjif", hjifSine));
+    QTRY_VERIFY(rig.session.reference());
+    // 0.5 s of a tone beside some 0.4 s of a press: half the tone's time ends at the same place in both.
+    const QImage tone = rig.part<SignalView>("referenceView")->grab().toImage();
+    QVERIFY(!tone.isNull());
+    const auto longer = std::max(rig.session.reference()->duration_s(), rig.session.signal()->duration_s());
+    QCOMPARE(rig.view()->drawnDuration_s(), longer);
+    QCOMPARE(rig.part<SignalView>("referenceView")->drawnDuration_s(), longer);
+    rig.session.setReference({});
+    QTRY_COMPARE(rig.view()->drawnDuration_s(), rig.session.signal()->duration_s());
+  }
+
+  void aReferenceCannotBePlayedWithoutSound() {
+    Rig rig;
+    rig.open();
+    QTemporaryDir folder;
+    rig.session.setReference(written(folder, "click.ahap", transientAhap));
+    QTRY_VERIFY(rig.session.reference());
+    auto* play = rig.part<QToolButton>("playReferenceButton");
+    QVERIFY(play->isEnabled());
+    rig.pad()->setFocus();
+    QTest::keyClick(rig.pad(), Qt::Key_R);
+    QTRY_VERIFY(rig.status().contains("no sound output is there"));
+    rig.pressToTheEnd();  // what could not be played does not hold the button
+    QCOMPARE(rig.deepest(), 4.0);
+    QTest::mouseClick(rig.part<QToolButton>("soundSwitch"), Qt::LeftButton);
+    QTRY_VERIFY(!play->isEnabled());
   }
 
   void aPressCannotBePlayedWithoutSound() {

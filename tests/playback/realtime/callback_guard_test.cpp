@@ -59,6 +59,8 @@ TEST_CASE("guard: the callback makes no guarded call over 10,000 events") {
   session.send(Lane::control, {CommandKind::program, TimeBase::now, 0, 0, {}, first.get()});
   resetGuard();
   std::vector<float> out(64);
+  const std::vector<float> samples(5000, 0.1f);
+  const SoundTake take{samples.data(), samples.size(), 0.1};
   std::uint64_t events = 0;
   int i = 0;
   for (; events < 10000 && i < 400000; ++i) {
@@ -72,6 +74,12 @@ TEST_CASE("guard: the callback makes no guarded call over 10,000 events") {
     if (i % 3000 == 1500) {
       const HapticProgram* next = (i / 3000) % 2 == 0 ? second.get() : first.get();
       session.send(Lane::control, {CommandKind::program, TimeBase::now, 0, 0, {}, next});
+    }
+    if (i % 900 == 0) {
+      SessionCommand command;
+      command.kind = CommandKind::take;
+      command.take = i % 1800 == 0 ? &take : nullptr;
+      session.send(Lane::control, command);
     }
     if (i % 700 == 0)
       session.send(Lane::control, {CommandKind::gain, TimeBase::now, 0, 0.5 + 0.1 * (i % 3), {}, {}});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/realtime/live_session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -89,6 +90,104 @@ TEST_CASE("session: without a stream programs come home and take over, at whatev
     const double t = static_cast<double>(i) / 96000;
     CHECK(out[i] == Approx(0.8 * (1 - t / 0.1) * std::sin(2 * M_PI * 1000 * t)).margin(1e-6));
   }
+}
+
+namespace {
+
+/// Blocks of a session, and the takes that came home.
+struct Takes {
+  LiveSession session{48000};
+  std::vector<const SoundTake*> home;
+  float peak = 0;
+
+  bool play(const SoundTake* take) {
+    SessionCommand command;
+    command.kind = CommandKind::take;
+    command.take = take;
+    return session.send(Lane::control, command);
+  }
+  void gain(double gain) { session.send(Lane::control, {CommandKind::gain, TimeBase::now, 0, gain, {}}); }
+  std::vector<float> next(std::size_t count) {
+    std::vector<float> out(count);
+    session.process(out.data(), count, 0);
+    SessionReport report;
+    while (session.receive(report)) {
+      if (report.kind == ReportKind::takeEnded) home.push_back(report.endedTake);
+      if (report.kind == ReportKind::status) peak = std::max(peak, report.status.peak);
+    }
+    return out;
+  }
+};
+
+std::vector<float> tone(double amplitude, std::size_t count) {
+  std::vector<float> samples(count);
+  for (std::size_t i = 0; i < count; ++i)
+    samples[i] = static_cast<float>(amplitude * std::sin(2 * M_PI * 200 * static_cast<double>(i) / 48000));
+  return samples;
+}
+
+}  // namespace
+
+TEST_CASE("session: a take is played sample for sample, beside the engine, and comes home once") {
+  const std::vector<float> samples = tone(0.7, 3000);
+  const SoundTake take{samples.data(), samples.size(), 0.7};
+  Takes rig;
+  REQUIRE(rig.play(&take));
+  std::vector<float> heard;
+  while (heard.size() < 4096)
+    for (const float v : rig.next(128)) heard.push_back(v);
+  for (std::size_t i = 0; i < heard.size(); ++i) CHECK(heard[i] == (i < samples.size() ? samples[i] : 0));
+  CHECK(rig.home == std::vector<const SoundTake*>{&take});
+  CHECK(rig.peak == Approx(0.7).margin(1e-3));
+
+  // With a burst of the engine: the sum, held at full scale.
+  rig.play(&take);
+  rig.session.send(Lane::network, {CommandKind::burst, TimeBase::now, 0, 0, {200, 0.05, 0.9}});
+  for (const float v : rig.next(3000)) CHECK(std::fabs(v) <= 1);
+}
+
+TEST_CASE("session: a take is never raised beyond full scale, and follows the gain") {
+  const std::vector<float> samples = tone(0.5, 9600);
+  const SoundTake take{samples.data(), samples.size(), 0.5};
+  Takes rig;
+  rig.gain(0.1);
+  rig.play(&take);
+  const std::vector<float> quiet = rig.next(480);
+  for (std::size_t i = 0; i < quiet.size(); ++i) CHECK(quiet[i] == Approx(0.1f * samples[i]).margin(1e-6));
+  rig.gain(10);
+  rig.next(4800);  // past the ramp
+  const std::vector<float> loud = rig.next(480);
+  for (std::size_t i = 0; i < loud.size(); ++i) CHECK(loud[i] == Approx(2 * samples[5280 + i]).margin(1e-5));
+}
+
+TEST_CASE("session: a take that is stopped or replaced fades out, and nothing of it stays") {
+  const std::vector<float> one(48000, 0.5f), other = tone(0.3, 960);
+  const SoundTake first{one.data(), one.size(), 0.5}, second{other.data(), other.size(), 0.3};
+  Takes rig;
+  rig.play(&first);
+  rig.next(256);
+  rig.play(nullptr);
+  const std::vector<float> fading = rig.next(480);
+  CHECK(fading[0] == Approx(0.5).margin(1e-6));
+  CHECK(fading[120] == Approx(0.25).margin(1e-3));
+  CHECK(fading[241] == 0);
+  CHECK(rig.home == std::vector<const SoundTake*>{&first});
+
+  rig.play(&first);
+  rig.next(256);
+  rig.play(&second);
+  const std::vector<float> both = rig.next(960);
+  CHECK(both[60] == Approx(0.5 * (1 - 60 / 240.0) + other[60]).margin(1e-5));
+  CHECK(both[500] == other[500]);
+  CHECK(rig.home.size() == 3);
+
+  rig.play(&first);
+  rig.next(256);
+  rig.session.takeWhileAway();  // the device has gone
+  rig.play(&second);
+  rig.session.takeWhileAway();
+  for (const float v : rig.next(256)) CHECK(v == 0);
+  CHECK(rig.home.size() == 5);
 }
 
 TEST_CASE("session: programs come home, status and events arrive, a full lane refuses") {

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// A vibration to look at: of a press, or what another program made.
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "playback/playback.h"
+
+namespace detent::editor {
+
+/// Sample rate of what is drawn; the sound device may have another.
+inline constexpr double drawnRate_Hz = 48000;
+
+/// Where it could not be made `failure` says so and everything else is empty.
+struct DrawnSignal {
+  std::uint64_t revision = 0;                 ///< of the request, counted by who makes them
+  std::vector<float> samples;                 ///< at drawnRate_Hz, full scale is 1
+  double peak = 0;                            ///< largest |sample|
+  std::vector<playback::EngineEvent> events;  ///< felt at their frames; none of a signal that no engine made
+  playback::PressTrace press;  ///< what was pressed with; no readings where nothing was pressed
+  playback::Spectrogram spectrogram;
+  std::optional<Failure> failure;
+
+  double duration_s() const { return static_cast<double>(samples.size()) / drawnRate_Hz; }
+};
+
+}  // namespace detent::editor
