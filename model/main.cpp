@@ -69,9 +69,10 @@ void addCommands(CLI::App& app, Arguments& arguments) {
       "Convert between .button.json, .csv and .svg by file ending; also to a data package or a project");
   convertCommand->add_option("IN", arguments.a, ".button.json or .csv")->required();
   convertCommand
-      ->add_option("OUT", arguments.b,
-                   ".button.json, .csv, .svg, datapackage.json (with its tables beside it) or\n"
-                   ".wpd.json (WebPlotDigitizer); written whole or not at all")
+      ->add_option(
+          "OUT", arguments.b,
+          ".button.json, .csv, .svg, datapackage.json (with its tables beside it) or\n"
+          ".wpd.json or .tar (WebPlotDigitizer, without and with its picture); written whole or not at all")
       ->required();
   convertCommand->add_option("--state", arguments.convert.state,
                              "state of a self-locking button for a CSV or a project (default: the only one)");

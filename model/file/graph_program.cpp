@@ -77,6 +77,7 @@ Result<std::string> contentsFor(const ButtonFile& read, const std::string& in, c
   auto state = chosenState(button, options.state, in, "--state");
   if (!state) return state.failure();
   if (*kind == GraphFileKind::tracedProject) return tracedProjectFrom(*state, options.svg);
+  if (*kind == GraphFileKind::tracedArchive) return tracedArchiveFrom(*state, options.svg);
   if (options.forceStep_N) return forceStepsFrom(state->graph, *options.forceStep_N);
   return csvFrom(state->graph);
 }
@@ -97,7 +98,7 @@ Result<ButtonFile> readFile(const std::string& path) {
   if (*kind == GraphFileKind::svg)
     return usage(path, "is a picture, which this program only writes",
                  "Use detent-import to read a force graph from it");
-  if (*kind == GraphFileKind::tracedProject)
+  if (*kind == GraphFileKind::tracedProject || *kind == GraphFileKind::tracedArchive)
     return usage(path, "is a project of WebPlotDigitizer, which this program only writes",
                  "Use detent-import to read the strokes in it");
   if (*kind == GraphFileKind::dataPackage)
@@ -119,11 +120,13 @@ Result<GraphFileKind> kindOfFile(const std::string& path) {
   if (lowered(std::filesystem::path(path).filename().string()) == "datapackage.json")
     return GraphFileKind::dataPackage;
   if (endsWith(path, ".wpd.json")) return GraphFileKind::tracedProject;
+  if (endsWith(path, ".tar")) return GraphFileKind::tracedArchive;
   if (endsWith(path, ".json")) return GraphFileKind::button;
   if (endsWith(path, ".csv")) return GraphFileKind::csv;
   if (endsWith(path, ".svg")) return GraphFileKind::svg;
-  return usage(path, "does not end in .button.json, .csv or .svg",
-               "Give the file one of these endings; convert also writes datapackage.json and .wpd.json");
+  return usage(
+      path, "does not end in .button.json, .csv or .svg",
+      "Give the file one of these endings; convert also writes datapackage.json, .wpd.json and .tar");
 }
 
 Result<Button> readButton(const std::string& path) {

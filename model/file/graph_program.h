@@ -13,7 +13,7 @@ namespace detent {
 
 /// What a file name's end says it holds. ".json" (".button.json") is a button, ".csv" samples, ".svg" a plot, "datapackage.json" a data
 /// package with its tables beside it, ".wpd.json" a project of WebPlotDigitizer.
-enum class GraphFileKind { button, csv, svg, dataPackage, tracedProject };
+enum class GraphFileKind { button, csv, svg, dataPackage, tracedProject, tracedArchive };
 Result<GraphFileKind> kindOfFile(const std::string& path);
 
 /// Reads a button, or builds one through the samples of a CSV (named after the file).

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "model/file/traced_project.h"
 
+#include <cstdio>
+#include <string_view>
+
 #include <nlohmann/json.hpp>
 
 #include "model/file/json_text.h"
+#include "model/file/plot_picture.h"
 #include "model/number_table.h"
 #include "model/sampling.h"
 
@@ -50,6 +54,36 @@ Json setOf(const ForceGraph& graph, Stroke stroke, const PlotFrame& frame, const
           {"autoDetectionData", nullptr}};
 }
 
+// ---- TAR (ustar)
+
+constexpr std::size_t block_bytes = 512;
+constexpr const char* folder = "detent/";
+
+/// A header and the content in whole blocks; a folder where the name ends in a slash.
+void putEntry(std::string& archive, const std::string& name, const std::string& content) {
+  std::string header(block_bytes, '\0');
+  const auto put = [&](std::size_t at, std::string_view text) { header.replace(at, text.size(), text); };
+  const bool isFolder = name.back() == '/';
+  char size[12];
+  std::snprintf(size, sizeof size, "%011zo", content.size());
+  put(0, name);
+  put(100, isFolder ? "0000755" : "0000644");
+  put(108, "0000000");
+  put(116, "0000000");
+  put(124, std::string_view(size, 11));
+  put(136, "00000000000");
+  put(148, "        ");
+  put(156, isFolder ? "5" : "0");
+  put(257, std::string_view("ustar\00000", 8));
+  unsigned sum = 0;
+  for (const char c : header) sum += static_cast<unsigned char>(c);
+  char check[8];
+  std::snprintf(check, sizeof check, "%06o", sum);
+  put(148, std::string_view(check, 7));
+  archive += header + content;
+  archive.append((block_bytes - content.size() % block_bytes) % block_bytes, '\0');
+}
+
 }  // namespace
 
 std::string tracedProjectFrom(const ButtonState& state, const SvgPlotStyle& style) {
@@ -63,6 +97,18 @@ std::string tracedProjectFrom(const ButtonState& state, const SvgPlotStyle& styl
                         {"datasetColl", std::move(sets)},
                         {"measurementColl", Json::array()}};
   return jsonText(project) + '\n';
+}
+
+std::string tracedArchiveFrom(const ButtonState& state, const SvgPlotStyle& style) {
+  const std::string picture = "plot.png";
+  const Json info = {{"version", {4, 0}}, {"json", "wpd.json"}, {"images", Json::array({picture})}};
+  std::string archive;
+  putEntry(archive, folder, {});
+  putEntry(archive, std::string(folder) + "info.json", jsonText(info));
+  putEntry(archive, std::string(folder) + "wpd.json", tracedProjectFrom(state, style));
+  putEntry(archive, folder + picture, pngFrom(state, style));
+  archive.append(2 * block_bytes, '\0');
+  return archive;
 }
 
 }  // namespace detent

@@ -13,4 +13,8 @@ namespace detent {
 /// load beside it; values stand in the file too. Any thread.
 std::string tracedProjectFrom(const ButtonState& state, const SvgPlotStyle& style = {});
 
+/// The same with its picture (a PNG), as the TAR archive that WebPlotDigitizer saves: one file that opens there as it stands. The same
+/// bytes at any time.
+std::string tracedArchiveFrom(const ButtonState& state, const SvgPlotStyle& style = {});
+
 }  // namespace detent

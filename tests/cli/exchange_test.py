@@ -12,10 +12,12 @@ import io
 import json
 import math
 import pathlib
+import struct
 import subprocess
 import tarfile
 import tempfile
 import unittest
+import zlib
 
 ARGUMENTS = None
 MOST_SHARE = 0.002  # of the span, that a way out and back in may cost
@@ -52,6 +54,24 @@ def project(sets, axes=None, version=(4, 2)):
                              "autoDetectionData": None} for name, data in sets]}
 
 
+def indexed(png):
+    """A PNG of four bits a pixel with a palette: its size, rows of indexes, colours."""
+    assert png[:8] == b"\x89PNG\r\n\x1a\n"
+    at, chunks = 8, {}
+    while at < len(png):
+        size, kind = int.from_bytes(png[at:at + 4], "big"), png[at + 4:at + 8]
+        body = png[at + 8:at + 8 + size]
+        assert zlib.crc32(kind + body) == int.from_bytes(png[at + 8 + size:at + 12 + size], "big")
+        chunks[kind] = body
+        at += 12 + size
+    width, height, bits, color = struct.unpack(">IIBB", chunks[b"IHDR"][:10])
+    assert (bits, color) == (4, 3)
+    raw, line = zlib.decompress(chunks[b"IDAT"]), 1 + (width + 1) // 2
+    rows = [[v for byte in raw[y * line + 1:(y + 1) * line] for v in (byte >> 4, byte & 15)][:width] for y in range(height)]
+    palette = chunks[b"PLTE"]
+    return width, height, rows, [list(palette[i:i + 3]) for i in range(0, len(palette), 3)]
+
+
 def valued(points):
     return [{"x": 0, "y": 0, "value": list(point)} for point in points]
 
@@ -76,7 +96,7 @@ class Exchange(unittest.TestCase):
 
     def test_every_sample_comes_back(self):
         for name in "ABCDEF":
-            for ending in (".csv", ".wpd.json"):
+            for ending in (".csv", ".wpd.json", ".tar"):
                 with self.subTest(button=name, ending=ending):
                     out = self.folder / (name + ending)
                     self.assertEqual(run("detent-graph", "convert", sample(name), out).returncode, 0)
@@ -103,6 +123,27 @@ class Exchange(unittest.TestCase):
         run("detent-graph", "convert", sample("C"), svg)
         frame = f'<rect x="{x1["px"]:.2f}" y="{y2["py"]:.2f}"'
         self.assertIn(frame, svg.read_text(encoding="utf-8"))
+
+    def test_an_archive_holds_its_picture(self):
+        """As WebPlotDigitizer reads it: info.json names project and pictures; both strokes' pixels lie where the data sets are."""
+        out = self.folder / "C.tar"
+        run("detent-graph", "convert", sample("C"), out)
+        with tarfile.open(out) as archive:
+            files = {m.name: archive.extractfile(m).read() for m in archive.getmembers() if m.isfile()}
+        root = next(n for n in files if n.endswith("/info.json"))[:-len("info.json")]
+        info = json.loads(files[root + "info.json"])
+        self.assertEqual(info["json"], "wpd.json")
+        picture = files[root + info["images"][0]]
+        plain = self.folder / "C.wpd.json"
+        run("detent-graph", "convert", sample("C"), plain)
+        self.assertEqual(files[root + "wpd.json"], plain.read_bytes())
+        width, height, rows, colors = indexed(picture)
+        self.assertEqual((width, height), (640, 460))
+        for one in json.loads(files[root + "wpd.json"])["datasetColl"]:
+            ink = [200, 0, 0] if one["name"] == "press" else [0, 80, 200]
+            met = sum(any(colors[rows[round(p["y"]) + dy][round(p["x"]) + dx]] in (ink, [200, 0, 0])
+                          for dy in (-1, 0, 1) for dx in (-1, 0, 1)) for p in one["data"])
+            self.assertEqual(met, len(one["data"]), one["name"])
 
     def test_an_archive_of_another_program_without_values(self):
         """As AutoLineDigitizer writes it: places only, an empty default set first, a page turned by two degrees."""
