@@ -159,7 +159,8 @@
   }
 
   // -- force sensor (docs/serial-protocol.md) ----------------------------------------------------------------------
-  const sensor = { coefficients: null, circuit: "newtons", fullScale: 1023, counts: 0, offset: 0 };
+  const sensor = { coefficients: null, circuit: "newtons", fullScale: 1023, recent: [], rest: null };
+  const mostRecent = 50;
 
   function readProfile(text) {
     const value = {};
@@ -188,7 +189,8 @@
     if (!m) return null;
     const value = Number(m[1]);
     if (m[2]) return value;
-    sensor.counts = value;
+    sensor.recent.push(value);
+    if (sensor.recent.length > mostRecent) sensor.recent.shift();
     if (!sensor.coefficients) return null;
     const u = sensor.circuit === "divider" ? value / (sensor.fullScale - value) : sensor.circuit === "linear" ? value / sensor.fullScale : value;
     return sensor.coefficients.reduceRight((sum, c) => sum * u + c, 0);
@@ -209,14 +211,24 @@
     }
   }
 
-  // One known weight: counts at rest and under it make a straight line.
-  function calibrate() {
-    const before = sensor.counts;
-    const grams = Number(prompt("Put a known weight on the sensor, then type its mass in gram:"));
-    const after = sensor.counts;
-    if (!(grams > 0) || after === before) return say("Not calibrated: it needs a weight above 0 g and a reading that changes with it.");
-    const u = (c) => c / sensor.fullScale, slope = grams * 0.00980665 / (u(after) - u(before));
-    Object.assign(sensor, { circuit: "linear", coefficients: [-slope * u(before), slope] });
+  // One known weight: counts at rest and under it make a straight line. In two steps, so that readings go on in between.
+  const meanCounts = () => sensor.recent.reduce((sum, c) => sum + c, 0) / sensor.recent.length;
+
+  function takeRest() {
+    if (!sensor.recent.length) return say("Not calibrated: no counts have come. A sensor that sends newtons needs no calibration.");
+    sensor.rest = meanCounts();
+    byId("weight-row").hidden = false;
+    byId("weight").focus();
+    say("Put a known weight on the sensor, type its mass and take it.");
+  }
+
+  function takeWeight() {
+    const grams = Number(byId("weight").value), loaded = meanCounts();
+    if (!(grams > 0) || Math.abs(loaded - sensor.rest) < 1)
+      return say("Not calibrated: it needs a weight above 0 g and a reading that changes with it.");
+    const u = (c) => c / sensor.fullScale, slope = grams * 0.00980665 / (u(loaded) - u(sensor.rest));
+    Object.assign(sensor, { circuit: "linear", coefficients: [-slope * u(sensor.rest), slope] });
+    byId("weight-row").hidden = true;
     say("Calibrated with one weight: a straight line, rougher than detent-play calibrate.");
   }
 
@@ -228,6 +240,7 @@
         const port = await navigator.serial.requestPort();
         await port.open({ baudRate: 230400 });
         wake();
+        sensor.recent.length = 0;
         byId("calibrate").hidden = false;
         say(sensor.coefficients ? "Sensor connected." : "Sensor connected. If it sends counts, choose a device profile or calibrate.");
         await readSensor(port);
@@ -236,7 +249,9 @@
         say(`Force sensor: ${e.message}. Check the cable and connect it again.`);
       }
     });
-    byId("calibrate").addEventListener("click", calibrate);
+    byId("calibrate").addEventListener("click", takeRest);
+    byId("weigh").addEventListener("click", takeWeight);
+    byId("weight").addEventListener("keydown", (e) => { if (e.key === "Enter") takeWeight(); });
     byId("profile").addEventListener("change", async (e) => {
       try { readProfile(await e.target.files[0].text()); say("Device profile read."); }
       catch (error) { say(`Device profile: ${error.message}.`); }
@@ -280,6 +295,7 @@
     if (navigator.vibrate) say("Phones add one short, coarse buzz for each jump.");
     byId("pad").disabled = false;
     root.dataset.detent = "ready";
+    performance.mark("detent-ready");
   }
 
   start().catch((e) => {

@@ -171,6 +171,7 @@ Result<std::string> sharePage(const std::vector<Button>& buttons) {
   return filled(page_parts::html, {{"@TITLE@", insideElement(data["title"].get<std::string>())},
                                    {"@STYLE@", std::string(page_parts::style)},
                                    {"@VERSION@", version()},
+                                   {"@FEEL@", std::string(feels.word(usualSettings().feel))},
                                    {"@DATA@", insideScript(data)},
                                    {"@ENGINE@", engineScript},
                                    {"@WORKLET@", engineScript + std::string(page_parts::worklet)},

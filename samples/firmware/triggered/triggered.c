@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plays a button on a rigid surface: a force sensor in, a transducer out. C99.
- *
+/* Plays a button on a rigid surface: a force sensor in, a transducer out. C99. The header:
  *   detent-play export samples/buttons/B.button.json --format c -o button.h
- *
  * A board gives two functions: the force in newtons, and a sample from -1 to 1 to its converter. Call `step` at a
  * steady rate of some kilohertz; forces may come slower. One sound at a time: a new one takes the place of the last. */
 #include "button.h"
-
 #include <math.h>
 
 float board_force_N(void);
@@ -43,7 +40,6 @@ static void change_state(float force_N) {
   if (threshold_N > 0 && force_N >= threshold_N) actuated = 1;
   if (!actuated || force_N > 0.01f) return;
   actuated = 0;
-  if (detent_state_count < 2) return;
   state = (state + 1) % detent_state_count;
   armed = ~0u;
 }
