@@ -94,7 +94,7 @@ Result<Done> exportPage(const std::vector<Button>& buttons, const QString& path)
 }
 
 Result<playback::Exported> deviceExport(const Button& button, const DeviceExport& wanted) {
-  const auto prepared = playback::prepareProgram(button, {}, {});
+  const auto prepared = playback::prepareProgram(button, {}, playback::usualSettings());
   if (!prepared) return prepared.failure();
   const std::string press = pressName(wanted.wayDown_s);
   const auto trace = playback::namedPress(press, prepared->program);

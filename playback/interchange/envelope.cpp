@@ -28,16 +28,17 @@ double levelAt(const PlannedBurst& planned, std::int64_t frame, double sampleRat
 
 /// nullptr where nothing sounds.
 const PlannedBurst* strongestAt(const PressPlan& plan, std::int64_t frame) {
-  double strongest = 0;
-  const PlannedBurst* found = nullptr;
+  const PlannedBurst *grain = nullptr, *event = nullptr;
+  double slope = 0, strongest = 0, slopeLevel = 1;
   for (const PlannedBurst& planned : plan.bursts) {
     if (planned.frame > frame) break;
     const double level = levelAt(planned, frame, plan.sampleRate_Hz);
-    if (level <= strongest) continue;
-    strongest = level;
-    found = &planned;
+    if (level > 0 && planned.burst.quietensSlope) slopeLevel = plan.slopeUnderJump;
+    if (level <= (isEvent(planned) ? strongest : slope)) continue;
+    (isEvent(planned) ? strongest : slope) = level;
+    (isEvent(planned) ? event : grain) = &planned;
   }
-  return found;
+  return slopeLevel * slope > strongest ? grain : event;
 }
 
 double amplitudeWithin(const PressPlan& plan, std::int64_t from, std::int64_t to) {

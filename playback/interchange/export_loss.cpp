@@ -14,6 +14,13 @@ namespace {
 
 constexpr double noEnergy = 1e-9;  // of the whole: below, a band of the engine's is rounding
 
+/// How much of the bin around `frequency_Hz`, `width_Hz` wide, lies within the band.
+double shareWithin(const FeltBand& band, double frequency_Hz, double width_Hz) {
+  const double low = std::fmax(band.low_Hz, frequency_Hz - width_Hz / 2);
+  const double high = std::fmin(band.high_Hz, frequency_Hz + width_Hz / 2);
+  return std::fmax(0, (high - low) / width_Hz);
+}
+
 /// Energy within each band.
 template <class Sample>
 std::array<double, feltBands.size()> energies(const std::vector<Sample>& samples, std::size_t length,
@@ -23,11 +30,12 @@ std::array<double, feltBands.size()> energies(const std::vector<Sample>& samples
     spectrum[i] = static_cast<double>(samples[i]);
   transform(spectrum, Transform::forward);
   std::array<double, feltBands.size()> sums{};
+  const double width_Hz = sampleRate_Hz / static_cast<double>(length);
   for (std::size_t i = 1; i < length / 2; ++i) {
-    const double frequency_Hz = static_cast<double>(i) * sampleRate_Hz / static_cast<double>(length);
+    const double frequency_Hz = static_cast<double>(i) * width_Hz;
+    if (frequency_Hz > feltBands.back().high_Hz + width_Hz) break;
     for (std::size_t band = 0; band < feltBands.size(); ++band)
-      if (frequency_Hz >= feltBands[band].low_Hz && frequency_Hz < feltBands[band].high_Hz)
-        sums[band] += std::norm(spectrum[i]);
+      sums[band] += shareWithin(feltBands[band], frequency_Hz, width_Hz) * std::norm(spectrum[i]);
   }
   return sums;
 }
@@ -42,11 +50,17 @@ std::string inWords(const std::optional<double>& share) {
 }  // namespace
 
 std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector<float>& original,
-                                                               const std::vector<double>& played,
+                                                               const std::vector<std::vector<double>>& parts,
                                                                double sampleRate_Hz) {
-  const std::size_t length = powerOfTwo(std::max<std::size_t>({original.size(), played.size(), 2}));
+  std::size_t longest = std::max<std::size_t>(original.size(), 2);
+  for (const std::vector<double>& part : parts) longest = std::max(longest, part.size());
+  const std::size_t length = powerOfTwo(longest);
   const auto before = energies(original, length, sampleRate_Hz);
-  const auto after = energies(played, length, sampleRate_Hz);
+  std::array<double, feltBands.size()> after{};
+  for (const std::vector<double>& part : parts) {
+    const auto energy = energies(part, length, sampleRate_Hz);
+    for (std::size_t band = 0; band < feltBands.size(); ++band) after[band] += energy[band];
+  }
   double whole = 0;
   for (const double energy : before) whole += energy;
   std::array<std::optional<double>, feltBands.size()> kept;

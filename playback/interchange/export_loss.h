@@ -27,9 +27,10 @@ struct ExportLoss {
   std::vector<std::string> dropped;  ///< in words
 };
 
-/// Shares of energy of `played` against `original`, both at `sampleRate_Hz`; the shorter one is silent at its end.
+/// Shares of energy of what is played against `original`, all at `sampleRate_Hz` and silent after their ends. Parts that are played apart
+/// (a press and a release, each begun by itself) have each an energy of their own.
 std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector<float>& original,
-                                                               const std::vector<double>& played,
+                                                               const std::vector<std::vector<double>>& parts,
                                                                double sampleRate_Hz);
 
 /// The record as lines of text, without a comment's marks.

@@ -62,7 +62,8 @@ std::vector<double> playedBy(const std::vector<PlayedWave>& waves, const PressPl
 
 std::vector<std::string> headLines(const ExportSource& source, const ExportLoss& loss) {
   std::vector<std::string> lines{std::string("Made by Detent ") + version() + " from button \"" +
-                                 source.plan.button + "\": " + source.plan.press};
+                                 source.plan.button + "\", feel " +
+                                 std::string(feels.word(source.plan.feel)) + ": " + source.plan.press};
   for (const std::string& line : linesOf(loss)) lines.push_back(line);
   return lines;
 }
@@ -111,6 +112,7 @@ Result<Exported> exportPress(const Button& button, const HapticProgram& program,
   if (settings.format == ExportFormat::pcm) render.sampleRate_Hz = settings.sampleRate_Hz;
   Result<PressPlan> plan = planPress(button, program, trace, settings.pressName, render);
   if (!plan) return plan.failure();
+  plan->feel = settings.feel;
   Reduction reduction = reductionOf({button, program, *plan}, settings);
   reduction.loss.energyKept = energyKept(plan->samples, reduction.played, plan->sampleRate_Hz);
   return Exported{reduction.write(reduction.loss), reduction.loss};

@@ -12,6 +12,7 @@
 #include "playback/interchange/export_loss.h"
 #include "playback/interchange/exported_file.h"
 #include "playback/offline/render_press.h"
+#include "playback/prepare/playback_settings.h"
 #include "playback/realtime/haptic_program.h"
 
 namespace detent::playback {
@@ -47,6 +48,7 @@ inline constexpr auto exportFormats = named<ExportFormat>({{"package", ExportFor
 struct ExportSettings {
   ExportFormat format = ExportFormat::package;
   std::string pressName;         ///< what pressed, in words, for the file
+  Feel feel = Feel::clear;       ///< how the program was prepared, for the file
   double sampleRate_Hz = 48000;  ///< of pcm; 8000..192000
   unsigned bits = 16;            ///< of pcm; 8 or 16
 };

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 namespace detent::playback {
 
 namespace {
+
+constexpr double nearCeiling = 0.99;  // below, the limiter had nothing to do
 
 Burst burstOf(const EngineEvent& event, const HapticProgram& program) {
   const StateProgram& state = program.states[event.state];
@@ -31,7 +34,8 @@ Burst burstOf(const EngineEvent& event, const HapticProgram& program) {
 std::vector<PlannedBurst> sounding(const std::vector<EngineEvent>& events, const HapticProgram& program) {
   std::vector<PlannedBurst> bursts;
   for (const EngineEvent& event : events) {
-    const Burst burst = burstOf(event, program);
+    Burst burst = burstOf(event, program);
+    burst.amplitude = event.amplitude;
     if (!(burst.amplitude > 0 && burst.duration_s > 0)) continue;
     bursts.push_back({event.kind, event.frame, burst, event.displacement_mm,
                       event.kind == EventKind::grain ? event.count : 0});
@@ -44,6 +48,18 @@ double turn_s(const PressTrace& trace) {
       std::max_element(trace.readings.begin(), trace.readings.end(),
                        [](const PressReading& a, const PressReading& b) { return a.value < b.value; });
   return strongest == trace.readings.end() ? 0 : strongest->time_s;
+}
+
+/// As loud as it would be without the limiter: rendered far below its ceiling.
+Result<std::vector<float>> unlimited(const HapticProgram& program, const PressTrace& trace,
+                                     const RenderSettings& settings) {
+  constexpr double below = 1.0 / 64;  // a power of two: nothing is rounded
+  const auto quiet = std::make_unique<HapticProgram>(program);
+  quiet->gain *= below;
+  Result<RenderedPress> rendered = renderPress(*quiet, trace, settings);
+  if (!rendered) return rendered.failure();
+  for (float& sample : rendered->samples) sample *= static_cast<float>(1 / below);
+  return std::move(rendered->samples);
 }
 
 }  // namespace
@@ -62,9 +78,15 @@ Result<PressPlan> planPress(const Button& button, const HapticProgram& program, 
   plan.button = button.name();
   plan.press = pressName;
   plan.sampleRate_Hz = settings.sampleRate_Hz;
+  plan.slopeUnderJump = program.slopeUnderJump;
   plan.turn_frame = std::llround(turn_s(trace) * settings.sampleRate_Hz);
   plan.bursts = sounding(rendered->summary.events, program);
   plan.samples = std::move(rendered->samples);
+  if (static_cast<double>(rendered->summary.peak) > nearCeiling * program.limiterCeiling) {
+    Result<std::vector<float>> whole = unlimited(program, trace, settings);
+    if (!whole) return whole.failure();
+    if (*whole != plan.samples) plan.unlimited = *std::move(whole);
+  }
   if (plan.bursts.empty())
     return Failure{FailureCode::wrongUsage, Subject::option("--press"), "",
                    "nothing of the button is felt under this press",

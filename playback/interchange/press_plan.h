@@ -10,6 +10,7 @@
 #include "model/button.h"
 #include "model/result.h"
 #include "playback/offline/render_press.h"
+#include "playback/prepare/playback_settings.h"
 #include "playback/realtime/haptic_engine.h"
 #include "playback/realtime/haptic_program.h"
 
@@ -26,13 +27,16 @@ struct PlannedBurst {
 
 /// A press, burst by burst, and the samples that the engine makes of it.
 struct PressPlan {
-  std::string button;  ///< its name
-  std::string press;   ///< what pressed: "human-like press of 120 ms", a file's name
+  std::string button;       ///< its name
+  std::string press;        ///< what pressed: "human-like press of 120 ms", a file's name
+  Feel feel = Feel::paper;  ///< how the program was prepared
   double sampleRate_Hz = 48000;
   std::int64_t turn_frame =
       0;  ///< of the strongest (deepest) reading: what begins later belongs to the release
   std::vector<PlannedBurst> bursts;  ///< by rising frame; at least one
+  double slopeUnderJump = 1;         ///< level of the grains while a burst sounds that quietens the slope
   std::vector<float> samples;        ///< `detent-play render` of the same press
+  std::vector<float> unlimited;  ///< the same without the limiter, where that had anything to do; else empty
 
   double time_s(std::int64_t frame) const { return static_cast<double>(frame) / sampleRate_Hz; }
   double duration_s() const { return time_s(static_cast<std::int64_t>(samples.size())); }

@@ -15,8 +15,9 @@
 namespace detent::playback {
 
 struct Reduction {
-  std::vector<double> played;  ///< what a player makes of it, on the plan's time line and at its rate
-  ExportLoss loss;             ///< all but the energies, which follow from `played`
+  /// What a player makes of it, on the plan's time line and at its rate; press and release apart where each is begun by itself.
+  std::vector<std::vector<double>> played;
+  ExportLoss loss;  ///< all but the energies, which follow from `played`
   std::function<std::vector<ExportedFile>(const ExportLoss&)> write;
 };
 

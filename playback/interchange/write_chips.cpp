@@ -58,21 +58,21 @@ Slice pause(double time_s) {
 class SliceWriter {
  public:
   SliceWriter(const PressPlan& plan, const std::vector<EnvelopeStep>& steps)
-      : rate_Hz_(plan.sampleRate_Hz), steps_(steps), course_(smoothed(steps, rate_Hz_, 0)) {}
+      : plan_(plan), rate_Hz_(plan.sampleRate_Hz), steps_(steps), course_(smoothed(steps, rate_Hz_, 0)) {}
 
   void write() {
     const double end_s = static_cast<double>(steps_.back().to) / rate_Hz_;
     while (now_s_ < end_s) {
       const double next_s = nextOnset_s();
       const EnvelopeStep& step = stepAt(now_s_);
-      const Slice cycle{amplitudeCode(step), frequencyCode(step.frequency_Hz), 1};
+      const Slice cycle{amplitudeCode(step), frequencyCode(frequency_Hz(step)), 1};
       const double left_s = std::fmin(next_s, end_s) - now_s_;
       if (left_s < shortestPause_s) {
         now_s_ += left_s;
         owed_s_ += left_s;
       } else if (cycle.amplitude == 0) {
         put(pause(std::fmin(left_s, static_cast<double>(step.to) / rate_Hz_ - now_s_ + owed_s_)));
-      } else if (cycle.lasts_s() <= left_s) {
+      } else if (cycle.lasts_s() <= left_s + (step.onset ? latestOnset_s : 0)) {
         put(cycle);
       } else {
         put(pause(left_s));  // a jump begins sooner than the cycle would end
@@ -85,6 +85,8 @@ class SliceWriter {
   std::vector<std::int64_t> onsets;
 
  private:
+  static constexpr double latestOnset_s =
+      0.001;  // by which a jump may begin late for the one before it to be heard
   static constexpr double shortestPause_s = 1.0 / (slice_Hz * highestByte) / 2;
 
   double nextOnset_s() const {
@@ -100,6 +102,13 @@ class SliceWriter {
     for (const EnvelopeStep& step : steps_)
       if (frame < static_cast<double>(step.to)) return step;
     return steps_.back();
+  }
+  /// What begins with a step is what it plays, be the slope stronger: the slope's longer cycle might not end before the next onset.
+  double frequency_Hz(const EnvelopeStep& step) const {
+    if (step.onset)
+      for (const PlannedBurst& planned : plan_.bursts)
+        if (planned.kind != EventKind::grain && planned.frame == step.from) return planned.burst.frequency_Hz;
+    return step.frequency_Hz;
   }
   int amplitudeCode(const EnvelopeStep& step) const {
     const double amplitude = step.onset ? firstAmplitude(step) : step.amplitude;
@@ -126,6 +135,7 @@ class SliceWriter {
     now_s_ += slice.lasts_s();
   }
 
+  const PressPlan& plan_;
   double rate_Hz_;
   const std::vector<EnvelopeStep>& steps_;
   PlayedWave course_;
@@ -173,10 +183,17 @@ struct DaPart {
   int timebase = 0;
   std::vector<DaPoint> points;
   std::vector<std::int64_t> onsets;
+  bool cut = false;  ///< the memory was full before the end
 };
 
 double daUnit_s(const DaPart& part) {
   return daTimebase_s * daMultiples[static_cast<std::size_t>(part.timebase)];
+}
+
+int unitsOf(const DaPart& part) {
+  int units = 0;
+  for (const DaPoint& point : part.points) units += point.units;
+  return units;
 }
 
 /// Whether a straight line to `levels[to]` passes all levels between within `tolerance`.
@@ -250,10 +267,18 @@ DaPart daPart(const PressPlan& plan, const Stretch& all) {
     part.timebase = unit;
     for (int tolerance = 0; !done && tolerance <= 2; ++tolerance) done = fits(tolerance);
   }
+  if (part.points.size() > daPartBytes) {
+    part.points.resize(daPartBytes - 1);
+    part.points.push_back({false, 1, 0});
+    part.cut = true;
+  }
   if (part.points.empty()) part.points.push_back({false, 1, 0});
+  const double unit = daUnit_s(part) * plan.sampleRate_Hz;
+  const double end = static_cast<double>(first) + unit * unitsOf(part);
   for (const PlannedBurst& planned : plan.bursts) {
-    if (planned.kind == EventKind::grain || planned.frame < first || planned.frame >= all.to) continue;
-    const double unit = daUnit_s(part) * plan.sampleRate_Hz;
+    if (planned.kind == EventKind::grain || planned.frame < first || planned.frame >= all.to ||
+        static_cast<double>(planned.frame) >= end)
+      continue;
     part.onsets.push_back(first +
                           std::llround(std::round(static_cast<double>(planned.frame - first) / unit) * unit));
   }
@@ -404,6 +429,7 @@ std::string touchpadText(const ExportSource& source, const Touchpad& pad, const 
       {"version", 1},
       {"made_by", std::string("Detent ") + version()},
       {"button", source.plan.button},
+      {"feel", feels.word(source.plan.feel)},
       {"press_threshold_g", pad.threshold_g},
       {"press_threshold_N", pad.threshold_g * perGram},
       {"press_threshold_of_button_g", pad.asked_g ? Json(*pad.asked_g) : Json(nullptr)},
@@ -424,7 +450,7 @@ Reduction bos1921Of(const ExportSource& source) {
   SliceWriter writer(plan, steps);
   writer.write();
   Reduction reduction;
-  reduction.played = playedBy(writer.waves, plan);
+  reduction.played = {playedBy(writer.waves, plan)};
   reduction.loss.worstTimingError_ms = worstTimingError_ms(plan, wholeOf(plan), writer.onsets);
   reduction.loss.grainsMerged = grainsWithin(plan, wholeOf(plan));
   for (const PlannedBurst& planned : plan.bursts)
@@ -442,8 +468,15 @@ Reduction da728xOf(const ExportSource& source) {
   const PressPlan& plan = source.plan;
   const DaPart press = daPart(plan, pressOf(plan)), release = daPart(plan, releaseOf(plan));
   Reduction reduction;
-  reduction.played = playedBy({waveOf(press, plan.sampleRate_Hz), waveOf(release, plan.sampleRate_Hz)}, plan);
+  reduction.played = {playedBy({waveOf(press, plan.sampleRate_Hz)}, plan),
+                      playedBy({waveOf(release, plan.sampleRate_Hz)}, plan)};
   reduction.loss = lraLoss(plan, press.onsets, release.onsets);
+  for (const DaPart* part : {&press, &release})
+    if (part->cut)
+      reduction.loss.dropped.push_back(std::string("the ") + (part == &press ? "press" : "release") +
+                                       " from " +
+                                       std::to_string(std::lround(1000 * unitsOf(*part) * daUnit_s(*part))) +
+                                       " ms after its first burst on (the memory is full)");
   reduction.write = [source, press, release](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{"", "", da728xText(source, press, release, loss)}};
   };
@@ -457,7 +490,8 @@ Reduction drv2605Of(const ExportSource& source) {
   for (TimedLevels* part : {&press, &release})
     if (part->levels.empty()) part->levels.push_back({rtp_ms, 0});  // C has no empty arrays
   Reduction reduction;
-  reduction.played = playedBy({waveOf(press, plan.sampleRate_Hz), waveOf(release, plan.sampleRate_Hz)}, plan);
+  reduction.played = {playedBy({waveOf(press, plan.sampleRate_Hz)}, plan),
+                      playedBy({waveOf(release, plan.sampleRate_Hz)}, plan)};
   reduction.loss = lraLoss(plan, press.onsets, release.onsets);
   reduction.write = [source, press, release](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{"", "", drv2605Text(source, press, release, loss)}};
@@ -473,7 +507,8 @@ Reduction pcmOf(const ExportSource& source, unsigned bits) {
     samples.push_back(
         static_cast<int>(std::lround(std::clamp(static_cast<double>(sample), -1.0, 1.0) * full)));
   Reduction reduction;
-  for (const int sample : samples) reduction.played.push_back(static_cast<double>(sample) / full);
+  reduction.played.emplace_back();
+  for (const int sample : samples) reduction.played.back().push_back(static_cast<double>(sample) / full);
   reduction.loss.dropped = {oneRecordedPress};
   reduction.write = [source, samples, bits, full](const ExportLoss& loss) {
     std::vector<std::string> head = headLines(source, loss);
@@ -492,7 +527,6 @@ Reduction pcmOf(const ExportSource& source, unsigned bits) {
 Reduction touchpadOf(const ExportSource& source) {
   const Touchpad pad = touchpadFrom(source);
   Reduction reduction;
-  reduction.played.assign(source.plan.samples.size(), 0);
   reduction.loss.grainsMerged = grainsWithin(source.plan, wholeOf(source.plan));
   reduction.loss.dropped = {"the shape of every wave (the pad plays its own Press and Release)",
                             "the bottom-out", "the slope"};

@@ -20,6 +20,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr double tolerance = 3e-4;  // of full scale
+constexpr std::size_t mostBandsOfLevel1 = 7;
+constexpr const char* noDate = "1970-01-01";  // one has to stand there, and the same press is the same file
 
 struct Effect {
   std::int64_t from = 0, to = 0;  ///< samples, both included
@@ -40,6 +42,7 @@ PlayedWave waveOf(const Effect& effect, double sampleRate_Hz) {
   return wave;
 }
 
+/// A silent keyframe stands behind the last: players reckon a sample's place with rounding, and would leave it out. The first is silent.
 Effect effectOf(const PlannedBurst& planned, double gain, double sampleRate_Hz) {
   const double length = planned.burst.duration_s * sampleRate_Hz;
   const auto last = static_cast<std::int64_t>(std::ceil(length - 1e-9)) - 1;
@@ -48,22 +51,26 @@ Effect effectOf(const PlannedBurst& planned, double gain, double sampleRate_Hz) 
     return gain * planned.burst.amplitude * (planned.burst.envelope == Envelope::falling ? 1 - share : share);
   };
   Effect effect{
-      planned.frame, planned.frame + last, 0, std::round(planned.burst.frequency_Hz), {{0, level(0)}}};
+      planned.frame, planned.frame + last + 1, 0, std::round(planned.burst.frequency_Hz), {{0, level(0)}}};
   if (last > 0) effect.amplitudes.emplace_back(last, level(last));
+  effect.amplitudes.emplace_back(last + 1, 0);
   return effect;
 }
 
-/// Two effects: the sine's and the cosine's amplitudes of one piece.
+/// Two effects: the sine's and the cosine's amplitudes of one piece, between silent keyframes.
 std::pair<Effect, Effect> effectsOf(const QuadraturePiece& piece, double frequency_Hz, double sampleRate_Hz) {
-  const std::int64_t from = piece.front().frame;
+  const std::int64_t guard = piece.front().frame > 0 ? 1 : 0;
+  const std::int64_t from = piece.front().frame - guard;
   const double turned = std::fmod(frequency_Hz * static_cast<double>(from) / sampleRate_Hz, 1);
-  Effect sine{from, piece.back().frame, 2 * std::numbers::pi * turned, frequency_Hz, {}};
+  Effect sine{from, piece.back().frame + 1, 2 * std::numbers::pi * turned, frequency_Hz, {}};
+  if (guard > 0) sine.amplitudes.emplace_back(0, 0);
   Effect cosine = sine;
   cosine.phase_rad += std::numbers::pi / 2;
   for (const QuadraturePoint& point : piece) {
     sine.amplitudes.emplace_back(point.frame - from, point.sine);
     cosine.amplitudes.emplace_back(point.frame - from, point.cosine);
   }
+  for (Effect* effect : {&sine, &cosine}) effect->amplitudes.emplace_back(effect->to - from, 0);
   return {sine, cosine};
 }
 
@@ -77,12 +84,29 @@ void place(std::vector<std::vector<Effect>>& bands, Effect effect) {
   bands.push_back({std::move(effect)});
 }
 
-Json jsonOf(const Effect& effect) {
+/// Amplitudes are within -1 and 1, and players hold the sum within full scale after each band, before the channel's gain: what passes
+/// that is written smaller under a larger gain. At least 1.
+double gainFor(const std::vector<std::vector<Effect>>& bands, const PressPlan& plan) {
+  std::vector<double> sum(plan.samples.size(), 0);
+  double peak = 1;
+  for (const std::vector<Effect>& band : bands) {
+    std::vector<PlayedWave> waves;
+    for (const Effect& effect : band) {
+      waves.push_back(waveOf(effect, plan.sampleRate_Hz));
+      for (const auto& [frame, amplitude] : effect.amplitudes) peak = std::fmax(peak, std::fabs(amplitude));
+    }
+    addTo(sum, waves, plan.sampleRate_Hz);
+    for (const double sample : sum) peak = std::fmax(peak, std::fabs(sample));
+  }
+  return std::ceil(peak - 1e-9);
+}
+
+Json jsonOf(const Effect& effect, double gain) {
   Json keyframes = Json::array();
   for (const auto& [frame, amplitude] : effect.amplitudes)
-    keyframes.push_back({{"relative_position", frame},
-                         {"amplitude_modulation", amplitude},
-                         {"frequency_modulation", static_cast<int>(effect.frequency_Hz)}});
+    keyframes.push_back({{"relative_position", frame}, {"amplitude_modulation", amplitude / gain}});
+  // On the first one alone: from several the reference software reckons a phase in milliseconds, whatever the timescale.
+  keyframes.front()["frequency_modulation"] = static_cast<int>(effect.frequency_Hz);
   return {{"effect_type", "Basis"},
           {"position", effect.from},
           {"phase", effect.phase_rad},
@@ -90,11 +114,11 @@ Json jsonOf(const Effect& effect) {
           {"keyframes", keyframes}};
 }
 
-Json jsonOf(const std::vector<std::vector<Effect>>& bands) {
+Json jsonOf(const std::vector<std::vector<Effect>>& bands, double gain) {
   Json list = Json::array();
   for (const std::vector<Effect>& band : bands) {
     Json effects = Json::array();
-    for (const Effect& effect : band) effects.push_back(jsonOf(effect));
+    for (const Effect& effect : band) effects.push_back(jsonOf(effect, gain));
     list.push_back({{"band_type", "VectorialWave"},
                     {"lower_frequency_limit", 0},
                     {"upper_frequency_limit", 2000},
@@ -103,18 +127,18 @@ Json jsonOf(const std::vector<std::vector<Effect>>& bands) {
   return list;
 }
 
-std::string textOf(const ExportSource& source, const std::vector<std::vector<Effect>>& bands,
+std::string textOf(const ExportSource& source, const std::vector<std::vector<Effect>>& bands, double gain,
                    const ExportLoss& loss) {
   std::string description;
   for (const std::string& line : headLines(source, loss))
     description += (description.empty() ? "" : "; ") + line;
   const Json channel{{"id", 0},
                      {"description", "button"},
-                     {"gain", 1},
-                     {"mixing_weight", 1},
+                     {"gain", gain},
+                     {"mixing_coefficient", 1},
                      {"body_part_mask", 0},
                      {"vertices", Json::array()},
-                     {"bands", jsonOf(bands)}};
+                     {"bands", jsonOf(bands, gain)}};
   const Json perception{{"id", 0},
                         {"avatar_id", 0},
                         {"description", source.plan.button},
@@ -126,11 +150,11 @@ std::string textOf(const ExportSource& source, const std::vector<std::vector<Eff
                         {"channels", Json::array({channel})}};
   const Json file{{"version", "2023"},
                   {"profile", "Main"},
-                  {"level", 1},
-                  {"date", ""},
+                  {"level", bands.size() <= mostBandsOfLevel1 ? 1 : 2},
+                  {"date", noDate},
                   {"description", description},
                   {"timescale", 48000},
-                  {"avatars", Json::array({Json{{"id", 0}, {"lod", 0}, {"type", "Vibration"}}})},
+                  {"avatars", Json::array()},
                   {"perceptions", Json::array({perception})},
                   {"syncs", Json::array()}};
   return jsonText(file, 1) + "\n";
@@ -147,6 +171,7 @@ Reduction hjifOf(const ExportSource& source) {
   const PressPlan& plan = source.plan;
   Reduction reduction;
   std::vector<std::vector<Effect>> bands;
+  std::vector<double> sum;  // of all bands
   if (burstsPassUnfiltered(source.program)) {
     for (const PlannedBurst& planned : plan.bursts) {
       if (planned.kind == EventKind::grain) continue;
@@ -159,10 +184,9 @@ Reduction hjifOf(const ExportSource& source) {
   std::vector<PlayedWave> waves;
   for (const std::vector<Effect>& band : bands)
     for (const Effect& effect : band) waves.push_back(waveOf(effect, plan.sampleRate_Hz));
-  reduction.played = playedBy(waves, plan);
+  sum = playedBy(waves, plan);
   std::vector<double> rest(plan.samples.size());
-  for (std::size_t i = 0; i < rest.size(); ++i)
-    rest[i] = static_cast<double>(plan.samples[i]) - reduction.played[i];
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = static_cast<double>(plan.samples[i]) - sum[i];
   const double carrier_Hz =
       std::round(source.program.grain.frequency_Hz > 0 ? source.program.grain.frequency_Hz
                                                        : plan.bursts.front().burst.frequency_Hz);
@@ -174,10 +198,12 @@ Reduction hjifOf(const ExportSource& source) {
     place(bands, std::move(sine));
     place(bands, std::move(cosine));
   }
-  addTo(reduction.played, pieces, plan.sampleRate_Hz);
+  addTo(sum, pieces, plan.sampleRate_Hz);
+  reduction.played = {std::move(sum)};
   reduction.loss.dropped = {"that a finger's force decides what is felt (the file is one press)"};
-  reduction.write = [source, bands](const ExportLoss& loss) {
-    return std::vector<ExportedFile>{{"", "", textOf(source, bands, loss)}};
+  const double gain = gainFor(bands, plan);
+  reduction.write = [source, bands, gain](const ExportLoss& loss) {
+    return std::vector<ExportedFile>{{"", "", textOf(source, bands, gain, loss)}};
   };
   return reduction;
 }

@@ -14,6 +14,7 @@
 #include "playback/interchange/reduction.h"
 #include "playback/realtime/biquad.h"
 #include "playback/realtime/grain_voice.h"
+#include "playback/realtime/sound_chain.h"
 #include "playback/realtime/voice.h"
 
 namespace detent::playback {
@@ -69,10 +70,13 @@ StatePackage packageOf(const ButtonState& state, const StateProgram& program, co
   package.name = state.name;
   package.metrics = metricsOf(state);
   package.triggers = triggersOf(program.press, false);
-  if (program.hasBottomOut)
+  if (program.hasBottomOut) {
+    Burst bottom = whole.bottomOut;
+    bottom.amplitude *= program.bottomOutLevel;
     package.triggers.push_back({"bottom_out", false, program.bottomOut_mm, program.bottomOut_mm,
                                 forceAt(program.press, program.bottomOut_mm), program.bottomOutRearm_mm,
-                                forceAt(program.press, program.bottomOutRearm_mm), whole.bottomOut});
+                                forceAt(program.press, program.bottomOutRearm_mm), bottom});
+  }
   for (const Trigger& trigger : triggersOf(program.release, true)) package.triggers.push_back(trigger);
   if (program.hasOperatingPoint) {
     package.operating_mm = program.operating_mm;
@@ -132,6 +136,7 @@ Json jsonOf(const Trigger& trigger) {
           {"to_displacement_mm", trigger.to_mm},
           {"rearm_displacement_mm", trigger.rearm_mm},
           {"rearm_force_N", trigger.rearm_N},
+          {"quietens_slope", trigger.burst.quietensSlope},
           {"wave", jsonOf(trigger.burst)}};
 }
 
@@ -195,6 +200,7 @@ Json chainOf(const HapticProgram& program, double sampleRate_Hz) {
            {{"cutoff_Hz", program.highPass_Hz},
             {"coefficients", coefficients(highPass(sampleRate_Hz, program.highPass_Hz))}}},
           {"grain_carrier", program.grainCarrier == GrainCarrier::running ? "running" : "retriggered"},
+          {"slope_under_jump", {{"level", program.slopeUnderJump}, {"turn_ms", 1000 * slopeTurn_s}}},
           {"equalizer", equalizer},
           {"gain", program.gain},
           {"limiter_ceiling", program.limiterCeiling}};
@@ -214,6 +220,7 @@ Json examplePress(const PressPlan& plan) {
                       {"time_s", plan.time_s(planned.frame)},
                       {"kind", eventName(planned.kind)},
                       {"displacement_mm", planned.displacement_mm},
+                      {"quietens_slope", planned.burst.quietensSlope},
                       {"wave", jsonOf(planned.burst)}});
   return {{"press", plan.press}, {"samples", plan.samples.size()}, {"events", events}};
 }
@@ -226,28 +233,32 @@ std::string packageText(const ExportSource& source, const ExportLoss& loss) {
     const StateProgram& program = source.program.states[i];
     Json triggers = Json::array();
     for (const Trigger& trigger : state.triggers) triggers.push_back(jsonOf(trigger));
-    states.push_back({{"name", state.name},
-                      {"press_threshold", threshold(state.press_N, state.press_mm)},
-                      {"release_threshold", threshold(state.release_N, state.release_mm)},
-                      {"operating_point", threshold(state.operating_N, state.operating_mm)},
-                      {"reset_point", threshold(state.reset_N, state.reset_mm)},
-                      {"tact_switch_figures", tactFigures(state)},
-                      {"triggers", triggers},
-                      {"curve",
-                       {{"columns", {"displacement_mm", "force_N"}},
-                        {"press", pointsOf(program.press)},
-                        {"release", pointsOf(program.release)}}}});
+    states.push_back(
+        {{"name", state.name},
+         {"press_threshold", threshold(state.press_N, state.press_mm)},
+         {"release_threshold", threshold(state.release_N, state.release_mm)},
+         {"operating_point", threshold(state.operating_N, state.operating_mm)},
+         {"reset_point", threshold(state.reset_N, state.reset_mm)},
+         {"tact_switch_figures", tactFigures(state)},
+         {"triggers", triggers},
+         {"slope_level", {{"press", program.press.slopeLevel}, {"release", program.release.slopeLevel}}},
+         {"curve",
+          {{"columns", {"displacement_mm", "force_N"}},
+           {"press", pointsOf(program.press)},
+           {"release", pointsOf(program.release)}}}});
   }
   const Json file{{"format", "detent-force-triggered-package"},
                   {"version", 1},
                   {"made_by", std::string("Detent ") + version()},
                   {"button", source.plan.button},
+                  {"feel", feels.word(source.plan.feel)},
                   {"self_locking", source.program.stateCount > 1},
                   {"states", states},
                   {"grains",
                    {{"per_mm", source.program.grainsPerMm},
                     {"origin_mm", source.program.gridOrigin_mm},
-                    {"wave", jsonOf(source.program.grain)}}},
+                    {"wave", jsonOf(source.program.grain)},
+                    {"loudest_density_per_s", source.program.loudestDensity_per_s}}},
                   {"chain", chainOf(source.program, source.plan.sampleRate_Hz)},
                   {"example_press", examplePress(source.plan)},
                   {"loss", jsonOf(loss)}};
@@ -262,8 +273,8 @@ Burst heard(Burst burst, const HapticProgram& program) {
 }
 
 /// A grain as strong as the filters leave a long one.
-Burst heardGrain(const ExportSource& source) {
-  Burst grain = heard(source.program.grain, source.program);
+Burst heardGrain(const Burst& played, const ExportSource& source) {
+  Burst grain = heard(played, source.program);
   const double rate_Hz = source.plan.sampleRate_Hz;
   const LowPass& low = source.program.lowPass;
   if (low.placement != LowPassPlacement::none)
@@ -311,7 +322,8 @@ std::string cState(std::size_t index, const StatePackage& state, const StateProg
     return table.pointCount == 0 ? std::string("0") : "detent_" + std::string(name) + "_" + what + "_" + n;
   };
   return "  {" + cString(state.name) + ", " + number(state.press_N) + ", " + number(state.release_N) + ", " +
-         number(state.operating_N) + ", " + number(state.reset_N) + ", detent_triggers_" + n + ", " +
+         number(state.operating_N) + ", " + number(state.reset_N) + ", " + cFloat(program.press.slopeLevel) +
+         ", " + cFloat(program.release.slopeLevel) + ", detent_triggers_" + n + ", " +
          std::to_string(state.triggers.size()) + "u, " + column("press", program.press, "mm") + ", " +
          column("press", program.press, "N") + ", " + std::to_string(program.press.pointCount) + "u, " +
          column("release", program.release, "mm") + ", " + column("release", program.release, "N") + ", " +
@@ -336,6 +348,7 @@ typedef struct {
 typedef struct {
   const char* name;
   float press_threshold_N, release_threshold_N, operating_N, reset_N;
+  float press_grain_level, release_grain_level; /* of the slope's grains on each stroke */
   const detent_trigger* triggers;
   unsigned trigger_count;
   const float *press_mm, *press_N;
@@ -345,6 +358,16 @@ typedef struct {
 } detent_state;
 
 )";
+
+/// How loud grains are beside each other and under jumps.
+std::string cSlope(const HapticProgram& program) {
+  return "/* Grains that come n times a second are (n / loudest)^(3/8) as strong, n at least 1000 / "
+         "duration_ms and at most loudest; 0: all "
+         "alike.\n   Grains that begin while a jump sounds are quieter by detent_slope_under_jump. */\n"
+         "static const float detent_loudest_grains_per_s = " +
+         cFloat(program.loudestDensity_per_s) +
+         ";\nstatic const float detent_slope_under_jump = " + cFloat(program.slopeUnderJump) + ";\n";
+}
 
 std::string headerText(const ExportSource& source, const ExportLoss& loss) {
   const std::vector<StatePackage> states = statesOf(source);
@@ -360,7 +383,8 @@ std::string headerText(const ExportSource& source, const ExportLoss& loss) {
          "};\nstatic const unsigned detent_state_count = " + std::to_string(states.size()) +
          "u;\n\n/* The slope: a grain every 1/grains_per_mm. */\nstatic const float detent_grains_per_mm = " +
          cFloat(source.program.grainsPerMm) +
-         ";\nstatic const detent_wave detent_grain = " + cBurst(heardGrain(source)) + ";\n\n#endif\n";
+         ";\nstatic const detent_wave detent_grain = " + cBurst(heardGrain(source.program.grain, source)) +
+         ";\n" + cSlope(source.program) + "\n#endif\n";
 }
 
 /// The header as a small device plays it: no filters, the grain as strong as they leave it, a new grain in place of the last.
@@ -369,6 +393,7 @@ std::vector<double> unfiltered(const ExportSource& source) {
   std::vector<double> samples(plan.samples.size(), 0);
   GrainVoice grain;
   std::size_t at = 0;
+  std::int64_t quietUntil = 0;
   const auto play = [&](std::size_t until) {
     if (until > at) grain.addTo(samples.data() + at, until - at);
     at = std::max(at, until);
@@ -378,9 +403,13 @@ std::vector<double> unfiltered(const ExportSource& source) {
         std::min(static_cast<std::size_t>(std::max<std::int64_t>(0, planned.frame)), samples.size());
     if (planned.kind == EventKind::grain) {
       play(frame);
-      grain.start(heardGrain(source), source.program.grainCarrier, plan.sampleRate_Hz);
+      Burst played = heardGrain(planned.burst, source);
+      if (planned.frame < quietUntil) played.amplitude *= source.program.slopeUnderJump;
+      grain.start(played, source.program.grainCarrier, plan.sampleRate_Hz);
       continue;
     }
+    if (planned.burst.quietensSlope)
+      quietUntil = planned.frame + std::llround(planned.burst.duration_s * plan.sampleRate_Hz);
     Voice voice;
     voice.start(heard(planned.burst, source.program), plan.sampleRate_Hz);
     voice.addTo(samples.data() + frame, samples.size() - frame);
@@ -389,13 +418,19 @@ std::vector<double> unfiltered(const ExportSource& source) {
   return samples;
 }
 
-std::vector<double> asPlayed(const PressPlan& plan) { return {plan.samples.begin(), plan.samples.end()}; }
+/// What a reader makes of bursts and filters: the engine's samples before the limiter.
+std::vector<double> asPlayed(const PressPlan& plan) {
+  const std::vector<float>& samples = plan.unlimited.empty() ? plan.samples : plan.unlimited;
+  return {samples.begin(), samples.end()};
+}
 
 }  // namespace
 
 Reduction packageOf(const ExportSource& source) {
   Reduction reduction;
-  reduction.played = asPlayed(source.plan);
+  reduction.played = {asPlayed(source.plan)};
+  if (!source.plan.unlimited.empty())
+    reduction.loss.dropped.emplace_back("how the limiter turns down what passes its ceiling");
   reduction.write = [source](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{"", "", packageText(source, loss)}};
   };
@@ -404,7 +439,7 @@ Reduction packageOf(const ExportSource& source) {
 
 Reduction cHeaderOf(const ExportSource& source) {
   Reduction reduction;
-  reduction.played = unfiltered(source);
+  reduction.played = {unfiltered(source)};
   reduction.loss.dropped = {"the grains' filters, equalizer and limiter (the package has them)"};
   reduction.write = [source](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{"", "", headerText(source, loss)}};

@@ -101,7 +101,9 @@ AhapPart ahapPart(const PressPlan& plan, const Stretch& stretch) {
   return part;
 }
 
-void addWaves(const AhapPart& part, double sampleRate_Hz, std::vector<PlayedWave>& waves) {
+/// Each event begins a sine of its own.
+std::vector<PlayedWave> wavesOf(const AhapPart& part, double sampleRate_Hz) {
+  std::vector<PlayedWave> waves;
   for (const AhapEvent& event : part.events) {
     const double from_s = static_cast<double>(event.from) / sampleRate_Hz;
     const double to_s = static_cast<double>(event.to) / sampleRate_Hz;
@@ -109,6 +111,7 @@ void addWaves(const AhapPart& part, double sampleRate_Hz, std::vector<PlayedWave
     waves.push_back(
         {{{from_s, amplitude, frequency}, {to_s, event.transient ? 0 : amplitude, frequency}}, 0});
   }
+  return waves;
 }
 
 std::string ahapText(const ExportSource& source, const AhapPart& part, const char* which,
@@ -258,7 +261,7 @@ Reduction oneVoice(const PressPlan& plan, const std::vector<EnvelopeStep>& steps
   Reduction reduction;
   PlayedWave wave{voice.points, 0};
   for (WavePoint& point : wave.points) point.frequency_Hz = heard_Hz(point.frequency_Hz);
-  reduction.played = playedBy({wave}, plan);
+  reduction.played = {playedBy({wave}, plan)};
   const Stretch whole{0, static_cast<std::int64_t>(plan.samples.size())};
   reduction.loss.worstTimingError_ms = worstTimingError_ms(plan, whole, onsetsOf(steps));
   reduction.loss.grainsMerged = grainsWithin(plan, whole);
@@ -274,8 +277,9 @@ Reduction oneVoice(const PressPlan& plan, const std::vector<EnvelopeStep>& steps
 // millisecond where it does not, or where a device has none
 
 constexpr std::size_t androidPoints = 16;
-constexpr int androidStep_ms = 20;
-constexpr double androidTiming_ms = 1;  // by which an envelope may move a jump or bottom-out
+constexpr int androidStep_ms = 20,
+              androidLongest_ms = 1000;  // what every device takes from one point to the next
+constexpr double androidTiming_ms = 1;   // by which an envelope may move a jump or bottom-out
 
 struct AndroidPoint {
   double amplitude = 0, frequency_Hz = 0;
@@ -297,11 +301,12 @@ struct AndroidPart {
   }
 };
 
-/// The coarsest steps that fit: 20 ms, or as long as 15 of them need.
+/// The coarsest steps that fit: 20 ms, or as long as 15 of them need. None where so many jumps begin that they do not.
 std::vector<EnvelopeStep> androidSteps(const PressPlan& plan, const Stretch& stretch) {
   for (double step_s = androidStep_ms / 1000.0;; step_s *= 1.25) {
     std::vector<EnvelopeStep> steps = stepsOf(plan, stretch, step_s, androidStep_ms / 1000.0);
     if (steps.size() < androidPoints) return steps;
+    if (step_s > longestExport_s) return {};
   }
 }
 
@@ -319,13 +324,17 @@ AndroidEnvelope androidEnvelope(const PressPlan& plan, const Stretch& all) {
                                 std::llround(static_cast<double>(last_ms) * plan.sampleRate_Hz / 1000));
     last_ms = end_ms;
   }
-  envelope.points.back().amplitude = 0;  // the builder refuses what does not end at rest
+  if (!envelope.points.empty())
+    envelope.points.back().amplitude = 0;  // the builder refuses what does not end at rest
   return envelope;
 }
 
 AndroidPart androidPart(const PressPlan& plan, const Stretch& all) {
   AndroidPart part{androidEnvelope(plan, all), timedLevels(plan, all, 5, 2, 255)};
-  if (worstTimingError_ms(plan, all, part.envelope.onsets) > androidTiming_ms) part.envelope.points.clear();
+  std::vector<AndroidPoint>& points = part.envelope.points;
+  const bool tooLong = std::any_of(points.begin(), points.end(),
+                                   [](const AndroidPoint& p) { return p.duration_ms > androidLongest_ms; });
+  if (tooLong || worstTimingError_ms(plan, all, part.envelope.onsets) > androidTiming_ms) points.clear();
   return part;
 }
 
@@ -357,7 +366,8 @@ std::string kotlinPart(const char* name, const AndroidPart& part) {
   const std::vector<AndroidPoint>& points = part.envelope.points;
   if (points.empty())
     return function +
-           "      // No envelope: its points, 20 ms apart, would move a jump or the bottom-out.\n        " +
+           "      // No envelope: its 16 points, 20 ms to 1 s apart, would move a jump or the bottom-out.\n  "
+           "      " +
            kotlinLevels(part.levels);
   const auto [low, high] = std::minmax_element(
       points.begin(), points.end(),
@@ -409,11 +419,9 @@ std::string kotlinText(const ExportSource& source, const AndroidPart& press, con
 Reduction ahapOf(const ExportSource& source) {
   const PressPlan& plan = source.plan;
   const AhapPart press = ahapPart(plan, pressOf(plan)), release = ahapPart(plan, releaseOf(plan));
-  std::vector<PlayedWave> waves;
-  addWaves(press, plan.sampleRate_Hz, waves);
-  addWaves(release, plan.sampleRate_Hz, waves);
   Reduction reduction;
-  reduction.played = playedBy(waves, plan);
+  for (const AhapPart* part : {&press, &release})
+    reduction.played.push_back(playedBy(wavesOf(*part, plan.sampleRate_Hz), plan));
   reduction.loss.worstTimingError_ms =
       std::fmax(worstTimingError_ms(plan, pressOf(plan), transientOnsets(press)),
                 worstTimingError_ms(plan, releaseOf(plan), transientOnsets(release)));
@@ -465,7 +473,8 @@ Reduction androidOf(const ExportSource& source) {
   const PressPlan& plan = source.plan;
   const AndroidPart press = androidPart(plan, pressOf(plan)), release = androidPart(plan, releaseOf(plan));
   Reduction reduction;
-  reduction.played = playedBy({waveOf(press, plan.sampleRate_Hz), waveOf(release, plan.sampleRate_Hz)}, plan);
+  reduction.played = {playedBy({waveOf(press, plan.sampleRate_Hz)}, plan),
+                      playedBy({waveOf(release, plan.sampleRate_Hz)}, plan)};
   reduction.loss.worstTimingError_ms =
       std::fmax(worstTimingError_ms(plan, pressOf(plan), press.onsets()),
                 worstTimingError_ms(plan, releaseOf(plan), release.onsets()));
@@ -477,7 +486,7 @@ Reduction androidOf(const ExportSource& source) {
   if (envelopes) reduction.loss.dropped.emplace_back("frequency, on devices without envelopes");
   if (levels) {
     reduction.loss.dropped.emplace_back(
-        "every frequency where jumps follow each other within 20 ms (the motor plays its own)");
+        "every frequency where an envelope would move a jump (the motor plays its own)");
     reduction.loss.frequencyMoved_Hz = furthestFromResonance_Hz(plan);
   }
   reduction.write = [source, press, release](const ExportLoss& loss) {

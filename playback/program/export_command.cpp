@@ -40,9 +40,6 @@ void addOptions(CLI::App& app, ExportArguments& a) {
   app.add_option("--rate", a.settings.sampleRate_Hz, "Samples per second of pcm, 8000..192000")
       ->capture_default_str();
   app.add_option("--bits", a.settings.bits, "Bits per sample of pcm, 8 or 16")->capture_default_str();
-  // Bursts and grains of their own are all that the formats hold: none can quieten the slope under a jump.
-  a.feel.settings.feel = Feel::paper;
-  a.feel.settings.clear.slopeUnderJump = 1;
   addFeelOptions(app, a.feel);
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
@@ -64,6 +61,7 @@ int run(const ExportArguments& a, const Cancelled& cancelled) {
   if (!trace) return fail(trace.failure());
   ExportSettings settings = a.settings;
   settings.pressName = pressInWords(a.press);
+  settings.feel = a.feel.settings.feel;
   Result<Exported> exported = exportPress(*button, prepared->program, *trace, settings);
   if (!exported) return fail(exported.failure());
   if (cancelled && cancelled()) return fail(Failure::cancelled("export"));
@@ -76,6 +74,7 @@ int run(const ExportArguments& a, const Cancelled& cancelled) {
            {"format", exportFormats.word(settings.format)},
            {"outputs", *paths},
            {"press", settings.pressName},
+           {"feel", feels.word(settings.feel)},
            {"loss", jsonOf(exported->loss)}});
   return 0;
 }

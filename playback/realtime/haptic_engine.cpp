@@ -286,6 +286,7 @@ void HapticEngine::playDue() {
 void HapticEngine::play(const Pending& pending) {
   EngineEvent event = pending.event;
   event.frame = now_;
+  event.amplitude = pending.burst.amplitude;
   switch (event.kind) {
     case EventKind::grain:
       counts_.grains += event.count;

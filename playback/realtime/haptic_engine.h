@@ -56,6 +56,7 @@ struct EngineEvent {
   std::uint32_t count = 1;  ///< grains merged into it
   std::int64_t frame = 0;   ///< sample at which it sounds
   double displacement_mm = 0;
+  double amplitude = 0;  ///< of its burst, before filters and gain; 0 where none sounds
 };
 
 /// Running totals; all since the engine started.

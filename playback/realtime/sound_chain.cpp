@@ -6,7 +6,6 @@
 namespace detent::playback {
 
 namespace {
-constexpr double slopeTurn_s = 0.004;  // from the whole level to none: no click
 constexpr double grainBehindLowPass =
     0.8;  // 0.71 at the cutoff, where its carrier stands, and what restarts add
 }  // namespace

@@ -15,6 +15,9 @@
 
 namespace detent::playback {
 
+/// From the whole level of the slope to none under a jump, and back: no click.
+inline constexpr double slopeTurn_s = 0.004;
+
 /// Callback thread; no allocation. A large fixed-size object.
 class SoundChain {
  public:

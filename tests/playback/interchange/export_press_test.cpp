@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/interchange/export_press.h"
 
+#include <algorithm>
+
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "model/file/button_file.h"
+#include "playback/offline/standard_press.h"
 #include "playback/prepare/prepare_program.h"
+#include "tests/playback/interchange/fuzzed_exports.h"
 
 using namespace detent;
 using namespace detent::playback;
+using namespace detent::test;
 
 namespace {
 
@@ -85,6 +90,53 @@ TEST_CASE("A press under which nothing is felt, or that never ends, is refused")
   const Result<Exported> refused = exportPress(button, program, endless, {});
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.failure().sentence().find("31") != std::string::npos);
+}
+
+TEST_CASE("A press of very many jumps ends, and what a memory cannot hold of it is told") {
+  const Button button = sample("B");
+  const HapticProgram program = prepareProgram(button, {}, {}).value().program;
+  PressTrace trace{PressTrace::Quantity::displacement_mm, {}};
+  for (int i = 0; i <= 4000; ++i)
+    trace.readings.push_back({i * 0.0025, i == 4000 ? 4.2 : i % 50 < 25 ? 0.16 * (i % 50) : 0});
+  ExportSettings settings;
+  for (const ExportFormat format :
+       {ExportFormat::android, ExportFormat::da728x, ExportFormat::bos1921, ExportFormat::openxr}) {
+    INFO(exportFormats.word(format));
+    settings.format = format;
+    const Result<Exported> written = exportPress(button, program, trace, settings);
+    REQUIRE(written.ok());
+    CHECK(violationsOf(format, written->files) == std::vector<std::string>{});
+    const auto& dropped = written->loss.dropped;
+    const bool cut = std::any_of(dropped.begin(), dropped.end(), [](const std::string& what) {
+      return what.find("memory") != std::string::npos;
+    });
+    CHECK(cut == (format == ExportFormat::da728x));
+  }
+}
+
+TEST_CASE("A file says which feel went out, and its bursts are as strong as the engine's") {
+  const Button button = sample("C");
+  const HapticProgram program = prepareProgram(button, {}, usualSettings()).value().program;
+  ExportSettings settings;
+  for (const auto& format : exportFormats.all) {
+    INFO(format.word);
+    settings.format = format.value;
+    const Result<Exported> written = exportPress(button, program, standardPress(program), settings);
+    REQUIRE(written.ok());
+    CHECK(written->files.front().text.find("clear") != std::string::npos);
+  }
+  settings.format = ExportFormat::package;
+  const auto package = nlohmann::json::parse(
+      exportPress(button, program, standardPress(program), settings).value().files.front().text);
+  CHECK(package["chain"]["slope_under_jump"]["level"] == program.slopeUnderJump);
+  double loudest = 0, quietest = 1;
+  for (const auto& event : package["example_press"]["events"]) {
+    if (event["kind"] != "grain") continue;
+    loudest = std::max(loudest, event["wave"]["amplitude"].get<double>());
+    quietest = std::min(quietest, event["wave"]["amplitude"].get<double>());
+  }
+  CHECK(loudest < program.grain.amplitude);  // by the density of a press
+  CHECK(quietest < loudest);
 }
 
 TEST_CASE("A name cannot end a comment, a string or a document") {
