@@ -4,7 +4,8 @@
 
     /usr/bin/python3 tests/bench/python_module.py [--build FOLDER] [--only WORDS] [--write]
 
-Prints tables; --write: docs/bench-python.md. --only: sections whose name contains one of these words, separated by commas. Times of both sides
+Prints tables; --write: docs/bench-python.md, of which only the sections that ran are renewed. --only: sections
+whose name contains one of these words, separated by commas. Times of both sides
 are taken in turn, so that a busy machine slows both; the least of several counts. Memory is the resident set, each figure from a Python of
 its own. Needs a build with DETENT_WITH_PYTHON (preset release).
 """
@@ -59,9 +60,9 @@ import statistics
 def median_ms(call, count):
     took = []
     for _ in range(count):
-        begun = time.perf_counter()
+        begun = time.process_time()
         call()
-        took.append(1000 * (time.perf_counter() - begun))
+        took.append(1000 * (time.process_time() - begun))
     return statistics.median(took)
 path, count = sys.argv[1], int(sys.argv[2])
 print(json.dumps(median_ms(lambda: detent.read(path), count)))
@@ -91,7 +92,7 @@ print(json.dumps({
 def calls():
     yield "## What a call costs over the library"
     yield ""
-    yield "The same file read by the library alone (`read_bench`) and by `detent.read`, the least of seven medians each, in turn. Asked: at most 1 ms over it."
+    yield "Processor time (all threads) of reading the same file by the library alone (`read_bench`) and by `detent.read`, the least of seven medians each, in turn. Asked: at most 1 ms over it."
     yield ""
     yield "| file | library, ms | `detent.read`, ms | over it, ms |"
     yield "|---|---|---|---|"
@@ -102,7 +103,7 @@ def calls():
             module.append(python(CALLS, path, count))
         yield f"| `{path.name}` | {min(alone):.2f} | {min(module):.2f} | {min(module) - min(alone):.2f} |"
     yield ""
-    yield "Calls that compute little, whole: " + ", ".join(f"{name} {us:.0f} µs" for name, us in python(SMALL_CALLS, BUTTONS / "C.button.json").items()) + "."
+    yield "Calls that compute little, whole, by the clock: " + ", ".join(f"{name} {us:.0f} µs" for name, us in python(SMALL_CALLS, BUTTONS / "C.button.json").items()) + "."
 
 
 # ---- memory
@@ -277,6 +278,9 @@ def agreement():
     yield f"Equal to the last bit: {same} of {compared}. What else is computed of buttons: `tests/editor/python/module_test.py`."
 
 
+HEAD = """# What the Python module costs
+
+Made by `/usr/bin/python3 tests/bench/python_module.py --write`, on two cores; times of a busy machine are the upper end."""
 SECTIONS = {"agreement": agreement, "call": calls, "memory": memory, "many": many, "interrupts": interrupts}
 
 
@@ -290,17 +294,23 @@ def main():
     BUILD = arguments.build.resolve()
     if not list((BUILD / "python/detent").glob("_core*.so")):
         sys.exit(f"python_module.py: {BUILD} has no module; build with DETENT_WITH_PYTHON=ON, or give --build.")
-    lines = ["# What the Python module costs", "",
-             "Made by `/usr/bin/python3 tests/bench/python_module.py --write`, on two cores; times of a busy machine are the upper end."]
+    kept = sections_of(PAGE.read_text()) if PAGE.is_file() else {}
     for name, section in SECTIONS.items():
         if arguments.only and not any(word in name for word in arguments.only.split(",")):
             continue
-        lines.append("")
+        lines = []
         for line in section():
             print(line, flush=True)
             lines.append(line)
-    if arguments.write:
-        PAGE.write_text("\n".join(lines) + "\n")
+        kept[lines[0]] = "\n".join(lines).strip()
+        if arguments.write:
+            PAGE.write_text("\n\n".join([HEAD, *kept.values()]) + "\n")
+
+
+def sections_of(text):
+    """What the page says already, by title."""
+    parts = ["## " + part.strip() for part in text.split("\n## ")[1:]]
+    return {part.split("\n", 1)[0]: part for part in parts}
 
 
 if __name__ == "__main__":

@@ -12,7 +12,7 @@ namespace py = pybind11;
 namespace detent::python {
 namespace {
 
-constexpr std::chrono::milliseconds signalsEvery{20}, graceOfCancelled{300};
+constexpr std::chrono::milliseconds signalsEvery{20}, graceOfCancelled{200};
 
 /// A thread that waits for work. Lives until the process ends, like what it keeps.
 class Worker {

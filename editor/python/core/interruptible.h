@@ -36,7 +36,7 @@ class Errand {
 void begin(std::function<void()> work);
 
 /// Waits without Python's lock, for whose signals it looks; call with the lock held. Throws what a signal's handler raised (KeyboardInterrupt),
-/// 0.3 s after it at the latest.
+/// 0.2 s after it at the latest.
 void await(Errand& errand);
 
 /// The value of `work(cancelled)`, done so. `Value` can be moved.

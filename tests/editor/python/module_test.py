@@ -3,6 +3,7 @@
 """import detent against the programs, over all samples: module_test.py --root FOLDER --build FOLDER"""
 
 import argparse
+import importlib.util
 import json
 import os
 import pickle
@@ -122,6 +123,28 @@ class Reading(unittest.TestCase):
             finally:
                 os._exit(1)
         self.assertEqual(os.waitpid(pid, 0)[1], 0)
+
+    def test_python_goes_on_while_the_library_reads(self):
+        turns, over = [], threading.Event()
+
+        def count():
+            while not over.wait(0.001):
+                turns.append(None)
+
+        counter = threading.Thread(target=count)
+        counter.start()
+        detent.read(ROOT / "samples/plots/two-level-legend.png")  # some tenths of a second
+        over.set()
+        counter.join()
+        self.assertGreater(len(turns), 10)
+
+    def test_progress_is_shown_where_tqdm_is(self):
+        code = "import detent, sys; print(sum(1 for _ in detent.import_many(sys.argv[1:], jobs=1, progress=True, quality='draft')))"
+        ran = subprocess.run([sys.executable, "-c", code, *[str(ROOT / "samples/plots/force-meter-log.csv")] * 3], capture_output=True, text=True, check=True,
+                             env={**os.environ, "PYTHONPATH": str(BUILD / "python")})
+        self.assertEqual(ran.stdout.strip(), "3")
+        if importlib.util.find_spec("tqdm"):
+            self.assertIn("3/3", ran.stderr)
 
     def test_control_c_ends_many(self):
         pipe = self.folder / "page.csv"
