@@ -176,8 +176,7 @@ def batch(paths, folder):
 def many():
     yield "## Many files on two cores"
     yield ""
-    yield "The same files by `import_many(jobs=2)` and by `detent-import --batch --jobs 2`, five times in turn (asked: at most 5 % slower); time to start Python is not counted, nor are "
-    yield "files written by Python."
+    yield "The same files by `import_many(jobs=2)` and by `detent-import --batch --jobs 2`, five times in turn (asked: at most 5 % slower). `--batch` writes files besides; to start Python is not counted."
     yield ""
     yield "| files | `--batch`, s | `import_many`, s | slower by | processor, s | processor, s | more by |"
     yield "|---|---|---|---|---|---|---|"

@@ -58,8 +58,10 @@ struct ReadMany::Shared : Errand {
     for (std::size_t at = begun++; at < places.size(); at = begun++) {
       Place& place = places[at];
       if (!cancelled())
-        place.answer = answerOf<ReadButton>(
-            [&] { return readGraph(request, place.path, [this] { return cancelled(); }); });
+        place.answer = answerOf<ReadButton>([&] {
+          return readGraph(request, place.path,
+                           [this, &place] { return cancelled() || place.over->cancelled(); });
+        });
       place.over->finish();
     }
   }
