@@ -153,8 +153,8 @@ def cluster(arguments, build):
         took_s, cpu_s = time.perf_counter() - begun, used_s() - used
         equal = cluster_test.graphs(run.folder / "out/all.jsonl") == cluster_test.graphs(run.folder / "serial/report.jsonl")
         print(f"{arguments.pages} pages ({arguments.kind}), {arguments.batches} batches, {arguments.profile}{', killed twice' if arguments.kill else ''}, {slots} slots: "
-              f"report {'equal' if equal else 'NOT EQUAL'}; {took_s:.1f} s, processor {cpu_s:.1f} s; --batch alone {alone_s:.1f} s, processor {alone_cpu_s:.1f} s; "
-              f"over it {100 * (took_s / alone_s - 1):+.1f} % of time, {100 * (cpu_s / alone_cpu_s - 1):+.1f} % of processor time")
+              f"report {'equal' if equal else 'NOT EQUAL'}; {took_s:.1f} s; --batch alone {alone_s:.1f} s, processor {alone_cpu_s:.1f} s; over it {100 * (took_s / alone_s - 1):+.1f} % of time"
+              + (f", {100 * (cpu_s / alone_cpu_s - 1):+.1f} % of processor time" if arguments.profile == "local" else ""))  # Slurm's jobs are no children
         return 0 if equal else 1
     finally:
         run.doCleanups()
