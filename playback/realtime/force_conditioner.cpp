@@ -26,6 +26,7 @@ ConditionerSettings limitsFor(const HapticProgram& program) {
 void ForceConditioner::setSettings(const ConditionerSettings& settings) {
   settings_ = settings;
   steadier_.configure(settings.knownNoise, settings.mostNoise);
+  rest_.configure(settings.mostNoise);
 }
 
 void ForceConditioner::learn(double value) {
@@ -77,8 +78,11 @@ ConditionerVerdict ForceConditioner::accept(double time_s, double value, bool re
   any_ = true;
   suspected_ = false;
   earlyInRow_ = 0;
-  if (resumed) steadier_.startAnew();
-  steadyValue_ = steadier_.next(value);
+  if (resumed) {
+    steadier_.startAnew();
+    rest_.startAnew();
+  }
+  steadyValue_ = rest_.next(time_s, steadier_.next(value));
   lastTime_s_ = time_s;
   lastValue_ = value;
   ++counts_.accepted;

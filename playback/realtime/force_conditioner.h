@@ -7,6 +7,7 @@
 
 #include "playback/realtime/force_steadier.h"
 #include "playback/realtime/haptic_program.h"
+#include "playback/realtime/rest_band.h"
 
 namespace detent::playback {
 
@@ -21,7 +22,7 @@ struct ConditionerSettings {
   double stuckAfter_s = 10;     ///< the same reading above `stuckAbove` for longer: the sensor is stuck
   double stuckAbove = 0.05;
   double knownNoise = 0;  ///< SD of the sensor at rest; 0: unknown, it is measured as readings come
-  double mostNoise = 0;   ///< a larger SD is movement; 0: readings are passed on as they are
+  double mostNoise = 0;   ///< a larger SD, or swing, is movement; 0: readings are passed on as they are
 };
 
 /// Limits for forces on this program's button: the defaults, widened for heavy buttons, and its sensor's noise.
@@ -46,7 +47,8 @@ enum class ConditionerVerdict : std::uint8_t {
   resume   ///< pass it on as a new start: the readings before it are too old to connect to
 };
 
-/// Judges readings one by one, and takes the noise out of what it lets through (force_steadier.h). Pure function of its inputs; one owner, any thread; no allocation.
+/// Judges readings one by one, and takes the noise and the swing of a resting hand out of what it lets through (force_steadier.h,
+/// rest_band.h). Pure function of its inputs; one owner, any thread; no allocation.
 class ForceConditioner {
  public:
   explicit ForceConditioner(const ConditionerSettings& settings = {}) { setSettings(settings); }
@@ -75,6 +77,7 @@ class ForceConditioner {
 
   ConditionerSettings settings_;
   ForceSteadier steadier_;
+  RestBand rest_;
   double steadyValue_ = 0;
   ConditionerCounts counts_;
   double lastTime_s_ = 0, lastValue_ = 0;
