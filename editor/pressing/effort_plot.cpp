@@ -21,7 +21,7 @@ EffortPlot::EffortPlot(QWidget* parent) : QCustomPlot(parent) {
   putLegendAbove(*this);
   legend->setWrap(namesInLine);
   for (QCPAxis* axis : {xAxis, yAxis}) axis->setTicker(QSharedPointer<UnitTicker>::create());
-  draw();
+  redraw();
 }
 
 void EffortPlot::setForecasts(const std::vector<std::shared_ptr<const playback::PressForecast>>& forecasts,
@@ -29,10 +29,10 @@ void EffortPlot::setForecasts(const std::vector<std::shared_ptr<const playback::
   forecasts_ = forecasts;
   names_ = names;
   units_ = units;
-  draw();
+  redraw();
 }
 
-void EffortPlot::draw() {
+void EffortPlot::redraw() {
   clearPlottables();
   dressPlot(*this);
   const PressTerm effort = termOf(PressFigure::peakForce, units_),
@@ -71,7 +71,7 @@ void EffortPlot::draw() {
 
 void EffortPlot::changeEvent(QEvent* event) {
   QCustomPlot::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) draw();
+  if (event->type() == QEvent::PaletteChange) redraw();
 }
 
 }  // namespace detent::editor

@@ -28,7 +28,7 @@ class EffortPlot : public QCustomPlot {
   void changeEvent(QEvent* event) override;
 
  private:
-  void draw();
+  void redraw();
 
   std::vector<std::shared_ptr<const playback::PressForecast>> forecasts_;
   std::vector<QString> names_;
