@@ -61,10 +61,11 @@ unsigned glyphOf(char c) {
 void write(Raster& raster, int left, int top, std::string_view text) {
   for (const char c : text) {
     const unsigned glyph = glyphOf(c);
-    for (int bit = 0; bit < 15; ++bit)
+    for (int bit = 0; bit < 15; ++bit) {
+      const int row = bit / 3, column = bit % 3;
       if ((glyph >> (14 - bit) & 1U) != 0)
-        raster.block(left + (bit % 3) * glyphDot_px + 1, top + (bit / 3) * glyphDot_px + 1, glyphDot_px,
-                     black);
+        raster.block(left + column * glyphDot_px + 1, top + row * glyphDot_px + 1, glyphDot_px, black);
+    }
     left += glyphAdvance_px;
   }
 }
