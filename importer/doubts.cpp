@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "importer/axes/button_sizes.h"
+
 namespace detent::importer {
 namespace {
 
@@ -14,8 +16,6 @@ constexpr double contradicted = 0.2;  // the page says otherwise
 constexpr double unconfirmed = 0.4;   // the page does not say
 constexpr double inPart = 0.6;        // what is read is right, and is not all: said, not refused
 
-// Sizes beyond which a button has to be said twice: no key, dome or tact switch at hand comes near them.
-constexpr double mostForce_N = 50, leastForce_N = 0.04, mostTravel_mm = 25, leastTravel_mm = 0.04;
 constexpr std::size_t mostTactilePoints = 6;  // a camera shutter has two per stroke, noise makes dozens
 constexpr double negativeShare = 0.05;  // of the stroke's span: a trace's start is noisier than its middle
 constexpr double sameLineShare = 0.005, sameLineLength = 0.8;   // of the span, of the release
@@ -26,9 +26,6 @@ constexpr double pictureEdge_px = 2.5;
 constexpr double leastSharedTravel = 0.35;  // a latch's release has half of the press'
 // What springs back does so until nothing is left: a release that gives out on the way, near the press, was lost there.
 constexpr double wholeTravel = 0.7, forceLeftAtEnd = 0.75;  // shares of the travel, of the press' force
-
-// What the steps' confidence is worth on pages from paper: counted, docs/import-confidence.md.
-constexpr double worthOnScans = 0.88, worthOnPhotos = 0.66;
 
 bool confirmedBySpec(const std::vector<SpecCheck>& checks, bool force) {
   return std::any_of(checks.begin(), checks.end(),
@@ -328,7 +325,7 @@ class Doubts {
     const AxisHints& axes = hints_.axes;
     const bool given = !hints_.frame.empty() && axes.xMin && axes.xMax && axes.yMin && axes.yMax;
     if (given || (!scan && findings_.pageClass != PageClass::photo)) return;
-    const double worth = scan ? worthOnScans : worthOnPhotos;
+    const double worth = worthOf(findings_.pageClass);
     for (WeighedDoubt& each : doubts_) each.confidence *= worth;
     const double steps = std::min(findings_.graph.confidence(), findings_.strokes.confidence);
     add(scan ? DoubtCode::pageIsScan : DoubtCode::pageIsPhoto, steps * worth, {},
@@ -422,6 +419,11 @@ class Doubts {
 };
 
 }  // namespace
+
+double worthOf(PageClass pageClass) {
+  constexpr double onScans = 0.88, onPhotos = 0.66;  // of the confidence
+  return pageClass == PageClass::scan ? onScans : pageClass == PageClass::photo ? onPhotos : 1;
+}
 
 std::vector<WeighedDoubt> doubtsOf(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
                                    const ImportHints& hints) {

@@ -15,6 +15,9 @@ struct WeighedDoubt {
   double confidence = 0;
 };
 
+/// What the steps' confidence is worth on pages of a class, 0..1: counted, docs/import-confidence.md.
+double worthOf(PageClass pageClass);
+
 /// Empty for an import that nothing speaks against. What was given by hand is not doubted.
 std::vector<WeighedDoubt> doubtsOf(const GraphFindings& findings, const std::vector<SpecCheck>& checks,
                                    const ImportHints& hints);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <list>
+#include <tuple>
 
 #include "importer/assemble_report.h"
 #include "importer/doubts.h"
@@ -13,6 +14,7 @@
 #include "importer/importer.h"
 #include "importer/locate_graphs.h"
 #include "importer/rest_position.h"
+#include "importer/second_opinion.h"
 #include "model/check.h"
 #include "model/text.h"
 
@@ -44,21 +46,24 @@ struct LocateKey {
   ViewOptions view;
   AxisHints axes;
   std::vector<Point> frame;
+  double magnification = 1;
   bool operator==(const LocateKey&) const = default;
 };
 
-ViewOptions viewOptionsFor(const QualitySettings& settings, const ImportHints& hints) {
+ViewOptions viewOptionsFor(const QualitySettings& settings, const ImportHints& hints, double magnification) {
   ViewOptions view = settings.view;
   if (hints.dpi) {  // a given resolution is exact: nothing widens or caps it
     view.maxScale_px_per_unit = *hints.dpi / 72.0;
     view.minFrameWidth_px = 16384;
   }
+  view.maxScale_px_per_unit *= magnification;
+  view.minFrameWidth_px = std::min(16384.0, magnification * view.minFrameWidth_px);
   return view;
 }
 
-LocateKey locateKeyOf(const ImportRequest& request) {
-  return {viewOptionsFor(settingsFor(request.quality), request.hints), request.hints.axes,
-          request.hints.frame};
+LocateKey locateKeyOf(const ImportRequest& request, double magnification = 1) {
+  return {viewOptionsFor(settingsFor(request.quality), request.hints, magnification), request.hints.axes,
+          request.hints.frame, magnification};
 }
 
 /// Masks are given on the page; tracing works in the view.
@@ -69,8 +74,9 @@ TraceHints inView(TraceHints hints, const PageView& view) {
 }
 
 /// Expected noise of a stroke's points across the curve.
-double noisePx(const StrokePoints& stroke, const LocatedGraph& graph, const QualitySettings& settings) {
-  if (!stroke.fromVector) return settings.traceNoise_px;
+double noisePx(const StrokePoints& stroke, const LocatedGraph& graph, const QualitySettings& settings,
+               double magnification) {
+  if (!stroke.fromVector) return magnification * settings.traceNoise_px;
   const Box frame = graph.frame.value.box();
   return settings.vectorNoise_share * std::sqrt(frame.width() * frame.height());
 }
@@ -214,9 +220,16 @@ struct ImportSession::Impl {
   std::map<int, std::vector<PrintedSpec>> specs;  // of every page read so far
   std::map<int, std::vector<Remark>> remarks;     // what of a page could not be read
 
-  using GraphsKey = std::pair<int, bool>;  // page, and whether its plot frame is given
-  std::map<GraphsKey, PageGraphs> graphs;  // their views within a bound
+  using GraphsKey = std::tuple<int, bool, double>;  // page, whether its plot frame is given, magnification
+  std::map<GraphsKey, PageGraphs> graphs;           // their views within a bound
   std::uint64_t clock = 0;
+
+  /// Where a graph was found, its number there, and what was to say of the choice.
+  struct GraphPlace {
+    int page = 1, graph = 1;
+    Box pageBox;
+    std::vector<Remark> remarks;
+  };
 
   // Tracings of a graph and of the copies it is held against, kept while only later hints change.
   static constexpr std::size_t mostRivals = 4, keptTracings = 1 + mostRivals;
@@ -229,6 +242,7 @@ struct ImportSession::Impl {
     std::optional<Explanation> explanation;  // once asked for: names and colours need none
   };
   std::list<Traced> traced;              // the latest last
+  std::optional<GraphPlace> lastRead;    // by readPlot
   std::map<ImportStep, double> seconds;  // of the steps that ran since the last import began
 
   const std::string& name() const { return fileName; }
@@ -316,7 +330,7 @@ struct ImportSession::Impl {
 
   /// The graphs of a page, searched with these hints.
   Result<PageGraphs*> located(int number, const LocateKey& key, const Progress& progress) {
-    const GraphsKey at{number, !key.frame.empty()};
+    const GraphsKey at{number, !key.frame.empty(), key.magnification};
     if (const auto kept = graphs.find(at); kept != graphs.end() && kept->second.key == key) {
       kept->second.usedAt = ++clock;
       return &kept->second;
@@ -324,7 +338,8 @@ struct ImportSession::Impl {
     StepClock time(seconds, ImportStep::locate);
     auto onPage = page(number, progress);
     if (!onPage) return onPage.failure();
-    auto found = locateGraphs(*document, **onPage, {key.view, key.axes, key.frame}, progress);
+    auto found =
+        locateGraphs(*document, **onPage, {key.view, key.axes, key.frame, key.magnification}, progress);
     if (!found) return found.failure();
     if (progress.isCancelled()) return cancelled();  // half a search must not be kept for the whole
     PageGraphs fresh{key, std::move(found).value(), {}, (*onPage)->unit, ++clock, clock};
@@ -382,7 +397,7 @@ struct ImportSession::Impl {
   /// The graphs of a page that its axis hints do not change: those found without hints, or the given frame's.
   Result<PageGraphs*> locatedBeforeHints(int number, LocateKey key, const Progress& progress) {
     const bool frameGiven = !key.frame.empty();
-    const auto kept = graphs.find({number, frameGiven});
+    const auto kept = graphs.find({number, frameGiven, key.magnification});
     if (frameGiven && kept != graphs.end() && !kept->second.located.graphs.empty()) {
       LocateKey asKept = key;
       asKept.axes = kept->second.key.axes;
@@ -403,6 +418,23 @@ struct ImportSession::Impl {
     if (auto made = restoreView(*request.page, **onPage, index, progress); !made) return made.failure();
     if (auto read = readAxesWith(key.axes, **onPage, index, progress); !read) return read.failure();
     return std::optional<Choice>{Choice{*request.page, *request.graph, *onPage, index, {}, 1, {}}};
+  }
+
+  /// The graph of a page that stands where another search found it.
+  std::optional<Choice> chooseAt(const GraphPlace& place, const LocateKey& key, const Progress& progress) {
+    auto onPage = located(place.page, key, progress);
+    if (!onPage) return {};
+    const auto& onIt = (*onPage)->located.graphs;
+    const auto shared = [&](const LocatedGraph& graph) {
+      const Box box = graph.candidate.value.pageBox, common = box.common(place.pageBox);
+      return common.empty() ? 0 : common.area() / box.joined(place.pageBox).area();
+    };
+    const auto best = std::ranges::max_element(onIt, {}, shared);
+    constexpr double sameFrame = 0.5;  // of both areas together
+    if (best == onIt.end() || shared(*best) < sameFrame) return {};
+    const auto index = static_cast<std::size_t>(best - onIt.begin());
+    if (!restoreView(place.page, **onPage, index, progress)) return {};
+    return Choice{place.page, place.graph, *onPage, index, place.remarks, 1, {}};
   }
 
   /// The graph asked for, or the most certain one of the document.
@@ -601,7 +633,17 @@ struct ImportSession::Impl {
   }
 
   Result<std::vector<PlotSwitch>> switches(const ImportRequest& request, const Progress& progress);
+  /// One reading of a page: at how many times its size, and of which graph where it is not to be chosen.
+  struct Look {
+    double magnification = 1;
+    std::optional<GraphPlace> place;
+  };
   ImportAttempt importPlot(const ImportRequest& request, const Progress& progress);
+  ImportAttempt readAgain(const ImportRequest& request, const Progress& progress);
+  ImportAttempt readPlot(const ImportRequest& request, const Look& look, const Progress& progress);
+  Result<Choice> chosen(const ImportRequest& request, const Look& look, const Progress& progress);
+  Failure tookTooLong(const TimeLimit& limit) const;
+  ImportAttempt withDoubtsJudged(ImportAttempt attempt, const ImportRequest& request) const;
   Result<ImportReport> importLog(const ImportRequest& request, const Progress& progress);
 };
 
@@ -618,19 +660,112 @@ Result<std::vector<PlotSwitch>> ImportSession::Impl::switches(const ImportReques
   return switchesAmong(**curves);
 }
 
+/// Steps whose result nothing can replace end once the limit has passed, as if cancelled.
+Progress limited(const Progress& progress, const std::optional<TimeLimit>& limit) {
+  Progress both = progress;
+  if (limit) both.cancelled = [progress, limit] { return progress.isCancelled() || limit->passed(); };
+  return both;
+}
+
+Failure ImportSession::Impl::tookTooLong(const TimeLimit& limit) const {
+  return failure(
+      FailureCode::unreadableInput, {},
+      Message("nothing was read within the limit of %1 s", MessageValue(limit.seconds)),
+      {{RemedyKind::advice, Message("Choose a lower level of quality")}, {RemedyKind::raiseLimit, {}}});
+}
+
+/// Of a level what still has to be once its time is over.
+QualitySettings cutShort(QualitySettings settings) {
+  settings.refineAxes = false;
+  settings.fit = FitEffort::draft;
+  return settings;
+}
+
+Result<ImportSession::Impl::Choice> ImportSession::Impl::chosen(const ImportRequest& request,
+                                                                const Look& look, const Progress& progress) {
+  const LocateKey key = locateKeyOf(request, look.magnification);
+  if (look.place) {
+    auto choice = chooseAt(*look.place, key, progress);
+    if (!choice) return failure(FailureCode::noForceGraph, {}, "no force graph found", {});
+    return std::move(*choice);
+  }
+  auto choice = choose(request, key, progress);
+  if (!choice) return choice;
+  preferBetterCopy(*choice, request, key, settingsFor(request.quality).trace, progress);
+  sayWhichOfSeveral(*choice);
+  return choice;
+}
+
 ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, const Progress& progress) {
-  const QualitySettings settings = settingsFor(request.quality);
-  const LocateKey key = locateKeyOf(request);
   seconds.clear();
+  lastRead.reset();
+  if (const char* m = std::getenv("P24_MAG")) return readPlot(request, {std::atof(m), {}}, progress);
+  ImportAttempt attempt = settingsFor(request.quality).secondOpinion ? readAgain(request, progress)
+                                                                     : readPlot(request, {}, progress);
+  const bool late = request.timeLimit && request.timeLimit->passed() && !progress.isCancelled();
+  if (!late) return attempt;
+  if (attempt.report) {
+    attempt.report->endedByTimeLimit = true;
+    attempt.report = withRemark(std::move(*attempt.report),
+                                {RemarkCode::endedByTimeLimit, {MessageValue(request.timeLimit->seconds)}});
+  } else if (attempt.report.failure().code == FailureCode::cancelled) {
+    attempt.report = tookTooLong(*request.timeLimit);
+  }
+  return attempt;
+}
+
+/// The page as it is and at other sizes; what all come to.
+ImportAttempt ImportSession::Impl::readAgain(const ImportRequest& request, const Progress& progress) {
+  ImportRequest openly = request;
+  openly.acceptDoubt = true;
+  double from = 0;
+  Progress half = progress;
+  if (progress.report)
+    half.report = [&](double share, ImportStep step) { progress.report(from + 0.5 * share, step); };
+  const auto looked = [&](double magnification, const std::optional<GraphPlace>& place) {
+    return PageReading{magnification, readPlot(openly, {magnification, place}, half)};
+  };
+  PageReading first = looked(1, {});
+  if (progress.isCancelled()) return {cancelled(), {}};
+  const std::optional<GraphPlace> place = lastRead;
+  if (!anotherMaySettle(first.attempt)) return withDoubtsJudged(std::move(first.attempt), request);
+  auto itsPage = page(place ? place->page : request.page.value_or(1), progress);
+  // Which page of a document it is on was not found by one look, and is not by another.
+  const bool anywhere = !place && !request.page && document->pageCount() > 1;
+  if (anywhere || !itsPage) return withDoubtsJudged(std::move(first.attempt), request);
+  const OtherSizes sizes = otherSizesOf(**itsPage);
+  from = 0.5;
+  PageReading second = looked(sizes.second, place);
+  const auto third = [&] { return looked(sizes.third, place); };
+  ImportAttempt best = settled(std::move(first), std::move(second), third, request.sure);
+  if (progress.isCancelled()) return {cancelled(), {}};
+  if (best.report) best.report->seconds = seconds;
+  return withDoubtsJudged(std::move(best), request);
+}
+
+/// A reading made with doubts accepted, for a caller who does not accept them.
+ImportAttempt ImportSession::Impl::withDoubtsJudged(ImportAttempt attempt,
+                                                    const ImportRequest& request) const {
+  if (!attempt.report || !attempt.report->doubt || request.acceptDoubt) return attempt;
+  Failure why = failureOf(*attempt.report->doubt, name());
+  const int page = attempt.report->page, graph = attempt.report->graph;
+  why.place = document->pageCount() > 1 ? placeOf(page, graph) : Message("graph %1", graph);
+  attempt.report = std::move(why);
+  return attempt;
+}
+
+ImportAttempt ImportSession::Impl::readPlot(const ImportRequest& request, const Look& look,
+                                            const Progress& untimed) {
+  QualitySettings settings = settingsFor(request.quality);
+  const Progress progress = limited(untimed, request.timeLimit);
   const auto step = [&](double fraction, ImportStep what) {
     if (progress.report) progress.report(fraction, what);
   };
 
   step(0.05, ImportStep::locate);
-  auto choice = choose(request, key, progress);
+  auto choice = chosen(request, look, progress);
   if (!choice) return {choice.failure(), {}};
-  preferBetterCopy(*choice, request, key, settings.trace, progress);
-  sayWhichOfSeveral(*choice);
+  lastRead = {choice->page, choice->graph, choice->located().candidate.value.pageBox, choice->remarks};
   LocatedGraph& graph = choice->located();
   readAllTexts(graph, progress);
   letViewsGo(&graph);
@@ -649,6 +784,7 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
                      graph);
   }();
   if (!strokes) return stopped(strokes.failure(), *choice, **curves, explanation);
+  if (request.timeLimit && request.timeLimit->passed()) settings = cutShort(settings);
 
   step(0.75, ImportStep::refine);
   std::optional<RefinedAxes> refined;
@@ -669,15 +805,16 @@ ImportAttempt ImportSession::Impl::importPlot(const ImportRequest& request, cons
   step(0.8, ImportStep::fit);
   const StrokePair& pair = strokes->value;
   const AxisCalibration& calibration = seen->axes.calibration.value;
-  const double press_px = noisePx(pair.press, graph, settings);
-  const double release_px = pair.release ? noisePx(*pair.release, graph, settings) : press_px;
+  const double press_px = noisePx(pair.press, graph, settings, look.magnification);
+  const double release_px =
+      pair.release ? noisePx(*pair.release, graph, settings, look.magnification) : press_px;
   auto fitted = [&] {
     StepClock time(seconds, ImportStep::fit);
     return fitBoth(pair, fitOptionsFor(press_px, calibration, settings),
                    fitOptionsFor(release_px, calibration, settings));
   }();
   if (!fitted) return stopped(fitted.failure(), *choice, **curves, explanation);
-  if (progress.isCancelled()) return {cancelled(), {}};
+  if (untimed.isCancelled()) return {cancelled(), {}};
 
   auto callouts = [&] {
     StepClock time(seconds, ImportStep::callouts);
@@ -805,7 +942,7 @@ Result<GraphList> ImportSession::list(std::optional<int> page, Quality quality, 
     return impl_->failure(FailureCode::wrongUsage, "", "a force log has no pages to list",
                           "Import it without listing");
   }
-  const LocateKey key{viewOptionsFor(settingsFor(quality), hints), hints.axes, hints.frame};
+  const LocateKey key{viewOptionsFor(settingsFor(quality), hints, 1), hints.axes, hints.frame};
   GraphList listed;
   const int first = page.value_or(1), last = page.value_or(pageCount());
   std::optional<Failure> firstFault;

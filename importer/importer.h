@@ -10,6 +10,7 @@
 // strokes/stroke_pair.h, callouts/callouts.h, fit/fit_stroke.h; specs/printed_spec.h checks against the
 // page's own words, log/force_log.h reads CSV, overlay/overlay.h draws it all back.
 
+#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
@@ -58,6 +59,20 @@ struct ImportHints {
 /// from the corpus (docs/decisions/0800-import-confidence.md).
 inline constexpr double confidenceBar = 0.5;
 
+/// Wall-clock time that the imports of one input may take together.
+struct TimeLimit {
+  /// From now on; ends after a share of itself where something is left to do with what was read.
+  explicit TimeLimit(double limit_s, double share = 1)
+      : seconds(limit_s),
+        end(std::chrono::steady_clock::now() +
+            std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                std::chrono::duration<double>(share * limit_s))) {}
+  bool passed() const { return std::chrono::steady_clock::now() >= end; }
+
+  double seconds = 0;  ///< > 0
+  std::chrono::steady_clock::time_point end;
+};
+
 /// Which graph, how carefully, and what is already settled.
 struct ImportRequest {
   std::string path;
@@ -70,6 +85,8 @@ struct ImportRequest {
   /// The caller shows doubts to a person: what is below `sure` comes back as a report with its `doubt`, not as a
   /// Failure.
   bool acceptDoubt = false;
+  /// Once it has passed what was read so far is taken, with a remark; where nothing was, unreadableInput.
+  std::optional<TimeLimit> timeLimit;
 };
 
 /// One graph of a document, as `--list` prints it.
@@ -121,6 +138,17 @@ struct StrokeReport {
   double rms_px = 0;  ///< orthogonal, of the traced points to the fitted curve; 0 for force logs
 };
 
+/// One look at a graph and what it came to. `precise` looks more than once (importer/second_opinion.h).
+struct PageLook {
+  double magnification =
+      1;                  ///< a picture was looked at so many times its size, a document drawn as much finer
+  double confidence = 0;  ///< 0..1; 0 where nothing was read
+  std::optional<double> travel_mm, highest_N;  ///< of the press; empty where nothing was read
+  bool release = false;
+  Message problem;     ///< why it was not certain; empty: it was
+  bool taken = false;  ///< the report is this look's
+};
+
 /// Everything an import found. Usable as it stands: anything not certain enough came back as a Failure
 /// instead, or says so in `doubt` where the request asked for that.
 struct ImportReport {
@@ -140,6 +168,8 @@ struct ImportReport {
   std::optional<Doubt> doubt;  ///< only with ImportRequest::acceptDoubt: what is not certain, what to do
   Quality quality = Quality::standard;
   std::map<ImportStep, double> seconds;  ///< per step that ran; steps whose result was kept are not in it
+  std::vector<PageLook> looks;    ///< in the order they were made; empty where one was all there was to be
+  bool endedByTimeLimit = false;  ///< ImportRequest::timeLimit passed: more could have been done
   std::vector<Remark> remarks;
   std::shared_ptr<const GraphEvidence> evidence;  ///< null for force logs
   std::string brief() const;                      ///< one line for people

@@ -170,14 +170,16 @@ std::vector<StepFinding> LocatedGraph::findings() const {
 
 Result<LocatedPage> locateGraphs(const Document& document, const Page& page, const LocateOptions& options,
                                  const Progress& progress) {
-  const bool frameGiven = !options.frameCorners.empty();
+  const bool frameGiven = !options.frameCorners.empty(), picture = page.unit == PageUnit::pixel;
+  const double magnification = picture ? options.magnification : 1;
   std::vector<Found<FrameCandidate>> candidates;
   if (frameGiven) {
     auto given = frameFromCorners(options.frameCorners, page);
     if (!given) return given.failure();
     candidates.push_back(std::move(given).value());
+    if (magnification != 1) candidates.front().value = magnified(candidates.front().value, magnification);
   } else {
-    candidates = findPlotFrames(page, {}, progress);
+    candidates = findPlotFrames(page, {PaperBy::page, {}, magnification}, progress);
   }
 
   LocatedPage located;
@@ -196,13 +198,14 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
   };
   readAll(candidates);
   const auto readByRegion = [&](const std::optional<Homography>& levelToPage) {
-    readAll(findPlotFrames(page, {PaperBy::region, levelToPage}, progress));
+    const FrameSearch search{PaperBy::region, levelToPage, magnification};
+    readAll(findPlotFrames(page, search, progress));
     // Where lines are as faint as to get here, those of a second graph may be lost.
-    readAll(besideLocated(findPlotsByNumbers(page, levelToPage, progress), located.graphs));
+    readAll(besideLocated(findPlotsByNumbers(page, search, progress), located.graphs));
     std::stable_sort(located.graphs.begin(), located.graphs.end(), readsBefore);
   };
+  const FrameSearch upright{PaperBy::region, Homography{}, magnification};
   // A document's junk pages are many, and none of the vendors' at hand has papers of two colours.
-  const bool picture = page.unit == PageUnit::pixel;
   if (located.graphs.empty() && picture && frameGiven) {
     for (auto& candidate : candidates) candidate.value.paper = PaperBy::region;
     readAll(candidates);
@@ -212,9 +215,9 @@ Result<LocatedPage> locateGraphs(const Document& document, const Page& page, con
     if (located.graphs.empty()) located.graphs = askew;
     if (located.graphs.empty()) readByRegion({});
     // Where no axis is drawn, the lean was told from the curves.
-    if (located.graphs.empty()) readAll(findPlotsByNumbers(page, Homography{}, progress));
+    if (located.graphs.empty()) readAll(findPlotsByNumbers(page, upright, progress));
   } else if (located.graphs.empty() && !frameGiven && document.pageCount() == 1) {
-    readAll(findPlotsByNumbers(page, Homography{}, progress));
+    readAll(findPlotsByNumbers(page, upright, progress));
     // A sheet without a graph has numbers in rows and columns, too.
     std::erase_if(located.graphs, [](const LocatedGraph& graph) {
       const AxisCalibration& c = graph.axes.calibration.value;

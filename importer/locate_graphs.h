@@ -40,6 +40,7 @@ struct LocateOptions {
   ViewOptions view;
   AxisHints axes;
   std::vector<Point> frameCorners;  ///< empty, 2 or 4, page units: the frame is given
+  double magnification = 1;         ///< pictures are read at so many times their size, (0, 8]
 };
 
 /// A candidate whose axes cannot be read is not a force graph, unless its frame was given by hand.

@@ -24,6 +24,7 @@ QualitySettings settingsFor(Quality quality) {
       s.view.minFrameWidth_px = 2000;
       s.trace.pointSpacing_px = 0.5;
       s.fit = FitEffort::precise;
+      s.secondOpinion = true;
       s.refineAxes = true;
       s.traceNoise_px = 0.2;
       s.vectorNoise_share = 2.5e-4;

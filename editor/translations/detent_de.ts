@@ -8070,6 +8070,38 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>bei %1, %2 bleibt Tinte übrig, die einer Kurve gleicht</translation>
     </message>
     <message>
+        <source>two readings of the page differ: a travel of %1, and a travel of %2 where it is looked at in another size</source>
+        <translation>zwei Lesungen der Seite widersprechen sich: ein Weg von %1, und ein Weg von %2, wo sie in anderer Größe betrachtet wird</translation>
+    </message>
+    <message>
+        <source>as it stands the page is not read for certain (%1): taken as two looks in other sizes read it</source>
+        <translation>so wie sie ist, wird die Seite nicht sicher gelesen (%1): übernommen, wie zwei Blicke in anderer Größe sie lesen</translation>
+    </message>
+    <message>
+        <source>a travel of %1</source>
+        <translation>ein Weg von %1</translation>
+    </message>
+    <message>
+        <source>the limit of %1 s was reached: the best that was read until then is taken</source>
+        <translation>die Grenze von %1 s ist erreicht: übernommen wird das Beste, das bis dahin gelesen war</translation>
+    </message>
+    <message>
+        <source>nothing was read within the limit of %1 s</source>
+        <translation>innerhalb der Grenze von %1 s wurde nichts gelesen</translation>
+    </message>
+    <message>
+        <source>Choose a lower level of quality</source>
+        <translation>Eine niedrigere Qualität wählen</translation>
+    </message>
+    <message>
+        <source>%1 and up to %2</source>
+        <translation>%1 und bis zu %2</translation>
+    </message>
+    <message>
+        <source>%1 and up to %2, without a release</source>
+        <translation>%1 und bis zu %2, ohne Rückweg</translation>
+    </message>
+    <message>
         <source>a curve runs over bare paper around %1, %2</source>
         <translation>bei %1, %2 läuft eine Kurve über leeres Papier</translation>
     </message>

@@ -18,16 +18,16 @@ constexpr int rowAttempts = 3;
 constexpr double sureReading = 0.9;  // of the engine's
 
 /// One number without a blank in it: lines of several numbers do not say where each stands.
-bool isNumberText(const TextBox& t) {
-  return std::abs(t.angle_deg) < 20 && t.utf8.find(' ') == std::string::npos &&
+bool isNumberText(const TextBox& t, double angle_deg) {
+  return std::abs(t.angle_deg - angle_deg) < 20 && t.utf8.find(' ') == std::string::npos &&
          printedNumber(t.utf8).has_value();
 }
 
 /// Words of the document's own text that are numbers.
-std::vector<Box> ownLabelWords(const GraphReading& r, const Box& band) {
+std::vector<Box> ownLabelWords(const GraphReading& r, const Box& band, double angle_deg) {
   std::vector<Box> words;
   for (const auto& t : r.view.texts)
-    if (isNumberText(t) && t.box.touches(band)) words.push_back(t.box);
+    if (isNumberText(t, angle_deg) && t.box.touches(band)) words.push_back(t.box);
   return words;
 }
 
@@ -93,12 +93,16 @@ Box untilAxis(const GraphReading& r, const Box& word) {
   return whole;
 }
 
-SeenText readLabel(GraphReading& r, const Box& word, TextKind kind) {
+SeenText readLabel(GraphReading& r, const Box& word, TextKind kind, double angle_deg) {
   for (const auto& t : r.view.texts) {
-    if (word.contains(t.box.middle()) && isNumberText(t)) return {t.utf8, word, 1.0, 0.0};
+    if (word.contains(t.box.middle()) && isNumberText(t, angle_deg)) return {t.utf8, word, 1.0, angle_deg};
   }
-  return r.reader.readLineCarefully(word, kind);
+  return r.reader.readLineCarefully(word, kind, angle_deg);
 }
+
+/// Extents of a word along its line and across it.
+double widthOf(const Box& word, double angle_deg) { return angle_deg == 0 ? word.width() : word.height(); }
+double heightOf(const Box& word, double angle_deg) { return angle_deg == 0 ? word.height() : word.width(); }
 
 /// "20gf" -> "20" and "gf"; no digits in front: nothing.
 std::pair<std::string, std::string> numberAndSuffix(const std::string& text) {
@@ -116,13 +120,13 @@ double digitsWide(const std::string& text) {
 
 /// Takes back readings that leave room for more digits than were read: "2" of "20" counts on as nicely as the
 /// whole number, and makes a scale ten times too small.
-void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places) {
+void dropIncomplete(AxisLabels& found, std::vector<LabelPlace>& places, double angle_deg) {
   constexpr double roomForMore = 1.7;  // times the usual width of a digit
   std::vector<double> perDigit(found.words.size(), 0), known;
   for (std::size_t i = 0; i < found.words.size(); ++i) {
     const double n = digitsWide(found.words[i].utf8);
     if (found.readings[i].empty() || n < 0.6) continue;
-    perDigit[i] = found.words[i].box.width() / n;
+    perDigit[i] = widthOf(found.words[i].box, angle_deg) / n;
     known.push_back(perDigit[i]);
   }
   if (known.size() < 2) return;
@@ -161,18 +165,20 @@ void readTogether(const GraphReading& r, AxisLabels& found, std::vector<LabelPla
   found.progression = fitProgression(places, ticks, axis == Axis::x);
 }
 
+/// `angle_deg` of the numbers' baselines: 0, or 90 where they read upwards.
 AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLine>& ticks, Axis axis,
-                  TextKind kind) {
+                  TextKind kind, double angle_deg) {
   AxisLabels found;
   std::vector<LabelPlace> places;
   std::vector<std::string> texts;
   double height = 0;
-  for (const auto& w : row.words) height = std::max(height, w.height());
+  const bool upright = angle_deg == 0;
+  for (const auto& w : row.words) height = std::max(height, heightOf(w, angle_deg));
   for (const auto& found_px : row.words) {
-    if (found_px.height() < 0.5 * height) continue;
-    const bool beforeAxis = axis == Axis::y && found_px.x1 < r.box.x0;
+    if (heightOf(found_px, angle_deg) < 0.5 * height) continue;
+    const bool beforeAxis = upright && axis == Axis::y && found_px.x1 < r.box.x0;
     const Box w = beforeAxis ? untilAxis(r, found_px) : found_px;
-    auto seen = readLabel(r, w, kind);
+    auto seen = readLabel(r, w, kind, angle_deg);
     const auto [number, suffix] = numberAndSuffix(seen.utf8);
     if (kind == TextKind::words && found.suffix.empty()) found.suffix = suffix;
     LabelPlace place;
@@ -187,10 +193,10 @@ AxisLabels fitRow(GraphReading& r, const LabelRow& row, const std::vector<GridLi
   expectLostPoints(texts, found.readings);
   found.thousands = expectThousands(texts, found.readings);
   for (std::size_t i = 0; i < places.size(); ++i) places[i].readings = found.readings[i];
-  if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places);
+  if (kind == TextKind::number || found.suffix.empty()) dropIncomplete(found, places, angle_deg);
   found.progression = fitProgression(places, ticks, axis == Axis::x);
   const bool settled = agreed(found) == static_cast<int>(found.words.size());
-  if (kind == TextKind::number && height <= smallDigits_px && !settled)
+  if (kind == TextKind::number && height <= smallDigits_px && !settled && upright)
     readTogether(r, found, places, ticks, axis);
   return found;
 }
@@ -211,7 +217,7 @@ std::optional<AxisLabels> tryRows(GraphReading& r, Axis axis, std::vector<Box> w
   for (int n = 0; n < rowAttempts; ++n) {
     const auto row = axis == Axis::x ? labelsBelow(words, r.box, ticks) : labelsLeft(words, r.box, ticks);
     if (row.words.size() < 2) break;
-    auto fit = fitRow(r, row, lines, axis, kind);
+    auto fit = fitRow(r, row, lines, axis, kind, 0);
     if (!best || agreed(fit) > agreed(*best)) best = std::move(fit);
     if (settles(*best, lines)) break;
     std::erase_if(words, [&](const Box& w) {
@@ -219,6 +225,27 @@ std::optional<AxisLabels> tryRows(GraphReading& r, Axis axis, std::vector<Box> w
     });
   }
   return best;
+}
+
+/// The column of numbers left of the frame that read upwards, as some programs set them (R by itself). Turned with the page
+/// they stand in a row above the plot, and mirrored below it.
+std::optional<AxisLabels> readUpwardLabels(GraphReading& r, const Box& band,
+                                           const std::vector<GridLine>& lines) {
+  constexpr double upwards_deg = 90;
+  constexpr int fewestRegular = 3;
+  const auto mirrored = [](const Box& box) { return Box{box.x0, -box.y1, box.x1, -box.y0}; };
+  std::vector<Box> words = ownLabelWords(r, band, upwards_deg);
+  if (words.size() < fewestRegular) words = labelGlyphs(r, band);
+  for (Box& word : words) word = turned(word, 1);
+  words = numberBoxes(words);
+  for (Box& word : words) word = mirrored(word);
+  std::vector<double> ticks;
+  for (const auto& line : lines) ticks.push_back(-line.position_px);
+  LabelRow row = labelsBelow(words, mirrored(turned(r.box, 1)), ticks);
+  if (row.regular < fewestRegular) return {};
+  for (Box& word : row.words) word = turned(mirrored(word), 3);
+  std::reverse(row.words.begin(), row.words.end());  // from above, as upright ones
+  return fitRow(r, row, lines, Axis::y, TextKind::number, upwards_deg);
 }
 
 }  // namespace
@@ -248,7 +275,7 @@ std::optional<AxisLabels> readRightLabels(GraphReading& r) {
   if (row.regular < fewestRegular) return {};
   for (Box& word : row.words) word = mirrored(word);
   // Where two scales share a frame, gridlines and ticks are the left one's.
-  return fitRow(r, row, {}, Axis::y, TextKind::number);
+  return fitRow(r, row, {}, Axis::y, TextKind::number, 0);
 }
 
 std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
@@ -261,7 +288,7 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
   for (auto& line : lines) line.position_px -= x ? r.frame.drawnOffset_px.x : r.frame.drawnOffset_px.y;
   // Numbers of the document's text beside a plot whose own labels are drawn must not hide those.
   std::optional<AxisLabels> best;
-  if (const auto own = ownLabelWords(r, band); own.size() >= 2) {
+  if (const auto own = ownLabelWords(r, band, 0); own.size() >= 2) {
     best = tryRows(r, axis, own, lines, TextKind::number);
     if (best && agreed(*best) >= 3) return best;
   }
@@ -269,6 +296,10 @@ std::optional<AxisLabels> readAxisLabels(GraphReading& r, Axis axis) {
   auto inked = tryRows(r, axis, words, lines, TextKind::number);
   if (inked && (!best || agreed(*inked) > agreed(*best))) best = std::move(inked);
   if (best && agreed(*best) >= 2) return best;
+  if (!x) {
+    auto upwards = readUpwardLabels(r, band, lines);
+    if (upwards && agreed(*upwards) >= 3) return upwards;
+  }
   // "20gf" read as digits alone is nonsense: once more with letters.
   auto lettered = tryRows(r, axis, words, lines, TextKind::words);
   return lettered && (!best || agreed(*lettered) > agreed(*best)) ? lettered : best;

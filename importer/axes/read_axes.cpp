@@ -13,6 +13,7 @@
 #include "importer/axes/axis_calibration.h"
 #include "importer/axes/axis_labels.h"
 #include "importer/axes/axis_titles.h"
+#include "importer/axes/button_sizes.h"
 #include "importer/axes/graph_reading.h"
 #include "importer/axes/printed_number.h"
 #include "importer/axes/word_match.h"
@@ -390,6 +391,29 @@ void scaleRow(Homography& map, std::size_t row, double factor) {
   for (std::size_t k = 3 * row; k < 3 * row + 3; ++k) map.m[k] *= factor;
 }
 
+/// How far an axis of a button reaches, mm or N.
+struct AxisReach {
+  double least = 0, most = 0;
+};
+constexpr double axisBeyondCurve = 2;  // axes end at most so many times as far as their curves
+constexpr AxisReach travels_mm{leastTravel_mm, axisBeyondCurve*mostTravel_mm},
+    forces_N{leastForce_N, axisBeyondCurve*mostForce_N};
+
+/// What an axis' numbers are to be multiplied by where "1,000" may be a thousand or have three decimals and only one of them
+/// makes a button's size: 1 or 1000. Where both or none do it stays unclear.
+double settleThousands(AxisReading& axis, double perUnit, const AxisReach& reach) {
+  if (!axis.thousandsUnclear || !axis.unitFound) return 1;
+  const double asDecimals = std::max(std::abs(axis.min), std::abs(axis.max)) * perUnit,
+               asThousands = 1000 * asDecimals;
+  const auto likely = [&](double end) { return end >= reach.least && end <= reach.most; };
+  if (likely(asDecimals) == likely(asThousands)) return 1;
+  axis.thousandsUnclear = false;
+  if (likely(asDecimals)) return 1;
+  axis.min *= 1000, axis.max *= 1000;
+  for (TickLabel& tick : axis.ticks) tick.value *= 1000;
+  return 1000;
+}
+
 }  // namespace
 
 void readMissingUnits(AxesFound& axes, const PageView& wide, const PlotFrame& frame,
@@ -448,6 +472,8 @@ Result<AxesFound> readAxes(const PageView& view, const PlotFrame& frame, const A
   cal.y.max = endOf(y.first, yGiven.max.has_value(), yLabels);
   const double mm = millimetresPer(xUnit), newton = newtonsPer(yUnit);
   cal.viewToUnits = homographyOf(corners, {x.first * mm, x.last * mm}, {y.first * newton, y.last * newton});
+  scaleRow(cal.viewToUnits, 0, settleThousands(cal.x, mm, travels_mm));
+  scaleRow(cal.viewToUnits, 1, settleThousands(cal.y, newton, forces_N));
 
   found.otherRightScale = hasOtherRightScale(r, yLabels);
   found.texts = allTexts(r, xLabels, yLabels);

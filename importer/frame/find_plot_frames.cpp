@@ -50,6 +50,12 @@ void standUpright(Overview& o, const Page& page) {
   o.darkness = level;
 }
 
+/// From a page so many times its size to the page, pixel centres.
+Affine reducedBy(double factor) {
+  const double s = 1 / factor, shift = 0.5 * (s - 1);
+  return {s, 0, 0, s, shift, shift};
+}
+
 constexpr int maxSide_px =
     2600;  // larger pictures are searched at half or quarter size; locating is done in full
 
@@ -64,6 +70,7 @@ Overview seen(const Page& page, const FrameSearch& search) {
   }
   if (page.unit != PageUnit::pixel) return o;
   o.levelToPage = search.levelToPage.value_or(turnedToPage(page, leanOf(o.darkness)));
+  if (search.magnification != 1) o.levelToPage = o.levelToPage.after(reducedBy(search.magnification));
   standUpright(o, page);
   return o;
 }
@@ -284,11 +291,10 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const FrameS
   return found;
 }
 
-std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page,
-                                                      const std::optional<Homography>& levelToPage,
+std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const FrameSearch& search,
                                                       const Progress& progress) {
   if (page.overview.width_px < 32 || page.overview.height_px < 32) return {};
-  const Overview o = seen(page, {PaperBy::region, levelToPage});
+  const Overview o = seen(page, {PaperBy::region, search.levelToPage, search.magnification});
   if (progress.isCancelled()) return {};
   const double minSide = std::max(36.0, 0.1 * std::max(o.darkness.cols, o.darkness.rows));
   const auto plots = findLabelledPlots(inkOf(o.darkness), minSide, 0.7 * minSide);
@@ -306,6 +312,14 @@ std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page,
     found.push_back(std::move(candidate));
   }
   return found;
+}
+
+FrameCandidate magnified(FrameCandidate candidate, double magnification) {
+  const Affine reduced = reducedBy(magnification), enlarged = reduced.inverse();
+  candidate.levelToPage = candidate.levelToPage.after(reduced);
+  candidate.uprightBox = enlarged.boxOf(candidate.uprightBox);
+  candidate.regionBox = enlarged.boxOf(candidate.regionBox);
+  return candidate;
 }
 
 }  // namespace detent::importer

@@ -56,6 +56,8 @@ struct FrameSearch {
   std::optional<Homography>
       levelToPage;  ///< how a photograph shows its sheet; empty: a lean of the page's own lines is
                     ///< looked for
+  double magnification =
+      1;  ///< the picture is looked at so many times its size, (0, 8]; documents as they are
 };
 
 /// All frames that could hold a force graph, reading order (top to bottom, left to right). Empty is an
@@ -65,9 +67,12 @@ std::vector<Found<FrameCandidate>> findPlotFrames(const Page& page, const FrameS
 
 /// Places between a row and a column of evenly spaced numbers, whatever lines stand there. Upright plots only; boxes end
 /// at the outermost numbers. Asked where no rectangle of lines holds a graph; paper is told by region.
-std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page,
-                                                      const std::optional<Homography>& levelToPage = {},
+/// `search.paper` is not asked.
+std::vector<Found<FrameCandidate>> findPlotsByNumbers(const Page& page, const FrameSearch& search = {},
                                                       const Progress& progress = {});
+
+/// The candidate as it stands on a level page so many times its size; its view is as much larger. Pictures only.
+FrameCandidate magnified(FrameCandidate candidate, double magnification);
 
 /// From the level sheet to the picture that a camera took of it: lines of the page run towards two vanishing points. Empty
 /// for documents, and where too few lines agree. The middle of the page stays where it is, at its size.

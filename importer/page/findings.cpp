@@ -110,6 +110,9 @@ Wording wordingOf(DoubtCode code) {
       return {"ink-left-over", words("ink like a curve's is left over around %1, %2")};
     case DoubtCode::curveWithoutInk:
       return {"curve-without-ink", words("a curve runs over bare paper around %1, %2")};
+    case DoubtCode::readingsDiffer:
+      return {"readings-differ", words("two readings of the page differ: a travel of %1, and a travel of %2 "
+                                       "where it is looked at in another size")};
     case DoubtCode::thousandsUnclear:
       return {"thousands-unclear",
               words("the numbers of the %1 axis may be thousands or have three decimals")};
@@ -186,6 +189,12 @@ Wording wordingOf(RemarkCode code) {
       return {"doubted", words("not beyond doubt: %1")};
     case RemarkCode::printedValueDiffers:
       return {"printed-value-differs", words("%1")};
+    case RemarkCode::secondReadingTaken:
+      return {"second-reading-taken", words("as it stands the page is not read for certain (%1): taken as "
+                                            "two looks in other sizes read it")};
+    case RemarkCode::endedByTimeLimit:
+      return {"ended-by-time-limit",
+              words("the limit of %1 s was reached: the best that was read until then is taken")};
   }
   return {"", ""};
 }

@@ -78,6 +78,7 @@ enum class DoubtCode {
   otherScale,
   inkLeftOver,       ///< travel and force at the middle of it, mm and N
   curveWithoutInk,   ///< the same
+  readingsDiffer,    ///< messages: the button as read first, as read a second time
   thousandsUnclear,  ///< axis
   strokeInPart,      ///< share of the travel that both strokes cover
   pageIsScan,
@@ -122,7 +123,10 @@ enum class RemarkCode {
   sameGraphSeveralTimes,  ///< how often, where (messages), page taken
   severalGraphs,          ///< how many, page and graph taken
   doubted,                ///< message of a doubt that is too small to refuse
-  printedValueDiffers     ///< message of the comparison
+  printedValueDiffers,    ///< message of the comparison
+  // levels that read twice, limits on time
+  secondReadingTaken,  ///< message: what the first look read, or why it read nothing
+  endedByTimeLimit     ///< seconds
 };
 
 struct Remark {

@@ -174,15 +174,13 @@ void addBatch(CLI::App& app, Arguments& a) {
       "--resume", a.resume,
       "keep what report.jsonl has of inputs that are the same, byte for byte, with the same options and "
       "version");
-  group->add_option("--time-limit", a.batchOptions.timeLimit_s, "seconds per input")
-      ->check(within(0.1, 86400.0))
-      ->capture_default_str();
   group->add_option("--memory-limit", a.batchOptions.memoryLimit_MB, "MB of address space per input")
       ->check(within(64.0, 1e6))
       ->capture_default_str();
 }
 
-void addLimits(CLI::App& app, PageLimits& limits) {
+void addLimits(CLI::App& app, Arguments& a) {
+  PageLimits& limits = a.request.limits;
   auto* group = app.add_option_group("Limits", "Against hostile input");
   group->add_option("--max-megapixels", limits.maxMegapixels, "of a picture or a render")
       ->check(within(0.01, 10000.0))
@@ -193,6 +191,12 @@ void addLimits(CLI::App& app, PageLimits& limits) {
   group->add_option("--max-file-megabytes", limits.maxFileMegabytes, "of the input file")
       ->check(within(0.001, 1e6))
       ->capture_default_str();
+  group
+      ->add_option(
+          "--time-limit", a.timeLimit_s,
+          "seconds per input (default: none; 120 with --batch): then the best that was read until then is "
+          "taken and marked so, or the input refused")
+      ->check(within(0.01, 86400.0));
   group
       ->add_option("--max-page-seconds", limits.maxPageSeconds,
                    "of processor time, to interpret or to draw one page of a document")
@@ -279,6 +283,7 @@ void settle(const RawOptions& raw, Arguments& a) {
 
   a.json = a.json || a.jsonLines;
   if (a.batch) a.inputs = withListsRead(a.inputs);
+  if (a.batch && a.timeLimit_s) a.batchOptions.timeLimit_s = *a.timeLimit_s;
   if (a.batch && a.outDir.empty())
     throw CLI::ValidationError("--batch", "needs --out-dir DIR for its results");
   if (!a.batch && a.inputs.size() != 1) {
@@ -309,7 +314,7 @@ Parsed parseArguments(int argc, const char* const* argv, std::ostream& out, std:
   addOutputs(app, arguments);
   addHints(app, raw, arguments);
   addBatch(app, arguments);
-  addLimits(app, arguments.request.limits);
+  addLimits(app, arguments);
   try {
     app.parse(argc, argv);
     settle(raw, arguments);

@@ -26,6 +26,7 @@ struct Arguments {
   std::string outDir;
   std::string settledBy;  ///< the options that bear on a result, as given, a line each
   BatchOptions batchOptions;
+  std::optional<double> timeLimit_s;  ///< of an input that is imported alone
 };
 
 /// `arguments` is empty where the program should end at once with `exitCode` (help, version, wrong usage).

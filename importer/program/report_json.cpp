@@ -53,6 +53,22 @@ Json curvesJson(const std::vector<PlotSwitch>& switches) {
   return curves;
 }
 
+Json looksJson(const std::vector<PageLook>& looks) {
+  Json all = Json::array();
+  for (const PageLook& look : looks) {
+    Json each = {
+        {"magnification", look.magnification}, {"confidence", look.confidence}, {"taken", look.taken}};
+    if (look.travel_mm) {
+      each["travel_mm"] = *look.travel_mm;
+      each["highest_force_N"] = *look.highest_N;
+      each["release"] = look.release;
+    }
+    if (!look.problem.empty()) each["problem"] = english(look.problem);
+    all.push_back(std::move(each));
+  }
+  return all;
+}
+
 /// "warnings" in words, for people and old scripts, and their codes in the same order.
 void addRemarks(Json& json, const std::vector<Remark>& remarks) {
   json["warnings"] = Json::array();
@@ -93,6 +109,8 @@ std::string reportJson(const ImportReport& report, const std::string& input,
   if (report.pageClass) json["page_class"] = nameOf(*report.pageClass);
   json["seconds"] = Json::object();
   for (const auto& [step, seconds] : report.seconds) json["seconds"][std::string(nameOf(step))] = seconds;
+  if (!report.looks.empty()) json["looks"] = looksJson(report.looks);
+  if (report.endedByTimeLimit) json["ended_by_time_limit"] = true;
   addRemarks(json, report.remarks);
   if (!report.specChecks.empty()) json["printed_values"] = checksJson(report.specChecks);
   json["outputs"] = outputs;

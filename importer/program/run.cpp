@@ -182,6 +182,7 @@ void print(const Arguments& a, const std::string& json, const std::string& text,
 int runImport(const Arguments& a, const Progress& progress) {
   ImportRequest request = a.request;
   request.path = a.inputs.front();
+  if (a.timeLimit_s) request.timeLimit.emplace(*a.timeLimit_s);
   const OutputPaths paths{a.buttonPath, a.csvPath, a.tracePath, a.overlayPath};
   Told told;
   int exitCode = 0;
@@ -324,8 +325,10 @@ class AcceptedByBar {
 
 /// In the child: a fault that reaches here costs this input only.
 int handleInput(const Arguments& a, const std::string& input, const OutputPaths& paths, Told& told) {
+  constexpr double beforeTheEnd = 0.9;  // of the limit: what is read by then can still be handed over
   ImportRequest request = a.request;
   request.path = input;
+  request.timeLimit.emplace(a.batchOptions.timeLimit_s, beforeTheEnd);
   try {
     return importAll(request, paths, {}, told);
   } catch (const std::bad_alloc&) {

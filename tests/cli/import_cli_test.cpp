@@ -194,6 +194,7 @@ TEST_CASE("Wrong usage exits 2 and says how it is meant") {
   says({"a.png", "--frame", "1,2,3"}, "X0,Y0,X1,Y1");
   says({"a.png", "--quality", "best"}, "--quality");
   says({"a.png", "--page", "0"}, "--page");
+  says({"a.png", "--time-limit", "0"}, "--time-limit");
 }
 
 TEST_CASE("Help states units, defaults and exit codes") {
@@ -246,6 +247,30 @@ TEST_CASE("An import that is not certain enough writes its overlay, complete, an
   CHECK_THAT(run.err, Catch::Contains("wrote o.png"));
   CHECK(folder.files() == Names{"o.png"});
   CHECK(folder.read("o.png").substr(1, 3) == "PNG");
+}
+
+TEST_CASE("A limit on time leaves what was read until then, marked, or nothing and a sentence") {
+  const ProgramFolder folder("import_time_limit");
+  const std::vector<std::string> precisely{plot, "--quality", "precise", "-o", "b.button.json", "--json"};
+  const auto limited = [&](const char* seconds) {
+    auto arguments = precisely;
+    arguments.insert(arguments.end(), {"--time-limit", seconds});
+    return import(folder, arguments);
+  };
+  const ProgramResult none = limited("0.01");
+  CHECK(none.exitCode == 3);
+  CHECK_THAT(none.err, Catch::Contains("two-level-legend.png") && Catch::Contains("0.01 s") &&
+                           Catch::Contains("raise the limit"));
+  CHECK(folder.files().empty());
+
+  const ProgramResult enough = limited("3600");
+  REQUIRE(enough.exitCode == 0);
+  const json report = json::parse(enough.out);
+  CHECK_FALSE(report.contains("ended_by_time_limit"));
+  REQUIRE(report["looks"].size() == 2);
+  CHECK(report["looks"][0]["taken"] == true);
+  CHECK(report["looks"][1]["travel_mm"].get<double>() ==
+        Approx(report["travel_mm"].get<double>()).epsilon(0.01));
 }
 
 TEST_CASE("The same import twice writes the same bytes") {

@@ -417,6 +417,78 @@ TEST_CASE("thousands among hundreds are read on the axis") {
   CHECK(std::ranges::all_of(axes->calibration.value.y.ticks, [](const TickLabel& t) { return t.used; }));
 }
 
+TEST_CASE("thousands or three decimals: the one that makes a button's size") {
+  PlotStyle s;
+  auto looked = lookWithoutInk(s);
+  const auto ended = [&](const char* title, const char* decimalsTitle) {
+    PageView view = looked.view;
+    for (int k = 0; k <= s.xSteps; ++k) {
+      const double x = s.left + (s.right - s.left) * k / s.xSteps;
+      view.texts.push_back({k == 0 ? "0" : std::to_string(k) + ".000", {x - 20, 512, x + 20, 528}, 0});
+    }
+    for (int k = 0; k <= s.ySteps; ++k) {
+      const double y = s.bottom - (s.bottom - s.top) * k / s.ySteps;
+      view.texts.push_back({k == 0 ? "0" : std::to_string(k) + ".000", {40, y - 8, 90, y + 8}, 0});
+    }
+    view.texts.push_back({title, {420, 545, 500, 562}, 0});
+    view.texts.push_back({decimalsTitle, {10, 220, 28, 320}, 90});
+    const auto axes = readAxes(view, looked.frame);
+    REQUIRE(axes.ok());
+    return axes->calibration.value;
+  };
+  const auto small = ended("Travel (\xc2\xb5m)", "Force (mN)");
+  CHECK(small.x.max == Approx(8000));
+  CHECK(small.y.max == Approx(6000));
+  CHECK(small.toUnits({s.right, s.top}).x == Approx(8).epsilon(0.01));
+  CHECK(small.toUnits({s.right, s.top}).y == Approx(6).epsilon(0.01));
+  CHECK(small.x.ticks.back().value == Approx(8000));
+  CHECK_FALSE(small.x.thousandsUnclear);
+  CHECK_FALSE(small.y.thousandsUnclear);
+
+  const auto large = ended("Travel (mm)", "Force (N)");
+  CHECK(large.x.max == Approx(8));
+  CHECK(large.y.max == Approx(6));
+  CHECK_FALSE(large.x.thousandsUnclear);
+
+  const auto either = ended("Travel (mm)", "Force (gf)");  // 6 gf are a light key, 6000 gf a heavy switch
+  CHECK(either.y.thousandsUnclear);
+}
+
+TEST_CASE("numbers of the y axis that read upwards are read") {
+  PlotStyle s;
+  const auto at = [&](int k) { return s.bottom - (s.bottom - s.top) * k / s.ySteps; };
+  SECTION("the document's own") {
+    auto looked = lookWithoutInk(s);
+    writeBelow(looked.view, s);
+    for (int k = 0; k <= s.ySteps; ++k) {
+      const std::string text = shown(s.yFrom + k * s.yStep);
+      const double half = 5.0 * static_cast<double>(text.size());
+      looked.view.texts.push_back({text, {70, at(k) - half, 86, at(k) + half}, 90});
+    }
+    looked.view.texts.push_back({"Force [cN]", {20, 220, 38, 320}, 90});
+    const auto axes = readAxes(looked.view, looked.frame);
+    REQUIRE(axes.ok());
+    CHECK(axes->calibration.value.y.max == Approx(120));
+    CHECK(axes->calibration.value.y.unit == "cN");
+    CHECK(axes->calibration.value.y.ticks.size() == 7);
+    CHECK(axes->calibration.value.y.ticks.front().value == Approx(120));  // from above, as upright ones
+  }
+  SECTION("drawn") {
+    if (skipWithoutEngine()) return;
+    s.labels = false;
+    s.left = 140;
+    Canvas c(s.width, s.height, s.paperGrey);
+    drawInto(c, s);
+    for (int k = 0; k <= s.xSteps; ++k)
+      c.text(shown(s.xFrom + k * s.xStep), s.left + (s.right - s.left) * k / s.xSteps, s.bottom + 20, 0);
+    for (int k = 0; k <= s.ySteps; ++k) c.text(shown(s.yFrom + k * s.yStep), s.left - 18, at(k), 0, 0.5, 1);
+    const auto axes = read(c.grey());
+    CHECK(axes.calibration.value.y.min == Approx(0).margin(1e-9));
+    CHECK(axes.calibration.value.y.max == Approx(120));
+    CHECK(worstCornerError_px(axes, s, 0.01) < 0.1);
+  }
+}
+
 TEST_CASE("ranges given by hand are kept") {
   PlotStyle s;
   AxisHints hints;

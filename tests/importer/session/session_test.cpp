@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <thread>
 
 #include <catch2/catch.hpp>
 #include <opencv2/imgcodecs.hpp>
@@ -224,4 +226,64 @@ TEST_CASE("A view that was let go is made again, and gives the same result") {
   CHECK(again.button.states() == first.button.states());
   CHECK(again.seconds.count(ImportStep::locate) == 0);
   CHECK(again.evidence->view.raster.rgb == first.evidence->view.raster.rgb);
+}
+
+TEST_CASE("Precise looks at a page twice and keeps what both looks came to") {
+  auto session = opened("black-red-curves.png");
+  ImportRequest request = firstGraph();
+  CHECK(imported(session, request).looks.empty());
+  request.quality = Quality::precise;
+  const ImportReport report = imported(session, request);
+  REQUIRE(report.looks.size() == 2);
+  CHECK(report.looks[0].magnification == 1);
+  CHECK(report.looks[1].magnification == 2);
+  CHECK(report.looks[0].taken);
+  CHECK(report.looks[1].problem.empty());
+  CHECK(report.looks[1].travel_mm.value() == Approx(report.looks[0].travel_mm.value()).epsilon(0.01));
+  CHECK(report.looks[1].highest_N.value() == Approx(report.looks[0].highest_N.value()).epsilon(0.02));
+  CHECK_FALSE(report.endedByTimeLimit);
+}
+
+TEST_CASE("A second look stays with the graph, the frame and the axes that were asked for") {
+  auto session = opened("brown-one-ink.png");
+  const auto listed = session.list(1);
+  REQUIRE(listed);
+  const Box box = listed->graphs.front().frame;
+  ImportRequest request = firstGraph();
+  request.quality = Quality::precise;
+  request.hints.frame = {{box.x0, box.y0}, {box.x1, box.y1}};
+  request.hints.axes = {0, 10, 0, 10, LengthUnit::millimetre, ForceUnit::newton};
+  const ImportReport report = imported(session, request);
+  REQUIRE(report.looks.size() == 2);
+  CHECK(report.looks[1].travel_mm.value() == Approx(report.looks[0].travel_mm.value()).epsilon(0.01));
+  CHECK(report.x->max == 10);
+}
+
+TEST_CASE("A limit on time ends an import with a sentence, or with what was read until then") {
+  auto session = opened("black-red-curves.png");
+  ImportRequest request = firstGraph();
+  request.quality = Quality::precise;
+  request.timeLimit.emplace(1e-6);
+  const auto nothing = session.importGraph(request);
+  REQUIRE_FALSE(nothing);
+  CHECK(nothing.failure().code == FailureCode::unreadableInput);
+  CHECK_THAT(nothing.failure().sentence(), Catch::Contains("limit"));
+
+  request.timeLimit.emplace(3600);
+  const ImportReport whole = imported(session, request);
+  CHECK_FALSE(whole.endedByTimeLimit);
+  CHECK(whole.seconds.count(ImportStep::refine) == 1);
+
+  // What was found is kept, so that strokes are soon reached; there it waits until the limit has passed.
+  request.timeLimit.emplace(2);
+  Progress progress;
+  progress.report = [&](double, ImportStep step) {
+    if (step == ImportStep::strokes) std::this_thread::sleep_until(request.timeLimit->end);
+  };
+  const auto cut = session.importGraph(request, progress);
+  REQUIRE(cut);
+  CHECK(cut->endedByTimeLimit);
+  CHECK(std::ranges::count(cut->remarks, RemarkCode::endedByTimeLimit, &Remark::code) == 1);
+  CHECK(cut->seconds.count(ImportStep::refine) == 0);
+  CHECK(travel_mm(*cut) == Approx(travel_mm(whole)).epsilon(0.01));
 }

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "importer/second_opinion.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "importer/assemble_report.h"
+#include "importer/doubts.h"
+#include "importer/graph_copies.h"
+
+namespace detent::importer {
+namespace {
+
+/// What a reading is worth that another one contradicts, both certain of themselves: below any bar that a person would
+/// choose, and no nought, for one of them is right as a rule.
+constexpr double contradictedConfidence = 0.4;
+/// Of two certain readings that differ the one that is surer by so much stands: of 107 charts of foreign software each that
+/// differed was such a pair, and its surer one right.
+constexpr double surerBy = 0.1;
+/// Pictures with more pixels than these are not enlarged to four times as many, or at all: what a second look costs.
+constexpr double enlarged_px = 1.2e6, large_px = 6e6;
+
+/// Doubts about what stands on the page, not about how it was seen.
+constexpr std::array standOnThePage{DoubtCode::severalSwitches,  DoubtCode::tooManyCurves,
+                                    DoubtCode::otherQuantity,    DoubtCode::otherScale,
+                                    DoubtCode::thousandsUnclear, DoubtCode::valueContradicts};
+/// A look that takes another's place is worth at most this: below the 0.9 from which something is promised of one look.
+constexpr double takenAtMost = 0.8;
+/// What the steps' confidence is worth on a photograph that three looks read alike: counted, docs/decisions/0812.
+constexpr double worthOnPhotosReadAlike = 0.85;
+
+double highest_N(const ImportReport& report) {
+  return std::ranges::max(report.strokes.press.points, {}, &CurvePoint::force_N).force_N;
+}
+
+double travel_mm(const ImportReport& report) { return report.button.states().front().graph.travel_mm(); }
+
+/// What a person tells two readings by.
+Message inShort(const ImportReport& report) {
+  const MessageValue travel = millimetres(travel_mm(report)), force = newtons(highest_N(report));
+  if (!report.release) return Message("%1 and up to %2, without a release", travel, force);
+  return Message("%1 and up to %2", travel, force);
+}
+
+Doubt readingsDiffer(const ImportReport& first, const ImportReport& second) {
+  return {DoubtCode::readingsDiffer,
+          {inShort(first), inShort(second)},
+          {{RemedyKind::giveXAxis, {}}, {RemedyKind::giveYAxis, {}}, {RemedyKind::pickPress, {}}}};
+}
+
+bool looksPhotographed(const ImportReport& report) {
+  return report.doubt && report.doubt->code == DoubtCode::pageIsPhoto;
+}
+
+bool isCertain(const ImportAttempt& attempt) { return attempt.report && !attempt.report->doubt; }
+
+PageLook lookOf(const PageReading& reading) {
+  PageLook look;
+  look.magnification = reading.magnification;
+  const auto& report = reading.attempt.report;
+  if (!report) {
+    look.problem = report.failure().problem;
+    return look;
+  }
+  look.confidence = report->confidence;
+  look.travel_mm = travel_mm(*report), look.highest_N = highest_N(*report);
+  look.release = report->release.has_value();
+  if (report->doubt) look.problem = messageOf(*report->doubt);
+  return look;
+}
+
+/// The report with what it was made with changed: provenance keeps confidence and warnings.
+ImportReport withProvenance(ImportReport report) {
+  Provenance provenance = report.button.provenance().value_or(Provenance{});
+  provenance.confidence = report.confidence;
+  provenance.warnings = recorded(report.remarks);
+  auto button = Button::fromStates(report.button.name(), report.button.states(), std::move(provenance));
+  if (button) report.button = std::move(button).value();
+  return report;
+}
+
+/// A reading that another certain one contradicts.
+ImportReport contradicted(ImportReport report, const ImportReport& other, double sure) {
+  Doubt doubt = readingsDiffer(report, other);
+  const bool surer = report.confidence >= other.confidence + surerBy;
+  if (!surer) report.confidence = std::min(report.confidence, contradictedConfidence);
+  if (report.confidence < sure)
+    report.doubt = std::move(doubt);
+  else
+    report.remarks.push_back({RemarkCode::doubted, {messageOf(doubt)}, doubt.remedies});
+  return withProvenance(std::move(report));
+}
+
+/// Whether another look at what is doubted as a photograph reads the same and doubts nothing else.
+bool agreesOnPhoto(const Result<ImportReport>& report, const ImportAttempt& other) {
+  return report && looksPhotographed(*report) && other.report &&
+         (!other.report->doubt || looksPhotographed(*other.report)) && sameButton(*report, *other.report);
+}
+
+/// A photograph that several looks read alike is worth more than one that was looked at once.
+ImportReport readAlike(ImportReport report, double sure) {
+  report.confidence *= worthOnPhotosReadAlike / worthOf(PageClass::photo);
+  if (report.confidence < sure) return withProvenance(std::move(report));
+  report.remarks.push_back({RemarkCode::doubted, {messageOf(*report.doubt)}, report.doubt->remedies});
+  report.doubt.reset();
+  return withProvenance(std::move(report));
+}
+
+ImportAttempt taken(PageReading chosen, std::vector<PageLook> looks) {
+  if (!chosen.attempt.report) return std::move(chosen.attempt);
+  for (PageLook& look : looks) look.taken = look.magnification == chosen.magnification;
+  chosen.attempt.report->looks = std::move(looks);
+  return std::move(chosen.attempt);
+}
+
+}  // namespace
+
+OtherSizes otherSizesOf(const Page& page) {
+  if (page.unit != PageUnit::pixel) return {1.5, 0.5};
+  const double pixels = double(page.overview.width_px) * page.overview.height_px;
+  if (pixels > large_px) return {0.5, 0.7};
+  if (pixels > enlarged_px) return {0.7, 1.4};
+  return {};
+}
+
+ImportReport withRemark(ImportReport report, Remark remark) {
+  report.remarks.push_back(std::move(remark));
+  return withProvenance(std::move(report));
+}
+
+bool sameButton(const ImportReport& a, const ImportReport& b) {
+  if (a.x && b.x && (a.x->unit != b.x->unit || a.y->unit != b.y->unit)) return false;
+  const auto apart = distanceBetween(a.strokes, b.strokes);
+  return apart && *apart <= copiesWithin;
+}
+
+bool anotherMaySettle(const ImportAttempt& attempt) {
+  const auto stands = [](std::string_view name) {
+    return std::ranges::any_of(standOnThePage, [&](DoubtCode code) { return nameOf(code) == name; });
+  };
+  if (attempt.report) return !attempt.report->doubt || !stands(nameOf(attempt.report->doubt->code));
+  const Failure& failure = attempt.report.failure();
+  if (attempt.evidence && attempt.evidence->switches.size() > 1) return false;
+  return failure.code == FailureCode::notCertain && !stands(failure.reason);
+}
+
+ImportAttempt settled(PageReading first, PageReading second, const std::function<PageReading()>& third,
+                      double sure) {
+  std::vector<PageLook> looks{lookOf(first), lookOf(second)};
+  const auto& report = first.attempt.report;
+  const auto& other = second.attempt.report;
+  if (isCertain(first.attempt)) {
+    if (isCertain(second.attempt) && !sameButton(*report, *other))
+      first.attempt.report = contradicted(std::move(*first.attempt.report), *other, sure);
+    return taken(std::move(first), std::move(looks));
+  }
+  const bool alike = agreesOnPhoto(report, second.attempt);
+  if (!anotherMaySettle(first.attempt) || (!alike && !isCertain(second.attempt)))
+    return taken(std::move(first), std::move(looks));
+  const Message firstSaid =
+      report ? Message("a travel of %1", inShort(*report)) : first.attempt.report.failure().problem;
+  const PageReading witness = third();
+  looks.push_back(lookOf(witness));
+  if (alike && agreesOnPhoto(report, witness.attempt)) {
+    first.attempt.report = readAlike(std::move(*first.attempt.report), sure);
+  } else if (isCertain(second.attempt) && isCertain(witness.attempt) &&
+             sameButton(*other, *witness.attempt.report)) {
+    ImportReport& agreed = *second.attempt.report;
+    agreed.confidence = std::min({agreed.confidence, witness.attempt.report->confidence, takenAtMost});
+    agreed = withRemark(std::move(agreed), {RemarkCode::secondReadingTaken, {firstSaid}});
+    return taken(std::move(second), std::move(looks));
+  }
+  return taken(std::move(first), std::move(looks));
+}
+
+}  // namespace detent::importer
