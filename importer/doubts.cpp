@@ -143,9 +143,17 @@ bool fallsThroughout(const StrokePoints& press) {
          force.high - press.points.back().force_N > endFallShare * force.span();
 }
 
-/// Whether a press ends in a fall; at the end of its travel it stands on something.
+/// Whether a press begins as hard as it ever gets and gives way from there: a key begins where the finger meets it.
+bool hardestAtItsStart(const StrokePoints& press) {
+  constexpr double ofHighest = 0.9;  // of the largest force
+  const Extent force = forceOf(press);
+  return press.points.front().force_N >= ofHighest * force.high &&
+         press.points.front().force_N - force.low > endFallShare * force.span();
+}
+
+/// Whether a press falls from its start or to its end, where it stands on something.
 bool endsInAFall(const StrokePoints& press) {
-  return fallAtEnd(press) > endFallShare || fallsThroughout(press);
+  return fallAtEnd(press) > endFallShare || fallsThroughout(press) || hardestAtItsStart(press);
 }
 
 /// Sizes of a press that no button at hand comes near.

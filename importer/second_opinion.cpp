@@ -164,7 +164,7 @@ ImportAttempt settled(PageReading first, PageReading second, const std::function
   looks.push_back(lookOf(witness));
   if (alike && agreesOnPhoto(report, witness.attempt)) {
     first.attempt.report = readAlike(std::move(*first.attempt.report), sure);
-  } else if (isCertain(second.attempt) && isCertain(witness.attempt) &&
+  } else if (sure <= takenAtMost && isCertain(second.attempt) && isCertain(witness.attempt) &&
              sameButton(*other, *witness.attempt.report)) {
     ImportReport& agreed = *second.attempt.report;
     agreed.confidence = std::min({agreed.confidence, witness.attempt.report->confidence, takenAtMost});

@@ -8042,8 +8042,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>eine Kurve mit %1 Druckpunkten ist nicht die eines Tasters</translation>
     </message>
     <message>
-        <source>the press falls to its end, as an edge of the frame or a magnet&apos;s pull does</source>
-        <translation>das Drücken fällt bis zu seinem Ende, wie eine Kante des Rahmens oder der Zug eines Magneten</translation>
+        <source>the press falls from its start or to its end, as an edge of the frame or a magnet&apos;s pull does</source>
+        <translation>das Drücken fällt von seinem Anfang an oder bis zu seinem Ende, wie eine Kante des Rahmens oder der Zug eines Magneten</translation>
     </message>
     <message>
         <source>the release lies above the press over %1 of their travel</source>

@@ -96,8 +96,8 @@ Wording wordingOf(DoubtCode code) {
     case DoubtCode::manyTactilePoints:
       return {"many-tactile-points", words("a stroke with %1 tactile points is not a button's")};
     case DoubtCode::endsInAFall:
-      return {"ends-in-a-fall",
-              words("the press falls to its end, as an edge of the frame or a magnet's pull does")};
+      return {"ends-in-a-fall", words("the press falls from its start or to its end, as an edge of the frame "
+                                      "or a magnet's pull does")};
     case DoubtCode::cutAtPictureEdge:
       return {"cut-at-picture-edge", words("a curve ends where the picture does")};
     case DoubtCode::leavesThePlot:

@@ -171,9 +171,14 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   Import falls;
   falls.press.push_back({3.21, 0});
   CHECK(falls.doubted(DoubtCode::endsInAFall));
+  Import falling;  // a line of a chart that falls and comes back
+  falling.press = {{0, 1}, {1, 0.4}, {2, 0}, {3, 0}, {3.5, 0.7}};
+  CHECK(falling.doubted(DoubtCode::endsInAFall));
+  falling.press.back().force_N = 1.5;  // a key that snaps at once, and its wall
+  CHECK_FALSE(falling.doubted(DoubtCode::endsInAFall));
   Import pulls;
-  pulls.press = {
-      {0.02, 1.4}, {0.5, 0.9}, {1.2, 0.5}, {2.2, 0.3}, {3.2, 0.2}};  // a magnet's force over its gap
+  pulls.press = {{0.02, 1.0}, {0.2, 1.4}, {0.5, 0.9},
+                 {1.2, 0.5},  {2.2, 0.3}, {3.2, 0.2}};  // a magnet's force over its gap
   CHECK(pulls.doubted(DoubtCode::endsInAFall));
   pulls.press = {
       {0, 0.2}, {0.5, 1.4}, {1.2, 0.9}, {2.2, 0.5}, {3.2, 0.2}};  // a dome shown as far as its click

@@ -139,6 +139,12 @@ TEST_CASE("One other look alone does not", "[second opinion]") {
     CHECK(best.report->doubt);
     CHECK(travelOf(best) == Approx(6));
   }
+  SECTION("more is asked for than that is worth") {
+    const auto third = [] { return certain(1.5, 4, 0.95); };
+    const auto best = settled(doubted(1, 6, DoubtCode::axesUncertain), certain(2, 4, 0.95), third, 0.9);
+    CHECK(best.report->doubt);
+    CHECK(travelOf(best) == Approx(6));
+  }
   SECTION("the third is not certain") {
     const auto third = [] { return doubted(1.5, 4, DoubtCode::axesUncertain); };
     CHECK(settled(doubted(1, 6, DoubtCode::inkLeftOver), certain(2, 4), third, sure).report->doubt);
