@@ -28,7 +28,7 @@ QString levelName(importer::Quality quality) {
 QualityFigures figuresOf(importer::Quality quality) {
   constexpr QualityFigures levels[] = {{importer::Quality::draft, 1, 0.112},
                                        {importer::Quality::standard, 1.13, 0.0835},
-                                       {importer::Quality::precise, 1.26, 0.0628}};
+                                       {importer::Quality::precise, 3.6, 0.0628}};
   return *std::ranges::find(levels, quality, &QualityFigures::quality);
 }
 

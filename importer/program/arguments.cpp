@@ -115,7 +115,7 @@ void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   addChoice(
       app, "--quality", a.request.quality, qualities,
       "draft, standard or precise (default: standard): drawn plots come out 0.11, 0.08 and 0.06 % of the "
-      "span off, for 1, 1.1 and 1.3 times the work; docs/trade.md",
+      "span off, for 1, 1.1 and 3.6 times the work; docs/trade.md",
       "standard");
   app.add_option(
          "--sure", a.request.sure,
