@@ -18,16 +18,18 @@ constexpr std::size_t fewestSamples = 30, mostKnots = 32;
 constexpr double leastMovement_quanta = 10;
 // Speed counts as constant if 80 % of the moving samples lie within this share of the median.
 constexpr double constantSpread = 0.15;
-constexpr double movingShare = 0.1;  // of the fastest: slower samples tell nothing about speed
-constexpr double standsOut = 3;      // standard errors
+constexpr double movingShare = 0.1;    // of the fastest: slower samples tell nothing about speed
+constexpr double standsOut = 3;        // standard errors
+constexpr double slidingShare = 0.02;  // of the fastest: from here on friction has its whole size
 constexpr double mmPerM = 1000;
 constexpr double leastNoiseShare = 0.05;  // of the residual's squares is never taken for rounding
 
-/// Which columns the fit has, in this order: c, k at the knots, b at the knots, m.
+/// Which columns the fit has, in this order: c, k at the knots, b at the knots, f, m.
 struct Columns {
   std::size_t knots = 1;
-  bool damping = true, mass = true;
-  std::size_t count() const { return 1 + knots + (damping ? knots : 0) + (mass ? 1 : 0); }
+  bool damping = true, mass = true, friction = false;
+  std::size_t frictionAt() const { return 1 + knots + (damping ? knots : 0); }
+  std::size_t count() const { return frictionAt() + (friction ? 1 : 0) + (mass ? 1 : 0); }
 };
 
 /// Adds to `out` what the slope at a knot takes of the knots' values, `factor` times: that of the parabola through three of them.
@@ -96,14 +98,28 @@ struct Samples {
   Eigen::MatrixXd spring_mm;  ///< what a stiffness of 1 at each knot gives (N)
   Eigen::MatrixXd way_mm;     ///< what damping of 1 at each knot has taken up to here; its rate is the force
   Eigen::VectorXd place_mm, force_N;
+  Eigen::VectorXd
+      direction;  ///< -1 to 1; what hardly moves has none: there friction holds anything up to itself
 };
 
-Samples samplesOf(const ForceRecord& record, std::vector<double> knots_mm) {
+Eigen::VectorXd directionsOf(const std::vector<double>& velocity_mm_per_s) {
+  Eigen::VectorXd direction = Eigen::Map<const Eigen::VectorXd>(
+      velocity_mm_per_s.data(), static_cast<Eigen::Index>(velocity_mm_per_s.size()));
+  const double whole = slidingShare * direction.cwiseAbs().maxCoeff();
+  if (whole > 0) direction = (direction / whole).cwiseMax(-1.0).cwiseMin(1.0);
+  return direction;
+}
+
+Samples samplesOf(const ForceRecord& record, std::vector<double> knots_mm,
+                  const std::vector<double>& velocity_mm_per_s) {
   const auto n = static_cast<Eigen::Index>(record.time_s.size()),
              knots = static_cast<Eigen::Index>(knots_mm.size());
-  Samples s{std::move(knots_mm), Eigen::MatrixXd::Zero(n, knots), Eigen::MatrixXd::Zero(n, knots),
+  Samples s{std::move(knots_mm),
+            Eigen::MatrixXd::Zero(n, knots),
+            Eigen::MatrixXd::Zero(n, knots),
             Eigen::Map<const Eigen::VectorXd>(record.displacement_mm.data(), n),
-            Eigen::Map<const Eigen::VectorXd>(record.force_N.data(), n)};
+            Eigen::Map<const Eigen::VectorXd>(record.force_N.data(), n),
+            directionsOf(velocity_mm_per_s)};
   std::vector<double> row(s.knots_mm.size());
   for (Eigen::Index i = 0; i < n; ++i) {
     std::fill(row.begin(), row.end(), 0.0);
@@ -142,6 +158,8 @@ Equations equationsOf(const Samples& s, const RecordWindows& windows, const Colu
       e.force_N[r] += shares[j].mean * s.force_N[at];
       e.design.row(r).segment(1, knots) += shares[j].mean * s.spring_mm.row(at);
       if (columns.damping) e.design.row(r).segment(1 + knots, knots) += shares[j].perS * s.way_mm.row(at);
+      if (columns.friction)
+        e.design(r, static_cast<Eigen::Index>(columns.frictionAt())) += shares[j].mean * s.direction[at];
       if (columns.mass) e.design(r, e.design.cols() - 1) += shares[j].perS2 * s.place_mm[at] / mmPerM;
     }
   }
@@ -334,6 +352,17 @@ Fit fitted(const Samples& samples, const RecordWindows& windows, const Stays& st
   return fit;
 }
 
+bool standsOutOf(const Estimate& e) { return e.value > standsOut * e.sigma; }
+
+/// With a mass, where there is one: `columns` then says so.
+Fit fittedWithMass(const Samples& samples, const RecordWindows& windows, const Stays& stays,
+                   Columns& columns) {
+  Fit fit = fitted(samples, windows, stays, columns);
+  if (!columns.mass || (fit.usable && standsOutOf(fit.parameters.back()))) return fit;
+  columns.mass = false;
+  return fitted(samples, windows, stays, columns);
+}
+
 /// Spread of the speed of what moves, as a share of its median; large where speed varies.
 double speedSpread(std::vector<double> speeds) {
   const double fastest = *std::max_element(speeds.begin(), speeds.end());
@@ -399,6 +428,7 @@ void scaleBack(Identification& found, int scale) {
   scaled(found.offset_N);
   std::ranges::for_each(found.k_N_per_mm, scaled);
   std::ranges::for_each(found.b_Ns_per_mm, scaled);
+  if (found.friction_N) scaled(*found.friction_N);
   if (found.mass_kg) scaled(*found.mass_kg);
   found.residual_N = std::scalbn(found.residual_N, scale);
 }
@@ -437,13 +467,17 @@ Result<Identification> identified(const ForceRecord& record, const IdentifySetti
     found.doubtFigure = spread;
     columns.damping = columns.mass = false;
   }
-  const Samples samples = samplesOf(record, found.knots_mm);
+  const Samples samples = samplesOf(record, found.knots_mm, found.velocity_mm_per_s);
   const Stays stays = staysOf(record.displacement_mm);
-  Fit fit = fitted(samples, windows, stays, columns);
-  if (columns.mass &&
-      (!fit.usable || !(fit.parameters.back().value > standsOut * fit.parameters.back().sigma))) {
-    columns.mass = false;
-    fit = fitted(samples, windows, stays, columns);
+  Fit fit = fittedWithMass(samples, windows, stays, columns);
+  if (columns.damping) {
+    Columns rubbing = columns;
+    rubbing.friction = rubbing.mass = true;
+    const Fit other = fittedWithMass(samples, windows, stays, rubbing);
+    if (other.usable && standsOutOf(other.parameters[rubbing.frictionAt()])) {
+      columns = rubbing;
+      fit = other;
+    }
   }
   if (!fit.usable)
     return unusable("gives no fit", "Record presses of different speeds over the whole travel");
@@ -465,6 +499,7 @@ Result<Identification> identified(const ForceRecord& record, const IdentifySetti
       found.b_Ns_per_mm = damping;
     }
   }
+  if (columns.friction) found.friction_N = fit.parameters[columns.frictionAt()];
   if (columns.mass) found.mass_kg = fit.parameters.back();
   found.condition = fit.condition;
   found.residual_N = fit.residual_N;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// From a recorded press to the parameters of a spring-damper button, F = c + k(x) x + b(x) v + m a, with standard errors.
+// From a recorded press to the parameters of a spring-damper button, F = c + k(x) x + b(x) v + f sgn(v) + m a, with standard errors.
 // What Shrestha leaves to future work; after Colton and Hollerbach (ICRA 2007) with k and b over displacement.
 
 #include <cstddef>
@@ -32,11 +32,12 @@ struct Estimate {
 };
 
 struct Identification {
-  Estimate offset_N;                  ///< c
-  std::vector<double> knots_mm;       ///< where k and b stand
-  std::vector<Estimate> k_N_per_mm;   ///< one per knot
-  std::vector<Estimate> b_Ns_per_mm;  ///< one per knot; empty where b is not named
-  std::optional<Estimate> mass_kg;    ///< only where it stands out of its error
+  Estimate offset_N;                   ///< c
+  std::vector<double> knots_mm;        ///< where k and b stand
+  std::vector<Estimate> k_N_per_mm;    ///< one per knot
+  std::vector<Estimate> b_Ns_per_mm;   ///< one per knot; empty where b is not named
+  std::optional<Estimate> friction_N;  ///< Coulomb's f; only where it stands out of its error
+  std::optional<Estimate> mass_kg;     ///< only where it stands out of its error
   DampingDoubt doubt = DampingDoubt::none;
   double doubtFigure = 0;   ///< constantSpeed: spread of speed, share; notCertain: sigma(b) / b
   double condition = 1;     ///< of the columns of the fit, each scaled to length 1; large: hard to tell apart

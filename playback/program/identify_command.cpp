@@ -2,6 +2,7 @@
 #include "playback/program/identify_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -78,6 +79,14 @@ Json valueOf(const std::vector<Estimate>& estimates, double Estimate::*part) {
   return list;
 }
 
+/// By how much a force that is recorded 1 ms later than its place changes b: the spring's change in that time passes for damping.
+double lagEffect_Ns_per_mm(const Identification& f) {
+  constexpr double lag_s = 0.001;
+  double stiffest_N_per_mm = 0;
+  for (const Estimate& k : f.k_N_per_mm) stiffest_N_per_mm = std::max(stiffest_N_per_mm, std::abs(k.value));
+  return stiffest_N_per_mm * lag_s;
+}
+
 Json jsonOf(const IdentifyArguments& a, const Identification& f) {
   Json json{{"status", "ok"},
             {"record", a.record},
@@ -89,11 +98,14 @@ Json jsonOf(const IdentifyArguments& a, const Identification& f) {
     json["b_reason"] = sentenceOf(f.doubt, f.doubtFigure);
     json["b_reason_code"] = codeOf(f.doubt);
   }
+  json["friction_N"] = f.friction_N ? Json(f.friction_N->value) : Json(nullptr);
+  json["sigma_friction_N"] = f.friction_N ? Json(f.friction_N->sigma) : Json(nullptr);
   json["mass_kg"] = f.mass_kg ? Json(f.mass_kg->value) : Json(nullptr);
   json["sigma_mass_kg"] = f.mass_kg ? Json(f.mass_kg->sigma) : Json(nullptr);
   json["offset_N"] = f.offset_N.value;
   json["sigma_offset_N"] = f.offset_N.sigma;
   json["knots_mm"] = f.knots_mm;
+  json["b_per_ms_of_lag_Ns_per_mm"] = -lagEffect_Ns_per_mm(f);
   json["condition"] = f.condition;
   json["residual_N"] = f.residual_N;
   json["step_mm"] = f.step_mm;
@@ -102,8 +114,9 @@ Json jsonOf(const IdentifyArguments& a, const Identification& f) {
 }
 
 void printFigures(const Identification& f) {
-  std::fprintf(stderr, "F = c + k x + b v%s, %zu samples, residual %.4f N, condition %.3g\n",
-               f.mass_kg ? " + m a" : "", f.samples, f.residual_N, f.condition);
+  std::fprintf(stderr, "F = c + k x + b v%s%s, %zu samples, residual %.4f N, condition %.3g\n",
+               f.friction_N ? " + f sgn(v)" : "", f.mass_kg ? " + m a" : "", f.samples, f.residual_N,
+               f.condition);
   std::fprintf(stderr, "c = %.4f +- %.4f N\n", f.offset_N.value, f.offset_N.sigma);
   for (std::size_t i = 0; i < f.knots_mm.size(); ++i) {
     if (f.knots_mm.size() > 1) std::fprintf(stderr, "at %.3f mm: ", f.knots_mm[i]);
@@ -112,7 +125,15 @@ void printFigures(const Identification& f) {
       std::fprintf(stderr, ", b = %.5g +- %.2g N·s/mm", f.b_Ns_per_mm[i].value, f.b_Ns_per_mm[i].sigma);
     std::fprintf(stderr, "\n");
   }
+  if (f.friction_N) {
+    std::fprintf(stderr, "f = %.4f +- %.4f N of friction, which no button file holds\n", f.friction_N->value,
+                 f.friction_N->sigma);
+  }
   if (f.mass_kg) std::fprintf(stderr, "m = %.5g +- %.2g kg\n", f.mass_kg->value, f.mass_kg->sigma);
+  if (!f.b_Ns_per_mm.empty())
+    std::fprintf(stderr,
+                 "b holds for forces and places of one moment: a force 1 ms late takes %.2g N·s/mm off it\n",
+                 lagEffect_Ns_per_mm(f));
   if (f.b_Ns_per_mm.empty())
     std::fprintf(stderr, "b is not named: %s.\n", sentenceOf(f.doubt, f.doubtFigure).c_str());
 }

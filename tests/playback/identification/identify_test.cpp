@@ -61,6 +61,38 @@ TEST_CASE("identify: a finger's mass is found where there is one, and not where 
   CHECK_FALSE(identify(pressRecord(0.08, 1))->mass_kg);
 }
 
+TEST_CASE(
+    "identify: friction is found where there is some, b and its error stay true, and it is not where there "
+    "is none") {
+  int named = 0, bInside = 0, fInside = 0, runs = 0;
+  for (const double friction_N : {0.02, 0.05, 0.2}) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+      test::PressedRecord press;
+      press.presses_s = {0.1, 0.3};
+      press.k = [](double) { return k; };
+      press.b = [](double) { return b; };
+      press.friction_N = friction_N;
+      const Result<Identification> found = identify(test::recordOf(press, seed));
+      REQUIRE(found);
+      REQUIRE(found->b_Ns_per_mm.size() == 1);
+      REQUIRE(found->friction_N);
+      INFO(friction_N << " N, seed " << seed << ": b " << found->b_Ns_per_mm[0].value << " +- "
+                      << found->b_Ns_per_mm[0].sigma << ", f " << found->friction_N->value << " +- "
+                      << found->friction_N->sigma);
+      CHECK(found->b_Ns_per_mm[0].value == Approx(b).epsilon(0.08));
+      CHECK(found->friction_N->value == Approx(friction_N).margin(0.004));
+      bInside += std::abs(found->b_Ns_per_mm[0].value - b) <= 2 * found->b_Ns_per_mm[0].sigma ? 1 : 0;
+      fInside += std::abs(found->friction_N->value - friction_N) <= 2 * found->friction_N->sigma ? 1 : 0;
+      ++runs;
+    }
+  }
+  for (unsigned seed = 0; seed < 100; ++seed) named += identify(pressRecord(0.2, seed))->friction_N ? 1 : 0;
+  CHECK(named <= 2);
+  INFO(bInside << " and " << fInside << " of " << runs << " within two standard errors");
+  CHECK(bInside >= 0.85 * runs);
+  CHECK(fInside >= 0.85 * runs);
+}
+
 TEST_CASE("identify: at constant speed b is not named, and the reason is") {
   for (const double direction : {1.0, -1.0}) {
     ForceRecord record;

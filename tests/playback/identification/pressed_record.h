@@ -19,6 +19,7 @@ struct PressedRecord {
   std::function<double(double)> k = [](double) { return 0.3; };    ///< N/mm, of the place in mm
   std::function<double(double)> b = [](double) { return 0.003; };  ///< N·s/mm
   double offset_N = 0.2, mass_kg = 0;
+  double friction_N = 0;  ///< Coulomb's, whole from a thousandth of a mm/s on
   double step_mm = 0.01, noise_N = 0.01, period_s = 0.001;
   double tremor_mm = 0;  ///< amplitude of each of two tremors of a finger, at 8.7 and 11.3 Hz
 };
@@ -49,7 +50,9 @@ inline playback::ForceRecord recordOf(const PressedRecord& p, unsigned seed) {
                    a = (place_mm(t + h) - 2 * x + place_mm(t - h)) / (h * h);
       record.time_s.push_back(start_s + t);
       record.displacement_mm.push_back(std::round((x + shift_mm) / p.step_mm) * p.step_mm - shift_mm);
-      record.force_N.push_back(p.offset_N + p.k(x) * x + p.b(x) * v + p.mass_kg * a / 1000 + noise_N(random));
+      record.force_N.push_back(p.offset_N + p.k(x) * x + p.b(x) * v +
+                               p.friction_N * std::clamp(1000 * v, -1.0, 1.0) + p.mass_kg * a / 1000 +
+                               noise_N(random));
     }
     start_s = record.time_s.back() + p.period_s;
   }
