@@ -416,9 +416,11 @@ Result<Recording> playAndRecord(const AudioSettings& settings, const std::string
     if (stream != nullptr) Pa_CloseStream(stream);
     return troubleOf(settings.device, "cannot play and record at once", error);
   }
+  lock.unlock();  // minutes: others may list and open devices meanwhile
   const double deadline_s = now_s() + static_cast<double>(samples.size()) / rate + 5;
   while (Pa_IsStreamActive(stream) == 1 && now_s() < deadline_s && !cancelled()) sleepUntil(now_s() + 0.02);
   const bool complete = duplex.at >= samples.size() || cancelled();
+  lock.lock();
   Pa_AbortStream(stream);
   Pa_CloseStream(stream);
   if (!complete)

@@ -389,6 +389,29 @@ TEST_CASE("measure: a sweep through a known resonance finds it") {
   CHECK(found);
 }
 
+TEST_CASE("measure: while one thread records, another lists the devices") {
+  JackServer server(512);
+  if (skipped(server, "recording beside listing")) return;
+  PlayerSettings player = jackSettings();
+  player.sampleRate_Hz = 48000;
+  const std::vector<float> longer(static_cast<std::size_t>(20 * player.sampleRate_Hz), 0);
+  std::atomic<bool> playing{false}, listed{false}, recorded{false};
+  std::thread recorder([&] {
+    playAndRecordSamples(player, "", longer, [&] {
+      playing = true;
+      return listed.load();
+    });
+    recorded = true;
+  });
+  while (!playing && !recorded) std::this_thread::yield();
+  const bool found = static_cast<bool>(listSoundDevices());
+  const bool meanwhile = !recorded;
+  listed = true;
+  recorder.join();
+  CHECK(found);
+  CHECK(meanwhile);
+}
+
 TEST_CASE("Pure Data plays the same bursts from the paper's own route") {
   JackServer server(256);
   if (skipped(server, "Pure Data beside Detent")) return;
