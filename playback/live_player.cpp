@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cmath>
 #include <deque>
+#include <limits>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -24,6 +25,7 @@ constexpr std::size_t mostKeptEvents = 8192;
 constexpr std::size_t mostTakes = 16;
 constexpr double traceAhead_s = 0.25;
 constexpr double traceStep_s = 0.05;
+constexpr double feltHold_s = 1.5;
 constexpr double silentRate_Hz = 48000;  // in which a player without a device numbers its events
 
 AudioSettings audioSettings(const PlayerSettings& s) {
@@ -237,6 +239,7 @@ class Player : public LivePlayer {
     s.counts = last.counts;
     follow(s);
     s.level = static_cast<double>(last.peak);
+    s.felt_dB = strongest_.felt_dB;
     s.load = last.load;
     s.meanLoad = last.meanLoad;
     s.xruns = last.xruns;
@@ -366,6 +369,7 @@ class Player : public LivePlayer {
           break;
         case ReportKind::status:
           lastStatus_ = report.status;
+          keepStrongest();
           break;
         case ReportKind::retired:
           std::erase_if(programs_, [&](const auto& p) { return p.get() == report.retired; });
@@ -375,6 +379,14 @@ class Player : public LivePlayer {
           break;
       }
     }
+  }
+
+  /// controlMutex_ is held.
+  void keepStrongest() {
+    const auto passed_frames = static_cast<double>(lastStatus_.frame - strongest_.frame);
+    if (lastStatus_.felt_dB < strongest_.felt_dB && passed_frames < feltHold_s * session_.sampleRate_Hz())
+      return;
+    strongest_ = {lastStatus_.felt_dB, lastStatus_.frame};
   }
 
   void pushOwn(CommandKind kind, ForceConditioner& conditioner, double value) {
@@ -561,6 +573,10 @@ class Player : public LivePlayer {
   std::vector<std::unique_ptr<HapticProgram>> programs_;
   std::vector<std::unique_ptr<OwnedTake>> takes_;  // controlMutex_; in the callback's hands
   SessionStatus lastStatus_;
+  struct {
+    double felt_dB = -std::numeric_limits<double>::infinity();
+    std::int64_t frame = 0;
+  } strongest_;
   std::deque<EngineEvent> events_;
   ForceConditioner ownForce_;
   ForceConditioner ownDisplacement_{ConditionerSettings{-1e9, 1e9, 1e12, 0.25, 0.25, 1e12, 1e12, 0, 0}};

@@ -20,6 +20,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -81,9 +82,11 @@ struct PlayerStatus {
   /// Where the last reading led; a recorded trace's as the callback plays it, up to 20 ms late.
   double force_N = 0, displacement_mm = 0;
   bool releasing = false, contact = false;
-  int state = 0;                  ///< of a self-locking button
-  double level = 0;               ///< peak of the last 20 ms, share of full scale
-  double load = 0, meanLoad = 0;  ///< share of the block's time spent in the callback
+  int state = 0;     ///< of a self-locking button
+  double level = 0;  ///< peak of the last 20 ms, share of full scale
+  double felt_dB =
+      -std::numeric_limits<double>::infinity();  ///< strongest 10 ms of the last 1.5 s, above threshold
+  double load = 0, meanLoad = 0;                 ///< share of the block's time spent in the callback
   std::uint64_t xruns = 0;
   EngineCounts counts;
   SensorCondition sensor = SensorCondition::none;

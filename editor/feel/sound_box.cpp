@@ -49,9 +49,17 @@ QLayout* SoundBox::levelRow() {
     session_.setSettings(next);
   });
   meter_ = described(new LevelMeter, "levelMeter");
+  felt_ =
+      described(new QLabel, "feltLevel",
+                tr("The strongest 10 ms of the last 1.5 s, in dB above the threshold of a fingertip, by the "
+                   "device profile. ≈ means that its level was not measured (sweep) and is assumed."));
+  felt_->setMinimumWidth(
+      felt_->fontMetrics().horizontalAdvance(tr("felt %1 dB").arg(QStringLiteral("≈ 100"))));
+  felt_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   auto* row = new QHBoxLayout;
   row->addWidget(sound_);
   row->addWidget(meter_, 1);
+  row->addWidget(felt_);
   return row;
 }
 
@@ -136,6 +144,14 @@ QString SoundBox::soundWords() const {
   return text;
 }
 
+QString SoundBox::feltWords() const {
+  const double felt_dB = session_.player().status().felt_dB;
+  if (session_.player().sound() != SoundState::on || !(felt_dB > 0)) return tr("felt –");
+  const auto& profile = session_.profile();
+  const bool measured = profile && profile->fullScale_dB;
+  return tr("felt %1 dB").arg((measured ? QString() : QStringLiteral("≈ ")) + fixedText(felt_dB, 0));
+}
+
 void SoundBox::showStatus() {
   const SoundState sound = session_.player().sound();
   const QString text = soundWords();
@@ -146,6 +162,7 @@ void SoundBox::showStatus() {
     figuresAt_s_ = steadyTime_s();
     shownSound_ = sound;
   }
+  felt_->setText(feltWords());
   if (sound != SoundState::on) return meter_->setIdle();
   const auto program = session_.program();
   meter_->setLevel(session_.player().status().level, program ? program->limiterCeiling : 1, steadyTime_s());

@@ -31,12 +31,13 @@ class SoundBox : public QWidget {
   void showSound();
   void showStatus();
   QString soundWords() const;
+  QString feltWords() const;
 
   FeelSession& session_;
   LevelMeter* meter_ = nullptr;
   QToolButton* sound_ = nullptr;
   QSlider* gain_ = nullptr;
-  QLabel *gainText_ = nullptr, *status_ = nullptr;
+  QLabel *gainText_ = nullptr, *status_ = nullptr, *felt_ = nullptr;
   QPushButton* again_ = nullptr;
   SoundState shownSound_ = SoundState::off;
   double figuresAt_s_ = 0;

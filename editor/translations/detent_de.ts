@@ -6936,6 +6936,18 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>Auf dem Audiogerät spielen, was zu fühlen ist. Das Gerät wird beim ersten Druck geöffnet und geschlossen, wenn dies ausgeschaltet wird.</translation>
     </message>
     <message>
+        <source>The strongest 10 ms of the last 1.5 s, in dB above the threshold of a fingertip, by the device profile. ≈ means that its level was not measured (sweep) and is assumed.</source>
+        <translation>Die stärksten 10 ms der letzten 1,5 s, in dB über der Fühlschwelle einer Fingerkuppe, nach dem Geräteprofil. ≈ heißt, dass sein Pegel nicht gemessen (sweep), sondern angenommen ist.</translation>
+    </message>
+    <message>
+        <source>felt %1 dB</source>
+        <translation>fühlbar %1 dB</translation>
+    </message>
+    <message>
+        <source>felt –</source>
+        <translation>fühlbar –</translation>
+    </message>
+    <message>
         <source>&amp;Gain</source>
         <translation>&amp;Verstärkung</translation>
     </message>

@@ -29,6 +29,7 @@ class Reader {
     if (key == "sensor.circuit") return circuit(value);
     if (!numbersOf(value, n_)) return "holds something that is not a number";
     if (key == "gain") return take(1, [&] { profile.gain = n_[0]; });
+    if (key == "full_scale_dB") return take(1, [&] { profile.fullScale_dB = n_[0]; });
     if (key == "resonance") return take(3, [&] { profile.resonances.push_back({n_[0], n_[1], n_[2]}); });
     if (key == "equalizer") return take(3, [&] { profile.equalizer.push_back({n_[0], n_[1], n_[2]}); });
     if (key == "latency") return latency();
@@ -141,6 +142,7 @@ std::string toText(const DeviceProfile& p) {
   for (char c : p.name) name += c == '\n' || c == '\r' || c == '#' ? ' ' : c;
   text += "name = " + name + "\n";
   put("gain", {p.gain});
+  if (p.fullScale_dB) put("full_scale_dB", {*p.fullScale_dB});
   text += "# frequency in Hz, Q, gain in dB\n";
   for (const Resonance& r : p.resonances) put("resonance", {r.frequency_Hz, r.q, r.gain_dB});
   for (const EqualizerBand& b : p.equalizer) put("equalizer", {b.frequency_Hz, b.q, b.gain_dB});

@@ -7,6 +7,8 @@
 
 #include "playback/measurement/exact_number.h"
 #include "playback/measurement/fourier.h"
+#include "playback/prepare/felt_level.h"
+#include "playback/realtime/biquad.h"
 
 namespace detent::playback {
 
@@ -260,6 +262,20 @@ bool agree(const FrequencyResponse& a, const FrequencyResponse& b) {
   const auto middle = differences_dB.begin() + static_cast<long>(differences_dB.size() / 2);
   std::nth_element(differences_dB.begin(), middle, differences_dB.end());
   return *middle <= median_dB;
+}
+
+double fullScaleLevel_dB(const FrequencyResponse& response, const SweepSettings& settings,
+                         double inputFullScale_m_per_s2) {
+  std::vector<double> beside_dB = response.gain_dB;
+  for (std::size_t i = 0; i < beside_dB.size(); ++i) {
+    for (const Resonance& r : response.resonances) {
+      const BiquadCoefficients section = peaking(settings.sampleRate_Hz, r.frequency_Hz, r.q, r.gain_dB);
+      beside_dB[i] -= 20 * std::log10(magnitude(section, settings.sampleRate_Hz, response.frequency_Hz[i]));
+    }
+  }
+  const auto middle = beside_dB.begin() + static_cast<long>(beside_dB.size() / 2);
+  std::nth_element(beside_dB.begin(), middle, beside_dB.end());
+  return *middle + 20 * std::log10(inputFullScale_m_per_s2 / threshold_m_per_s2);
 }
 
 void applyResponse(const FrequencyResponse& response, const SweepSettings& settings, DeviceProfile& profile) {

@@ -45,6 +45,11 @@ Result<FrequencyResponse> analyseSweep(const std::vector<float>& played, const s
 /// by less than 1 dB in the median. A dropout, or a machine too busy to play, makes them differ.
 bool agree(const FrequencyResponse& a, const FrequencyResponse& b);
 
+/// Level in dB above threshold (felt_level.h) of a sine of full scale at 250 Hz beside the resonances, where the recorder's full scale
+/// is `inputFullScale_m_per_s2` (> 0) of acceleration.
+double fullScaleLevel_dB(const FrequencyResponse& response, const SweepSettings& settings,
+                         double inputFullScale_m_per_s2);
+
 /// Puts resonances and the equalizer that flattens them into a profile.
 void applyResponse(const FrequencyResponse& response, const SweepSettings& settings, DeviceProfile& profile);
 

@@ -3,6 +3,7 @@
 // Renders a press without a device: the same engine as the live path, driven by a list of readings.
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,8 @@ struct RenderSummary {
   double duration_s = 0;
   double computing_s = 0;
   float peak = 0;
+  double felt_dB =
+      -std::numeric_limits<double>::infinity();  ///< strongest 10 ms, above threshold (felt_meter.h)
   EngineCounts counts;
   ConditionerCounts sensor;
   std::vector<EngineEvent> events;

@@ -49,6 +49,8 @@ struct DeviceProfile {
   Transducer transducer;
   SensorCalibration sensor;
   std::optional<MeasuredLatency> latency;
+  /// Of a sine of full scale at 250 Hz beside the resonances, dB above the threshold of a fingertip; empty: nobody measured it.
+  std::optional<double> fullScale_dB;
 };
 
 }  // namespace detent::playback

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "playback/realtime/biquad.h"
+#include "playback/realtime/felt_meter.h"
 
 namespace detent::playback {
 
 namespace {
 
-constexpr double best_Hz = 250,
-                 bandQ = 0.9;  // of two band-passes one behind the other, as excitation.cpp has them
 constexpr double look_s = 0.010;
 constexpr double anyRate_Hz = 192000;  // the highest: there every band lies where it is meant
 
@@ -30,7 +28,7 @@ double meanSquareOfSaw(double duration_s) {
 }  // namespace
 
 double pacinianWeight_dB(double frequency_Hz) {
-  const double detuning = bandQ * (frequency_Hz / best_Hz - best_Hz / frequency_Hz);
+  const double detuning = pacinianQ * (frequency_Hz / pacinianBest_Hz - pacinianBest_Hz / frequency_Hz);
   return -20 * std::log10(1 + detuning * detuning);
 }
 
@@ -46,13 +44,13 @@ double raisedBy_dB(const DeviceProfile& device, const HapticProgram& program, do
 }
 
 double feltLevel_dB(const Burst& burst, const DeviceProfile& device, const HapticProgram& program) {
-  return assumedFullScale_dB + dB(burst.amplitude) + 10 * std::log10(meanSquareOfSaw(burst.duration_s)) +
+  return fullScale_dB(device) + dB(burst.amplitude) + 10 * std::log10(meanSquareOfSaw(burst.duration_s)) +
          pacinianWeight_dB(burst.frequency_Hz) + raisedBy_dB(device, program, burst.frequency_Hz);
 }
 
 double feltSlopeLevel_dB(const DeviceProfile& device, const HapticProgram& program) {
   const double frequency_Hz = program.grain.frequency_Hz;
-  double level_dB = assumedFullScale_dB + dB(program.grain.amplitude) + pacinianWeight_dB(frequency_Hz) +
+  double level_dB = fullScale_dB(device) + dB(program.grain.amplitude) + pacinianWeight_dB(frequency_Hz) +
                     raisedBy_dB(device, program, frequency_Hz);
   if (program.lowPass.placement != LowPassPlacement::none)
     level_dB += dB(magnitude(lowPass(anyRate_Hz, program.lowPass.cutoff_Hz, program.lowPass.order),

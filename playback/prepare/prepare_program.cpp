@@ -154,6 +154,16 @@ class Preparation {
     }
     setJumpFrequencies();
     setEqualizer();
+    setDevice();
+  }
+
+  void setDevice() {
+    HapticProgram& p = prepared_.program;
+    p.fullScale_dB = fullScale_dB(profile_);
+    for (const Resonance& r : profile_.resonances) {
+      if (p.resonanceCount == p.resonances.size()) break;
+      p.resonances[p.resonanceCount++] = {r.frequency_Hz, r.q, r.gain_dB};
+    }
   }
 
   void setEqualizer() {
@@ -469,6 +479,10 @@ Result<Done> checkSettings(const PlaybackSettings& s) {
 
 /// What no sensor and no link is; the numbers would else go on into forces and hysteresis.
 Result<Done> checkMeasured(const DeviceProfile& profile) {
+  if (Result<Done> ok =
+          checkBounds("device profile", {{"full_scale_dB", fullScale_dB(profile), -60, 140, true}});
+      !ok)
+    return ok;
   const SensorCalibration& sensor = profile.sensor;
   for (std::size_t i = 0; i < sensor.coefficientCount; ++i) {
     if (Result<Done> ok = checkBounds("device profile", {{"sensor.coefficients", sensor.coefficients[i],

@@ -202,22 +202,30 @@ class LiveView {
     if (errorIsTerminal()) draw(status);
   }
 
+  /// "felt 38 dB"; "felt ~38 dB" where nobody measured the device's level.
+  std::string feltWords(const PlayerStatus& s) const {
+    if (!(s.felt_dB > 0)) return "felt  - dB";
+    char words[32];
+    std::snprintf(words, sizeof words, "felt %s%.0f dB", profile_.fullScale_dB ? "" : "~", s.felt_dB);
+    return words;
+  }
+
   void draw(const PlayerStatus& s) {
     const std::size_t bars = static_cast<std::size_t>(std::lround(std::clamp(s.level, 0.0, 1.0) * 10));
     char text[400];
-    std::snprintf(text, sizeof text,
-                  "%s%s%s%s %5.2f N %6.3f mm %s%s |%-10s| gain %+.0f dB %s %s grains %llu jumps %llu %s load "
-                  "%2.0f%% xruns %llu %s",
-                  warnings_.mostUrgent() ? titleOf(*warnings_.mostUrgent()) : "",
-                  warnings_.mostUrgent() ? " | " : "", buttons_[current_].name().substr(0, 20).c_str(),
-                  buttons_[current_].selfLocking() ? (s.state == 0 ? " (1)" : " (2)") : "", s.force_N,
-                  s.displacement_mm, s.releasing ? "up  " : "down", s.contact ? "*" : " ",
-                  std::string(bars, '#').c_str(), 20 * std::log10(std::max(gain_, 1e-6)),
-                  nameOf(settings_.mode),
-                  settings_.placement == EventPlacement::atOnce ? "fast" : "time-stamped",
-                  static_cast<unsigned long long>(s.counts.grains),
-                  static_cast<unsigned long long>(s.counts.pressJumps + s.counts.releaseJumps), last_,
-                  100 * s.load, static_cast<unsigned long long>(s.xruns), nameOf(s.sensor));
+    std::snprintf(
+        text, sizeof text,
+        "%s%s%s%s %5.2f N %6.3f mm %s%s |%-10s| %s gain %+.0f dB %s %s grains %llu jumps %llu %s load "
+        "%2.0f%% xruns %llu %s",
+        warnings_.mostUrgent() ? titleOf(*warnings_.mostUrgent()) : "", warnings_.mostUrgent() ? " | " : "",
+        buttons_[current_].name().substr(0, 20).c_str(),
+        buttons_[current_].selfLocking() ? (s.state == 0 ? " (1)" : " (2)") : "", s.force_N,
+        s.displacement_mm, s.releasing ? "up  " : "down", s.contact ? "*" : " ",
+        std::string(bars, '#').c_str(), feltWords(s).c_str(), 20 * std::log10(std::max(gain_, 1e-6)),
+        nameOf(settings_.mode), settings_.placement == EventPlacement::atOnce ? "fast" : "time-stamped",
+        static_cast<unsigned long long>(s.counts.grains),
+        static_cast<unsigned long long>(s.counts.pressJumps + s.counts.releaseJumps), last_, 100 * s.load,
+        static_cast<unsigned long long>(s.xruns), nameOf(s.sensor));
     std::string line(text);
     line.resize(static_cast<std::size_t>(std::max(terminalColumns() - 1, 20)), ' ');
     std::fprintf(stderr, "\r%s", line.c_str());

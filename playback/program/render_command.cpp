@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/program/render_command.h"
 
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -13,6 +14,7 @@
 #include "model/program/command_line.h"
 #include "playback/measurement/exact_number.h"
 #include "playback/offline/render_press.h"
+#include "playback/prepare/felt_level.h"
 #include "playback/program/json_output.h"
 #include "playback/program/shared_options.h"
 
@@ -125,6 +127,10 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
         "warning: %llu of %zu readings were left out (no number, out of range or order, or a glitch)\n",
         static_cast<unsigned long long>(rejected), trace->readings.size());
   }
+  if (std::isfinite(summary->felt_dB)) {
+    std::fprintf(stderr, "felt: strongest 10 ms %.0f dB above threshold, on a device %s\n", summary->felt_dB,
+                 profile->fullScale_dB ? "as measured" : "whose level nobody measured (45 dB assumed)");
+  }
   const EngineCounts& n = summary->counts;
   std::fprintf(stderr,
                "%s\n%s: %.3f s, peak %.3f, %llu grains, %llu press jumps, %llu release jumps, %llu "
@@ -139,6 +145,9 @@ int run(const RenderArguments& a, const Cancelled& cancelled) {
            {"sample_rate_Hz", a.sampleRate_Hz},
            {"duration_s", summary->duration_s},
            {"peak", summary->peak},
+           {"felt_dB", std::isfinite(summary->felt_dB) ? Json(summary->felt_dB) : Json(nullptr)},
+           {"full_scale_dB", fullScale_dB(*profile)},
+           {"full_scale_measured", profile->fullScale_dB.has_value()},
            {"grains", n.grains},
            {"press_jumps", n.pressJumps},
            {"release_jumps", n.releaseJumps},

@@ -25,6 +25,7 @@ struct SweepArguments {
   std::string inputDevice;
   std::string outputFile, plotFile, csvFile;
   SweepSettings sweep;
+  double inputFullScale_m_per_s2 = 0;
   bool json = false;
 };
 
@@ -49,6 +50,11 @@ void addOptions(CLI::App& app, SweepArguments& a) {
   app.add_option("--level", a.sweep.level, "Share of full scale")
       ->capture_default_str()
       ->check(numberWithin(0.001, 1));
+  app.add_option(
+         "--input-full-scale", a.inputFullScale_m_per_s2,
+         "Acceleration in m/s2 that the input's full scale stands for: the profile then tells levels in dB "
+         "above a fingertip's threshold")
+      ->check(numberWithin(0.001, 1e6));
   app.add_flag("--json", a.json, "One JSON object on stdout");
 }
 
@@ -130,6 +136,12 @@ int run(const SweepArguments& a, const Cancelled& cancelled) {
   Result<FrequencyResponse> response = measureUntilTwoAgree(a, player, settings, cancelled);
   if (!response) return fail(response.failure());
   applyResponse(*response, settings, *profile);
+  if (a.inputFullScale_m_per_s2 > 0) {
+    profile->fullScale_dB = fullScaleLevel_dB(*response, settings, a.inputFullScale_m_per_s2);
+    std::fprintf(stderr,
+                 "full scale at 250 Hz beside the resonances: %.1f dB above a fingertip's threshold\n",
+                 *profile->fullScale_dB);
+  }
   if (profile->name.empty()) profile->name = a.player.device;
   if (Result<Done> w = writeDeviceProfile(*profile, a.outputFile); !w) return fail(w.failure());
   if (!a.csvFile.empty()) {
@@ -164,8 +176,11 @@ int run(const SweepArguments& a, const Cancelled& cancelled) {
     std::fprintf(stderr, "no resonance: the response is flat within %.0f dB\n",
                  settings.resonanceProminence_dB);
   if (a.json)
-    print(
-        {{"status", "ok"}, {"profile", a.outputFile}, {"resonances", peaks}, {"delay_s", response->delay_s}});
+    print({{"status", "ok"},
+           {"profile", a.outputFile},
+           {"resonances", peaks},
+           {"delay_s", response->delay_s},
+           {"full_scale_dB", profile->fullScale_dB ? Json(*profile->fullScale_dB) : Json(nullptr)}});
   return 0;
 }
 

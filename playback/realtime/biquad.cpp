@@ -55,6 +55,13 @@ BiquadCoefficients peaking(double sampleRate_Hz, double frequency_Hz, double q, 
   return c;
 }
 
+BiquadCoefficients bandPass(double sampleRate_Hz, double centre_Hz, double q) {
+  if (outOfBand(sampleRate_Hz, centre_Hz)) return {};
+  const double w = 2 * std::numbers::pi * centre_Hz / sampleRate_Hz, alpha = std::sin(w) / (2 * q);
+  const double a0 = 1 + alpha;
+  return {alpha / a0, 0, -alpha / a0, -2 * std::cos(w) / a0, (1 - alpha) / a0};
+}
+
 double magnitude(const BiquadCoefficients& c, double sampleRate_Hz, double frequency_Hz) {
   const std::complex<double> z1 = std::polar(1.0, -2 * std::numbers::pi * frequency_Hz / sampleRate_Hz);
   return std::abs((c.b0 + z1 * (c.b1 + z1 * c.b2)) / (1.0 + z1 * (c.a1 + z1 * c.a2)));

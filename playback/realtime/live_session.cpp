@@ -6,6 +6,7 @@
 
 #include <readerwriterqueue/readerwriterqueue.h>
 
+#include "playback/realtime/felt_meter.h"
 #include "playback/realtime/stream_clock.h"
 
 namespace detent::playback {
@@ -54,6 +55,7 @@ struct LiveSession::State {
   HapticEngine engine;
   TakePlayer takes;
   float takePeak = 0;                 // of what was heard while a take played, since the last status
+  FeltMeter felt;
   std::atomic<double> sampleRate_Hz;  // the engine's, for other threads
   StreamClock clock;
   double lastInput_frames = 0;
@@ -83,6 +85,7 @@ void LiveSession::setSampleRate(double sampleRate_Hz) {
   s.takes.setSampleRate(s.engine.sampleRate_Hz());
   s.sampleRate_Hz.store(s.engine.sampleRate_Hz(), std::memory_order_relaxed);
   s.clock = StreamClock(s.engine.sampleRate_Hz());
+  if (s.engine.program() != nullptr) s.felt.use(*s.engine.program(), s.engine.sampleRate_Hz());
 }
 
 void LiveSession::takeWhileAway() {
@@ -121,6 +124,7 @@ void LiveSession::process(float* out, std::size_t count, double entry_s) {
     while (lane.try_dequeue(command)) handle(command, count);
   }
   s.engine.render(out, count);
+  s.felt.add(out, count);
   const float peak = s.takes.addTo(out, count);
   if (peak > s.takePeak) s.takePeak = peak;
   if (s.engine.limiting()) ++s.status.limitedBlocks;
@@ -194,6 +198,7 @@ void LiveSession::handle(const SessionCommand& sent, std::size_t count) {
     case CommandKind::program: {
       const HapticProgram* old = engine.program();
       engine.use(command.program);
+      if (command.program != nullptr) s.felt.use(*command.program, engine.sampleRate_Hz());
       if (old == nullptr) break;
       if (s.retiredCount == s.retired.size()) publishRetired();
       if (s.retiredCount < s.retired.size()) s.retired[s.retiredCount++] = old;
@@ -256,6 +261,7 @@ void LiveSession::publish() {
   s.status.peak = s.engine.takePeak();
   if (s.takePeak > s.status.peak) s.status.peak = s.takePeak;
   s.takePeak = 0;
+  s.status.felt_dB = s.felt.take_dB();
   s.status.counts = s.engine.counts();
   report.kind = ReportKind::status;
   report.status = s.status;

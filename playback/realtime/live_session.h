@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "playback/realtime/haptic_engine.h"
@@ -51,8 +52,10 @@ struct SessionCommand {
 struct SessionStatus {
   std::int64_t frame = 0;
   StrokePosition position;
-  float peak = 0;   ///< largest |sample| since the status before
-  double load = 0;  ///< largest share of a block's time spent in the callback since the status before
+  float peak = 0;  ///< largest |sample| since the status before
+  double felt_dB = -std::numeric_limits<
+      double>::infinity();  ///< strongest 10 ms since then, above threshold (felt_meter.h)
+  double load = 0;          ///< largest share of a block's time spent in the callback since the status before
   double meanLoad = 0;
   std::uint32_t blockFrames = 0;
   std::uint64_t xruns = 0;

@@ -3,30 +3,22 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "playback/realtime/biquad.h"
+#include "playback/realtime/felt_meter.h"
 
 namespace detent::playback {
 
 namespace {
 
-constexpr std::array<double, channelCount> best_Hz{40, 250};
-constexpr std::array<double, channelCount> bandQ{0.7, 0.9};
-constexpr std::size_t sections = 2;  // 12 dB per octave on both flanks, as the thresholds rise
+constexpr std::array<double, channelCount> best_Hz{40, pacinianBest_Hz};
+constexpr std::array<double, channelCount> bandQ{0.7, pacinianQ};
 constexpr double smoothing_s = 0.004;
 constexpr double unmaskable_dB = 1;  // a masker this faint hides nothing
-
-/// Band-pass of gain 1 at its centre after R. Bristow-Johnson's audio EQ cookbook.
-BiquadCoefficients bandPass(double rate_Hz, double centre_Hz, double q) {
-  const double w = 2 * std::numbers::pi * centre_Hz / rate_Hz, alpha = std::sin(w) / (2 * q), a0 = 1 + alpha;
-  return {alpha / a0, 0, -alpha / a0, -2 * std::cos(w) / a0, (1 - alpha) / a0};
-}
 
 /// Mean power of a channel's band in each frame, as a sine's of amplitude 1 is 1.
 std::vector<double> powersOf(const std::vector<float>& samples, std::size_t channel) {
   std::vector<double> band(samples.begin(), samples.end());
-  for (std::size_t s = 0; s < sections; ++s) {
+  for (std::size_t s = 0; s < pacinianSections; ++s) {
     Biquad section;
     section.setCoefficients(bandPass(perceptionRate_Hz, best_Hz[channel], bandQ[channel]));
     section.process(band.data(), band.size());

@@ -113,6 +113,24 @@ TEST_CASE("sweep: neighbouring sections are found together, within their stated 
   CHECK(within2 >= 0.8 * all);
 }
 
+TEST_CASE("sweep: of a recorder whose full scale is known, the device's level above threshold") {
+  SweepSettings settings;
+  settings.duration_s = 4;
+  const std::vector<float> played = sweepSignal(settings);
+  std::vector<double> x(played.begin(), played.end());
+  for (const Resonance& t : {Resonance{260, 6, 10}, Resonance{390, 10, 14}}) {
+    Biquad section;
+    section.setCoefficients(peaking(settings.sampleRate_Hz, t.frequency_Hz, t.q, t.gain_dB));
+    section.process(x.data(), x.size());
+  }
+  std::vector<float> recorded(played.size(), 0);
+  for (std::size_t i = 700; i < recorded.size(); ++i) recorded[i] = static_cast<float>(0.1 * x[i - 700]);
+  const auto response = analyseSweep(played, recorded, settings);
+  REQUIRE(response);
+  // Full scale of the device is 0.1 of the recorder's 250 m/s2: a hundred times what is just felt.
+  CHECK(fullScaleLevel_dB(*response, settings, 250) == Approx(40).margin(0.3));
+}
+
 TEST_CASE("sweep: what is no sum of sections keeps its peaks, without errors") {
   std::vector<double> frequency_Hz, gain_dB;
   for (int i = 10; i < 1000; ++i) {
@@ -238,6 +256,7 @@ TEST_CASE("profile: survives a round trip bit for bit; typing errors do not pass
   DeviceProfile p;
   p.name = "Mockup 1";
   p.gain = 0.1 + 0.2;
+  p.fullScale_dB = 41.0 + 1.0 / 3;
   p.resonances = {{390.123456789, 1.0 / 3, 14}, {260, 5, 3}};
   p.equalizer = {{390.1, 3, -12}};
   p.sensor.circuit = SensorCircuit::divider;
@@ -250,14 +269,15 @@ TEST_CASE("profile: survives a round trip bit for bit; typing errors do not pass
   REQUIRE(back);
   CHECK(toText(*back) == toText(p));
   CHECK(back->gain == p.gain);
+  CHECK(back->fullScale_dB == p.fullScale_dB);
   CHECK(back->sensor.coefficients == p.sensor.coefficients);
   CHECK(back->resonances[0].q == p.resonances[0].q);
   CHECK(back->latency->mean_s == 0.05112);
-  for (const char* bad :
-       {"", "gain = 1\n", "detent-device 2\n", "detent-device 1\ngian = 1\n", "detent-device 1\ngain = x\n",
-        "detent-device 1\ngain = 1\ngain = 1\n", "detent-device 1\ngain = -1\n",
-        "detent-device 1\nresonance = 1 2\n", "detent-device 1\nsensor.circuit = bridge\n",
-        "detent-device 1\ngain 1\n", "detent-device 1\ngain = nan\n"}) {
+  for (const char* bad : {"", "gain = 1\n", "detent-device 2\n", "detent-device 1\ngian = 1\n",
+                          "detent-device 1\ngain = x\n", "detent-device 1\ngain = 1\ngain = 1\n",
+                          "detent-device 1\nfull_scale_dB = 1e300\n", "detent-device 1\ngain = -1\n",
+                          "detent-device 1\nresonance = 1 2\n", "detent-device 1\nsensor.circuit = bridge\n",
+                          "detent-device 1\ngain 1\n", "detent-device 1\ngain = nan\n"}) {
     const Result<DeviceProfile> refused = parseDeviceProfile(bad, "bad.device");
     INFO(bad);
     REQUIRE_FALSE(refused);
