@@ -54,7 +54,7 @@ struct LiveSession::State {
 
   HapticEngine engine;
   TakePlayer takes;
-  float takePeak = 0;                 // of what was heard while a take played, since the last status
+  float takePeak = 0;  // of what was heard while a take played, since the last status
   FeltMeter felt;
   std::atomic<double> sampleRate_Hz;  // the engine's, for other threads
   StreamClock clock;
