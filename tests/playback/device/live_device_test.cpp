@@ -395,9 +395,9 @@ TEST_CASE("measure: while one thread records, another lists the devices") {
   PlayerSettings player = jackSettings();
   player.sampleRate_Hz = 48000;
   const std::vector<float> longer(static_cast<std::size_t>(20 * player.sampleRate_Hz), 0);
-  std::atomic<bool> playing{false}, listed{false}, recorded{false};
+  std::atomic<bool> playing{false}, listed{false}, recorded{false}, gaveUp{false};
   std::thread recorder([&] {
-    playAndRecordSamples(player, "", longer, [&] {
+    gaveUp = !playAndRecordSamples(player, "", longer, [&] {
       playing = true;
       return listed.load();
     });
@@ -410,6 +410,7 @@ TEST_CASE("measure: while one thread records, another lists the devices") {
   recorder.join();
   CHECK(found);
   CHECK(meanwhile);
+  CHECK(gaveUp);
 }
 
 TEST_CASE("Pure Data plays the same bursts from the paper's own route") {
