@@ -409,7 +409,7 @@ void addPlan(CLI::App& parent, Action& chosen) {
   app->add_option("DIR", a->folder, "Folder of the study")->required();
   app->add_option("--people", a->people, "Participants planned, 2..999; their ids are P01, P02, ...")
       ->capture_default_str()
-      ->check(CLI::Range(2, 999));
+      ->check(numberWithin(2, 999));
   app->add_option("-o,--output", a->htmlFile,
                   "One HTML page to preregister: hypotheses, design, power, tests, what was foretold");
   app->add_option("--lists", a->listsFolder,
