@@ -7,8 +7,6 @@
 #include <cstdio>
 #include <memory>
 
-#include "playback/realtime/felt_meter.h"
-
 namespace detent::playback {
 
 namespace {
@@ -126,8 +124,6 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
 
   const auto engine = std::make_unique<HapticEngine>(settings.sampleRate_Hz);
   engine->use(&program);
-  FeltMeter felt;
-  felt.use(program, settings.sampleRate_Hz);
   std::vector<float> block(settings.block);
   std::size_t next = 0;
   EngineEvent event;
@@ -152,7 +148,6 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
                                       0.0, inputs[next].time_frames - static_cast<double>(engine->frame()))),
                                   1, count);
     engine->render(block.data(), count);
-    felt.add(block.data(), count);
     while (engine->nextEvent(event)) summary.events.push_back(event);
     for (std::size_t i = 0; i < count; ++i) summary.peak = std::max(summary.peak, std::fabs(block[i]));
     if (settings.cancelled && settings.cancelled()) {
@@ -162,7 +157,6 @@ Result<RenderSummary> renderPress(const HapticProgram& program, const PressTrace
   }
   summary.duration_s = static_cast<double>(engine->frame()) / settings.sampleRate_Hz;
   summary.counts = engine->counts();
-  summary.felt_dB = felt.take_dB();
   summary.computing_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return summary;
 }

@@ -9,6 +9,7 @@
 #include "model/staged_file.h"
 #include "model/text.h"
 #include "playback/offline/press_files.h"
+#include "playback/realtime/felt_meter.h"
 
 namespace detent::playback {
 
@@ -117,9 +118,17 @@ Result<RenderSummary> renderPressToFile(const HapticProgram& program, const Pres
                                         const RenderSettings& settings, const std::filesystem::path& file) {
   if (Result<Done> ok = checkRendering(trace, settings); !ok) return ok.failure();
   const double bytes = expectedSize(trace, settings, file).bytes;
-  return written<RenderSummary>(
-      file, settings.sampleRate_Hz, settings.format, bytes,
-      [&](const SampleSink& put) { return renderPress(program, trace, settings, put); });
+  FeltMeter felt;
+  felt.use(program, settings.sampleRate_Hz);
+  Result<RenderSummary> summary = written<RenderSummary>(
+      file, settings.sampleRate_Hz, settings.format, bytes, [&](const SampleSink& put) {
+        return renderPress(program, trace, settings, [&](const float* samples, std::size_t count) {
+          felt.add(samples, count);
+          return put(samples, count);
+        });
+      });
+  if (summary) summary->felt_dB = felt.take_dB();
+  return summary;
 }
 
 Result<Done> writeSoundFile(const std::vector<float>& samples, double sampleRate_Hz,
