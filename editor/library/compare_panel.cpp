@@ -8,6 +8,7 @@
 #include <QHeaderView>
 #include <QScrollArea>
 
+#include "editor/document/csv_field.h"
 #include "editor/document/described.h"
 #include "editor/document/graph_colors.h"
 #include "editor/document/message_words.h"
@@ -403,18 +404,17 @@ void ComparePanel::fillTable(const std::vector<const ButtonState*>& states) {
 }
 
 QString ComparePanel::tableText() const {
-  const auto quoted = [](QString text) { return '"' + text.replace('"', QStringLiteral("\"\"")) + '"'; };
   QStringList heads{QStringLiteral("figure")};
   const std::size_t count = table_->columnCount() < 3 ? 0 : sides_.size();
-  for (std::size_t i = 0; i < count; ++i) heads << quoted(nameOf(*sides_[i]));
+  for (std::size_t i = 0; i < count; ++i) heads << csvField(nameOf(*sides_[i]));
   for (std::size_t i = 1; i < count; ++i)
-    heads << quoted(nameOf(*sides_[i]) + QStringLiteral(" - ") + nameOf(*sides_[0]));
+    heads << csvField(nameOf(*sides_[i]) + QStringLiteral(" - ") + nameOf(*sides_[0]));
   heads << QStringLiteral("unit");
   QStringList lines{heads.join(',')};
   for (int row = 0; row < table_->rowCount(); ++row) {
     QStringList fields;
     for (int column = 0; column < table_->columnCount(); ++column)
-      fields << quoted(table_->item(row, column)->text());
+      fields << csvField(table_->item(row, column)->text());
     lines << fields.join(',');
   }
   return lines.join('\n') + '\n';

@@ -9,6 +9,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "editor/document/csv_field.h"
 #include "editor/document/described.h"
 #include "editor/document/message_words.h"
 #include "editor/pressing/effort_plot.h"
@@ -203,13 +204,12 @@ void PressView::fill(const PressAnswer& answer) {
 }
 
 QString PressView::tableText() const {
-  const auto quoted = [](QString text) { return '"' + text.replace('"', QStringLiteral("\"\"")) + '"'; };
   QStringList lines;
   for (int row = -1; row < table_->rowCount(); ++row) {
     QStringList fields;
     for (int column = 0; column < table_->columnCount(); ++column)
-      fields << quoted(row < 0 ? table_->horizontalHeaderItem(column)->toolTip()
-                               : table_->item(row, column)->text());
+      fields << csvField(row < 0 ? table_->horizontalHeaderItem(column)->toolTip()
+                                 : table_->item(row, column)->text());
     lines << fields.join(',');
   }
   return lines.join('\n') + '\n';
