@@ -104,8 +104,9 @@ struct DeviceMeasurementSettings {
 struct DeviceMeasurement {
   ForceDeviceMeasurement device;
   MotionIdentification motion;
-  MotionRecord record;     ///< what it rests on, for pictures
-  double roundTrip_s = 0;  ///< of the link; 0: none, or quick
+  MotionRecord record;        ///< what it rests on, for pictures
+  double roundTrip_s = 0;     ///< of the link; 0: none, or quick
+  double longestPause_s = 0;  ///< of this computer; what a pause hides does not enter
 };
 /// Some ten seconds. `onward` is asked often and told what has been done (0..1): false cancels. Failure: wrongUsage, deviceTrouble where the
 /// device cannot be had, does not move, or moves the other way; unreadableInput where its movement tells nothing.

@@ -24,6 +24,8 @@ constexpr double shortestRange_mm = 4, longestRange_mm = 80;
 // A device's own ramp and the loop's are over after this: what is asked is what is given.
 constexpr double rampsOver_s = 0.25;
 constexpr double movedWrongWay_mm = 0.25;
+// After a pause of so long no device still gives the force it was asked for (docs/force-protocol.md).
+constexpr double longPause_s = 0.01;
 constexpr auto lookEvery = std::chrono::milliseconds(20);
 
 Failure trouble(const ForceDeviceChoice& device, const std::string& problem, const std::string& remedy) {
@@ -135,8 +137,13 @@ class Measuring {
     if (status.halt == ForceHalt::stopped)
       return trouble(device_, "was stopped", "Let the handle rest and measure again");
     if (status.halt == ForceHalt::displaced) {
-      return trouble(device_, "moved out of its range, or its position jumped",
-                     "Clear its way, or give a larger --range");
+      return longestPause_s_ < longPause_s
+                 ? trouble(device_, "moved out of its range, or its position jumped",
+                           "Clear its way, or give a larger --range")
+                 : trouble(device_,
+                           "moved out of its range: this computer paused for " +
+                               numberText(1e3 * longestPause_s_) + " ms meanwhile",
+                           "Close what else runs, let the handle rest, and measure again");
     }
     return Done{};
   }
@@ -148,6 +155,7 @@ class Measuring {
       if (seen_ >= most) return;
       ++seen_;
       time_s_ += step.periods * program_->period_s;
+      longestPause_s_ = std::max(longestPause_s_, (step.periods - 1) * program_->period_s);
       if (!from_mm_ && step.good) from_mm_ = step.position_mm;
       if (time_s_ < rampsOver_s) continue;
       if (!record_.time_s.empty() && time_s_ <= record_.time_s.back()) continue;
@@ -197,6 +205,7 @@ class Measuring {
     done.motion = motion;
     done.record = std::move(record_);
     done.roundTrip_s = roundTrip_s_;
+    done.longestPause_s = longestPause_s_;
     return done;
   }
 
@@ -210,7 +219,7 @@ class Measuring {
   MotionRecord record_;
   std::optional<double> from_mm_;
   std::int64_t seen_ = 0;  ///< steps, those that are not recorded included
-  double time_s_ = 0, roundTrip_s_ = 0;
+  double time_s_ = 0, roundTrip_s_ = 0, longestPause_s_ = 0;
 };
 
 }  // namespace

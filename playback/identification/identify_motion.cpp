@@ -20,7 +20,11 @@ constexpr double longestSubstep_s = 100e-6;
 // At first they are briefer: from far off, long ones lead to a place that is no solution.
 constexpr double stretch_s = 0.05, briefStretch_s = 0.02, goodOfStretch = 0.7, movedSteps = 6,
                  moved_mm = 0.02;
+// At slow links' rates they are longer: by samples, not by time, a beginning is known.
+constexpr double stretchPeriods = 16, briefStretchPeriods = 8;
 constexpr std::size_t leastStretches = 12;
+// Nothing was heard for so many periods: the host or the link paused. A device lets go meanwhile, so what it gave is not known.
+constexpr double pausePeriods = 5;
 constexpr int mostRounds = 60;
 constexpr double converged = 1e-5;
 constexpr double lightest_kg = 0.003, heaviest_kg = 3, roughDamping_Ns_per_mm = 5e-4, roughLag_ms2 = 0.04;
@@ -120,13 +124,19 @@ class Motor {
 
 class MotionFit {
  public:
-  explicit MotionFit(const MotionRecord& record) : record_(record), motor_(record) { cut(briefStretch_s); }
+  explicit MotionFit(const MotionRecord& record)
+      : record_(record),
+        motor_(record),
+        period_s_(usualPeriod_s(record)),
+        pause_s_(pausePeriods * period_s_) {
+    cut(std::max(briefStretch_s, briefStretchPeriods * period_s_));
+  }
 
   std::size_t stretches() const { return stretches_.size(); }
 
   MotionIdentification run() {
     const Globals rough = solved(roughly());
-    cut(stretch_s);
+    cut(std::max(stretch_s, stretchPeriods * period_s_));
     adaptStarts(rough);
     Globals theta = solved(rough);
     if (const std::size_t dropped = dropOdd(theta); dropped > 0) theta = solved(theta);
@@ -219,12 +229,34 @@ class MotionFit {
   void cut(double longest_s) {
     stretches_.clear();
     for (std::size_t first = 0; first + 1 < record_.time_s.size();) {
-      std::size_t last = first;
-      while (last + 1 < record_.time_s.size() && record_.time_s[last] - record_.time_s[first] < longest_s)
+      std::size_t last = first, heard = first;
+      while (last + 1 < record_.time_s.size() && record_.time_s[last] - record_.time_s[first] < longest_s &&
+             record_.time_s[last + 1] - record_.time_s[heard] < pause_s_) {
         ++last;
+        if (record_.good[last]) heard = last;
+      }
       if (usable(first, last)) stretches_.push_back({first, last, startOf(first, last)});
-      first = last;
+      first = last + 1 < record_.time_s.size() && record_.time_s[last + 1] - record_.time_s[heard] >= pause_s_
+                  ? afterPause(last + 1)
+                  : last;
     }
+  }
+
+  /// Where the motor gives again what it is asked for: a pause's length after something was heard again.
+  std::size_t afterPause(std::size_t k) const {
+    while (k < record_.time_s.size() && !record_.good[k]) ++k;
+    const double until_s = k < record_.time_s.size() ? record_.time_s[k] + pause_s_ : 0;
+    while (k < record_.time_s.size() && record_.time_s[k] < until_s) ++k;
+    return k;
+  }
+
+  static double usualPeriod_s(const MotionRecord& record) {
+    std::vector<double> periods_s;
+    for (std::size_t k = 0; k + 1 < record.time_s.size(); ++k)
+      periods_s.push_back(record.time_s[k + 1] - record.time_s[k]);
+    const auto middle = periods_s.begin() + static_cast<std::ptrdiff_t>(periods_s.size() / 2);
+    std::nth_element(periods_s.begin(), middle, periods_s.end());
+    return *middle;
   }
 
   bool usable(std::size_t first, std::size_t last) const {
@@ -432,6 +464,7 @@ class MotionFit {
 
   const MotionRecord& record_;
   Motor motor_;
+  double period_s_, pause_s_;
   std::vector<Stretch> stretches_;
 };
 

