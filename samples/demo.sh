@@ -4,7 +4,7 @@
 #
 #   samples/demo.sh [FILE...]
 #
-# FILE: png, jpg, bmp, tiff, webp, pdf, svg, svgz of a force graph, or a force meter's csv. Without one, the samples of samples/plots.
+# FILE: png, jpg, bmp, tiff, webp, gif, pdf, svg, svgz of a force graph, or a force meter's csv. Without one, the samples of samples/plots.
 # Leaves for each a button file, a CSV of the fitted graph and a picture with the fit drawn over the page in samples/out.
 # Goes on after a file that fails; exits 1 if any failed.
 set -euo pipefail

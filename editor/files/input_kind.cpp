@@ -10,8 +10,8 @@ namespace detent::editor {
 namespace {
 
 const QStringList& pageEndings() {
-  static const QStringList endings = {"png",  "jpg",  "jpeg", "bmp", "tif",
-                                      "tiff", "webp", "pdf",  "svg", "svgz"};
+  static const QStringList endings = {"png",  "jpg", "jpeg", "bmp", "tif", "tiff",
+                                      "webp", "gif", "pdf",  "svg", "svgz"};
   return endings;
 }
 

@@ -8318,8 +8318,8 @@ oder öffnen Sie eine Datei (%2).</translation>
         <translation>%1, obwohl der Name etwas anderes verspricht (%2)</translation>
     </message>
     <message>
-        <source>Give a PNG, JPEG, BMP, TIFF, WebP, PDF, SVG or CSV file</source>
-        <translation>Geben Sie eine PNG-, JPEG-, BMP-, TIFF-, WebP-, PDF-, SVG- oder CSV-Datei an</translation>
+        <source>Give a PNG, JPEG, BMP, TIFF, WebP, GIF, PDF, SVG or CSV file</source>
+        <translation>Geben Sie eine PNG-, JPEG-, BMP-, TIFF-, WebP-, GIF-, PDF-, SVG- oder CSV-Datei an</translation>
     </message>
     <message>
         <source>the content is a %1, although the name promises a %2</source>
@@ -8650,6 +8650,14 @@ oder öffnen Sie eine Datei (%2).</translation>
 </context>
 <context>
     <name>detent::importer::PictureSource</name>
+    <message>
+        <source>the GIF picture is damaged, or a film of several pictures</source>
+        <translation>das GIF-Bild ist beschädigt oder ein Film aus mehreren Bildern</translation>
+    </message>
+    <message>
+        <source>Save the picture that shows the whole graph as PNG and import that</source>
+        <translation>Speichern Sie das Bild, das den ganzen Graphen zeigt, als PNG und importieren Sie dieses</translation>
+    </message>
     <message>
         <source>the %1 is damaged and cannot be decoded</source>
         <translation>%1: die Datei ist beschädigt und lässt sich nicht lesen</translation>

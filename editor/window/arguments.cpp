@@ -43,7 +43,7 @@ QString helpText() {
       "Usage: detent-edit [FILES...]\n"
       "\n"
       "  FILES      *.button.json, or CSV as detent-graph writes it: each opens in a tab.\n"
-      "             PNG, JPEG, BMP, TIFF, WebP, PDF, SVG, or a force meter's CSV: opens in the import "
+      "             PNG, JPEG, BMP, TIFF, WebP, GIF, PDF, SVG, or a force meter's CSV: opens in the import "
       "dialogue.\n"
       "\n"
       "  -h, --help     this text\n"

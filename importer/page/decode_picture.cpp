@@ -144,6 +144,8 @@ std::optional<StoredPicture> decodeStored(std::span<const unsigned char> bytes, 
       return decodeJpeg(bytes, width, height);
     case FileKind::bmp:
       return decodeBmp(bytes, width, height);
+    case FileKind::gif:
+      return decodeGif(bytes, width, height);
     case FileKind::webp:
       return decodeWebp(bytes, width, height);
     case FileKind::tiff:

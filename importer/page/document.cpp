@@ -94,7 +94,7 @@ std::optional<Failure> wrongKind(const SourceFile& file, FileKind actual) {
                       promised == FileKind::unknown
                           ? content
                           : Message("%1, although the name promises a %2", content, kindName(promised)),
-                      Message("Give a PNG, JPEG, BMP, TIFF, WebP, PDF, SVG or CSV file"));
+                      Message("Give a PNG, JPEG, BMP, TIFF, WebP, GIF, PDF, SVG or CSV file"));
   }
   if (isForeignPicture(actual))
     return unreadable(file.name, Message("first bytes"),

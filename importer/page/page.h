@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// Step 1: from a file to pages. In: png, jpg, bmp, tiff, webp, pdf, svg. Out: an upright `Page` (vector
+// Step 1: from a file to pages. In: png, jpg, bmp, tiff, webp, gif, pdf, svg. Out: an upright `Page` (vector
 // paths, text boxes, overview raster) and, for any region of it, a `PageView`: the same things at the best
 // resolution the page has.
 //

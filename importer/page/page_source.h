@@ -35,7 +35,7 @@ struct SourceFile {
 
 using OpenedSource = Result<std::unique_ptr<PageSource>>;
 
-/// png, jpg, bmp, tiff, webp.
+/// png, jpg, bmp, tiff, webp, gif.
 OpenedSource openPictureSource(const SourceFile& file);
 /// pdf.
 OpenedSource openPdfSource(const SourceFile& file);

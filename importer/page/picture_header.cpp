@@ -267,6 +267,18 @@ PictureHeader bmpHeader(std::span<const unsigned char> bytes) {
   return header;
 }
 
+PictureHeader gifHeader(std::span<const unsigned char> bytes) {
+  const ByteReader in(bytes, false);
+  PictureHeader header;
+  header.width_px = in.u16(6);
+  header.height_px = in.u16(8);
+  // A file that is whole ends with the trailer; what follows it is padding.
+  std::size_t end = in.size();
+  while (end > 0 && in.u8(end - 1) == 0) --end;
+  header.complete = end > 0 && in.u8(end - 1) == 0x3b;
+  return header;
+}
+
 PictureHeader webpHeader(std::span<const unsigned char> bytes) {
   const ByteReader in(bytes, false);
   PictureHeader header;
@@ -313,7 +325,6 @@ namespace {
 /// Of the pictures that are known and not read.
 FileKind foreignKind(const ByteReader& in) {
   constexpr std::size_t brandsBegin = 8, brandsEnd = 64;  // of the first box of a file in ISO's base format
-  if (in.has(0, "GIF8")) return FileKind::gif;
   if (in.has(4, "jP  \r\n\x87\n") || in.has(0, "\xff\x4f\xff\x51")) return FileKind::jpeg2000;
   if (!in.has(4, "ftyp")) return FileKind::unknown;
   const auto hasBrand = [&](std::string_view brand) {
@@ -335,6 +346,7 @@ FileKind sniffFileKind(std::span<const unsigned char> bytes) {
   if (in.has(0, "\xff\xd8\xff")) return FileKind::jpeg;
   if (TiffReader(bytes).isTiff()) return FileKind::tiff;
   if (in.has(0, "RIFF") && in.has(8, "WEBP")) return FileKind::webp;
+  if (in.has(0, "GIF87a") || in.has(0, "GIF89a")) return FileKind::gif;
   if (in.has(0, "BM") && bytes.size() >= 26 && ByteReader(bytes, false).u32(14) <= 124) return FileKind::bmp;
   // PDF readers accept junk before the header within the first kilobyte (ISO 32000-1, annex H.3.4.1).
   const std::string_view head(reinterpret_cast<const char*>(bytes.data()),
@@ -383,6 +395,7 @@ FileKind kindOfName(const std::string& name) {
   if (extension == "bmp" || extension == "dib") return FileKind::bmp;
   if (extension == "tif" || extension == "tiff") return FileKind::tiff;
   if (extension == "webp") return FileKind::webp;
+  if (extension == "gif") return FileKind::gif;
   if (extension == "pdf") return FileKind::pdf;
   if (extension == "svg" || extension == "svgz") return FileKind::svg;
   return FileKind::unknown;
@@ -390,12 +403,11 @@ FileKind kindOfName(const std::string& name) {
 
 bool isPicture(FileKind kind) {
   return kind == FileKind::png || kind == FileKind::jpeg || kind == FileKind::bmp || kind == FileKind::tiff ||
-         kind == FileKind::webp;
+         kind == FileKind::webp || kind == FileKind::gif;
 }
 
 bool isForeignPicture(FileKind kind) {
-  return kind == FileKind::gif || kind == FileKind::heic || kind == FileKind::avif ||
-         kind == FileKind::jpeg2000;
+  return kind == FileKind::heic || kind == FileKind::avif || kind == FileKind::jpeg2000;
 }
 
 std::vector<PictureHeader> readPictureHeaders(std::span<const unsigned char> bytes, FileKind kind,
@@ -407,6 +419,8 @@ std::vector<PictureHeader> readPictureHeaders(std::span<const unsigned char> byt
       return {jpegHeader(bytes)};
     case FileKind::bmp:
       return {bmpHeader(bytes)};
+    case FileKind::gif:
+      return {gifHeader(bytes)};
     case FileKind::webp:
       return {webpHeader(bytes)};
     case FileKind::tiff:

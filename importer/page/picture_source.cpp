@@ -32,10 +32,7 @@ class PictureSource : public PageSource {
   Result<Page> page(int number, const Progress&) override {
     const PictureHeader& header = headers_[static_cast<std::size_t>(number - 1)];
     std::optional<Raster> raster = decodePicture(*file_.bytes, kind_, header);
-    if (!raster)
-      return unreadable(file_.name, placeOf(number),
-                        Message("the %1 is damaged and cannot be decoded", kindName(kind_)),
-                        Message("Save or export the picture again and import the new file"));
+    if (!raster) return undecodable(number);
     Page page;
     page.source = file_.name;
     page.number = number;
@@ -84,6 +81,16 @@ class PictureSource : public PageSource {
   }
 
  private:
+  Failure undecodable(int number) const {
+    if (kind_ == FileKind::gif)
+      return unreadable(file_.name, placeOf(number),
+                        Message("the GIF picture is damaged, or a film of several pictures"),
+                        Message("Save the picture that shows the whole graph as PNG and import that"));
+    return unreadable(file_.name, placeOf(number),
+                      Message("the %1 is damaged and cannot be decoded", kindName(kind_)),
+                      Message("Save or export the picture again and import the new file"));
+  }
+
   /// A region of the page stood level, interpolated between the pixels of its overview.
   static PageView levelView(const Page& page, const Box& region, int quarterTurns,
                             const Homography& levelToPage) {

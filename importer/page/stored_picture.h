@@ -35,6 +35,8 @@ struct StoredPicture {
 std::optional<StoredPicture> decodePng(std::span<const unsigned char> bytes, int width, int height);
 std::optional<StoredPicture> decodeJpeg(std::span<const unsigned char> bytes, int width, int height);
 std::optional<StoredPicture> decodeBmp(std::span<const unsigned char> bytes, int width, int height);
+/// Of one picture; a film is none.
+std::optional<StoredPicture> decodeGif(std::span<const unsigned char> bytes, int width, int height);
 std::optional<StoredPicture> decodeWebp(std::span<const unsigned char> bytes, int width, int height);
 /// The picture whose directory stands at `directoryOffset`. Floating point is taken as 0..1.
 std::optional<StoredPicture> decodeTiff(std::span<const unsigned char> bytes, int width, int height,

@@ -97,7 +97,7 @@ struct RawOptions {
 
 void addInputs(CLI::App& app, Arguments& a, RawOptions& raw) {
   app.add_option("INPUT", a.inputs,
-                 "png, jpg, bmp, tiff, webp, pdf, svg, svgz, a force meter's csv, ods or json, or a "
+                 "png, jpg, bmp, tiff, webp, gif, pdf, svg, svgz, a force meter's csv, ods or json, or a "
                  "WebPlotDigitizer project (json, tar)")
       ->required();
   app.add_option("--page", raw.page, "page, from 1 (default: the page of the most certain graph)")

@@ -491,7 +491,7 @@ void ImportDialogTest::theImportsFilterShowsWhatItPromises() {
     ++sheets;
   }
   QVERIFY(sheets >= 10);
-  for (const char* ending : {"png", "jpg", "jpeg", "bmp", "tif", "tiff", "webp", "pdf", "svg", "csv"})
+  for (const char* ending : {"png", "jpg", "jpeg", "bmp", "tif", "tiff", "webp", "gif", "pdf", "svg", "csv"})
     QVERIFY2(isShown(QString("sheet.") + ending), ending);
   QVERIFY(!isShown("B.button.json"));
 }

@@ -320,10 +320,51 @@ TEST_CASE("a cut-out keeps at its rims the shade it stood on") {
   CHECK(cutOut(0, 255, 30) == Rgb{0, 0, 0});
 }
 
+namespace {
+
+/// 16 x 17 pixels as Pillow writes them, interlaced: row y in colour y % 4 of white, red, blue and one that is transparent.
+Bytes interlacedGif() {
+  return {0x47, 0x49, 0x46, 0x38, 0x39, 0x61, 0x10, 0x00, 0x11, 0x00, 0x81, 0x00, 0x00, 0xff, 0xff, 0xff,
+          0xc8, 0x00, 0x00, 0x00, 0x00, 0xc8, 0x00, 0x78, 0x00, 0x21, 0xf9, 0x04, 0x01, 0x00, 0x00, 0x03,
+          0x00, 0x2c, 0x00, 0x00, 0x00, 0x00, 0x10, 0x00, 0x11, 0x00, 0x40, 0x08, 0x3b, 0x00, 0x01, 0x08,
+          0x1c, 0x48, 0xb0, 0xa0, 0xc1, 0x83, 0x08, 0x13, 0x2a, 0x5c, 0xc8, 0x50, 0xa0, 0x80, 0x87, 0x10,
+          0x23, 0x4a, 0x9c, 0x48, 0xb1, 0xa2, 0xc5, 0x8b, 0x16, 0x03, 0x68, 0xdc, 0xc8, 0xb1, 0x63, 0x80,
+          0x01, 0x20, 0x43, 0x8a, 0x1c, 0x39, 0xc0, 0xa3, 0xc9, 0x8d, 0x24, 0x53, 0x86, 0x3c, 0x79, 0x52,
+          0xa5, 0x4a, 0x96, 0x26, 0x5d, 0xa6, 0x0c, 0x08, 0x00, 0x3b};
+}
+
+}  // namespace
+
+TEST_CASE("a GIF's rows come in their order, and what is transparent shows the paper") {
+  const Raster picture = firstPage(interlacedGif(), "plot.gif").overview;
+  REQUIRE(picture.width_px == 16);
+  REQUIRE(picture.height_px == 17);
+  const Rgb white{255, 255, 255}, rows[] = {white, {200, 0, 0}, {0, 0, 200}, white};
+  for (int y = 0; y < 17; ++y) {
+    INFO(y);
+    CHECK(pixel(picture, 9, y) == rows[y % 4]);
+  }
+}
+
+TEST_CASE("a GIF that ends early, claims another size, or is a film, is refused") {
+  const Bytes whole = interlacedGif();
+  for (std::size_t size : {whole.size() - 1, whole.size() / 2, std::size_t{20}})
+    CHECK(
+        refusalOf(Bytes(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(size)), "plot.gif").code ==
+        FailureCode::unreadableInput);
+  Bytes reaching = whole;
+  reaching[6] = 0x0f;  // the picture would stand beyond its screen
+  CHECK(refusalOf(reaching, "plot.gif").code == FailureCode::unreadableInput);
+  Bytes film(whole.begin(), whole.end() - 1);
+  film.insert(film.end(), whole.begin() + 25, whole.end());
+  const Failure refusal = refusalOf(film, "plot.gif");
+  CHECK(refusal.code == FailureCode::unreadableInput);
+  CHECK(english(refusal.problem).find("film") != std::string::npos);
+}
+
 TEST_CASE("a picture of a format that is not read is called by its name, and the way out is told") {
   using namespace std::string_literals;
   const std::pair<std::string, std::string> heads[] = {
-      {"GIF89a\x10\0\x10\0\0\0\0"s, "GIF picture"},
       {"\0\0\0\x18"
        "ftypheic\0\0\0\0mif1heic"s,
        "HEIC picture"},
