@@ -174,6 +174,8 @@ void addBatch(CLI::App& app, Arguments& a) {
       "--resume", a.resume,
       "keep what report.jsonl has of inputs that are the same, byte for byte, with the same options and "
       "version");
+  group->add_flag("--no-overlays", a.withoutOverlays,
+                  "no *.overlay.png beside each result: nine tenths of what a batch writes");
   group->add_option("--memory-limit", a.batchOptions.memoryLimit_MB, "MB of address space per input")
       ->check(within(64.0, 1e6))
       ->capture_default_str();
@@ -289,6 +291,8 @@ void settle(const RawOptions& raw, Arguments& a) {
   if (!a.batch && a.inputs.size() != 1) {
     throw CLI::ValidationError("INPUT", "one input at a time; pass --batch with --out-dir DIR for several");
   }
+  if (!a.batch && a.withoutOverlays)
+    throw CLI::ValidationError("--no-overlays", "is for --batch; without it --overlay asks for one");
   if (a.batch && (a.list || !a.buttonPath.empty() || !a.csvPath.empty() || !a.tracePath.empty() ||
                   !a.overlayPath.empty())) {
     throw CLI::ValidationError(

@@ -23,6 +23,7 @@ struct Arguments {
 
   bool batch = false;
   bool resume = false;
+  bool withoutOverlays = false;  ///< of a batch
   std::string outDir;
   std::string settledBy;  ///< the options that bear on a result, as given, a line each
   BatchOptions batchOptions;

@@ -412,8 +412,10 @@ int runBatch(const Arguments& a, const std::function<bool()>& cancelled) {
     const std::string key = resultKey(input, a.settledBy);  // of what is about to be read
     const std::string base = (fs::path(a.outDir) / stems.at(input)).string();
     Told told;
-    const int code = handleInput(
-        a, input, {base + ".button.json", base + ".csv", base + ".trace.csv", base + ".overlay.png"}, told);
+    const int code = handleInput(a, input,
+                                 {base + ".button.json", base + ".csv", base + ".trace.csv",
+                                  a.withoutOverlays ? "" : base + ".overlay.png"},
+                                 told);
     lines = withKey(key, told);
     return code;
   };

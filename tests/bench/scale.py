@@ -7,7 +7,7 @@
 
 pages: each file alone by `detent-import --batch`: processor seconds, memory, bytes written; quartiles, and what a million such files would take.
 cluster: N drawn pages in M batches by samples/cluster/Snakefile against one `detent-import --batch` of the same list: whether the reports are
-equal, wall time, processor time. --kill: Snakemake, a batch and a page's process are killed (kill -9) on the way, and it is run again. slurm: one node, set up
+equal, wall time, processor time, and for how long slots had no batch (start, between batches, end), which other work on the machine makes longer, never shorter. --kill: Snakemake, a batch and a page's process are killed (kill -9) on the way, and it is run again. slurm: one node, set up
 as tests/samples/cluster_test.py does, as root.
 """
 
@@ -82,6 +82,22 @@ def draw(build, folder, count, kind):
             target.write_text(samples[number % len(samples)].edited(detent.edits.scale_force(factor), detent.edits.scale_travel(2 - factor)).svg())
 
 
+TIMED = """#!/bin/sh
+case " $* " in *" --batch "*) ;; *) exec {program} "$@" ;; esac
+begun=$(date +%s.%N)
+{program} "$@"
+code=$?
+echo "$begun $(date +%s.%N)" >> {times}
+exit $code
+"""
+
+
+def slots_idle_s(times, begun, ended, slots):
+    """Seconds in which a slot had no batch, of all slots together."""
+    busy = sum(min(ended, float(last)) - max(begun, float(first)) for first, last in (line.split() for line in times.read_text().splitlines()))
+    return slots * (ended - begun) - busy
+
+
 class Run(cluster_test.OneNode):
     """The rig of the tests, with pages and batches of this run."""
 
@@ -99,13 +115,18 @@ class Run(cluster_test.OneNode):
         shutil.rmtree(self.folder / "pages")
         (self.folder / "pages").mkdir()
         draw(build, self.folder / "pages", arguments.pages, arguments.kind)
+        self.times = self.folder / "times"
+        self.timed = self.folder / "timed-import"
+        self.timed.write_text(TIMED.format(program=build / "bin/detent-import", times=self.times))
+        self.timed.chmod(0o755)
 
     def environment(self):
         return super().environment() if self.PROFILE == "slurm" else cluster_test.Cluster.environment(self)
 
     def command(self, *more):
         words = [str(word) for word in super().command(*more)]
-        return [f"batch={self.size}" if word.startswith("batch=") else word for word in words if not word.startswith("options=")]
+        own = {"batch": f"batch={self.size}", "program": f"program={self.timed}"}
+        return [own.get(word.split("=")[0], word) for word in words if not word.startswith("options=")]
 
 
 def used_s():
@@ -149,11 +170,14 @@ def cluster(arguments, build):
         begun, used = time.perf_counter(), used_s()
         if arguments.kill:
             killed(run, arguments)
+        first_s = time.time()
         run.snakemake()
+        idle_s = slots_idle_s(run.times, first_s, time.time(), slots)
         took_s, cpu_s = time.perf_counter() - begun, used_s() - used
         equal = cluster_test.graphs(run.folder / "out/all.jsonl") == cluster_test.graphs(run.folder / "serial/report.jsonl")
         print(f"{arguments.pages} pages ({arguments.kind}), {arguments.batches} batches, {arguments.profile}{', killed twice' if arguments.kill else ''}, {slots} slots: "
               f"report {'equal' if equal else 'NOT EQUAL'}; {took_s:.1f} s; --batch alone {alone_s:.1f} s, processor {alone_cpu_s:.1f} s; over it {100 * (took_s / alone_s - 1):+.1f} % of time"
+              f"; slots without a batch for {idle_s:.1f} s in all{' of the last start' if arguments.kill else ''}"
               + (f", {100 * (cpu_s / alone_cpu_s - 1):+.1f} % of processor time" if arguments.profile == "local" else ""))  # Slurm's jobs are no children
         return 0 if equal else 1
     finally:

@@ -187,6 +187,7 @@ TEST_CASE("Wrong usage exits 2 and says how it is meant") {
   says({}, "INPUT");
   says({"a.png", "b.png"}, "--batch");
   says({"--batch", "a.png"}, "--out-dir");
+  says({"a.png", "--no-overlays"}, "--batch");
   says({"a.png", "--x-axis", "4"}, "MIN:MAX");
   says({"a.png", "--x-axis", "4:4"}, "MIN:MAX");
   says({"a.png", "--y-unit", "stone"}, "unit of force");
@@ -396,6 +397,11 @@ TEST_CASE("A batch handles every input, whatever happens to one, and resumes") {
   const ProgramResult again = import(folder, {"--batch", plot, "broken.png", "--out-dir", "out", "--resume"});
   CHECK(again.exitCode == 0);
   CHECK_THAT(again.out, Catch::Contains("0 inputs handled, 0 failed, 2 already done"));
+
+  CHECK(std::filesystem::exists(folder.path() / "out/two-level-legend.overlay.png"));
+  REQUIRE(import(folder, {"--batch", plot, "--out-dir", "bare", "--no-overlays"}).exitCode == 0);
+  CHECK_FALSE(std::filesystem::exists(folder.path() / "bare/two-level-legend.overlay.png"));
+  CHECK(folder.read("bare/two-level-legend.button.json") == folder.read("out/two-level-legend.button.json"));
 }
 
 TEST_CASE("A batch takes its inputs from a list and repeats what is no longer the same") {
