@@ -60,7 +60,10 @@ struct ClearFeel {
   double longestBottomOutWait_s =
       0.05;  ///< it begins when the jump before it has ended; tactile feedback may be so late (TAP 2014)
   double loudestSpeed_mm_per_s =
-      200;  ///< at which a grain has its amplitude; slower ones are quieter, 2.3 dB per halving
+      200;  ///< at which a grain has its amplitude; slower ones are quieter, 1.9 dB per halving
+  double plainSlope_N_per_mm = 0.32;  ///< whose grains have their amplitude; > 0
+  /// Twice as steep is louder by 6.02 times this, dB, up to full scale; [0, 2]
+  double levelBySteepness = 0.6875;
 };
 
 struct PlaybackSettings {

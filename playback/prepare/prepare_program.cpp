@@ -28,6 +28,8 @@ constexpr double smallestHysteresis_N = 0.005;
 constexpr double noiseInHysteresis = 4;
 constexpr double rearmInHysteresis = 2.5;
 
+constexpr double gentlest_N_per_mm = 0.02;  // what is gentler is as loud
+
 constexpr double unfeltChange_dB = 0.5;  // a third of the just noticeable difference of a vibration
 
 /// One bound of one setting.
@@ -251,8 +253,13 @@ class Preparation {
       return std::pow(10, room_dB / 20);
     };
     state.bottomOutLevel = below(state.press, feltLevel_dB(p.bottomOut, profile_, p));
-    for (StrokeTable* stroke : {&state.press, &state.release})
-      stroke->slopeLevel = below(*stroke, feltSlopeLevel_dB(profile_, p));
+    for (StrokeTable* stroke : {&state.press, &state.release}) {
+      double loudest = 0;
+      for (std::size_t i = 0; i < stroke->slopeCount; ++i)
+        loudest = std::max(loudest, stroke->slopes[i].level);
+      if (loudest > 0)
+        stroke->slopeLevel = below(*stroke, feltSlopeLevel_dB(profile_, p) + 20 * std::log10(loudest));
+    }
   }
 
   void setContact(const ButtonState& from, const StrokePlan& press, StateProgram& to) {
@@ -335,17 +342,92 @@ class Preparation {
     }
     std::sort(ranges.begin(), ranges.end(),
               [](const GrainRange& a, const GrainRange& b) { return a.first < b.first; });
+    std::vector<GrainRange> slopes;
     for (const GrainRange& range : ranges) {
-      if (table.slopeCount > 0 && table.slopes[table.slopeCount - 1].last + 1 >= range.first) {
-        table.slopes[table.slopeCount - 1].last =
-            std::max(table.slopes[table.slopeCount - 1].last, range.last);
-      } else if (table.slopeCount < maxSlopes) {
-        table.slopes[table.slopeCount++] = range;
+      if (!slopes.empty() && slopes.back().last + 1 >= range.first) {
+        slopes.back().last = std::max(slopes.back().last, range.last);
+      } else {
+        slopes.push_back(range);
       }
     }
-    if (ranges.size() > maxSlopes)
+    if (clear()) slopes = splitBySteepness(plan.curve, slopes);
+    table.slopeCount = static_cast<std::uint32_t>(std::min(slopes.size(), maxSlopes));
+    std::copy_n(slopes.begin(), table.slopeCount, table.slopes.begin());
+    if (slopes.size() > maxSlopes)
       warn(PrepareWarningCode::slopesLeftOut,
            {"more than the %1 slopes a program holds; the last ones are silent", maxSlopes});
+  }
+
+  /// Steepness at a place of a slope, over a fifth of a millimetre to both sides but not beyond the slope.
+  static double steepness_N_per_mm(const StrokeCurve& curve, double at_mm, double from_mm, double to_mm) {
+    constexpr double reach_mm = 0.2;
+    const double low_mm = std::max(at_mm - reach_mm, from_mm), high_mm = std::min(at_mm + reach_mm, to_mm);
+    return high_mm > low_mm ? std::fabs(curve.force_N(high_mm) - curve.force_N(low_mm)) / (high_mm - low_mm)
+                            : 0;
+  }
+
+  double levelOf_dB(double steepness_N_per_mm) const {
+    const ClearFeel& s = settings_.clear;
+    const double share = std::max(steepness_N_per_mm, gentlest_N_per_mm) / s.plainSlope_N_per_mm;
+    return std::min(20 * s.levelBySteepness * std::log10(share), 20 * std::log10(loudestGrain()));
+  }
+
+  /// At which a grain reaches full scale.
+  double loudestGrain() const { return settings_.grainAmplitude > 0 ? 1 / settings_.grainAmplitude : 1; }
+
+  /// Cut where the steepness changes by what is hardly felt, or by more where a program would not hold the pieces.
+  std::vector<GrainRange> splitBySteepness(const StrokeCurve& curve,
+                                           const std::vector<GrainRange>& slopes) const {
+    constexpr double finest_dB = 0.5, coarsest_dB = 64;
+    std::vector<SlopeLevels> felt;
+    felt.reserve(slopes.size());
+    for (const GrainRange& slope : slopes) felt.push_back(levelsAlong(curve, slope));
+    std::vector<GrainRange> pieces;
+    for (double step_dB = finest_dB; step_dB <= coarsest_dB; step_dB *= 2) {
+      pieces.clear();
+      for (const SlopeLevels& slope : felt) addPieces(slope, step_dB, pieces);
+      if (pieces.size() <= maxSlopes) break;
+    }
+    return pieces;
+  }
+
+  /// How strong a slope is to be felt, looked at every `stride` grains.
+  struct SlopeLevels {
+    GrainRange range;
+    std::int64_t stride = 1;
+    std::vector<double> felt_dB;
+  };
+
+  SlopeLevels levelsAlong(const StrokeCurve& curve, const GrainRange& range) const {
+    constexpr std::int64_t mostLooks = 1024;
+    const auto placeOf = [&](std::int64_t grain) {
+      const double x_mm =
+          prepared_.program.gridOrigin_mm + static_cast<double>(grain) / settings_.grainsPerMm;
+      return std::clamp(x_mm, curve.start_mm(), curve.end_mm());
+    };
+    const double half_mm = 0.5 / settings_.grainsPerMm;
+    const double from_mm = std::max(placeOf(range.first) - half_mm, curve.start_mm());
+    const double to_mm = std::min(placeOf(range.last) + half_mm, curve.end_mm());
+    SlopeLevels slope{range, (range.last - range.first) / mostLooks + 1, {}};
+    for (std::int64_t grain = range.first; grain <= range.last; grain += slope.stride)
+      slope.felt_dB.push_back(levelOf_dB(steepness_N_per_mm(curve, placeOf(grain), from_mm, to_mm)));
+    return slope;
+  }
+
+  void addPieces(const SlopeLevels& slope, double step_dB, std::vector<GrainRange>& pieces) const {
+    std::int64_t grain = slope.range.first;
+    for (const double felt_dB : slope.felt_dB) {
+      const double level =
+          std::min(std::pow(10, std::round(felt_dB / step_dB) * step_dB / 20), loudestGrain());
+      const std::int64_t last = std::min(grain + slope.stride - 1, slope.range.last);
+      const bool goesOn = grain > slope.range.first && pieces.back().level == level;
+      if (goesOn) {
+        pieces.back().last = last;
+      } else {
+        pieces.push_back({grain, last, level});
+      }
+      grain = last + 1;
+    }
   }
 
   void addJumps(const StrokePlan& plan, const StateProgram& state, StrokeTable& table) {
@@ -461,6 +543,8 @@ Result<Done> checkSettings(const PlaybackSettings& s) {
        {"clear.jumpAbove_dB", s.clear.jumpAbove_dB, 0, 60, false},
        {"clear.slopeUnderJump", s.clear.slopeUnderJump, 0, 1, true},
        {"clear.longestBottomOutWait_s", s.clear.longestBottomOutWait_s, 0, 1, true},
+       {"clear.plainSlope_N_per_mm", s.clear.plainSlope_N_per_mm, 0, 1e7, false},
+       {"clear.levelBySteepness", s.clear.levelBySteepness, 0, 2, true},
        {"clear.loudestSpeed_mm_per_s", s.clear.loudestSpeed_mm_per_s, 0, 1e5, false},
        {"bottomOutDuration_s", s.bottomOutDuration_s, 0, 1, false},
        {"bottomOutAmplitude", s.bottomOutAmplitude, 0, 1, true},

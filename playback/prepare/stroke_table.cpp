@@ -26,6 +26,7 @@ std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, 
                          ? to_mm
                          : from_mm + (to_mm - from_mm) * static_cast<double>(i) / static_cast<double>(looks));
   }
+  const auto evenPlaces = static_cast<std::ptrdiff_t>(places.size());
   const std::vector<Knot>& knots = curve.knots();
   for (const Knot& knot : knots) places.push_back(knot.displacement_mm);
   // A piece narrower than the even places turns between its knots, too.
@@ -34,7 +35,8 @@ std::vector<TablePoint> sampleDensely(const StrokeCurve& curve, double from_mm, 
       places.push_back(knots[i - 1].displacement_mm +
                        share * (knots[i].displacement_mm - knots[i - 1].displacement_mm));
   places.insert(places.end(), kept_mm.begin(), kept_mm.end());
-  std::sort(places.begin(), places.end());
+  std::sort(places.begin() + evenPlaces, places.end());
+  std::inplace_merge(places.begin(), places.begin() + evenPlaces, places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
 
   std::vector<TablePoint> samples;

@@ -37,7 +37,7 @@ void addFeelOptions(CLI::App& app, FeelOptions& options) {
   const std::string group = "How it feels (defaults: Kim & Lee 2013)";
   addChoice(app, "--mode", s.mode, feedbackModes, "What is felt", "full")->group(group);
   addChoice(app, "--feel", s.feel, feels,
-            "The jumps come through and a dense slope is stronger (clear), or all as in the paper",
+            "The jumps come through and a dense or steep slope is stronger (clear), or all as in the paper",
             feels.word(s.feel))
       ->group(group);
   addPlacementOption(app, s.placement)->group(group);

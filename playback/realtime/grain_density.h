@@ -7,12 +7,17 @@
 
 namespace detent::playback {
 
-/// Level of grains that come `density_per_s` times a second, of 1 at `loudest_per_s` and above: density^(3/8), 2.3 dB per doubling. As
-/// quiet as grains get where one has ended before the next begins, `alone_per_s` (> 0). No number counts as that.
+/// Power of the density that grains are as loud as: 1.9 dB per doubling.
+inline constexpr double levelByDensity = 0.3125;
+
+/// Level of grains that come `density_per_s` times a second, of 1 at `loudest_per_s` and above. As quiet as grains get where one has ended
+/// before the next begins, `alone_per_s` (> 0). No number counts as that.
 inline double levelOfDensity(double density_per_s, double loudest_per_s, double alone_per_s) {
   const double heard_per_s = density_per_s > alone_per_s ? density_per_s : alone_per_s;
   const double share = heard_per_s < loudest_per_s ? heard_per_s / loudest_per_s : 1;
-  return std::sqrt(std::sqrt(share * std::sqrt(share)));
+  static_assert(levelByDensity == 0.25 + 0.0625);
+  const double fourthRoot = std::sqrt(std::sqrt(share));
+  return fourthRoot * std::sqrt(std::sqrt(fourthRoot));
 }
 
 }  // namespace detent::playback

@@ -165,6 +165,7 @@ void HapticEngine::schedule(const Crossings& crossings, double from_frames, doub
 Burst HapticEngine::grainOf(const Crossing& crossing, double met_frames) {
   const StateProgram& state = program_->states[crossing.state];
   Burst burst = program_->grain;
+  burst.amplitude *= crossing.level;
   burst.amplitude *= tracker_.position().releasing ? state.release.slopeLevel : state.press.slopeLevel;
   if (program_->loudestDensity_per_s > 0) {
     const double gap_s = (met_frames - lastGrain_frames_) / sampleRate_Hz_;

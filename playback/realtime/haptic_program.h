@@ -52,6 +52,7 @@ struct JumpEntry {
 /// `start_mm`.
 struct GrainRange {
   std::int64_t first = 0, last = -1;
+  double level = 1;  ///< on the amplitude of its grains; steeper is louder where Feel::clear says so
 };
 
 /// One stroke of one state.

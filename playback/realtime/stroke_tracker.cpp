@@ -271,7 +271,7 @@ void StrokeTracker::crossGrains(const Piece& piece) {
     for (std::int64_t done = 0; done <= b - a;) {
       const std::int64_t merged = b - a + 1 - done < grainStride_ ? b - a + 1 - done : grainStride_;
       done += merged;
-      addGrain(up ? a + done - 1 : b - done + 1, merged, piece);
+      addGrain(up ? a + done - 1 : b - done + 1, merged, slope.level, piece);
     }
   }
 }
@@ -282,7 +282,7 @@ void StrokeTracker::boundGrainsUpTo(double farthest_mm) {
   grainStride_ = (cells < 0 ? -cells : cells) / maxGrainsPerReading + 1;
 }
 
-void StrokeTracker::addGrain(std::int64_t index, std::int64_t merged, const Piece& piece) {
+void StrokeTracker::addGrain(std::int64_t index, std::int64_t merged, double level, const Piece& piece) {
   const double x = program_->gridOrigin_mm + static_cast<double>(index) / program_->grainsPerMm;
   if (crossings_.count >= Crossings::capacity - maxJumps - 4) {
     // Keep room for jumps; the last grain found takes the number over.
@@ -294,7 +294,13 @@ void StrokeTracker::addGrain(std::int64_t index, std::int64_t merged, const Piec
   }
   if (crossings_.count >= Crossings::capacity) return;
   Crossing& c = crossings_.items[crossings_.count++];
-  c = {CrossingKind::grain, 0, position_.state, static_cast<std::uint32_t>(merged), piece.fractionAt(x), x};
+  c = {CrossingKind::grain,
+       0,
+       position_.state,
+       static_cast<std::uint32_t>(merged),
+       piece.fractionAt(x),
+       x,
+       level};
 }
 
 void StrokeTracker::add(CrossingKind kind, std::size_t jump, double at_mm, const Piece& piece) {

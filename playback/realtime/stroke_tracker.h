@@ -31,6 +31,7 @@ struct Crossing {
       1;                ///< grains merged into this one (only where more were crossed than can be told apart)
   double fraction = 1;  ///< when, as a share of the time between the two readings, 0..1, never decreasing
   double displacement_mm = 0;
+  double level = 1;  ///< of a grain: its slope's
 };
 
 /// All crossings of one reading. Fixed size; owned by the tracker.
@@ -90,7 +91,7 @@ class StrokeTracker {
   void cross(const Piece& piece);
   void crossGrains(const Piece& piece);
   void boundGrainsUpTo(double farthest_mm);
-  void addGrain(std::int64_t index, std::int64_t merged, const Piece& piece);
+  void addGrain(std::int64_t index, std::int64_t merged, double level, const Piece& piece);
   void add(CrossingKind kind, std::size_t jump, double at_mm, const Piece& piece);
   void rearm();
   void spreadTies();

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""felt_levels.py DETENT_PLAY [--feel clear|paper]: how far a jump stands above its neighbours, and how a slope's level grows with speed.
+"""felt_levels.py DETENT_PLAY [--feel clear|paper]: how far a jump stands above its neighbours, and how a slope's level grows with speed
+and steepness.
 
 Apart from the engine: presses, weights and levels are computed here (numpy, scipy), from sound files the program writes. Figures:
 docs/decisions/0915-the-jump-comes-through.md.
@@ -88,6 +89,29 @@ def slope(judge, speed_mm_per_s):
     return 48 + 10 * np.log10(energy / (t[-1] * RATE_HZ)), 10 * np.log10(energy)
 
 
+STEEPNESSES_N_PER_MM = (0.05, 0.1, 0.2, 0.4, 0.8)
+
+
+def straight(folder, steepness_n_per_mm):
+    """A button of 4 mm without a jump."""
+    knots = [{"displacement_mm": x, "force_N": 0.1 + steepness_n_per_mm * x, "slopeBefore_N_per_mm": steepness_n_per_mm,
+              "slopeAfter_N_per_mm": steepness_n_per_mm} for x in (0.0, 4.0)]
+    path = pathlib.Path(folder) / "straight.button.json"
+    path.write_text(json.dumps({"format": "detent-button", "version": 2, "name": "straight", "states": [{"name": "", "press": knots}]}))
+    return path
+
+
+def steepness_steps(judge, speed_of):
+    """Level of straight slopes, each pressed at its own speed in mm/s: steps per doubling of the steepness, dB."""
+    levels = []
+    for steepness in STEEPNESSES_N_PER_MM:
+        t = np.arange(0, 3.9 / speed_of(steepness), 0.0005)
+        samples, _ = judge.render(straight(judge.folder, steepness),
+                                  judge.trace("displacement_mm", t, t * speed_of(steepness)), "--mode", "slope-only")
+        levels.append(10 * np.log10(np.mean(weighted(samples[:int(t[-1] * RATE_HZ)])**2)))
+    return " ".join(f"{d:.1f}" for d in np.diff(levels))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program")
@@ -101,6 +125,10 @@ def main():
             print(f"| {name} | " + " | ".join(cells) + " |")
         levels, energies = zip(*(slope(judge, v) for v in (5, 10, 20, 40, 80, 160)))
         print("steps of a slope's level, 5 to 160 mm/s, per doubling, dB:", " ".join(f"{d:.1f}" for d in np.diff(levels)))
+        for speed in (5, 20, 80, 200):
+            print(f"steps per doubling of the steepness, 0.05 to 0.8 N/mm, at {speed} mm/s, dB:", steepness_steps(judge, lambda k: speed))
+        for rate in (2, 10):
+            print(f"the same at {rate} N/s, dB:", steepness_steps(judge, lambda k: rate / k))
         print(f"energy of a stroke over speed: within {max(energies) - min(energies):.1f} dB")
 
 

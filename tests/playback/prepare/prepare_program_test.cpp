@@ -65,8 +65,10 @@ TEST_CASE(
     weakest_dB = std::min(weakest_dB, feltLevel_dB(press.jumps[i].burst, {}, *clear));
   }
   CHECK(feltLevel_dB(bottomOut, {}, *clear) <= weakest_dB - settings.clear.jumpAbove_dB + 1e-9);
-  CHECK(feltSlopeLevel_dB({}, *clear) + 20 * std::log10(press.slopeLevel) <=
-        weakest_dB - settings.clear.jumpAbove_dB + 1e-9);
+  for (std::size_t i = 0; i < press.slopeCount; ++i) {
+    CHECK(feltSlopeLevel_dB({}, *clear) + 20 * std::log10(press.slopeLevel * press.slopes[i].level) <=
+          weakest_dB - settings.clear.jumpAbove_dB + 1e-9);
+  }
 
   const auto linear = std::make_unique<HapticProgram>(programOf(linearButton(), settings));
   CHECK(linear->states[0].bottomOutLevel == 1);
@@ -84,6 +86,41 @@ TEST_CASE(
   const Burst burst{250, 1, 1, Envelope::falling};
   CHECK(feltLevel_dB(burst, {}, *program) == Approx(45).margin(0.1));
   CHECK(feltLevel_dB(burst, device, *program) == Approx(57).margin(0.1));
+}
+
+TEST_CASE("prepare: twice as steep is felt 4.1 dB stronger, up to full scale; the paper knows no steepness") {
+  const auto levelsOf = [](double slope_N_per_mm, Feel feel) {
+    PlaybackSettings settings;
+    settings.feel = feel;
+    const Button button = buttonOf("slope", {stateOf("", {{0, 0.1}, {4, 0.1 + 4 * slope_N_per_mm}}, {})});
+    const auto program = std::make_unique<HapticProgram>(programOf(button, settings));
+    const StrokeTable& press = program->states[0].press;
+    REQUIRE(press.slopeCount == 1);
+    return 20 * std::log10(press.slopes[0].level * press.slopeLevel);
+  };
+  for (double slope_N_per_mm : {0.05, 0.1, 0.2, 0.4}) {
+    CHECK(levelsOf(2 * slope_N_per_mm, Feel::clear) - levelsOf(slope_N_per_mm, Feel::clear) ==
+          Approx(4.14).margin(0.51));
+    CHECK(levelsOf(slope_N_per_mm, Feel::paper) == 0);
+  }
+  CHECK(levelsOf(0.8, Feel::clear) - levelsOf(0.05, Feel::clear) == Approx(16.6).margin(0.51));
+  CHECK(levelsOf(5, Feel::clear) <= 6.03);  // a grain has half of full scale
+}
+
+TEST_CASE("prepare: a slope that changes is felt piece by piece, every grain once") {
+  PlaybackSettings settings;
+  settings.feel = Feel::clear;
+  const Button button = buttonOf("two rates", {stateOf("", {{0, 0.1}, {2, 0.2}, {4, 1.2}}, {})});
+  const auto clear = std::make_unique<HapticProgram>(programOf(button, settings));
+  const StrokeTable& press = clear->states[0].press;
+  REQUIRE(press.slopeCount > 1);
+  CHECK(press.slopes[0].level < 0.5 * press.slopes[press.slopeCount - 1].level);
+  for (std::size_t i = 1; i < press.slopeCount; ++i)
+    CHECK(press.slopes[i].first == press.slopes[i - 1].last + 1);
+  settings.feel = Feel::paper;
+  const auto paper = std::make_unique<HapticProgram>(programOf(button, settings));
+  CHECK(press.slopes[0].first == paper->states[0].press.slopes[0].first);
+  CHECK(press.slopes[press.slopeCount - 1].last == paper->states[0].press.slopes[0].last);
 }
 
 TEST_CASE("prepare: only what the button has") {

@@ -120,24 +120,56 @@ TEST_CASE("engine: a clear press is the same in every block, and its bottom-out 
   CHECK(bottomOuts == 2);
 }
 
+namespace {
+
+/// Energy of a stroke of 3.9 mm at a steady speed, and how long it takes, samples.
+struct SteadyStroke {
+  double energy = 0, frames = 0;
+  double level_dB() const { return 10 * std::log10(energy / frames); }
+};
+
+SteadyStroke steadyStroke(const HapticProgram& program, double speed_mm_per_s) {
+  const double rate = 48000;
+  const auto engine = std::make_unique<HapticEngine>(rate);
+  engine->use(&program);
+  Press press;
+  for (int i = 0; i * speed_mm_per_s / 1000 < 3.9; ++i)
+    press.inputs.push_back({InputKind::displacement, i * rate / 1000, i * speed_mm_per_s / 1000});
+  press.frames = static_cast<std::int64_t>(press.inputs.back().time_frames);
+  SteadyStroke stroke{0, static_cast<double>(press.frames)};
+  for (const float x : renderIn(*engine, press, [] { return std::size_t{512}; }))
+    stroke.energy += static_cast<double>(x) * static_cast<double>(x);
+  return stroke;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "engine: a slope twice as steep is felt as louder by one step at least, at any speed and rate of force") {
+  PlaybackSettings settings;
+  settings.feel = Feel::clear;
+  std::vector<double> slow_dB, fast_dB, rate_dB;
+  for (const double slope_N_per_mm : {0.05, 0.1, 0.2, 0.4, 0.8}) {
+    const Button button = buttonOf("slope", {stateOf("", {{0, 0.1}, {4, 0.1 + 4 * slope_N_per_mm}}, {})});
+    const auto program = std::make_unique<HapticProgram>(programOf(button, settings));
+    slow_dB.push_back(steadyStroke(*program, 5).level_dB());
+    fast_dB.push_back(steadyStroke(*program, 200).level_dB());
+    const double rate_N_per_s = 10;
+    rate_dB.push_back(steadyStroke(*program, rate_N_per_s / slope_N_per_mm).level_dB());
+  }
+  for (const auto& levels_dB : {slow_dB, fast_dB, rate_dB})
+    for (std::size_t i = 1; i < levels_dB.size(); ++i) CHECK(levels_dB[i] - levels_dB[i - 1] >= 1.5);
+}
+
 TEST_CASE("engine: twice as many grains are felt as louder by one step at least, from 5 to 200 mm/s") {
   PlaybackSettings settings;
   settings.feel = Feel::clear;
   const auto program = std::make_unique<HapticProgram>(programOf(linearButton(), settings));
-  const double rate = 48000;
   std::vector<double> levels_dB, energies_dB;
   for (double speed_mm_per_s = 5; speed_mm_per_s <= 200; speed_mm_per_s *= 2) {
-    const auto engine = std::make_unique<HapticEngine>(rate);
-    engine->use(program.get());
-    Press press;
-    for (int i = 0; i * speed_mm_per_s / 1000 < 3.9; ++i)
-      press.inputs.push_back({InputKind::displacement, i * rate / 1000, i * speed_mm_per_s / 1000});
-    press.frames = static_cast<std::int64_t>(press.inputs.back().time_frames);
-    const std::vector<float> out = renderIn(*engine, press, [] { return std::size_t{512}; });
-    double sum = 0;
-    for (const float x : out) sum += static_cast<double>(x) * static_cast<double>(x);
-    levels_dB.push_back(10 * std::log10(sum / static_cast<double>(out.size())));
-    energies_dB.push_back(10 * std::log10(sum));
+    const SteadyStroke stroke = steadyStroke(*program, speed_mm_per_s);
+    levels_dB.push_back(stroke.level_dB());
+    energies_dB.push_back(10 * std::log10(stroke.energy));
   }
   for (std::size_t i = 1; i < levels_dB.size(); ++i) CHECK(levels_dB[i] - levels_dB[i - 1] >= 1.5);
   const auto [least, most] = std::minmax_element(energies_dB.begin(), energies_dB.end());
