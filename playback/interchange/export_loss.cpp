@@ -23,12 +23,13 @@ double shareWithin(const FeltBand& band, double frequency_Hz, double width_Hz) {
 
 /// Energy within each band.
 template <class Sample>
-std::array<double, feltBands.size()> energies(const std::vector<Sample>& samples, std::size_t length,
+std::array<double, feltBands.size()> energies(const std::vector<Sample>& samples, const Fourier& fourier,
                                               double sampleRate_Hz) {
+  const std::size_t length = fourier.length();
   std::vector<std::complex<double>> spectrum(length);
   for (std::size_t i = 0; i < samples.size() && i < length; ++i)
     spectrum[i] = static_cast<double>(samples[i]);
-  transform(spectrum, Transform::forward);
+  fourier.transform(spectrum, Transform::forward);
   std::array<double, feltBands.size()> sums{};
   const double width_Hz = sampleRate_Hz / static_cast<double>(length);
   for (std::size_t i = 1; i < length / 2; ++i) {
@@ -54,11 +55,11 @@ std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector
                                                                double sampleRate_Hz) {
   std::size_t longest = std::max<std::size_t>(original.size(), 2);
   for (const std::vector<double>& part : parts) longest = std::max(longest, part.size());
-  const std::size_t length = powerOfTwo(longest);
-  const auto before = energies(original, length, sampleRate_Hz);
+  const Fourier fourier(powerOfTwo(longest));
+  const auto before = energies(original, fourier, sampleRate_Hz);
   std::array<double, feltBands.size()> after{};
   for (const std::vector<double>& part : parts) {
-    const auto energy = energies(part, length, sampleRate_Hz);
+    const auto energy = energies(part, fourier, sampleRate_Hz);
     for (std::size_t band = 0; band < feltBands.size(); ++band) after[band] += energy[band];
   }
   double whole = 0;

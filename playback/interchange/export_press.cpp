@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "playback/interchange/export_press.h"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "model/file/text_file.h"
@@ -50,6 +52,23 @@ Reduction reductionOf(const ExportSource& source, const ExportSettings& settings
       break;
   }
   return touchpadOf(source);
+}
+
+bool sounds(const std::vector<std::vector<double>>& parts) {
+  return std::any_of(parts.begin(), parts.end(), [](const std::vector<double>& part) {
+    return std::any_of(part.begin(), part.end(), [](double sample) { return sample != 0; });
+  });
+}
+
+/// What a format's steps leave nothing of.
+Failure tooFaint(const PressPlan& plan, ExportFormat format) {
+  double peak = 0;
+  for (const float sample : plan.samples) peak = std::fmax(peak, std::fabs(static_cast<double>(sample)));
+  return {
+      FailureCode::wrongUsage, Subject::option("--format"), "",
+      Message("%1 cannot hold this press: its strongest sample is %2 of full scale, and nothing would sound",
+              std::string(exportFormats.word(format)), peak),
+      "Press deeper, raise the gain of the device profile, or choose package, which holds any press"};
 }
 
 }  // namespace
@@ -114,6 +133,8 @@ Result<Exported> exportPress(const Button& button, const HapticProgram& program,
   if (!plan) return plan.failure();
   plan->feel = settings.feel;
   Reduction reduction = reductionOf({button, program, *plan}, settings);
+  if (settings.format != ExportFormat::touchpad && !sounds(reduction.played))
+    return tooFaint(*plan, settings.format);
   reduction.loss.energyKept = energyKept(plan->samples, reduction.played, plan->sampleRate_Hz);
   return Exported{reduction.write(reduction.loss), reduction.loss};
 }

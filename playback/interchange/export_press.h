@@ -58,7 +58,7 @@ struct Exported {
   ExportLoss loss;
 };
 
-/// Failure: as planPress; wrongUsage for settings outside their ranges. Any thread; allocates.
+/// Failure: as planPress; wrongUsage for settings outside their ranges, and for a press so faint that nothing of it sounds in the format. Any thread; allocates.
 Result<Exported> exportPress(const Button& button, const HapticProgram& program, const PressTrace& trace,
                              const ExportSettings& settings);
 

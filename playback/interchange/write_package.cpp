@@ -11,8 +11,11 @@
 #include "model/units.h"
 #include "model/version.h"
 #include "playback/interchange/export_loss_json.h"
+#include "playback/interchange/limiter_course.h"
 #include "playback/interchange/reduction.h"
+#include "playback/measurement/exact_number.h"
 #include "playback/realtime/biquad.h"
+#include "playback/realtime/grain_density.h"
 #include "playback/realtime/grain_voice.h"
 #include "playback/realtime/sound_chain.h"
 #include "playback/realtime/voice.h"
@@ -32,13 +35,22 @@ struct Trigger {
   Burst burst;
 };
 
+/// Where a stroke has grains, and how strong: `level` is on the amplitude of each.
+struct SlopePiece {
+  double from_mm = 0, to_mm = 0;  ///< of its first and last grain
+  double level = 1;
+};
+
 struct StatePackage {
   std::string name;
+  std::vector<SlopePiece> pressSlopes, releaseSlopes;
   std::vector<Trigger> triggers;  ///< in the order travelled, press first
   std::optional<double> press_N, press_mm, release_N, release_mm;
   StateMetrics metrics;
   std::optional<double> operating_mm, operating_N, reset_mm, reset_N;
 };
+
+constexpr double courseTolerance = 1e-4;  // of full scale
 
 double inGrams(double force_N) { return force_N / newtonsPer(ForceUnit::gramForce); }
 
@@ -65,9 +77,25 @@ std::vector<Trigger> triggersOf(const StrokeTable& table, bool release) {
   return triggers;
 }
 
+std::vector<SlopePiece> slopesOf(const StrokeTable& table, const HapticProgram& program) {
+  std::vector<SlopePiece> slopes;
+  if (!(program.grainsPerMm > 0)) return slopes;
+  const auto place_mm = [&](std::int64_t grain) {
+    return program.gridOrigin_mm + static_cast<double>(grain) / program.grainsPerMm;
+  };
+  for (std::uint32_t i = 0; i < table.slopeCount; ++i) {
+    const GrainRange& slope = table.slopes[i];
+    if (slope.first > slope.last) continue;
+    slopes.push_back({place_mm(slope.first), place_mm(slope.last), table.slopeLevel * slope.level});
+  }
+  return slopes;
+}
+
 StatePackage packageOf(const ButtonState& state, const StateProgram& program, const HapticProgram& whole) {
   StatePackage package;
   package.name = state.name;
+  package.pressSlopes = slopesOf(program.press, whole);
+  package.releaseSlopes = slopesOf(program.release, whole);
   package.metrics = metricsOf(state);
   package.triggers = triggersOf(program.press, false);
   if (program.hasBottomOut) {
@@ -138,6 +166,13 @@ Json jsonOf(const Trigger& trigger) {
           {"rearm_force_N", trigger.rearm_N},
           {"quietens_slope", trigger.burst.quietensSlope},
           {"wave", jsonOf(trigger.burst)}};
+}
+
+Json jsonOf(const std::vector<SlopePiece>& slopes) {
+  Json list = Json::array();
+  for (const SlopePiece& slope : slopes)
+    list.push_back({{"from_mm", slope.from_mm}, {"to_mm", slope.to_mm}, {"level", slope.level}});
+  return list;
 }
 
 Json threshold(const std::optional<double>& force_N, const std::optional<double>& displacement_mm) {
@@ -222,7 +257,14 @@ Json examplePress(const PressPlan& plan) {
                       {"displacement_mm", planned.displacement_mm},
                       {"quietens_slope", planned.burst.quietensSlope},
                       {"wave", jsonOf(planned.burst)}});
-  return {{"press", plan.press}, {"samples", plan.samples.size()}, {"events", events}};
+  Json course = Json::array();
+  if (!plan.unlimited.empty())
+    for (const GainPoint& point : limiterCourse(plan.unlimited, plan.samples, courseTolerance))
+      course.push_back({point.frame, point.gain});
+  return {{"press", plan.press},
+          {"samples", plan.samples.size()},
+          {"events", events},
+          {"limiter_gain", {{"columns", {"sample", "gain"}}, {"points", course}}}};
 }
 
 std::string packageText(const ExportSource& source, const ExportLoss& loss) {
@@ -241,7 +283,7 @@ std::string packageText(const ExportSource& source, const ExportLoss& loss) {
          {"reset_point", threshold(state.reset_N, state.reset_mm)},
          {"tact_switch_figures", tactFigures(state)},
          {"triggers", triggers},
-         {"slope_level", {{"press", program.press.slopeLevel}, {"release", program.release.slopeLevel}}},
+         {"slopes", {{"press", jsonOf(state.pressSlopes)}, {"release", jsonOf(state.releaseSlopes)}}},
          {"curve",
           {{"columns", {"displacement_mm", "force_N"}},
            {"press", pointsOf(program.press)},
@@ -258,7 +300,8 @@ std::string packageText(const ExportSource& source, const ExportLoss& loss) {
                    {{"per_mm", source.program.grainsPerMm},
                     {"origin_mm", source.program.gridOrigin_mm},
                     {"wave", jsonOf(source.program.grain)},
-                    {"loudest_density_per_s", source.program.loudestDensity_per_s}}},
+                    {"loudest_density_per_s", source.program.loudestDensity_per_s},
+                    {"level_by_density", levelByDensity}}},
                   {"chain", chainOf(source.program, source.plan.sampleRate_Hz)},
                   {"example_press", examplePress(source.plan)},
                   {"loss", jsonOf(loss)}};
@@ -315,19 +358,32 @@ std::string cTriggers(std::size_t index, const StatePackage& state, const Haptic
   return text + "};\n";
 }
 
+std::string cSlopes(const char* name, std::size_t state, const std::vector<SlopePiece>& slopes) {
+  if (slopes.empty()) return {};
+  std::string text = "static const detent_slope detent_" + std::string(name) + "_slopes_" +
+                     std::to_string(state) + "[] = {\n";
+  for (const SlopePiece& slope : slopes)
+    text += "  {" + cFloat(slope.from_mm) + ", " + cFloat(slope.to_mm) + ", " + cFloat(slope.level) + "},\n";
+  return text + "};\n";
+}
+
 std::string cState(std::size_t index, const StatePackage& state, const StateProgram& program) {
   const std::string n = std::to_string(index);
   const auto number = [](const std::optional<double>& value) { return cFloat(value.value_or(-1)); };
   const auto column = [&](const char* name, const StrokeTable& table, const char* what) {
     return table.pointCount == 0 ? std::string("0") : "detent_" + std::string(name) + "_" + what + "_" + n;
   };
+  const auto slopes = [&](const char* name, const std::vector<SlopePiece>& pieces) {
+    return (pieces.empty() ? "0" : "detent_" + std::string(name) + "_slopes_" + n) + ", " +
+           std::to_string(pieces.size()) + "u, ";
+  };
   return "  {" + cString(state.name) + ", " + number(state.press_N) + ", " + number(state.release_N) + ", " +
-         number(state.operating_N) + ", " + number(state.reset_N) + ", " + cFloat(program.press.slopeLevel) +
-         ", " + cFloat(program.release.slopeLevel) + ", detent_triggers_" + n + ", " +
-         std::to_string(state.triggers.size()) + "u, " + column("press", program.press, "mm") + ", " +
-         column("press", program.press, "N") + ", " + std::to_string(program.press.pointCount) + "u, " +
-         column("release", program.release, "mm") + ", " + column("release", program.release, "N") + ", " +
-         std::to_string(program.release.pointCount) + "u},\n";
+         number(state.operating_N) + ", " + number(state.reset_N) + ", " +
+         slopes("press", state.pressSlopes) + slopes("release", state.releaseSlopes) + "detent_triggers_" +
+         n + ", " + std::to_string(state.triggers.size()) + "u, " + column("press", program.press, "mm") +
+         ", " + column("press", program.press, "N") + ", " + std::to_string(program.press.pointCount) +
+         "u, " + column("release", program.release, "mm") + ", " + column("release", program.release, "N") +
+         ", " + std::to_string(program.release.pointCount) + "u},\n";
 }
 
 constexpr const char* cTypes = R"(#ifndef DETENT_BUTTON_H
@@ -344,11 +400,17 @@ typedef struct {
   detent_wave wave;
 } detent_trigger;
 
-/* Forces that a state does not have are -1. Curves by rising displacement. */
+/* A piece of a slope: grains from from_mm to to_mm, both included, each as strong as level says of detent_grain. */
+typedef struct { float from_mm, to_mm, level; } detent_slope;
+
+/* Forces that a state does not have are -1. Curves and slopes by rising displacement. */
 typedef struct {
   const char* name;
   float press_threshold_N, release_threshold_N, operating_N, reset_N;
-  float press_grain_level, release_grain_level; /* of the slope's grains on each stroke */
+  const detent_slope* press_slopes;
+  unsigned press_slope_count;
+  const detent_slope* release_slopes;
+  unsigned release_slope_count;
   const detent_trigger* triggers;
   unsigned trigger_count;
   const float *press_mm, *press_N;
@@ -361,7 +423,8 @@ typedef struct {
 
 /// How loud grains are beside each other and under jumps.
 std::string cSlope(const HapticProgram& program) {
-  return "/* Grains that come n times a second are (n / loudest)^(3/8) as strong, n at least 1000 / "
+  return "/* Grains that come n times a second are (n / loudest)^" + exact(levelByDensity) +
+         " as strong, n at least 1000 / "
          "duration_ms and at most loudest; 0: all "
          "alike.\n   Grains that begin while a jump sounds are quieter by detent_slope_under_jump. */\n"
          "static const float detent_loudest_grains_per_s = " +
@@ -374,7 +437,8 @@ std::string headerText(const ExportSource& source, const ExportLoss& loss) {
   std::string tables, list;
   for (std::size_t i = 0; i < states.size(); ++i) {
     const StateProgram& program = source.program.states[i];
-    tables += cTriggers(i, states[i], source.program) + cTable("press", i, program.press) +
+    tables += cTriggers(i, states[i], source.program) + cSlopes("press", i, states[i].pressSlopes) +
+              cSlopes("release", i, states[i].releaseSlopes) + cTable("press", i, program.press) +
               cTable("release", i, program.release);
     list += cState(i, states[i], program);
   }
@@ -418,19 +482,14 @@ std::vector<double> unfiltered(const ExportSource& source) {
   return samples;
 }
 
-/// What a reader makes of bursts and filters: the engine's samples before the limiter.
-std::vector<double> asPlayed(const PressPlan& plan) {
-  const std::vector<float>& samples = plan.unlimited.empty() ? plan.samples : plan.unlimited;
-  return {samples.begin(), samples.end()};
-}
-
 }  // namespace
 
 Reduction packageOf(const ExportSource& source) {
   Reduction reduction;
-  reduction.played = {asPlayed(source.plan)};
+  reduction.played.emplace_back(source.plan.samples.begin(), source.plan.samples.end());
   if (!source.plan.unlimited.empty())
-    reduction.loss.dropped.emplace_back("how the limiter turns down what passes its ceiling");
+    reduction.loss.dropped.emplace_back(
+        "how the limiter turns other presses down (the example's gain is in the file)");
   reduction.write = [source](const ExportLoss& loss) {
     return std::vector<ExportedFile>{{"", "", packageText(source, loss)}};
   };

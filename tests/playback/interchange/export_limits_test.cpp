@@ -26,6 +26,16 @@ TEST_CASE("Drawn buttons and presses keep every limit of every format, or are re
   }
 }
 
+TEST_CASE("Draws that were written as silence are refused by the format's name") {
+  for (const std::uint64_t seed : {114066U, 118428U}) {
+    INFO("seed " << seed);
+    const FuzzedExport drawn = fuzzedExport(seed);
+    const ExportVerdict verdict = judged(drawn);
+    CHECK(verdict.violations == std::vector<std::string>{});
+    CHECK(verdict.refusal.find(exportFormats.word(drawn.settings.format)) != std::string::npos);
+  }
+}
+
 TEST_CASE("The counting of limits notices what passes one") {
   const auto passes = [](ExportFormat format, const std::string& text) {
     return !violationsOf(format, {{"", "", text}}).empty();
@@ -42,4 +52,7 @@ TEST_CASE("The counting of limits notices what passes one") {
       ExportFormat::ahap,
       R"({"Version": 1.0, "Pattern": [{"Event": {"Time": 31, "EventType": "HapticTransient", "EventParameters": []}}]})"));
   CHECK(passes(ExportFormat::pcm, "static const int8_t detent_samples[2] = {\n  1, 128,\n};"));
+  CHECK(passes(ExportFormat::pcm, "static const int8_t detent_samples[2] = {\n  0, 0,\n};"));
+  CHECK_FALSE(passes(ExportFormat::pcm, "static const int8_t detent_samples[2] = {\n  1, 127,\n};"));
+  CHECK(passes(ExportFormat::bos1921, "detent_slices[] = {\n  {0, 1, 1},\n};"));
 }

@@ -2,13 +2,17 @@
 #include "playback/interchange/export_press.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
 #include "model/file/button_file.h"
+#include "playback/interchange/limiter_course.h"
+#include "playback/interchange/press_plan.h"
 #include "playback/offline/standard_press.h"
 #include "playback/prepare/prepare_program.h"
+#include "playback/realtime/grain_density.h"
 #include "tests/playback/interchange/fuzzed_exports.h"
 
 using namespace detent;
@@ -90,6 +94,91 @@ TEST_CASE("A press under which nothing is felt, or that never ends, is refused")
   const Result<Exported> refused = exportPress(button, program, endless, {});
   REQUIRE_FALSE(refused.ok());
   CHECK(refused.failure().sentence().find("31") != std::string::npos);
+}
+
+TEST_CASE("A press too faint for a format is refused by its name, never written as silence") {
+  const Button button = sample("B");
+  DeviceProfile faint;
+  faint.gain = 1e-6;
+  const HapticProgram program = prepareProgram(button, faint, usualSettings()).value().program;
+  ExportSettings settings;
+  for (const auto& format : exportFormats.all) {
+    INFO(format.word);
+    settings.format = format.value;
+    const Result<Exported> written = exportPress(button, program, standardPress(program), settings);
+    const bool exact = format.value == ExportFormat::package || format.value == ExportFormat::cHeader ||
+                       format.value == ExportFormat::ahap || format.value == ExportFormat::haptic ||
+                       format.value == ExportFormat::openxr ||
+                       format.value == ExportFormat::hjif;    // any number is one of theirs
+    const bool pad = format.value == ExportFormat::touchpad;  // plays waves of its own
+    CHECK(written.ok() == (exact || pad));
+    if (written) continue;
+    CHECK(written.failure().code == FailureCode::wrongUsage);
+    CHECK(written.failure().sentence().find(format.word) != std::string::npos);
+    CHECK_FALSE(written.failure().remedies.empty());
+  }
+}
+
+TEST_CASE("The course of a limiter that acted gives every sample, by few points") {
+  DeviceProfile loud;
+  loud.gain = 4;
+  for (const char* name : {"B", "D", "F"}) {
+    INFO(name);
+    const Button button = sample(name);
+    const HapticProgram program = prepareProgram(button, loud, usualSettings()).value().program;
+    const PressPlan plan =
+        planPress(button, program, standardPress(program), "standard", RenderSettings{}).value();
+    REQUIRE(plan.unlimited.size() == plan.samples.size());
+    const std::vector<GainPoint> course = limiterCourse(plan.unlimited, plan.samples, 1e-4);
+    CHECK(course.size() < plan.samples.size() / 20);
+    REQUIRE(course.size() > 2);
+    CHECK(course.front().frame == 0);
+    CHECK(course.back().frame == static_cast<std::int64_t>(plan.samples.size()) - 1);
+    double worst = 0;
+    for (std::size_t i = 0; i + 1 < course.size(); ++i) {
+      const GainPoint &a = course[i], &b = course[i + 1];
+      REQUIRE(a.frame < b.frame);
+      CHECK((b.gain >= 0 && b.gain <= 1));
+      for (std::int64_t frame = a.frame; frame <= b.frame; ++frame) {
+        const double share = static_cast<double>(frame - a.frame) / static_cast<double>(b.frame - a.frame);
+        const double gain = a.gain + share * (b.gain - a.gain);
+        const auto at = static_cast<std::size_t>(frame);
+        worst = std::max(worst, std::fabs(gain * static_cast<double>(plan.unlimited[at]) -
+                                          static_cast<double>(plan.samples[at])));
+      }
+    }
+    CHECK(worst <= 1.01e-4);
+  }
+  CHECK(limiterCourse({}, {}, 1e-4).empty());
+  CHECK(limiterCourse({2}, {1}, 1e-4).front().gain == Approx(0.5).margin(1e-4));
+}
+
+TEST_CASE("A package says where a stroke has grains, and how strong each piece of a slope is") {
+  const Button button = sample("B");
+  const HapticProgram program = prepareProgram(button, {}, usualSettings()).value().program;
+  const auto package = nlohmann::json::parse(
+      exportPress(button, program, standardPress(program), {}).value().files.front().text);
+  CHECK(package["grains"]["level_by_density"] == levelByDensity);
+  const auto& pieces = package["states"][0]["slopes"]["press"];
+  const StrokeTable& press = program.states[0].press;
+  REQUIRE(pieces.size() == press.slopeCount);
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    CHECK(pieces[i]["level"].get<double>() == press.slopes[i].level * press.slopeLevel);
+    CHECK(pieces[i]["from_mm"].get<double>() <= pieces[i]["to_mm"].get<double>());
+  }
+  // Every grain of the example lies within a piece and is no louder than it says.
+  for (const auto& event : package["example_press"]["events"]) {
+    if (event["kind"] != "grain") continue;
+    const double at_mm = event["displacement_mm"], amplitude = event["wave"]["amplitude"];
+    bool within = false;
+    for (const char* stroke : {"press", "release"})
+      for (const auto& piece : package["states"][0]["slopes"][stroke])
+        within = within || (at_mm >= piece["from_mm"].get<double>() - 1e-9 &&
+                            at_mm <= piece["to_mm"].get<double>() + 1e-9 &&
+                            amplitude <= program.grain.amplitude * piece["level"].get<double>() + 1e-9);
+    INFO(at_mm << " mm, " << amplitude);
+    CHECK(within);
+  }
 }
 
 TEST_CASE("A press of very many jumps ends, and what a memory cannot hold of it is told") {

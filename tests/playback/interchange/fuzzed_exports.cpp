@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/playback/interchange/fuzzed_exports.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <random>
@@ -281,11 +282,14 @@ std::string array(const std::string& text, const std::string& name) {
 void checkBos1921(const std::string& text, Limits& limits) {
   const std::vector<double> slices = numbersIn(array(text, "detent_slices[] ="));
   limits.holds("slices of three numbers", !slices.empty() && slices.size() % 3 == 0);
+  bool sounds = false;
   for (std::size_t i = 0; i + 2 < slices.size(); i += 3) {
     limits.within("amplitude", slices[i], 0, 4095);
     limits.within("frequency", slices[i + 1], 1, 255);
     limits.within("cycles", slices[i + 2], 1, 255);
+    sounds = sounds || slices[i] > 0;
   }
+  limits.holds("silence", sounds);
 }
 
 void checkDa728x(const std::string& text, Limits& limits) {
@@ -304,14 +308,17 @@ void checkDa728x(const std::string& text, Limits& limits) {
 }
 
 void checkDrv2605(const std::string& text, Limits& limits) {
+  bool sounds = false;
   for (const char* name : {"detent_press[] =", "detent_release[] ="}) {
     const std::vector<double> steps = numbersIn(array(text, name));
     limits.holds("steps of two numbers", !steps.empty() && steps.size() % 2 == 0);
     for (std::size_t i = 0; i + 1 < steps.size(); i += 2) {
       limits.within("amplitude", steps[i], 0, 127);
       limits.within("ms", steps[i + 1], 5, 255);
+      sounds = sounds || steps[i] > 0;
     }
   }
+  limits.holds("silence", sounds);
 }
 
 void checkPcm(const std::string& text, Limits& limits) {
@@ -321,6 +328,7 @@ void checkPcm(const std::string& text, Limits& limits) {
   limits.holds("as many samples as the array says", std::to_string(samples.size()) == head);
   const double full = wide ? 32767 : 127;
   for (const double sample : samples) limits.within("sample", sample, -full, full);
+  limits.holds("silence", std::any_of(samples.begin(), samples.end(), [](double s) { return s != 0; }));
 }
 
 void checkTouchpad(const std::string& text, Limits& limits) {
@@ -353,23 +361,27 @@ void checkHeader(const std::string& text, Limits& limits) {
 
 FuzzedExport fuzzedExport(std::uint64_t seed) {
   Dice dice(seed);
-  FuzzedExport drawn{button(dice), feel(dice), {}, {}};
+  FuzzedExport drawn{button(dice), feel(dice), nullptr, {}, {}, {}};
   const auto& formats = playback::exportFormats.all;
   drawn.settings.format = formats[dice.below(std::size(formats))].value;
   drawn.settings.bits = dice.oneIn(2) ? 8 : 16;
   drawn.settings.sampleRate_Hz = dice.oneIn(2) ? 48000 : dice.byDecades(8000, 48000);
   drawn.settings.feel = drawn.feel.feel;
   drawn.settings.pressName = "drawn";
-  const auto prepared = playback::prepareProgram(drawn.button, {}, drawn.feel);
-  if (!prepared) return drawn;  // told by judged()
+  auto prepared = playback::prepareProgram(drawn.button, {}, drawn.feel);
+  if (!prepared) {
+    drawn.refusal = prepared.failure().sentence();
+    return drawn;
+  }
+  drawn.program = std::make_shared<const playback::HapticProgram>(prepared->program);
   if (dice.oneIn(2)) {
     playback::StandardPress press;
     press.press_s = dice.byDecades(0.01, dice.oneIn(300) ? 10 : 0.15);
     press.hold_s = dice.between(0, 0.02);
     press.release_s = dice.byDecades(0.01, 0.1);
-    drawn.trace = playback::standardPress(prepared->program, press);
+    drawn.trace = playback::standardPress(*drawn.program, press);
   } else {
-    drawn.trace = wobble(dice, prepared->program, drawn.button);
+    drawn.trace = wobble(dice, *drawn.program, drawn.button);
   }
   return drawn;
 }
@@ -426,9 +438,8 @@ std::vector<std::string> violationsOf(ExportFormat format, const std::vector<pla
 }
 
 ExportVerdict judged(const FuzzedExport& drawn) {
-  const auto prepared = playback::prepareProgram(drawn.button, {}, drawn.feel);
-  if (!prepared) return {prepared.failure().sentence(), {}};
-  const auto exported = playback::exportPress(drawn.button, prepared->program, drawn.trace, drawn.settings);
+  if (!drawn.program) return {drawn.refusal, {}};
+  const auto exported = playback::exportPress(drawn.button, *drawn.program, drawn.trace, drawn.settings);
   if (!exported) return {exported.failure().sentence(), {}};
   ExportVerdict verdict{{}, violationsOf(drawn.settings.format, exported->files)};
   const playback::ExportLoss& loss = exported->loss;

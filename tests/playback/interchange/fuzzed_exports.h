@@ -3,6 +3,7 @@
 // Buttons and presses drawn at random, exported, and held against every numeric limit of the format they went to.
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ namespace detent::test {
 struct FuzzedExport {
   Button button;
   playback::PlaybackSettings feel;
+  std::shared_ptr<const playback::HapticProgram> program;  ///< null where the button cannot be prepared
+  std::string refusal;                                     ///< why not
   playback::PressTrace trace;
   playback::ExportSettings settings;
 };

@@ -182,7 +182,16 @@ def read_package(path):
         last = min(count, first + int(math.ceil(event["wave"]["duration_ms"] / 1e3 * RATE)) + 1)
         rest[first:last] += burst(event["wave"], seconds[first:last] - first / chain["sample_rate_Hz"])
         onsets.append(event["time_s"])
-    return [Half(chain["gain"] * (slope + rest), onsets)]
+    sound = slope + rest
+    if chain["grain_low_pass"]["acts_on"] == "all":
+        sound = filtered(sound, chain["grain_low_pass"]["coefficients"])
+    for band in chain["equalizer"]:
+        sound = filtered(sound, band["coefficients"])
+    sound = chain["gain"] * sound
+    course = press["limiter_gain"]["points"]
+    if course:
+        sound = sound * numpy.interp(numpy.arange(count), [p[0] for p in course], [p[1] for p in course])
+    return [Half(sound, onsets)]
 
 
 # ---- time lines

@@ -123,6 +123,24 @@ class Recount(unittest.TestCase):
                             self.assertLess(largest_difference(halves[0].samples, original), 1e-3)
                             self.assertEqual(loss["worst_timing_error_ms"], 0)
 
+    def test_a_package_has_the_equalizer_and_the_limiter(self):
+        """A device four times too loud whose resonance is flattened: the limiter turns every jump down."""
+        with Workplace() as place:
+            profile = os.path.join(place.folder, "loud.device")
+            with open(profile, "w", encoding="utf-8") as file:
+                file.write("detent-device 1\ngain = 4\nequalizer = 390 8 -6\nequalizer = 150 2 3\n")
+            for feel in ("clear", "paper"):
+                for button in BUTTONS:
+                    with self.subTest(button=button, feel=feel):
+                        options = ["--profile", profile, "--equalizer", "full", "--feel", feel]
+                        path = SAMPLES / f"{button}.button.json"
+                        out, wave = os.path.join(place.folder, "out.json"), os.path.join(place.folder, "out.wav")
+                        for arguments in (["export", path, "--format", "package", "-o", out],
+                                          ["render", path, "--standard-press", "-o", wave]):
+                            subprocess.run([PLAY, *arguments, *options], check=True, capture_output=True)
+                        self.assertTrue(json.load(open(out, encoding="utf-8"))["example_press"]["limiter_gain"]["points"])
+                        self.assertLess(largest_difference(readers.read_package(out)[0].samples, readers.read_wave(wave)[1]), 1e-3)
+
     def test_what_is_told_is_what_is_found(self):
         with Workplace() as place:
             for button, press, feel in (("A", "standard", "clear"), ("B", "standard", "clear"), ("B", "standard", "paper"),

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// How far the limiter turned a press down, so that a file can say it.
+
+#include <cstdint>
+#include <vector>
+
+namespace detent::playback {
+
+/// Gain in [0, 1] at a sample; straight between two of them.
+struct GainPoint {
+  std::int64_t frame = 0;
+  double gain = 1;
+};
+
+/// As few points, one after another, as give `limited` of `whole` within `tolerance` (> 0, share of full scale) at every sample. Both of
+/// one length; where a sample of `whole` is the larger one it was turned down. Empty for no samples. Any thread; allocates.
+std::vector<GainPoint> limiterCourse(const std::vector<float>& whole, const std::vector<float>& limited,
+                                     double tolerance);
+
+}  // namespace detent::playback
