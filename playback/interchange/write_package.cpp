@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The force-triggered package: at which force what is to be played, for devices that sense force themselves. As JSON and as a C header.
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -54,25 +55,42 @@ constexpr double courseTolerance = 1e-4;  // of full scale
 
 double inGrams(double force_N) { return force_N / newtonsPer(ForceUnit::gramForce); }
 
-double forceAt(const StrokeTable& table, double displacement_mm) {
+/// Between two places of a table, of which the second is deeper.
+double forceBetween(const TablePoint& a, const TablePoint& b, double displacement_mm) {
+  const double share = (displacement_mm - a.displacement_mm) / (b.displacement_mm - a.displacement_mm);
+  return a.force_N + (b.force_N - a.force_N) * share;
+}
+
+/// The force at which a press first comes to a place; where a wall stands there, its foot.
+double pressedAt_N(const StrokeTable& table, double displacement_mm) {
   if (table.pointCount == 0) return 0;
-  for (std::uint32_t i = 1; i < table.pointCount; ++i) {
-    const TablePoint& a = table.points[i - 1];
-    const TablePoint& b = table.points[i];
-    if (displacement_mm > b.displacement_mm) continue;
-    const double width = b.displacement_mm - a.displacement_mm;
-    const double share = width > 0 ? (displacement_mm - a.displacement_mm) / width : 1;
-    return a.force_N + (b.force_N - a.force_N) * std::fmax(0, share);
-  }
+  if (displacement_mm <= table.points[0].displacement_mm) return table.points[0].force_N;
+  for (std::uint32_t i = 1; i < table.pointCount; ++i)
+    if (displacement_mm <= table.points[i].displacement_mm)
+      return forceBetween(table.points[i - 1], table.points[i], displacement_mm);
   return table.points[table.pointCount - 1].force_N;
+}
+
+/// The same for a release, which comes from below: of a wall, its top.
+double releasedAt_N(const StrokeTable& table, double displacement_mm) {
+  if (table.pointCount == 0) return 0;
+  const TablePoint& deepest = table.points[table.pointCount - 1];
+  if (displacement_mm >= deepest.displacement_mm) return deepest.force_N;
+  for (std::uint32_t i = table.pointCount - 1; i > 0; --i)
+    if (displacement_mm >= table.points[i - 1].displacement_mm)
+      return forceBetween(table.points[i - 1], table.points[i], displacement_mm);
+  return table.points[0].force_N;
 }
 
 std::vector<Trigger> triggersOf(const StrokeTable& table, bool release) {
   std::vector<Trigger> triggers;
+  const auto forceAt = [&](double place_mm) {
+    return release ? releasedAt_N(table, place_mm) : pressedAt_N(table, place_mm);
+  };
   for (std::uint32_t i = 0; i < table.jumpCount; ++i) {
     const JumpEntry& jump = table.jumps[i];
-    triggers.push_back({"jump", release, jump.from_mm, jump.to_mm, forceAt(table, jump.from_mm),
-                        jump.rearm_mm, forceAt(table, jump.rearm_mm), jump.burst});
+    triggers.push_back({"jump", release, jump.from_mm, jump.to_mm, forceAt(jump.from_mm), jump.rearm_mm,
+                        forceAt(jump.rearm_mm), jump.burst});
   }
   return triggers;
 }
@@ -102,17 +120,17 @@ StatePackage packageOf(const ButtonState& state, const StateProgram& program, co
     Burst bottom = whole.bottomOut;
     bottom.amplitude *= program.bottomOutLevel;
     package.triggers.push_back({"bottom_out", false, program.bottomOut_mm, program.bottomOut_mm,
-                                forceAt(program.press, program.bottomOut_mm), program.bottomOutRearm_mm,
-                                forceAt(program.press, program.bottomOutRearm_mm), bottom});
+                                pressedAt_N(program.press, program.bottomOut_mm), program.bottomOutRearm_mm,
+                                pressedAt_N(program.press, program.bottomOutRearm_mm), bottom});
   }
   for (const Trigger& trigger : triggersOf(program.release, true)) package.triggers.push_back(trigger);
   if (program.hasOperatingPoint) {
     package.operating_mm = program.operating_mm;
-    package.operating_N = forceAt(program.press, program.operating_mm);
+    package.operating_N = pressedAt_N(program.press, program.operating_mm);
   }
   if (program.hasResetPoint) {
     package.reset_mm = program.reset_mm;
-    package.reset_N = forceAt(program.release, program.reset_mm);
+    package.reset_N = releasedAt_N(program.release, program.reset_mm);
   }
   // What a device switches at is what is felt: the first jump; without one the operating point, then the bottom-out.
   for (const Trigger& trigger : package.triggers) {
@@ -128,7 +146,7 @@ StatePackage packageOf(const ButtonState& state, const StateProgram& program, co
     package.press_mm = package.operating_mm;
   }
   if (!package.press_N && program.hasBottomOut) {
-    package.press_N = forceAt(program.press, program.bottomOut_mm);
+    package.press_N = pressedAt_N(program.press, program.bottomOut_mm);
     package.press_mm = program.bottomOut_mm;
   }
   if (!package.release_N) {

@@ -358,12 +358,13 @@ class Preparation {
            {"more than the %1 slopes a program holds; the last ones are silent", maxSlopes});
   }
 
-  /// Steepness at a place of a slope, over a fifth of a millimetre to both sides but not beyond the slope.
+  /// Steepness at a place of a slope, over a fifth of a millimetre to both sides but not beyond the slope, nor up the wall it ends at.
   static double steepness_N_per_mm(const StrokeCurve& curve, double at_mm, double from_mm, double to_mm) {
     constexpr double reach_mm = 0.2;
     const double low_mm = std::max(at_mm - reach_mm, from_mm), high_mm = std::min(at_mm + reach_mm, to_mm);
-    return high_mm > low_mm ? std::fabs(curve.force_N(high_mm) - curve.force_N(low_mm)) / (high_mm - low_mm)
-                            : 0;
+    return high_mm > low_mm
+               ? std::fabs(curve.forceBefore_N(high_mm) - curve.force_N(low_mm)) / (high_mm - low_mm)
+               : 0;
   }
 
   double levelOf_dB(double steepness_N_per_mm) const {
@@ -405,7 +406,7 @@ class Preparation {
           prepared_.program.gridOrigin_mm + static_cast<double>(grain) / settings_.grainsPerMm;
       return std::clamp(x_mm, curve.start_mm(), curve.end_mm());
     };
-    const double half_mm = 0.5 / settings_.grainsPerMm;
+    const double half_mm = range.first == range.last ? 0.5 / settings_.grainsPerMm : 0;
     const double from_mm = std::max(placeOf(range.first) - half_mm, curve.start_mm());
     const double to_mm = std::min(placeOf(range.last) + half_mm, curve.end_mm());
     SlopeLevels slope{range, (range.last - range.first) / mostLooks + 1, {}};

@@ -10,7 +10,9 @@ docs/export-formats.md, since no maker publishes what an actuator makes of them.
 import json
 import math
 import re
+import shutil
 import struct
+import subprocess
 
 import numpy
 
@@ -377,6 +379,115 @@ def read_drv2605(path):
             raise ValueError("the count is not the list's")
         halves.append(held([(a / 127, ms / 1000) for a, ms in steps]))
     return halves
+
+
+C_DUMP = r"""
+#include <stdio.h>
+#include HEADER
+static void wave(detent_wave w) {
+  printf("[%.9g,%.9g,%.9g,%.9g,%.9g]", w.frequency_Hz, w.duration_ms, w.amplitude, w.rise_ms, w.fall_ms);
+}
+static void slopes(const char* name, const detent_slope* s, unsigned count) {
+  printf("\"%s\":[", name);
+  for (unsigned i = 0; i < count; ++i) printf("%s[%.9g,%.9g,%.9g]", i ? "," : "", s[i].from_mm, s[i].to_mm, s[i].level);
+  printf("],");
+}
+static void curve(const char* name, const float* mm, const float* N, unsigned count) {
+  printf("\"%s\":[", name);
+  for (unsigned i = 0; i < count; ++i) printf("%s[%.9g,%.9g]", i ? "," : "", mm[i], N[i]);
+  printf("],");
+}
+int main(void) {
+  printf("{\"grains_per_mm\":%.9g,\"loudest_per_s\":%.9g,\"under_jump\":%.9g,\"grain\":", detent_grains_per_mm,
+         detent_loudest_grains_per_s, detent_slope_under_jump);
+  wave(detent_grain);
+  printf(",\"states\":[");
+  for (unsigned i = 0; i < detent_state_count; ++i) {
+    const detent_state* s = &detent_states[i];
+    printf("%s{\"thresholds\":[%.9g,%.9g,%.9g,%.9g],", i ? "," : "", s->press_threshold_N, s->release_threshold_N, s->operating_N,
+           s->reset_N);
+    slopes("press_slopes", s->press_slopes, s->press_slope_count);
+    slopes("release_slopes", s->release_slopes, s->release_slope_count);
+    curve("press", s->press_mm, s->press_N, s->press_points);
+    curve("release", s->release_mm, s->release_N, s->release_points);
+    printf("\"triggers\":[");
+    for (unsigned t = 0; t < s->trigger_count; ++t) {
+      const detent_trigger* g = &s->triggers[t];
+      printf("%s{\"release\":%d,\"kind\":%d,\"at_N\":%.9g,\"at_mm\":%.9g,\"wave\":", t ? "," : "", g->release, g->kind, g->force_N,
+             g->displacement_mm);
+      wave(g->wave);
+      printf("}");
+    }
+    printf("]}");
+  }
+  printf("]}\n");
+  return 0;
+}
+"""
+
+
+def read_c_header(path):
+    """The header as a compiler takes it, number by number; and the power of its comment on grains. None without a compiler."""
+    compiler = shutil.which("gcc") or shutil.which("cc")
+    if not compiler:
+        return None
+    program = str(path) + ".dump"
+    subprocess.run([compiler, "-std=c99", "-Wall", "-Werror", "-Wno-unused-variable", f'-DHEADER="{path}"', "-x", "c", "-", "-o", program],
+                   input=C_DUMP, text=True, check=True)
+    data = json.loads(subprocess.run([program], capture_output=True, text=True, check=True).stdout)
+    with open(path, encoding="utf-8") as file:
+        data["power"] = float(re.search(r"\(n / loudest\)\^([\d.]+)", file.read()).group(1))
+    return data
+
+
+def play_c_header(data, events, count):
+    """What a board makes of a header (momentary buttons) when its finger meets `events`: the sample, kind and place of each. As the
+    header's words have it: a new grain takes the place of the last, its carrier goes on while they touch."""
+    state, (hertz, long_ms, loud, _, _) = data["states"][0], data["grain"]
+    slope, rest, quiet_until, last, before_mm = numpy.zeros(count), numpy.zeros(count), 0, None, 0.0
+    long, until, phase = long_ms * RATE / 1e3, 0, 0.0
+    for i, (at, kind, place_mm) in enumerate(events):
+        after_mm = events[i + 1][2] if i + 1 < len(events) else place_mm
+        releasing = after_mm < place_mm if after_mm != place_mm else place_mm < before_mm
+        before_mm = place_mm
+        if kind == "grain":
+            pieces = state["release_slopes" if releasing else "press_slopes"]
+            level = [l for low, high, l in pieces if low - 1e-5 <= place_mm <= high + 1e-5]
+            if not level:
+                raise ValueError(f"no slope has grains at {place_mm} mm")
+            amplitude = loud * level[0] * (data["under_jump"] if at < quiet_until else 1)
+            if data["loudest_per_s"] > 0:
+                often = 0 if last is None else RATE / max(at - last, 0.5)
+                often = min(max(often, 1000 / long_ms), data["loudest_per_s"])
+                amplitude *= (often / data["loudest_per_s"]) ** data["power"]
+            phase = phase + 2 * math.pi * hertz * (at - last) / RATE if last is not None and at <= until else 0.0
+            last, until = at, at + int(math.ceil(long))
+            t = numpy.arange(min(int(math.ceil(long)), count - at))
+            slope[at:] = 0
+            slope[at:at + len(t)] = amplitude * (1 - t / long) * numpy.sin(phase + 2 * math.pi * hertz * t / RATE)
+            continue
+        here = [g for g in state["triggers"] if abs(g["at_mm"] - place_mm) < 1e-4 and
+                (g["kind"], g["release"]) == ((1, 0) if kind == "bottom_out" else (0, int(kind == "release_jump")))]
+        if len(here) != 1:
+            raise ValueError(f"{len(here)} triggers are a {kind} at {place_mm} mm")
+        w = dict(zip(("frequency_Hz", "duration_ms", "amplitude", "rise_ms", "fall_ms"), here[0]["wave"]))
+        if kind != "bottom_out":
+            quiet_until = at + round(w["duration_ms"] * RATE / 1e3)
+        rest[at:] += burst(w, numpy.arange(count - at) / RATE)
+    return slope + rest
+
+
+def read_touchpad(path):
+    """Threshold in g within what pads offer, release ratio and intensities; nothing that could be played."""
+    with open(path, encoding="utf-8") as file:
+        data = json.load(file)
+    if not 110 <= data["press_threshold_g"] <= 190 or not 0 < data["release_ratio"] <= 1:
+        raise ValueError("a threshold that no pad has")
+    if any(data["intensity"][k] not in range(5) for k in ("press", "release")):
+        raise ValueError("an intensity that no pad has")
+    if abs(data["press_threshold_N"] - data["press_threshold_g"] * 9.80665e-3) > 1e-9:
+        raise ValueError("g and N differ")
+    return data
 
 
 def read_wave(path):

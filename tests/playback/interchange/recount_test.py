@@ -30,6 +30,7 @@ PLAY = sys.argv[1]
 SAMPLES = Path(__file__).resolve().parents[3] / "samples/buttons"
 ENDINGS = {"package": "json", "ahap": "ahap", "haptic": "haptic", "android": "kt", "openxr": "json", "hjif": "hjif", "bos1921": "h",
            "da728x": "h", "drv2605": "h", "pcm": "h"}
+OWN_TESTS = {"c": "h", "touchpad": "json"}  # nothing of them is played as it stands
 EXACT = ("package", "hjif", "pcm")
 BUTTONS = ("A", "B", "C", "D", "E", "F", "latch", "push")
 
@@ -47,7 +48,7 @@ class Workplace:
         shutil.rmtree(self.folder)
 
     def export(self, button, name, press="standard", feel="clear"):
-        out = os.path.join(self.folder, f"out.{ENDINGS[name]}")
+        out = os.path.join(self.folder, f"out.{(ENDINGS | OWN_TESTS)[name]}")
         done = subprocess.run([PLAY, "export", SAMPLES / f"{button}.button.json", "--format", name, "--press", press, "--feel", feel,
                                "-o", out, "--json"], capture_output=True, text=True, check=False)
         if done.returncode:
@@ -64,6 +65,11 @@ class Workplace:
         if name == "android":
             return [half["envelope"] or half["steps"] or readers.Half([0.0], []) for half in readers.read_android(out)], loss
         return getattr(readers, "read_" + name)(out), loss
+
+    def met(self, button, press, feel):
+        """Sample, kind and place of every event of a press."""
+        with open(self.export(button, "package", press, feel)[0], encoding="utf-8") as file:
+            return [(e["sample"], e["kind"], e["displacement_mm"]) for e in json.load(file)["example_press"]["events"]]
 
     def rendered(self, button, feel="clear"):
         wave = os.path.join(self.folder, "render.wav")
@@ -155,6 +161,41 @@ class Recount(unittest.TestCase):
                             self.assertAlmostEqual(found[band], told, delta=0.02 * told + 1e-3, msg=band)
                         self.assertLessEqual(loss["worst_timing_error_ms"], 1)
                         self.assertLessEqual(worst, 1)
+
+    def test_a_header_sounds_as_its_loss_record_says(self):
+        with Workplace() as place:
+            for button in ("A", "B", "C", "D", "E", "F", "push"):
+                for press, feel in (("standard", "clear"), ("standard", "paper"), ("human:60ms", "clear")):
+                    with self.subTest(button=button, press=press, feel=feel):
+                        out, loss = place.export(button, "c", press, feel)
+                        header = readers.read_c_header(out)
+                        if header is None:
+                            self.skipTest("needs a C compiler")
+                        engine = place.engine(button, press, feel)
+                        before = readers.band_energies(engine)
+                        after = readers.band_energies(readers.play_c_header(header, place.met(button, press, feel), len(engine)))
+                        for band, told in loss["energy_kept"].items():
+                            if told is not None:
+                                self.assertAlmostEqual(after[band] / before[band], told, delta=0.02 * told + 1e-3, msg=band)
+
+    def test_a_pad_clicks_where_the_button_does(self):
+        with Workplace() as place:
+            for button in BUTTONS:
+                with self.subTest(button=button):
+                    pad = readers.read_touchpad(place.export(button, "touchpad")[0])
+                    with open(place.export(button, "package")[0], encoding="utf-8") as file:
+                        state = json.load(file)["states"][0]
+                    press, release = state["press_threshold"], state["release_threshold"]
+                    if press:
+                        self.assertAlmostEqual(pad["press_threshold_g"], min(max(press["force_g"], 110), 190), delta=0.1)
+                    self.assertEqual(pad["release_ratio_known"], bool(press and release))
+                    if pad["release_ratio_known"]:
+                        ratio = release["force_N"] / press["force_N"]
+                        self.assertAlmostEqual(pad["release_ratio"], min(max(ratio, 0.05), 1), delta=1e-3)
+                    jumps = [max((t["wave"]["amplitude"] for t in state["triggers"] if (t["kind"], t["stroke"]) == ("jump", stroke)),
+                                 default=0) for stroke in ("press", "release")]
+                    for stroke, jump in zip(("press", "release"), jumps):
+                        self.assertEqual(pad["intensity"][stroke], min(max(int(4 * jump + 0.5), 1), 4) if jump else 0)
 
     def test_the_reference_software_plays_the_same(self):
         synthesizer = os.environ.get("DETENT_MPEG_SYNTHESIZER")

@@ -123,6 +123,21 @@ TEST_CASE("prepare: a slope that changes is felt piece by piece, every grain onc
   CHECK(press.slopes[press.slopeCount - 1].last == paper->states[0].press.slopes[0].last);
 }
 
+TEST_CASE("prepare: the wall behind a slope makes none of its grains louder") {
+  PlaybackSettings settings;
+  settings.feel = Feel::clear;
+  for (const bool wall : {false, true}) {
+    std::vector<CurvePoint> points{{0, 0.1}, {4, 0.9}};
+    if (wall) points.push_back({4, 3});
+    const auto program =
+        std::make_unique<HapticProgram>(programOf(buttonOf("wall", {stateOf("", points, {})}), settings));
+    const StrokeTable& press = program->states[0].press;
+    INFO(wall);
+    REQUIRE(press.slopeCount == 1);
+    CHECK(20 * std::log10(press.slopes[0].level) == Approx(-2.8).margin(0.26));  // 0.2 N/mm, as drawn
+  }
+}
+
 TEST_CASE("prepare: only what the button has") {
   const auto linear = std::make_unique<HapticProgram>(programOf(linearButton()));
   CHECK(linear->stateCount == 1);
