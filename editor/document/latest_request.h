@@ -2,10 +2,13 @@
 #pragma once
 // Work off the GUI thread of which only the latest counts.
 
+#include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <QObject>
 #include <thread>
 #include <utility>
 
@@ -58,6 +61,72 @@ class LatestRequest {
   std::optional<Request> waiting_;
   bool stopping_ = false;
   std::thread worker_;
+};
+
+/// LatestRequest for an object of the GUI thread, which is told what comes of its requests. Declare it last. GUI thread, except where
+/// said.
+template <class Request>
+class LatestAnswer {
+ public:
+  /// A request that is worked on. Worker thread.
+  class Asked {
+   public:
+    const Request& request;
+    const std::uint64_t revision;  ///< counted from 1
+
+    /// Something newer was asked for, or nobody waits any more: give it up.
+    bool overtaken() const { return answers_.latest_ != revision; }
+    /// Calls `told` in the GUI thread, unless the request is overtaken by then.
+    template <class Told>
+    void tell(Told told) const {
+      tellAnyway([&answers = answers_, asked = revision, told = std::move(told)] {
+        if (answers.latest_ == asked) told();
+      });
+    }
+    /// The same of a request that may be overtaken. Events for an object that is gone are dropped by Qt; the destructor waits for
+    /// this thread.
+    template <class Told>
+    void tellAnyway(Told told) const {
+      QMetaObject::invokeMethod(answers_.owner_, std::move(told), Qt::QueuedConnection);
+    }
+
+   private:
+    friend class LatestAnswer;
+    Asked(LatestAnswer& answers, const Request& its, std::uint64_t asked)
+        : request(its), revision(asked), answers_(answers) {}
+    LatestAnswer& answers_;
+  };
+
+  /// `owner` is what is told, and holds this. `work` runs on the worker thread.
+  LatestAnswer(QObject* owner, std::function<void(const Asked&)> work)
+      : owner_(owner),
+        work_(std::move(work)),
+        requests_([this](const Waiting& next) { work_(Asked(*this, next.request, next.revision)); }) {}
+  /// Gives up what runs, and waits for it.
+  ~LatestAnswer() { cancel(); }
+  LatestAnswer(const LatestAnswer&) = delete;
+  LatestAnswer& operator=(const LatestAnswer&) = delete;
+
+  /// Gives the revision of the request.
+  std::uint64_t ask(Request request) {
+    const std::uint64_t revision = ++latest_;
+    requests_.put({std::move(request), revision});
+    return revision;
+  }
+  /// Nothing is told of what was asked so far.
+  void cancel() { ++latest_; }
+  std::uint64_t latest() const { return latest_; }
+
+ private:
+  struct Waiting {
+    Request request;
+    std::uint64_t revision = 0;
+  };
+
+  QObject* owner_;
+  std::function<void(const Asked&)> work_;
+  std::atomic<std::uint64_t> latest_{0};
+  LatestRequest<Waiting> requests_;  // last: its thread uses the others
 };
 
 }  // namespace detent::editor

@@ -20,7 +20,14 @@ double fullForceOf(const playback::HapticProgram& program) {
 }  // namespace
 
 FeelSession::FeelSession(QObject* parent, const FeelDevices& devices)
-    : QObject(parent), soundDevices_(nullptr, devices), player_(nullptr, devices), force_(nullptr, devices) {
+    : QObject(parent),
+      soundDevices_(nullptr, devices),
+      player_(nullptr, devices),
+      force_(nullptr, devices),
+      references_(this, [this](const auto& asked) {
+        const auto drawing = std::make_shared<const ReferenceDrawing>(referenceDrawingOf(asked.request));
+        asked.tell([this, drawing] { takeReference(drawing); });
+      }) {
   for (const FeelSide side : {FeelSide::a, FeelSide::b})
     connect(&slot(side).source, &PressSignalSource::ready, this,
             [this, side](const auto& signal) { takeSignal(side, signal); });
@@ -33,7 +40,6 @@ FeelSession::FeelSession(QObject* parent, const FeelDevices& devices)
     emit ownPressChanged();
   });
   connect(&player_, &FeelPlayer::sensorChanged, this, &FeelSession::followSensor);
-  connect(&referenceSource_, &ReferenceSource::ready, this, &FeelSession::takeReference);
   connect(&force_, &ForceSession::stateChanged, this, &FeelSession::followForceState);
   connect(&force_, &ForceSession::moved, this, &FeelSession::followForce);
   connect(&force_, &ForceSession::said, this, &FeelSession::said);
@@ -146,11 +152,11 @@ void FeelSession::setReference(const QString& file) {
 }
 
 void FeelSession::loadReference() {
-  referenceSource_.forget();
+  references_.cancel();
   player_.stopSamples();
   reference_.reset();
   referenceTrouble_.clear();
-  if (!settings_.referenceFile.isEmpty()) referenceSource_.request(settings_.referenceFile.toStdString());
+  if (!settings_.referenceFile.isEmpty()) references_.ask(settings_.referenceFile.toStdString());
   emit referenceChanged();
 }
 

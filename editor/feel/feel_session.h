@@ -9,16 +9,18 @@
 #include <QObject>
 #include <QPointer>
 #include <QVariantMap>
+#include <string>
 #include <vector>
 
 #include "editor/document/button_document.h"
 #include "editor/document/finger_position.h"
+#include "editor/document/latest_request.h"
 #include "editor/feel/feel_devices.h"
 #include "editor/feel/feel_player.h"
 #include "editor/feel/feel_settings.h"
 #include "editor/feel/force_session.h"
 #include "editor/feel/press_signal_source.h"
-#include "editor/feel/reference_source.h"
+#include "editor/feel/reference_drawing.h"
 #include "editor/feel/sound_device_list.h"
 
 namespace detent::editor {
@@ -170,8 +172,8 @@ class FeelSession : public QObject {
   bool drawsOwn_ = false;
   std::shared_ptr<const ReferenceDrawing> reference_;
   QString referenceTrouble_;
-  ReferenceSource referenceSource_;
   FeelMotion motion_;
+  LatestAnswer<std::string> references_;
 };
 
 }  // namespace detent::editor

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <QObject>
+#include <utility>
 
 #include "editor/document/latest_request.h"
 #include "editor/feel/press_signal.h"
@@ -21,21 +22,14 @@ class PressSignalSource : public QObject {
   explicit PressSignalSource(QObject* parent = nullptr);
 
   /// Gives the revision that the answer will carry, unless a later request overtakes it.
-  std::uint64_t request(PressSignalRequest request);
-  std::uint64_t lastRequested() const { return requested_; }
+  std::uint64_t request(PressSignalRequest request) { return answers_.ask(std::move(request)); }
+  std::uint64_t lastRequested() const { return answers_.latest(); }
 
  signals:
   void ready(std::shared_ptr<const detent::editor::PressSignal> signal);
 
  private:
-  struct Waiting {
-    std::uint64_t revision;
-    PressSignalRequest request;
-  };
-  void compute(const Waiting& next);  // worker thread
-
-  std::uint64_t requested_ = 0;
-  LatestRequest<Waiting> requests_;
+  LatestAnswer<PressSignalRequest> answers_;
 };
 
 }  // namespace detent::editor

@@ -9,7 +9,7 @@
 
 #include "editor/document/graph_colors.h"
 #include "editor/feel/press_signal.h"
-#include "editor/feel/reference_source.h"
+#include "editor/feel/reference_drawing.h"
 
 namespace detent::editor {
 

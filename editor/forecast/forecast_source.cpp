@@ -23,59 +23,41 @@ std::vector<std::pair<std::size_t, std::size_t>> pairsIn(std::size_t buttons, Fo
 }  // namespace
 
 ForecastSource::ForecastSource(QObject* parent)
-    : QObject(parent), requests_([this](const Waiting& next) { answer(next); }) {}
+    : QObject(parent), answers_(this, [this](const Asked& asked) {
+        std::optional<Forecast> computed = compute(asked);
+        if (!computed) return;
+        const auto forecast = std::make_shared<const Forecast>(*std::move(computed));
+        asked.tell([this, forecast] { emit ready(forecast); });
+      }) {}
 
-ForecastSource::~ForecastSource() { cancel(); }
-
-std::uint64_t ForecastSource::request(std::vector<Button> buttons, ForecastPairs pairs) {
-  const std::uint64_t revision = ++latest_;
-  requests_.put({revision, std::move(buttons), pairs});
-  return revision;
-}
-
-void ForecastSource::cancel() { ++latest_; }
-
-void ForecastSource::answer(const Waiting& next) {
-  std::optional<Forecast> computed = compute(next);
-  if (!computed) return;
-  auto forecast = std::make_shared<const Forecast>(*std::move(computed));
-  // Queued events for an object that is gone are dropped by Qt; the destructor waits for this thread.
-  QMetaObject::invokeMethod(
-      this,
-      [this, forecast] {
-        if (!overtaken(forecast->revision)) emit ready(forecast);
-      },
-      Qt::QueuedConnection);
-}
-
-std::optional<Forecast> ForecastSource::compute(const Waiting& asked) {
-  const auto pairs = pairsIn(asked.buttons.size(), asked.pairs);
-  const std::size_t all = asked.buttons.size() + pairs.size();
+std::optional<Forecast> ForecastSource::compute(const Asked& asked) {
+  const std::vector<Button>& buttons = asked.request.buttons;
+  const auto pairs = pairsIn(buttons.size(), asked.request.pairs);
+  const std::size_t all = buttons.size() + pairs.size();
   FeltList felt;
-  for (const Button& button : asked.buttons) {
-    Result<std::shared_ptr<const Felt>> made = feltOf(button, asked.revision);
-    if (overtaken(asked.revision)) return {};
+  for (const Button& button : buttons) {
+    Result<std::shared_ptr<const Felt>> made = feltOf(button, asked);
+    if (asked.overtaken()) return {};
     if (!made) return Forecast{asked.revision, {}, sentenceOf(made.failure())};
     felt.push_back(*std::move(made));
-    tellProgress(asked.revision, felt.size(), all);
+    tellProgress(asked, felt.size(), all);
   }
   Forecast forecast{asked.revision, {}, {}};
   for (const auto& [first, second] : pairs) {
-    if (overtaken(asked.revision)) return {};
+    if (asked.overtaken()) return {};
     forecast.pairs.push_back(pairOf(*felt[first], *felt[second]));
-    tellProgress(asked.revision, felt.size() + forecast.pairs.size(), all);
+    tellProgress(asked, felt.size() + forecast.pairs.size(), all);
   }
   forgetOld(felt);
   return forecast;
 }
 
 Result<std::shared_ptr<const ForecastSource::Felt>> ForecastSource::feltOf(const Button& button,
-                                                                           std::uint64_t revision) {
+                                                                           const Asked& asked) {
   const auto known =
       std::find_if(kept_.begin(), kept_.end(), [&](const auto& f) { return f->button == button; });
   if (known != kept_.end()) return *known;
-  Result<playback::FeltButton> made =
-      playback::feel(button, {}, [this, revision] { return overtaken(revision); });
+  Result<playback::FeltButton> made = playback::feel(button, {}, [&asked] { return asked.overtaken(); });
   if (!made) return made.failure();
   kept_.push_back(std::make_shared<const Felt>(Felt{nextId_++, button, *std::move(made)}));
   return kept_.back();
@@ -99,13 +81,9 @@ void ForecastSource::forgetOld(const FeltList& used) {
                 [&](const auto& pair) { return gone(pair.first.first) || gone(pair.first.second); });
 }
 
-void ForecastSource::tellProgress(std::uint64_t revision, std::size_t done, std::size_t all) {
-  QMetaObject::invokeMethod(
-      this,
-      [this, revision, done = static_cast<int>(done), all = static_cast<int>(all)] {
-        if (!overtaken(revision)) emit progress(done, all);
-      },
-      Qt::QueuedConnection);
+void ForecastSource::tellProgress(const Asked& asked, std::size_t done, std::size_t all) {
+  asked.tell(
+      [this, done = static_cast<int>(done), all = static_cast<int>(all)] { emit progress(done, all); });
 }
 
 }  // namespace detent::editor

@@ -2,7 +2,7 @@
 #pragma once
 // Forecasts of confusion off the GUI thread: the latest request wins, what it overtook is given up.
 
-#include <atomic>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <optional>
@@ -29,17 +29,19 @@ struct Forecast {
 };
 
 /// One worker thread, begun with the first request. What a button feels like and what was said of a pair is kept, so
-/// that an edit of one of fifty costs one button and its pairs. GUI thread, except where said.
+/// that an edit of one of fifty costs one button and its pairs. Its end gives up what runs, and waits some milliseconds. GUI
+/// thread, except where said.
 class ForecastSource : public QObject {
   Q_OBJECT
 
  public:
   explicit ForecastSource(QObject* parent = nullptr);
-  ~ForecastSource() override;  ///< gives up what runs, waits some milliseconds
 
   /// Gives the revision of the answer, unless a later request overtakes it.
-  std::uint64_t request(std::vector<Button> buttons, ForecastPairs pairs = ForecastPairs::all);
-  void cancel();  ///< no answer comes for what was asked so far
+  std::uint64_t request(std::vector<Button> buttons, ForecastPairs pairs = ForecastPairs::all) {
+    return answers_.ask({std::move(buttons), pairs});
+  }
+  void cancel() { answers_.cancel(); }  ///< no answer comes for what was asked so far
 
  signals:
   /// Buttons and pairs.
@@ -47,31 +49,29 @@ class ForecastSource : public QObject {
   void ready(std::shared_ptr<const detent::editor::Forecast> forecast);
 
  private:
-  struct Waiting {
-    std::uint64_t revision = 0;
+  struct Wanted {
     std::vector<Button> buttons;
     ForecastPairs pairs = ForecastPairs::all;
   };
+  using Asked = LatestAnswer<Wanted>::Asked;
   struct Felt {
     std::uint64_t id = 0;
     Button button;
     playback::FeltButton felt;
   };
   using FeltList = std::vector<std::shared_ptr<const Felt>>;
-  void answer(const Waiting& next);                 // worker thread
-  std::optional<Forecast> compute(const Waiting&);  // worker thread; nothing when overtaken
-  Result<std::shared_ptr<const Felt>> feltOf(const Button& button, std::uint64_t revision);
+  // Worker thread; nothing when overtaken.
+  std::optional<Forecast> compute(const Asked& asked);
+  Result<std::shared_ptr<const Felt>> feltOf(const Button& button, const Asked& asked);
   playback::PredictedPair pairOf(const Felt& a, const Felt& b);
   void forgetOld(const FeltList& used);
-  void tellProgress(std::uint64_t revision, std::size_t done, std::size_t all);
-  bool overtaken(std::uint64_t revision) const { return latest_ != revision; }
+  void tellProgress(const Asked& asked, std::size_t done, std::size_t all);
 
-  std::atomic<std::uint64_t> latest_{0};
   // Of the worker thread.
   FeltList kept_;
   std::map<std::pair<std::uint64_t, std::uint64_t>, playback::PredictedPair> keptPairs_;
   std::uint64_t nextId_ = 0;
-  LatestRequest<Waiting> requests_;  // last: its thread uses the others
+  LatestAnswer<Wanted> answers_;  // last: its thread uses the others
 };
 
 }  // namespace detent::editor

@@ -99,7 +99,18 @@ QString definitionOf(KeyFigure figure) {
 }
 
 KeyFiguresModel::KeyFiguresModel(ButtonDocument& document, ViewSettings& settings, QObject* parent)
-    : QAbstractTableModel(parent), document_(document), settings_(settings) {
+    : QAbstractTableModel(parent),
+      document_(document),
+      settings_(settings),
+      typedSolve_(this,
+                  [this](const Solving::Asked& asked) {
+                    asked.tell([this, request = asked.request, outcome = solved(asked)] {
+                      takeTyped(request, outcome);
+                    });
+                  }),
+      aheadSolve_(this, [this](const Solving::Asked& asked) {
+        asked.tell([this, outcome = solved(asked)] { takeAhead(outcome); });
+      }) {
   pause_.setSingleShot(true);
   pause_.setInterval(dragPause_ms);
   connect(&pause_, &QTimer::timeout, this, &KeyFiguresModel::follow);
@@ -125,7 +136,10 @@ const ButtonState& KeyFiguresModel::state() const {
 void KeyFiguresModel::follow() {
   pause_.stop();
   figures_ = keyFiguresOf(state());
-  if (anyWanted() && !document_.history().dragging()) lookAhead();
+  if (!document_.history().dragging()) {
+    solveNext();
+    if (anyWanted()) lookAhead();
+  }
   emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
 }
 
@@ -141,23 +155,38 @@ std::vector<FigureTarget> KeyFiguresModel::kept() const {
   return targets;
 }
 
+TargetOutcome KeyFiguresModel::solved(const Solving::Asked& asked) {
+  return bentToTargets(asked.request.button, asked.request.state, asked.request.targets, {}, {},
+                       [&asked] { return asked.overtaken(); });
+}
+
 void KeyFiguresModel::lookAhead() {
   preview_.reset();
   previewed_.reset();
   conflict_.clear();
-  if (anyWanted()) {
+  looking_ = anyWanted();
+  if (looking_) {
     std::vector<FigureTarget> targets = kept();
     for (std::size_t i = 0; i < keyFigureCount; ++i)
       if (wanted_[i]) targets.push_back({static_cast<KeyFigure>(i), *wanted_[i]});
-    const TargetOutcome outcome =
-        bentToTargets(document_.history().committed(), document_.activeState(), targets);
-    previewed_ = outcome.button;
-    if (previewed_) preview_ = previewed_->states()[document_.activeState()];
-    if (preview_) ahead_ = keyFiguresOf(*preview_);
-    if (outcome.conflict) conflict_ = sentenceOf(outcome.conflict->failure, settings_.units());
+    aheadSolve_.ask({document_.history().committed(), document_.activeState(), std::move(targets)});
+  } else {
+    aheadSolve_.cancel();
   }
   emit dataChanged(index(0, wanted), index(rowCount() - 1, wanted));
   emit previewChanged();
+  emit solvingChanged();
+}
+
+void KeyFiguresModel::takeAhead(const TargetOutcome& outcome) {
+  looking_ = false;
+  previewed_ = outcome.button;
+  if (previewed_) preview_ = previewed_->states()[document_.activeState()];
+  if (preview_) ahead_ = keyFiguresOf(*preview_);
+  if (outcome.conflict) conflict_ = sentenceOf(outcome.conflict->failure, settings_.units());
+  emit dataChanged(index(0, wanted), index(rowCount() - 1, wanted));
+  emit previewChanged();
+  emit solvingChanged();
 }
 
 void KeyFiguresModel::take() {
@@ -299,17 +328,39 @@ bool KeyFiguresModel::setData(const QModelIndex& index, const QVariant& value, i
 
 bool KeyFiguresModel::setNow(const QModelIndex& index, const QString& text) {
   if (text == data(index, Qt::EditRole).toString()) return true;
-  std::vector<FigureTarget> targets = kept();
-  targets.push_back({figureOf(index), *read(index, text)});
-  const TargetOutcome outcome =
-      bentToTargets(document_.history().committed(), document_.activeState(), targets);
-  if (!outcome.button) {
-    emit refused(index, sentenceOf(outcome.conflict->failure, settings_.units()));
-    return false;
-  }
-  emit accepted();
-  document_.history().apply(*outcome.button, tr("Set: %1").arg(termOf(figureOf(index))));
+  typed_.push_back({figureOf(index), *read(index, text), document_.activeState()});
+  if (typed_.size() == 1) solveNext();
   return true;
+}
+
+void KeyFiguresModel::solveNext() {
+  std::erase_if(typed_,
+                [this](const Typed& typed) { return typed.state >= document_.button().states().size(); });
+  if (!typed_.empty()) {
+    const Typed& next = typed_.front();
+    std::vector<FigureTarget> targets =
+        next.state == document_.activeState() ? kept() : std::vector<FigureTarget>();
+    targets.push_back({next.figure, next.value});
+    typedSolve_.ask({document_.history().committed(), next.state, std::move(targets)});
+  }
+  emit solvingChanged();
+}
+
+void KeyFiguresModel::takeTyped(const Asked& asked, const TargetOutcome& outcome) {
+  // Another hand holds the button, or has changed it meanwhile: asked again.
+  if (document_.history().dragging())
+    return QTimer::singleShot(dragPause_ms, this, &KeyFiguresModel::solveNext);
+  if (asked.button != document_.history().committed()) return solveNext();
+  const KeyFigure which = typed_.front().figure;
+  typed_.pop_front();
+  if (outcome.button) {
+    emit accepted();
+    document_.history().apply(*outcome.button, tr("Set: %1").arg(termOf(which)));
+  } else {
+    emit refused(index(static_cast<int>(which), now),
+                 sentenceOf(outcome.conflict->failure, settings_.units()));
+  }
+  solveNext();
 }
 
 bool KeyFiguresModel::setWanted(const QModelIndex& index, const QString& text) {

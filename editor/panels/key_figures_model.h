@@ -3,12 +3,14 @@
 // The key figures of a document's active state as a table that can be typed into.
 
 #include <array>
+#include <deque>
 #include <optional>
 #include <QAbstractTableModel>
 #include <QTimer>
 #include <vector>
 
 #include "editor/document/button_document.h"
+#include "editor/document/latest_request.h"
 #include "editor/document/view_settings.h"
 #include "editor/quantity/quantity.h"
 #include "model/key_figures.h"
@@ -18,7 +20,8 @@ namespace detent::editor {
 
 /// One row per figure, in the order of model/key_figures.h. What is typed under `now` is one undo step at once: the
 /// smallest change of the curve that gives it and leaves the kept figures as they are. What is typed under `wanted` is
-/// gathered; `preview` is the state that has all of it, until it is taken or given up. GUI thread.
+/// gathered; `preview` is the state that has all of it, until it is taken or given up. Both are solved beside the window:
+/// what is typed is done when its solve has ended, in the order typed, on the button as it is then. GUI thread.
 class KeyFiguresModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -44,6 +47,8 @@ class KeyFiguresModel : public QAbstractTableModel {
   bool anyWanted() const;
   /// The active state as it would be; empty where nothing is wanted, or where it cannot be had.
   const std::optional<ButtonState>& preview() const { return preview_; }
+  /// A solve is under way, or waits until nobody holds the button.
+  bool solving() const { return looking_ || !typed_.empty(); }
   /// Why not; empty where there is a preview, or nothing is wanted.
   const QString& conflict() const { return conflict_; }
   /// The preview becomes one undo step, and nothing is wanted any more.
@@ -55,8 +60,25 @@ class KeyFiguresModel : public QAbstractTableModel {
   void refused(const QModelIndex& index, const QString& why);
   void accepted();
   void previewChanged();
+  void solvingChanged();
 
  private:
+  /// One figure that is to be had at once.
+  struct Typed {
+    KeyFigure figure;
+    double value;
+    std::size_t state;
+  };
+  struct Asked {
+    Button button;
+    std::size_t state = 0;
+    std::vector<FigureTarget> targets;
+  };
+  using Solving = LatestAnswer<Asked>;
+  static TargetOutcome solved(const Solving::Asked& asked);
+  void solveNext();
+  void takeTyped(const Asked& asked, const TargetOutcome& outcome);
+  void takeAhead(const TargetOutcome& outcome);
   void follow();
   void lookAhead();
   const ButtonState& state() const;
@@ -76,6 +98,9 @@ class KeyFiguresModel : public QAbstractTableModel {
   KeyFigures ahead_;
   QString conflict_;
   QTimer pause_;
+  std::deque<Typed> typed_;  // the first is being solved
+  bool looking_ = false;     // a preview is being solved
+  Solving typedSolve_, aheadSolve_;
 };
 
 /// What the number means; work, which is shown in mJ, is a plain number.

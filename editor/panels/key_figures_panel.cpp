@@ -22,6 +22,7 @@ namespace {
 constexpr QSize pictureSize(132, 84);
 constexpr int widestNumber = 9;  // characters that a column of numbers has room for
 constexpr int roomBesideText_px = 12;
+constexpr int patience_ms = 200;  // a solve that is over by then is not spoken of
 
 }  // namespace
 
@@ -34,7 +35,8 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
       trouble_(described(new QLabel, "keyFiguresTrouble")),
       take_(described(new QPushButton(tr("&Take over")), "takeFigures",
                       tr("Change the curve so that it has what is wanted"))),
-      giveUp_(described(new QPushButton(tr("Give &up")), "giveUpFigures", tr("Want nothing any more"))) {
+      giveUp_(described(new QPushButton(tr("Give &up")), "giveUpFigures", tr("Want nothing any more"))),
+      solving_(described(new QLabel(tr("Looking for the smallest change…")), "keyFiguresSolving")) {
   setObjectName(QStringLiteral("keyFiguresPanel"));
   table_->setModel(model_);
   auto* delegate = new ValueDelegate(
@@ -56,6 +58,10 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   trouble_->setWordWrap(true);
   trouble_->setMargin(6);
   trouble_->hide();
+  solving_->setMargin(6);
+  solving_->hide();
+  patience_.setSingleShot(true);
+  patience_.setInterval(patience_ms);
   setFocusProxy(table_);
 
   // Where the screen is small, the figures come first: what explains them gives way.
@@ -74,6 +80,7 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(table_, 1);
+  layout->addWidget(solving_);
   layout->addWidget(trouble_);
   layout->addLayout(buttons);
   layout->addWidget(about);
@@ -82,6 +89,8 @@ KeyFiguresPanel::KeyFiguresPanel(ButtonDocument& document, ViewSettings& setting
   connect(model_, &KeyFiguresModel::refused, this, &KeyFiguresPanel::showRefusal);
   connect(model_, &KeyFiguresModel::accepted, this, [this] { setTrouble({}); });
   connect(model_, &KeyFiguresModel::previewChanged, this, &KeyFiguresPanel::showPreview);
+  connect(model_, &KeyFiguresModel::solvingChanged, this, &KeyFiguresPanel::showSolving);
+  connect(&patience_, &QTimer::timeout, solving_, &QLabel::show);
   connect(&document, &ButtonDocument::changed, this, [this] { setTrouble(model_->conflict()); });
   connect(model_, &QAbstractItemModel::headerDataChanged, this, &KeyFiguresPanel::layOut);
   connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -133,6 +142,14 @@ void KeyFiguresPanel::showPreview() {
   take_->setEnabled(model_->preview().has_value());
   giveUp_->setEnabled(model_->anyWanted());
   setTrouble(model_->conflict());
+}
+
+void KeyFiguresPanel::showSolving() {
+  if (!model_->solving()) {
+    patience_.stop();
+    return solving_->hide();
+  }
+  if (!patience_.isActive() && solving_->isHidden()) patience_.start();
 }
 
 void KeyFiguresPanel::setTrouble(const QString& why) {

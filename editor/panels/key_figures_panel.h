@@ -2,6 +2,7 @@
 #pragma once
 // The key figures: typed, kept, and wanted together.
 
+#include <QTimer>
 #include <QWidget>
 
 #include "editor/document/button_document.h"
@@ -32,11 +33,14 @@ class KeyFiguresPanel : public QWidget {
   void showPreview();
   void layOut();
   void setTrouble(const QString& why);
+  void showSolving();
 
   KeyFiguresModel* model_;
   QTableView* table_;
   QLabel *picture_, *meaning_, *trouble_;
   QPushButton *take_, *giveUp_;
+  QLabel* solving_;
+  QTimer patience_;
 };
 
 }  // namespace detent::editor

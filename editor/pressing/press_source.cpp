@@ -17,55 +17,35 @@ unsigned threadsBesideTheWindow() { return std::max(2U, std::thread::hardware_co
 }  // namespace
 
 PressSource::PressSource(QObject* parent)
-    : QObject(parent), requests_([this](const Waiting& next) { answer(next); }) {}
+    : QObject(parent), answers_(this, [this](const Asked& asked) { answer(asked); }) {}
 
-PressSource::~PressSource() { cancel(); }
-
-std::uint64_t PressSource::request(std::vector<Button> buttons, std::optional<double> operateAt_mm) {
-  const std::uint64_t revision = ++latest_;
-  requests_.put({revision, std::move(buttons), operateAt_mm});
-  return revision;
-}
-
-void PressSource::cancel() { ++latest_; }
-
-void PressSource::answer(const Waiting& next) {
-  const auto made = std::make_shared<PressAnswer>(PressAnswer{next.revision, {}});
-  for (const Button& button : next.buttons) {
-    if (overtaken(next.revision)) return;
-    auto forecast = forecastOf(button, next);
+void PressSource::answer(const Asked& asked) {
+  const std::vector<Button>& buttons = asked.request.buttons;
+  const auto made = std::make_shared<PressAnswer>(PressAnswer{asked.revision, {}});
+  for (const Button& button : buttons) {
+    if (asked.overtaken()) return;
+    auto forecast = forecastOf(button, asked);
     if (!forecast) return;
     made->forecasts.push_back(std::move(forecast));
-    const int done = static_cast<int>(made->forecasts.size()), all = static_cast<int>(next.buttons.size());
-    QMetaObject::invokeMethod(
-        this,
-        [this, revision = next.revision, done, all] {
-          if (!overtaken(revision)) emit progress(done, all);
-        },
-        Qt::QueuedConnection);
+    asked.tell([this, done = static_cast<int>(made->forecasts.size()),
+                all = static_cast<int>(buttons.size())] { emit progress(done, all); });
   }
-  // Queued events for an object that is gone are dropped by Qt; the destructor waits for this thread.
-  QMetaObject::invokeMethod(
-      this,
-      [this, made] {
-        if (!overtaken(made->revision)) emit ready(made);
-      },
-      Qt::QueuedConnection);
+  asked.tell([this, made] { emit ready(made); });
 }
 
 std::shared_ptr<const playback::PressForecast> PressSource::forecastOf(const Button& button,
-                                                                       const Waiting& asked) {
+                                                                       const Asked& asked) {
+  const std::optional<double> operateAt_mm = asked.request.operateAt_mm;
   const auto known = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) {
-    return each.operateAt_mm == asked.operateAt_mm && each.button == button;
+    return each.operateAt_mm == operateAt_mm && each.button == button;
   });
   if (known != kept_.end()) return known->forecast;
-  const playback::ForecastSettings settings{asked.operateAt_mm, {}, threadsBesideTheWindow()};
-  auto forecast =
-      playback::forecastPress(button, settings, [this, &asked] { return overtaken(asked.revision); });
+  const playback::ForecastSettings settings{operateAt_mm, {}, threadsBesideTheWindow()};
+  auto forecast = playback::forecastPress(button, settings, [&asked] { return asked.overtaken(); });
   if (!forecast) return {};
   if (kept_.size() == mostKept) kept_.erase(kept_.begin());
   kept_.push_back(
-      {button, asked.operateAt_mm, std::make_shared<const playback::PressForecast>(*std::move(forecast))});
+      {button, operateAt_mm, std::make_shared<const playback::PressForecast>(*std::move(forecast))});
   return kept_.back().forecast;
 }
 

@@ -2,11 +2,11 @@
 #pragma once
 // Forecasts of a press off the GUI thread: the latest request wins, what it overtook is given up.
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <optional>
 #include <QObject>
+#include <utility>
 #include <vector>
 
 #include "editor/document/latest_request.h"
@@ -21,41 +21,40 @@ struct PressAnswer {
 };
 
 /// One worker thread, begun with the first request. A forecast takes seconds: those of the last requests are kept, so that an edit
-/// of one of six costs one. GUI thread, except where said.
+/// of one of six costs one. Its end gives up what runs, and waits some milliseconds. GUI thread, except where said.
 class PressSource : public QObject {
   Q_OBJECT
 
  public:
   explicit PressSource(QObject* parent = nullptr);
-  ~PressSource() override;  ///< gives up what runs, waits some milliseconds
 
   /// `operateAt_mm`: where the contact of all closes instead. Gives the revision of the answer, unless a later request overtakes it.
-  std::uint64_t request(std::vector<Button> buttons, std::optional<double> operateAt_mm);
-  void cancel();  ///< no answer comes for what was asked so far
+  std::uint64_t request(std::vector<Button> buttons, std::optional<double> operateAt_mm) {
+    return answers_.ask({std::move(buttons), operateAt_mm});
+  }
+  void cancel() { answers_.cancel(); }  ///< no answer comes for what was asked so far
 
  signals:
   void progress(int done, int all);  ///< buttons
   void ready(std::shared_ptr<const detent::editor::PressAnswer> answer);
 
  private:
-  struct Waiting {
-    std::uint64_t revision = 0;
+  struct Wanted {
     std::vector<Button> buttons;
     std::optional<double> operateAt_mm;
   };
+  using Asked = LatestAnswer<Wanted>::Asked;
   struct Kept {
     Button button;
     std::optional<double> operateAt_mm;
     std::shared_ptr<const playback::PressForecast> forecast;
   };
-  void answer(const Waiting& next);  // worker thread
+  void answer(const Asked& asked);  // worker thread
   /// Worker thread; null when overtaken.
-  std::shared_ptr<const playback::PressForecast> forecastOf(const Button& button, const Waiting& asked);
-  bool overtaken(std::uint64_t revision) const { return latest_ != revision; }
+  std::shared_ptr<const playback::PressForecast> forecastOf(const Button& button, const Asked& asked);
 
-  std::atomic<std::uint64_t> latest_{0};
-  std::vector<Kept> kept_;           // of the worker thread; the oldest first
-  LatestRequest<Waiting> requests_;  // last: its thread uses the others
+  std::vector<Kept> kept_;        // of the worker thread; the oldest first
+  LatestAnswer<Wanted> answers_;  // last: its thread uses the others
 };
 
 }  // namespace detent::editor

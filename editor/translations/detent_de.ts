@@ -1117,8 +1117,92 @@ Lizenz: %3</translation>
         <translation>Hysterese</translation>
     </message>
     <message>
-        <source>%1 cannot have this value: the button would lose its shape</source>
-        <translation>%1 kann diesen Wert nicht haben: Der Taster verlöre seine Form</translation>
+        <source>%1 cannot be %2: beyond %3 %4</source>
+        <translation>%1 kann nicht %2 sein: Jenseits von %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 cannot be without bounds</source>
+        <translation>%1 kann nicht ohne Grenzen sein</translation>
+    </message>
+    <message>
+        <source>Give a number</source>
+        <translation>Eine Zahl angeben</translation>
+    </message>
+    <message>
+        <source>%1 N/mm</source>
+        <translation>%1 N/mm</translation>
+    </message>
+    <message>
+        <source>%1 mJ</source>
+        <translation>%1 mJ</translation>
+    </message>
+    <message>
+        <source>a stretch of the curve would have no width left</source>
+        <translation>hätte ein Stück der Kurve keine Breite mehr</translation>
+    </message>
+    <message>
+        <source>a rise of the force would become a fall, or a fall a rise</source>
+        <translation>würde ein Anstieg der Kraft zum Abfall oder ein Abfall zum Anstieg</translation>
+    </message>
+    <message>
+        <source>the button would pull</source>
+        <translation>würde der Taster ziehen</translation>
+    </message>
+    <message>
+        <source>another tactile point would become the main one</source>
+        <translation>würde ein anderer Druckpunkt zum wichtigsten</translation>
+    </message>
+    <message>
+        <source>the operating or the reset point would leave its stroke</source>
+        <translation>läge der Schaltpunkt oder der Rückschaltpunkt nicht mehr auf seiner Kurve</translation>
+    </message>
+    <message>
+        <source>the reset point would lie deeper than the operating point</source>
+        <translation>läge der Rückschaltpunkt tiefer als der Schaltpunkt</translation>
+    </message>
+    <message>
+        <source>the release would lie above the press</source>
+        <translation>läge das Loslassen über dem Drücken</translation>
+    </message>
+    <message>
+        <source>a tactile point would be too weak to be one</source>
+        <translation>wäre ein Druckpunkt zu schwach, um einer zu sein</translation>
+    </message>
+    <message>
+        <source>the wall at the end would begin elsewhere</source>
+        <translation>begänne der Anschlag an anderer Stelle</translation>
+    </message>
+    <message>
+        <source>the release would not begin where the press ends</source>
+        <translation>begänne das Loslassen nicht, wo das Drücken endet</translation>
+    </message>
+    <message>
+        <source>the release would not end where the next state starts</source>
+        <translation>endete das Loslassen nicht, wo der nächste Zustand beginnt</translation>
+    </message>
+    <message>
+        <source>a tactile point would lie inside a jump, and never be felt</source>
+        <translation>läge ein Druckpunkt in einem Sprung und würde nie gespürt</translation>
+    </message>
+    <message>
+        <source>the press would begin with a falling force</source>
+        <translation>begänne das Drücken mit fallender Kraft</translation>
+    </message>
+    <message>
+        <source>damping would lie outside the travel</source>
+        <translation>läge Dämpfung außerhalb des Wegs</translation>
+    </message>
+    <message>
+        <source>more than one property of its shape would be lost</source>
+        <translation>ginge mehr als eine Eigenschaft seiner Form verloren</translation>
+    </message>
+    <message>
+        <source>nothing was read within the limit of %1 s</source>
+        <translation>innerhalb der Grenze von %1 s wurde nichts gelesen</translation>
+    </message>
+    <message>
+        <source>Choose a lower level of quality</source>
+        <translation>Eine niedrigere Qualitätsstufe wählen</translation>
     </message>
     <message>
         <source>Give a value nearer to the present one</source>
@@ -4945,6 +5029,10 @@ Lizenz: %3</translation>
 </context>
 <context>
     <name>detent::editor::KeyFiguresPanel</name>
+    <message>
+        <source>Looking for the smallest change…</source>
+        <translation>Die kleinste Änderung wird gesucht …</translation>
+    </message>
     <message>
         <source>Key figures of the button</source>
         <translation>Kennzahlen des Tasters</translation>

@@ -13,14 +13,15 @@
 namespace detent {
 namespace {
 
-constexpr std::size_t mostHandles = 40;  // of a stroke
-constexpr double bulgeStiffness = 0.25;  // a bulge against a landmark that moves as far
-constexpr double narrowest = 0.1;        // share of its width that a piece keeps
-constexpr double lowest = 0.02;          // share of its height that a rise or a fall keeps
-constexpr double same = 1e-9;            // shares of travel and range at which ends are one place
-constexpr double sameFoot = 0.03;        // share of the travel within which both strokes meet one wall
-constexpr double contactRoom = 1e-6;     // share of the travel between contacts and ends
-constexpr double leastDropAhead = 0.01;  // of the largest drop, over the next one
+constexpr std::size_t mostHandles = 40;    // of a stroke
+constexpr double bulgeStiffness = 0.25;    // a bulge against a landmark that moves as far
+constexpr double narrowest = 0.1;          // share of its width that a piece keeps
+constexpr double lowest = 0.02;            // share of its height that a rise or a fall keeps
+constexpr double same = 1e-9;              // shares of travel and range at which ends are one place
+constexpr double sameFoot = 0.03;          // share of the travel within which both strokes meet one wall
+constexpr double contactRoom = 1e-6;       // share of the travel between contacts and ends
+constexpr double roomToProminence = 1.25;  // the range may grow by so much before a tactile point is none
+constexpr double leastDropAhead = 0.01;    // of the largest drop, over the next one
 
 bool isTwin(const std::vector<Knot>& knots, std::size_t i) {
   return i > 0 && knots[i].displacement_mm == knots[i - 1].displacement_mm;
@@ -167,7 +168,8 @@ struct BendableState::Unknowns {
   }
 };
 
-BendableState::BendableState(const ButtonState& state, const SectionSettings& settings, Bulges bulges)
+BendableState::BendableState(const ButtonState& state, const SectionSettings& settings, Bulges bulges,
+                             Contacts contacts)
     : state_(state), settings_(settings) {
   const StrokeCurve& press = state.graph.press();
   travel_mm_ = press.travel_mm();
@@ -185,14 +187,16 @@ BendableState::BendableState(const ButtonState& state, const SectionSettings& se
   Unknowns unknowns;
   addLine(press_, nullptr, unknowns);
   if (release_) addLine(*release_, &press_, unknowns);
-  if (state.operatingPoint_mm) operating_ = unknowns.one(1);
-  if (state.resetPoint_mm) reset_ = unknowns.one(1);
+  operating_ = contactMoves(press_, state.operatingPoint_mm, contacts, unknowns);
+  reset_ = contactMoves(release_ ? *release_ : press_, state.resetPoint_mm, contacts, unknowns);
   unknowns_ = unknowns.count;
   for (Line* line : {&press_, release_ ? &*release_ : nullptr}) {
     if (!line) continue;
     line->mm.conservativeResizeLike(Eigen::MatrixXd::Zero(line->mm.rows(), unknowns_));
     line->N.conservativeResizeLike(Eigen::MatrixXd::Zero(line->N.rows(), unknowns_));
   }
+  for (Eigen::RowVectorXd* moves : {&operating_, &reset_})
+    moves->conservativeResizeLike(Eigen::RowVectorXd::Zero(unknowns_));
   Eigen::MatrixXd cost = Eigen::MatrixXd::Zero(unknowns_, unknowns_);
   for (const Unknowns::Entry& entry : unknowns.entries) cost(entry.a, entry.b) += entry.cost;
   inverseCost_ = cost.ldlt().solve(Eigen::MatrixXd::Identity(unknowns_, unknowns_));
@@ -306,8 +310,26 @@ void BendableState::addLine(Line& line, const Line* met, Unknowns& unknowns) {
   spread(line, mm, N, unknowns);
 }
 
-void BendableState::addRule(const Eigen::RowVectorXd& row, double bound) {
-  if (row.squaredNorm() > 0) rules_.push_back({row.transpose(), bound, false});
+// At a corner of the curve a contact that moves by itself has another slope to each side, and no solve gets away from it.
+Eigen::RowVectorXd BendableState::contactMoves(const Line& line, std::optional<double> at_mm,
+                                               Contacts contacts, Unknowns& unknowns) const {
+  if (!at_mm) return {};
+  const auto handle_mm = [&](std::size_t i) { return line.knots[line.handles[i].knot].displacement_mm; };
+  for (std::size_t i = 1; contacts == Contacts::riding && i < line.handles.size(); ++i) {
+    const double wide_mm = handle_mm(i) - handle_mm(i - 1);
+    if (!(wide_mm > 0) || *at_mm > handle_mm(i)) continue;
+    const double share = (*at_mm - handle_mm(i - 1)) / wide_mm;
+    const auto row = static_cast<Eigen::Index>(i);
+    return (1 - share) * line.mm.row(row - 1) + share * line.mm.row(row);
+  }
+  const Eigen::Index own = unknowns.one(1);
+  Eigen::RowVectorXd moves = Eigen::RowVectorXd::Zero(unknowns.count);
+  moves[own] = 1;
+  return moves;
+}
+
+void BendableState::addRule(ShapeRule kind, const Eigen::RowVectorXd& row, double bound) {
+  if (row.squaredNorm() > 0) rules_.push_back({{row.transpose(), bound, false}, kind});
 }
 
 void BendableState::addRulesOf(const Line& line) {
@@ -316,15 +338,16 @@ void BendableState::addRulesOf(const Line& line) {
   for (std::size_t i = 0; i < line.handles.size(); ++i) {
     const auto row = static_cast<Eigen::Index>(i);
     const Knot& at = line.knots[line.handles[i].knot];
-    if (positive) addRule(line.N.row(row), -at.force_N / range_N_);
+    if (positive) addRule(ShapeRule::noPull, line.N.row(row), -at.force_N / range_N_);
     if (i == 0) continue;
     const Knot& before = line.knots[line.handles[i - 1].knot];
     const double wide = (at.displacement_mm - before.displacement_mm) / travel_mm_;
-    if (wide > 0) addRule(line.mm.row(row) - line.mm.row(row - 1), (narrowest - 1) * wide);
+    if (wide > 0) addRule(ShapeRule::width, line.mm.row(row) - line.mm.row(row - 1), (narrowest - 1) * wide);
     const double rise = (at.force_N - before.force_N) / range_N_;
     if (std::abs(rise) < same) continue;
     const double sign = rise > 0 ? 1 : -1;
-    addRule(sign * (line.N.row(row) - line.N.row(row - 1)), (lowest - 1) * std::abs(rise));
+    addRule(ShapeRule::direction, sign * (line.N.row(row) - line.N.row(row - 1)),
+            (lowest - 1) * std::abs(rise));
   }
 }
 
@@ -357,36 +380,36 @@ void BendableState::addRulesOfEvents(const Line& line, const StrokeCurve& press)
     events.push_back({up, up - line.N.row(static_cast<Eigen::Index>(valley)), peak.force_N / range_N_,
                       (peak.force_N - event.following->force_N) / range_N_});
   }
+  for (const Event& event : events)
+    addRule(ShapeRule::tactile, event.drop,
+            std::min(event.drop_N, roomToProminence * settings_.minProminenceOfSpan) - event.drop_N);
   for (std::size_t i = 0; i + 1 < events.size(); ++i) {
     const double higher = events[i + 1].peak_N - events[i].peak_N;
-    if (higher > 0) addRule(events[i + 1].peak - events[i].peak, (lowest - 1) * higher);
+    if (higher > 0) addRule(ShapeRule::mainEvent, events[i + 1].peak - events[i].peak, (lowest - 1) * higher);
   }
   const auto main = std::max_element(events.begin(), events.end(),
                                      [](const Event& a, const Event& b) { return a.drop_N < b.drop_N; });
   for (auto event = events.begin(); event != events.end(); ++event) {
     if (event == main) continue;
     const double ahead = main->drop_N - event->drop_N;
-    addRule(main->drop - event->drop, std::min(leastDropAhead * main->drop_N, ahead) - ahead);
+    addRule(ShapeRule::mainEvent, main->drop - event->drop,
+            std::min(leastDropAhead * main->drop_N, ahead) - ahead);
   }
 }
 
 void BendableState::addRulesOfContacts() {
-  const auto unit = [this](Eigen::Index unknown) {
-    Eigen::RowVectorXd row = Eigen::RowVectorXd::Zero(unknowns_);
-    row[unknown] = 1;
-    return row;
-  };
-  const auto within = [&](Eigen::Index unknown, double at_mm, const Line& line) {
+  const auto within = [&](const Eigen::RowVectorXd& moves, double at_mm, const Line& line) {
     const double fromStart = (at_mm - line.knots.front().displacement_mm) / travel_mm_;
     const double toEnd = (line.knots.back().displacement_mm - at_mm) / travel_mm_;
-    addRule(unit(unknown), std::min(contactRoom, fromStart) - fromStart);
-    addRule(line.mm.row(line.mm.rows() - 1) - unit(unknown), std::min(contactRoom, toEnd) - toEnd);
+    addRule(ShapeRule::onStroke, moves, std::min(contactRoom, fromStart) - fromStart);
+    addRule(ShapeRule::onStroke, line.mm.row(line.mm.rows() - 1) - moves,
+            std::min(contactRoom, toEnd) - toEnd);
   };
-  if (operating_ >= 0) within(operating_, *state_.operatingPoint_mm, press_);
-  if (reset_ >= 0) within(reset_, *state_.resetPoint_mm, release_ ? *release_ : press_);
-  if (operating_ < 0 || reset_ < 0) return;
+  if (state_.operatingPoint_mm) within(operating_, *state_.operatingPoint_mm, press_);
+  if (state_.resetPoint_mm) within(reset_, *state_.resetPoint_mm, release_ ? *release_ : press_);
+  if (!state_.operatingPoint_mm || !state_.resetPoint_mm) return;
   const double differential = (*state_.operatingPoint_mm - *state_.resetPoint_mm) / travel_mm_;
-  if (differential >= 0) addRule(unit(operating_) - unit(reset_), -differential);
+  if (differential >= 0) addRule(ShapeRule::inOrder, operating_ - reset_, -differential);
 }
 
 void BendableState::findGaps() {
@@ -468,8 +491,8 @@ std::optional<ButtonState> BendableState::at(const Eigen::VectorXd& z) const {
   const double start_mm = press->start_mm(), longer = press->travel_mm() / travel_mm_;
   for (DampingPoint& point : next.damping)
     if (longer != 1) point.displacement_mm = start_mm + (point.displacement_mm - start_mm) * longer;
-  if (operating_ >= 0) *next.operatingPoint_mm += travel_mm_ * z[operating_];
-  if (reset_ >= 0) *next.resetPoint_mm += travel_mm_ * z[reset_];
+  if (next.operatingPoint_mm) *next.operatingPoint_mm += travel_mm_ * operating_.dot(z);
+  if (next.resetPoint_mm) *next.resetPoint_mm += travel_mm_ * reset_.dot(z);
   return next;
 }
 

@@ -14,6 +14,19 @@
 
 namespace detent {
 
+/// What a bent state has to keep. Each is a reason why a figure can go no further.
+enum class ShapeRule {
+  onStroke,      ///< operating and reset point stay on their strokes
+  inOrder,       ///< the contact opens no deeper than where it closes
+  releaseBelow,  ///< the release stays below the press where it was
+  noPull,        ///< forces stay above 0 where they were
+  tactile,       ///< a tactile point stays prominent enough to be one
+  mainEvent,     ///< the tactile point with the largest drop stays that, later ones stay beyond it
+  width,         ///< knots keep their order, and a stretch some of its width
+  direction,     ///< rising stays rising, falling stays falling
+  wall,          ///< a wall at the end stays one, and what is none stays none
+};
+
 /// Landmarks are the ends of the strokes, every tactile point with the valley or hump after it, and the foot of the
 /// wall. Moving one stretches the curve between it and the next, in proportion; what lies between can also bulge away
 /// from that. Unknowns are shares of the travel and of the force range below the bottom-out, all 0 at first. The start of
@@ -25,7 +38,12 @@ class BendableState {
     atKnots,  ///< where its own knots are
     finer     ///< also in the middle of what has no knot between two landmarks
   };
-  BendableState(const ButtonState& state, const SectionSettings& settings, Bulges bulges);
+  /// How operating and reset point move.
+  enum class Contacts {
+    free,   ///< by themselves
+    riding  ///< with the place of the curve on which they stand
+  };
+  BendableState(const ButtonState& state, const SectionSettings& settings, Bulges bulges, Contacts contacts);
 
   Eigen::Index unknowns() const { return unknowns_; }
   /// Inverse of the cost's matrix. One whole travel, or one whole force range, of a landmark, the operating or the reset
@@ -33,9 +51,12 @@ class BendableState {
   const Eigen::MatrixXd& inverseCost() const { return inverseCost_; }
   /// Empty where it is no curve any more, or a contact would leave the stroke.
   std::optional<ButtonState> at(const Eigen::VectorXd& z) const;
-  /// Rising stays rising and falling falling, knots keep their order, forces stay above 0 where they were, the tactile
-  /// point with the largest drop stays that, later ones stay beyond it, and contacts stay on the strokes in their order.
-  const std::vector<LinearRule>& rules() const { return rules_; }
+  struct Rule {
+    LinearRule linear;
+    ShapeRule kind;
+  };
+  /// All but releaseBelow, which is no line (gaps()), and wall.
+  const std::vector<Rule>& rules() const { return rules_; }
   /// Where release did not lie above press at first: how far it lies below it now, in N; 0 or more is well.
   Eigen::VectorXd gaps(const Eigen::VectorXd& z, const ButtonState& bent) const;
 
@@ -63,7 +84,9 @@ class BendableState {
   void addRulesOfEvents(const Line& line, const StrokeCurve& press);
   void addRulesOfContacts();
   void findGaps();
-  void addRule(const Eigen::RowVectorXd& row, double bound);
+  void addRule(ShapeRule kind, const Eigen::RowVectorXd& row, double bound);
+  Eigen::RowVectorXd contactMoves(const Line& line, std::optional<double> at_mm, Contacts contacts,
+                                  Unknowns& unknowns) const;
   std::optional<StrokeCurve> bent(const Line& line, const Eigen::VectorXd& z) const;
   std::size_t handleAt(const Line& line, CurvePoint place) const;
 
@@ -73,9 +96,9 @@ class BendableState {
   Eigen::Index unknowns_ = 0;
   Line press_;
   std::optional<Line> release_;
-  Eigen::Index operating_ = -1, reset_ = -1;  // unknowns; none: -1
+  Eigen::RowVectorXd operating_, reset_;  // unknowns to their moves, in shares
   Eigen::MatrixXd inverseCost_;
-  std::vector<LinearRule> rules_;
+  std::vector<Rule> rules_;
   std::vector<std::size_t> pressGaps_, releaseGaps_;  // handles at which release did not lie above press
 };
 

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
 #include "model/check.h"
+#include "model/metrics.h"
 #include "model/targets/bendable_state.h"
 #include "model/validation.h"
 
@@ -20,6 +22,12 @@ constexpr double settled = 1e-5;     // an unknown that moves by less has arrive
 constexpr double exact = 1e-9;       // shares of travel and range: a figure that is nearer than this is met
 constexpr double leastPart = 1.0 / 32;  // of the way to the targets that one step must be able to go
 constexpr double leastStep = 1.0 / 256;
+constexpr double leastOfWay = 1.0 / 64;  // to a value that cannot be had: how exactly its limit is told
+
+// Those a step can be held up by, what says most first.
+constexpr ShapeRule rulesOfSteps[] = {ShapeRule::inOrder, ShapeRule::onStroke, ShapeRule::releaseBelow,
+                                      ShapeRule::noPull,  ShapeRule::tactile,  ShapeRule::mainEvent,
+                                      ShapeRule::width,   ShapeRule::direction};
 
 FigureUnit unitOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].unit; }
 const char* termOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::size_t>(figure)].term; }
@@ -27,9 +35,9 @@ const char* termOf(KeyFigure figure) { return keyFigureNames()[static_cast<std::
 // One solve: the unknowns of a state, and how far its figures are from the targets, in shares of travel and range.
 class Search {
  public:
-  Search(const ButtonState& state, const std::vector<FigureTarget>& targets, const TargetTolerance& tolerance,
-         const SectionSettings& settings, BendableState::Bulges bulges)
-      : bendable_(state, settings, bulges), targets_(targets), tolerance_(tolerance), settings_(settings) {}
+  Search(BendableState bendable, const std::vector<FigureTarget>& targets, const TargetTolerance& tolerance,
+         const SectionSettings& settings)
+      : bendable_(std::move(bendable)), targets_(targets), tolerance_(tolerance), settings_(settings) {}
 
   std::optional<ButtonState> found() {
     Eigen::VectorXd z = Eigen::VectorXd::Zero(bendable_.unknowns());
@@ -49,6 +57,9 @@ class Search {
     if (!now || !isMet(*now)) return {};
     return std::move(now->state);
   }
+
+  /// Where nothing was found: the rule that stood in the way, if it was one alone.
+  std::optional<ShapeRule> obstacle() const { return obstacle_; }
 
  private:
   struct Seen {
@@ -105,7 +116,7 @@ class Search {
   }
 
   // Where the figures, taken as straight, are right at the least cost; part of the way there where that is no curve.
-  std::optional<Eigen::VectorXd> next(const Eigen::VectorXd& z, const Seen& now) const {
+  std::optional<Eigen::VectorXd> next(const Eigen::VectorXd& z, const Seen& now) {
     const Eigen::Index figures = now.missing.size(), gaps = now.gaps.size();
     Eigen::MatrixXd slopes(figures + gaps, z.size());
     for (Eigen::Index k = 0; k < z.size(); ++k) {
@@ -122,23 +133,34 @@ class Search {
       slopes.col(k).head(figures) = (now.missing - there->missing) / way;
       slopes.col(k).tail(gaps) = (there->gaps - now.gaps) / way;
     }
-    for (double part = 1; part >= leastPart; part /= 2) {
-      std::vector<LinearRule> rules;
-      for (Eigen::Index i = 0; i < figures; ++i)
-        rules.push_back({slopes.row(i).transpose(), slopes.row(i).dot(z) + part * now.missing[i], true});
-      rules.insert(rules.end(), bendable_.rules().begin(), bendable_.rules().end());
-      for (Eigen::Index i = 0; i < gaps; ++i) {
-        const Eigen::VectorXd slope = slopes.row(figures + i).transpose();
-        if (slope.squaredNorm() > 0) rules.push_back({slope, slope.dot(z) - now.gaps[i], false});
+    for (double part = 1; part >= leastPart; part /= 2)
+      if (auto goal = leastUnder(rulesFor(part, slopes, z, now, {}), bendable_.inverseCost())) return goal;
+    for (const ShapeRule rule : rulesOfSteps)
+      if (leastUnder(rulesFor(leastPart, slopes, z, now, rule), bendable_.inverseCost())) {
+        obstacle_ = rule;
+        break;
       }
-      if (auto goal = leastUnder(rules, bendable_.inverseCost())) return goal;
-    }
     return {};
   }
 
+  // The figures as straight lines, `part` of the way to the targets, and what the shape has to keep.
+  std::vector<LinearRule> rulesFor(double part, const Eigen::MatrixXd& slopes, const Eigen::VectorXd& z,
+                                   const Seen& now, std::optional<ShapeRule> without) const {
+    const Eigen::Index figures = now.missing.size();
+    std::vector<LinearRule> rules;
+    for (Eigen::Index i = 0; i < figures; ++i)
+      rules.push_back({slopes.row(i).transpose(), slopes.row(i).dot(z) + part * now.missing[i], true});
+    for (const BendableState::Rule& rule : bendable_.rules())
+      if (rule.kind != without) rules.push_back(rule.linear);
+    for (Eigen::Index i = 0; i < now.gaps.size() && without != ShapeRule::releaseBelow; ++i) {
+      const Eigen::VectorXd slope = slopes.row(figures + i).transpose();
+      if (slope.squaredNorm() > 0) rules.push_back({slope, slope.dot(z) - now.gaps[i], false});
+    }
+    return rules;
+  }
+
   // Goes as far as the figures come nearer; `z` moves along.
-  std::optional<Seen> stepAlong(Eigen::VectorXd& z, const Eigen::VectorXd& way, const Seen& now,
-                                bool met) const {
+  std::optional<Seen> stepAlong(Eigen::VectorXd& z, const Eigen::VectorXd& way, const Seen& now, bool met) {
     const double before = distance(now);
     for (double part = 1; part >= leastStep; part /= 2) {
       const Eigen::VectorXd place = z + part * way;
@@ -147,6 +169,20 @@ class Search {
       if (met ? !isMet(*there) : !(distance(*there) < before)) continue;
       z = place;
       return there;
+    }
+    obstacle_ = firstLost(z, way);
+    return {};
+  }
+  // What kind of shape is lost first on a way that brings the figures no nearer.
+  std::optional<ShapeRule> firstLost(const Eigen::VectorXd& z, const Eigen::VectorXd& way) const {
+    const auto before = bendable_.at(z);
+    for (double part = leastStep; before && part <= 1; part *= 2) {
+      const auto there = bendable_.at(z + part * way);
+      if (!there) return ShapeRule::width;
+      const StrokeMetrics then = metricsOf(there->graph.press(), Stroke::press, settings_),
+                          first = metricsOf(before->graph.press(), Stroke::press, settings_);
+      if (then.bottomOut.wall != first.bottomOut.wall) return ShapeRule::wall;
+      if (then.tactile.size() != first.tactile.size()) return ShapeRule::tactile;
     }
     return {};
   }
@@ -159,6 +195,7 @@ class Search {
   const std::vector<FigureTarget>& targets_;
   TargetTolerance tolerance_;
   SectionSettings settings_;
+  std::optional<ShapeRule> obstacle_;
 };
 
 std::set<Rule> rulesBroken(const Button& button, const SectionSettings& settings) {
@@ -167,59 +204,202 @@ std::set<Rule> rulesBroken(const Button& button, const SectionSettings& settings
   return rules;
 }
 
-std::optional<Button> solved(const Button& button, std::size_t state,
-                             const std::vector<FigureTarget>& targets, const TargetTolerance& tolerance,
-                             const SectionSettings& settings) {
-  const std::set<Rule> before = rulesBroken(button, settings);
-  for (const auto bulges : {BendableState::Bulges::atKnots, BendableState::Bulges::finer}) {
-    auto found = Search(button.states()[state], targets, tolerance, settings, bulges).found();
-    if (!found) continue;
-    std::vector<ButtonState> states = button.states();
-    states[state] = *std::move(found);
-    auto next = Button::fromStates(button.name(), std::move(states), button.provenance());
-    if (!next) continue;
-    const std::set<Rule> after = rulesBroken(*next, settings);
-    if (std::includes(before.begin(), before.end(), after.begin(), after.end())) return *std::move(next);
-  }
-  return {};
-}
-
 Failure refusal(Message problem, Remedies remedies) {
   return {FailureCode::wrongUsage, "key figures", {}, std::move(problem), std::move(remedies)};
 }
 
-TargetConflict conflictOf(const std::vector<KeyFigure>& figures) {
-  if (figures.size() == 1)
-    return {figures, refusal(Message("%1 cannot have this value: the button would lose its shape",
-                                     Message::of(termOf(figures[0]), {})),
-                             Message("Give a value nearer to the present one"))};
-  const Message first = Message::of(termOf(figures[0]), {}), second = Message::of(termOf(figures[1]), {});
-  if (figures.size() == 2)
-    return {figures, refusal(Message("%1 and %2 contradict each other", first, second),
-                             Message("Leave one of the two free, or give it another value"))};
-  std::vector<Message> rest;
-  for (std::size_t i = 2; i < figures.size(); ++i) rest.push_back(Message::of(termOf(figures[i]), {}));
-  return {figures, refusal(Message("%1 and %2 contradict each other as long as this is kept as well: %3",
-                                   first, second, std::move(rest)),
-                           Message("Leave one of them free, or give it another value"))};
+// What bending beyond a rule would do to the button.
+Message lossOf(ShapeRule rule) {
+  switch (rule) {
+    case ShapeRule::width:
+      return "a stretch of the curve would have no width left";
+    case ShapeRule::direction:
+      return "a rise of the force would become a fall, or a fall a rise";
+    case ShapeRule::noPull:
+      return "the button would pull";
+    case ShapeRule::mainEvent:
+      return "another tactile point would become the main one";
+    case ShapeRule::onStroke:
+      return "the operating or the reset point would leave its stroke";
+    case ShapeRule::inOrder:
+      return "the reset point would lie deeper than the operating point";
+    case ShapeRule::releaseBelow:
+      return "the release would lie above the press";
+    case ShapeRule::tactile:
+      return "a tactile point would be too weak to be one";
+    case ShapeRule::wall:
+      return "the wall at the end would begin elsewhere";
+  }
+  return {};
 }
 
-// Targets of which none can be done without: as few as still contradict each other.
-std::vector<FigureTarget> fewest(const Button& button, std::size_t state, std::vector<FigureTarget> targets,
-                                 const TargetTolerance& tolerance, const SectionSettings& settings) {
-  // What a solve could not reach with more of them it may reach with fewer: tried until nothing goes any more.
-  for (bool gone = true; gone;) {
-    gone = false;
-    for (std::size_t i = targets.size(); i-- > 0 && targets.size() > 1;) {
-      std::vector<FigureTarget> without = targets;
-      without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
-      if (solved(button, state, without, tolerance, settings)) continue;
-      targets = std::move(without);
-      gone = true;
-    }
+Message lossOf(Rule broken) {
+  switch (broken) {
+    case Rule::releaseAbovePress:
+      return lossOf(ShapeRule::releaseBelow);
+    case Rule::negativeForce:
+      return lossOf(ShapeRule::noPull);
+    case Rule::resetBeyondOperating:
+      return lossOf(ShapeRule::inOrder);
+    case Rule::strokesDoNotMeet:
+      return "the release would not begin where the press ends";
+    case Rule::statesDoNotMeet:
+      return "the release would not end where the next state starts";
+    case Rule::hiddenTactilePoint:
+      return "a tactile point would lie inside a jump, and never be felt";
+    case Rule::fallsAtStart:
+      return "the press would begin with a falling force";
+    case Rule::dampingOutsideTravel:
+      return "damping would lie outside the travel";
+    case Rule::noRelease:
+    case Rule::manyKnots:
+    case Rule::lowConfidence:
+      break;
   }
-  return targets;
+  return {};
 }
+
+std::vector<KeyFigure> figuresOf(const std::vector<FigureTarget>& targets) {
+  std::vector<KeyFigure> figures;
+  for (const FigureTarget& target : targets) figures.push_back(target.figure);
+  return figures;
+}
+
+TargetConflict conflictOf(const std::vector<FigureTarget>& targets) {
+  std::vector<Message> terms;
+  for (const FigureTarget& target : targets) terms.push_back(Message::of(termOf(target.figure), {}));
+  const std::vector<Message> rest(terms.begin() + 2, terms.end());
+  Message problem = rest.empty()
+                        ? Message("%1 and %2 contradict each other", terms[0], terms[1])
+                        : Message("%1 and %2 contradict each other as long as this is kept as well: %3",
+                                  terms[0], terms[1], rest);
+  const Message remedy = rest.empty() ? "Leave one of the two free, or give it another value"
+                                      : "Leave one of them free, or give it another value";
+  return {figuresOf(targets), {}, refusal(std::move(problem), remedy)};
+}
+
+Message valueWithUnit(double value, FigureUnit unit) {
+  switch (unit) {
+    case FigureUnit::mm:
+      return {"%1", millimetres(value)};
+    case FigureUnit::N:
+      return {"%1", newtons(value)};
+    case FigureUnit::N_per_mm:
+      return {"%1 N/mm", value};
+    case FigureUnit::mJ:
+      return {"%1 mJ", value};
+    case FigureUnit::share:
+      return {"%1", MessageValue(value, Measure::share)};
+  }
+  return {};
+}
+
+// A button and what is wanted of one of its states.
+class Bending {
+ public:
+  Bending(const Button& button, std::size_t state, const TargetTolerance& tolerance,
+          const SectionSettings& settings, const std::function<bool()>& givenUp)
+      : button_(button),
+        state_(state),
+        tolerance_(tolerance),
+        settings_(settings),
+        givenUp_(givenUp),
+        brokenBefore_(rulesBroken(button, settings)) {}
+
+  bool givenUp() const { return givenUp_ && givenUp_(); }
+
+  std::optional<Button> solved(const std::vector<FigureTarget>& targets) const {
+    std::optional<Button> whole;
+    solve(targets, [&](const Button& next) {
+      if (newlyBroken(next)) return false;
+      whole = next;
+      return true;
+    });
+    return whole;
+  }
+
+  /// Targets of which none can be done without: as few as still contradict each other.
+  std::vector<FigureTarget> fewest(std::vector<FigureTarget> targets) const {
+    // What a solve could not reach with more of them it may reach with fewer: tried until nothing goes any more.
+    for (bool gone = true; gone && !givenUp();) {
+      gone = false;
+      for (std::size_t i = targets.size(); i-- > 0 && targets.size() > 1 && !givenUp();) {
+        std::vector<FigureTarget> without = targets;
+        without.erase(without.begin() + static_cast<std::ptrdiff_t>(i));
+        if (solved(without)) continue;
+        targets = std::move(without);
+        gone = true;
+      }
+    }
+    return targets;
+  }
+
+  /// Of a figure that cannot be had even alone: how far it goes, and what stops it there.
+  TargetConflict limitOf(const FigureTarget& target, double now) const {
+    const double reachable = nearest(target, now);
+    const Message term = Message::of(termOf(target.figure), {});
+    const FigureUnit unit = unitOf(target.figure);
+    const double beyond = reachable + 2 * leastOfWay * (target.value - now);
+    Message problem("%1 cannot be %2: beyond %3 %4", term, valueWithUnit(target.value, unit),
+                    valueWithUnit(reachable, unit), lossAt({target.figure, beyond}));
+    return {
+        {target.figure}, reachable, refusal(std::move(problem), "Give a value nearer to the present one")};
+  }
+
+ private:
+  using Takes = std::function<bool(const Button&)>;
+
+  /// Every way of bending in turn, until one gives what `takes` it. What stood in the way of those that gave nothing.
+  std::optional<ShapeRule> solve(const std::vector<FigureTarget>& targets, const Takes& takes) const {
+    std::optional<ShapeRule> obstacle;
+    const ButtonState& state = button_.states()[state_];
+    const bool contacts = state.operatingPoint_mm || state.resetPoint_mm;
+    for (const auto way : {BendableState::Contacts::free, BendableState::Contacts::riding})
+      for (const auto bulges : {BendableState::Bulges::atKnots, BendableState::Bulges::finer}) {
+        if (givenUp() || (way == BendableState::Contacts::riding && !contacts)) return obstacle;
+        Search search(BendableState(state, settings_, bulges, way), targets, tolerance_, settings_);
+        auto found = search.found();
+        if (!obstacle) obstacle = search.obstacle();
+        if (!found) continue;
+        std::vector<ButtonState> states = button_.states();
+        states[state_] = *std::move(found);
+        const auto next = Button::fromStates(button_.name(), std::move(states), button_.provenance());
+        if (next && takes(*next)) return {};
+      }
+    return obstacle;
+  }
+
+  std::optional<Rule> newlyBroken(const Button& next) const {
+    for (const Rule rule : rulesBroken(next, settings_))
+      if (!brokenBefore_.contains(rule)) return rule;
+    return {};
+  }
+
+  /// The last value on the way from `now` to the target that can be had.
+  double nearest(const FigureTarget& target, double now) const {
+    double reached = 0;
+    for (double part = 0.5; part >= leastOfWay && !givenUp(); part /= 2)
+      if (solved({{target.figure, now + (reached + part) * (target.value - now)}})) reached += part;
+    return now + reached * (target.value - now);
+  }
+
+  /// What the button would lose with that target.
+  Message lossAt(const FigureTarget& target) const {
+    std::optional<Rule> broken;
+    const auto obstacle =
+        solve({target}, [&](const Button& next) { return (broken = newlyBroken(next)).has_value(); });
+    if (broken) return lossOf(*broken);
+    if (obstacle) return lossOf(*obstacle);
+    return "more than one property of its shape would be lost";
+  }
+
+  const Button& button_;
+  std::size_t state_;
+  TargetTolerance tolerance_;
+  SectionSettings settings_;
+  const std::function<bool()>& givenUp_;
+  std::set<Rule> brokenBefore_;
+};
 
 bool allMet(const KeyFigures& figures, const std::vector<FigureTarget>& targets) {
   return std::all_of(targets.begin(), targets.end(),
@@ -238,7 +418,8 @@ std::vector<FigureTarget> lastOfEach(const std::vector<FigureTarget>& targets) {
 }  // namespace
 
 TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::vector<FigureTarget>& targets,
-                            const TargetTolerance& tolerance, const SectionSettings& settings) {
+                            const TargetTolerance& tolerance, const SectionSettings& settings,
+                            const std::function<bool()>& givenUp) {
   DETENT_CHECK(state < button.states().size(), "a state of the button");
   const std::vector<FigureTarget> wanted = lastOfEach(targets);
   const KeyFigures now = keyFiguresOf(button.states()[state], settings);
@@ -246,17 +427,27 @@ TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::
     if (!now[target.figure])
       return {{},
               TargetConflict{{target.figure},
+                             {},
                              refusal(Message("the button has no such figure: %1",
                                              Message::of(termOf(target.figure), {})),
                                      Message("Add what it measures to the curve first"))}};
-    if (!std::isfinite(target.value)) return {{}, conflictOf({target.figure})};
+    if (!std::isfinite(target.value))
+      return {{},
+              TargetConflict{
+                  {target.figure},
+                  {},
+                  refusal(Message("%1 cannot be without bounds", Message::of(termOf(target.figure), {})),
+                          Message("Give a number"))}};
   }
   if (allMet(now, wanted)) return {button, {}};
-  if (auto next = solved(button, state, wanted, tolerance, settings)) return {*std::move(next), {}};
-  std::vector<KeyFigure> figures;
-  for (const FigureTarget& target : fewest(button, state, wanted, tolerance, settings))
-    figures.push_back(target.figure);
-  return {{}, conflictOf(figures)};
+  const Bending bending(button, state, tolerance, settings, givenUp);
+  if (auto next = bending.solved(wanted)) return {*std::move(next), {}};
+  const std::vector<FigureTarget> contradicting = bending.fewest(wanted);
+  std::optional<TargetConflict> conflict =
+      contradicting.size() > 1 ? conflictOf(contradicting)
+                               : bending.limitOf(contradicting.front(), *now[contradicting.front().figure]);
+  if (bending.givenUp()) return {};
+  return {{}, std::move(conflict)};
 }
 
 }  // namespace detent

@@ -3,8 +3,8 @@
 // From wanted key figures to a button: the smallest change of the curve that gives them, or which of them contradict each
 // other. Reading order: targets.h, bendable_state.h (what can move, and what it costs), quadratic_program.h.
 
+#include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "model/button.h"
@@ -22,11 +22,13 @@ struct FigureTarget {
 /// Which targets cannot be met together. Without any one of them the others can be.
 struct TargetConflict {
   std::vector<KeyFigure>
-      figures;      ///< one: the button itself does not allow it; two or more: the first two, given the rest
-  Failure failure;  ///< the same in words; `figures` are its values by their terms
+      figures;  ///< one: the button itself does not allow it; two or more: the first two, given the rest
+  /// Of a single figure: the value nearest to the one asked for that could be had, found on the way to it, to 1 part in 64 of the way.
+  std::optional<double> reachable;
+  Failure failure;  ///< the same in words, for a single figure with what stands in the way
 };
 
-/// Exactly one of the two is there.
+/// Exactly one of the two is there; neither where it was given up.
 struct TargetOutcome {
   std::optional<Button> button;
   std::optional<TargetConflict> conflict;
@@ -42,8 +44,9 @@ struct TargetTolerance {
 /// least (bendable_state.h); a figure that nobody asks for may move. What was true of the button stays true: no rule of
 /// validation.h is broken that was kept. A figure the button does not have, and a value that is not finite, are conflicts of
 /// their own; of a figure asked for twice the last counts. Milliseconds for a drawn button, up to seconds where many
-/// targets contradict each other. Any thread.
+/// targets contradict each other. `givenUp` is asked now and then, and ends it. Any thread.
 TargetOutcome bentToTargets(const Button& button, std::size_t state, const std::vector<FigureTarget>& targets,
-                            const TargetTolerance& tolerance = {}, const SectionSettings& settings = {});
+                            const TargetTolerance& tolerance = {}, const SectionSettings& settings = {},
+                            const std::function<bool()>& givenUp = {});
 
 }  // namespace detent

@@ -92,6 +92,16 @@ std::string textOf(const std::vector<FigureTarget>& targets, const KeyFigures& n
   return text;
 }
 
+// The limit of a figure that cannot be had even alone: between now and what was asked, met itself, and nothing farther on.
+void checkLimit(const Sample& sample, const FigureTarget& asked, double limit) {
+  const double now = *keyFiguresOf(sample.button.states()[sample.state])[asked.figure];
+  CHECK(std::abs(limit - now) + std::abs(asked.value - limit) <= 1.000001 * std::abs(asked.value - now));
+  const TargetOutcome there = bentToTargets(sample.button, sample.state, {{asked.figure, limit}});
+  REQUIRE(there.button);
+  CHECK(missed(keyFiguresOf(there.button->states()[sample.state]), {asked.figure, limit}) <= 1);
+  CHECK(bentToTargets(sample.button, sample.state, {asked}).conflict);
+}
+
 int setsToTry() {
   const char* sets = std::getenv("DETENT_TARGET_SETS");
   return sets ? std::atoi(sets) : 60;
@@ -134,6 +144,12 @@ TEST_CASE("random sets of targets are met, or those that contradict are named") 
     if (std::getenv("DETENT_TARGET_SETS"))
       std::cout << i << " " << sample.name << " " << outcome.conflict->failure.sentence() << " <- "
                 << textOf(targets, now) << " " << took_ms << " ms\n";
+    CHECK(outcome.conflict->reachable.has_value() == (named.size() == 1));
+    if (named.size() == 1) {
+      const auto asked = std::find_if(targets.begin(), targets.end(),
+                                      [&](const FigureTarget& target) { return target.figure == named[0]; });
+      checkLimit(sample, *asked, *outcome.conflict->reachable);
+    }
     // What is named does contradict: all of it is asked for, and without any one of it the rest can be met.
     std::vector<FigureTarget> those;
     for (const FigureTarget& target : targets)
@@ -149,4 +165,15 @@ TEST_CASE("random sets of targets are met, or those that contradict are named") 
     std::cout << met << " met, " << refused << " refused (" << single << " for one figure alone), worst "
               << worst << " of the bar, slowest " << slowest_ms << " ms\n";
   CHECK(met > refused);
+}
+
+TEST_CASE("a search that is given up gives nothing, and soon") {
+  const std::vector<Sample> all = samples();
+  int asked = 0;
+  const TargetOutcome outcome =
+      bentToTargets(all[3].button, 0, {{KeyFigure::peakForce, 0.1}, {KeyFigure::drop, 0.5}}, {}, {},
+                    [&] { return ++asked > 3; });
+  CHECK(!outcome.button);
+  CHECK(!outcome.conflict);
+  CHECK(asked < 20);
 }
