@@ -143,6 +143,11 @@ void GraphCanvas::showPreview(std::optional<ButtonState> preview) {
   replot();
 }
 
+void GraphCanvas::showSpread(std::vector<StateSpread> states) {
+  spread_ = std::move(states);
+  replot();
+}
+
 void GraphCanvas::showFinger(std::optional<FingerPosition> finger) {
   if (!finger && !finger_) return;
   finger_ = finger;
@@ -164,6 +169,7 @@ std::unique_ptr<GraphCanvas> GraphCanvas::forPicture(const QPalette& palette) co
   canvas->setFont(font());
   canvas->setPalette(palette);
   canvas->setHandlesShown(handlesShown_);
+  canvas->spread_ = spread_;
   canvas->showRange(shownRange());
   return canvas;
 }
@@ -209,6 +215,7 @@ GraphScene GraphCanvas::scene() const {
   scene.pinned = document_.annotations().links.pinned;
   scene.stateIndex = document_.activeState();
   if (preview_) scene.preview = &*preview_;
+  if (document_.activeState() < spread_.size()) scene.spread = &spread_[document_.activeState()];
   if (settings().residualsShown()) {
     scene.tracedPress = traced_->of(Stroke::press);
     scene.tracedRelease = traced_->of(Stroke::release);

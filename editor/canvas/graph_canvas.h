@@ -47,6 +47,8 @@ class GraphCanvas : public UnitPlot {
   void showFinger(std::optional<FingerPosition> finger);
   /// What the active state would be, drawn dashed over what it is; none: nothing. Never in a picture for others.
   void showPreview(std::optional<ButtonState> preview);
+  /// How the units scatter whose mean the button was when this was given, state by state: a band behind the curves.
+  void showSpread(std::vector<StateSpread> states);
   void setMagnifierShown(bool shown);
   /// Knots and handles; without them the picture is that of a datasheet.
   void setHandlesShown(bool shown);
@@ -100,6 +102,7 @@ class GraphCanvas : public UnitPlot {
   std::size_t selectedState_ = 0;
   std::optional<FingerPosition> finger_;
   std::optional<ButtonState> preview_;
+  std::vector<StateSpread> spread_;  // empty: none
   bool magnifierShown_ = true, handlesShown_ = true;
 };
 

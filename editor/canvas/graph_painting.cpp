@@ -85,6 +85,8 @@ void paintWall(QPainter& painter, const PlotMapping& map, const GraphScene& scen
   painter.drawRect(QRectF(at_px, clip.top(), 9, clip.height()));
 }
 
+constexpr double bandOpacity = 0.22;
+
 void drawPolylines(QPainter& painter, const std::vector<QPolygonF>& lines) {
   for (const QPolygonF& line : lines) painter.drawPolyline(line);
 }
@@ -106,6 +108,22 @@ void paintGhost(QPainter& painter, const PlotMapping& map, const GraphScene& sce
     painter.setPen(pen);
     drawPolylines(painter, curvePolylines(graph.curve(stroke), map));
   }
+}
+
+// Behind the curves, as wide as the units scatter to each side.
+void paintSpread(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
+  const auto band = [&](const ToleranceBand& points, const QColor& ink) {
+    QPolygonF outline;
+    for (const BandPoint& point : points)
+      outline.push_back(map.toPixel(point.displacement_mm, point.mean_N + point.sd_N));
+    for (auto point = points.rbegin(); point != points.rend(); ++point)
+      outline.push_back(map.toPixel(point->displacement_mm, point->mean_N - point->sd_N));
+    painter.setBrush(withAlpha(ink, bandOpacity));
+    painter.drawPolygon(outline);
+  };
+  painter.setPen(Qt::NoPen);
+  band(scene.spread->release, scene.colors.release);
+  band(scene.spread->press, scene.colors.press);
 }
 
 void paintStrokes(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
@@ -369,13 +387,22 @@ std::vector<TactilePoint> tactilePointsIn(const PlotMapping& map, const GraphSce
 constexpr QPointF legendAt_px{14, 16};  // from the plot's corner: the middle of its first line
 constexpr double legendText_px = 35;    // from there
 
-QRectF legendBox(const QPainter& painter, const PlotMapping& map) {
+/// What stands in the legend; nothing where there is one stroke alone.
+std::vector<QString> legendOf(const GraphScene& scene) {
+  std::vector<QString> names;
+  if (scene.state.graph.release() || scene.spread) names.push_back(tr("press"));
+  if (scene.state.graph.release()) names.push_back(tr("release"));
+  if (scene.spread) names.push_back(tr("units ± 1 SD"));
+  return names;
+}
+
+QRectF legendBox(const QPainter& painter, const PlotMapping& map, const std::vector<QString>& names) {
   const QFontMetricsF metrics(painter.font());
-  const double text_px =
-      std::max(metrics.horizontalAdvance(tr("press")), metrics.horizontalAdvance(tr("release")));
+  double text_px = 0;
+  for (const QString& name : names) text_px = std::max(text_px, metrics.horizontalAdvance(name));
   const double line_px = metrics.height() + 2;
   return {map.clip_px.topLeft() + legendAt_px - QPointF(0, line_px / 2),
-          QSizeF(legendText_px + text_px, 2 * line_px)};
+          QSizeF(legendText_px + text_px, static_cast<double>(names.size()) * line_px)};
 }
 
 // First the forces, which belong beside their points; a contact's name may stand anywhere on its line.
@@ -390,7 +417,7 @@ void paintTags(QPainter& painter, const PlotMapping& map, const GraphScene& scen
       for (const TactilePoint& point : *points)
         tags.keepClear(map.toPixel(point.displacement_mm, point.force_N), tactileMark_px);
   for (const Contact& contact : contacts) tags.keepClear(contact.at_px, contactMark_px);
-  if (scene.state.graph.release()) tags.keepClear(legendBox(painter, map));
+  if (const auto names = legendOf(scene); !names.empty()) tags.keepClear(legendBox(painter, map, names));
   if (legible) {
     tagTactilePoints(tags, map, scene, Stroke::release, release);
     tagTactilePoints(tags, map, scene, Stroke::press, press);
@@ -602,18 +629,22 @@ void paintPins(QPainter& painter, const PlotMapping& map, const GraphScene& scen
 
 // Names the line styles once; nothing to name where there is one stroke.
 void paintLegend(QPainter& painter, const PlotMapping& map, const GraphScene& scene) {
-  if (!scene.state.graph.release()) return;
+  const std::vector<QString> names = legendOf(scene);
+  if (names.empty()) return;
   const QFontMetricsF metrics(painter.font());
   painter.setPen(Qt::NoPen);
   painter.setBrush(withAlpha(scene.colors.background, 0.85));
-  painter.drawRoundedRect(legendBox(painter, map).adjusted(-6, -3, 6, 3), 3, 3);
+  painter.drawRoundedRect(legendBox(painter, map, names).adjusted(-6, -3, 6, 3), 3, 3);
   QPointF at = map.clip_px.topLeft() + legendAt_px;
-  for (const Stroke stroke : {Stroke::press, Stroke::release}) {
-    const QString name = stroke == Stroke::press ? tr("press") : tr("release");
-    painter.setPen(strokePen(stroke, scene.colors, 2));
-    painter.drawLine(at, at + QPointF(28, 0));
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (scene.spread && i + 1 == names.size()) {
+      painter.fillRect(QRectF(at - QPointF(0, 4), QSizeF(28, 8)), withAlpha(scene.colors.press, bandOpacity));
+    } else {
+      painter.setPen(strokePen(i == 0 ? Stroke::press : Stroke::release, scene.colors, 2));
+      painter.drawLine(at, at + QPointF(28, 0));
+    }
     painter.setPen(scene.colors.text);
-    painter.drawText(at + QPointF(legendText_px, metrics.ascent() / 2 - 1), name);
+    painter.drawText(at + QPointF(legendText_px, metrics.ascent() / 2 - 1), names[i]);
     at += QPointF(0, metrics.height() + 2);
   }
 }
@@ -643,6 +674,7 @@ void paintCurves(QPainter& painter, const PlotMapping& map, const GraphScene& sc
   if (scene.state.graph.release()) shadeJumpAreas(painter, map, scene, Stroke::release);
   painter.setRenderHint(QPainter::Antialiasing, true);
   paintWall(painter, map, scene);
+  if (scene.spread) paintSpread(painter, map, scene);
   if (scene.otherState) paintGhost(painter, map, scene);
   if (!scene.tracedPress.empty())
     paintResiduals(painter, map, scene.state.graph.press(), scene.tracedPress, scene.colors.residual);

@@ -14,6 +14,7 @@
 #include "editor/document/graph_colors.h"
 #include "editor/quantity/reading_error.h"
 #include "model/annotations.h"
+#include "model/unit_spread.h"
 
 namespace detent::editor {
 
@@ -34,6 +35,8 @@ struct GraphScene {
   std::span<const PinnedPoint> pinned = {};  ///< drawn with the handles
   std::size_t stateIndex = 0;                ///< of this state among the button's
   const ButtonState* preview = nullptr;      ///< what the state would be: drawn dashed over it
+  const StateSpread* spread =
+      nullptr;  ///< of the units the state is the mean of: a band of one standard deviation
 };
 
 /// Sections, wall, curves, points, handles and feedback, clipped to the map.

@@ -1197,14 +1197,6 @@ Lizenz: %3</translation>
         <translation>ginge mehr als eine Eigenschaft seiner Form verloren</translation>
     </message>
     <message>
-        <source>nothing was read within the limit of %1 s</source>
-        <translation>innerhalb der Grenze von %1 s wurde nichts gelesen</translation>
-    </message>
-    <message>
-        <source>Choose a lower level of quality</source>
-        <translation>Eine niedrigere Qualitätsstufe wählen</translation>
-    </message>
-    <message>
         <source>Give a value nearer to the present one</source>
         <translation>Einen Wert näher am jetzigen angeben</translation>
     </message>
@@ -1448,6 +1440,10 @@ Lizenz: %3</translation>
     <message>
         <source>%1, %2</source>
         <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>units ± 1 SD</source>
+        <translation>Exemplare ± 1 SD</translation>
     </message>
     <message>
         <source>operating</source>

@@ -529,6 +529,7 @@ void MainWindow::average() {
   if (!spread)
     return statusBar()->showMessage(sentenceOf(spread.failure(), at_.view.units()), messageTime_ms);
   DocumentTab& tab = tabs_->add(std::make_unique<ButtonDocument>(spread->mean));
+  tab.workspace().canvas().showSpread(spread->states);
   tab.notices().say("average", NoticeBar::Kind::information, averageWords(*spread, titles, at_.view.units()));
 }
 

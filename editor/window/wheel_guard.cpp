@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editor/window/wheel_guard.h"
 
+#include <memory>
+#include <QAbstractItemView>
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
 #include <QEvent>
+#include <QHeaderView>
 #include <QScrollBar>
 #include <QTabBar>
 
@@ -25,6 +28,13 @@ QWidget* controlAround(QWidget* widget) {
     if (widget->isWindow()) break;
   }
   return nullptr;
+}
+
+/// The head of a table has nothing to scroll; the table has. Null for all others.
+QWidget* tableBelowHead(QObject* watched) {
+  const auto* head = watched->isWidgetType() ? qobject_cast<const QHeaderView*>(watched->parent()) : nullptr;
+  auto* table = head ? qobject_cast<QAbstractItemView*>(head->parentWidget()) : nullptr;
+  return table ? table->viewport() : nullptr;
 }
 
 bool hasKeyboard(const QWidget& control) {
@@ -49,6 +59,12 @@ bool WheelGuard::eventFilter(QObject* watched, QEvent* event) {
       if (auto* widget = qobject_cast<QWidget*>(watched)) clicked_ = controlAround(widget);
       return false;
     case QEvent::Wheel: {
+      if (QWidget* table = tableBelowHead(watched)) {
+        const std::unique_ptr<QEvent> turned(event->clone());
+        QCoreApplication::sendEvent(table, turned.get());
+        event->setAccepted(turned->isAccepted());
+        return true;
+      }
       const auto* widget = qobject_cast<QWidget*>(watched);
       if (!widget || !changesByWheel(*widget) || (widget == clicked_ && hasKeyboard(*widget))) return false;
       event->ignore();  // Qt goes on with the parent

@@ -5,6 +5,8 @@
 #include "editor/canvas/curve_path.h"
 #include "editor/canvas/displacement_force_view.h"
 #include "editor/canvas/unit_ticker.h"
+#include "model/edits.h"
+#include "model/unit_spread.h"
 #include "tests/editor/workspace_rig.h"
 
 using namespace detent;
@@ -61,6 +63,7 @@ class CanvasTest : public QObject {
   void themeChangeRecolours();
   void residualsAreDrawnOnDemand();
   void fingerIsDrawnInBothViews();
+  void unitsScatterAsABandBehindTheirMean();
   void jumpIsAVerticalLine();
   void cursorIsReported();
   void magnifierShowsWhileDragging();
@@ -248,6 +251,32 @@ void CanvasTest::fingerIsDrawnInBothViews() {
   QCOMPARE(pixelOf(*reverse, reverse->mapping().toPixel(0.9, 0.8)), reverse->colors().press);
   rig.workspace.showFinger({});
   QVERIFY(pixelOf(rig.canvas(), rig.pixel(0.8, 0.9)) != rig.canvas().colors().press);
+}
+
+void CanvasTest::unitsScatterAsABandBehindTheirMean() {
+  const Button soft = require(tactileButton());
+  const Button hard = require(scaleForce(soft, 1.5));
+  const auto spread = spreadOf({soft, hard});
+  QVERIFY(spread.ok());
+  WorkspaceRig rig(spread->mean);
+  GraphCanvas canvas(rig.document, rig.settings);
+  canvas.resize(700, 500);
+  canvas.setHandlesShown(false);
+  const QImage before = canvas.grab().toImage();
+  const BandPoint& middle = spread->states[0].press[100];
+  const PlotMapping map = canvas.mapping();
+  const QPointF inside = map.toPixel(middle.displacement_mm, middle.mean_N + 0.9 * middle.sd_N);
+  const QPointF outside = map.toPixel(middle.displacement_mm, middle.mean_N + 1.3 * middle.sd_N);
+  canvas.showSpread(spread->states);
+  const QImage with = canvas.grab().toImage();
+  QVERIFY(with.pixelColor(inside.toPoint()) != before.pixelColor(inside.toPoint()));
+  QCOMPARE(with.pixelColor(outside.toPoint()), before.pixelColor(outside.toPoint()));
+  const QPointF mean =
+      map.toPixel(middle.displacement_mm, canvas.state().graph.press().force_N(middle.displacement_mm));
+  QCOMPARE(with.pixelColor(mean.toPoint()), before.pixelColor(mean.toPoint()));  // the curve lies over it
+  const QImage picture = canvas.renderImage({700, 500}, 1);
+  canvas.showSpread({});
+  QVERIFY(canvas.renderImage({700, 500}, 1) != picture);  // for others too
 }
 
 void CanvasTest::jumpIsAVerticalLine() {

@@ -6,11 +6,13 @@
 #include <cmath>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMap>
 #include <QScopeGuard>
 #include <QScrollBar>
 #include <QTabBar>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QWheelEvent>
@@ -260,6 +262,17 @@ class FieldsTest : public QObject {
     StudyMaker maker(window_->tabs().documents(), {});
     QVERIFY(maker.findChildren<QuantityField*>().size() >= 2);
     check(maker, "the study maker");
+  }
+
+  void wheelOverAHeadScrollsItsTable() {
+    QTableWidget table(200, 2);
+    table.resize(300, 200);
+    table.show();
+    wheelOver(*table.horizontalHeader()->viewport());
+    const int once = table.verticalScrollBar()->value();
+    QVERIFY(once > 0);
+    wheelOver(*table.verticalHeader()->viewport());
+    QVERIFY(table.verticalScrollBar()->value() > once);
   }
 
   void wheelTurnsWhatWasClicked() {
