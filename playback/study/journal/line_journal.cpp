@@ -32,6 +32,15 @@ int writeWhole(int descriptor, const std::string& text) {
 
 }  // namespace
 
+bool JournalText::isForeign() const {
+  return lines.empty() && !unfinished.empty() && unfinished.front() != '{' && unfinished.front() != '\0';
+}
+
+Failure notAJournal(const std::filesystem::path& file) {
+  return {FailureCode::unreadableInput, file.string(), "line 1", "is not a journal of a study",
+          "Take it away"};
+}
+
 JournalText splitJournal(const std::string& text) {
   JournalText journal;
   std::size_t from = 0;
@@ -70,6 +79,7 @@ Result<Done> LineJournal::readAndCut() {
     text.append(chunk, 0, static_cast<std::size_t>(got));
   }
   opened_ = splitJournal(text);
+  if (opened_.isForeign()) return notAJournal(file_);
   length_bytes_ = static_cast<std::int64_t>(text.size() - opened_.unfinished.size());
   if (!opened_.unfinished.empty() && ::ftruncate(descriptor_, length_bytes_) != 0)
     return refused("cannot be cut back to its last whole line", errno);

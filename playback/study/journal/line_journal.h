@@ -16,14 +16,19 @@ namespace detent::playback {
 struct JournalText {
   std::vector<std::string> lines;
   std::string unfinished;  ///< what follows the last line end: a line being written, or cut off
+
+  /// No whole line, and what stands there begins as none does (JSON objects; zeros where power was lost): a file of another kind.
+  bool isForeign() const;
 };
 JournalText splitJournal(const std::string& text);
+/// What is said of a foreign one.
+Failure notAJournal(const std::filesystem::path& file);
 
 /// An open journal; owned by one thread. Movable, not copyable; destroying it lets others in.
 class LineJournal {
  public:
   /// Opens or creates `file` and locks it for this process. Failure unreadableInput: cannot be opened, or
-  /// another process holds it.
+  /// another process holds it, or it is a file of another kind.
   static Result<LineJournal> open(const std::filesystem::path& file);
   ~LineJournal();
   LineJournal(LineJournal&& other) noexcept;

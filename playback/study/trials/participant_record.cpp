@@ -269,6 +269,7 @@ Result<ParticipantRecord> readParticipant(const Study& study, const std::string&
   Result<std::string> text = readTextFile(file.string());
   if (!text) return text.failure();
   const JournalText journal = splitJournal(*text);
+  if (journal.isForeign()) return notAJournal(file);
   Result<ParticipantRecord> record =
       replayJournal(study, participant, journal.lines, journal.unfinished, file.string());
   if (!record) return record;

@@ -68,7 +68,7 @@ TEST_CASE("journal: what was appended is there when it is opened again") {
 }
 
 TEST_CASE("journal: cut off at any byte, whole lines stay and the rest is told and taken out") {
-  const std::string whole = "first line\nsecond\nthird one\n";
+  const std::string whole = "{first line\nsecond\nthird one\n";
   for (std::size_t length = 0; length <= whole.size(); ++length) {
     const TestFile file;
     file.write(whole.substr(0, length));
@@ -82,6 +82,15 @@ TEST_CASE("journal: cut off at any byte, whole lines stay and the rest is told a
       CHECK(file.text() == kept + "next\n");
     }
   }
+}
+
+TEST_CASE("journal: a file of another kind is refused and stays as it is") {
+  const TestFile file;
+  file.write("my notes, without an end of line");
+  const Result<LineJournal> journal = LineJournal::open(file.path());
+  REQUIRE_FALSE(journal);
+  CHECK_THAT(journal.failure().sentence(), Catch::Contains("is not a journal"));
+  CHECK(file.text() == "my notes, without an end of line");
 }
 
 TEST_CASE("journal: a second one is refused while the first lives") {

@@ -294,6 +294,15 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("journal: a file of another kind in its place is no participant who has not begun") {
+  const StudyFolder made;
+  answer(*made.study, "P01", "perfect", 3);
+  std::ofstream(made.folder() / "participants" / "P02.jsonl", std::ios::binary) << "my notes";
+  const Result<ParticipantRecord> record = readParticipant(*made.study, "P02");
+  REQUIRE_FALSE(record);
+  CHECK_THAT(record.failure().sentence(), Catch::Contains("is not a journal"));
+}
+
 TEST_CASE("journal: a line changed, taken out or added by hand is named") {
   const auto failureAfter = [](const std::string& from, const std::string& to) {
     const StudyFolder made;
