@@ -276,7 +276,7 @@ class Doubts {
     const Box frame = findings_.graph.frame.value.box();
     if (strokes.release) {
       const double within_px = std::max(0.6, sameLineShare * std::min(frame.width(), frame.height()));
-      if (coincidingShare(strokes, within_px) > sameLineLength)
+      if (!drawnAndNamedApart() && coincidingShare(strokes, within_px) > sameLineLength)
         add(DoubtCode::strokesCoincide, unconfirmed, {}, helps);
       const double shared = sharedTravel(strokes);
       if (shared < leastSharedTravel || (shared < wholeTravel && forceLeft(strokes) > forceLeftAtEnd))
@@ -288,6 +288,15 @@ class Doubts {
     if (endsInAFall(strokes.press)) add(DoubtCode::endsInAFall, unconfirmed, {}, helps);
     const std::size_t points = mostTactilePointsOf(findings_.fitted);
     if (points > mostTactilePoints) add(DoubtCode::manyTactilePoints, unconfirmed, {points}, helps);
+  }
+
+  /// Two paths of a drawing that its legend calls press and release: a button without hysteresis is drawn so.
+  bool drawnAndNamedApart() const {
+    const StrokePair& strokes = findings_.strokes.value;
+    return strokes.press.fromVector && strokes.release->fromVector &&
+           std::ranges::any_of(findings_.strokes.evidence, [](const EvidenceItem& item) {
+             return item.code == EvidenceCode::namedByLegend;
+           });
   }
 
   /// Ink of a curve's colour that neither the curves nor the plot's lines and words explain; curves that no ink does.
@@ -303,7 +312,8 @@ class Doubts {
     const auto& [left, leaps] = findings_.explanation;
     if (!left.empty() && left.front().likeness >= likeACurve)
       // A curve that goes on is a curve cut short; ink by itself may be another thing of the page: it is said, not refused.
-      say(DoubtCode::inkLeftOver, left.front().atAnEnd ? unconfirmed : inPart, left.front().box_px.middle());
+      say(DoubtCode::inkLeftOver, left.front().atAnEnd || left.front().dashed ? unconfirmed : inPart,
+          left.front().box_px.middle());
     if (!leaps.empty())
       say(DoubtCode::curveWithoutInk, unconfirmed, 0.5 * (leaps.front().from_px + leaps.front().to_px));
   }
@@ -345,6 +355,7 @@ class Doubts {
   /// Curves that the plot shows a part of only.
   void edges(const StrokePoints& stroke) {
     constexpr double atEdge_px = 2, noticeable = 0.03;  // of the axis' range
+    constexpr double nearShare = 0.02;                  // of the frame's height, as far as a scale may be off
     constexpr double plumbShare = 0.02;
     constexpr std::ptrdiff_t fewest = 3;  // points along the lower edge, of a curve that dips there
     constexpr double mostHidden = 0.15;   // of the travel: beyond it another button is felt
@@ -361,7 +372,9 @@ class Doubts {
                         end.y < std::max(topLeft.y, topRight.y) + atEdge_px;
     // A frame that cuts its curves, on a scale that a label contradicts, is a part of another frame; across a broken axis no
     // ink goes on, and the label stands beyond.
-    const bool broken = end.y < std::max(topLeft.y, topRight.y) + atEdge_px && labelAbove(topLeft);
+    const bool nearTop =
+        end.y < std::max(topLeft.y, topRight.y) + nearShare * (bottomLeft.y - topLeft.y) + atEdge_px;
+    const bool broken = nearTop && (labelAbove(topLeft) || (!drawnAtTop() && numberAbove(topLeft)));
     if (broken || (atEdge && goesOn(line, color, picture)))
       add(DoubtCode::leavesThePlot, broken || labelContradicts() ? unconfirmed : inPart,
           {{forceAtRight(stroke), Measure::force_N}},
@@ -398,10 +411,35 @@ class Doubts {
            });
   }
 
+  /// A line of the plot where it ends at the top. Where none is drawn nothing cuts a curve.
+  bool drawnAtTop() const {
+    constexpr double near_px = 3;
+    const PlotFrame& frame = findings_.graph.frame.value;
+    return std::ranges::any_of(frame.yLines, [&](const GridLine& line) {
+      return line.spansFrame && std::abs(line.position_px - frame.corners.front().y) < near_px;
+    });
+  }
+
   /// A number of the force axis stands above the frame, and not where the others would have it.
   bool labelAbove(Point topLeft) const {
     return std::ranges::any_of(findings_.graph.axes.calibration.value.y.ticks, [&](const TickLabel& tick) {
       return !tick.used && tick.box.middle().y < topLeft.y;
+    });
+  }
+
+  /// A number stands over those of the force axis, above the frame: of the rest of a broken axis.
+  bool numberAbove(Point topLeft) const {
+    const AxesFound& axes = findings_.graph.axes;
+    const auto isNumber = [](const std::string& text) {
+      return !text.empty() && text.find_first_not_of("0123456789.,") == std::string::npos;
+    };
+    const auto inLine = [&](const Box& box) {
+      return std::ranges::any_of(axes.calibration.value.y.ticks, [&](const TickLabel& tick) {
+        return tick.used && box.x0 < tick.box.x1 && box.x1 > tick.box.x0;
+      });
+    };
+    return std::ranges::any_of(axes.texts, [&](const SeenText& text) {
+      return isNumber(text.utf8) && text.box.y1 < topLeft.y && inLine(text.box);
     });
   }
 

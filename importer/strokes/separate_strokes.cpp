@@ -193,9 +193,8 @@ Result<Found<StrokePair>> pressAlone(const CurveTrace& trace, const AxesFound& a
                    {{RemedyKind::pickPress, "with the curve's colour"}}};
   const bool namedRelease = trace.stroke == Stroke::release || strokeNamedBy(trace.label) == Stroke::release;
   auto notSeen = releaseNamedBeside(trace, axes.texts);
-  // In an ink without a name of its own the release's words may have come to the only curve that was found.
-  const bool unnamed = trace.label.empty() || namedRelease;
-  if (!notSeen && unnamed) notSeen = releaseNamedAnywhere(axes.texts);
+  // A title may have come to the curve as its name, and in one ink the release's words.
+  if (!notSeen) notSeen = releaseNamedAnywhere(axes.texts);
   // Confidences of a single trace, by what it is called.
   constexpr double ofOneNamed = 0.9, ofRelease = 0.5, ofBoth = 0.4;
   const bool both = namesBothStrokes(trace.label) || notSeen;
@@ -267,6 +266,37 @@ bool reachApart(const StrokePoints& first, const StrokePoints& second) {
   return std::abs(topsApart(first, second, &CurvePoint::displacement_mm)) > clear;
 }
 
+/// Force by which the lines lie apart where both end, as a share of what they span, where neither is steep there: the loop is
+/// open, as between the curves of two things. Up a wall the strokes of one button may be cut at different heights.
+double openAtTheEnd(const StrokePoints& first, const StrokePoints& second) {
+  constexpr double lastShare = 0.03, steep = 0.1;  // of the travel; of the span, over that stretch
+  constexpr std::size_t columns = 200;
+  const auto extentOf = [&](double CurvePoint::*coordinate) {
+    const auto [low, high] = std::ranges::minmax_element(first.points, {}, coordinate);
+    const auto [otherLow, otherHigh] = std::ranges::minmax_element(second.points, {}, coordinate);
+    return std::pair(std::min((*low).*coordinate, (*otherLow).*coordinate),
+                     std::max((*high).*coordinate, (*otherHigh).*coordinate));
+  };
+  const auto [from_mm, to_mm] = extentOf(&CurvePoint::displacement_mm);
+  const auto [low_N, high_N] = extentOf(&CurvePoint::force_N);
+  struct Tip {
+    double rise_N = 0, force_N = 0;
+  };
+  const auto tipOf = [&, least_mm = lastShare * (to_mm - from_mm)](const StrokePoints& stroke) {
+    const double end_mm =
+        std::ranges::max_element(stroke.points, {}, &CurvePoint::displacement_mm)->displacement_mm;
+    std::vector<double> forces = meanForces(stroke, end_mm - least_mm, end_mm, columns);
+    std::erase_if(forces, [](double force_N) { return !std::isfinite(force_N); });
+    if (forces.empty()) return Tip{};
+    const auto [low, high] = std::ranges::minmax_element(forces);
+    return Tip{*high - *low, forces.back()};
+  };
+  const Tip a = tipOf(first), b = tipOf(second);
+  const double span_N = high_N - low_N;
+  if (!(span_N > 0) || std::max(a.rise_N, b.rise_N) > steep * span_N) return 0;
+  return std::abs(a.force_N - b.force_N) / span_N;
+}
+
 /// Of two lines in inks of their own one reaches further and the other higher: two switches'. A release whose end lies under
 /// the press reaches less of both.
 bool tipsCrossed(const StrokePoints& first, const StrokePoints& second) {
@@ -294,8 +324,10 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   const bool byHand = swap || (first.stroke && second.stroke && first.color != second.color);
   const bool merged = first.color == second.color && namesBothStrokes(first.label);
   const bool paired = namedAsPair(first, second);
-  const bool apart =
-      !byHand && !paired && (reachApart(a, b) || (first.color != second.color && tipsCrossed(a, b)));
+  constexpr double mostOpen = 0.16;  // of the force span; of 327 buttons drawn or measured 0.13 at most
+  const bool apart = !byHand && !paired &&
+                     (reachApart(a, b) || openAtTheEnd(a, b) > mostOpen ||
+                      (first.color != second.color && tipsCrossed(a, b)));
   const double travel = apart ? std::min(ofApart, creditOfTravel(compared)) : creditOfTravel(compared);
   const double together = merged ? ofMergedTints : paired ? 1 : travel;
   found.confidence = verdict.confidence() * credit(std::min(first.confidence, second.confidence)) * together;

@@ -3,12 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <opencv2/imgproc.hpp>
 
 #include "importer/page/polyline.h"
 #include "importer/page/quantile.h"
 #include "importer/trace/curve_ink.h"
+#include "importer/trace/dash_chains.h"
 #include "importer/trace/plot_text.h"
 
 namespace detent::importer {
@@ -75,10 +78,16 @@ class ExplainedPlot {
     return quantileOf(all, 0.5);
   }
 
-  /// 255 where curves, words, masks and the plot's own lines account for what is drawn.
-  cv::Mat explained() const {
+  /// 255 where a curve runs, as wide as it is drawn.
+  cv::Mat curves() const {
     cv::Mat mask(area_.raster.height_px, area_.raster.width_px, CV_8U, cv::Scalar(0));
     for (const Drawn& each : drawn_) draw(mask, each.points, each.thickness_px + 2 * kBeside_px);
+    return mask;
+  }
+
+  /// 255 where curves, words, masks and the plot's own lines account for what is drawn.
+  cv::Mat explained() const {
+    cv::Mat mask = curves();
     for (const Box& word : area_.words) fill(mask, word, 2);
     const PlotText text = findText(area_, backdrop_);
     for (std::size_t i = 0; i < text.mask.size(); ++i)
@@ -90,14 +99,22 @@ class ExplainedPlot {
   bool isBare(Point p) const {
     constexpr int reach = 2;
     constexpr float asPaper = 40;  // colour levels
-    if (std::ranges::any_of(area_.words, [&](const Box& word) { return word.grown(4, 4).contains(p); }))
-      return false;
+    if (mayBeHidden(p)) return false;
     const int x = static_cast<int>(std::lround(p.x)), y = static_cast<int>(std::lround(p.y));
     for (int v = y - reach; v <= y + reach; ++v)
-      for (int u = x - reach; u <= x + reach; ++u) {
-        if (u < 0 || v < 0 || u >= area_.raster.width_px || v >= area_.raster.height_px) return false;
-        if (norm(colorAt(area_.raster, u, v) - backdrop_.paperAt(u, v)) > asPaper) return false;
-      }
+      for (int u = x - reach; u <= x + reach; ++u)
+        if (!isInside(u, v) || apartFromPaper(u, v) > asPaper) return false;
+    return true;
+  }
+
+  /// Whether a line of this colour, drawn through a place, is not there: as between two dashes, two pixels apart and more.
+  bool isGap(Point p, Rgb color) const {
+    constexpr double reach_px = 0.6, mostOfInk = 0.4;
+    if (mayBeHidden(p)) return false;
+    const Color3 drawn{static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
+    const double ink = norm(drawn - backdrop_.paper());
+    for (const Point off : {Point{0, 0}, {reach_px, 0}, {-reach_px, 0}, {0, reach_px}, {0, -reach_px}})
+      if (drawnAt(p + off) > mostOfInk * ink) return false;
     return true;
   }
 
@@ -120,13 +137,32 @@ class ExplainedPlot {
   }
 
  private:
+  bool mayBeHidden(Point p) const {
+    return std::ranges::any_of(area_.words, [&](const Box& word) { return word.grown(4, 4).contains(p); });
+  }
+  bool isInside(int x, int y) const {
+    return x >= 0 && y >= 0 && x < area_.raster.width_px && y < area_.raster.height_px;
+  }
+  /// Colour levels.
+  float apartFromPaper(int x, int y) const {
+    return norm(colorAt(area_.raster, x, y) - backdrop_.paperAt(x, y));
+  }
+  /// Likewise, between pixels; infinite outside.
+  double drawnAt(Point p) const {
+    const int x = static_cast<int>(std::floor(p.x)), y = static_cast<int>(std::floor(p.y));
+    if (!isInside(x, y) || !isInside(x + 1, y + 1)) return std::numeric_limits<double>::infinity();
+    const double u = p.x - x, v = p.y - y;
+    return std::lerp(std::lerp(apartFromPaper(x, y), apartFromPaper(x + 1, y), u),
+                     std::lerp(apartFromPaper(x, y + 1), apartFromPaper(x + 1, y + 1), u), v);
+  }
+
   /// Clears a line of the plot where it is no thicker than it is elsewhere.
   void takeLine(cv::Mat& mask, const CurveInkOnArea& ink, double at, bool plumb) const {
     const int length = plumb ? mask.rows : mask.cols, lanes = plumb ? mask.cols : mask.rows;
     std::vector<double> runs;
     for (int i = 0; i < length; ++i)
       runs.push_back(plumb ? ink.across(at, i, true).thickness_px : ink.across(i, at, false).thickness_px);
-    const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.7) + 0.6;
+    const double usual = quantileOf(runs, 0.3), most = kLineTimes * std::max(usual, 0.35) + 0.4;
     const int reach = static_cast<int>(std::ceil(0.5 * most)) + 2;
     for (int i = 0; i < length; ++i) {
       if (runs[static_cast<std::size_t>(i)] > most) continue;
@@ -213,6 +249,19 @@ Remainder remainderOf(const std::vector<Point>& ink, const ExplainedPlot& plot,
   return r;
 }
 
+/// A line of dashes by itself. Those along an axis are guides.
+Remainder remainderOfDashes(const std::vector<Point>& ink, const ExplainedPlot& plot,
+                            const std::vector<End>& ends) {
+  constexpr double alongAxis = 0.05;  // of the longer side
+  Remainder r = remainderOf(ink, plot, ends);
+  const Box box = boundsOf(ink);
+  const bool guide = std::min(box.width(), box.height()) <
+                     alongAxis * std::max(box.width(), box.height()) + 2 * plot.thickness();
+  r.dashed = true;
+  r.likeness = guide ? 0 : ramp(r.length, 0.06, 0.14);
+  return r;
+}
+
 std::vector<Rgb> colorsOf(const std::vector<Drawn>& drawn) {
   std::vector<Rgb> colors;
   for (const Drawn& each : drawn)
@@ -243,7 +292,12 @@ std::vector<Remainder> remaindersOf(const ExplainedPlot& plot) {
     const Box box = boundsOf(ink);
     if (std::hypot(box.width(), box.height()) >= least_px) all.push_back(remainderOf(ink, plot, ends));
   }
-  std::ranges::sort(all, std::greater<>{}, &Remainder::likeness);
+  const auto isGap = [&](Point p) { return plot.isGap(p, plot.drawn().front().color); };
+  for (const std::vector<Point>& chain : dashChains(left, plot.curves(), plot.thickness(), isGap))
+    all.push_back(remainderOfDashes(chain, plot, ends));
+  // Dashes that hang together are seen twice: as a line of them first.
+  std::ranges::sort(all, std::greater<>{},
+                    [](const Remainder& r) { return std::pair(r.likeness, r.dashed); });
   return all;
 }
 
@@ -261,10 +315,46 @@ bool turnsSharply(const std::vector<Point>& points, std::size_t from, std::size_
   return turned(before(rim) - before(look)) || turned(behind(look) - behind(rim));
 }
 
+/// Whether a curve is drawn without gaps over a good part of its course where no other runs.
+bool drawnThroughAlone(const Drawn& curve, const std::vector<Point>& points,
+                       const std::vector<Stretch>& dashed, const std::vector<Drawn>& all) {
+  constexpr double leastShare = 0.1;  // of the points
+  std::size_t alone = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (std::ranges::any_of(dashed, [&](const Stretch& s) { return s.from <= i && i <= s.to; })) continue;
+    const bool shared = std::ranges::any_of(all, [&](const Drawn& other) {
+      return &other != &curve &&
+             distance(nearestOn(other.points, points[i]), points[i]) < 2 * curve.thickness_px + 2;
+    });
+    alone += shared ? 0 : 1;
+  }
+  return static_cast<double>(alone) > leastShare * static_cast<double>(points.size());
+}
+
+/// Where a curve drawn through takes the way of a line of dashes.
+std::vector<Leap> overDashes(const ExplainedPlot& plot) {
+  constexpr double leastShare = 0.08;  // of the diagonal
+  const Box& frame = plot.area().frame;
+  const double diagonal_px = std::hypot(frame.width(), frame.height());
+  std::vector<Leap> leaps;
+  for (const Drawn& each : plot.drawn()) {
+    const std::vector<Point> points = densified(each.points, 1);
+    const auto isGap = [&](Point p) { return plot.isGap(p, each.color); };
+    std::vector<Stretch> dashed = dashedStretches(points, each.thickness_px, isGap);
+    if (dashed.empty() || !drawnThroughAlone(each, points, dashed, plot.drawn())) continue;
+    for (const Stretch& s : dashed)
+      if (const double length_px = distance(points[s.from], points[s.to]);
+          length_px > leastShare * diagonal_px)
+        leaps.push_back(
+            {plot.area().toView(points[s.from]), plot.area().toView(points[s.to]), length_px / diagonal_px});
+  }
+  return leaps;
+}
+
 std::vector<Leap> leapsOf(const ExplainedPlot& plot) {
   constexpr double kLeastThicknesses = 2, kLeastHeight = 0.03;  // of the frame's
   const Box& frame = plot.area().frame;
-  std::vector<Leap> leaps;
+  std::vector<Leap> leaps = overDashes(plot);
   for (const Drawn& each : plot.drawn()) {
     const std::vector<Point> points = densified(each.points, 1);
     const double least_px = std::max(kLeastThicknesses * each.thickness_px, kLeastHeight * frame.height());

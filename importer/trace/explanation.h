@@ -18,6 +18,7 @@ struct Remainder {
   double thickness = 0;       ///< in thicknesses of the curves
   bool straight = false;      ///< as leaders, guides and boxes are
   bool atAnEnd = false;       ///< begins where a curve ends
+  bool dashed = false;        ///< a line of dashes by itself
   /// How much it looks like a curve, 0..1: long, thin, bent, or the straight continuation of a curve's end.
   double likeness = 0;
 };

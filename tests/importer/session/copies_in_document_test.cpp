@@ -27,12 +27,13 @@ std::string words(const std::string& what, double x, double y, double size) {
   return text;
 }
 
-/// One stroke as a polyline over 3.8 mm.
+/// One stroke as a polyline over 3.8 mm, `share` of the press' force until it comes to its end.
 std::string stroke(double left, double bottom, double size, double bump_cN, double share) {
   std::string out;
   for (int i = 0; i <= 120; ++i) {
     const double mm = 3.8 * i / 120;
-    const double force_cN = share * (40 + 8 * mm + bump_cN * std::exp(-5 * (mm - 1.2) * (mm - 1.2)));
+    const double lost = (1 - share) * std::min(1.0, 2 * (3.8 - mm));
+    const double force_cN = (1 - lost) * (40 + 8 * mm + bump_cN * std::exp(-5 * (mm - 1.2) * (mm - 1.2)));
     char text[64];
     std::snprintf(text, sizeof text, "%.3f %.3f %c ", left + size * mm / 4,
                   bottom + 0.7 * size * force_cN / 100, i == 0 ? 'm' : 'l');

@@ -36,11 +36,13 @@ struct Import {
   std::size_t tactilePoints = 1;
   PageClass pageClass = PageClass::picture;
   Explanation explanation;
+  bool fromVector = false, namedByLegend = false;
 
   Import() {
     graph.view.raster.width_px = 700, graph.view.raster.height_px = 600;
     graph.frame.value.corners = {Point{100, 100}, Point{500, 100}, Point{500, 500}, Point{100, 500}};
     AxisCalibration& axes = graph.axes.calibration.value;
+    graph.frame.value.yLines = {{.position_px = 100, .spansFrame = true}};
     axes.viewToUnits = {0.01, 0, -1, 0, -0.01, 5, 0, 0, 1};
     axes.x.unit = "mm", axes.y.unit = "N";
     axes.x.unitFound = axes.y.unitFound = true;
@@ -59,8 +61,11 @@ struct Import {
     FittedStrokes strokes{fitted(press), {}};
     if (!release.empty()) pair.release = strokeOf(release), strokes.release = fitted(release);
     Found<StrokePair> found;
+    pair.press.fromVector = fromVector;
+    if (pair.release) pair.release->fromVector = fromVector;
     found.value = pair;
     found.confidence = 1;
+    if (namedByLegend) found.evidence = {{EvidenceCode::namedByLegend}};
     return {graph, traces, found, strokes, rms_px, rms_px, {}, {}, pageClass, explanation};
   }
   /// What an import with this doubt is worth; empty without it.
@@ -72,7 +77,8 @@ struct Import {
   std::vector<DoubtCode> doubts() const {
     std::vector<DoubtCode> kinds;
     for (const WeighedDoubt& each : doubtsOf(findings(), checks, hints)) {
-      const bool goesOn = !explanation.left.empty() && explanation.left.front().atAnEnd;
+      const bool goesOn =
+          !explanation.left.empty() && (explanation.left.front().atAnEnd || explanation.left.front().dashed);
       const bool isPartOnly = each.doubt.code == DoubtCode::belowTheAxis ||
                               each.doubt.code == DoubtCode::leavesThePlot ||
                               (each.doubt.code == DoubtCode::inkLeftOver && !goesOn);
@@ -143,6 +149,9 @@ TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that
   CHECK(import.doubted(DoubtCode::inkLeftOver));  // a remark: it may be another thing of the page
   import.explanation.left.front().atAnEnd = true;
   CHECK(import.doubted(DoubtCode::inkLeftOver));  // a refusal: the curve goes on
+  import.explanation.left.front().atAnEnd = false;
+  import.explanation.left.front().dashed = true;
+  CHECK(import.doubted(DoubtCode::inkLeftOver));  // a refusal: no part of the page but a stroke is drawn so
   import.explanation = {{}, { { {200, 200}, {200, 260}, 0.1 } }};
   CHECK(import.doubted(DoubtCode::curveWithoutInk));
   import.hints.drawn.press = {{100, 400}, { 400, 200 }};
@@ -163,6 +172,13 @@ TEST_CASE("one line traced twice, a line along an axis, more turns than a button
   twice.release = twice.press;
   std::reverse(twice.release.begin(), twice.release.end());
   CHECK(twice.doubted(DoubtCode::strokesCoincide));
+  twice.namedByLegend = true;
+  CHECK(twice.doubted(DoubtCode::strokesCoincide));  // in pixels a rim may have got the other's name
+  twice.fromVector = true;
+  CHECK_FALSE(twice.doubted(DoubtCode::strokesCoincide));  // a button without hysteresis
+  twice.namedByLegend = false;
+  CHECK(twice.doubted(DoubtCode::strokesCoincide));
+  twice.fromVector = false;
   twice.press.erase(twice.press.begin(), twice.press.begin() + 2);  // a fringe of a part of the line
   CHECK(twice.doubted(DoubtCode::strokesCoincide));
   Import level;
@@ -278,6 +294,16 @@ TEST_CASE("a plot that shows a part of its curves") {
     p[0] = 200, p[1] = p[2] = 30;
   }
   CHECK(upwards.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
+  Import parted = upwards;  // the rest of the axis stands above a gap, where nothing is drawn
+  parted.graph.frame.value.yLines.clear();
+  TickLabel tick;
+  tick.box = {60, 290, 80, 310}, tick.used = true;
+  parted.graph.axes.calibration.value.y.ticks = {tick};
+  CHECK(parted.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
+  parted.graph.axes.texts = {{"80", {60, 40, 80, 60}, 1, 0}};
+  CHECK(parted.weighed(DoubtCode::leavesThePlot) < confidenceBar);
+  parted.graph.axes.texts.front().box = {260, 40, 280, 60};  // a title's
+  CHECK(parted.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
   upwards.graph.axes.remarks.push_back({RemarkCode::labelContradicts, {"60", "y", "40"}});
   std::vector<TickLabel>& labels = upwards.graph.axes.calibration.value.y.ticks;
   upwards.graph.axes.calibration.value.x.ticks.assign(8, {});

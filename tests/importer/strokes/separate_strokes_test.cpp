@@ -86,8 +86,9 @@ TEST_CASE("A press alone is doubted where its legend has an entry for the releas
   const Box below{100, 60, 160, 72}, beside{260, 41, 330, 53}, elsewhere{400, 300, 460, 312};
   CHECK(confidenceBeside("release", below) < 0.5);
   CHECK(confidenceBeside("release", beside) < 0.5);
-  // A word of a sentence or a table, a point's name, another switch's release.
-  CHECK(confidenceBeside("release", elsewhere) > 0.8);
+  CHECK(confidenceBeside("release", elsewhere) < 0.5);  // a callout's
+  // A word of a sentence, a point's name, another switch's release.
+  CHECK(confidenceBeside("Release date", elsewhere) > 0.8);
   CHECK(confidenceBeside("reset point", below) > 0.8);
   CHECK(confidenceBeside("Switch B release", below) > 0.8);
   CHECK(confidenceBeside("press force", below) > 0.8);
@@ -255,6 +256,30 @@ TEST_CASE("Strokes that end in different places are doubted, unless something sa
     traces[1].stroke = Stroke::release;
     CHECK(separate(traces)->confidence > 0.9);
   }
+}
+
+TEST_CASE(
+    "A loop that stays open where neither stroke is steep is two curves, unless the legend says otherwise",
+    "[strokes]") {
+  // To 4 mm without a wall; the release `open_px` of 190 lower at its end.
+  const auto flat = [](double open_px, Rgb ink) {
+    CurveTrace t;
+    for (int i = 0; i <= 400; ++i) t.points_px.push_back({50.0 + i, 250 - 0.475 * i + open_px});
+    t.color = ink;
+    t.confidence = 1;
+    return t;
+  };
+  const Rgb black{0, 0, 0}, red{255, 0, 0};
+  CHECK(separate({flat(0, black), flat(20, red)})->confidence > 0.9);
+  std::vector<CurveTrace> open{flat(0, black), flat(50, red)};
+  CHECK(separate(open)->confidence < 0.5);
+  std::vector<CurveTrace> walled = open;  // along walls they may be cut at different heights
+  for (CurveTrace& each : walled)
+    for (int i = 1; i <= 20; ++i)
+      each.points_px.push_back({each.points_px.back().x + 0.3, each.points_px.back().y - 5});
+  CHECK(separate(walled)->confidence > 0.9);
+  open[0].label = "Press", open[1].label = "Release";
+  CHECK(separate(open)->confidence > 0.9);
 }
 
 TEST_CASE("A locked key's release covers part of the travel: the legend says that it belongs to the press",

@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "importer/page/document.h"
+#include "importer/page/polyline.h"
 #include "importer/trace/curve_trace.h"
 #include "importer/trace/explanation.h"
 #include "importer/trace/foot_line.h"
@@ -420,6 +421,17 @@ Loop loopEndingAt(double x) {
   return loop;
 }
 
+/// A line in dashes of 9 pixels, 6 apart.
+std::vector<Curve> dashesOf(const Curve& line) {
+  std::vector<Curve> dashes;
+  const Curve points = densified(line, 1);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i % 15 == 0) dashes.emplace_back();
+    if (i % 15 < 9) dashes.back().push_back(points[i]);
+  }
+  return dashes;
+}
+
 const CurveTrace& strokeOf(const std::vector<CurveTrace>& traces, Stroke stroke) {
   return *std::find_if(traces.begin(), traces.end(), [&](const CurveTrace& t) { return t.stroke == stroke; });
 }
@@ -542,14 +554,60 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
     CHECK(left.atAnEnd);
     CHECK(left.likeness > 0.9);
   }
+  SECTION("a wall of one pixel that stands on a gridline") {
+    Plot thin(700, 430);
+    thin.grid(8, 6, kGrey, 1);
+    loop = loopEndingAt(0.75);
+    thin.line(thin.at(loop.press), 1, kBlue);
+    press.points_px = thin.at(loop.press);
+    const auto left = [&] { return explain(thin.view(), thin.frame(), {}, {press}, {}).left; };
+    CHECK((left().empty() || left().front().likeness < 0.2));
+    thin.line(thin.at({{0.75, loop.press.back().y}, {0.75, 0.95}}), 1, kBlue);
+    REQUIRE_FALSE(left().empty());
+    CHECK(left().front().likeness > 0.9);
+  }
   SECTION("a straight leader") {
     plot.line(plot.at({{0.2, 0.9}, {0.35, 0.42}}), 3, kBlue);
+    CHECK(worst({press}).likeness < 0.2);
+  }
+  SECTION("a curve in dashes left out") {
+    for (const Curve& dash : dashesOf(plot.at(loop.release))) plot.line(dash, 3, kBlue);
+    const Remainder left = worst({press});
+    CHECK(left.dashed);
+    CHECK(left.likeness > 0.9);
+  }
+  SECTION("markers on the curve") {
+    for (const Point& p : densified(plot.at(loop.press), 20))
+      plot.line({p - Point{0, 6}, p + Point{0, 6}}, 7, kBlue);
+    CHECK(worst({press}).likeness < 0.2);
+  }
+  SECTION("a guide in dashes") {
+    for (const Curve& dash : dashesOf(plot.at({{0.35, 0.45}, {0.35, 0.02}}))) plot.line(dash, 3, kBlue);
+    CHECK(worst({press}).likeness < 0.2);
+  }
+  SECTION("a few dashes of a leader") {
+    for (const Curve& dash : dashesOf(plot.at({{0.2, 0.5}, {0.24, 0.44}}))) plot.line(dash, 3, kBlue);
     CHECK(worst({press}).likeness < 0.2);
   }
   SECTION("another ink") {
     plot.line(plot.at(loop.release), 3, kRed);
     CHECK(worst({press}).likeness < 0.2);
   }
+}
+
+TEST_CASE("A stroke drawn through that takes the way of a line of dashes is seen", "[trace]") {
+  Plot plot(700, 430);
+  const Loop loop = loopEndingAt(0.7);
+  plot.line(plot.at(loop.press), 3, kBlue);
+  for (const Curve& dash : dashesOf(plot.at(loop.release))) plot.line(dash, 3, kBlue);
+  CurveTrace press, release;
+  press.color = release.color = kBlue;
+  press.points_px = plot.at(loop.press), release.points_px = plot.at(loop.release);
+  const auto leaps = [&] { return explain(plot.view(), plot.frame(), {}, {press, release}, {}).leaps; };
+  CHECK(leaps().empty());
+  const auto split = static_cast<std::ptrdiff_t>(loop.press.size() / 2);
+  std::swap_ranges(press.points_px.begin(), press.points_px.begin() + split, release.points_px.begin());
+  CHECK_FALSE(leaps().empty());
 }
 
 TEST_CASE("A curve that crosses bare paper where its ink does not lead is seen", "[trace]") {
