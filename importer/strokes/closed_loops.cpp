@@ -72,6 +72,28 @@ bool enclose(const Course& upper, const Course& lower) {
   return above >= leastAbove * columns && below <= mostBelow * columns;
 }
 
+/// A release begins where the press ended.
+bool endFarApart(const Course& a, const Course& b) {
+  constexpr double farShare = 0.1;  // of the width both take
+  return std::abs(a.room_px.x1 - b.room_px.x1) > farShare * a.room_px.joined(b.room_px).width();
+}
+
+/// Whether each lies clearly above the other somewhere, where both run.
+bool cross(const Course& a, const Course& b) {
+  constexpr int columns = 100;
+  constexpr double clear = 0.02, leastShare = 0.08;  // of the height, of the columns
+  const double height_px = a.room_px.joined(b.room_px).height();
+  const double from_px = std::max(a.room_px.x0, b.room_px.x0), to_px = std::min(a.room_px.x1, b.room_px.x1);
+  int above = 0, below = 0;
+  for (int i = 0; i < columns; ++i) {
+    const double column_px = std::lerp(from_px, to_px, (i + 0.5) / columns);
+    const double apart_px = rowAt(b, column_px) - rowAt(a, column_px);
+    above += apart_px > clear * height_px;
+    below += apart_px < -clear * height_px;
+  }
+  return to_px > from_px && std::min(above, below) > leastShare * columns;
+}
+
 }  // namespace
 
 bool onlyFalls(const CurveTrace& trace) {
@@ -115,6 +137,29 @@ std::vector<Indices> closedLoops(const std::vector<CurveTrace>& traces, const In
       return {};
   }
   return loops;
+}
+
+std::vector<Indices> pressesApart(const std::vector<CurveTrace>& traces, const Indices& drawn) {
+  constexpr double leastWidth = 0.4;  // of the widest: what is shorter is a mark
+  std::vector<Course> courses;
+  double widest_px = 0;
+  for (const std::size_t i : drawn) {
+    if (onlyFalls(traces[i])) return {};
+    courses.push_back(courseOf(traces[i]));
+    widest_px = std::max(widest_px, courses.back().room_px.width());
+  }
+  std::vector<Indices> apart;
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    if (courses[i].room_px.width() < leastWidth * widest_px) return {};
+    for (std::size_t j = 0; j < i; ++j) {
+      // Of two alone the one that ends early may be a release that was not followed to its end.
+      const bool farApart = drawn.size() > 2 && endFarApart(courses[i], courses[j]);
+      if (traces[drawn[i]].color == traces[drawn[j]].color || !(farApart || cross(courses[i], courses[j])))
+        return {};
+    }
+    apart.push_back({drawn[i]});
+  }
+  return apart;
 }
 
 }  // namespace detent::importer

@@ -20,4 +20,9 @@ bool onlyFalls(const CurveTrace& trace);
 std::vector<std::vector<std::size_t>> closedLoops(const std::vector<CurveTrace>& traces,
                                                   const std::vector<std::size_t>& drawn);
 
+/// One group for each curve, where all are drawn in inks of their own and no two of them can be the strokes of one switch:
+/// they cross, or of three and more end far apart. Empty otherwise, and where one is too short for a stroke or only falls.
+std::vector<std::vector<std::size_t>> pressesApart(const std::vector<CurveTrace>& traces,
+                                                   const std::vector<std::size_t>& drawn);
+
 }  // namespace detent::importer

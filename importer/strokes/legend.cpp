@@ -73,7 +73,9 @@ bool anySign(std::string_view text, const List& list) {
 
 bool isStrokeWord(const std::string& word) {
   const std::vector<std::string> one{word};
-  return anyWord(one, kPressWords) || anyWord(one, kReleaseWords);
+  const auto isOne = [&](std::string_view sign) { return word == sign; };
+  return anyWord(one, kPressWords) || anyWord(one, kReleaseWords) ||
+         std::ranges::any_of(kPressSigns, isOne) || std::ranges::any_of(kReleaseSigns, isOne);
 }
 
 /// Words that name neither a stroke nor what every legend names: a switch's own name.

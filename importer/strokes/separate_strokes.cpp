@@ -152,16 +152,25 @@ Verdict judge(const CurveTrace& first, const CurveTrace& second, const Compariso
   return verdict;
 }
 
+/// Two colours tell curves apart that are drawn in two; what has one ink is told apart by hand.
+Remedies remediesFor(bool oneInk, const Message& with) {
+  if (oneInk)
+    return {{RemedyKind::addMask, "over the curves of other switches"},
+            {RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}};
+  return {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, with}};
+}
+
 Failure tooMany(const std::vector<CurveTrace>& traces) {
   std::string colors;
   for (const CurveTrace& trace : traces) {
     colors += (colors.empty() ? "" : ", ") + nameOf(trace.color);
     if (!trace.label.empty()) colors += " (" + trace.label + ")";
   }
-  return failureOf({DoubtCode::tooManyCurves,
-                    {traces.size(), colors},
-                    {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, "with two of these"}}},
-                   "plot frame");
+  const bool oneInk = std::ranges::all_of(
+      traces, [&](const CurveTrace& trace) { return trace.color == traces.front().color; });
+  return failureOf(
+      {DoubtCode::tooManyCurves, {traces.size(), colors}, remediesFor(oneInk, "with two of these")},
+      "plot frame");
 }
 
 /// The legend's name of the release that belongs to a press named in it, none where it has no such entry.
@@ -341,7 +350,7 @@ Result<Found<StrokePair>> pairOf(const CurveTrace& first, const CurveTrace& seco
   } else if (std::abs(verdict.logOdds) < 0.4) {
     return failureOf({DoubtCode::strokesAlike,
                       {nameOf(first.color), nameOf(second.color)},
-                      {{RemedyKind::pickPress, {}}, {RemedyKind::pickRelease, {}}}},
+                      remediesFor(first.color == second.color, {})},
                      "plot frame");
   }
   if (!firstIsPress) std::swap(a, b);
@@ -399,7 +408,14 @@ Result<Found<StrokePair>> separateStrokes(const std::vector<CurveTrace>& traces,
   for (const PlotSwitch& other : switches)
     for (const std::size_t t : other.traces)
       if (&other != &switches[*chosen] && hidesAnEndOf(traces[its.front()], traces[t])) return hiddenEnd();
-  if (its.size() == 1) return pressAlone(traces[its.front()], axes);
+  if (its.size() == 1) {
+    auto alone = pressAlone(traces[its.front()], axes);
+    // One of several that no legend tells apart: whether it has a release under another one, nothing says.
+    constexpr double ofOneOfSeveral = 0.6;
+    if (alone && switches.size() > 1 && traces[its.front()].label.empty())
+      alone->confidence = std::min(alone->confidence, ofOneOfSeveral);
+    return alone;
+  }
   return pairOf(traces[its[0]], traces[its[1]], axes, hints.swap);
 }
 

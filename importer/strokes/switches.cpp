@@ -37,6 +37,21 @@ Indices withoutMarks(const std::vector<CurveTrace>& traces, const Indices& drawn
   return kept;
 }
 
+/// Two names of nothing but strokes that came out as one: signs that differ by a few lines were read alike.
+bool readAlike(const CurveTrace& a, const CurveTrace& b) {
+  return !a.stroke && !b.stroke && a.label == b.label && strokeNamedBy(a.label) &&
+         switchNamedBy(a.label).empty();
+}
+
+/// Two curves that close a loop, whatever they are called.
+std::optional<std::pair<std::size_t, std::size_t>> loopOf(std::vector<CurveTrace> traces,
+                                                          const Indices& two) {
+  for (CurveTrace& trace : traces) trace.label.clear();
+  const std::vector<Indices> loops = closedLoops(traces, two);
+  if (loops.size() != 1) return {};
+  return std::pair(loops.front().front(), loops.front().back());
+}
+
 /// The press and the release that were named, by hand or by the legend, beside curves that nothing is said of: marks and
 /// leaders. Where the legend calls one "press" and no more, the other's name may be misread.
 std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vector<CurveTrace>& traces,
@@ -46,7 +61,7 @@ std::optional<std::pair<std::size_t, std::size_t>> theNamedPair(const std::vecto
     if (namedStroke(traces[i]) || namesACurve(traces[i].label)) named.push_back(i);
   if (named.size() != 2) return {};
   const CurveTrace &a = traces[named[0]], &b = traces[named[1]];
-  if (namedStroke(a) == namedStroke(b)) return {};
+  if (namedStroke(a) == namedStroke(b)) return readAlike(a, b) ? loopOf(traces, named) : std::nullopt;
   const CurveTrace& sure = namedStroke(a) ? a : b;
   const bool bothNamed = namedStroke(a) && namedStroke(b);
   if (!bothNamed && !sure.stroke && !switchNamedBy(sure.label).empty()) return {};
@@ -162,6 +177,17 @@ Indices named(const std::vector<PlotSwitch>& switches, const std::vector<CurveTr
   return fitting;
 }
 
+/// Switches whose name is the end of `asked`: the legend's line sample was read over the rest of it.
+Indices namedByTheirEnds(const std::vector<PlotSwitch>& switches, const std::string& asked) {
+  constexpr std::size_t fewest = 4;  // letters and digits
+  const std::string wanted = bare(asked);
+  Indices fitting;
+  for (std::size_t i = 0; i < switches.size(); ++i)
+    if (const std::string name = bare(switches[i].name); name.size() >= fewest && wanted.ends_with(name))
+      fitting.push_back(i);
+  return fitting;
+}
+
 std::optional<std::size_t> numbered(const std::string& asked, std::size_t count) {
   std::size_t number = 0;
   const char* const end = asked.data() + asked.size();
@@ -182,11 +208,16 @@ std::vector<PlotSwitch> switchesAmong(const std::vector<CurveTrace>& traces) {
   drawn = withoutMarks(traces, drawn);
   if (drawn.size() == 1) return {switchOf(drawn, traces)};
   if (const auto pair = theNamedPair(traces, drawn)) return {switchOf({pair->first, pair->second}, traces)};
-  if (drawn.size() == 2 && mayBeOnePair(traces[drawn[0]].label, traces[drawn[1]].label))
+  // Curves that nothing names, and that no switch could have both.
+  const bool unnamed =
+      std::ranges::all_of(drawn, [&](std::size_t i) { return !traces[i].stroke && traces[i].label.empty(); });
+  const std::vector<Indices> apart = unnamed ? pressesApart(traces, drawn) : std::vector<Indices>();
+  if (apart.empty() && drawn.size() == 2 && mayBeOnePair(traces[drawn[0]].label, traces[drawn[1]].label))
     return {switchOf(drawn, traces)};
 
   std::vector<Indices> groups = partnered(traces, drawn);
   if (groups.empty()) groups = closedLoops(traces, drawn);
+  if (groups.empty()) groups = apart;
   std::vector<PlotSwitch> switches;
   for (Indices& group : groups) switches.push_back(switchOf(std::move(group), traces));
   const bool inLegend = std::none_of(switches.begin(), switches.end(), [&](const PlotSwitch& s) {
@@ -212,7 +243,8 @@ Result<std::size_t> chosenSwitch(const std::vector<PlotSwitch>& switches,
   for (const Indices& fitting :
        {named(switches, traces, asked, [](const std::string& s) { return s; }),
         named(switches, traces, asked, [](const std::string& s) { return bare(s); }),
-        named(switches, traces, asked, [](const std::string& s) { return blurred(s); })})
+        named(switches, traces, asked, [](const std::string& s) { return blurred(s); }),
+        namedByTheirEnds(switches, asked)})
     if (fitting.size() == 1) return fitting.front();
   if (const auto index = numbered(asked, switches.size())) return *index;
   Failure notThere{FailureCode::wrongUsage, kPlace, "",

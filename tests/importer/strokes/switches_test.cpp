@@ -219,6 +219,55 @@ TEST_CASE("A switch is asked for by name or number", "[switches]") {
   }
 }
 
+TEST_CASE("Presses in inks of their own that no switch could have both are offered by number", "[switches]") {
+  AxesFound axes;
+  axes.calibration.value.viewToUnits = {0.01, 0, 0, 0, -0.005, 2, 0, 0, 1};
+  const std::vector<CurveTrace> shorter = loop(80, 220, 0, 1), longer = loop(20, 300, 0, 5);
+  const std::vector<CurveTrace> shortest = loop(110, 150, 0, 7);
+  CHECK(switchesAmong({longer[0], shorter[0]}).size() == 1);  // a release may have been cut short
+  const std::vector<CurveTrace> apart{longer[0], shorter[0], shortest[0]};
+  REQUIRE(switchesAmong(apart).size() == 3);
+  CHECK_FALSE(separateStrokes(apart, axes).ok());
+  StrokeHints hints;
+  hints.curve = "1";
+  const auto first = separateStrokes(apart, axes, hints);
+  REQUIRE(first.ok());
+  CHECK_FALSE(first->value.release);
+  CHECK(first->value.press.points_px == shortest[0].points_px);  // the upper one counts first
+  CHECK(first->confidence <= 0.6);                               // nothing says that it has no release
+
+  SECTION("they end together, and cross") {
+    std::vector<CurveTrace> crossing{trace("", 10, 1), trace("", 10, 5)};
+    for (Point& p : crossing[0].points_px) p.y -= 30 * std::sin(2 * M_PI * p.x / 300);
+    CHECK(switchesAmong(crossing).size() == 2);
+    crossing[0].color = crossing[1].color;  // strokes of one ink that the tracer may have exchanged
+    CHECK(switchesAmong(crossing).size() == 1);
+  }
+  SECTION("a mark beside a press") {
+    CurveTrace mark = trace("", 80, 7);
+    mark.points_px.resize(60);
+    CHECK(switchesAmong({longer[0], mark}).size() == 1);
+  }
+}
+
+TEST_CASE("Strokes whose names were read alike are one switch's where they close a loop", "[switches]") {
+  std::vector<CurveTrace> traces = loop(40, 300, 15, 1);
+  traces[0].label = traces[1].label = "往路";
+  CHECK(switchesAmong(traces).size() == 1);
+  traces[1].points_px.resize(200);
+  CHECK(switchesAmong(traces).size() == 2);
+}
+
+TEST_CASE("A name of which the legend's sample hid the beginning is found by its end", "[switches]") {
+  const std::vector<CurveTrace> traces{trace("ple 1", 40, 1, 0), trace("Sample 2", 20, 2, 1),
+                                       trace("ple 3", 60, 3, 2)};
+  const auto switches = switchesAmong(traces);
+  REQUIRE(switches.size() == 3);
+  CHECK(chosenSwitch(switches, traces, "Sample 1").value() == 0);
+  CHECK(chosenSwitch(switches, traces, "Sample 3").value() == 2);
+  CHECK_FALSE(chosenSwitch(switches, traces, "Sample 4").ok());
+}
+
 TEST_CASE("Of two switches called the same only a number chooses", "[switches]") {
   const std::vector<CurveTrace> traces{trace("Red", 40, 1, 0), trace("Red", 20, 2, 1)};
   const auto switches = switchesAmong(traces);
