@@ -309,11 +309,14 @@ class Doubts {
       const Point at = findings_.graph.axes.calibration.value.toUnits(at_px);
       add(code, share, {{at.x, Measure::displacement_mm}, {at.y, Measure::force_N}}, helps);
     };
-    const auto& [left, leaps] = findings_.explanation;
+    const auto& [left, leaps, patches] = findings_.explanation;
     if (!left.empty() && left.front().likeness >= likeACurve)
       // A curve that goes on is a curve cut short; ink by itself may be another thing of the page: it is said, not refused.
       say(DoubtCode::inkLeftOver, left.front().atAnEnd || left.front().dashed ? unconfirmed : inPart,
           left.front().box_px.middle());
+    constexpr double mostPatches =
+        0.1;  // of the curves' ink; 0 on charts with markers and fills, 0.21 along a filled band
+    if (patches.share > mostPatches) say(DoubtCode::inkLeftOver, unconfirmed, patches.at_px);
     if (!leaps.empty())
       say(DoubtCode::curveWithoutInk, unconfirmed, 0.5 * (leaps.front().from_px + leaps.front().to_px));
   }

@@ -30,6 +30,7 @@ struct Drawn {
   std::vector<Point> points;
   double thickness_px = 1;
   Rgb color;
+  bool fromVector = false;
 };
 
 void draw(cv::Mat& mask, const std::vector<Point>& points, double thickness_px) {
@@ -59,7 +60,7 @@ class ExplainedPlot {
     backdrop_ = Backdrop::measure(area_);
     for (const CurveTrace& curve : curves) {
       if (curve.points_px.size() < 2) continue;
-      Drawn drawn{{}, 1, curve.color};
+      Drawn drawn{{}, 1, curve.color, curve.fromVector};
       for (const Point& p : curve.points_px) drawn.points.push_back(area_.fromView(p));
       const double seen = inkOf(curve.color).thicknessAlong(drawn.points);
       drawn.thickness_px = std::max(1.0, seen);
@@ -95,6 +96,11 @@ class ExplainedPlot {
     return mask;
   }
 
+  /// Under a word, or close to one.
+  bool mayBeHidden(Point p) const {
+    return std::ranges::any_of(area_.words, [&](const Box& word) { return word.grown(4, 4).contains(p); });
+  }
+
   /// Neither ink near a place nor a word that may hide it.
   bool isBare(Point p) const {
     constexpr int reach = 2;
@@ -109,7 +115,7 @@ class ExplainedPlot {
 
   /// Whether a line of this colour, drawn through a place, is not there: as between two dashes, two pixels apart and more.
   bool isGap(Point p, Rgb color) const {
-    constexpr double reach_px = 0.6, mostOfInk = 0.4;
+    constexpr double reach_px = 0.6, mostOfInk = 0.4;  // the latter a share of the line's own colour levels
     if (mayBeHidden(p)) return false;
     const Color3 drawn{static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
     const double ink = norm(drawn - backdrop_.paper());
@@ -137,9 +143,6 @@ class ExplainedPlot {
   }
 
  private:
-  bool mayBeHidden(Point p) const {
-    return std::ranges::any_of(area_.words, [&](const Box& word) { return word.grown(4, 4).contains(p); });
-  }
   bool isInside(int x, int y) const {
     return x >= 0 && y >= 0 && x < area_.raster.width_px && y < area_.raster.height_px;
   }
@@ -269,11 +272,31 @@ std::vector<Rgb> colorsOf(const std::vector<Drawn>& drawn) {
   return colors;
 }
 
-std::vector<Remainder> remaindersOf(const ExplainedPlot& plot) {
-  constexpr double kLeastLength = 0.03;  // of the diagonal
+/// 255 where ink of the curves' colours is left over.
+cv::Mat leftOver(const ExplainedPlot& plot) {
   const cv::Mat explained = plot.explained();
   cv::Mat left(explained.size(), CV_8U, cv::Scalar(0));
   for (const Rgb color : colorsOf(plot.drawn())) left |= plot.inked(color, explained);
+  return left;
+}
+
+Patches patchesOf(const ExplainedPlot& plot, const cv::Mat& left) {
+  constexpr int leastSide_px = 5;
+  double curves_px = 0;
+  for (const Drawn& each : plot.drawn()) curves_px += lengthOf(each.points) * each.thickness_px;
+  const int side_px = std::max(leastSide_px, 2 * static_cast<int>(std::ceil(plot.thickness())) + 1);
+  cv::Mat insides;
+  cv::erode(left, insides, cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}));
+  std::vector<cv::Point> at;
+  cv::findNonZero(insides, at);
+  if (at.empty() || !(curves_px > 0)) return {};
+  const cv::Point middle = at[at.size() / 2];
+  return {static_cast<double>(at.size()) / curves_px,
+          plot.area().toView(Point{static_cast<double>(middle.x), static_cast<double>(middle.y)})};
+}
+
+std::vector<Remainder> remaindersOf(const ExplainedPlot& plot, const cv::Mat& left) {
+  constexpr double kLeastLength = 0.03;  // of the diagonal
   cv::Mat joined, labels, stats, centroids;
   cv::dilate(left, joined,
              cv::getStructuringElement(cv::MORPH_RECT, {2 * kJoined_px + 1, 2 * kJoined_px + 1}));
@@ -315,14 +338,15 @@ bool turnsSharply(const std::vector<Point>& points, std::size_t from, std::size_
   return turned(before(rim) - before(look)) || turned(behind(look) - behind(rim));
 }
 
-/// Whether a curve is drawn without gaps over a good part of its course where no other runs.
-bool drawnThroughAlone(const Drawn& curve, const std::vector<Point>& points,
-                       const std::vector<Stretch>& dashed, const std::vector<Drawn>& all) {
+/// Whether a curve is drawn without gaps over a good part of its course where no other runs and no word hides it.
+bool drawnThroughAlone(const ExplainedPlot& plot, const Drawn& curve, const std::vector<Point>& points,
+                       const std::vector<Stretch>& dashed) {
   constexpr double leastShare = 0.1;  // of the points
   std::size_t alone = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (std::ranges::any_of(dashed, [&](const Stretch& s) { return s.from <= i && i <= s.to; })) continue;
-    const bool shared = std::ranges::any_of(all, [&](const Drawn& other) {
+    if (plot.mayBeHidden(points[i])) continue;
+    const bool shared = std::ranges::any_of(plot.drawn(), [&](const Drawn& other) {
       return &other != &curve &&
              distance(nearestOn(other.points, points[i]), points[i]) < 2 * curve.thickness_px + 2;
     });
@@ -338,10 +362,11 @@ std::vector<Leap> overDashes(const ExplainedPlot& plot) {
   const double diagonal_px = std::hypot(frame.width(), frame.height());
   std::vector<Leap> leaps;
   for (const Drawn& each : plot.drawn()) {
+    if (each.fromVector) continue;  // its own pieces say what belongs together
     const std::vector<Point> points = densified(each.points, 1);
     const auto isGap = [&](Point p) { return plot.isGap(p, each.color); };
     std::vector<Stretch> dashed = dashedStretches(points, each.thickness_px, isGap);
-    if (dashed.empty() || !drawnThroughAlone(each, points, dashed, plot.drawn())) continue;
+    if (dashed.empty() || !drawnThroughAlone(plot, each, points, dashed)) continue;
     for (const Stretch& s : dashed)
       if (const double length_px = distance(points[s.from], points[s.to]);
           length_px > leastShare * diagonal_px)
@@ -379,7 +404,8 @@ Explanation explain(const PageView& view, const PlotFrame& frame, const std::vec
                     const std::vector<CurveTrace>& curves, const std::vector<Box>& masks_px) {
   const ExplainedPlot plot(view, frame, texts, curves, masks_px);
   if (plot.empty()) return {};
-  return {remaindersOf(plot), leapsOf(plot)};
+  const cv::Mat left = leftOver(plot);
+  return {remaindersOf(plot, left), leapsOf(plot), patchesOf(plot, left)};
 }
 
 }  // namespace detent::importer

@@ -29,10 +29,17 @@ struct Leap {
   double length = 0;     ///< share of the plot's diagonal
 };
 
+/// Ink left over as no line makes it: solid over more than two lines' thickness in every direction.
+struct Patches {
+  double share = 0;  ///< of their insides, in areas of the curves' ink
+  Point at_px;       ///< in one of them, view pixels
+};
+
 /// What of a plot a result does not explain, and what of the result the plot does not.
 struct Explanation {
   std::vector<Remainder> left;  ///< the most curve-like first
   std::vector<Leap> leaps;      ///< the longest first
+  Patches patches;              ///< in the curves' colours: what was followed may be a ground
 };
 
 /// `curves`: all that were traced, those of other switches too. `masks_px`: where nothing is looked for, view pixels.

@@ -77,8 +77,9 @@ struct Import {
   std::vector<DoubtCode> doubts() const {
     std::vector<DoubtCode> kinds;
     for (const WeighedDoubt& each : doubtsOf(findings(), checks, hints)) {
-      const bool goesOn =
-          !explanation.left.empty() && (explanation.left.front().atAnEnd || explanation.left.front().dashed);
+      const bool goesOn = explanation.patches.share > 0 ||
+                          (!explanation.left.empty() &&
+                           (explanation.left.front().atAnEnd || explanation.left.front().dashed));
       const bool isPartOnly = each.doubt.code == DoubtCode::belowTheAxis ||
                               each.doubt.code == DoubtCode::leavesThePlot ||
                               (each.doubt.code == DoubtCode::inkLeftOver && !goesOn);
@@ -152,7 +153,11 @@ TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that
   import.explanation.left.front().atAnEnd = false;
   import.explanation.left.front().dashed = true;
   CHECK(import.doubted(DoubtCode::inkLeftOver));  // a refusal: no part of the page but a stroke is drawn so
-  import.explanation = {{}, { { {200, 200}, {200, 260}, 0.1 } }};
+  import.explanation = {{}, {}, { 0.05, { 200, 200 } }};
+  CHECK(import.doubts().empty());
+  import.explanation.patches.share = 0.2;
+  CHECK(import.doubted(DoubtCode::inkLeftOver));  // a refusal: the curve may be a ground's rim
+  import.explanation = {{}, {{ {200, 200}, {200, 260}, 0.1 }}, {}};
   CHECK(import.doubted(DoubtCode::curveWithoutInk));
   import.hints.drawn.press = {{100, 400}, { 400, 200 }};
   CHECK(import.doubts().empty());

@@ -581,6 +581,14 @@ TEST_CASE("What a result leaves unexplained is found, with its likeness to a cur
       plot.line({p - Point{0, 6}, p + Point{0, 6}}, 7, kBlue);
     CHECK(worst({press}).likeness < 0.2);
   }
+  SECTION("a band in the curve's colour") {
+    const auto patches = [&] { return explain(plot.view(), plot.frame(), {}, {press}, {}).patches.share; };
+    CHECK(patches() == 0);
+    Curve below = plot.at(loop.press);
+    for (Point& p : below) p.y += 16;
+    plot.line(below, 18, kBlue);
+    CHECK(patches() > 0.5);
+  }
   SECTION("a guide in dashes") {
     for (const Curve& dash : dashesOf(plot.at({{0.35, 0.45}, {0.35, 0.02}}))) plot.line(dash, 3, kBlue);
     CHECK(worst({press}).likeness < 0.2);
