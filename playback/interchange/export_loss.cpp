@@ -5,6 +5,8 @@
 #include <cmath>
 #include <complex>
 #include <cstdio>
+#include <utility>
+#include <vector>
 
 #include "playback/measurement/fourier.h"
 
@@ -21,22 +23,31 @@ double shareWithin(const FeltBand& band, double frequency_Hz, double width_Hz) {
   return std::fmax(0, (high - low) / width_Hz);
 }
 
-/// Energy within each band.
-template <class Sample>
-std::array<double, feltBands.size()> energies(const std::vector<Sample>& samples, const Fourier& fourier,
-                                              double sampleRate_Hz) {
+using BandEnergies = std::array<double, feltBands.size()>;
+
+/// Energies within each band of two signals, by one transform: of real numbers, the spectrum's halves are conjugates.
+template <class First>
+std::pair<BandEnergies, BandEnergies> energies(const std::vector<First>& first,
+                                               const std::vector<double>& second, const Fourier& fourier,
+                                               double sampleRate_Hz) {
   const std::size_t length = fourier.length();
   std::vector<std::complex<double>> spectrum(length);
-  for (std::size_t i = 0; i < samples.size() && i < length; ++i)
-    spectrum[i] = static_cast<double>(samples[i]);
+  for (std::size_t i = 0; i < first.size(); ++i) spectrum[i].real(static_cast<double>(first[i]));
+  for (std::size_t i = 0; i < second.size(); ++i) spectrum[i].imag(second[i]);
   fourier.transform(spectrum, Transform::forward);
-  std::array<double, feltBands.size()> sums{};
+  std::pair<BandEnergies, BandEnergies> sums{};
   const double width_Hz = sampleRate_Hz / static_cast<double>(length);
   for (std::size_t i = 1; i < length / 2; ++i) {
     const double frequency_Hz = static_cast<double>(i) * width_Hz;
     if (frequency_Hz > feltBands.back().high_Hz + width_Hz) break;
-    for (std::size_t band = 0; band < feltBands.size(); ++band)
-      sums[band] += shareWithin(feltBands[band], frequency_Hz, width_Hz) * std::norm(spectrum[i]);
+    const std::complex<double> mirrored = std::conj(spectrum[length - i]);
+    const double ofFirst = std::norm(spectrum[i] + mirrored) / 4;
+    const double ofSecond = std::norm(spectrum[i] - mirrored) / 4;
+    for (std::size_t band = 0; band < feltBands.size(); ++band) {
+      const double share = shareWithin(feltBands[band], frequency_Hz, width_Hz);
+      sums.first[band] += share * ofFirst;
+      sums.second[band] += share * ofSecond;
+    }
   }
   return sums;
 }
@@ -56,11 +67,12 @@ std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector
   std::size_t longest = std::max<std::size_t>(original.size(), 2);
   for (const std::vector<double>& part : parts) longest = std::max(longest, part.size());
   const Fourier fourier(powerOfTwo(longest));
-  const auto before = energies(original, fourier, sampleRate_Hz);
-  std::array<double, feltBands.size()> after{};
-  for (const std::vector<double>& part : parts) {
-    const auto energy = energies(part, fourier, sampleRate_Hz);
-    for (std::size_t band = 0; band < feltBands.size(); ++band) after[band] += energy[band];
+  static const std::vector<double> none;
+  auto [before, after] = energies(original, parts.empty() ? none : parts.front(), fourier, sampleRate_Hz);
+  for (std::size_t i = 1; i < parts.size(); i += 2) {
+    const std::vector<double>& beside = i + 1 < parts.size() ? parts[i + 1] : none;
+    const auto [one, other] = energies(parts[i], beside, fourier, sampleRate_Hz);
+    for (std::size_t band = 0; band < feltBands.size(); ++band) after[band] += one[band] + other[band];
   }
   double whole = 0;
   for (const double energy : before) whole += energy;
