@@ -14,6 +14,8 @@ namespace detent::playback {
 
 namespace {
 
+constexpr std::size_t finer =
+    4;  // bins than the press has: a burst at the edge of a band is cut where the edge is
 constexpr double noEnergy = 1e-9;  // of the whole: below, a band of the engine's is rounding
 
 /// How much of the bin around `frequency_Hz`, `width_Hz` wide, lies within the band.
@@ -66,7 +68,7 @@ std::array<std::optional<double>, feltBands.size()> energyKept(const std::vector
                                                                double sampleRate_Hz) {
   std::size_t longest = std::max<std::size_t>(original.size(), 2);
   for (const std::vector<double>& part : parts) longest = std::max(longest, part.size());
-  const Fourier fourier(powerOfTwo(longest));
+  const Fourier fourier(powerOfTwo(finer * longest));
   static const std::vector<double> none;
   auto [before, after] = energies(original, parts.empty() ? none : parts.front(), fourier, sampleRate_Hz);
   for (std::size_t i = 1; i < parts.size(); i += 2) {
