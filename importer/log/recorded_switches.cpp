@@ -29,16 +29,17 @@ Failure without(const std::string& subject, Message problem, Remedies remedies =
 }
 
 Result<std::string> bytesOf(const std::string& path, const std::string& subject) {
-  const auto unreadable = [&](Message problem) {
-    return Failure{FailureCode::unreadableInput, subject, {}, std::move(problem), {}};
+  const auto unreadable = [&](Message problem, const Message& remedy) {
+    return Failure{FailureCode::unreadableInput, subject, {}, std::move(problem), remedy};
   };
   std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error)) return unreadable("it is missing or no file");
+  if (!std::filesystem::is_regular_file(path, error))
+    return unreadable("it is missing or no file", "Check the path and its rights");
   if (std::filesystem::file_size(path, error) > largestFile_bytes || error)
-    return unreadable("it is larger than 32 MB");
+    return unreadable("it is larger than 32 MB", "Export fewer switches into one file");
   std::ifstream file(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file.is_open() || file.bad()) return unreadable("it cannot be read");
+  if (!file.is_open() || file.bad()) return unreadable("it cannot be read", "Check the path and its rights");
   return bytes;
 }
 
@@ -226,7 +227,12 @@ std::vector<CurvePoint> paired(const std::vector<double>& x, const std::vector<d
 Result<std::vector<RecordedSwitch>> switchesOfJson(const std::string& text, const std::string& subject) {
   const nlohmann::json json = nlohmann::json::parse(text, nullptr, false);
   if (isDigitizerProject(json)) return switchesOfProject(json, subject);
-  if (json.is_discarded()) return Failure{FailureCode::unreadableInput, subject, {}, "it is no JSON", {}};
+  if (json.is_discarded())
+    return Failure{FailureCode::unreadableInput,
+                   subject,
+                   {},
+                   "it is no JSON",
+                   "Export it again: it may have been cut off"};
   if (!json.is_object() || !json.contains("down_x") || !json.contains("down_y"))
     return without(subject, "it holds no strokes", "A recording has the lists down_x, down_y and up_y");
   RecordedSwitch one;

@@ -170,7 +170,11 @@ Result<std::vector<SheetColumn>> sheetColumns(std::string_view xml, const std::s
         columns[i].values.push_back(i < row.size() ? row[i].value : none);
   }
   if (columns.empty())
-    return Failure{FailureCode::noForceGraph, subject, {}, "the sheet holds no table of numbers", {}};
+    return Failure{FailureCode::noForceGraph,
+                   subject,
+                   {},
+                   "the sheet holds no table of numbers",
+                   "Give a sheet with a column of displacement and one of force"};
   return columns;
 }
 

@@ -9,6 +9,9 @@ namespace detent::playback {
 
 namespace {
 
+constexpr double briefest_s =
+    1e-9;  // points that lie closer are a step: a rise within 1e-320 s would be infinite
+
 double valueAt(WaveShape shape, double cycles) {
   const double share = cycles - std::floor(cycles);
   switch (shape) {
@@ -32,7 +35,7 @@ double valueAt(WaveShape shape, double cycles) {
 double addSegment(std::vector<double>& samples, const WavePoint& from, const WavePoint& to, WaveShape shape,
                   double phase, double sampleRate_Hz) {
   const double lasts_s = to.time_s - from.time_s;
-  if (!(lasts_s > 0)) return phase;
+  if (!(lasts_s > briefest_s)) return phase;
   const double rise = (to.frequency_Hz - from.frequency_Hz) / lasts_s;
   const auto phaseAfter = [&](double t) { return phase + t * (from.frequency_Hz + rise * t / 2); };
   // Times that are whole samples but for rounding stay whole.

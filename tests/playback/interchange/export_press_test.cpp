@@ -181,6 +181,28 @@ TEST_CASE("A package says where a stroke has grains, and how strong each piece o
   }
 }
 
+TEST_CASE("A memory of 100 bytes holds what it says of presses that get longer and longer") {
+  const Button button = sample("B");
+  const HapticProgram program = prepareProgram(button, {}, usualSettings()).value().program;
+  ExportSettings settings;
+  settings.format = ExportFormat::da728x;
+  std::size_t cut = 0, whole = 0;
+  for (int readings = 800; readings < 12000; readings += 800) {
+    INFO(readings);
+    PressTrace trace{PressTrace::Quantity::displacement_mm, {}};
+    for (int i = 0; i <= readings; ++i)
+      trace.readings.push_back({i * 0.0025, i == readings ? 4.2 : i % 400 < 200 ? 0.02 * (i % 400) : 0});
+    const Result<Exported> written = exportPress(button, program, trace, settings);
+    REQUIRE(written.ok());
+    CHECK(violationsOf(settings.format, written->files) == std::vector<std::string>{});
+    const bool said =
+        written->loss.dropped.size() > 1 && written->loss.dropped.back().find("memory") != std::string::npos;
+    ++(said ? cut : whole);
+  }
+  CHECK(cut > 2);
+  CHECK(whole > 2);
+}
+
 TEST_CASE("A press of very many jumps ends, and what a memory cannot hold of it is told") {
   const Button button = sample("B");
   const HapticProgram program = prepareProgram(button, {}, {}).value().program;

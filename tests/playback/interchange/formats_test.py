@@ -206,8 +206,9 @@ class Formats(unittest.TestCase):
             original = self.rendered(button)
             time = numpy.arange(len(original)) / RATE
             played = []
-            peak = json.loads(self.export(button, "package", ".json")[0][0])
-            self.assertTrue(peak["states"])
+            bottom = [e for e in json.loads(self.export(button, "package", ".json")[0][0])["example_press"]["events"]
+                      if e["kind"] == "bottom_out"]
+            steps = []
             for text, zero in zip(parts, (0.0, self.turn_s(button))):
                 file = json.loads(text)
                 self.assertEqual(file["Version"], 1.0)
@@ -220,7 +221,13 @@ class Formats(unittest.TestCase):
                     transient = event["EventType"] == "HapticTransient"
                     start = zero + event["Time"]
                     end = start + (0.022 if transient else event["EventDuration"])
+                    steps.append((start, amplitude))
                     played[-1] += sine(time, [(start, amplitude, frequency), (end, 0 if transient else amplitude, frequency)])
+            for event in bottom:  # its last step of 5 ms, whose middle is half a step before its end
+                wave = event["wave"]
+                last = event["time_s"] + (wave["duration_ms"] - 5) / 1000
+                strongest = max(amplitude for start, amplitude in steps if abs(start - last) < 5e-5)
+                self.assertAlmostEqual(strongest, wave["amplitude"] * (1 - 2.5 / wave["duration_ms"]), delta=1e-4)
             self.assert_told(played, original, loss)
 
     def turn_s(self, button):

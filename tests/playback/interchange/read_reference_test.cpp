@@ -117,6 +117,17 @@ TEST_CASE("A .haptic envelope runs straight; an emphasis ducks it and stands on 
         }) < 1e-5);
 }
 
+TEST_CASE("Points closer than any clock tells apart are a step, not a number that is none") {
+  for (const char* brief : {"0", "1e-320", "5e-324", "1e-200", "1e-12"}) {
+    INFO(brief);
+    const ReferenceSignal signal =
+        read(haptic(R"({"amplitude": [{"time": 0, "amplitude": 0.5}, {"time": 0.3, "amplitude": 0.5}],
+                   "frequency": [{"time": 0, "frequency": 0.2}, {"time": )" +
+                    std::string(brief) + R"(, "frequency": 1}]})"));
+    CHECK(worst(signal, 0, 0.3, [](double t) { return 0.5 * sine(t * 230); }) < 1e-5);
+  }
+}
+
 TEST_CASE("HJIF bands are evaluated as the reference software does") {
   const std::string two =
       R"("keyframes": [{"relative_position": 0, "amplitude_modulation": 1, "frequency_modulation": 100},
