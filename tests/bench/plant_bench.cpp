@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // detent_plant_bench [OUT.svg]: what the force engine asks of a motor when something goes wrong, on the independent world of
 // tests/playback/plant. Draws force over time for a start deep in a wall, a jump, silence and a stop, and prints the table of
-// docs/bench-force.md. Deterministic; nothing is timed.
+// docs/bench-force.md; and how still a Falcon holds under a finger, by its friction. Deterministic; nothing is timed.
 
 #include <algorithm>
 #include <cmath>
@@ -154,6 +154,54 @@ double largestOverRamp_N() {
   return most_N;
 }
 
+// ---- a Falcon under a finger that holds still
+
+struct Rest {
+  int steps = 0;       ///< of the encoder, from the lowest to the highest reading
+  double force_N = 0;  ///< rms about its mean
+  bool quiet() const { return steps <= 1 && force_N <= 0.005; }
+};
+
+/// From the third to the fifth second of holding at a place.
+Rest restAt(const playback::ForceDeviceProfile& device, const playback::ForceProgram& program, double at_mm) {
+  LoopSettings settings;
+  settings.handle = handleOf(device);
+  settings.encoderStep_mm = device.step_mm;
+  settings.sending.delay_s = device.delay_s;
+  ClosedLoop loop(program, settings, holding(at_mm));
+  loop.runUntil(3);
+  const std::vector<LoopStep> held = loop.runUntil(5);
+  double sum = 0, squares = 0;
+  for (const LoopStep& step : held) {
+    sum += step.command_N;
+    squares += step.command_N * step.command_N;
+  }
+  const auto count = static_cast<double>(held.size());
+  const auto [low, high] = std::minmax_element(
+      held.begin(), held.end(), [](const LoopStep& a, const LoopStep& b) { return a.read_mm < b.read_mm; });
+  return {static_cast<int>(std::lround((high->read_mm - low->read_mm) / device.step_mm)),
+          std::sqrt(std::max(0.0, squares / count - sum * sum / (count * count)))};
+}
+
+void printRest(double friction_N) {
+  constexpr int places = 11;
+  playback::ForceDeviceProfile device = playback::falconDevice();
+  device.friction_N = friction_N;
+  std::printf("| %.0f mN |", 1000 * friction_N);
+  for (const char* button : {"A", "B", "C", "E"}) {
+    const playback::ForceProgram program = preparedFor(sampleButton(button), device);
+    Rest worst;
+    int quiet = 0;
+    for (int place = 1; place <= places; ++place) {
+      const Rest rest = restAt(device, program, 0.3 * place);
+      quiet += rest.quiet() ? 1 : 0;
+      worst = {std::max(worst.steps, rest.steps), std::max(worst.force_N, rest.force_N)};
+    }
+    std::printf(" %d, %.0f; %d of %d |", worst.steps, 1000 * worst.force_N, quiet, places);
+  }
+  std::printf("\n");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -164,5 +212,8 @@ int main(int argc, char** argv) {
   std::printf("| start at 0 to 50 mm, five buttons | %.2f |\n", largestOverRamp_N());
   std::printf("| jumps of 1 to 100 mm: force later than 15 ms | %.2f |\n", largestAfterJumps_N());
   std::printf("| flicker of 1.5 mm at 1 kHz: largest step of force | %.2f |\n", largestStepInFlicker_N(1.5));
+  std::printf(
+      "\n| friction of a Falcon | A: steps, mN rms; quiet places | B | C | E |\n|---|---|---|---|---|\n");
+  for (const double friction_N : {0.0, 0.01, 0.02, 0.03, 0.05, 0.1}) printRest(friction_N);
   return 0;
 }
