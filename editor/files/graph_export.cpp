@@ -2,11 +2,16 @@
 #include "editor/files/graph_export.h"
 
 #include <algorithm>
+#include <cmath>
 #include <QBuffer>
 #include <QFile>
 #include <QPageSize>
+#include <QPaintEngine>
 #include <QPdfWriter>
+#include <QRegularExpression>
 #include <QSvgRenderer>
+#include <QXmlStreamReader>
+#include <vector>
 
 #include "editor/files/exports.h"
 #include "model/file/text_file.h"
@@ -37,6 +42,69 @@ Result<QByteArray> pdfOf(const Button& button, const SvgPlotStyle& style, const 
   const bool drawn = paintGraph(painter, QRectF(0, 0, writer.width(), writer.height()), button, style);
   if (!painter.end() || !drawn) return notDrawn(path);
   return bytes;
+}
+
+// ---- words of a drawing as text
+
+/// One text element of our own drawings (model/file/svg_plot.cpp).
+struct DrawnText {
+  QPointF at;
+  QString words, anchor;
+  double size_px = 12, turn_deg = 0;
+  bool bold = false;
+};
+
+struct DrawnTexts {
+  QStringList families;
+  QColor ink;
+  std::vector<DrawnText> texts;
+};
+
+DrawnTexts textsOf(const QByteArray& svg) {
+  DrawnTexts drawn;
+  double usual_px = 12;
+  QXmlStreamReader xml(svg);
+  while (!xml.atEnd()) {
+    if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+    const QXmlStreamAttributes given = xml.attributes();
+    if (xml.name() == QLatin1String("svg")) {
+      for (const QString& family : given.value("font-family").toString().split(','))
+        drawn.families << family.trimmed();
+      usual_px = given.value("font-size").toDouble();
+      drawn.ink = QColor(given.value("fill").toString());
+    }
+    if (xml.name() != QLatin1String("text")) continue;
+    DrawnText text{{given.value("x").toDouble(), given.value("y").toDouble()}, {}, {}, usual_px};
+    text.anchor = given.value("text-anchor").toString();
+    if (given.hasAttribute("font-size")) text.size_px = given.value("font-size").toDouble();
+    text.bold = given.value("font-weight") == QLatin1String("bold");
+    if (given.value("transform").startsWith(QLatin1String("rotate(")))  // about its own place
+      text.turn_deg = given.value("transform").mid(7).split(u' ').front().toDouble();
+    text.words = xml.readElementText();
+    drawn.texts.push_back(std::move(text));
+  }
+  return drawn;
+}
+
+void paintTexts(QPainter& painter, const DrawnTexts& drawn) {
+  constexpr double finer = 100;  // fonts have whole sizes
+  for (const DrawnText& text : drawn.texts) {
+    QFont font;
+    font.setFamilies(drawn.families);
+    font.setPixelSize(static_cast<int>(std::lround(finer * text.size_px)));
+    font.setBold(text.bold);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    const double width = QFontMetricsF(font).horizontalAdvance(text.words);
+    const double before = text.anchor == QLatin1String("middle") ? 0.5 : text.anchor == QLatin1String("end");
+    painter.save();
+    painter.setPen(drawn.ink);
+    painter.setFont(font);
+    painter.translate(text.at);
+    painter.rotate(text.turn_deg);
+    painter.scale(1 / finer, 1 / finer);
+    painter.drawText(QPointF(-before * width, 0), text.words);
+    painter.restore();
+  }
 }
 
 }  // namespace
@@ -74,7 +142,7 @@ PlotWords plotWords(PlotLanguage language) {
   words.displacement = "Weg";
   words.force = "Kraft";
   words.press = "Drücken";
-  words.release = "Loslassen";
+  words.release = "Rückweg";
   words.tactilePoint = "Druckpunkt";
   words.tactilePointOfRelease = "Druckpunkt (Rückweg)";
   words.operatingPoint = "Schaltpunkt";
@@ -106,10 +174,23 @@ QSizeF graphSize_mm(const Button& button, const SvgPlotStyle& style) {
 }
 
 bool paintGraph(QPainter& painter, const QRectF& place, const Button& button, const SvgPlotStyle& style) {
-  QSvgRenderer drawing(QByteArray::fromStdString(svgFrom(button, style)));
+  QByteArray svg = QByteArray::fromStdString(svgFrom(button, style));
+  DrawnTexts texts;
+  // Qt's renderer makes outlines of words; in a PDF they are to be read, found and copied.
+  if (painter.paintEngine()->type() == QPaintEngine::Pdf) {
+    texts = textsOf(svg);
+    static const QRegularExpression textElement("<text [^>]*>[^<]*</text>");
+    svg = QString::fromUtf8(svg).remove(textElement).toUtf8();
+  }
+  QSvgRenderer drawing(svg);
   if (!drawing.isValid()) return false;
   const QSizeF size = graphSize_mm(button, style).scaled(place.size(), Qt::KeepAspectRatio);
   drawing.render(&painter, QRectF(place.topLeft(), size));
+  painter.save();
+  painter.translate(place.topLeft());
+  painter.scale(size.width() / drawing.viewBoxF().width(), size.height() / drawing.viewBoxF().height());
+  paintTexts(painter, texts);
+  painter.restore();
   return true;
 }
 

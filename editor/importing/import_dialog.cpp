@@ -45,7 +45,6 @@ constexpr std::array qualities{importer::Quality::draft, importer::Quality::stan
                                importer::Quality::precise};
 
 constexpr QSize firstSize_px{1280, 820};
-constexpr QSize roomForFrame_px{8, 40};  // of the window, around what is ours
 
 QString keyOf(const QAction& action) { return action.shortcut().toString(QKeySequence::NativeText); }
 
@@ -550,7 +549,7 @@ ImportDialog::ImportDialog(ViewSettings& settings, QWidget* parent)
   setWindowFlag(Qt::WindowMaximizeButtonHint);
   setAcceptDrops(true);
   impl_->build();
-  resize(firstSize_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+  resize(firstSize_px);
   impl_->connectState();
   connect(&impl_->state, &ImportState::correctionsChanged, this, &ImportDialog::draftChanged);
   connect(&impl_->state, &ImportState::documentChanged, this, [this] {

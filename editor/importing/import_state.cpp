@@ -23,6 +23,13 @@ std::vector<AxisTick> usedTicks(GraphAxis axis, const importer::GraphEvidence& e
   return ticks;
 }
 
+/// "4.0", "4,0", "120".
+std::optional<double> numberIn(const std::string& text) {
+  bool isNumber = false;
+  const double value = QString::fromStdString(text).trimmed().replace(',', '.').toDouble(&isNumber);
+  return isNumber ? std::optional(value) : std::nullopt;
+}
+
 std::size_t bytesOf(const ImportedGraph& result) {
   return result.view.bytes() + (result.evidence ? result.evidence->view.raster.rgb.size() : 0);
 }
@@ -53,6 +60,35 @@ FrameCorners cornersOf(const importer::GraphEvidence& evidence) {
   return corners;
 }
 
+namespace {
+
+/// A number in line with an axis' labels, beyond its end where the scale has that value.
+std::optional<double> valueBeyond(GraphAxis axis, const importer::SeenText& text,
+                                  const importer::GraphEvidence& evidence, importer::Point& place) {
+  constexpr double leastShare = 1.02, mostOff = 0.015;  // of the axis' length
+  const auto& reading =
+      axis == GraphAxis::x ? evidence.axes.calibration.value.x : evidence.axes.calibration.value.y;
+  const auto value = numberIn(text.utf8);
+  if (!value || reading.max == reading.min) return {};
+  const double share = (*value - reading.min) / (reading.max - reading.min);
+  const auto& corners = evidence.frame.corners;
+  const importer::Point from = corners[3], to = axis == GraphAxis::x ? corners[2] : corners[0];
+  const importer::Point at{from.x + share * (to.x - from.x), from.y + share * (to.y - from.y)};
+  const importer::Point middle = text.box.middle();
+  const double off_px = axis == GraphAxis::x ? middle.x - at.x : middle.y - at.y;
+  const double length_px = axis == GraphAxis::x ? to.x - from.x : from.y - to.y;
+  if (share < leastShare || std::abs(off_px) > mostOff * std::abs(length_px)) return {};
+  const bool inLine = std::ranges::any_of(reading.ticks, [&](const importer::TickLabel& tick) {
+    return tick.used && (axis == GraphAxis::x ? middle.y > tick.box.y0 && middle.y < tick.box.y1
+                                              : text.box.x1 > tick.box.x0 && text.box.x0 < tick.box.x1);
+  });
+  if (!inLine) return {};
+  place = evidence.view.viewToPage(at);
+  return value;
+}
+
+}  // namespace
+
 std::optional<ExtendedFrame> extendedFrame(GraphAxis axis, const importer::GraphEvidence& evidence) {
   constexpr double leastShare = 1.02;  // of the axis' length: nearer, it is the frame's own end
   const FrameCorners corners = cornersOf(evidence);
@@ -64,6 +100,14 @@ std::optional<ExtendedFrame> extendedFrame(GraphAxis axis, const importer::Graph
     if (!tick.used || !share || *share < furthest) continue;
     furthest = *share;
     extended = ExtendedFrame{corners, tick.value};
+  }
+  for (const importer::SeenText& text : evidence.axes.texts) {
+    importer::Point place;
+    const auto value = valueBeyond(axis, text, evidence, place);
+    const auto share = value ? shareAlong(axis, corners, place) : std::nullopt;
+    if (!share || *share < furthest) continue;
+    furthest = *share;
+    extended = ExtendedFrame{corners, *value};
   }
   if (!extended) return {};
   const auto onwards = [&](std::size_t moved, std::size_t from) {

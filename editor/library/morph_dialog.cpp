@@ -4,7 +4,6 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
-#include <QScreen>
 #include <QVBoxLayout>
 
 #include "editor/document/described.h"
@@ -16,7 +15,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr QSize first_px{720, 560}, roomForFrame_px{8, 40}, leastPlot_px{240, 120};
+constexpr QSize first_px{720, 560}, leastPlot_px{240, 120};
 
 QLabel* wordsOf(const char* name) {
   auto* label = described(new QLabel, QString::fromLatin1(name));
@@ -69,7 +68,7 @@ MorphDialog::MorphDialog(std::vector<Button> buttons, std::size_t first, const D
     connect(box, &QComboBox::currentIndexChanged, this, &MorphDialog::follow);
   connect(share_, &QSlider::valueChanged, this, &MorphDialog::follow);
   connect(&source_, &ForecastSource::ready, this, [this](const auto& forecast) { say(*forecast); });
-  resize(first_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+  resize(first_px);
   follow();
 }
 

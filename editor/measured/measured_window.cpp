@@ -27,7 +27,7 @@
 namespace detent::editor {
 namespace {
 
-constexpr QSize first_px{1180, 760}, roomForFrame_px{8, 40}, leastPlot_px{260, 180};
+constexpr QSize first_px{1180, 760}, leastPlot_px{260, 180};
 constexpr int nameColumn_em = 16, figureColumn_em = 8, wideColumn_em = 12, headerLines = 3;
 constexpr int tableShare = 3, plotsShare = 2;  // of the width
 constexpr int rankPause_ms = 120;              // of an edit of the button asked for
@@ -109,7 +109,7 @@ MeasuredWindow::MeasuredWindow(MeasuredPlaces places, QWidget* parent)
           [this] { filter_->findChild<QLineEdit*>("measuredWords")->setFocus(); });
   followDocuments();
   showChosen();
-  resize(first_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+  resize(first_px);
 }
 
 // ---- the parts

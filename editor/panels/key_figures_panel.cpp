@@ -22,6 +22,7 @@ namespace {
 constexpr QSize pictureSize(132, 84);
 constexpr int widestNumber = 9;  // characters that a column of numbers has room for
 constexpr int roomBesideText_px = 12;
+constexpr int leastName_px = 90;
 constexpr int patience_ms = 200;  // a solve that is over by then is not spoken of
 
 }  // namespace
@@ -119,7 +120,12 @@ void KeyFiguresPanel::layOut() {
     name_px = std::max(name_px, fontMetrics().horizontalAdvance(
                                     model_->index(row, KeyFiguresModel::figure).data().toString()));
   name_px += table_->iconSize().width() + 2 * roomBesideText_px;
-  table_->setColumnWidth(KeyFiguresModel::figure, std::max(name_px, table_->viewport()->width() - others));
+  // Where not all of it has room, the numbers of now come first; the rest scrolls.
+  const int room_px = table_->viewport()->width();
+  const int besideNow_px = std::max(leastName_px, room_px - table_->columnWidth(KeyFiguresModel::now));
+  const bool narrow = name_px + others > room_px;
+  table_->setColumnWidth(KeyFiguresModel::figure,
+                         narrow ? std::min(name_px, besideNow_px) : room_px - others);
 }
 
 // The viewport has its size only when the table is shown.

@@ -4,6 +4,13 @@
 <context>
     <name>AverageWords</name>
     <message numerus="yes">
+        <source>Mean of %n button(s)</source>
+        <translation>
+            <numerusform>Mittel von %n Taster</numerusform>
+            <numerusform>Mittel von %n Tastern</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Mean of %n button(s).</source>
         <translation>
             <numerusform>Mittel von %n Taster.</numerusform>
@@ -1162,7 +1169,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>the release would lie above the press</source>
-        <translation>läge das Loslassen über dem Drücken</translation>
+        <translation>läge der Rückweg über dem Drücken</translation>
     </message>
     <message>
         <source>a tactile point would be too weak to be one</source>
@@ -1174,11 +1181,11 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>the release would not begin where the press ends</source>
-        <translation>begänne das Loslassen nicht, wo das Drücken endet</translation>
+        <translation>begänne der Rückweg nicht, wo das Drücken endet</translation>
     </message>
     <message>
         <source>the release would not end where the next state starts</source>
-        <translation>endete das Loslassen nicht, wo der nächste Zustand beginnt</translation>
+        <translation>endete der Rückweg nicht, wo der nächste Zustand beginnt</translation>
     </message>
     <message>
         <source>a tactile point would lie inside a jump, and never be felt</source>
@@ -4944,7 +4951,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Force of the release at the reset point (RF).</source>
-        <translation>Kraft des Loslassens am Rückschaltpunkt (RF).</translation>
+        <translation>Kraft des Rückwegs am Rückschaltpunkt (RF).</translation>
     </message>
     <message>
         <source>Operating point less reset point (MD).</source>
@@ -4976,7 +4983,7 @@ Lizenz: %3</translation>
     </message>
     <message>
         <source>Area between press and release: the energy lost in one actuation.</source>
-        <translation>Fläche zwischen Druck und Loslassen: die Energie, die eine Betätigung kostet.</translation>
+        <translation>Fläche zwischen Drücken und Rückweg: die Energie, die eine Betätigung kostet.</translation>
     </message>
     <message>
         <source>Set key figures</source>
@@ -8143,7 +8150,7 @@ oder öffnen Sie eine Datei (%2).</translation>
     </message>
     <message>
         <source>the release lies above the press over %1 of their travel</source>
-        <translation>das Loslassen liegt auf %1 des gemeinsamen Wegs über dem Drücken</translation>
+        <translation>der Rückweg liegt auf %1 des gemeinsamen Wegs über dem Drücken</translation>
     </message>
     <message>
         <source>a curve ends where the picture does</source>

@@ -9,7 +9,6 @@
 #include <QLocale>
 #include <QPainter>
 #include <QScopedValueRollback>
-#include <QScreen>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QVBoxLayout>
@@ -24,7 +23,7 @@ constexpr QuantityRange widths_mm{60, 600}, heights_mm{60, 400}, lengths_mm{-100
     forces_N{-1000, 1000};
 constexpr double widestTolerance = 0.5;
 constexpr double pxPerPoint = 96.0 / 72;
-constexpr QSize leastPicture_px{220, 150}, first_px{860, 640}, roomForFrame_px{8, 40};
+constexpr QSize leastPicture_px{220, 150}, first_px{860, 640};
 
 QComboBox* choiceOf(const char* name, const QString& tip, const QStringList& offered) {
   auto* box = described(new QComboBox, QString::fromLatin1(name), tip, tip);
@@ -108,7 +107,7 @@ GraphExportDialog::GraphExportDialog(Button button, const DisplayUnits& units, Q
   connect(fontSize_, &QSpinBox::valueChanged, this, &GraphExportDialog::showChoice);
   takeUnits();
   takePreset();
-  resize(first_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+  resize(first_px);
 }
 
 QFormLayout* GraphExportDialog::madeFor() {

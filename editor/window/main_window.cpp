@@ -37,6 +37,7 @@
 #include "editor/window/appearance.h"
 #include "editor/window/graph_print.h"
 #include "editor/window/margin_overlay.h"
+#include "editor/window/screen_fit.h"
 #include "editor/window/stored_view.h"
 #include "editor/window/wheel_guard.h"
 #include "model/edits.h"
@@ -48,7 +49,6 @@ namespace {
 constexpr int messageTime_ms = 8000;
 constexpr int stateVersion = 4;  // of the docks' arrangement; changes when docks do
 constexpr QSize firstSize_px{1280, 820};
-constexpr QSize roomForFrame_px{8, 40};  // of the window, around what is ours
 constexpr int firstLibrary_px = 230, firstValues_px = 480;
 constexpr double mostForLibrary = 0.18, mostForValues = 0.42, mostForFeel = 0.5;  // of the window
 constexpr int leastForLibrary_px = 760;     // of the window: in a narrower one it is put away
@@ -61,6 +61,13 @@ struct AverageWords {
   Q_DECLARE_TR_FUNCTIONS(AverageWords)
 };
 
+// As far as the second digit of what scatters.
+int digitsBeside(double mean, double sd) {
+  if (sd <= 0 || mean == 0) return 4;
+  return std::clamp(static_cast<int>(std::floor(std::log10(std::abs(mean))) - std::floor(std::log10(sd))) + 2,
+                    2, 6);
+}
+
 // "Mean of 5 buttons. Peak force 55 ± 2 cN. Far from the others: C."
 QString averageWords(const UnitSpread& spread, const QStringList& titles, const DisplayUnits& units) {
   QStringList sentences{AverageWords::tr("Mean of %n button(s).", nullptr, static_cast<int>(titles.size()))};
@@ -71,7 +78,8 @@ QString averageWords(const UnitSpread& spread, const QStringList& titles, const 
     if (figure.figure == KeyFigure::peakForce || figure.figure == KeyFigure::bottomOutForce ||
         figure.figure == KeyFigure::preTravel)
       sentences << AverageWords::tr("%1: %2 ± %3.")
-                       .arg(termOf(figure.figure), quantityText(figure.mean, quantity, units, 4),
+                       .arg(termOf(figure.figure),
+                            quantityText(figure.mean, quantity, units, digitsBeside(figure.mean, figure.sd)),
                             quantityWithUnit(figure.sd, quantity, units, 2));
   }
   QStringList far;
@@ -97,6 +105,7 @@ MainWindow::MainWindow(const WindowPlaces& places, QWidget* parent)
     : QMainWindow(parent), at_(places), systemPalette_(places.desktopPalette()) {
   setObjectName("mainWindow");
   new WheelGuard(this);  // from the first widget on
+  new ScreenFit(this);
   setAcceptDrops(true);
   setDockNestingEnabled(true);
   applyAppearance();  // before there are widgets: those made before would keep
@@ -168,6 +177,7 @@ QDockWidget* MainWindow::dock(const char* name, const QString& title, Qt::DockWi
 void MainWindow::turn(QDockWidget& dock) {
   const bool seen = dock.isVisible() && !dock.visibleRegion().isEmpty();
   if (seen) return dock.hide();
+  if (&dock == compareDock_) return compareWith(nullptr);
   dock.show();
   dock.raise();
   QWidget* inside = dock.widget();
@@ -467,7 +477,11 @@ void MainWindow::makeComparison() {
   if (comparison_) return;
   comparison_ = new ComparePanel(at_.view);
   connect(comparison_, &ComparePanel::pictureAsked, this, &MainWindow::writeComparison);
-  compareDock_->setWidget(comparison_);
+  auto* scrolled = new QScrollArea;  // a low screen has no room for all of it
+  scrolled->setWidget(comparison_);
+  scrolled->setWidgetResizable(true);
+  scrolled->setFrameShape(QFrame::NoFrame);
+  compareDock_->setWidget(scrolled);
 }
 
 // In a window too low to share it stands on its own.
@@ -477,8 +491,12 @@ void MainWindow::showComparison() {
   compareDock_->setFloating(!roomBelow);
   compareDock_->show();
   compareDock_->raise();
-  if (!roomBelow)
-    return compareDock_->resize(floatingComparison_px.boundedTo(screen()->availableSize() - roomForFrame_px));
+  if (!roomBelow) {
+    const QRect most = screen()->availableGeometry();
+    compareDock_->resize(floatingComparison_px.boundedTo(most.size() - roomForFrame_px));
+    if (!most.contains(compareDock_->geometry())) compareDock_->move(most.topLeft());
+    return;
+  }
   QTimer::singleShot(0, this, [this] {
     resizeDocks({compareDock_}, {static_cast<int>(shareForComparison * height())}, Qt::Vertical);
   });
@@ -528,7 +546,9 @@ void MainWindow::average() {
   const auto spread = spreadOf(units);
   if (!spread)
     return statusBar()->showMessage(sentenceOf(spread.failure(), at_.view.units()), messageTime_ms);
-  DocumentTab& tab = tabs_->add(std::make_unique<ButtonDocument>(spread->mean));
+  const QString name = AverageWords::tr("Mean of %n button(s)", nullptr, static_cast<int>(units.size()));
+  const auto named = rename(spread->mean, name.toStdString());
+  DocumentTab& tab = tabs_->add(std::make_unique<ButtonDocument>(named ? *named : spread->mean));
   tab.workspace().canvas().showSpread(spread->states);
   tab.notices().say("average", NoticeBar::Kind::information, averageWords(*spread, titles, at_.view.units()));
 }

@@ -122,6 +122,19 @@ struct Rig {
   }
 };
 
+/// With files of other programs to draw beside the press.
+struct ReferenceRig : Rig {
+  QTemporaryDir folder;
+  ReferenceRig() { open(); }
+  QString file(const QString& name, const QByteArray& content) const {
+    return written(folder, name, content);
+  }
+  void show(const QString& name, const QByteArray& content) {
+    session.setReference(file(name, content));
+    QTRY_VERIFY(session.reference());
+  }
+};
+
 }  // namespace
 
 class FeelPanelTest : public QObject {
@@ -386,16 +399,12 @@ class FeelPanelTest : public QObject {
   }
 
   void aReferenceIsDrawnBesideThePressAndBelongsToNoButton() {
-    Rig rig;
-    rig.open();
+    ReferenceRig rig;
     auto* view = rig.part<SignalView>("referenceView");
     QVERIFY(!view->isVisible());
     QVERIFY(!rig.part<QToolButton>("playReferenceButton")->isVisible());
-    QTemporaryDir folder;
-    const QString file = written(folder, "click.ahap", transientAhap);
     const Button before = rig.a.button();
-    rig.session.setReference(file);
-    QTRY_VERIFY(rig.session.reference());
+    rig.show("click.ahap", transientAhap);
     QVERIFY(view->isVisible());
     QVERIFY(view->accessibleName().contains("click.ahap"));
     QVERIFY(rig.part<QToolButton>("referenceFile")->accessibleName().contains("click.ahap"));
@@ -425,11 +434,9 @@ class FeelPanelTest : public QObject {
   }
 
   void everyKindOfReferenceIsReadByItsContent() {
-    Rig rig;
-    rig.open();
-    QTemporaryDir folder;
-    const QStringList files{written(folder, "a.txt", transientAhap), written(folder, "b.txt", hapticEnvelope),
-                            written(folder, "c.txt", hjifSine), writtenWave(folder, "d.txt")};
+    ReferenceRig rig;
+    const QStringList files{rig.file("a.txt", transientAhap), rig.file("b.txt", hapticEnvelope),
+                            rig.file("c.txt", hjifSine), writtenWave(rig.folder, "d.txt")};
     for (const QString& file : files) {
       rig.session.setReference(file);
       QTRY_VERIFY2(rig.session.reference(), qPrintable(rig.session.referenceTrouble()));
@@ -439,30 +446,25 @@ class FeelPanelTest : public QObject {
   }
 
   void aReferenceThatCannotBeReadIsSaidAndTakesNothingWithIt() {
-    Rig rig;
-    rig.open();
-    QTemporaryDir folder;
+    ReferenceRig rig;
     for (const char* text :
          {"{\"Version\": 1.0, \"Pattern\": [", "{\"Version\": 7.0, \"Pattern\": []}", "press me", ""}) {
       QSignalSpy said(&rig.session, &FeelSession::said);
-      rig.session.setReference(written(folder, "bad.ahap", text));
+      rig.session.setReference(rig.file("bad.ahap", text));
       QTRY_COMPARE(said.count(), 1);
       QVERIFY(!rig.session.reference());
       QVERIFY(rig.part<QLabel>("referenceNote")->text().contains("bad.ahap"));
       QVERIFY(rig.panel.saveState().value("referenceFile").toString().isEmpty());
     }
-    rig.session.setReference(folder.filePath("nowhere.ahap"));
+    rig.session.setReference(rig.folder.filePath("nowhere.ahap"));
     QTRY_VERIFY(rig.session.referenceTrouble().contains("nowhere.ahap"));
     rig.pressToTheEnd();
     QTRY_VERIFY(rig.atRest());
   }
 
   void twoFilesInOneBreathLeaveTheLast() {
-    Rig rig;
-    rig.open();
-    QTemporaryDir folder;
-    const QString one = written(folder, "one.ahap", transientAhap),
-                  two = written(folder, "two.hjif", hjifSine);
+    ReferenceRig rig;
+    const QString one = rig.file("one.ahap", transientAhap), two = rig.file("two.hjif", hjifSine);
     QSignalSpy changed(&rig.session, &FeelSession::referenceChanged);
     rig.session.setReference(one);
     rig.session.setReference(two);
@@ -476,11 +478,8 @@ class FeelPanelTest : public QObject {
   }
 
   void signalsOfLikeLengthAreDrawnToOneScale() {
-    Rig rig;
-    rig.open();
-    QTemporaryDir folder;
-    rig.session.setReference(written(folder, "c.hjif", hjifSine));
-    QTRY_VERIFY(rig.session.reference());
+    ReferenceRig rig;
+    rig.show("c.hjif", hjifSine);
     // 0.5 s of a tone beside some 0.4 s of a press: half the tone's time ends at the same place in both.
     const QImage tone = rig.part<SignalView>("referenceView")->grab().toImage();
     QVERIFY(!tone.isNull());
@@ -492,11 +491,8 @@ class FeelPanelTest : public QObject {
   }
 
   void aReferenceCannotBePlayedWithoutSound() {
-    Rig rig;
-    rig.open();
-    QTemporaryDir folder;
-    rig.session.setReference(written(folder, "click.ahap", transientAhap));
-    QTRY_VERIFY(rig.session.reference());
+    ReferenceRig rig;
+    rig.show("click.ahap", transientAhap);
     auto* play = rig.part<QToolButton>("playReferenceButton");
     QVERIFY(play->isEnabled());
     rig.pad()->setFocus();

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "importer/page/document.h"
 #include "model/compare.h"
 #include "model/file/graph_program.h"
 
@@ -114,6 +115,33 @@ class GraphExportTest : public QObject {
     QCOMPARE(apart->release.has_value(), drawn.states()[0].graph.release().has_value());
     qInfo("mean %.4f %%, most %.4f %%", 100 * apart->meanOfSpan, 100 * apart->maxOfSpan);
     QVERIFY(100 * apart->meanOfSpan <= most_percent);
+  }
+
+  // Numbers and words of a PDF are text, that can be found and copied, in both languages.
+  void wordsOfAPdfAreText_data() {
+    QTest::addColumn<int>("language");
+    QTest::addColumn<QString>("word");
+    QTest::newRow("English") << 0 << "Displacement";
+    QTest::newRow("German") << 1 << "Schaltpunkt";
+  }
+
+  void wordsOfAPdfAreText() {
+    QFETCH(int, language);
+    QFETCH(QString, word);
+    const QString path = folder_.filePath("words.pdf");
+    QVERIFY(
+        exportGraph(
+            sample("C"),
+            exportOf({GraphPreset::datasheet, GraphFileFormat::pdf, {}, static_cast<PlotLanguage>(language)}),
+            path)
+            .ok());
+    const auto document = importer::Document::open(path.toStdString());
+    QVERIFY(document.ok());
+    const auto page = document->page(1);
+    QVERIFY(page.ok());
+    QStringList texts;
+    for (const importer::TextBox& box : page->texts) texts << QString::fromStdString(box.utf8);
+    QVERIFY2(texts.join(' ').contains(word), qPrintable(texts.join('|')));
   }
 
  private:

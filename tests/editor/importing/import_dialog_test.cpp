@@ -3,6 +3,7 @@
 
 #include "editor/importing/import_dialog.h"
 
+#include <functional>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDir>
@@ -28,6 +29,8 @@
 #include "editor/importing/page_list_model.h"
 #include "editor/importing/page_return.h"
 #include "editor/importing/page_view.h"
+#include "model/file/button_file.h"
+#include "model/file/svg_plot.h"
 #include "tests/editor/importing/stall_probe.h"
 #include "tests/samples/two_switches.h"
 
@@ -92,6 +95,21 @@ QImage pictureWithoutNumbers() {
   return picture;
 }
 
+/// The lines of a drawing of sample C, without those that `gone` names and with `changed` in the others.
+QString drawingOfC(const QTemporaryDir& folder, const std::function<bool(const QString&)>& gone,
+                   const std::function<void(QString&)>& changed = {}) {
+  const auto button = readButtonFile(DETENT_SOURCE_DIR "/samples/buttons/C.button.json");
+  QStringList kept;
+  for (QString line : QString::fromStdString(svgFrom(*button)).split('\n')) {
+    if (gone(line)) continue;
+    if (changed) changed(line);
+    kept << line;
+  }
+  QFile file(folder.filePath("drawing.svg"));
+  if (file.open(QIODevice::WriteOnly)) file.write(kept.join('\n').toUtf8());
+  return file.fileName();
+}
+
 void drawFrame(PageView& view, importer::Point topLeft, importer::Point bottomRight) {
   view.setTool(PageToolKind::drawFrame);
   const QPoint from = view.toWidget(topLeft).toPoint(), to = view.toWidget(bottomRight).toPoint();
@@ -151,6 +169,8 @@ class ImportDialogTest : public QObject {
   void whileAGraphIsReadNothingSaysThereIsNone();
   void theImportsFilterShowsWhatItPromises();
   void theLastGoodResultStays();
+  void aDoubtedNumberNamesItsCause();
+  void anAxisThatGoesOnOffersToExtendTheFrame();
   void severalGraphsAtOnce();
   void ofSeveralSwitchesOneIsChosen();
   void severalSwitchesOfOnePlotAtOnce();
@@ -514,6 +534,50 @@ void ImportDialogTest::theLastGoodResultStays() {
   QVERIFY(again(state));
   state.acceptAll();
   QCOMPARE(accepted.count(), 1);
+}
+
+void ImportDialogTest::aDoubtedNumberNamesItsCause() {
+  QTemporaryDir folder;
+  ShownDialog dialog;
+  auto* cause = dialog.findChild<QLabel*>("confidenceCause");
+  dialog.openFile(sample("two-level-legend.png"));
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QVERIFY(!cause->isVisible());  // sure: nothing to name
+  // The legend names a release, and there is none.
+  dialog.openFile(
+      drawingOfC(folder, [](const QString& line) { return line.startsWith("<path class=\"release\""); }));
+  QTRY_VERIFY_WITH_TIMEOUT(cause->isVisible(), patience_ms);
+  QVERIFY2(cause->text().contains("Release"), qPrintable(cause->text()));
+  const auto* number = dialog.findChild<QLabel*>("confidence");
+  QVERIFY(number && number->text().contains('%'));
+  const int below_px = cause->mapTo(&dialog, QPoint()).y() - number->mapTo(&dialog, QPoint()).y();
+  QVERIFY(below_px > 0 && below_px < 4 * number->height());  // beside the number it explains
+}
+
+// A box that ends at 3.5 mm, while the axis and the curve go on to 4.
+void ImportDialogTest::anAxisThatGoesOnOffersToExtendTheFrame() {
+  QTemporaryDir folder;
+  const QString file = drawingOfC(
+      folder, [](const QString& line) { return line.startsWith("<line x1=\"616.00\" y1=\"44.00\""); },
+      [](QString& line) {
+        if (line.contains("#c9c9c9")) line.replace("x2=\"616.00\"", "x2=\"548.25\"");
+        line.replace("width=\"542.00\" height=\"356.00\"", "width=\"474.25\" height=\"356.00\"");
+      });
+  ShownDialog dialog;
+  dialog.openFile(file);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  auto* offered = dialog.findChild<QPushButton*>("xExtend");
+  QVERIFY(offered->isVisible() && !dialog.findChild<QPushButton*>("yExtend")->isVisible());
+  QVERIFY2(offered->text().contains("3.5") && offered->text().contains('4'), qPrintable(offered->text()));
+  QTest::mouseClick(offered, Qt::LeftButton);
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QLineEdit*>("xMax")->text().startsWith('4'), patience_ms);
+  QVERIFY(!offered->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
+  QSignalSpy imported(&dialog, &ImportDialog::imported);
+  QTest::mouseClick(dialog.accept, Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(imported.count(), 1, patience_ms);
+  const auto result = imported.front().front().value<Report>();
+  QVERIFY(std::abs(result->evidence->axes.calibration.value.x.max - 4) < 0.02);
 }
 
 void ImportDialogTest::severalGraphsAtOnce() {

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <QComboBox>
+#include <QDialog>
 #include <QDockWidget>
 #include <QHeaderView>
 #include <QLineEdit>
 #include <QMap>
 #include <QScopeGuard>
+#include <QScreen>
 #include <QScrollBar>
 #include <QTabBar>
 #include <QTableWidget>
@@ -262,6 +264,29 @@ class FieldsTest : public QObject {
     StudyMaker maker(window_->tabs().documents(), {});
     QVERIFY(maker.findChildren<QuantityField*>().size() >= 2);
     check(maker, "the study maker");
+  }
+
+  void windowsAreNoLargerThanTheScreen() {
+    QDialog dialog;
+    dialog.resize(5000, 5000);
+    dialog.show();
+    const QSize screen_px = dialog.screen()->availableSize();
+    QVERIFY(dialog.width() < screen_px.width() && dialog.height() < screen_px.height());
+    QDialog small;
+    small.resize(200, 150);
+    small.show();
+    QCOMPARE(small.size(), QSize(200, 150));
+  }
+
+  void namesOfPanelsAreWholeInTheirTabs() {
+    int seen = 0;
+    for (const auto* tabs : window_->findChildren<QTabBar*>(Qt::FindDirectChildrenOnly)) {
+      if (!tabs->isVisible()) continue;
+      ++seen;
+      QCOMPARE(tabs->elideMode(), Qt::ElideNone);
+      QVERIFY(tabs->usesScrollButtons());
+    }
+    QVERIFY(seen > 0);
   }
 
   void wheelOverAHeadScrollsItsTable() {

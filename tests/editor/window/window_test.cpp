@@ -653,6 +653,7 @@ class WindowTest : public QObject {
     rig.action("average")->trigger();
     QCOMPARE(rig.window->tabs().all().size(), std::size_t(4));
     QVERIFY(rig.notices().join("").contains("Mean of 3"));
+    QVERIFY(rig.document().title().contains("Mean of 3"));  // not the name of one of them
   }
 
   // Presets fill in, changes stay, and what cannot be drawn cannot be exported.
