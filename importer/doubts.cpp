@@ -213,6 +213,7 @@ class Doubts {
     signs();
     shapes();
     leftOver();
+    otherLine();
     place();
     pageClass();
     return std::move(doubts_);
@@ -299,26 +300,57 @@ class Doubts {
            });
   }
 
+  void sayAt(Point at_px, DoubtCode code, double share) {
+    const Point at = findings_.graph.axes.calibration.value.toUnits(at_px);
+    add(code, share, {{at.x, Measure::displacement_mm}, {at.y, Measure::force_N}},
+        {{RemedyKind::addMask, "over what is not a curve"},
+         {RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}});
+  }
+
+  /// A line through a good part of the plot that is of neither stroke, however straight: the loop of another state, as a self-locking
+  /// button has, or of another switch. Guides are level or upright, leaders short. Nothing where the person chose among curves.
+  void otherLine() {
+    constexpr double leastWidth = 0.3, leastHeight = 0.2;  // of the frame's
+    constexpr double mostThickness =
+        8;  // in thicknesses of the curves: three lines that meet, no filled patch
+    const TraceHints& given = hints_.trace;
+    const bool chosen = !hints_.strokes.curve.empty() || given.pressColor || given.releaseColor ||
+                        !hints_.drawn.press.empty() || !hints_.drawn.release.empty();
+    if (chosen) return;
+    const Box frame = findings_.graph.frame.value.box();
+    const auto& left = findings_.explanation.left;
+    const auto line = std::ranges::find_if(left, [&](const Remainder& each) {
+      return each.thickness < mostThickness && each.box_px.width() >= leastWidth * frame.width() &&
+             each.box_px.height() >= leastHeight * frame.height() && !outlinesABox(each);
+    });
+    if (line != left.end()) sayAt(line->box_px.middle(), DoubtCode::inkLeftOver, unconfirmed);
+  }
+
+  /// As the box of a legend: most of its ink lies on the edges of its extent.
+  static bool outlinesABox(const Remainder& left) {
+    constexpr double nearShare = 0.05, most = 0.5;  // of the box; of the ink
+    const Box& box = left.box_px;
+    const auto onEdge = std::ranges::count_if(left.ink_px, [&](Point p) {
+      return std::min(p.x - box.x0, box.x1 - p.x) < nearShare * box.width() ||
+             std::min(p.y - box.y0, box.y1 - p.y) < nearShare * box.height();
+    });
+    return static_cast<double>(onEdge) > most * static_cast<double>(left.ink_px.size());
+  }
+
   /// Ink of a curve's colour that neither the curves nor the plot's lines and words explain; curves that no ink does.
   void leftOver() {
     constexpr double likeACurve = 0.5;  // likeness 0..1, docs/decisions/0810
     if (!hints_.drawn.press.empty() || !hints_.drawn.release.empty()) return;
-    const Remedies helps{{RemedyKind::addMask, "over what is not a curve"},
-                         {RemedyKind::advice, Message("Draw the whole curve by hand: --press-line")}};
-    const auto say = [&](DoubtCode code, double share, Point at_px) {
-      const Point at = findings_.graph.axes.calibration.value.toUnits(at_px);
-      add(code, share, {{at.x, Measure::displacement_mm}, {at.y, Measure::force_N}}, helps);
-    };
     const auto& [left, leaps, patches] = findings_.explanation;
     if (!left.empty() && left.front().likeness >= likeACurve)
       // A curve that goes on is a curve cut short; ink by itself may be another thing of the page: it is said, not refused.
-      say(DoubtCode::inkLeftOver, left.front().atAnEnd || left.front().dashed ? unconfirmed : inPart,
-          left.front().box_px.middle());
+      sayAt(left.front().box_px.middle(), DoubtCode::inkLeftOver,
+            left.front().atAnEnd || left.front().dashed ? unconfirmed : inPart);
     constexpr double mostPatches =
         0.1;  // of the curves' ink; 0 on charts with markers and fills, 0.21 along a filled band
-    if (patches.share > mostPatches) say(DoubtCode::inkLeftOver, unconfirmed, patches.at_px);
+    if (patches.share > mostPatches) sayAt(patches.at_px, DoubtCode::inkLeftOver, unconfirmed);
     if (!leaps.empty())
-      say(DoubtCode::curveWithoutInk, unconfirmed, 0.5 * (leaps.front().from_px + leaps.front().to_px));
+      sayAt(0.5 * (leaps.front().from_px + leaps.front().to_px), DoubtCode::curveWithoutInk, unconfirmed);
   }
 
   void place() {

@@ -163,6 +163,22 @@ TEST_CASE("ink like a curve's that nothing explains is doubted, and a curve that
   CHECK(import.doubts().empty());
 }
 
+TEST_CASE("a line of neither stroke is another state's, however straight") {
+  Import import;
+  Remainder line;
+  line.box_px = {250, 150, 420, 350}, line.thickness = 1.2, line.straight = true;
+  import.explanation.left = {line};
+  CHECK(import.weighed(DoubtCode::inkLeftOver) < confidenceBar);
+  Import guide = import, leader = import, patch = import, chosen = import, legend = import;
+  legend.explanation.left.front().ink_px = {{250, 200}, {250, 300}, {300, 150}, {400, 350}, {420, 250}};
+  guide.explanation.left.front().box_px = {250, 300, 420, 303};
+  leader.explanation.left.front().box_px = {250, 150, 300, 250};
+  patch.explanation.left.front().thickness = 30;
+  chosen.hints.strokes.curve = "1";
+  for (const Import* each : {&guide, &leader, &patch, &chosen, &legend})
+    CHECK_FALSE(each->weighed(DoubtCode::inkLeftOver));
+}
+
 TEST_CASE("travel and force below zero") {
   Import import;
   for (CurvePoint& p : import.press) p.displacement_mm -= 3.2;
