@@ -2,6 +2,7 @@
 #include "importer/trace/vector_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "importer/page/clip_line.h"
@@ -136,12 +137,34 @@ class PieceMaker {
           store(arm, path, width_px, color);
   }
 
-  std::vector<LinePiece> take() { return std::move(pieces_); }
+  std::vector<LinePiece> take() {
+    for (LinePiece& piece : pieces_)
+      if (piece.onGridLine && beginsWhereAStrokeEnds(piece)) piece.onGridLine = false;
+    return std::move(pieces_);
+  }
 
  private:
   static bool isStraight(const Polyline& line, double tolerance) {
     const Box bounds = boundsOf(line);
     return std::min(bounds.width(), bounds.height()) <= tolerance;
+  }
+
+  /// A plumb piece one of whose ends lies in the plot, where a curve of its ink ends: a wall drawn by itself. Gridlines end at the
+  /// plot's edges.
+  bool beginsWhereAStrokeEnds(const LinePiece& piece) const {
+    const Box bounds = boundsOf(piece.points);
+    if (bounds.width() > bounds.height()) return false;
+    const double reach_px = std::max(0.1, 0.25 * piece.width_px);
+    const Box inside = plane_.box.grown(0, -2 * std::max(1.0, piece.width_px));
+    const auto endsAt = [&](Point end) {
+      return std::ranges::any_of(pieces_, [&](const LinePiece& other) {
+        return !other.axisParallel && other.color == piece.color &&
+               std::min(distance(other.points.front(), end), distance(other.points.back(), end)) <= reach_px;
+      });
+    };
+    return std::ranges::any_of(std::array{piece.points.front(), piece.points.back()}, [&](Point end) {
+      return end.y > inside.y0 && end.y < inside.y1 && endsAt(end);
+    });
   }
 
   void store(const Polyline& line, const VectorPath& path, double width_px, Rgb color) {

@@ -332,6 +332,24 @@ TEST_CASE("a wall drawn on its own belongs to both strokes; a thin continuation 
   for (const CurveTrace& trace : marked.traced()) CHECK(trace.points_px.back().y > at(0, top + 0.02).y);
 }
 
+TEST_CASE("a wall drawn on its own over a gridline begins where a stroke ends; the gridline does not") {
+  const Polyline down = curve(releaseForce, 0, 0.75), up = curve(pressForce, 0, 0.75);
+  Drawing drawing;
+  drawing.stroke(up);
+  drawing.stroke(down);
+  const auto highest = [&] {
+    double row = frameBox.y1;
+    for (const CurveTrace& trace : drawing.traced())
+      for (const Point& p : trace.points_px) row = std::min(row, p.y);
+    return row;
+  };
+  const double bump = highest();
+  CHECK(bump > at(0, 0.7).y);
+  drawing.stroke({at(0.75, pressForce(0.75)), at(0.75, 0.9)});
+  REQUIRE(drawing.traced().size() == 2);
+  CHECK(highest() == Approx(at(0, 0.9).y).margin(0.5));
+}
+
 TEST_CASE("curves are cut where the document clips them") {
   Drawing drawing;
   drawing.clip = frameBox;
