@@ -79,26 +79,47 @@ double coincidingShare(const StrokePair& strokes, double within_px) {
   return std::max(shareOn(press, release, within_px), shareOn(release, press, within_px));
 }
 
+bool isInk(const Raster& picture, Rgb color, int x, int y) {
+  constexpr double sameInk = 70;  // colour levels
+  if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return false;
+  const std::uint8_t* p = picture.at(x, y);
+  return std::hypot(p[0] - color.r, p[1] - color.g, p[2] - color.b) <= sameInk;
+}
+
+/// Whether ink of this colour stands in nearly every column beyond a frame's right side, the plot's own lines left out: the
+/// frame was cut short.
+bool goesFarOn(const PlotFrame& frame, Rgb color, const Raster& picture) {
+  constexpr double farShare = 0.04, nearlyAll = 0.9;  // of the frame's width; of the columns
+  constexpr double apart_px = 3;                      // from a line of the plot
+  const Box box = frame.box();
+  const auto isLine = [&](int y) {
+    return std::ranges::any_of(
+        frame.yLines, [&](const GridLine& line) { return std::abs(line.position_px - y) < apart_px; });
+  };
+  int columns = 0, inked = 0;
+  for (int x = static_cast<int>(box.x1 + apart_px); x < box.x1 + apart_px + farShare * box.width(); ++x) {
+    bool any = false;
+    for (int y = static_cast<int>(box.y0 + apart_px); y < box.y1 - apart_px && !any; ++y)
+      any = isInk(picture, color, x, y) && !isLine(y);
+    ++columns, inked += any ? 1 : 0;
+  }
+  return columns > 0 && inked >= nearlyAll * columns;
+}
+
 /// Whether ink of this colour stands on a straight line beyond a curve's end, seen at three places.
 bool goesOn(const std::vector<Point>& curve, Rgb color, const Raster& picture) {
   constexpr std::size_t tail = 12;
-  constexpr double sameInk = 70;  // colour levels
   constexpr int reach = 2;
   if (curve.size() <= tail) return false;
   const Point end = curve.back(), before = curve[curve.size() - 1 - tail];
   const double run = std::hypot(end.x - before.x, end.y - before.y);
   if (!(run > 0)) return false;
-  const auto isInk = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= picture.width_px || y >= picture.height_px) return false;
-    const std::uint8_t* p = picture.at(x, y);
-    return std::hypot(p[0] - color.r, p[1] - color.g, p[2] - color.b) <= sameInk;
-  };
   for (const double beyond_px : {5.0, 7.0, 9.0}) {
     const int x = static_cast<int>(std::lround(end.x + beyond_px * (end.x - before.x) / run));
     const int y = static_cast<int>(std::lround(end.y + beyond_px * (end.y - before.y) / run));
     bool seen = false;
     for (int v = y - reach; v <= y + reach; ++v)
-      for (int u = x - reach; u <= x + reach; ++u) seen = seen || isInk(u, v);
+      for (int u = x - reach; u <= x + reach; ++u) seen = seen || isInk(picture, color, u, v);
     if (!seen) return false;
   }
   return true;
@@ -403,15 +424,18 @@ class Doubts {
     const Point end = line.back(), towards = end - line[line.size() - std::min<std::size_t>(line.size(), 13)];
     // A wall on the frame's side runs along it; it leaves the plot at the top only.
     const bool sidewards = std::abs(towards.x) > plumbShare * std::abs(towards.y);
-    const bool atEdge = (sidewards && end.x > std::min(topRight.x, bottomRight.x) - atEdge_px) ||
-                        end.y < std::max(topLeft.y, topRight.y) + atEdge_px;
+    const bool atRight = sidewards && end.x > std::min(topRight.x, bottomRight.x) - atEdge_px;
+    const bool atEdge = atRight || end.y < std::max(topLeft.y, topRight.y) + atEdge_px;
     // A frame that cuts its curves, on a scale that a label contradicts, is a part of another frame; across a broken axis no
     // ink goes on, and the label stands beyond.
     const bool nearTop =
         end.y < std::max(topLeft.y, topRight.y) + nearShare * (bottomLeft.y - topLeft.y) + atEdge_px;
     const bool broken = nearTop && (labelAbove(topLeft) || (!drawnAtTop() && numberAbove(topLeft)));
     if (broken || (atEdge && goesOn(line, color, picture)))
-      add(DoubtCode::leavesThePlot, broken || labelContradicts() ? unconfirmed : inPart,
+      add(DoubtCode::leavesThePlot,
+          broken || labelContradicts() || (atRight && goesFarOn(findings_.graph.frame.value, color, picture))
+              ? unconfirmed
+              : inPart,
           {{forceAtRight(stroke), Measure::force_N}},
           {{RemedyKind::giveFrame, "with the whole curve in it"}, {RemedyKind::giveXAxis, {}}});
 

@@ -2,7 +2,11 @@
 #include "importer/page/page_class.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <numeric>
 #include <vector>
 
 #include "importer/page/luma.h"
@@ -68,6 +72,21 @@ bool isBilevel(const Raster& raster) {
          all;
 }
 
+/// Whether the paper is exactly one of a few levels where nothing is drawn, as programs fill windows and plots; light and paper
+/// never are.
+bool isFilledEvenly(const std::vector<Tile>& paper) {
+  constexpr std::size_t mostLevels = 3, fewestTiles = 50;
+  constexpr double leastBare = 0.6, leastShare = 0.95;  // of the tiles, of those that nothing is drawn in
+  std::array<std::size_t, 256> counts{};
+  for (const Tile& tile : paper)
+    if (tile.range == 0) ++counts[static_cast<std::size_t>(std::clamp(tile.level, 0, 255))];
+  const auto bare = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t{0}));
+  std::ranges::sort(counts, std::greater<>{});
+  const auto filled = std::accumulate(counts.begin(), counts.begin() + mostLevels, std::size_t{0});
+  return paper.size() >= fewestTiles && bare >= leastBare * static_cast<double>(paper.size()) &&
+         static_cast<double>(filled) >= leastShare * bare;
+}
+
 }  // namespace
 
 std::string_view nameOf(PageClass pageClass) {
@@ -91,11 +110,13 @@ PageClass classOfPixels(const Raster& raster) {
   for (const Tile& tile : tiles) levels.push_back(tile.level);
   const int level = medianOf(std::move(levels));
   const auto isPaper = [&](const Tile& tile) { return std::abs(tile.level - level) < nearPaper; };
-  for (const Tile& tile : tiles)
-    if (isPaper(tile)) ranges.push_back(tile.range);
+  std::vector<Tile> nearby;
+  std::ranges::copy_if(tiles, std::back_inserter(nearby), isPaper);
+  if (isFilledEvenly(nearby)) return isBilevel(raster) ? PageClass::scan : PageClass::picture;
+  for (const Tile& tile : nearby) ranges.push_back(tile.range);
   const int grain = medianOf(std::move(ranges));
-  for (const Tile& tile : tiles)
-    if (isPaper(tile) && tile.range <= grain) paper.push_back(tile.level);
+  for (const Tile& tile : nearby)
+    if (tile.range <= grain) paper.push_back(tile.level);
   const int uneven = quantileOf(paper, 0.95) - quantileOf(paper, 0.05);
   if (uneven >= unevenOfPhoto) return PageClass::photo;
   if (uneven >= leastUneven || grain >= leastGrain || isBilevel(raster)) return PageClass::scan;

@@ -48,6 +48,15 @@ TEST_CASE("even paper without grain was drawn by a program, light or dark") {
   CHECK(classOfPixels(Raster{}) == PageClass::picture);
 }
 
+TEST_CASE("a window's even greys around a plot are a program's too") {
+  Raster window = drawn({.paper = 236});
+  for (int y = 0; y < 80; ++y)
+    for (int x = 0; x < window.width_px; ++x)
+      std::fill_n(window.rgb.begin() + 3 * (std::ptrdiff_t{y} * window.width_px + x), 3,
+                  static_cast<std::uint8_t>(y < 40 ? 205 : 255));
+  CHECK(classOfPixels(window) == PageClass::picture);
+}
+
 TEST_CASE("grain, paper that is not quite even, black and white alone: from a scanner") {
   CHECK(classOfPixels(drawn({.grain = 2, .paper = 240})) == PageClass::scan);
   CHECK(classOfPixels(drawn({.lightFall = 10, .paper = 250})) == PageClass::scan);

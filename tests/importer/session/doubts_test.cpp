@@ -284,12 +284,17 @@ TEST_CASE("a plot that shows a part of its curves") {
   Raster& picture = leaves.graph.view.raster;
   picture.rgb.assign(3UL * 700 * 600, 255);
   CHECK(leaves.doubts().empty());
-  for (int x = 500; x < 530; ++x) {
-    std::uint8_t* p = picture.rgb.data() +
-                      3 * (700 * std::lround(inView({0.01 * (x - 100), 0}).y - 20 - 0.2 * (x - 100)) + x);
-    p[0] = 200, p[1] = p[2] = 30;
-  }
-  CHECK(leaves.doubted(DoubtCode::leavesThePlot));
+  const auto drawOn = [&](int to) {
+    for (int x = 500; x < to; ++x) {
+      std::uint8_t* p = picture.rgb.data() +
+                        3 * (700 * std::lround(inView({0.01 * (x - 100), 0}).y - 20 - 0.2 * (x - 100)) + x);
+      p[0] = 200, p[1] = p[2] = 30;
+    }
+  };
+  drawOn(512);
+  CHECK(leaves.weighed(DoubtCode::leavesThePlot) >= confidenceBar);
+  drawOn(530);
+  CHECK(leaves.weighed(DoubtCode::leavesThePlot) < confidenceBar);  // the frame was cut short
 
   Import upwards;
   upwards.traces = leaves.traces;
