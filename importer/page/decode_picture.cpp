@@ -114,10 +114,25 @@ bool isSeeThrough(const StoredPicture& in) {
   return false;
 }
 
-Raster flattened(const StoredPicture& in, int orientation) {
+/// Upright as stored: in the memory of the stored picture, which is most of what a large one takes.
+Raster flattenedInPlace(StoredPicture in, bool opaque, std::uint8_t background) {
+  const std::uint8_t* from = in.rgba.data();
+  std::uint8_t* to = in.rgba.data();
+  const std::size_t pixels = in.rgba.size() / 4;
+  for (std::size_t i = 0; i < pixels; ++i, from += 4, to += 3) {
+    const std::uint8_t alpha = from[3];
+    for (int c = 0; c < 3; ++c) to[c] = opaque ? from[c] : over(from[c], alpha, background);
+  }
+  in.rgba.resize(3 * pixels);
+  return {in.width_px, in.height_px, std::move(in.rgba)};
+}
+
+Raster flattened(StoredPicture in, int orientation) {
   const StoredOrder order = storedOrder(orientation);
   const bool opaque = !in.hasAlpha || !isSeeThrough(in);
   const std::uint8_t background = opaque ? std::uint8_t{255} : backgroundFor(in);
+  if (!order.swapped && !order.flipX && !order.flipY)
+    return flattenedInPlace(std::move(in), opaque, background);
   Raster out;
   out.width_px = order.swapped ? in.height_px : in.width_px;
   out.height_px = order.swapped ? in.width_px : in.height_px;
@@ -163,9 +178,9 @@ std::optional<Raster> decodePicture(std::span<const unsigned char> bytes, FileKi
   if (header.width_px <= 0 || header.height_px <= 0 ||
       std::max(header.width_px, header.height_px) > mostPerSide)
     return std::nullopt;
-  const auto stored = decodeStored(bytes, kind, header);
+  auto stored = decodeStored(bytes, kind, header);
   if (!stored) return std::nullopt;
-  return flattened(*stored, header.orientation);
+  return flattened(std::move(*stored), header.orientation);
 }
 
 }  // namespace detent::importer
