@@ -282,9 +282,12 @@ cv::Mat leftOver(const ExplainedPlot& plot) {
 
 Patches patchesOf(const ExplainedPlot& plot, const cv::Mat& left) {
   constexpr int leastSide_px = 5;
+  constexpr double timesALine = 1.5;  // thicknesses
+  // A drawing's own paths were followed, no rim.
+  if (std::ranges::all_of(plot.drawn(), &Drawn::fromVector)) return {};
   double curves_px = 0;
   for (const Drawn& each : plot.drawn()) curves_px += lengthOf(each.points) * each.thickness_px;
-  const int side_px = std::max(leastSide_px, 2 * static_cast<int>(std::ceil(plot.thickness())) + 1);
+  const int side_px = std::max(leastSide_px, static_cast<int>(std::ceil(timesALine * plot.thickness())));
   cv::Mat insides;
   cv::erode(left, insides, cv::getStructuringElement(cv::MORPH_RECT, {side_px, side_px}));
   std::vector<cv::Point> at;

@@ -29,7 +29,7 @@ struct Leap {
   double length = 0;     ///< share of the plot's diagonal
 };
 
-/// Ink left over as no line makes it: solid over more than two lines' thickness in every direction.
+/// Ink left over as no line makes it: solid over more than a line's thickness in every direction.
 struct Patches {
   double share = 0;  ///< of their insides, in areas of the curves' ink
   Point at_px;       ///< in one of them, view pixels
