@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <numbers>
 #include <random>
 #include <set>
@@ -37,14 +38,17 @@ std::string refusal(const std::string& text) {
   return signal.failure().sentence();
 }
 
-/// Largest difference from `expected(time)` between two times.
+/// Largest difference from `expected(time)` between two times; infinite where a sample is no number.
 template <class Expected>
 double worst(const ReferenceSignal& signal, double from_s, double to_s, Expected expected) {
   double most = 0;
   for (auto i = static_cast<std::size_t>(std::ceil(from_s * rate_Hz));
-       i < static_cast<std::size_t>(to_s * rate_Hz); ++i)
-    most = std::fmax(most, std::fabs(static_cast<double>(signal.samples.at(i)) -
-                                     expected(static_cast<double>(i) / rate_Hz)));
+       i < static_cast<std::size_t>(to_s * rate_Hz); ++i) {
+    const double off =
+        std::fabs(static_cast<double>(signal.samples.at(i)) - expected(static_cast<double>(i) / rate_Hz));
+    if (std::isnan(off)) return std::numeric_limits<double>::infinity();
+    most = std::fmax(most, off);
+  }
   return most;
 }
 
