@@ -342,9 +342,28 @@ class Doubts {
     const auto& left = findings_.explanation.left;
     const auto line = std::ranges::find_if(left, [&](const Remainder& each) {
       return each.thickness < mostThickness && each.box_px.width() >= leastWidth * frame.width() &&
-             each.box_px.height() >= leastHeight * frame.height() && !outlinesABox(each);
+             each.box_px.height() >= leastHeight * frame.height() && !outlinesABox(each) && liesApart(each);
     });
     if (line != left.end()) sayAt(line->box_px.middle(), DoubtCode::inkLeftOver, unconfirmed);
+  }
+
+  /// Most of it has no stroke above or below it: it is not the rim of a stroke's own line.
+  bool liesApart(const Remainder& left) const {
+    const double apart_px = std::max(4.0, 0.01 * findings_.graph.frame.value.box().height());
+    const auto alongStroke = [&](Point at, const StrokePoints& stroke) {
+      return std::adjacent_find(stroke.points_px.begin(), stroke.points_px.end(), [&](Point a, Point b) {
+               if (at.x < std::min(a.x, b.x) - apart_px || at.x > std::max(a.x, b.x) + apart_px) return false;
+               if (std::abs(b.x - a.x) < apart_px)
+                 return at.y > std::min(a.y, b.y) - apart_px && at.y < std::max(a.y, b.y) + apart_px;
+               const double share = std::clamp((at.x - a.x) / (b.x - a.x), 0.0, 1.0);
+               return std::abs(at.y - std::lerp(a.y, b.y, share)) < apart_px;
+             }) != stroke.points_px.end();
+    };
+    const StrokePair& strokes = findings_.strokes.value;
+    const auto along = std::ranges::count_if(left.ink_px, [&](Point at) {
+      return alongStroke(at, strokes.press) || (strokes.release && alongStroke(at, *strokes.release));
+    });
+    return 2 * static_cast<std::size_t>(along) <= left.ink_px.size();
   }
 
   /// As the box of a legend: most of its ink lies on the edges of its extent.

@@ -168,14 +168,16 @@ TEST_CASE("a line of neither stroke is another state's, however straight") {
   Remainder line;
   line.box_px = {250, 150, 420, 350}, line.thickness = 1.2, line.straight = true;
   import.explanation.left = {line};
-  CHECK(import.weighed(DoubtCode::inkLeftOver) < confidenceBar);
-  Import guide = import, leader = import, patch = import, chosen = import, legend = import;
+  CHECK(import.weighed(DoubtCode::inkLeftOver).value_or(1) < confidenceBar);
+  Import guide = import, leader = import, patch = import, chosen = import, legend = import, rim = import;
+  rim.explanation.left.front().ink_px = {inView({0.2, 0.31}), inView({0.9, 0.66}), inView({2, 0.61}),
+                                         inView({2.9, 0.79})};
   legend.explanation.left.front().ink_px = {{250, 200}, {250, 300}, {300, 150}, {400, 350}, {420, 250}};
   guide.explanation.left.front().box_px = {250, 300, 420, 303};
   leader.explanation.left.front().box_px = {250, 150, 300, 250};
   patch.explanation.left.front().thickness = 30;
   chosen.hints.strokes.curve = "1";
-  for (const Import* each : {&guide, &leader, &patch, &chosen, &legend})
+  for (const Import* each : {&guide, &leader, &patch, &chosen, &legend, &rim})
     CHECK_FALSE(each->weighed(DoubtCode::inkLeftOver));
 }
 
