@@ -219,6 +219,27 @@ void guessRoles(std::vector<ColumnFacts>& columns) {
   }
 }
 
+/// A stroke's name and no more: a switch may be called "Sunny Side Up Linear".
+bool isStrokeLabel(std::string_view cell) {
+  constexpr std::size_t mostWords = 2;  // "press stroke"
+  return wordsOf(cell).size() <= mostWords && strokeNamed(cell).has_value();
+}
+
+/// Units of all columns in a line of the preamble, "UNIT = gf,mm"; empty where no line has them.
+std::vector<std::string> unitsAbove(const std::vector<std::string>& lines, TableFormat format,
+                                    std::size_t firstRow, std::size_t columns) {
+  std::vector<std::string_view> cells;
+  for (std::size_t i = 0; i < firstRow; ++i) {
+    splitCells(lines[i], format.delimiter, cells);
+    if (cells.size() != columns || !lowered(cells.front()).starts_with("unit")) continue;
+    std::vector<std::string> units;
+    for (const std::string_view cell : cells)
+      units.emplace_back(trimmed(cell.substr(cell.find_last_of(":= ") + 1)));
+    return units;
+  }
+  return {};
+}
+
 std::vector<ColumnPair> pairsOf(const std::vector<ColumnFacts>& columns) {
   std::vector<std::size_t> xs, fs;
   for (std::size_t c = 0; c < columns.size(); ++c) {
@@ -276,10 +297,16 @@ std::optional<LogColumns> columnsOf(const std::vector<std::string>& lines, Table
     for (std::size_t c = 0; c < cells.size(); ++c) {
       const auto number = wholeNumberIn(cells[c], format.decimalSign);
       if (number && std::isfinite(*number)) columns[c].values.push_back(*number);
-      if (!number && strokeNamed(cells[c])) columns[c].isLabel = true;
+      if (!number && isStrokeLabel(cells[c])) columns[c].isLabel = true;
     }
   }
   nameColumns(columns, lines, format, *firstRow, found.header);
+  const std::vector<std::string> units = unitsAbove(lines, format, *firstRow, columns.size());
+  for (std::size_t c = 0; c < units.size(); ++c) {
+    columns[c].title += " " + units[c];
+    if (forceUnitFrom(units[c])) columns[c].role = Role::force;
+    if (lengthUnitFrom(units[c])) columns[c].role = Role::displacement;
+  }
   for (std::size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].isLabel) found.label = c, columns[c].role = Role::label;
     if (columns[c].values.empty() && columns[c].role != Role::label) columns[c].role = Role::other;

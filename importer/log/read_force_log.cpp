@@ -58,6 +58,21 @@ class BoundedRun {
   std::size_t inSum_ = 0, perSample_ = 1;
 };
 
+/// Mean force over the last twentieth of the range of displacements, less that over the first.
+double forceAtEnds_N(const std::vector<CurvePoint>& samples) {
+  constexpr double endShare = 0.05;
+  const auto [least, most] = std::ranges::minmax(samples, {}, &CurvePoint::displacement_mm);
+  const double end_mm = endShare * (most.displacement_mm - least.displacement_mm);
+  const auto mean_N = [&](double from_mm, double to_mm) {
+    double sum_N = 0, count = 0;
+    for (const CurvePoint& p : samples)
+      if (p.displacement_mm >= from_mm && p.displacement_mm <= to_mm) sum_N += p.force_N, ++count;
+    return sum_N / std::max(1.0, count);
+  };
+  return mean_N(most.displacement_mm - end_mm, most.displacement_mm) -
+         mean_N(least.displacement_mm, least.displacement_mm + end_mm);
+}
+
 /// All numbers of a file in columns' units: one run, or press and release apart where the file says so.
 struct LogRows {
   BoundedRun run, press, release;
@@ -300,7 +315,9 @@ class LogReader {
     double together = 0;
     for (const CurvePoint& p : calm)
       together += (p.displacement_mm - mean.displacement_mm) * (p.force_N - mean.force_N);
-    const bool reversed = turned ? together > 0 : together < 0;
+    const double sign = turned ? -1 : 1;
+    // A dome that collapses has most of its force in the first half of its travel: only what ends softer than it began runs backwards.
+    const bool reversed = sign * together < 0 && sign * forceAtEnds_N(calm) < 0;
     if (reversed) log_.remarks.push_back({RemarkCode::displacementTurned});
     for (std::optional<double>* contact_mm : {&log_.operatingPoint_mm, &log_.resetPoint_mm})
       if (reversed && *contact_mm) **contact_mm = -**contact_mm;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <numeric>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
@@ -125,19 +126,20 @@ std::vector<CurvePoint> pointsOf(const std::vector<SheetColumn>& sheet, const St
   return points;
 }
 
-/// Travel where the contact closes (press) or opens (release); empty where it does neither.
+/// Travel where the contact closes (press) or opens (release), the middle of the two samples between which it does; empty where
+/// it does neither.
 std::optional<double> contactOf(const std::vector<SheetColumn>& sheet, const StrokeColumns& stroke) {
   if (!stroke.contact) return {};
   const double wanted = stroke.stroke == Stroke::press ? 1 : 0;
   const std::vector<double>& states = sheet[*stroke.contact].values;
-  bool other = false;  // a contact that never changes says nothing
+  std::optional<double> before;  // a contact that never changes says nothing
   for (std::size_t row = 0; row < states.size(); ++row) {
     const double travel = sheet[stroke.travel].values[row];
     if (!std::isfinite(states[row]) || !std::isfinite(travel)) continue;
     if (states[row] != wanted)
-      other = true;
-    else if (other)
-      return travel;
+      before = travel;
+    else if (before)
+      return std::midpoint(*before, travel);
   }
   return {};
 }

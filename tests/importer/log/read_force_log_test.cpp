@@ -135,6 +135,46 @@ TEST_CASE("signs are turned and said") {
   checkStrokes(downwards);
 }
 
+TEST_CASE("a dome that collapses keeps its direction, though force falls with travel on the whole") {
+  // As the largest of a dome bench's records: a hump over the first half, a valley, a short wall.
+  const auto dome_gf = [](double x) {
+    return 110 * std::sin(std::min(3.0, x) / 3 * 3.14159) + 15 * x / 3 + (x > 3.7 ? 800 * (x - 3.7) : 0);
+  };
+  std::string down, up;
+  for (int i = 0; i <= 790; ++i) {
+    const double x = 0.005 * i, back = 0.005 * (790 - i);
+    down += number(x, '.') + "," + number(dome_gf(x), '.') + "\n";
+    up += number(back, '.') + "," + number(dome_gf(back) - 5, '.') + "\n";
+  }
+  const ForceLog log = readOk("Travel (mm),Scale (grams)\n" + down + up);
+  for (const Remark& remark : log.remarks) CHECK(remark.code != RemarkCode::displacementTurned);
+  CHECK(log.strokes.press.points.back().force_N > 1.5);
+  CHECK(log.strokes.press.points.front().force_N < 0.1);
+}
+
+TEST_CASE("a switch may be called up or down") {
+  std::string rows = "force,displacement,judge,name\n";
+  for (int i = 0; i <= 400; ++i)
+    rows += number(pressForce_gf(0.01 * i), '.') + "," + number(0.01 * i, '.') + ",0,Sunny Side Up Linear\n";
+  for (int i = 400; i >= 0; --i)
+    rows +=
+        number(releaseForce_gf(0.01 * i), '.') + "," + number(0.01 * i, '.') + ",0,Sunny Side Up Linear\n";
+  checkStrokes(readOk(rows));
+}
+
+TEST_CASE("a meter's preamble says the units of columns without titles") {
+  std::string rows = "MAX FORCE = 10.0,3.525\nUNIT = gf,mm\nDATA COUNT = 802,\nTHRESHOLD = ---,\n";
+  for (int i = 0; i <= 400; ++i) rows += number(0.02 * i, '.') + "," + number(0.01 * i, '.') + "\n";
+  const ForceLog log = readOk(rows);  // forces that alone would pass for newtons
+  CHECK(log.yUnit == "gf");
+  CHECK(log.xUnit == "mm");
+  CHECK(log.strokes.press.points.back().force_N == Approx(8 * newtonPerGf).margin(0.001));
+  for (const Remark& remark : log.remarks) {
+    CHECK(remark.code != RemarkCode::forceUnitAssumed);
+    CHECK(remark.code != RemarkCode::displacementUnitAssumed);
+  }
+}
+
 TEST_CASE("of several cycles the first complete one is taken") {
   const ForceLog log = readOk(run({"Displacement (mm),Force (gf)\n", ',', '.', "\n", 3}));
   checkStrokes(log);
