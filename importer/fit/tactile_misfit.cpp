@@ -10,7 +10,6 @@
 namespace detent::importer {
 namespace {
 
-constexpr double dropShare = 0.5;  // of the shallower side: the window around an extremum
 constexpr std::size_t fewestPoints = 14;
 constexpr int chainParameters =
     5;  // of the window's: a knot's place, and half of what its two pieces share with others
@@ -45,7 +44,8 @@ std::vector<double> runningMeans(const std::vector<SigmaPoint>& points, double s
   return means;
 }
 
-Window windowAround(const std::vector<SigmaPoint>& points, const ChainKnot& at, double sign) {
+Window windowAround(const std::vector<SigmaPoint>& points, const ChainKnot& at, double sign,
+                    double dropShare) {
   constexpr double noise = 3;  // sigmas that a point may stand above the extremum
   const std::vector<double> heights = runningMeans(points, sign);
   const double height = sign * at.v();
@@ -172,8 +172,8 @@ Eigen::VectorXd chainHeights(const KnotChain& chain, const ChainKnot& at, double
 }  // namespace
 
 TactileMisfit tactileMisfit(const KnotChain& chain, const std::vector<SigmaPoint>& points,
-                            const ChainKnot& at, double sign, double correlationPoints) {
-  Window window = windowAround(points, at, sign);
+                            const ChainKnot& at, double sign, double correlationPoints, double dropShare) {
+  Window window = windowAround(points, at, sign, dropShare);
   const auto count = static_cast<std::size_t>(window.t.size());
   if (count < fewestPoints) return {};
   const Eigen::VectorXd own = chainHeights(chain, at, sign, window);

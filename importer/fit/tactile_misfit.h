@@ -13,9 +13,13 @@ struct TactileMisfit {
   double u = 0, v = 0;  ///< sigmas, signed: model mean - chain
 };
 
+/// Shares of the shallower side's drop, down to which points around an extremum count: of a tactile point, and of the valley after it,
+/// whose steep and flat sides no polynomial follows for long.
+inline constexpr double tactileWindow = 0.5, valleyWindow = 0.1;
+
 /// `at`: the chain's extremum nearest to a tactile point; `sign`: 1 for a peak, -1 for a valley; `correlationPoints` >= 1:
 /// points that share one error. Zero where too few points lie around it to tell.
 TactileMisfit tactileMisfit(const KnotChain& chain, const std::vector<SigmaPoint>& points,
-                            const ChainKnot& at, double sign, double correlationPoints);
+                            const ChainKnot& at, double sign, double correlationPoints, double dropShare);
 
 }  // namespace detent::importer

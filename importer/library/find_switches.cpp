@@ -32,7 +32,7 @@ Result<FoundSwitches> findSwitches(const FindRequest& request) {
   FoundSwitches result;
   result.fitting = switches->size();
   result.found.reserve(switches->size());
-  for (LibrarySwitch& each : *switches) result.found.push_back({std::move(each), {}});
+  for (LibrarySwitch& each : *switches) result.found.push_back({std::move(each), {}, {}});
   if (request.like) {
     const FeelDistance distance(*request.like);
     for (FoundSwitch& each : result.found) each.distance_labNoise = distance.to(each.entry.shape);
@@ -40,6 +40,11 @@ Result<FoundSwitches> findSwitches(const FindRequest& request) {
   }
   if (result.found.size() > request.limit)
     result.found.erase(result.found.begin() + static_cast<std::ptrdiff_t>(request.limit), result.found.end());
+  for (FoundSwitch& each : result.found) {
+    const auto records = store->records(each.entry.name, each.entry.credit);
+    if (!records) return records.failure();
+    each.spread = spreadOf(*records);
+  }
   if (result.fitting == 0 && !request.ranges.empty()) {
     auto nearest = nearestTo(*store, request);
     if (!nearest) return nearest.failure();

@@ -65,6 +65,8 @@ Failure unreadableFolder(const fs::path& folder, const std::string& why) {
 /// Files in the order of their names, each once.
 class Walk {
  public:
+  explicit Walk(bool pages) : pages_(pages) {}
+
   std::optional<Failure> into(const std::string& given) {
     std::error_code error;
     const fs::path root = fs::absolute(given, error).lexically_normal();
@@ -80,7 +82,7 @@ class Walk {
       std::error_code unknown;
       if (isHidden(entry->path()))
         entry.disable_recursion_pending();
-      else if (isLibraryFile(entry->path()) && entry->is_regular_file(unknown))
+      else if (isTaken(entry->path()) && entry->is_regular_file(unknown))
         add(entry->path(), folder);
       entry.increment(error);
       if (error) return unreadableFolder(given, error.message());
@@ -102,11 +104,13 @@ class Walk {
   bool has(const std::string& path) const { return seen_.count(path) > 0; }
 
  private:
+  bool isTaken(const fs::path& path) const { return isLibraryFile(path) || (pages_ && isPageFile(path)); }
   void add(const fs::path& path, const fs::path& root) {
     const auto stamp = stampOf(path);
     if (stamp && seen_.insert(path.string()).second) found_.push_back({path, root, *stamp});
   }
 
+  bool pages_;
   std::vector<Candidate> found_;
   std::vector<fs::path> roots_;
   std::set<std::string> seen_;
@@ -126,8 +130,17 @@ struct FileRead {
   bool same = false;
 };
 
-FileRead readOnce(const Candidate& candidate, const FileStamp& stamp, const Origin& origin,
-                  const KnownFile* known) {
+void take(FileRead& read, Result<std::vector<LibrarySwitch>> switches, const Origin& origin) {
+  if (!switches) {
+    read.file.refused = refusalOf(read.file.path, switches.failure());
+    return;
+  }
+  for (LibrarySwitch& each : *switches) each.licence = origin.licence, each.credit = origin.credit;
+  read.file.switches = std::move(*switches);
+}
+
+/// Without the switches of one that is to be read.
+FileRead lookAt(const Candidate& candidate, const FileStamp& stamp, const KnownFile* known) {
   FileRead read;
   read.file = {candidate.path.string(), stamp, {}, version(), {}, {}};
   const std::string name = candidate.path.filename().string();
@@ -138,14 +151,13 @@ FileRead readOnce(const Candidate& candidate, const FileStamp& stamp, const Orig
   }
   read.file.sha256 = hashOf(candidate.path, stamp.bytes);
   read.same = known && known->sha256 == read.file.sha256 && known->version == version();
-  if (read.same) return read;
-  auto switches = readSwitches(read.file.path);
-  if (!switches) {
-    read.file.refused = refusalOf(read.file.path, switches.failure());
-    return read;
-  }
-  for (LibrarySwitch& each : *switches) each.licence = origin.licence, each.credit = origin.credit;
-  read.file.switches = std::move(*switches);
+  return read;
+}
+
+FileRead readOnce(const Candidate& candidate, const FileStamp& stamp, const Origin& origin,
+                  const KnownFile* known) {
+  FileRead read = lookAt(candidate, stamp, known);
+  if (!read.same && !read.file.refused) take(read, readSwitches(read.file.path), origin);
   return read;
 }
 
@@ -238,11 +250,12 @@ class IndexRun {
     if (!known) return known.failure();
     known_ = std::move(*known);
     summary_.rebuilt = store_.rebuilt();
-    std::vector<Task> tasks;
+    std::vector<Task> tasks;  // of logs; pages_ of pages
     Origins origins(request_.licence, request_.credit);
     for (const Candidate& candidate : walk.found()) plan(candidate, origins, tasks);
     if (auto failure = markGone(walk)) return std::move(*failure);
     if (auto failure = read(tasks)) return std::move(*failure);
+    if (auto failure = readPages()) return std::move(*failure);
     std::ranges::sort(summary_.refusals, {}, &RefusedFile::file);
     summary_.refused = summary_.refusals.size();
     return std::move(summary_);
@@ -258,7 +271,11 @@ class IndexRun {
       if (known->gone) same_.emplace_back(candidate.path.string(), known->stamp);
       return;
     }
-    tasks.push_back({&candidate, origins.of(candidate.path.parent_path(), candidate.root), known});
+    Task task{&candidate, origins.of(candidate.path.parent_path(), candidate.root), known};
+    if (request_.readPages && isPageFile(candidate.path))
+      pages_.push_back(std::move(task));
+    else
+      tasks.push_back(std::move(task));
   }
 
   void countSame(const std::string& path, const KnownFile& known) {
@@ -274,7 +291,7 @@ class IndexRun {
   std::optional<Failure> markGone(const Walk& walk) {
     std::vector<std::string> gone;
     for (const auto& [path, file] : known_) {
-      if (walk.has(path) || !walk.covers(path)) continue;
+      if (walk.has(path) || !walk.covers(path) || isPassedOver(path)) continue;
       ++summary_.gone;
       if (!file.gone) gone.push_back(path);
     }
@@ -282,6 +299,42 @@ class IndexRun {
     same_.clear();
     if (!done) return done.failure();
     return {};
+  }
+
+  /// A page that an earlier run took and this one does not ask for.
+  bool isPassedOver(const std::string& path) const {
+    std::error_code error;
+    return !request_.readPages && isPageFile(path) && fs::exists(path, error);
+  }
+
+  /// After all threads of the readers of logs have ended: pages are read in processes.
+  std::optional<Failure> readPages() {
+    std::map<std::string, FileRead> looks;
+    std::map<std::string, const Task*> tasks;
+    std::vector<std::string> paths;
+    for (const Task& task : pages_) {
+      FileRead look = lookAt(*task.candidate, task.candidate->stamp, task.known);
+      const std::string path = look.file.path;
+      if (look.same || look.file.refused) {
+        count(std::move(look));
+        continue;
+      }
+      paths.push_back(path);
+      tasks[path] = &task;
+      looks[path] = std::move(look);
+    }
+    std::optional<Failure> failure;
+    const auto takePage = [&](const std::string& path, Result<std::vector<LibrarySwitch>> switches) {
+      FileRead& look = looks[path];
+      take(look, std::move(switches), tasks[path]->origin);
+      if (progress_.report) progress_.report(double(++pagesRead_) / double(paths.size()), path);
+      count(std::move(look));
+      if (auto done = write(); !done && !failure) failure = done.failure();
+    };
+    if (!paths.empty())
+      if (auto done = request_.readPages(paths, takePage); !done && !failure) failure = done.failure();
+    if (auto done = write(); !done && !failure) failure = done.failure();
+    return failure;
   }
 
   std::optional<Failure> read(const std::vector<Task>& tasks) {
@@ -331,6 +384,8 @@ class IndexRun {
   const IndexProgress& progress_;
   LibraryStore& store_;
   std::map<std::string, KnownFile> known_;
+  std::vector<Task> pages_;
+  std::size_t pagesRead_ = 0;
   std::vector<LibraryFile> read_;
   std::vector<std::pair<std::string, FileStamp>> same_;
   IndexSummary summary_;
@@ -339,7 +394,7 @@ class IndexRun {
 }  // namespace
 
 Result<IndexSummary> indexFolders(const IndexRequest& request, const IndexProgress& progress) {
-  Walk walk;
+  Walk walk(static_cast<bool>(request.readPages));
   for (const std::string& folder : request.folders)
     if (auto failure = walk.into(folder)) return std::move(*failure);
   auto store = LibraryStore::openToWrite(request.database);

@@ -11,11 +11,17 @@
 
 namespace detent::importer {
 
+/// Reads pages and pictures, each so that a crash or a hang costs it alone; hands over what comes of each.
+using PageReader = std::function<Result<Done>(
+    const std::vector<std::string>& paths,
+    const std::function<void(const std::string& path, Result<std::vector<LibrarySwitch>>)>& take)>;
+
 struct IndexRequest {
   std::vector<std::string> folders;  ///< or single files
   std::string database;
   std::string licence, credit;  ///< of all that is read now; empty: as the folders say
   int jobs = 0;                 ///< threads; 0: one for each processor
+  PageReader readPages = {};    ///< pages and pictures of datasheets too; empty: they are passed over
 };
 
 struct IndexSummary {

@@ -2,9 +2,12 @@
 #include "importer/library/read_switches.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "importer/importer.h"
+#include "importer/library/figure_errors.h"
 #include "importer/library/switch_name.h"
 #include "importer/log/recorded_switches.h"
 #include "model/file/button_file.h"
@@ -27,7 +30,14 @@ struct ReadState {
   ButtonState state;
   std::string name;
   std::optional<Provenance> provenance;
+  KeyFigures sigmas = {};
+  bool scaleDoubtful = false;
 };
+
+bool hasDoubtfulScale(const ImportReport& report) {
+  return std::ranges::any_of(report.remarks,
+                             [](const Remark& each) { return each.code == RemarkCode::forceScaleDoubtful; });
+}
 
 /// `name` is what the button's own file or sheet calls it, if it does.
 void addStates(const Button& button, const std::string& name, std::vector<ReadState>& all) {
@@ -41,6 +51,14 @@ Result<std::vector<RecordedSwitch>> switchesIn(const std::string& path) {
   return recordedSwitches(path);
 }
 
+std::vector<ReadState> statesOfPage(const std::vector<Button>& buttons, const std::string& path) {
+  const std::string name = switchNameFrom(path).name;
+  std::vector<ReadState> all;
+  for (std::size_t i = 0; i < buttons.size(); ++i)
+    addStates(buttons[i], buttons.size() == 1 ? name : name + " graph " + std::to_string(i + 1), all);
+  return all;
+}
+
 /// Every state of every switch in a file.
 Result<std::vector<ReadState>> readStates(const std::string& path, Quality quality) {
   std::vector<ReadState> all;
@@ -50,6 +68,11 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
     if (!button) return button.failure();
     addStates(*button, button->name().empty() ? fileName : button->name(), all);
     return all;
+  }
+  if (isPageFile(path)) {
+    const auto buttons = readPageButtons(path, quality);
+    if (!buttons) return buttons.failure();
+    return statesOfPage(*buttons, path);
   }
   const auto recorded = switchesIn(path);
   if (!recorded) return recorded.failure();
@@ -66,20 +89,17 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
     addStates(report->button,
               recorded->size() == 1 ? fileName : fileName + " " + (own.empty() ? std::to_string(i + 1) : own),
               all);
+    all.back().sigmas = figureErrorsOf(*report);
+    all.back().scaleDoubtful = hasDoubtfulScale(*report);
   }
   return all;
 }
 
-}  // namespace
-
-bool isLibraryFile(const std::filesystem::path& path) { return isForceLogPath(path.string()); }
-
-Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path) {
-  const auto states = readStates(path, forFigures);
-  if (!states) return states.failure();
+/// Rows of what a file holds.
+Result<std::vector<LibrarySwitch>> rowsOf(const std::vector<ReadState>& states, const std::string& path) {
   const SwitchName fromFile = switchNameFrom(path);
   std::vector<LibrarySwitch> all;
-  for (const ReadState& read : *states) {
+  for (const ReadState& read : states) {
     auto shape = feltShapeOf(read.state.graph);
     if (!shape)
       return Failure{FailureCode::noForceGraph, std::filesystem::path(path).filename().string(),
@@ -91,10 +111,58 @@ Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path) {
     each.source = path;
     each.part = static_cast<int>(all.size()) + 1;
     each.figures = keyFiguresOf(read.state);
+    each.sigmas = read.sigmas;
+    each.scaleDoubtful = read.scaleDoubtful;
     each.shape = std::move(*shape);
     all.push_back(std::move(each));
   }
   return all;
+}
+
+}  // namespace
+
+bool isLibraryFile(const std::filesystem::path& path) { return isForceLogPath(path.string()); }
+
+Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path) {
+  const auto states = readStates(path, forFigures);
+  if (!states) return states.failure();
+  return rowsOf(*states, path);
+}
+
+bool isPageFile(const std::filesystem::path& path) {
+  constexpr std::array<std::string_view, 10> endings{".pdf", ".svg", ".png",  ".jpg",  ".jpeg",
+                                                     ".bmp", ".tif", ".tiff", ".webp", ".gif"};
+  return std::ranges::find(endings, lowered(path.extension().string())) != endings.end();
+}
+
+Result<std::vector<Button>> readPageButtons(const std::string& path, Quality quality) {
+  auto session = ImportSession::open(path);
+  if (!session) return session.failure();
+  const auto graphs = session->list({}, quality);
+  if (!graphs) return graphs.failure();
+  std::vector<Button> buttons;
+  std::optional<Failure> why;
+  for (const ListedGraph& graph : graphs->graphs) {
+    ImportRequest request;
+    request.path = path;
+    request.quality = quality;
+    request.page = graph.page;
+    request.graph = graph.graph;
+    const auto report = session->importGraph(request);
+    if (report)
+      buttons.push_back(report->button);
+    else if (!why)
+      why = report.failure();
+  }
+  if (!buttons.empty()) return buttons;
+  if (why) return *why;
+  return Failure{FailureCode::noForceGraph, std::filesystem::path(path).filename().string(), "",
+                 "no force graph was found in it", "Import it by itself and give what is missing by hand"};
+}
+
+Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<Button>& buttons,
+                                                  const std::string& path) {
+  return rowsOf(statesOfPage(buttons, path), path);
 }
 
 Result<Button> buttonOf(const LibrarySwitch& entry, Quality quality) {

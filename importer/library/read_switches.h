@@ -15,6 +15,16 @@ namespace detent::importer {
 /// Whether the library takes a file, by its ending: force logs (.csv, .ods, .json) and buttons (.button.json).
 bool isLibraryFile(const std::filesystem::path& path);
 
+/// Whether a file is a page or a picture, by its ending: what may hold force graphs of datasheets.
+bool isPageFile(const std::filesystem::path& path);
+
+/// The force graphs of a page or picture that are certain enough, in their order. Failure: why the first is none, where all are.
+Result<std::vector<Button>> readPageButtons(const std::string& path, Quality quality);
+
+/// Rows of buttons that stand in one page or picture.
+Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<Button>& buttons,
+                                                  const std::string& path);
+
 /// At least one; name, unit, run, part, figures and shape are filled in. Failure: why the file is refused. Any thread.
 Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path);
 

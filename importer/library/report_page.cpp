@@ -129,24 +129,35 @@ const std::array<Column, 7>& columns() {
   return all;
 }
 
-std::string rowOf(const LibrarySwitch& entry, const std::string& distance) {
+/// "54.1 ± 0.2", and below it what its units scatter by.
+std::string figureOf(const LibrarySwitch& entry, const SwitchSpread& spread, const Column& column) {
+  const auto& value = entry.figures[column.figure];
+  if (!value) return "–";
+  std::string text = format(column.pattern, *value / column.unit);
+  if (const auto& sigma = entry.sigmas[column.figure])
+    text += "<small> ± " + format(column.pattern, *sigma / column.unit) + "</small>";
+  if (const auto& sd = spread.sd[column.figure])
+    text += "<br><small>" + std::string(spread.units > 1 ? "units" : "runs") + " ± " +
+            format(column.pattern, *sd / column.unit) + "</small>";
+  return text;
+}
+
+std::string rowOf(const LibrarySwitch& entry, const SwitchSpread& spread, const std::string& distance) {
   std::string row = "<tr><td>" + nameOf(entry) + "</td><td>" + distance + "</td>";
-  for (const Column& column : columns()) {
-    const auto& value = entry.figures[column.figure];
-    row += "<td>" + (value ? format(column.pattern, *value / column.unit) : "–") + "</td>";
-  }
+  for (const Column& column : columns()) row += "<td>" + figureOf(entry, spread, column) + "</td>";
   return row + "<td class=\"words\">" +
          escapedForMarkup(entry.credit.empty() ? "credit unknown" : entry.credit) + "; " +
          escapedForMarkup(entry.licence) + "; " +
-         escapedForMarkup(std::filesystem::path(entry.source).filename().string()) + "</td></tr>\n";
+         escapedForMarkup(std::filesystem::path(entry.source).filename().string()) +
+         (entry.scaleDoubtful ? "; its forces may lie well off other laboratories'" : "") + "</td></tr>\n";
 }
 
 std::string tableOf(const LibrarySwitch& like, const std::vector<FoundSwitch>& found) {
   std::string text = "<div class=\"wide\"><table><thead><tr><th>switch</th><th>distance</th>";
   for (const Column& column : columns()) text += "<th>" + std::string(column.heading) + "</th>";
-  text += "<th class=\"words\">credit; licence; file</th></tr></thead><tbody>\n" + rowOf(like, "asked");
+  text += "<th class=\"words\">credit; licence; file</th></tr></thead><tbody>\n" + rowOf(like, {}, "asked");
   for (const FoundSwitch& each : found)
-    text += rowOf(each.entry, format("%.2f", each.distance_labNoise.value_or(0)));
+    text += rowOf(each.entry, each.spread, format("%.2f", each.distance_labNoise.value_or(0)));
   return text + "</tbody></table></div>\n";
 }
 
@@ -186,7 +197,9 @@ std::string reportPage(const LibrarySwitch& like, const std::vector<FoundSwitch>
       "of the %zu below 1 nobody can say that they differ, so read them as a group and not as a ranking.",
       found.size(), fitting, labNoise_gf, static_cast<std::size_t>(alike));
   page +=
-      " Curves begin at first contact; the release is dashed. No figure here says how good a switch "
+      " Behind ± stands a standard error: of the meter's noise and of the curve fitted to it, not of the "
+      "meter's calibration. Curves begin "
+      "at first contact; the release is dashed. No figure here says how good a switch "
       "is.</p>\n";
   page += tableOf(like, found) + "<h2>Curves</h2><p>Black: " + name + ".</p><div class=\"plots\">\n";
   for (const FoundSwitch& each : found)

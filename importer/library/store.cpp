@@ -32,23 +32,27 @@ const char* const fileTable =
     "gone INTEGER NOT NULL DEFAULT 0);";
 
 /// Columns before the figures; `file` ties a switch to its file.
-constexpr int firstFigure = 9;
-const std::string switchColumns = "name, unit, run, part, licence, credit, travel_mm, press, release";
+constexpr int firstFigure = 10, figureCount = static_cast<int>(keyFigureCount);
+const std::string switchColumns =
+    "name, unit, run, part, licence, credit, scale_doubtful, travel_mm, press, release";
 
-std::string figureColumns() {
+/// ", peak_force_N, ..." for each figure, with words before and behind its name.
+std::string figureColumns(const std::string& before = "", const std::string& behind = "") {
   std::string columns;
-  for (const KeyFigureName& name : keyFigureNames()) columns += ", " + std::string(name.key);
+  for (const KeyFigureName& name : keyFigureNames())
+    columns += ", " + before + std::string(name.key) + behind;
   return columns;
 }
 
+std::string sigmaColumns(const std::string& behind = "") { return figureColumns("sigma_", behind); }
+
 std::string switchTable() {
-  std::string columns;
-  for (const KeyFigureName& name : keyFigureNames()) columns += ", " + std::string(name.key) + " REAL";
   return "CREATE TABLE switch (id INTEGER PRIMARY KEY, file INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT "
          "NOT NULL, run TEXT NOT NULL, "
-         "part INTEGER NOT NULL, licence TEXT NOT NULL, credit TEXT NOT NULL, travel_mm REAL NOT NULL, press "
-         "BLOB NOT NULL, release BLOB" +
-         columns + ", UNIQUE (file, part));";
+         "part INTEGER NOT NULL, licence TEXT NOT NULL, credit TEXT NOT NULL, scale_doubtful INTEGER NOT "
+         "NULL, travel_mm REAL NOT NULL, press BLOB NOT NULL, release BLOB" +
+         figureColumns("", " REAL") + sigmaColumns(" REAL") +
+         ", UNIQUE (file, part)); CREATE INDEX switch_name ON switch (name);";
 }
 
 /// Forces as the file has them, whatever the processor: 32-bit IEEE numbers, the lowest byte first.
@@ -81,6 +85,30 @@ bool isWhole(const FeltShape& shape) {
          shape.press_N.size() == FeltShape::samples &&
          (shape.release_N.empty() || shape.release_N.size() == FeltShape::samples) && finite(shape.press_N) &&
          finite(shape.release_N);
+}
+
+KeyFigures figuresIn(const Statement& row, int first) {
+  KeyFigures figures;
+  for (std::size_t i = 0; i < keyFigureCount; ++i) figures.values[i] = row.real(first + static_cast<int>(i));
+  return figures;
+}
+
+/// A row of switchColumns, figures, their errors, and the file's path, hash and version.
+LibrarySwitch switchIn(const Statement& row) {
+  constexpr int ofFile = firstFigure + 2 * figureCount;
+  return {row.bytes(0),
+          row.bytes(1),
+          row.bytes(2),
+          row.bytes(ofFile),
+          static_cast<int>(row.integer(3)),
+          row.bytes(4),
+          row.bytes(5),
+          row.bytes(ofFile + 1),
+          row.bytes(ofFile + 2),
+          figuresIn(row, firstFigure),
+          figuresIn(row, firstFigure + figureCount),
+          row.integer(6) != 0,
+          {row.real(7).value_or(0), unpacked(row.bytes(8)), unpacked(row.bytes(9))}};
 }
 
 Failure failureOf(const DatabaseFault& fault, const std::string& path) {
@@ -294,19 +322,22 @@ std::int64_t LibraryStore::Impl::putFile(const LibraryFile& file) {
 void LibraryStore::Impl::putSwitches(const LibraryFile& file, std::int64_t id) {
   Statement(database, "DELETE FROM switch WHERE file = ?1").bind(1, id).finish();
   std::string marks;
-  for (int i = 0; i < firstFigure + static_cast<int>(keyFigureCount); ++i) marks += ", ?";
-  Statement put(database,
-                "INSERT INTO switch (file, " + switchColumns + figureColumns() + ") VALUES (?" + marks + ")");
+  for (int i = 0; i < firstFigure + 2 * figureCount; ++i) marks += ", ?";
+  Statement put(database, "INSERT INTO switch (file, " + switchColumns + figureColumns() + sigmaColumns() +
+                              ") VALUES (?" + marks + ")");
   for (const LibrarySwitch& each : file.switches) {
     put.bind(1, id)
         .bindText(2, each.name)
         .bindText(3, each.unit)
         .bindText(4, each.run)
         .bind(5, std::int64_t{each.part});
-    put.bindText(6, each.licence).bindText(7, each.credit).bind(8, std::optional(each.shape.travel_mm));
-    put.bindBytes(9, packed(each.shape.press_N)).bindBytes(10, packed(each.shape.release_N));
-    for (std::size_t i = 0; i < keyFigureCount; ++i)
-      put.bind(firstFigure + 2 + static_cast<int>(i), each.figures.values[i]);
+    put.bindText(6, each.licence).bindText(7, each.credit).bind(8, std::int64_t{each.scaleDoubtful});
+    put.bind(9, std::optional(each.shape.travel_mm));
+    put.bindBytes(10, packed(each.shape.press_N)).bindBytes(11, packed(each.shape.release_N));
+    for (std::size_t i = 0; i < keyFigureCount; ++i) {
+      const int figure = firstFigure + 2 + static_cast<int>(i);
+      put.bind(figure, each.figures.values[i]).bind(figure + figureCount, each.sigmas.values[i]);
+    }
     put.finish();
   }
 }
@@ -336,10 +367,24 @@ Result<Done> LibraryStore::restamp(const std::vector<std::pair<std::string, File
   });
 }
 
+Result<std::vector<UnitRecord>> LibraryStore::records(const std::string& name,
+                                                      const std::string& credit) const {
+  return impl_->guarded([&] {
+    Statement row(impl_->database,
+                  "SELECT unit" + figureColumns() +
+                      " FROM switch JOIN file ON switch.file = file.id WHERE file.gone = 0 AND name = ?1 AND "
+                      "credit = ?2");
+    row.bindText(1, name).bindText(2, credit);
+    std::vector<UnitRecord> records;
+    while (row.step()) records.push_back({row.bytes(0), figuresIn(row, 1)});
+    return records;
+  });
+}
+
 Result<std::vector<LibrarySwitch>> LibraryStore::switches(const std::vector<FigureRange>& ranges) const {
   return impl_->guarded([&] {
     std::string sql =
-        "SELECT " + switchColumns + figureColumns() +
+        "SELECT " + switchColumns + figureColumns() + sigmaColumns() +
         ", path, sha256, version FROM switch JOIN file ON switch.file = file.id WHERE file.gone = 0";
     for (const FigureRange& range : ranges)
       sql += " AND " + std::string(keyFigureNames()[static_cast<std::size_t>(range.figure)].key) +
@@ -352,20 +397,7 @@ Result<std::vector<LibrarySwitch>> LibraryStore::switches(const std::vector<Figu
     }
     std::vector<LibrarySwitch> found;
     while (row.step()) {
-      constexpr int afterFigures = firstFigure + static_cast<int>(keyFigureCount);
-      LibrarySwitch each{row.bytes(0),
-                         row.bytes(1),
-                         row.bytes(2),
-                         row.bytes(afterFigures),
-                         static_cast<int>(row.integer(3)),
-                         row.bytes(4),
-                         row.bytes(5),
-                         row.bytes(afterFigures + 1),
-                         row.bytes(afterFigures + 2),
-                         {},
-                         {row.real(6).value_or(0), unpacked(row.bytes(7)), unpacked(row.bytes(8))}};
-      for (std::size_t i = 0; i < keyFigureCount; ++i)
-        each.figures.values[i] = row.real(firstFigure + static_cast<int>(i));
+      LibrarySwitch each = switchIn(row);
       if (!isWhole(each.shape))
         throw DatabaseFault{SQLITE_CORRUPT, "the curve of \"" + each.name + "\" is not whole"};
       found.push_back(std::move(each));

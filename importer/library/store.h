@@ -12,12 +12,13 @@
 #include <vector>
 
 #include "importer/library/library_switch.h"
+#include "importer/library/switch_spread.h"
 #include "model/result.h"
 
 namespace detent::importer {
 
 /// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are made anew.
-inline constexpr int libraryVersion = 1;
+inline constexpr int libraryVersion = 2;
 
 /// Why a file is not in the library.
 struct RefusedFile {
@@ -78,6 +79,8 @@ class LibraryStore {
                        const std::vector<std::string>& gone);
   /// Of files that are there, by name; those that keep every range.
   Result<std::vector<LibrarySwitch>> switches(const std::vector<FigureRange>& ranges = {}) const;
+  /// Of the files that are there: those of one switch by one laboratory, by name and credit.
+  Result<std::vector<UnitRecord>> records(const std::string& name, const std::string& credit) const;
 
  private:
   struct Impl;

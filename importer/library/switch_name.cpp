@@ -58,6 +58,25 @@ std::string takeMark(std::vector<std::string>& words, const std::array<std::stri
   return {};
 }
 
+/// "Sony_BKE_Gray_02": unit 02 of it, where a number stands behind a nought.
+std::string takeNumberedUnit(std::vector<std::string>& words) {
+  if (words.size() < 2 || words.back().size() != 2 || words.back()[0] != '0' || !isMark(words.back()))
+    return {};
+  std::string mark = std::move(words.back());
+  words.pop_back();
+  return mark;
+}
+
+/// "Clickiez 2" in a folder "Clickiez": unit 2 of what the folder is called.
+std::string takeUnitOfFolder(std::vector<std::string>& words, const std::vector<std::string>& folder) {
+  if (folder.empty() || words.size() != folder.size() + 1 || !isMark(words.back())) return {};
+  const auto same = [](const std::string& a, const std::string& b) { return lowered(a) == lowered(b); };
+  if (!std::equal(folder.begin(), folder.end(), words.begin(), same)) return {};
+  std::string mark = std::move(words.back());
+  words.pop_back();
+  return mark;
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
@@ -73,6 +92,13 @@ void dropFileWords(std::vector<std::string>& words) {
 std::string_view lastPart(std::string_view stem) {
   const std::size_t at = stem.rfind("__");
   return at == std::string_view::npos || at + 2 == stem.size() ? stem : stem.substr(at + 2);
+}
+
+/// What stands before that, or the folder: "Maker Model".
+std::string folderPart(std::string_view stem, const std::filesystem::path& path) {
+  const std::size_t at = stem.rfind("__");
+  return at == std::string_view::npos ? path.parent_path().filename().string()
+                                      : std::string(stem.substr(0, at));
 }
 
 std::string stemOf(const std::filesystem::path& path) {
@@ -92,10 +118,13 @@ SwitchName switchNameFrom(const std::filesystem::path& path) {
   is.run = takeMark(words, runWords);
   is.unit = takeMark(words, unitWords);
   dropFileWords(words);
+  const std::vector<std::string> folder = wordsOf(folderPart(stem, path));
   if (words.empty()) {
     words = wordsOf(path.parent_path().filename().string());
     is.unit = is.unit.empty() ? takeMark(words, unitWords) : is.unit;
   }
+  if (is.unit.empty()) is.unit = takeUnitOfFolder(words, folder);
+  if (is.unit.empty()) is.unit = takeNumberedUnit(words);
   is.name = joined(words);
   if (is.name.empty()) is.name = stem.empty() ? path.filename().string() : stem;
   return is;

@@ -11,6 +11,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+void addFigures(Json& json, const std::string& before, const KeyFigures& figures) {
+  for (const KeyFigureName& name : keyFigureNames()) {
+    const auto& value = figures[name.figure];
+    json[before + std::string(name.key)] = value ? Json(*value) : Json(nullptr);
+  }
+}
+
 Json switchJson(const FoundSwitch& each) {
   const LibrarySwitch& entry = each.entry;
   Json json = {{"name", entry.name},
@@ -20,17 +27,19 @@ Json switchJson(const FoundSwitch& each) {
                {"credit", entry.credit},
                {"unit", entry.unit},
                {"run", entry.run},
+               {"units", each.spread.units},
+               {"records", each.spread.records},
                {"kind", nameOf(kindOf(entry.figures))},
+               {"scale_doubtful", entry.scaleDoubtful},
                {"distance_lab_noise", nullptr},
                {"group", nullptr}};
   if (each.distance_labNoise) {
     json["distance_lab_noise"] = *each.distance_labNoise;
     json["group"] = groupOf(*each.distance_labNoise);
   }
-  for (const KeyFigureName& name : keyFigureNames()) {
-    const auto& value = entry.figures[name.figure];
-    json[std::string(name.key)] = value ? Json(*value) : Json(nullptr);
-  }
+  addFigures(json, "", entry.figures);
+  addFigures(json, "sigma_", entry.sigmas);
+  addFigures(json, "spread_", each.spread.sd);
   json["sha256"] = entry.sha256;
   json["version"] = entry.version;
   return json;

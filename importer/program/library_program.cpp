@@ -13,6 +13,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "importer/batch/batch.h"
 #include "importer/library/find_switches.h"
 #include "importer/library/index_folders.h"
 #include "importer/library/origin.h"
@@ -41,7 +42,7 @@ struct LibraryArguments {
   FindRequest find;
   std::string like, page, wanted;
   std::size_t likePart = 1;
-  bool json = false;
+  bool json = false, pages = false;
 };
 
 /// How many of a figure's unit inside make one of the word's; empty for another unit's word.
@@ -145,6 +146,9 @@ CLI::App* addIndex(CLI::App& app, LibraryArguments& a) {
                     "of all that is read now (default: the folder's licence file, else \"none stated\")");
   index->add_option("--credit", a.index.credit,
                     "whose measurements these are (default: the clone's owner/name)");
+  index->add_flag(
+      "--pages", a.pages,
+      "datasheets too: pdf, svg, png, jpg, bmp, tiff, webp, gif, each in a process of its own; seconds each");
   index->add_option("--jobs", a.index.jobs, "threads (default: one per core)")
       ->check(numberWithin<CLI::Validator>(1, 1024));
   index->add_flag("--json", a.json, "one JSON object on stdout; text goes to stderr");
@@ -200,10 +204,62 @@ Json summaryJson(const IndexSummary& summary) {
   return json;
 }
 
+/// What a child hands back of a page: its buttons, or why there are none.
+std::string pageLine(const std::string& path) {
+  const auto buttons = readPageButtons(path, Quality::standard);
+  Json line;
+  if (buttons)
+    for (const Button& each : *buttons) line["buttons"].push_back(jsonFrom(each));
+  else
+    line = {{"code", static_cast<int>(buttons.failure().code)}, {"reason", buttons.failure().sentence()}};
+  return jsonText(line) + "\n";
+}
+
+Result<std::vector<LibrarySwitch>> switchesIn(const InputOutcome& outcome) {
+  const std::string subject = std::filesystem::path(outcome.input).filename().string();
+  const Json line = Json::parse(outcome.reportLines, nullptr, false);
+  if (!line.is_object())
+    return Failure{FailureCode::unreadableInput, subject, "", Message("the import %1", outcome.death),
+                   "Import it by itself"};
+  if (!line.contains("buttons")) {
+    std::string reason = line.value("reason", std::string());
+    if (reason.ends_with('.')) reason.pop_back();  // a sentence is made of it again
+    return Failure{
+        static_cast<FailureCode>(line.value("code", static_cast<int>(FailureCode::unreadableInput))),
+        "",
+        "",
+        Message("%1", reason),
+        {}};
+  }
+  std::vector<Button> buttons;
+  for (const Json& each : line["buttons"]) {
+    auto button = buttonFromJson(each.get<std::string>(), subject);
+    if (!button) return button.failure();
+    buttons.push_back(*std::move(button));
+  }
+  return switchesOfPage(buttons, outcome.input);
+}
+
+PageReader pageReader(int jobs, const std::function<bool()>& cancelled) {
+  return [jobs, cancelled](const std::vector<std::string>& paths, const auto& take) {
+    BatchOptions options;
+    options.jobs = jobs;
+    return runIsolated(
+        paths, options,
+        [](const std::string& path, std::string& lines) {
+          lines = pageLine(path);
+          return 0;
+        },
+        [&](const InputOutcome& outcome) { take(outcome.input, switchesIn(outcome)); }, cancelled);
+  };
+}
+
 int runIndex(const LibraryArguments& a, const std::function<bool()>& cancelled) {
   ProgressLine line;
+  IndexRequest request = a.index;
+  if (a.pages) request.readPages = pageReader(request.jobs, cancelled);
   const auto summary = indexFolders(
-      a.index, {[&](double fraction, const std::string& file) { line.show(fraction, file); }, cancelled});
+      request, {[&](double fraction, const std::string& file) { line.show(fraction, file); }, cancelled});
   if (!summary) return refused(summary.failure(), a.index.database, a.json);
   std::FILE* const text = a.json ? stderr : stdout;
   if (!summary->rebuilt.empty())
@@ -224,25 +280,37 @@ std::string cell(const std::optional<double>& value, double unit, const char* fo
   return text;
 }
 
+/// What a person should know of a row beside its figures.
+std::string remarksOf(const FoundSwitch& each) {
+  std::string words;
+  if (each.spread.records > 1)
+    words += "; " + std::to_string(each.spread.records) + " records of " + std::to_string(each.spread.units) +
+             (each.spread.units == 1 ? " unit" : " units");
+  if (each.entry.scaleDoubtful) words += "; its forces may lie well off other laboratories'";
+  return words;
+}
+
 void printTable(const std::vector<FoundSwitch>& found) {
   std::printf("%9s  %7s  %7s  %9s  %-8s  %s\n", "distance", "peak gf", "drop gf", "travel mm", "kind",
               "name; licence; credit; source");
   const double gf = newtonsPer(ForceUnit::gramForce);
   std::size_t group = 0;
-  for (const auto& [entry, distance] : found) {
+  for (const FoundSwitch& each : found) {
+    const auto& [entry, distance, spread] = each;
     const KeyFigures& f = entry.figures;
     if (distance && groupOf(*distance) != group) {
       group = groupOf(*distance);
       std::printf("%s\n",
                   group == 1 ? "nobody can tell:" : ("within " + std::to_string(group) + ":").c_str());
     }
-    std::printf("%9s  %7s  %7s  %9s  %-8s  %s%s%s; %s; %s; %s\n", cell(distance, 1, "%.2f").c_str(),
+    std::printf("%9s  %7s  %7s  %9s  %-8s  %s%s%s; %s; %s; %s%s\n", cell(distance, 1, "%.2f").c_str(),
                 cell(f[KeyFigure::peakForce], gf, "%.1f").c_str(),
                 cell(f[KeyFigure::drop], gf, "%.1f").c_str(),
                 cell(f[KeyFigure::totalTravel], 1, "%.2f").c_str(), std::string(nameOf(kindOf(f))).c_str(),
                 entry.name.c_str(), entry.unit.empty() ? "" : (" unit " + entry.unit).c_str(),
                 entry.run.empty() ? "" : (" run " + entry.run).c_str(), entry.licence.c_str(),
-                entry.credit.empty() ? "credit unknown" : entry.credit.c_str(), entry.source.c_str());
+                entry.credit.empty() ? "credit unknown" : entry.credit.c_str(), entry.source.c_str(),
+                remarksOf(each).c_str());
   }
 }
 
@@ -376,7 +444,9 @@ int runLibrary(int argc, char** argv, const std::function<bool()>& cancelled) {
   }
   int exitCode = 0;
   {
-    const ForcedEnd end(cancelled);
+    // Pages are read in processes, which have to be begun from a single thread.
+    std::optional<ForcedEnd> end;
+    if (!arguments.pages) end.emplace(cancelled);
     exitCode = index->parsed()    ? runIndex(arguments, cancelled)
                : report->parsed() ? runReport(arguments)
                                   : runFind(arguments);

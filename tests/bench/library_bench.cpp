@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <set>
 #include <sstream>
@@ -178,6 +179,41 @@ std::pair<Outcomes, Outcomes> leavingOneOut(const std::vector<Pair>& there, cons
   return judged;
 }
 
+/// Another way to compare: what it makes of the differences, there (1) and back (-1).
+struct Method {
+  const char* name;
+  std::function<std::vector<FeelDifference>(std::vector<FeelDifference>, double way)> of;
+};
+
+/// By how much one laboratory's forces lie above the other's on the same switch: median over the pairs but one, to half a gf, so that no
+/// pair has a say in what it is judged by.
+double levelBetween_gf(const std::vector<Pair>& there) {
+  std::set<double> halves;
+  for (std::size_t left = 0; left < there.size(); ++left) {
+    std::vector<double> levels;
+    for (std::size_t i = 0; i < there.size(); ++i)
+      if (i != left)
+        for (const Query& query : there[i].queries)
+          for (const std::size_t same : query.same) {
+            const auto& byShift = query.to[same];
+            levels.push_back(byShift[byShift.size() / 2].level_gf);
+          }
+    halves.insert(std::round(2 * medianOf(levels)) / 2);
+  }
+  std::fprintf(stderr, "level between the laboratories, each pair left out:");
+  for (const double half : halves) std::fprintf(stderr, " %g", half);
+  std::fprintf(stderr, " gf\n");
+  return *halves.begin();
+}
+
+std::vector<Pair> compared(const std::vector<Pair>& pairs, const Method& method, double way) {
+  std::vector<Pair> other = pairs;
+  for (Pair& pair : other)
+    for (Query& query : pair.queries)
+      for (auto& each : query.to) each = method.of(std::move(each), way);
+  return other;
+}
+
 /// To be compared with those of feel_distance.h.
 void sayFitted(const std::vector<Pair>& there, const std::vector<Pair>& back) {
   const std::vector<FeelWeights> every = candidates();
@@ -209,7 +245,7 @@ std::string rowOf(const char* name, const Outcomes& outcomes) {
   std::vector<double> ranks;
   for (const Outcome& each : outcomes) ranks.push_back(each.rank);
   const auto [low, high] = wilson(upTo(10), count);
-  char text[200];
+  char text[240];
   std::snprintf(text, sizeof text, "| %s | %.0f %% | %.0f %% | **%.0f %%** (%.0f to %.0f) | %g |\n", name,
                 100 * upTo(1) / count, 100 * upTo(5) / count, 100 * upTo(10) / count, 100 * low, 100 * high,
                 medianOf(ranks));
@@ -244,6 +280,33 @@ std::string tableOf(const std::vector<LibrarySwitch>& openSwitch, const std::vec
   out << rowOf("Open-Switch's record, weights fitted without the pair", thereLeft);
   out << rowOf("the same with the weights above (fitted on all)", shipped);
   out << rowOf("force-curves-tidy's record, weights fitted without the pair", backLeft);
+  const double level_gf = levelBetween_gf(there);
+  const std::vector<Method> methods{
+      {"contact fixed",
+       [](std::vector<FeelDifference> all, double) {
+         std::erase_if(all, [](const FeelDifference& each) { return each.shift_mm != 0; });
+         return all;
+       }},
+      {"without slopes",
+       [](std::vector<FeelDifference> all, double) {
+         for (FeelDifference& each : all) each.slope_gf2_per_mm2 = 0;
+         return all;
+       }},
+      {"press alone",
+       [](std::vector<FeelDifference> all, double) {
+         for (FeelDifference& each : all) each.release_gf2 = 0;
+         return all;
+       }},
+      {"the laboratories' own level taken off", [level_gf](std::vector<FeelDifference> all, double way) {
+         for (FeelDifference& each : all) each.level_gf -= way * level_gf;
+         return all;
+       }}};
+  for (const Method& method : methods) {
+    const auto [thereOther, backOther] =
+        leavingOneOut(compared(there, method, 1), compared(back, method, -1));
+    out << rowOf((std::string("other ways: ") + method.name + ", Open-Switch's record").c_str(), thereOther);
+    out << rowOf((std::string("the same, force-curves-tidy's")).c_str(), backOther);
+  }
   char text[120];
   std::snprintf(text, sizeof text, "\nMedian distance within a pair: %.1f gf, one lab noise.\n",
                 medianOf(distances));

@@ -163,6 +163,34 @@ class LibraryTest(unittest.TestCase):
         self.assertNotIn("good.csv", refused)
         self.whole()
 
+    def test_pages_where_they_are_asked_for(self):
+        plots = Path(__file__).resolve().parents[2] / "samples/plots"
+        shutil.copy(plots / "white-vector.pdf", self.folder)
+        shutil.copy(plots / "brown-one-ink.png", self.folder)
+        (self.folder / "broken.png").write_text("no picture")
+        (self.folder / "LICENSE").write_text("MIT License")
+        (self.folder / "meter.csv").write_text(table(40, 10))
+
+        def counts(*words):
+            told = json.loads(library("index", self.folder, "--db", self.database, "--json", *words).stdout)
+            return [told[key] for key in ("imported", "refused", "unchanged", "gone")]
+        for path in self.folder.iterdir():
+            os.utime(path, (time.time() - 3600, time.time() - 3600))
+        self.assertEqual(counts(), [1, 0, 0, 0])
+        self.assertEqual(counts("--pages"), [2, 1, 1, 0])
+        self.assertEqual(counts("--pages"), [0, 1, 3, 0])
+        self.assertEqual(counts(), [0, 0, 1, 0])  # passed over, not gone
+        found = json.loads(library("find", "--db", self.database, "--json").stdout)["found"]
+        self.assertEqual({each["name"] for each in found}, {"white vector", "brown one ink", "meter"})
+        self.assertEqual({each["licence"] for each in found}, {"MIT"})
+        wanted = self.top / "wanted.button.json"
+        run = library("find", "--db", self.database, "--like", plots.parent / "buttons/B.button.json", "--peak", "0.6..0.7", "--drop", "0.1..0.2", "-o", wanted)
+        self.assertEqual(run.returncode, 0, run.stderr)  # the page is read again
+        self.assertTrue(wanted.exists())
+        (self.folder / "white-vector.pdf").unlink()
+        self.assertEqual(counts()[3], 1)
+        self.whole()
+
     def test_damaged_and_of_another_version(self):
         self.measured(5)
         self.completed(5)

@@ -13,6 +13,7 @@
 #include <QTest>
 
 #include "editor/measured/measured_window.h"
+#include "editor/measured/measured_words.h"
 #include "model/templates.h"
 #include "model/units.h"
 
@@ -122,6 +123,35 @@ class MeasuredTest : public QObject {
     QVERIFY(clock.restart() < most_ms);
     map.redraw();
     QVERIFY(map.placeOf(4999).has_value());
+  }
+
+  void aFigureStandsWithItsErrorAndASwitchWithItsUnits() {
+    auto all = std::make_shared<MeasuredSwitches>();
+    for (const double start_N : {0.50, 0.53}) {
+      all->switches.push_back(switchOf("dome", start_N, 0.2, 3.6));
+      all->switches.back().unit = start_N < 0.51 ? "1" : "2";
+      all->switches.back().sigmas[KeyFigure::peakForce] = 0.012;
+      all->switches.back().sigmas[KeyFigure::drop] = 1e-7;  // below what is shown
+    }
+    all->map = importer::feelMapOf(all->switches);
+    MeasuredTable table;
+    table.setSwitches(all);
+    const auto shown = [&](KeyFigure figure) {
+      const int column = MeasuredTable::firstFigureColumn + static_cast<int>(figure);
+      return table.data(table.index(0, column), Qt::DisplayRole).toString();
+    };
+    DisplayUnits units;
+    QCOMPARE(shown(KeyFigure::peakForce), figureText(0.7, KeyFigure::peakForce, units) +
+                                              QString::fromUtf8(" ± ") +
+                                              figureText(0.012, KeyFigure::peakForce, units));
+    QCOMPARE(shown(KeyFigure::drop), figureText(0.2, KeyFigure::drop, units));
+    const importer::SwitchSpread spread = table.spreadOf(0);
+    QCOMPARE(spread.units, std::size_t(2));
+    const QString words = spreadWords(spread, units);
+    QVERIFY2(words.contains("2 records of 2 units"), qPrintable(words));
+    QVERIFY2(words.contains(figureText(0.03 / std::sqrt(2.0), KeyFigure::peakForce, units)),
+             qPrintable(words));
+    QVERIFY(spreadWords({}, units).isEmpty());
   }
 
   void theMapSeparatesWhatDiffers() {

@@ -93,6 +93,13 @@ TEST_CASE("a switch is called what its file calls it, without what the file is")
         SwitchName{"Leobog Nimbus", "", ""});
   CHECK(switchNameFrom("d/JWK-Bouquet-Sample-2-Measurement-1.ods") == SwitchName{"JWK Bouquet", "2", "1"});
   CHECK(switchNameFrom("Topre_R1_45g/DataLog_4.csv") == SwitchName{"Topre R1 45g", "", "4"});
+  // A laboratory's own ways to tell units apart: a number behind the folder's name, a nought before it.
+  CHECK(switchNameFrom("d/Clickiez 40g__Clickiez 40g 2 Raw Data CSV.csv") ==
+        SwitchName{"Clickiez 40g", "2", ""});
+  CHECK(switchNameFrom("AEBoards Naevy EC/AEBoards Naevy EC 3 Raw Data CSV.csv") ==
+        SwitchName{"AEBoards Naevy EC", "3", ""});
+  CHECK(switchNameFrom("Sony_BKE_Gray_02/DataLog_3.csv") == SwitchName{"Sony BKE Gray", "02", "3"});
+  CHECK(switchNameFrom("d/Boba U4T 62.csv") == SwitchName{"Boba U4T 62", "", ""});
   CHECK(switchNameFrom("gateron-aliaz/truth.csv") == SwitchName{"gateron aliaz", "", ""});
   CHECK(switchNameFrom("B.button.json").name == "B");
   CHECK(switchNameFrom("d/茶轴.csv").name == "茶轴");
@@ -180,6 +187,57 @@ TEST_CASE("the nearest stands first, in units of lab noise") {
   CHECK(!tactile[0].distance_labNoise);
 }
 
+TEST_CASE("every figure of a record has an error, and several records of a switch a spread") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  folder.write("dome/dome 1.csv", tidyCsv(40, 25));
+  folder.write("dome/dome 2.csv", tidyCsv(46, 25));
+  folder.write("dome/dome 2 run 2.csv", tidyCsv(46.5, 25));
+  folder.write("dome/other.csv", tidyCsv(60, 25));
+  indexed(folder, database);
+  const auto all = found({database, {}, {}, 10});
+  REQUIRE(all.size() == 4);
+  const double gf = newtonsPer(ForceUnit::gramForce);
+  for (const FoundSwitch& each : all) {
+    for (const KeyFigureName& name : keyFigureNames()) {
+      INFO(name.key);
+      const auto &value = each.entry.figures[name.figure], &sigma = each.entry.sigmas[name.figure];
+      CHECK(value.has_value() == sigma.has_value());
+      if (sigma) CHECK((std::isfinite(*sigma) && *sigma > 0));
+    }
+    CHECK(*each.entry.sigmas[KeyFigure::peakForce] < 0.5 * gf);
+    if (each.entry.name == "other") {
+      CHECK(each.spread.records == 1);
+      CHECK_FALSE(each.spread.sd[KeyFigure::peakForce]);
+      continue;
+    }
+    CHECK(each.entry.name == "dome");
+    CHECK(each.spread.records == 3);
+    CHECK(each.spread.units == 2);
+    // 40 against the mean of 46 and 46.5: 6.25 apart, of two units.
+    CHECK(*each.spread.sd[KeyFigure::peakForce] / gf == Approx(6.25 / std::sqrt(2.0)).margin(0.3));
+  }
+}
+
+TEST_CASE("a tester whose forces lie well off others' is told with each switch") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  std::string x, down, up;
+  for (int i = 1; i <= 150; ++i) {
+    const char* const comma = i > 1 ? "," : "";
+    x += comma + std::to_string(0.025 * i);
+    down += comma + std::to_string(force_gf(0.025 * i, 40, 25));
+    up += comma + std::to_string(force_gf(0.025 * (151 - i), 40, 25) - 6);
+  }
+  folder.write("s/red.json", "{\"down_x\":[" + x + "],\"down_y\":[" + down + "],\"up_y\":[" + up + "]}");
+  folder.write("s/blue.csv", tidyCsv(40, 25));
+  indexed(folder, database);
+  for (const FoundSwitch& each : found({database, {}, {}, 10}))
+    CHECK(each.entry.scaleDoubtful == (each.entry.name == "red"));
+  const auto all = found({database, {}, {}, 10});
+  CHECK(reportPage(all.front().entry, all, 2).find("well off other laboratories") != std::string::npos);
+}
+
 TEST_CASE("another meter's zero of travel and preload do not make another switch, a longer travel does") {
   const auto shapeOf = [](double from_mm, double preload_gf, double travel_mm) {
     FeltShape shape{travel_mm, std::vector<float>(FeltShape::samples),
@@ -262,7 +320,8 @@ TEST_CASE("figures that no switch has: the nearest is told, and bent it has them
   CHECK(impossible.failure().code == FailureCode::notCertain);
   const auto all = findSwitches({database, {}, {}, 10});
   REQUIRE(all);
-  for (const auto& [each, distance] : all->found) {
+  for (const FoundSwitch& one : all->found) {
+    const LibrarySwitch& each = one.entry;
     if (each.name != "linear") continue;
     const auto linear = buttonOf(each, Quality::draft);
     REQUIRE(linear);

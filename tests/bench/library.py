@@ -1,0 +1,274 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The library against its bars: reading, figures' errors, search, map, spread, morph.
+
+    library.py [--bin FOLDER] [--clones FOLDER] [--few] [--out docs/bench-library.md]
+
+Prints the table, writes it with --out. Draws the laboratories' layouts (switch_logs.py); with --clones also reads public clones in FOLDER (force-curves-tidy,
+Open-Switch-Curve-Meter, topre-force-curves, switch-force-tester; none is needed, nothing of them is kept). --few: a tenth of everything, to try the script. Times are of the processor,
+of all threads together: bars of two cores are met at twice the wall clock. --bin: default build/release/bin."""
+
+import argparse
+import json
+import math
+import os
+import random
+import sqlite3
+import subprocess
+import sys
+import tempfile
+from collections import defaultdict
+from itertools import combinations
+from pathlib import Path
+
+import switch_logs as logs
+
+ROOT = Path(__file__).resolve().parent.parent.parent
+SURE = {"68": 1.0, "95": 1.959964}
+
+
+def run(*words, env=None):
+    """Output and processor seconds, largest memory in MB of a program."""
+    process = subprocess.Popen([str(w) for w in words], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=env)
+    out = process.stdout.read()
+    _, status, usage = os.wait4(process.pid, 0)
+    process.stdout.close()
+    process.returncode = os.waitstatus_to_exitcode(status)
+    if process.returncode:
+        sys.exit(f"{' '.join(map(str, words[:4]))} …: exit {process.returncode}")
+    return out.decode(), usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+
+
+class Bench:
+    def __init__(self, bin_folder, folder, few):
+        self.import_, self.play = bin_folder / "detent-import", bin_folder / "detent-play"
+        self.bin, self.folder, self.few = bin_folder, folder, few
+        self.lines = []
+
+    def of(self, count):
+        return max(3, count // 10) if self.few else count
+
+    def say(self, line=""):
+        print(line, flush=True)
+        self.lines.append(line)
+
+    def row(self, what, bar, measured):
+        self.say(f"| {what} | {bar} | {measured} |")
+
+    def index(self, database, *folders):
+        out, cpu_s, memory_MB = run(self.import_, "library", "index", *folders, "--db", database, "--json")
+        return json.loads(out), cpu_s, memory_MB
+
+    def find(self, database, *words, limit=100000):
+        return json.loads(run(self.import_, "library", "find", "--db", database, "--limit", limit, "--json", *words)[0])["found"]
+
+    # ---- layouts
+
+    def draw(self, folder):
+        """The layouts of seven kinds of files, as many as the public sets have."""
+        kinds = {"force-curves-tidy": self.of(1107), "sheets, headings in one line": self.of(151), "sheets, headings in two": self.of(152),
+                 "dome runs": self.of(331), "Geekboards": self.of(60), "raw CSV": self.of(40), "high resolution": self.of(20)}
+        seed = 0
+        for kind, count in kinds.items():
+            where = folder / kind.replace(",", "").replace(" ", "-")
+            where.mkdir(parents=True)
+            for i in range(count):
+                seed += 1
+                switch, draw = logs.drawn(seed if kind != "dome runs" else 100000 + seed // 4)
+                meter = logs.Meter(draw)
+                name = f"Maker Model {seed}"
+                if kind == "force-curves-tidy":
+                    logs.write_tidy(where / f"{name}__{name} Raw Data CSV.csv", switch, meter, name)
+                elif kind.startswith("sheets"):
+                    logs.write_open_switch(where / f"{name.replace(' ', '-')}.ods", switch, meter, kind.endswith("one line"))
+                elif kind == "dome runs":
+                    at = where / f"Dome_{seed // 4}g"
+                    at.mkdir(exist_ok=True)
+                    logs.write_dome_run(at / f"DataLog_{seed % 4 + 1}.csv", switch, meter)
+                elif kind == "Geekboards":
+                    logs.write_geekboards(where / f"{name}.json", switch, meter)
+                elif kind == "raw CSV":
+                    logs.write_raw(where / f"{name} Raw Data CSV.csv", switch, meter)
+                else:
+                    logs.write_high_resolution(where / f"{name.replace(' ', '_')}_HighResolutionRaw.csv", switch, meter)
+        return kinds
+
+    def layouts(self):
+        folder, database = self.folder / "drawn", self.folder / "drawn.db"
+        kinds = self.draw(folder)
+        summary, cpu_s, memory_MB = self.index(database, folder)
+        again, again_s, _ = self.index(database, folder)
+        files = sum(kinds.values())
+        self.say("\n## Reading\n\n| layouts drawn (`switch_logs.py`) | bar | measured |\n|---|---|---|")
+        self.row(f"{files} files: " + ", ".join(f"{n} {k}" for k, n in kinds.items()), "98 % imported", f"**{100 * summary['imported'] / files:.1f} %**")
+        self.row("processor time, all threads", "60 s (30 s on two cores)", f"**{cpu_s:.1f} s**, {1e3 * cpu_s / files:.1f} ms a file")
+        self.row("second run", "2 s (1 s on two cores)", f"**{again_s:.2f} s**, {100 * again_s / cpu_s:.1f} % of the first; {again['unchanged']} unchanged")
+        size_MB = database.stat().st_size / 1e6
+        self.row(f"memory, file ({summary['switches']} switches)", "60 MB each for 1,500", f"**{memory_MB:.0f} MB**, **{size_MB:.1f} MB**")
+        domes = {e["name"]: e for e in self.find(database) if "dome-runs" in e["source"]}
+        grouped = sum(e["records"] > 1 and e["spread_peak_force_N"] is not None or e["peak_force_N"] is None for e in domes.values())
+        self.row("runs of one dome told as records of one switch, with their spread", "", f"{grouped} of {len(domes)} domes")
+        doubted = [e for e in self.find(database) if "Geekboards" in e["source"]]
+        self.row("Geekboards' rows with a warning of their scale", "all", f"{sum(e['scale_doubtful'] for e in doubted)} of {len(doubted)}")
+        return database
+
+    def clones(self, clones):
+        measured = {"force-curves-tidy": ("data", ".csv"), "Open-Switch-Curve-Meter": ("Force curve measurements", ".ods"), "topre-force-curves": ("", ".csv"),
+                    "switch-force-tester": ("python-app/results", ".json")}
+        there = {name: where for name, where in measured.items() if (clones / name).is_dir()}
+        if not there:
+            return
+        database = self.folder / "clones.db"
+        summary, cpu_s, memory_MB = self.index(database, *(clones / name for name in there))
+        again_s = self.index(database, *(clones / name for name in there))[1]
+        self.say("\n| public clones | bar | measured |\n|---|---|---|")
+        refused = [r["file"] for r in summary["refusals"]]
+        files = imported = 0
+        for name, (where, ending) in there.items():
+            folder = clones / name / where
+            own = [f for f in folder.rglob("*" + ending) if "Blank template" not in str(f) and "/." not in str(f)]
+            no = sum(Path(r) in set(own) for r in refused)
+            files, imported = files + len(own), imported + len(own) - no
+            self.row(f"{name}: {len(own)} files of measurements", "98 % imported", f"{100 * (1 - no / len(own)):.1f} %")
+        self.row(f"all {files}", "98 % imported", f"**{100 * imported / files:.1f} %**")
+        self.row("processor time, all threads; second run", "60 s; 2 s", f"**{cpu_s:.1f} s**; **{again_s:.2f} s**")
+        self.row(f"memory, file ({summary['switches']} switches)", "60 MB each for 1,500", f"**{memory_MB:.0f} MB**, **{database.stat().st_size / 1e6:.1f} MB**")
+        if (self.bin / "library_bench").exists() and len(there) >= 2:
+            only = self.folder / "two.db"
+            self.index(only, clones / "force-curves-tidy", clones / "Open-Switch-Curve-Meter")
+            self.say("\n## The same switch from the other laboratory\n\nAsked: top ten 80 %, median rank 3. ")
+            self.say(run(self.bin / "library_bench", only)[0].rstrip())
+
+    # ---- figures
+
+    def coverage(self):
+        """200 buttons of known figures with a meter's noise, half of them as sheets with contact points."""
+        folder, database = self.folder / "known", self.folder / "known.db"
+        folder.mkdir()
+        truths = {}
+        for i in range(200):
+            switch, draw = logs.drawn(500000 + i)
+            name, meter = f"sw{i:04}", logs.Meter(draw)
+            truths[name] = switch.figures()
+            if i % 2:
+                logs.write_open_switch(folder / f"{name}.ods", switch, meter, True)
+                truths[name].update(switch.contact_figures())
+            else:
+                logs.write_tidy(folder / f"{name}.csv", switch, meter, name)
+        self.index(database, folder)
+        off = defaultdict(list)
+        for each in self.find(database):
+            for key, truth in truths[each["name"]].items():
+                off[key].append((each[key] - truth, each["sigma_" + key]) if each[key] is not None else (math.inf, 1))
+        self.say("\n## Errors of the figures\n\n200 buttons whose figures follow from their formula, as a meter of 0.15 gf noise, 0.1 gf and 5 µm resolution logs them. Asked: 68 and 95 % of truths within "
+                 "1 and 1.96 standard errors, ± 5.\n\n| figure | N | within 68 % | within 95 % | error, median | sigma, median |\n|---|---|---|---|---|---|")
+        every = []
+        for key, pairs in off.items():
+            every += pairs
+            self.say(f"| `{key}` | {len(pairs)} | {share(pairs, '68')} | {share(pairs, '95')} | {median([abs(d) for d, _ in pairs]):.2g} | {median([s for _, s in pairs]):.2g} |")
+        self.say(f"| **all** | {len(every)} | **{share(every, '68')}** | **{share(every, '95')}** | | |")
+
+    # ---- 5,000
+
+    def five_thousand(self, database):
+        """Rows of the drawn library over and over, under other names, until there are 5,000."""
+        many = self.folder / "many.db"
+        many.write_bytes(database.read_bytes())
+        with sqlite3.connect(many) as rows:
+            columns = [r[1] for r in rows.execute("PRAGMA table_info(switch)")][2:]
+            while (count := rows.execute("SELECT count(*) FROM switch").fetchone()[0]) < 5000:
+                take = min(count, 5000 - count)
+                shift = rows.execute("SELECT max(id) FROM file").fetchone()[0]
+                rows.execute(f"INSERT INTO file SELECT id + {shift}, path || 'x{shift}', bytes, modified_ns, looked_ns, sha256, version, refused_code, refused_reason, gone FROM file")
+                named = ", ".join(f"name || ' {shift}'" if c == "name" else c for c in columns)
+                rows.execute(f"INSERT INTO switch (file, {', '.join(columns)}) SELECT file + {shift}, {named} FROM switch LIMIT {take}")
+        like = next((self.folder / "drawn" / "force-curves-tidy").iterdir())
+        self.say("\n## 5,000 switches\n\n| what | bar | measured |\n|---|---|---|")
+        seconds = sorted(run(self.import_, "library", "find", "--db", many, "--like", like)[1] for _ in range(5))[2]
+        self.row("`library find --like`, the whole program: start, reading the log, the file and all curves", "", f"{1e3 * seconds:.0f} ms")
+        if (self.bin / "measured_bench").exists():
+            out = run(self.bin / "measured_bench", many, env={**os.environ, "QT_QPA_PLATFORM": "offscreen"})[0]
+            for what, value in (line.split("\t") for line in out.splitlines()[1:]):
+                self.row(f"window: {what}", "50 ms", f"**{float(value):.0f} ms**")
+
+    def hundred_thousand(self):
+        folder, database, count = self.folder / "full", self.folder / "full.db", self.of(100000)
+        folder.mkdir()
+        for i in range(count):
+            (folder / f"n{i}.csv").write_text("no,measurement\n")
+        summary, cpu_s, memory_MB = self.index(database, folder)
+        again_s = self.index(database, folder)[1]
+        self.row(f"{count:,} files that are none in one folder", "each refused with its reason", f"{summary['refused']:,} refused; {cpu_s:.0f} s, {memory_MB:.0f} MB; again {again_s:.1f} s")
+
+    # ---- morph
+
+    def morph(self):
+        """Between all pairs of the sample buttons, and pairs of drawn ones."""
+        buttons = sorted((ROOT / "samples/buttons").glob("[A-E].button.json"))
+        drawn = []
+        for i in range(8 if self.few else 16):
+            switch, draw = logs.drawn(700000 + i)
+            log, out = self.folder / f"m{i}.csv", self.folder / f"m{i}.button.json"
+            logs.write_tidy(log, switch, logs.Meter(draw), "m")
+            run(self.import_, log, "-o", out)
+            drawn.append(out)
+        self.say("\n## Between two buttons\n\n| pairs | bar | measured |\n|---|---|---|")
+        middle = self.folder / "middle.button.json"
+        for name, pairs in (("sample buttons A to E", list(combinations(buttons, 2))), ("drawn switches", list(zip(drawn[::2], drawn[1::2])))):
+            answers = [json.loads(run(self.play, "between", a, b, "-o", middle, "--json")[0]) for a, b in pairs]
+            equal = sum(abs(a["d_prime_from"] - a["d_prime_to"]) <= 0.05 * max(a["d_prime_from"], a["d_prime_to"]) for a in answers)
+            ends = 0.0
+            for (a, b) in pairs:
+                for at, end in ((0, a), (1, b)):
+                    run(self.play, "between", a, b, "--at", at, "-o", middle, "--json")
+                    ends = max(ends, farthest(json.loads(end.read_text()), json.loads(middle.read_text())))
+            self.row(f"{len(pairs)} of {name}: halves of d' within 5 %", "all", f"**{equal}**")
+            self.row("the same: ends, largest difference of a knot's number", "1e-9", f"**{ends:.1g}**")
+
+
+def farthest(a, b):
+    """Largest difference of two buttons' knots."""
+    def numbers(value, key=""):
+        if isinstance(value, dict):
+            return [n for k, v in value.items() if k not in ("provenance", "name", "version") for n in numbers(v, k)]
+        if isinstance(value, list):
+            return [n for v in value for n in numbers(v, key)]
+        return [float(value)] if isinstance(value, (int, float)) and not isinstance(value, bool) else []
+    first, second = numbers(a.get("states", a)), numbers(b.get("states", b))
+    return max((abs(x - y) for x, y in zip(first, second)), default=0) if len(first) == len(second) else math.inf
+
+
+def share(pairs, level):
+    return f"{100 * sum(abs(d) <= SURE[level] * s for d, s in pairs) / len(pairs):.1f}"
+
+
+def median(values):
+    return sorted(values)[len(values) // 2]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--bin", type=Path, default=ROOT / "build/release/bin")
+    parser.add_argument("--clones", type=Path)
+    parser.add_argument("--few", action="store_true")
+    parser.add_argument("--out", type=Path)
+    options = parser.parse_args()
+    random.seed(29)
+    with tempfile.TemporaryDirectory(prefix="detent-library-bench-") as folder:
+        bench = Bench(options.bin.resolve(), Path(folder), options.few)
+        bench.say("# The library against its bars\n\nPrinted by one command, which draws everything it needs; clones of public sets are read where they are given:\n\n"
+                  "    tests/bench/library.py --clones FOLDER --out docs/bench-library.md\n\nTimes are of the processor, all threads together. Killed at any moment, two indexers at once, a full disk, a file "
+                  "that changes meanwhile, names in any\nscript, damaged or other databases, hostile archives and tables: `library_test`.")
+        database = bench.layouts()
+        if options.clones:
+            bench.clones(options.clones.resolve())
+        bench.coverage()
+        bench.five_thousand(database)
+        bench.hundred_thousand()
+        bench.morph()
+        if options.out:
+            options.out.write_text("\n".join(bench.lines) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
