@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "editor/document/series_colors.h"
+
 namespace detent::editor {
 namespace {
 
@@ -55,8 +57,8 @@ GraphColors graphColors(bool dark) {
 QColor seriesColor(std::size_t index, bool dark) {
   const GraphColors colors = graphColors(dark);
   // Not the release's: it means that stroke in every picture.
-  const std::array series{colors.press,        colors.operatingPoint, colors.resetPoint,
-                          colors.tactilePoint, colors.text,           colors.wall};
+  const std::array<QColor, seriesColors> series{colors.press,        colors.operatingPoint, colors.resetPoint,
+                                                colors.tactilePoint, colors.text,           colors.wall};
   return series[index % series.size()];
 }
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "editor/document/button_document.h"
+#include "editor/document/series_colors.h"
 #include "editor/document/view_settings.h"
 #include "editor/forecast/forecast_bar.h"
 
@@ -29,7 +30,7 @@ class ComparePanel : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr std::size_t mostSides = 6;  ///< as many colours can be told apart
+  static constexpr std::size_t mostSides = seriesColors;
 
   /// `settings` must outlive this.
   explicit ComparePanel(ViewSettings& settings, QWidget* parent = nullptr);

@@ -89,6 +89,14 @@ std::optional<double> MeasuredTable::distanceOf(SwitchIndex of) const {
   return ranked() ? std::optional(distances_[of]) : std::nullopt;
 }
 
+importer::SwitchSpread MeasuredTable::spreadOf(SwitchIndex of) const {
+  const importer::LibrarySwitch& entry = switches()[of];
+  std::vector<importer::UnitRecord> records;
+  for (const importer::LibrarySwitch& each : switches())
+    if (each.name == entry.name && each.credit == entry.credit) records.push_back({each.unit, each.figures});
+  return importer::spreadOf(records);
+}
+
 void MeasuredTable::arrange() {
   shown_.clear();
   const auto& entries = switches();
@@ -134,7 +142,8 @@ int MeasuredTable::columnCount(const QModelIndex& parent) const { return parent.
 QString MeasuredTable::text(const importer::LibrarySwitch& entry, SwitchIndex index, int column) const {
   if (const auto figure = figureOf(column)) {
     const auto& value = entry.figures[*figure];
-    return value ? figureText(*value, *figure, units_) : QString();
+    if (!value) return {};
+    return withError(figureText(*value, *figure, units_), entry.sigmas[*figure], *figure, units_);
   }
   switch (column) {
     case kindColumn:
@@ -158,7 +167,7 @@ QString MeasuredTable::text(const importer::LibrarySwitch& entry, SwitchIndex in
 
 QString MeasuredTable::tip(const importer::LibrarySwitch& entry, int column) const {
   if (column == fileColumn) return QString::fromStdString(entry.source);
-  return creditedTitle(entry);
+  return entry.scaleDoubtful ? creditedTitle(entry) + '\n' + doubtfulScaleWords() : creditedTitle(entry);
 }
 
 QVariant MeasuredTable::data(const QModelIndex& index, int role) const {
@@ -181,7 +190,9 @@ QVariant MeasuredTable::headerData(int section, Qt::Orientation orientation, int
                                          : QVariant();
   }
   if (const auto figure = figureOf(section)) {
-    if (role == Qt::ToolTipRole) return definitionOf(*figure);
+    if (role == Qt::ToolTipRole)
+      return tr("%1\nBehind ± stands a standard error: of the meter's noise and of the curve fitted to it")
+          .arg(definitionOf(*figure));
     return role == Qt::DisplayRole ? figureTitle(*figure, units_) : QVariant();
   }
   const bool asTip = role == Qt::ToolTipRole;

@@ -56,6 +56,8 @@ class MeasuredTable : public QAbstractTableModel {
   /// Of the rows, from the top.
   const std::vector<SwitchIndex>& shown() const { return shown_; }
   std::optional<double> distanceOf(SwitchIndex of) const;
+  /// Of all records of that switch by its laboratory.
+  importer::SwitchSpread spreadOf(SwitchIndex of) const;
   bool ranked() const { return !distances_.empty(); }
 
   int rowCount(const QModelIndex& parent = {}) const override;

@@ -19,6 +19,7 @@
 
 #include "editor/document/described.h"
 #include "editor/document/message_words.h"
+#include "editor/document/series_colors.h"
 #include "editor/forecast/forecast_words.h"
 #include "editor/measured/measured_words.h"
 #include "editor/panels/key_figures_model.h"
@@ -28,11 +29,12 @@ namespace detent::editor {
 namespace {
 
 constexpr QSize first_px{1180, 760}, leastPlot_px{260, 180};
-constexpr int nameColumn_em = 16, figureColumn_em = 8, wideColumn_em = 12, headerLines = 3;
+constexpr int nameColumn_em = 16, figureColumn_em = 12, wideColumn_em = 12, headerLines = 3;
 constexpr int tableShare = 3, plotsShare = 2;  // of the width
 constexpr int rankPause_ms = 120;              // of an edit of the button asked for
 constexpr int forecastPause_ms = 400;
-constexpr std::size_t foretoldSwitches = 8, reportedSwitches = 20, comparedSwitches = 6;
+constexpr std::size_t foretoldSwitches = 8, reportedSwitches = 20;
+constexpr std::size_t comparedSwitches = seriesColors;
 constexpr int longestList = 4;  // of credits and licences in a line
 
 QLabel* wordsOf(const char* name) {
@@ -565,16 +567,21 @@ void MeasuredWindow::showChosen() {
 void MeasuredWindow::sayCredits() {
   QStringList credits, licences, names;
   const bool anyChosen = !chosen_.empty();
+  bool doubtful = false;
   for (const SwitchIndex each : table_.shown()) {
     if (anyChosen && !chosen_.contains(each)) continue;
     const importer::LibrarySwitch& entry = table_.switches()[each];
     names << titleOf(entry);
+    doubtful = doubtful || entry.scaleDoubtful;
     if (const QString credit = creditWords(entry); !credits.contains(credit)) credits << credit;
     if (const QString licence = licenceWords(entry); !licences.contains(licence)) licences << licence;
   }
   if (names.isEmpty()) return credits_->clear();
   const QString of = anyChosen ? joined(names) : tr("All shown");
-  credits_->setText(tr("%1. Credit: %2. Licence: %3.").arg(of, joined(credits), joined(licences)));
+  QString said = tr("%1. Credit: %2. Licence: %3.").arg(of, joined(credits), joined(licences));
+  if (chosen_.size() == 1) said += spreadWords(table_.spreadOf(*chosen_.begin()), places_.view.units());
+  if (doubtful) said += ' ' + doubtfulScaleWords();
+  credits_->setText(said);
 }
 
 std::vector<importer::LibrarySwitch> MeasuredWindow::chosenEntries() const {
@@ -597,7 +604,7 @@ void MeasuredWindow::writeReport() {
   if (path.isEmpty()) return;
   std::vector<importer::FoundSwitch> found;
   for (const SwitchIndex each : table_.shown())
-    found.push_back({table_.switches()[each], table_.distanceOf(each)});
+    found.push_back({table_.switches()[each], table_.distanceOf(each), table_.spreadOf(each)});
   std::ranges::stable_sort(found, {}, &importer::FoundSwitch::distance_labNoise);
   const std::size_t fitting = found.size();
   if (found.size() > reportedSwitches) found.erase(found.begin() + reportedSwitches, found.end());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <QCoreApplication>
+#include <QStringList>
 
 #include "editor/document/number_text.h"
 #include "editor/panels/key_figures_model.h"
@@ -77,6 +78,37 @@ double shownFigure(double value, KeyFigure figure, const DisplayUnits& units) {
 
 QString figureText(double value, KeyFigure figure, const DisplayUnits& units) {
   return fixedText(shownFigure(value, figure, units), decimalsOf(figure, units));
+}
+
+QString withError(const QString& shown, const std::optional<double>& sigma, KeyFigure figure,
+                  const DisplayUnits& units) {
+  if (!sigma) return shown;
+  const QString error = figureText(*sigma, figure, units);
+  const bool none = std::ranges::none_of(error, [](QChar c) { return c >= '1' && c <= '9'; });
+  if (!none) return Measured::tr("%1 ± %2").arg(shown, error);
+  // Smaller than the last place that is shown.
+  return shown;
+}
+
+QString spreadWords(const importer::SwitchSpread& spread, const DisplayUnits& units) {
+  if (spread.records < 2) return {};
+  QStringList figures;
+  for (const KeyFigure figure :
+       {KeyFigure::peakForce, KeyFigure::drop, KeyFigure::bottomOutForce, KeyFigure::totalTravel})
+    if (const auto& sd = spread.sd[figure])
+      figures << Measured::tr("%1 ± %2 %3")
+                     .arg(termOf(figure), figureText(*sd, figure, units), unitWords(figure, units));
+  const QString between = figures.join(QStringLiteral(", "));
+  if (spread.units > 1)
+    return ' ' + Measured::tr("%1 records of %2 units, which differ by: %3.")
+                     .arg(spread.records)
+                     .arg(spread.units)
+                     .arg(between);
+  return ' ' + Measured::tr("%1 records of one unit, which differ by: %2.").arg(spread.records).arg(between);
+}
+
+QString doubtfulScaleWords() {
+  return Measured::tr("Forces of this kind of file may lie well off other laboratories'.");
 }
 
 QString figureTitle(KeyFigure figure, const DisplayUnits& units) {

@@ -2,6 +2,7 @@
 #pragma once
 // Measured switches in the person's words and units.
 
+#include <optional>
 #include <QString>
 
 #include "editor/document/display_units.h"
@@ -18,6 +19,12 @@ QString creditWords(const importer::LibrarySwitch& entry);
 QString creditedTitle(const importer::LibrarySwitch& entry);
 /// In the unit shown, without it; a share in %.
 QString figureText(double value, KeyFigure figure, const DisplayUnits& units);
+/// "53.2 ± 0.1" for "53.2"; without an error as it is.
+QString withError(const QString& shown, const std::optional<double>& sigma, KeyFigure figure,
+                  const DisplayUnits& units);
+/// " 9 records of 3 units: peak force 53.2 ± 1.4 cN between units."; empty for a single record.
+QString spreadWords(const importer::SwitchSpread& spread, const DisplayUnits& units);
+QString doubtfulScaleWords();
 /// "Peak force (cN)".
 QString figureTitle(KeyFigure figure, const DisplayUnits& units);
 /// A figure as it is shown: in the unit, a share in %.

@@ -38,6 +38,7 @@ SwitchMap::SwitchMap(const MeasuredTable& table, QWidget* parent) : QCustomPlot(
     graph->setAdaptiveSampling(false);
     if (i == kinds.size()) graph->removeFromLegend();
   }
+  connect(this, &QCustomPlot::beforeReplot, this, &SwitchMap::bringUp);
   connect(selectionRect(), &QCPSelectionRect::accepted, this, [this](const QRect& rect, QMouseEvent* event) {
     std::set<SwitchIndex> inside;
     for (const Dot& dot : dots_)
@@ -76,7 +77,7 @@ void SwitchMap::setUnits(const DisplayUnits& units) {
 
 void SwitchMap::setChosen(std::set<SwitchIndex> chosen) {
   chosen_ = std::move(chosen);
-  drawChosen();
+  if (!stale_) drawChosen();
   replot(rpQueuedReplot);
 }
 
@@ -131,6 +132,13 @@ void SwitchMap::drawChosen() {
 }
 
 void SwitchMap::redraw() {
+  stale_ = true;
+  replot(rpQueuedReplot);
+}
+
+void SwitchMap::bringUp() {
+  if (!stale_) return;
+  stale_ = false;
   dress();
   fill();
   drawChosen();
@@ -139,16 +147,17 @@ void SwitchMap::redraw() {
     for (QCPAxis* axis : {xAxis, yAxis}) axis->scaleRange(margin);
     fitNext_ = false;
   }
-  replot(rpQueuedReplot);
 }
 
-std::optional<QPointF> SwitchMap::placeOf(SwitchIndex which) const {
+std::optional<QPointF> SwitchMap::placeOf(SwitchIndex which) {
+  bringUp();
   for (const Dot& dot : dots_)
     if (dot.which == which) return QPointF(xAxis->coordToPixel(dot.x), yAxis->coordToPixel(dot.y));
   return {};
 }
 
-std::optional<SwitchIndex> SwitchMap::nearestTo(QPointF at_px) const {
+std::optional<SwitchIndex> SwitchMap::nearestTo(QPointF at_px) {
+  bringUp();
   std::optional<SwitchIndex> nearest;
   double least_px = reach_px;
   for (const Dot& dot : dots_) {

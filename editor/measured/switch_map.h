@@ -32,9 +32,10 @@ class SwitchMap : public QCustomPlot {
   void setUnits(const DisplayUnits& units);
   /// These stand out.
   void setChosen(std::set<SwitchIndex> chosen);
+  /// Once for all that changed until the window is painted.
   void redraw();
   /// Where a switch lies in the widget; empty where it has no place or is not shown.
-  std::optional<QPointF> placeOf(SwitchIndex which) const;
+  std::optional<QPointF> placeOf(SwitchIndex which);
   /// "Peak force (cN)", "Principal axis 1: 64 %, Peak force": its share of what differs, the figure it goes with most.
   QString titleOf(const MapScale& scale) const;
 
@@ -55,7 +56,8 @@ class SwitchMap : public QCustomPlot {
   };
   std::optional<double> valueOf(SwitchIndex which, const MapScale& scale) const;
   std::optional<Dot> dotOf(SwitchIndex which) const;
-  std::optional<SwitchIndex> nearestTo(QPointF at_px) const;
+  std::optional<SwitchIndex> nearestTo(QPointF at_px);
+  void bringUp();
   void dress();
   void fill();
   void drawChosen();
@@ -67,6 +69,7 @@ class SwitchMap : public QCustomPlot {
   std::vector<Dot> dots_;
   std::set<SwitchIndex> chosen_;
   QPoint pressedAt_;
+  bool stale_ = true;    // what is drawn is not what there is
   bool fitNext_ = true;  // another library, or another scale
 };
 

@@ -360,6 +360,26 @@
 <context>
     <name>Measured</name>
     <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1 ± %2 %3</source>
+        <translation>%1 ± %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 records of %2 units, which differ by: %3.</source>
+        <translation>%1 Messungen von %2 Exemplaren, die sich unterscheiden um: %3.</translation>
+    </message>
+    <message>
+        <source>%1 records of one unit, which differ by: %2.</source>
+        <translation>%1 Messungen eines Exemplars, die sich unterscheiden um: %2.</translation>
+    </message>
+    <message>
+        <source>Forces of this kind of file may lie well off other laboratories&apos;.</source>
+        <translation>Kräfte dieser Art von Datei können weit neben denen anderer Labore liegen.</translation>
+    </message>
+    <message>
         <source>%1
 Credit: %2
 Licence: %3</source>
@@ -5831,6 +5851,12 @@ Lizenz: %3</translation>
 </context>
 <context>
     <name>detent::editor::MeasuredTable</name>
+    <message>
+        <source>%1
+Behind ± stands a standard error: of the meter&apos;s noise and of the curve fitted to it</source>
+        <translation>%1
+Hinter ± steht ein Standardfehler: des Rauschens des Messgeräts und der angepassten Kurve</translation>
+    </message>
     <message>
         <source>By the drop: linear below 5 gf, tactile above 8 gf, between</source>
         <translation>Nach dem Kraftabfall: linear unter 5 gf, taktil über 8 gf, sonst dazwischen</translation>
