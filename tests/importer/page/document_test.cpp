@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <optional>
 #include <string>
 
@@ -475,6 +476,9 @@ double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Of this process: other work on the machine does not count.
+double processorSeconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
 }  // namespace
 
 TEST_CASE("drawing a page ends when it is cancelled, within half a second") {
@@ -499,9 +503,9 @@ TEST_CASE("drawing a page ends when it is cancelled, within half a second") {
 TEST_CASE("the limit on a page's time covers what is drawn") {
   PageLimits limits;
   limits.maxPageSeconds = 1.5;
-  const auto start = std::chrono::steady_clock::now();
+  const double before_s = processorSeconds();
   const Failure failure = refusalOf(slowToDraw(), "plot.pdf", limits);
-  CHECK(secondsSince(start) < 10);
+  CHECK(processorSeconds() - before_s < 10);
   CHECK(failure.code == FailureCode::unreadableInput);
   CHECK(failure.sentence().find("plot.pdf, page 1: it takes too long to") == 0);
 }
@@ -530,11 +534,11 @@ TEST_CASE("one object that goes up and down the page without end is refused befo
   const std::string head = R"svg(<svg xmlns="http://www.w3.org/2000/svg" width="800" height="500">)svg";
   for (const std::string paint : {"fill='none' stroke='black'", "fill='red'", "fill='red' opacity='0.001'"}) {
     INFO(paint);
-    const auto start = std::chrono::steady_clock::now();
+    const double before_s = processorSeconds();
     const Failure failure = refusalOf(head + "<path " + paint + " d='" + path + "'/></svg>", "plot.svg");
     CHECK(failure.code == FailureCode::unreadableInput);
     CHECK(english(failure.problem) == "it takes too long to draw");
-    CHECK(secondsSince(start) < 2);
+    CHECK(processorSeconds() - before_s < 2);
   }
   // As long a way along the page costs little.
   std::string level = "M0 250";
@@ -581,9 +585,9 @@ TEST_CASE("a pattern of more cells than any page has objects is refused before i
       {"0.000001", "0.000001"}, {"0.001", "0.001"}, {"0.05", "0.05"}, {"0", "2"}, {"2", "0"}};
   for (const auto& [stepX, stepY] : steps) {
     INFO("steps " << stepX << ", " << stepY);
-    const auto start = std::chrono::steady_clock::now();
+    const double before_s = processorSeconds();
     CHECK(refusalOf(tiled(stepX, stepY), "plot.pdf").code == FailureCode::unreadableInput);
-    CHECK(secondsSince(start) < 1);
+    CHECK(processorSeconds() - before_s < 1);
   }
   CHECK(open(tiled("2", "2"), "plot.pdf").page.count == 1);
 }
