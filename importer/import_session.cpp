@@ -856,7 +856,8 @@ Result<ImportReport> ImportSession::Impl::importLog(const ImportRequest& request
   }();
   if (!log) return log.failure();
   const QualitySettings settings = settingsFor(request.quality);
-  const FitOptions options = fitOptionsFor(settings.fit, {log->noise_mm, log->noise_N});
+  FitOptions options = fitOptionsFor(settings.fit, {log->noise_mm, log->noise_N});
+  options.curvesAway = request.curveErrors;
   auto fitted = [&] {
     StepClock time(seconds, ImportStep::fit);
     return fitBoth(log->strokes, options, options);

@@ -242,11 +242,13 @@ void addErrors(FitSummary& summary, const StrokeCurve& curve, Stroke stroke, con
   if (fit.outcome != FitOutcome::tooFewPoints) summary.condition = errors.condition;
   // `correlationPoints` residuals share one error.
   const double inflation = std::sqrt(summary.correlationPoints);
-  CurvesAway away(summary, fit.chain, samples);
-  away.byNoise(errors.moves, inflation);
-  away.byEnds(options.noise);
   const double sign = stroke == Stroke::press ? 1 : -1;
-  away.byMisfit(curve, sign);
+  if (options.curvesAway) {
+    CurvesAway away(summary, fit.chain, samples);
+    away.byNoise(errors.moves, inflation);
+    away.byEnds(options.noise);
+    away.byMisfit(curve, sign);
+  }
   for (const TactilePoint& point : tactilePoints(curve, stroke)) {
     const std::size_t knot =
         nearestKnot(fit.chain, samples.u(point.displacement_mm), samples.v(point.force_N));

@@ -55,7 +55,7 @@ struct FitSummary {
   double bic = 0;
   double seconds = 0;
   std::vector<FittedTactilePoint> tactilePoints;
-  /// One or two for every independent way in which the curve may be off by one standard error: how noise moves the knots together,
+  /// Where FitOptions::curvesAway asks for it: one or two for every independent way in which the curve may be off by one standard error: how noise moves the knots together,
   /// what the ends rest on, how far extrema and the foot of a wall stand beside the points' own. A value's variance is the sum of
   /// weight times its squared difference from the curve's own.
   std::vector<CurveAway> oneSigmaAway;

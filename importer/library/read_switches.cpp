@@ -81,6 +81,7 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
   ImportRequest request;
   request.path = path;
   request.quality = quality;
+  request.curveErrors = true;
   for (std::size_t i = 0; i < recorded->size(); ++i) {
     if (recorded->size() > 1) request.hints.strokes.curve = std::to_string(i + 1);
     const auto report = session->importGraph(request);

@@ -40,7 +40,8 @@ class Plot:
         return self.map(x, 1 - y)
 
     def curve(self, x_mm, lower=0.0):
-        return self.place(x_mm / TRAVEL_MM, force(x_mm, self.bump) - lower)
+        """The way back lies `lower`, but for the end of the travel, where the ways meet."""
+        return self.place(x_mm / TRAVEL_MM, force(x_mm, self.bump) - lower * min(1, (TRAVEL_MM - x_mm) / 0.4))
 
     def svg(self):
         lines = [self.line([(0, 0), (1, 0), (1, 1), (0, 1), (0, 0)], "#222", 1.5)]
