@@ -140,8 +140,9 @@ class GoldenTest : public QObject {
       return;
     }
     const QString how =
-        "Look at it, then bless with DETENT_BLESS=1 QT_QPA_PLATFORM=offscreen QT_FONT_DPI=96 "
-        "editor_golden_test, and look at the difference in git.";
+        "Look at it, then bless with DETENT_BLESS=1 ctest --preset release -R editor_golden_test, and look "
+        "at "
+        "the difference in git.";
     const QImage golden(file);
     const QString out = QDir::current().filePath(name + ".out.png"),
                   diff = QDir::current().filePath(name + ".diff.png");
