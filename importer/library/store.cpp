@@ -40,7 +40,7 @@ const std::string switchColumns =
 std::string figureColumns(const std::string& before = "", const std::string& behind = "") {
   std::string columns;
   for (const KeyFigureName& name : keyFigureNames())
-    columns += ", " + before + std::string(name.key) + behind;
+    columns.append(", ").append(before).append(name.key).append(behind);
   return columns;
 }
 
