@@ -565,9 +565,10 @@ void ImportDialogTest::anAxisThatGoesOnOffersToExtendTheFrame() {
       });
   ShownDialog dialog;
   dialog.openFile(file);
-  QTRY_VERIFY_WITH_TIMEOUT(dialog.accept->isEnabled(), patience_ms);
   auto* offered = dialog.findChild<QPushButton*>("xExtend");
-  QVERIFY(offered->isVisible() && !dialog.findChild<QPushButton*>("yExtend")->isVisible());
+  QTRY_VERIFY_WITH_TIMEOUT(offered->isVisible(), patience_ms);
+  QVERIFY(!dialog.accept->isEnabled());  // a curve that goes on beyond the frame is doubted
+  QVERIFY(!dialog.findChild<QPushButton*>("yExtend")->isVisible());
   QVERIFY2(offered->text().contains("3.5") && offered->text().contains('4'), qPrintable(offered->text()));
   QTest::mouseClick(offered, Qt::LeftButton);
   QTRY_VERIFY_WITH_TIMEOUT(dialog.findChild<QLineEdit*>("xMax")->text().startsWith('4'), patience_ms);
