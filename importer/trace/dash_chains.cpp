@@ -10,6 +10,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "importer/page/quantile.h"
+#include "importer/trace/scatter.h"
 
 namespace detent::importer::trace {
 
@@ -37,15 +38,8 @@ struct EndOf {
 
 /// A piece of ink as a dash, if it is as thin and straight as one.
 std::optional<Dash> dashOf(const std::vector<Point>& ink, double thickness_px, double longest_px) {
-  Point mean{};
-  for (const Point& p : ink) mean = mean + (1.0 / static_cast<double>(ink.size())) * p;
-  double xx = 0, xy = 0, yy = 0;
-  for (const Point& p : ink) {
-    const Point off = p - mean;
-    xx += off.x * off.x, xy += off.x * off.y, yy += off.y * off.y;
-  }
-  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
-  const Point along{std::cos(angle), std::sin(angle)};
+  const Scatter scatter(ink);
+  const Point mean = scatter.middle(), along = scatter.along();
   double first = 0, last = 0, across = 0;
   for (const Point& p : ink) {
     const double t = dot(p - mean, along);

@@ -13,6 +13,7 @@
 #include "importer/trace/curve_ink.h"
 #include "importer/trace/dash_chains.h"
 #include "importer/trace/plot_text.h"
+#include "importer/trace/scatter.h"
 
 namespace detent::importer {
 namespace {
@@ -185,20 +186,6 @@ double ramp(double value, double bad, double good) {
   return std::clamp((value - bad) / (good - bad), 0.0, 1.0);
 }
 
-/// Spread of points square to their main direction.
-double spreadAcross(const std::vector<Point>& points) {
-  Point mean{};
-  for (const Point& p : points) mean = mean + (1.0 / static_cast<double>(points.size())) * p;
-  double xx = 0, xy = 0, yy = 0;
-  for (const Point& p : points) {
-    const Point off = p - mean;
-    xx += off.x * off.x, xy += off.x * off.y, yy += off.y * off.y;
-  }
-  const double n = static_cast<double>(points.size());
-  const double half = 0.5 * (xx + yy), root = std::hypot(0.5 * (xx - yy), xy);
-  return std::sqrt(std::max(0.0, half - root) / n);
-}
-
 /// The end of a curve and the direction in which it runs out.
 struct End {
   Point at, ahead;
@@ -241,7 +228,7 @@ Remainder remainderOf(const std::vector<Point>& ink, const ExplainedPlot& plot,
   r.length = extent_px / std::hypot(frame.width(), frame.height());
   r.width = box.width() / frame.width();
   r.thickness = static_cast<double>(ink.size()) / std::max(1.0, extent_px) / plot.thickness();
-  r.straight = spreadAcross(ink) < 0.6 * plot.thickness() + 0.8;
+  r.straight = Scatter(ink).across() < 0.6 * plot.thickness() + 0.8;
   r.atAnEnd = std::ranges::any_of(ends, [&](const End& end) { return beginsAt(ink, end); });
   const double thin = ramp(r.thickness, 3.5, 2.2) * ramp(r.thickness, 0.2, 0.45);
   const double bent = r.straight ? 0 : ramp(r.width, 0.1, 0.3) * ramp(r.length, 0.12, 0.25);

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "importer/page/polyline.h"
+#include "importer/trace/scatter.h"
 
 namespace detent::importer::trace {
 
@@ -59,18 +61,11 @@ struct Arm {
 
 /// Of the points [from, to).
 Arm armOf(const std::vector<Point>& line, std::size_t from, std::size_t to, bool towardsEnd) {
-  Point mean{};
-  const auto n = static_cast<double>(to - from);
-  for (std::size_t i = from; i < to; ++i) mean = mean + (1 / n) * line[i];
-  double xx = 0, xy = 0, yy = 0;
-  for (std::size_t i = from; i < to; ++i) {
-    const Point off = line[i] - mean;
-    xx += off.x * off.x, xy += off.x * off.y, yy += off.y * off.y;
-  }
-  const double angle = 0.5 * std::atan2(2 * xy, xx - yy);
-  Point along{std::cos(angle), std::sin(angle)};
+  const Scatter scatter(std::span<const Point>(line).subspan(from, to - from));
+  Point along = scatter.along();
   if (dot(along, line[to - 1] - line[from]) < 0) along = -1.0 * along;
-  return {along, mean, towardsEnd ? line[to - 1] : line[from], towardsEnd ? line[from] : line[to - 1]};
+  return {along, scatter.middle(), towardsEnd ? line[to - 1] : line[from],
+          towardsEnd ? line[from] : line[to - 1]};
 }
 
 constexpr std::size_t kFewest = 4;  // points of an arm

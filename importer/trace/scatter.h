@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+// How points lie about their middle.
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "importer/page/raster.h"
+
+namespace detent::importer {
+
+/// Middle and second moments of points.
+class Scatter {
+ public:
+  /// At least one point.
+  explicit Scatter(std::span<const Point> points) : count_(static_cast<double>(points.size())) {
+    for (const Point& p : points) middle_ = middle_ + (1 / count_) * p;
+    for (const Point& p : points) {
+      const Point off = p - middle_;
+      xx_ += off.x * off.x, xy_ += off.x * off.y, yy_ += off.y * off.y;
+    }
+  }
+
+  Point middle() const { return middle_; }
+  /// Unit vector of the line that lies nearest to the points; either sense.
+  Point along() const {
+    const double angle = 0.5 * std::atan2(2 * xy_, xx_ - yy_);
+    return {std::cos(angle), std::sin(angle)};
+  }
+  /// Root mean square of the distances from that line.
+  double across() const {
+    const double half = 0.5 * (xx_ + yy_), root = std::hypot(0.5 * (xx_ - yy_), xy_);
+    return std::sqrt(std::max(0.0, half - root) / count_);
+  }
+
+ private:
+  double count_;
+  Point middle_{};
+  double xx_ = 0, xy_ = 0, yy_ = 0;
+};
+
+}  // namespace detent::importer
