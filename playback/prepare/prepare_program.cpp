@@ -82,7 +82,8 @@ class Preparation {
   }
   bool clear() const { return settings_.feel == Feel::clear; }
   bool slopes() const {
-    return settings_.mode == FeedbackMode::full || settings_.mode == FeedbackMode::slopeOnly;
+    const bool wanted = settings_.mode == FeedbackMode::full || settings_.mode == FeedbackMode::slopeOnly;
+    return wanted && settings_.grainsPerMm > 0;
   }
   void warn(PrepareWarningCode code, Message message) {
     prepared_.summary.warnings.push_back({code, std::move(message)});

@@ -152,6 +152,18 @@ TEST_CASE("prepare: only what the button has") {
   CHECK_FALSE(silent->states[0].hasBottomOut);
 }
 
+TEST_CASE("prepare: without grains a button has no slopes, and keeps its jumps") {
+  for (const Feel feel : {Feel::clear, Feel::paper}) {
+    PlaybackSettings settings;
+    settings.feel = feel;
+    settings.grainsPerMm = 0;
+    const auto program = std::make_unique<HapticProgram>(programOf(tactileButton(), settings));
+    CHECK(program->grainsPerMm == 0);
+    CHECK(program->states[0].press.slopeCount == 0);
+    CHECK(program->states[0].press.jumpCount > 0);
+  }
+}
+
 TEST_CASE("prepare: the device's resonance and equalizer are used when asked for") {
   DeviceProfile profile;
   profile.resonances = {{780, 10, 20}, {260, 5, 9}, {370, 8, 12}};
