@@ -102,11 +102,13 @@ std::optional<double> Statement::real(int column) const {
   return sqlite3_column_double(statement_, column);
 }
 
-std::string Statement::bytes(int column) const {
+std::string Statement::bytes(int column) const { return std::string(view(column)); }
+
+std::string_view Statement::view(int column) const {
   const void* const bytes = sqlite3_column_blob(statement_, column);
   const int count = sqlite3_column_bytes(statement_, column);
-  return bytes ? std::string(static_cast<const char*>(bytes), static_cast<std::size_t>(count))
-               : std::string();
+  return bytes ? std::string_view(static_cast<const char*>(bytes), static_cast<std::size_t>(count))
+               : std::string_view();
 }
 
 Transaction::Transaction(Database& database) : database_(database) { database_.run("BEGIN IMMEDIATE"); }

@@ -53,7 +53,8 @@ class Statement {
 
   std::int64_t integer(int column) const;
   std::optional<double> real(int column) const;
-  std::string bytes(int column) const;  ///< of a text or a blob
+  std::string bytes(int column) const;      ///< of a text or a blob
+  std::string_view view(int column) const;  ///< the same, until the next step
 
  private:
   void check(int code) const;

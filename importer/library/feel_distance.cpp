@@ -27,6 +27,7 @@ std::vector<double> sampled_gf(const std::vector<float>& forces_N, double travel
   const auto last = static_cast<double>(forces_N.size() - 1);
   const double perStep = step_mm / travel_mm * last;
   std::vector<double> forces_gf;
+  forces_gf.reserve(static_cast<std::size_t>(most));
   for (int k = 0; k < most; ++k) {
     const double at = std::min(perStep * k, last);
     if (perStep * k > last * (1 + 1e-9)) break;
@@ -98,6 +99,7 @@ std::vector<FeelDifference> FeelDistance::differencesTo(const FeltShape& other) 
   const std::vector<double> release =
       releases ? sampled_gf(other.release_N, other.travel_mm, step_mm_, most) : std::vector<double>{};
   std::vector<FeelDifference> all;
+  all.reserve(2 * farthestShift / shiftStride + 1);
   for (int shift = -farthestShift; shift <= farthestShift; shift += shiftStride) {
     const Overlap over = overlapAt(shift, static_cast<int>(press_gf_.size()), static_cast<int>(press.size()));
     if (over.count < 1) continue;

@@ -9,16 +9,74 @@
 namespace detent::importer {
 namespace {
 
-Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindRequest& request) {
-  auto switches = store.switches();
+/// Rows in their order with a number each; the numbers of what keeps the order.
+struct Ranked {
+  SwitchId id = 0;
+  double by = 0;
+};
+
+/// The first `limit` of them by number, and what has the same number as the last of these.
+std::vector<Ranked> nearestOf(std::vector<Ranked> all, std::size_t limit) {
+  if (all.size() <= limit) return all;
+  if (limit == 0) return {};
+  const auto last = all.begin() + static_cast<std::ptrdiff_t>(limit - 1);
+  std::ranges::nth_element(all, last, {}, &Ranked::by);
+  std::erase_if(all, [most = last->by](const Ranked& each) { return each.by > most; });
+  return all;
+}
+
+/// The rows themselves: by number, then by name.
+Result<std::vector<std::pair<LibrarySwitch, double>>> rowsOf(const LibraryStore& store,
+                                                             std::vector<Ranked> ranked, std::size_t limit) {
+  ranked = nearestOf(std::move(ranked), limit);
+  std::vector<SwitchId> ids;
+  for (const Ranked& each : ranked) ids.push_back(each.id);
+  auto switches = store.switchesOf(ids);
   if (!switches) return switches.failure();
+  std::vector<std::pair<LibrarySwitch, double>> rows;
+  for (std::size_t i = 0; i < ranked.size(); ++i) rows.emplace_back(std::move((*switches)[i]), ranked[i].by);
+  std::ranges::sort(rows, [](const auto& a, const auto& b) {
+    return a.second != b.second ? a.second < b.second : byName(a.first, b.first);
+  });
+  rows.resize(std::min(rows.size(), limit));
+  return rows;
+}
+
+Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindRequest& request) {
+  const auto all = store.figures();
+  if (!all) return all.failure();
+  std::vector<Ranked> ranked;
+  for (const auto& [id, figures] : *all)
+    if (const auto miss = missOf(figures, request.ranges)) ranked.push_back({id, *miss});
+  auto rows = rowsOf(store, std::move(ranked), request.limit);
+  if (!rows) return rows.failure();
   std::vector<NearMiss> nearest;
-  for (LibrarySwitch& each : *switches)
-    if (const auto miss = missOf(each.figures, request.ranges)) nearest.push_back({std::move(each), *miss});
-  std::ranges::stable_sort(nearest, {}, &NearMiss::miss_labNoise);
-  if (nearest.size() > request.limit)
-    nearest.erase(nearest.begin() + static_cast<std::ptrdiff_t>(request.limit), nearest.end());
+  for (auto& [entry, miss] : *rows) nearest.push_back({std::move(entry), miss});
   return nearest;
+}
+
+/// Those that keep the ranges: nearest first where something is asked for, else by name. `fitting`: how many there are.
+Result<std::vector<FoundSwitch>> foundIn(const LibraryStore& store, const FindRequest& request,
+                                         std::size_t& fitting) {
+  std::vector<Ranked> ranked;
+  if (request.like) {
+    const FeelDistance distance(*request.like);
+    const auto done = store.eachShape(request.ranges, [&](SwitchId id, const FeltShape& shape) {
+      ranked.push_back({id, distance.to(shape)});
+    });
+    if (!done) return done.failure();
+  } else {
+    const auto ids = store.idsByName(request.ranges);
+    if (!ids) return ids.failure();
+    for (const SwitchId id : *ids) ranked.push_back({id, double(ranked.size())});
+  }
+  fitting = ranked.size();
+  auto rows = rowsOf(store, std::move(ranked), request.limit);
+  if (!rows) return rows.failure();
+  std::vector<FoundSwitch> found;
+  for (auto& [entry, by] : *rows)
+    found.push_back({std::move(entry), request.like ? std::optional(by) : std::nullopt, {}});
+  return found;
 }
 
 }  // namespace
@@ -26,20 +84,10 @@ Result<std::vector<NearMiss>> nearestTo(const LibraryStore& store, const FindReq
 Result<FoundSwitches> findSwitches(const FindRequest& request) {
   const auto store = LibraryStore::openToRead(request.database);
   if (!store) return store.failure();
-  auto switches = store->switches(request.ranges);
-  if (!switches) return switches.failure();
-
   FoundSwitches result;
-  result.fitting = switches->size();
-  result.found.reserve(switches->size());
-  for (LibrarySwitch& each : *switches) result.found.push_back({std::move(each), {}, {}});
-  if (request.like) {
-    const FeelDistance distance(*request.like);
-    for (FoundSwitch& each : result.found) each.distance_labNoise = distance.to(each.entry.shape);
-    std::ranges::stable_sort(result.found, {}, &FoundSwitch::distance_labNoise);
-  }
-  if (result.found.size() > request.limit)
-    result.found.erase(result.found.begin() + static_cast<std::ptrdiff_t>(request.limit), result.found.end());
+  auto found = foundIn(*store, request, result.fitting);
+  if (!found) return found.failure();
+  result.found = std::move(*found);
   for (FoundSwitch& each : result.found) {
     const auto records = store->records(each.entry.name, each.entry.credit);
     if (!records) return records.failure();

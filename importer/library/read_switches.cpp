@@ -60,7 +60,7 @@ std::vector<ReadState> statesOfPage(const std::vector<Button>& buttons, const st
 }
 
 /// Every state of every switch in a file.
-Result<std::vector<ReadState>> readStates(const std::string& path, Quality quality) {
+Result<std::vector<ReadState>> readStates(const std::string& path, Quality quality, bool errors) {
   std::vector<ReadState> all;
   const std::string fileName = switchNameFrom(path).name;
   if (isButtonFile(path)) {
@@ -81,7 +81,7 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
   ImportRequest request;
   request.path = path;
   request.quality = quality;
-  request.curveErrors = true;
+  request.curveErrors = errors;
   for (std::size_t i = 0; i < recorded->size(); ++i) {
     if (recorded->size() > 1) request.hints.strokes.curve = std::to_string(i + 1);
     const auto report = session->importGraph(request);
@@ -90,7 +90,7 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
     addStates(report->button,
               recorded->size() == 1 ? fileName : fileName + " " + (own.empty() ? std::to_string(i + 1) : own),
               all);
-    all.back().sigmas = figureErrorsOf(*report);
+    if (errors) all.back().sigmas = figureErrorsOf(*report);
     all.back().scaleDoubtful = hasDoubtfulScale(*report);
   }
   return all;
@@ -124,8 +124,8 @@ Result<std::vector<LibrarySwitch>> rowsOf(const std::vector<ReadState>& states, 
 
 bool isLibraryFile(const std::filesystem::path& path) { return isForceLogPath(path.string()); }
 
-Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path) {
-  const auto states = readStates(path, forFigures);
+Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path, bool errors) {
+  const auto states = readStates(path, forFigures, errors);
   if (!states) return states.failure();
   return rowsOf(*states, path);
 }
@@ -172,7 +172,7 @@ Result<Button> buttonOf(const LibrarySwitch& entry, Quality quality) {
                         "Index its folder again"};
   if (!file) return file.failure();
   if (sha256Hex(*file) != entry.sha256) return changed;
-  auto states = readStates(entry.source, quality);
+  auto states = readStates(entry.source, quality, false);
   if (!states) return states.failure();
   const auto part = static_cast<std::size_t>(entry.part);
   if (part > states->size()) return changed;

@@ -25,8 +25,9 @@ Result<std::vector<Button>> readPageButtons(const std::string& path, Quality qua
 Result<std::vector<LibrarySwitch>> switchesOfPage(const std::vector<Button>& buttons,
                                                   const std::string& path);
 
-/// At least one; name, unit, run, part, figures and shape are filled in. Failure: why the file is refused. Any thread.
-Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path);
+/// At least one; name, unit, run, part, figures, their `errors` where asked for (a third of the time) and shape are filled in. Failure: why
+/// the file is refused. Any thread.
+Result<std::vector<LibrarySwitch>> readSwitches(const std::string& path, bool errors = true);
 
 /// The switch as a button of one state, named and with where it came from. Failure unreadableInput: the file is not what was indexed.
 /// Any thread.

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <string_view>
@@ -22,7 +23,8 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t applicationId = 0x44744c62;  // "DtLb", in the head of the file
 
-const char* const dropped = "DROP TABLE IF EXISTS switch; DROP TABLE IF EXISTS file;";
+const char* const dropped =
+    "DROP TABLE IF EXISTS curve; DROP TABLE IF EXISTS switch; DROP TABLE IF EXISTS file;";
 
 const char* const fileTable =
     "CREATE TABLE file (id INTEGER PRIMARY KEY, path BLOB NOT NULL UNIQUE, bytes INTEGER NOT NULL, "
@@ -32,9 +34,10 @@ const char* const fileTable =
     "gone INTEGER NOT NULL DEFAULT 0);";
 
 /// Columns before the figures; `file` ties a switch to its file.
-constexpr int firstFigure = 10, figureCount = static_cast<int>(keyFigureCount);
-const std::string switchColumns =
-    "name, unit, run, part, licence, credit, scale_doubtful, travel_mm, press, release";
+constexpr int firstFigure = 7, figureCount = static_cast<int>(keyFigureCount);
+const std::string switchColumns = "name, unit, run, part, licence, credit, scale_doubtful";
+/// Of a table of their own: who looks at figures reads no curves, who compares curves nothing else.
+const std::string curveColumns = "travel_mm, press, release";
 
 /// ", peak_force_N, ..." for each figure, with words before and behind its name.
 std::string figureColumns(const std::string& before = "", const std::string& behind = "") {
@@ -50,10 +53,14 @@ std::string switchTable() {
   return "CREATE TABLE switch (id INTEGER PRIMARY KEY, file INTEGER NOT NULL, name TEXT NOT NULL, unit TEXT "
          "NOT NULL, run TEXT NOT NULL, "
          "part INTEGER NOT NULL, licence TEXT NOT NULL, credit TEXT NOT NULL, scale_doubtful INTEGER NOT "
-         "NULL, travel_mm REAL NOT NULL, press BLOB NOT NULL, release BLOB" +
+         "NULL" +
          figureColumns("", " REAL") + sigmaColumns(" REAL") +
          ", UNIQUE (file, part)); CREATE INDEX switch_name ON switch (name);";
 }
+
+const char* const curveTable =
+    "CREATE TABLE curve (switch INTEGER PRIMARY KEY, travel_mm REAL NOT NULL, press BLOB NOT NULL, release "
+    "BLOB NOT NULL);";
 
 /// Forces as the file has them, whatever the processor: 32-bit IEEE numbers, the lowest byte first.
 std::string packed(const std::vector<float>& forces) {
@@ -66,15 +73,19 @@ std::string packed(const std::vector<float>& forces) {
   return bytes;
 }
 
-std::vector<float> unpacked(const std::string& bytes) {
-  std::vector<float> forces(bytes.size() / 4);
+/// Into `forces`, whose memory is used again.
+void unpack(std::string_view bytes, std::vector<float>& forces) {
+  forces.resize(bytes.size() / sizeof(float));
+  if constexpr (std::endian::native == std::endian::little) {
+    if (!forces.empty()) std::memcpy(forces.data(), bytes.data(), forces.size() * sizeof(float));
+    return;
+  }
   for (std::size_t i = 0; i < forces.size(); ++i) {
     std::uint32_t bits = 0;
     for (std::size_t b = 0; b < 4; ++b)
       bits |= std::uint32_t{static_cast<unsigned char>(bytes[4 * i + b])} << (8 * b);
     forces[i] = std::bit_cast<float>(bits);
   }
-  return forces;
 }
 
 bool isWhole(const FeltShape& shape) {
@@ -93,22 +104,55 @@ KeyFigures figuresIn(const Statement& row, int first) {
   return figures;
 }
 
-/// A row of switchColumns, figures, their errors, and the file's path, hash and version.
+/// A row's curveColumns from `first` on, into `shape`, whose memory is used again. Throws DatabaseFault where they are no whole curve.
+void readShape(const Statement& row, int first, FeltShape& shape) {
+  shape.travel_mm = row.real(first).value_or(0);
+  unpack(row.view(first + 1), shape.press_N);
+  unpack(row.view(first + 2), shape.release_N);
+  if (!isWhole(shape)) throw DatabaseFault{SQLITE_CORRUPT, "the curve of a switch is not whole"};
+}
+
+/// What `switchIn` reads; sources of it: `switchTables`.
+std::string rowColumns() {
+  return switchColumns + figureColumns() + sigmaColumns() + ", path, sha256, version, " + curveColumns;
+}
+const char* const switchTables = " FROM switch JOIN file ON switch.file = file.id";
+const char* const withCurves = " JOIN curve ON curve.switch = switch.id";
+
 LibrarySwitch switchIn(const Statement& row) {
   constexpr int ofFile = firstFigure + 2 * figureCount;
-  return {row.bytes(0),
-          row.bytes(1),
-          row.bytes(2),
-          row.bytes(ofFile),
-          static_cast<int>(row.integer(3)),
-          row.bytes(4),
-          row.bytes(5),
-          row.bytes(ofFile + 1),
-          row.bytes(ofFile + 2),
-          figuresIn(row, firstFigure),
-          figuresIn(row, firstFigure + figureCount),
-          row.integer(6) != 0,
-          {row.real(7).value_or(0), unpacked(row.bytes(8)), unpacked(row.bytes(9))}};
+  LibrarySwitch each{row.bytes(0),
+                     row.bytes(1),
+                     row.bytes(2),
+                     row.bytes(ofFile),
+                     static_cast<int>(row.integer(3)),
+                     row.bytes(4),
+                     row.bytes(5),
+                     row.bytes(ofFile + 1),
+                     row.bytes(ofFile + 2),
+                     figuresIn(row, firstFigure),
+                     figuresIn(row, firstFigure + figureCount),
+                     row.integer(6) != 0,
+                     {}};
+  readShape(row, ofFile + 3, each.shape);
+  return each;
+}
+
+/// Of files that are there, within ranges.
+std::string whereWithin(const std::vector<FigureRange>& ranges) {
+  std::string sql = " WHERE file.gone = 0";
+  for (const FigureRange& range : ranges)
+    sql += " AND " + std::string(keyFigureNames()[static_cast<std::size_t>(range.figure)].key) +
+           " BETWEEN ? AND ?";
+  return sql;
+}
+
+void bindRanges(Statement& row, const std::vector<FigureRange>& ranges) {
+  int parameter = 0;
+  for (const FigureRange& range : ranges) {
+    row.bind(++parameter, std::optional(range.low));
+    row.bind(++parameter, std::optional(range.high));
+  }
 }
 
 Failure failureOf(const DatabaseFault& fault, const std::string& path) {
@@ -163,6 +207,7 @@ void makeTables(Database& database) {
   database.run(dropped);
   database.run(fileTable);
   database.run(switchTable().c_str());
+  database.run(curveTable);
   database.run(("PRAGMA application_id = " + std::to_string(applicationId)).c_str());
   database.run(("PRAGMA user_version = " + std::to_string(libraryVersion)).c_str());
 }
@@ -273,6 +318,7 @@ Result<LibraryStore> LibraryStore::openToRead(const std::string& path) {
     if (version != libraryVersion)
       return Failure{FailureCode::unreadableInput, path, "",
                      Message("it is of version %1, this program's is %2", version, libraryVersion), advice};
+    impl->database.run("BEGIN");  // all that is read is of one moment
     return LibraryStore(std::move(impl));
   } catch (const DatabaseFault& fault) {
     return failureOf(fault, path);
@@ -320,11 +366,15 @@ std::int64_t LibraryStore::Impl::putFile(const LibraryFile& file) {
 }
 
 void LibraryStore::Impl::putSwitches(const LibraryFile& file, std::int64_t id) {
+  Statement(database, "DELETE FROM curve WHERE switch IN (SELECT id FROM switch WHERE file = ?1)")
+      .bind(1, id)
+      .finish();
   Statement(database, "DELETE FROM switch WHERE file = ?1").bind(1, id).finish();
   std::string marks;
   for (int i = 0; i < firstFigure + 2 * figureCount; ++i) marks += ", ?";
   Statement put(database, "INSERT INTO switch (file, " + switchColumns + figureColumns() + sigmaColumns() +
-                              ") VALUES (?" + marks + ")");
+                              ") VALUES (?" + marks + ") RETURNING id");
+  Statement putCurve(database, "INSERT INTO curve (switch, " + curveColumns + ") VALUES (?, ?, ?, ?)");
   for (const LibrarySwitch& each : file.switches) {
     put.bind(1, id)
         .bindText(2, each.name)
@@ -332,13 +382,13 @@ void LibraryStore::Impl::putSwitches(const LibraryFile& file, std::int64_t id) {
         .bindText(4, each.run)
         .bind(5, std::int64_t{each.part});
     put.bindText(6, each.licence).bindText(7, each.credit).bind(8, std::int64_t{each.scaleDoubtful});
-    put.bind(9, std::optional(each.shape.travel_mm));
-    put.bindBytes(10, packed(each.shape.press_N)).bindBytes(11, packed(each.shape.release_N));
     for (std::size_t i = 0; i < keyFigureCount; ++i) {
       const int figure = firstFigure + 2 + static_cast<int>(i);
       put.bind(figure, each.figures.values[i]).bind(figure + figureCount, each.sigmas.values[i]);
     }
+    putCurve.bind(1, put.step() ? put.integer(0) : 0).bind(2, std::optional(each.shape.travel_mm));
     put.finish();
+    putCurve.bindBytes(3, packed(each.shape.press_N)).bindBytes(4, packed(each.shape.release_N)).finish();
   }
 }
 
@@ -383,31 +433,68 @@ Result<std::vector<UnitRecord>> LibraryStore::records(const std::string& name,
 
 Result<std::vector<LibrarySwitch>> LibraryStore::switches(const std::vector<FigureRange>& ranges) const {
   return impl_->guarded([&] {
-    std::string sql =
-        "SELECT " + switchColumns + figureColumns() + sigmaColumns() +
-        ", path, sha256, version FROM switch JOIN file ON switch.file = file.id WHERE file.gone = 0";
-    for (const FigureRange& range : ranges)
-      sql += " AND " + std::string(keyFigureNames()[static_cast<std::size_t>(range.figure)].key) +
-             " BETWEEN ? AND ?";
-    Statement row(impl_->database, sql);
-    int parameter = 0;
-    for (const FigureRange& range : ranges) {
-      row.bind(++parameter, std::optional(range.low));
-      row.bind(++parameter, std::optional(range.high));
-    }
+    Statement row(impl_->database,
+                  "SELECT " + rowColumns() + switchTables + withCurves + whereWithin(ranges));
+    bindRanges(row, ranges);
     std::vector<LibrarySwitch> found;
-    while (row.step()) {
-      LibrarySwitch each = switchIn(row);
-      if (!isWhole(each.shape))
-        throw DatabaseFault{SQLITE_CORRUPT, "the curve of \"" + each.name + "\" is not whole"};
-      found.push_back(std::move(each));
-    }
+    while (row.step()) found.push_back(switchIn(row));
     // Not by SQLite, which would carry every curve through a file on the disk.
-    std::ranges::sort(found, [](const LibrarySwitch& a, const LibrarySwitch& b) {
-      return std::tie(a.name, a.source, a.part) < std::tie(b.name, b.source, b.part);
-    });
+    std::ranges::sort(found, byName);
     return found;
   });
+}
+
+Result<std::vector<LibrarySwitch>> LibraryStore::switchesOf(const std::vector<SwitchId>& ids) const {
+  return impl_->guarded([&] {
+    Statement row(impl_->database,
+                  "SELECT " + rowColumns() + switchTables + withCurves + " WHERE switch.id = ?");
+    std::vector<LibrarySwitch> found;
+    for (const SwitchId id : ids) {
+      if (!row.bind(1, id).step()) throw DatabaseFault{SQLITE_CORRUPT, "a switch is not in it any more"};
+      found.push_back(switchIn(row));
+      row.finish();
+    }
+    return found;
+  });
+}
+
+Result<std::vector<SwitchId>> LibraryStore::idsByName(const std::vector<FigureRange>& ranges) const {
+  return impl_->guarded([&] {
+    Statement row(impl_->database, std::string("SELECT switch.id") + switchTables + whereWithin(ranges) +
+                                       " ORDER BY name, path, part");
+    bindRanges(row, ranges);
+    std::vector<SwitchId> ids;
+    while (row.step()) ids.push_back(row.integer(0));
+    return ids;
+  });
+}
+
+Result<Done> LibraryStore::eachShape(const std::vector<FigureRange>& ranges,
+                                     const std::function<void(SwitchId, const FeltShape&)>& take) const {
+  return impl_->guarded([&] {
+    Statement row(impl_->database,
+                  "SELECT switch.id, " + curveColumns + switchTables + withCurves + whereWithin(ranges));
+    bindRanges(row, ranges);
+    FeltShape shape;
+    while (row.step()) {
+      readShape(row, 1, shape);
+      take(row.integer(0), shape);
+    }
+    return Done{};
+  });
+}
+
+Result<std::vector<std::pair<SwitchId, KeyFigures>>> LibraryStore::figures() const {
+  return impl_->guarded([&] {
+    Statement row(impl_->database, "SELECT switch.id" + figureColumns() + switchTables + whereWithin({}));
+    std::vector<std::pair<SwitchId, KeyFigures>> all;
+    while (row.step()) all.emplace_back(row.integer(0), figuresIn(row, 1));
+    return all;
+  });
+}
+
+bool byName(const LibrarySwitch& a, const LibrarySwitch& b) {
+  return std::tie(a.name, a.source, a.part) < std::tie(b.name, b.source, b.part);
 }
 
 }  // namespace detent::importer

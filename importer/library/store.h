@@ -3,6 +3,7 @@
 // The library on the disk: an SQLite file that is whole whatever happens to who writes it.
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -18,7 +19,7 @@
 namespace detent::importer {
 
 /// Of the tables. Raised with every change to them or to what a key figure means: files of other versions are made anew.
-inline constexpr int libraryVersion = 2;
+inline constexpr int libraryVersion = 3;
 
 /// Why a file is not in the library.
 struct RefusedFile {
@@ -57,13 +58,20 @@ struct FigureRange {
   double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();
 };
 
+/// A row's place in the file, as long as the store is open to read.
+using SwitchId = std::int64_t;
+
+/// The order of names; one name's by file and part.
+bool byName(const LibrarySwitch& a, const LibrarySwitch& b);
+
 /// One open library. One thread; any number of processes.
 class LibraryStore {
  public:
   /// Makes the file where there is none. One of another version is emptied, a damaged one moved aside: `rebuilt` says so. Failure
   /// wrongUsage: a database of another program, a folder, what is no database by name and content.
   static Result<LibraryStore> openToWrite(const std::string& path);
-  /// Failure unreadableInput: missing, damaged, of another version.
+  /// All that is asked of it is of one moment: who writes waits until it is gone. Failure unreadableInput: missing, damaged, of
+  /// another version.
   static Result<LibraryStore> openToRead(const std::string& path);
   LibraryStore(LibraryStore&&) noexcept;
   LibraryStore& operator=(LibraryStore&&) noexcept;
@@ -79,6 +87,15 @@ class LibraryStore {
                        const std::vector<std::string>& gone);
   /// Of files that are there, by name; those that keep every range.
   Result<std::vector<LibrarySwitch>> switches(const std::vector<FigureRange>& ranges = {}) const;
+  /// These, in this order.
+  Result<std::vector<LibrarySwitch>> switchesOf(const std::vector<SwitchId>& ids) const;
+  /// What `switches` gives, without reading it.
+  Result<std::vector<SwitchId>> idsByName(const std::vector<FigureRange>& ranges) const;
+  /// The curves of what keeps every range, in no order.
+  Result<Done> eachShape(const std::vector<FigureRange>& ranges,
+                         const std::function<void(SwitchId, const FeltShape&)>& take) const;
+  /// Of all files that are there, in no order.
+  Result<std::vector<std::pair<SwitchId, KeyFigures>>> figures() const;
   /// Of the files that are there: those of one switch by one laboratory, by name and credit.
   Result<std::vector<UnitRecord>> records(const std::string& name, const std::string& credit) const;
 

@@ -314,13 +314,14 @@ void printTable(const std::vector<FoundSwitch>& found) {
   }
 }
 
-Result<LibrarySwitch> switchLike(const LibraryArguments& a) {
+/// What was asked for; its errors only where they are told.
+Result<LibrarySwitch> switchLike(const LibraryArguments& a, bool errors) {
   if (!isLibraryFile(a.like))
     return Failure{
         FailureCode::wrongUsage, Subject::option("--like"), "",
         Message("'%1' is no button or force log", a.like),
         "Import a picture or page first (detent-import INPUT -o OUT.button.json), and pass the button"};
-  auto switches = readSwitches(a.like);
+  auto switches = readSwitches(a.like, errors);
   if (!switches) return switches.failure();
   if (a.likePart > switches->size())
     return Failure{FailureCode::wrongUsage, Subject::option("--like-part"), "",
@@ -372,7 +373,7 @@ Result<Done> writeWanted(const LibraryArguments& a, const FoundSwitches& result)
 int runFind(const LibraryArguments& a) {
   FindRequest request = a.find;
   if (!a.like.empty()) {
-    auto like = switchLike(a);
+    auto like = switchLike(a, false);
     if (!like) return refused(like.failure(), a.like, a.json);
     request.like = std::move(like->shape);
   }
@@ -401,7 +402,7 @@ int runReport(const LibraryArguments& a) {
     return refused({FailureCode::wrongUsage, Subject::option("--output"), "",
                     Message("'%1' is no page's name", a.page), "Give it the ending .html"},
                    a.page, a.json);
-  auto like = switchLike(a);
+  auto like = switchLike(a, true);
   if (!like) return refused(like.failure(), a.like, a.json);
   if (like->licence.empty()) like->licence = noLicenceStated;
   FindRequest request = a.find;

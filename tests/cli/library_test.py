@@ -65,6 +65,8 @@ class LibraryTest(unittest.TestCase):
             count = one("SELECT count(*) FROM switch")
             self.assertEqual(one("SELECT count(*) FROM (SELECT DISTINCT file, part FROM switch)"), count)
             self.assertEqual(one("SELECT count(*) FROM switch WHERE file NOT IN (SELECT id FROM file)"), 0)
+            self.assertEqual(one("SELECT count(*) FROM curve"), count)
+            self.assertEqual(one("SELECT count(*) FROM switch WHERE id NOT IN (SELECT switch FROM curve)"), 0)
         return count
 
     def completed(self, count=FILES):

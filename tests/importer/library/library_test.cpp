@@ -187,6 +187,35 @@ TEST_CASE("the nearest stands first, in units of lab noise") {
   CHECK(!tactile[0].distance_labNoise);
 }
 
+TEST_CASE("a short answer is the beginning of the long one, of equals the first by name") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  for (const char* const name : {"e", "c", "a", "d", "b"})
+    folder.write(std::string("s/") + name + ".csv", tidyCsv(45, 0));
+  folder.write("s/nearer.csv", tidyCsv(50, 0));
+  folder.write("s/tactile.csv", tidyCsv(50, 25));
+  indexed(folder, database);
+  const auto like = readSwitches((folder / "s/nearer.csv").string(), false);
+  REQUIRE(like);
+  CHECK_FALSE(like->front().sigmas[KeyFigure::totalTravel]);
+  const auto names = [&](const std::optional<FeltShape>& asked, std::size_t limit) {
+    std::string all;
+    for (const FoundSwitch& each : found({database, asked, {}, limit})) all += each.entry.name + " ";
+    return all;
+  };
+  CHECK(names(like->front().shape, 9) == "nearer a b c d e tactile ");
+  CHECK(names(like->front().shape, 3) == "nearer a b ");
+  CHECK(names({}, 9) == "a b c d e nearer tactile ");
+  CHECK(names({}, 2) == "a b ");
+  CHECK(names({}, 0).empty());
+  const std::vector<FigureRange> none{{KeyFigure::totalTravel, 5, 6}};
+  const auto missing = findSwitches({database, {}, none, 2});
+  REQUIRE(missing);
+  CHECK(missing->fitting == 0);
+  REQUIRE(missing->nearest.size() == 2);
+  CHECK(missing->nearest[0].miss_labNoise <= missing->nearest[1].miss_labNoise);
+}
+
 TEST_CASE("every figure of a record has an error, and several records of a switch a spread") {
   const Folder folder;
   const std::string database = (folder / "l.db").string();
