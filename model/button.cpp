@@ -43,6 +43,87 @@ std::optional<Failure> dampingProblem(const Message& place, const std::vector<Da
   return {};
 }
 
+Message speedText(double speed_mm_per_s) { return Message("%1 mm/s", speed_mm_per_s); }
+
+std::optional<Failure> speedProblem(const Message& place, const ButtonState& state) {
+  const std::size_t speeds = state.otherSpeeds.size() + (state.speed_mm_per_s ? 1 : 0);
+  if (!state.speed_mm_per_s)
+    return buttonFailure(place, Message("has graphs at other speeds, but does not state its own"),
+                         Message("State the speed of its own graph in mm/s"));
+  if (state.otherSpeeds.empty())
+    return buttonFailure(
+        place, Message("states %1, but has no graph at another speed", speedText(*state.speed_mm_per_s)),
+        Message("Give a graph at another speed, or state none"));
+  if (speeds > Button::mostSpeeds)
+    return buttonFailure(place, Message("has graphs at %1 speeds", speeds),
+                         Message("Keep two to four of them"));
+  std::vector<double> stated{*state.speed_mm_per_s};
+  for (const SpeedGraph& other : state.otherSpeeds) stated.push_back(other.speed_mm_per_s);
+  for (std::size_t i = 0; i < stated.size(); ++i) {
+    if (!(stated[i] > 0) || stated[i] > Button::largestSpeed_mm_per_s)
+      return buttonFailure(
+          place, Message("speed %1 is not a usable speed", speedText(stated[i])),
+          Message("Give speeds above 0, up to %1", speedText(Button::largestSpeed_mm_per_s)));
+    if (i > 0 && stated[i] == stated[0])
+      return buttonFailure(place, Message("states %1 twice", speedText(stated[i])),
+                           Message("Give each graph a speed of its own"));
+    if (i > 1 && !(stated[i] > stated[i - 1]))
+      return buttonFailure(
+          place, Message("speed %1 does not rise above %2", speedText(stated[i]), speedText(stated[i - 1])),
+          Message("Order the other graphs by rising speed, each stated once"));
+  }
+  return {};
+}
+
+// Strokes of one button end alike however fast they are travelled; between speeds their forces are mixed place by place.
+std::optional<Failure> familyProblem(const Message& place, const ButtonState& state) {
+  if (!state.speed_mm_per_s && state.otherSpeeds.empty()) return {};
+  if (auto problem = speedProblem(place, state)) return problem;
+  const Message own = speedText(*state.speed_mm_per_s);
+  const double apart_mm = Button::familyTravelShare * state.graph.travel_mm();
+  for (const SpeedGraph& other : state.otherSpeeds) {
+    const Message at("%1, %2", place, speedText(other.speed_mm_per_s));
+    if (other.graph.release().has_value() != state.graph.release().has_value())
+      return buttonFailure(at,
+                           other.graph.release() ? Message("has a release, which that at %1 lacks", own)
+                                                 : Message("lacks a release, which that at %1 has", own),
+                           Message("Give all speeds a release, or none"));
+    for (const Stroke stroke : {Stroke::press, Stroke::release}) {
+      const StrokeCurve &mine = state.graph.curve(stroke), &its = other.graph.curve(stroke);
+      for (const auto& [from_mm, to_mm] :
+           {std::pair{its.start_mm(), mine.start_mm()}, std::pair{its.end_mm(), mine.end_mm()}})
+        if (std::abs(from_mm - to_mm) > apart_mm)
+          return buttonFailure(at,
+                               Message("the %1 has an end at %2, that at %3 at %4: more than %5 apart",
+                                       stroke == Stroke::press ? Message("press") : Message("release"),
+                                       millimetres(from_mm), own, millimetres(to_mm), millimetres(apart_mm)),
+                               Message("Give graphs of one button, with the same travel"));
+    }
+    if (auto problem =
+            pointProblem(at, Message("operating point"), state.operatingPoint_mm, other.graph.press()))
+      return problem;
+    if (auto problem =
+            pointProblem(at, Message("reset point"), state.resetPoint_mm, other.graph.curve(Stroke::release)))
+      return problem;
+  }
+  return {};
+}
+
+std::optional<Failure> differentSpeeds(const std::vector<ButtonState>& states) {
+  const auto speedsOf = [](const ButtonState& state) {
+    std::vector<double> speeds;
+    if (state.speed_mm_per_s) speeds.push_back(*state.speed_mm_per_s);
+    for (const SpeedGraph& other : state.otherSpeeds) speeds.push_back(other.speed_mm_per_s);
+    return speeds;
+  };
+  for (std::size_t i = 1; i < states.size(); ++i)
+    if (speedsOf(states[i]) != speedsOf(states[0]))
+      return buttonFailure(placeOf(states, i),
+                           Message("has graphs at other speeds than %1", placeOf(states, 0)),
+                           Message("Give every state graphs at the same speeds"));
+  return {};
+}
+
 std::optional<Failure> stateProblem(const std::vector<ButtonState>& states, std::size_t index) {
   const ButtonState& state = states[index];
   const Message place = placeOf(states, index);
@@ -56,7 +137,8 @@ std::optional<Failure> stateProblem(const std::vector<ButtonState>& states, std:
   if (auto problem = pointProblem(place, Message("reset point"), state.resetPoint_mm,
                                   state.graph.curve(Stroke::release)))
     return problem;
-  return dampingProblem(place, state.damping);
+  if (auto problem = dampingProblem(place, state.damping)) return problem;
+  return familyProblem(place, state);
 }
 
 std::optional<Failure> provenanceProblem(const Provenance& provenance) {
@@ -85,6 +167,7 @@ Result<Button> Button::fromStates(std::string name, std::vector<ButtonState> sta
                          Message("Give one state (momentary) or two (self-locking)"));
   for (std::size_t i = 0; i < states.size(); ++i)
     if (auto problem = stateProblem(states, i)) return *problem;
+  if (auto problem = differentSpeeds(states)) return *problem;
   if (provenance)
     if (auto problem = provenanceProblem(*provenance)) return *problem;
   return Button(std::move(name), std::move(states), std::move(provenance));

@@ -19,6 +19,13 @@ struct DampingPoint {
   friend bool operator==(const DampingPoint&, const DampingPoint&) = default;
 };
 
+/// The force graph of a state pressed and released at one speed.
+struct SpeedGraph {
+  double speed_mm_per_s = 0;  ///< > 0; of the press and of the release
+  ForceGraph graph;
+  friend bool operator==(const SpeedGraph&, const SpeedGraph&) = default;
+};
+
 /// One state of a button (momentary: the only one; self-locking: unlocked, locked).
 struct ButtonState {
   std::string name;  ///< "", "unlocked", "locked"; unique in the button
@@ -26,6 +33,10 @@ struct ButtonState {
   std::optional<double> operatingPoint_mm;  ///< where the contact closes on the press stroke
   std::optional<double> resetPoint_mm;      ///< where it opens on the release stroke
   std::vector<DampingPoint> damping;  ///< empty: no damping is modelled, none is computed; linear in between
+  /// A button that feels different at different speeds: the speed of `graph`, and its graphs at one to three other speeds, by rising
+  /// speed (speed_family.h). `graph` is what everything that knows no speed takes.
+  std::optional<double> speed_mm_per_s = {};
+  std::vector<SpeedGraph> otherSpeeds = {};
   friend bool operator==(const ButtonState&, const ButtonState&) = default;
 };
 
@@ -64,10 +75,16 @@ struct Provenance {
 };
 
 /// A button. Rules: one state (momentary) or two (self-locking, alternating at each actuation); state names
-/// unique; operating and reset points inside the travel; damping by increasing displacement, finite, >= 0.
+/// unique; operating and reset points inside the travel; damping by increasing displacement, finite, >= 0; where
+/// there are graphs at other speeds: two to four speeds in all, each stated once, the same in all states; the strokes
+/// of a state are the same at all speeds, their ends within `familyTravelShare` of the travel.
 /// Immutable value; any thread.
 class Button {
  public:
+  static constexpr std::size_t mostSpeeds = 4;
+  static constexpr double largestSpeed_mm_per_s = 1e5;
+  static constexpr double familyTravelShare = 0.05;
+
   static Result<Button> fromStates(std::string name, std::vector<ButtonState> states,
                                    std::optional<Provenance> provenance = {});
 

@@ -59,6 +59,19 @@ Result<Button> editAllStates(const Button& button, const StateEdit& edit) {
   return Button::fromStates(button.name(), std::move(states), button.provenance());
 }
 
+std::optional<Failure> editAllSpeeds(ButtonState& state, const GraphEdit& edit) {
+  const auto change = [&](ForceGraph& graph) -> std::optional<Failure> {
+    auto edited = edit(graph);
+    if (!edited) return edited.failure();
+    graph = *std::move(edited);
+    return {};
+  };
+  if (auto problem = change(state.graph)) return problem;
+  for (SpeedGraph& other : state.otherSpeeds)
+    if (auto problem = change(other.graph)) return problem;
+  return {};
+}
+
 }  // namespace
 
 Result<StrokeCurve> scaleForce(const StrokeCurve& curve, double factor) {
@@ -181,9 +194,8 @@ Result<Button> removeState(const Button& button, std::size_t state) {
 
 Result<Button> scaleForce(const Button& button, double factor) {
   return editAllStates(button, [&](ButtonState& s) -> std::optional<Failure> {
-    auto scaled = scaleForce(s.graph, factor);
-    if (!scaled) return scaled.failure();
-    s.graph = *std::move(scaled);
+    if (auto problem = editAllSpeeds(s, [&](const ForceGraph& graph) { return scaleForce(graph, factor); }))
+      return problem;
     for (DampingPoint& p : s.damping) p.damping_Ns_per_mm *= factor;
     return {};
   });
@@ -191,9 +203,8 @@ Result<Button> scaleForce(const Button& button, double factor) {
 
 Result<Button> scaleTravel(const Button& button, double factor) {
   return editAllStates(button, [&](ButtonState& s) -> std::optional<Failure> {
-    auto scaled = scaleTravel(s.graph, factor);
-    if (!scaled) return scaled.failure();
-    s.graph = *std::move(scaled);
+    if (auto problem = editAllSpeeds(s, [&](const ForceGraph& graph) { return scaleTravel(graph, factor); }))
+      return problem;
     if (s.operatingPoint_mm) *s.operatingPoint_mm *= factor;
     if (s.resetPoint_mm) *s.resetPoint_mm *= factor;
     for (DampingPoint& p : s.damping) p.displacement_mm *= factor;

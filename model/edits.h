@@ -122,7 +122,7 @@ Result<ForceGraph> scaleTravel(const ForceGraph& graph, double factor);
 using GraphEdit = std::function<Result<ForceGraph>(const ForceGraph&)>;
 
 /// Applies an edit to one state's graph. Operating and reset points stay where they are; if an edit of the
-/// travel leaves one outside, the Failure says so (scaleTravel moves them along).
+/// travel leaves one outside, the Failure says so (scaleTravel moves them along). Graphs at other speeds stay as they are.
 Result<Button> editGraph(const Button& button, std::size_t state, const GraphEdit& edit);
 Result<Button> rename(const Button& button, std::string name);
 Result<Button> setOperatingPoint(const Button& button, std::size_t state,
@@ -134,9 +134,9 @@ Result<Button> setDamping(const Button& button, std::size_t state, std::vector<D
 Result<Button> addState(const Button& button, std::size_t of);
 /// Takes a state away; the button becomes momentary. Refused for the only one.
 Result<Button> removeState(const Button& button, std::size_t state);
-/// All states together; damping follows (forces at one speed keep their share of the spring's).
+/// All states and speeds together; damping follows (forces at one speed keep their share of the spring's).
 Result<Button> scaleForce(const Button& button, double factor);
-/// All states together, with operating points, reset points and damping.
+/// All states and speeds together, with operating points, reset points and damping.
 Result<Button> scaleTravel(const Button& button, double factor);
 /// The snap ratio of every tactile point of every press that has one (setSnapRatio). A button without any stays as it is.
 Result<Button> scaleSnapRatios(const Button& button, double factor);

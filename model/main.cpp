@@ -32,6 +32,7 @@ int print(const Result<Report>& result, bool asJson) {
 struct Arguments {
   std::string a, b;
   std::vector<std::string> units;
+  std::vector<double> speeds_mm_per_s;
   std::string forceUnit = "N", lengthUnit = "mm";
   bool json = false, noCallouts = false;
   ConvertOptions convert;
@@ -76,6 +77,10 @@ void addCommands(CLI::App& app, Arguments& arguments) {
       ->required();
   convertCommand->add_option("--state", arguments.convert.state,
                              "state of a self-locking button for a CSV or a project (default: the only one)");
+  convertCommand->add_option(
+      "--speed", arguments.convert.speed_mm_per_s,
+      "of a button with graphs at several speeds: write the button pressed at this one, mm/s\n"
+      "(default: all of them, or that in front where the output holds one)");
   convertCommand->add_option("--force-step", arguments.convert.forceStep_N,
                              "CSV of travel at each multiple of this force, N, instead of samples");
   convertCommand
@@ -106,6 +111,18 @@ void addCommands(CLI::App& app, Arguments& arguments) {
       ->required();
   addJson(average);
 
+  CLI::App* family = app.add_subcommand(
+      "family", "One button of two to four graphs of it, each pressed at a speed of its own");
+  family
+      ->add_option("GRAPH", arguments.units, ".button.json or .csv; the first stands where no speed is known")
+      ->required()
+      ->expected(2, 4);
+  family->add_option("--speeds", arguments.speeds_mm_per_s, "speed of each, mm/s, in the same order")
+      ->required()
+      ->delimiter(',');
+  family->add_option("-o,--output", arguments.b, ".button.json; written whole or not at all")->required();
+  addJson(family);
+
   CLI::App* compareCommand =
       app.add_subcommand("compare", "Orthogonal distance of two graphs in mm, N and % of A's span");
   compareCommand->add_option("A", arguments.a, ".button.json or .csv")->required();
@@ -123,6 +140,8 @@ Result<Report> run(const CLI::App& app, Arguments& arguments) {
   if (app.got_subcommand("check")) return checkGraph(arguments.a);
   if (app.got_subcommand("convert")) return convert(arguments);
   if (app.got_subcommand("average")) return averageGraphs(arguments.units, arguments.b);
+  if (app.got_subcommand("family"))
+    return familyOfGraphs(arguments.units, arguments.speeds_mm_per_s, arguments.b);
   return compareGraphs(arguments.a, arguments.b, arguments.compare);
 }
 

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <limits>
 
+#include "model/speed_family.h"
+
 namespace detent {
 namespace {
 
@@ -65,6 +67,46 @@ double firstWall(const StrokeCurve& press, const StrokeCurve& release, const Sec
   return first;
 }
 
+struct Crossing {
+  double above_N = 0, at_mm = 0;
+};
+
+// How far a release lies above a press, at most.
+Crossing worstCrossing(const StrokeCurve& press, const StrokeCurve& release,
+                       const SectionSettings& settings) {
+  const double wall_mm = firstWall(press, release, settings);
+  Crossing worst;
+  for (double x : sampleDisplacements(press, release)) {
+    if (x >= wall_mm) break;  // on a wall a hair of displacement is any force
+    const double above_N = std::max(release.force_N(x), release.forceBefore_N(x)) -
+                           std::max(press.force_N(x), press.forceBefore_N(x));
+    if (above_N > worst.above_N) worst = {above_N, x};
+  }
+  return worst;
+}
+
+// One finding for the worst pair of speeds.
+void checkSpeeds(Findings& out, const ButtonState& state, const SectionSettings& settings) {
+  const std::vector<double> speeds = speedsOf(state);
+  Crossing worst;
+  std::size_t pressed = 0, released = 0;
+  for (std::size_t p = 0; p < speeds.size(); ++p)
+    for (std::size_t r = 0; r < speeds.size(); ++r) {
+      if (p == r && speeds[p] == *state.speed_mm_per_s) continue;  // release-above-press tells of these two
+      if (p != r && !state.graph.release()) continue;  // a press stands in for the release of its speed
+      const Crossing each =
+          worstCrossing(graphAt(state, p).press(), graphAt(state, r).curve(Stroke::release), settings);
+      if (each.above_N <= worst.above_N) continue;
+      worst = each, pressed = p, released = r;
+    }
+  const auto [low_N, high_N] = state.graph.press().forceRange_N();
+  if (worst.above_N <= crossingShare * (high_N - low_N)) return;
+  const auto speed = [&](std::size_t i) { return numberText(speeds[i]) + " mm/s"; };
+  out.add(Rule::speedsGiveEnergy, "release curve at " + speed(released) + ", " + mm(worst.at_mm),
+          {{}, Stroke::release, worst.at_mm, speeds[released]}, worst.above_N, "N",
+          "lies " + newton(worst.above_N) + " above the press curve at " + speed(pressed), speeds[pressed]);
+}
+
 void checkStrokes(Findings& out, const ForceGraph& graph, const SectionSettings& settings) {
   if (!graph.release()) {
     out.add(Rule::noRelease, "release curve", {}, 0, "", "is not known; the press curve stands in for it");
@@ -72,20 +114,10 @@ void checkStrokes(Findings& out, const ForceGraph& graph, const SectionSettings&
   }
   const StrokeCurve &press = graph.press(), &release = *graph.release();
   const auto [low, high] = press.forceRange_N();
-  const double wall_mm = firstWall(press, release, settings);
-  double worst = 0, worst_mm = 0;
-  for (double x : sampleDisplacements(press, release)) {
-    if (x >= wall_mm) break;  // on a wall a hair of displacement is any force
-    const double above = std::max(release.force_N(x), release.forceBefore_N(x)) -
-                         std::max(press.force_N(x), press.forceBefore_N(x));
-    if (above > worst) {
-      worst = above;
-      worst_mm = x;
-    }
-  }
-  if (worst > crossingShare * (high - low))
-    out.add(Rule::releaseAbovePress, "release curve, " + mm(worst_mm), {{}, Stroke::release, worst_mm}, worst,
-            "N", "lies " + newton(worst) + " above the press curve");
+  const auto [worst_N, worst_mm] = worstCrossing(press, release, settings);
+  if (worst_N > crossingShare * (high - low))
+    out.add(Rule::releaseAbovePress, "release curve, " + mm(worst_mm), {{}, Stroke::release, worst_mm},
+            worst_N, "N", "lies " + newton(worst_N) + " above the press curve");
   const double gap = std::abs(press.end_mm() - release.end_mm());
   if (gap > meetingShare * press.travel_mm())
     out.add(Rule::strokesDoNotMeet, "release curve, " + mm(release.end_mm()),
@@ -128,6 +160,7 @@ void checkState(Findings& out, const ButtonState& state, const SectionSettings& 
   checkStrokes(out, state.graph, settings);
   checkCurve(out, state.graph.press(), Stroke::press, settings);
   if (state.graph.release()) checkCurve(out, *state.graph.release(), Stroke::release, settings);
+  checkSpeeds(out, state, settings);
   if (state.operatingPoint_mm && state.resetPoint_mm && *state.resetPoint_mm > *state.operatingPoint_mm)
     out.add(Rule::resetBeyondOperating, "reset point", {{}, Stroke::release, *state.resetPoint_mm},
             *state.resetPoint_mm, "mm",
@@ -187,6 +220,8 @@ std::string_view nameOf(Rule rule) {
       return "many-knots";
     case Rule::lowConfidence:
       return "low-confidence";
+    case Rule::speedsGiveEnergy:
+      return "speeds-give-energy";
   }
   return "unknown";
 }

@@ -25,6 +25,8 @@ enum class Rule {
   dampingOutsideTravel,  ///< damping points where the button cannot be
   manyKnots,             ///< more than a hand can edit
   lowConfidence,         ///< the import was not sure
+  speedsGiveEnergy,  ///< a release at one speed needs more force than the press at another: pressed at that and released at this, the
+                     ///< button would give more than it took
 };
 
 /// Name of a rule as printed and in JSON: "release-above-press".
@@ -35,6 +37,7 @@ struct WarningPlace {
   std::optional<std::size_t> state;  ///< index; none: the button as a whole
   std::optional<Stroke> stroke;
   std::optional<double> at_mm;
+  std::optional<double> speed_mm_per_s = {};  ///< of the graph, where the button has several
   friend bool operator==(const WarningPlace&, const WarningPlace&) = default;
 };
 
@@ -46,7 +49,8 @@ struct Warning {
   std::string_view unit;  ///< "N", "mm", "" for counts and shares
   std::string problem;    ///< the sentence, without the place
   WarningPlace spot;      ///< the place again, for those who lead a person there
-  double against = 0;     ///< what `value` was held against (the other end, the operating point); in mm
+  double against =
+      0;  ///< what `value` was held against (the other end, the operating point), mm; of speeds that of the press, mm/s
   std::string sentence() const { return place + ": " + problem + "."; }
 };
 

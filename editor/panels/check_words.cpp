@@ -68,6 +68,12 @@ QString sentenceOf(const Warning& warning, const Words& words) {
     case Rule::lowConfidence:
       return Checks::tr("The import was only %1 % sure. Hold the curves against the page.")
           .arg(std::lround(100 * warning.value));
+    case Rule::speedsGiveEnergy:
+      return Checks::tr(
+                 "At %1 mm/s the release lies %2 above the press at %3 mm/s, at %4: it would give more than "
+                 "it took.")
+          .arg(numberText(warning.spot.speed_mm_per_s.value_or(0), digits), words.value(),
+               numberText(warning.against, digits), words.place());
   }
   return {};
 }

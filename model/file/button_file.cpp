@@ -199,17 +199,40 @@ std::vector<DampingPoint> dampingFrom(const Reader& in, const json& state, const
   return damping;
 }
 
-ButtonState stateFrom(const Reader& in, const json& value, const std::string& place) {
-  in.requireObject(value, place);
-  in.refuseUnknownKeys(value, place,
-                       {"name", "press", "release", "operatingPoint_mm", "resetPoint_mm", "damping"});
+ForceGraph graphFrom(const Reader& in, const json& value, const std::string& place) {
   StrokeCurve press = curveFrom(in, in.required(value, place, "press"), Reader::join(place, "press"));
   std::optional<StrokeCurve> release;
   if (value.contains("release")) release = curveFrom(in, value.at("release"), Reader::join(place, "release"));
-  ForceGraph graph = in.accepted(ForceGraph::fromCurves(std::move(press), std::move(release)), place);
-  return {in.textOr(value, place, "name", ""), std::move(graph),
+  return in.accepted(ForceGraph::fromCurves(std::move(press), std::move(release)), place);
+}
+
+std::vector<SpeedGraph> otherSpeedsFrom(const Reader& in, const json& state, const std::string& place) {
+  std::vector<SpeedGraph> graphs;
+  if (!state.contains("otherSpeeds")) return graphs;
+  const std::string listPlace = Reader::join(place, "otherSpeeds");
+  const json& list = in.array(state.at("otherSpeeds"), listPlace);
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string at = Reader::at(listPlace, i);
+    in.requireObject(list[i], at);
+    in.refuseUnknownKeys(list[i], at, {"speed_mm_per_s", "press", "release"});
+    graphs.push_back({in.number(list[i], at, "speed_mm_per_s"), graphFrom(in, list[i], at)});
+  }
+  return graphs;
+}
+
+ButtonState stateFrom(const Reader& in, const json& value, const std::string& place) {
+  in.requireObject(value, place);
+  in.refuseUnknownKeys(value, place,
+                       {"name", "press", "release", "operatingPoint_mm", "resetPoint_mm", "damping",
+                        "speed_mm_per_s", "otherSpeeds"});
+  ForceGraph graph = graphFrom(in, value, place);
+  return {in.textOr(value, place, "name", ""),
+          std::move(graph),
           in.optionalNumber(value, place, "operatingPoint_mm"),
-          in.optionalNumber(value, place, "resetPoint_mm"), dampingFrom(in, value, place)};
+          in.optionalNumber(value, place, "resetPoint_mm"),
+          dampingFrom(in, value, place),
+          in.optionalNumber(value, place, "speed_mm_per_s"),
+          otherSpeedsFrom(in, value, place)};
 }
 
 std::optional<AxisProvenance> axisFrom(const Reader& in, const json& object, const char* key) {
@@ -417,6 +440,12 @@ ordered_json jsonOf(const ButtonState& state) {
       out["damping"].push_back(
           {{"displacement_mm", p.displacement_mm}, {"damping_Ns_per_mm", p.damping_Ns_per_mm}});
   }
+  if (state.speed_mm_per_s) out["speed_mm_per_s"] = *state.speed_mm_per_s;
+  for (const SpeedGraph& other : state.otherSpeeds) {
+    ordered_json entry{{"speed_mm_per_s", other.speed_mm_per_s}, {"press", jsonOf(other.graph.press())}};
+    if (other.graph.release()) entry["release"] = jsonOf(*other.graph.release());
+    out["otherSpeeds"].push_back(std::move(entry));
+  }
   return out;
 }
 
@@ -486,6 +515,19 @@ void append(ordered_json& document, const Annotations& annotations) {
   if (!annotations.links.empty()) document["links"] = jsonOf(annotations.links);
 }
 
+// The oldest that holds the content.
+int versionFor(const Button& button, const std::optional<PageCutout>& cutout,
+               const Annotations& annotations) {
+  const auto atSpeeds = [](const std::vector<ButtonState>& states) {
+    return std::ranges::any_of(states, [](const ButtonState& s) { return s.speed_mm_per_s.has_value(); });
+  };
+  if (atSpeeds(button.states()) ||
+      std::ranges::any_of(annotations.versions, [&](const NamedVersion& v) { return atSpeeds(v.states); }))
+    return 5;
+  if (!annotations.empty()) return 4;
+  return cutout ? 3 : 2;
+}
+
 bool holdsOnlyScalars(const ordered_json& value) {
   return std::none_of(value.begin(), value.end(), [](const ordered_json& v) { return v.is_structured(); });
 }
@@ -538,7 +580,7 @@ std::string jsonFrom(const Button& button, const std::optional<PageCutout>& cuto
                      const Annotations& annotations) {
   ordered_json document;
   document["format"] = "detent-button";
-  document["version"] = !annotations.empty() ? 4 : cutout ? 3 : 2;
+  document["version"] = versionFor(button, cutout, annotations);
   document["name"] = button.name();
   document["states"] = jsonOf(button.states());
   if (button.provenance()) document["provenance"] = jsonOf(*button.provenance());

@@ -18,7 +18,7 @@ namespace detent {
 
 /// The newest that is read. Written is the oldest that can hold the content: what has neither cut-out nor annotations stays
 /// readable for programs that know version 2.
-constexpr int buttonFileVersion = 4;
+constexpr int buttonFileVersion = 5;
 
 /// Everything a file holds.
 struct ButtonFile {

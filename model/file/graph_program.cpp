@@ -9,6 +9,7 @@
 #include "model/file/force_steps.h"
 #include "model/file/text_file.h"
 #include "model/file/traced_project.h"
+#include "model/speed_family.h"
 #include "model/text.h"
 
 namespace detent {
@@ -157,6 +158,14 @@ Result<Report> convertGraph(const std::string& in, const std::string& out, const
     return usage("plot size", "is not between 200 and 20000 px", "Choose a size such as 640 by 460");
   auto file = readFile(in);
   if (!file) return file.failure();
+  if (options.speed_mm_per_s) {
+    if (speedsOf(file->button).empty())
+      return usage(Subject::option("--speed"), "is for a button with graphs at several speeds",
+                   "Leave it out");
+    auto one = atSpeed(file->button, *options.speed_mm_per_s);
+    if (!one) return one.failure();
+    file->button = *std::move(one);
+  }
   if (*kind == GraphFileKind::dataPackage) {
     if (auto written = writePackage(file->button, out); !written) return written.failure();
     return convertReport(file->button, in, out);
@@ -182,6 +191,24 @@ Result<Report> averageGraphs(const std::vector<std::string>& units, const std::s
   if (!spread) return spread.failure();
   if (auto written = writeButtonFile(out, spread->mean); !written) return written.failure();
   return averageReport(*spread, units, out);
+}
+
+Result<Report> familyOfGraphs(const std::vector<std::string>& paths,
+                              const std::vector<double>& speeds_mm_per_s, const std::string& out) {
+  const auto kind = kindOfFile(out);
+  if (!kind) return kind.failure();
+  if (*kind != GraphFileKind::button)
+    return usage(out, "is no button's name", "Give the output the ending .button.json");
+  std::vector<Button> buttons;
+  for (const std::string& path : paths) {
+    auto button = readButton(path);
+    if (!button) return button.failure();
+    buttons.push_back(std::move(*button));
+  }
+  auto family = familyOf(buttons, speeds_mm_per_s);
+  if (!family) return family.failure();
+  if (auto written = writeButtonFile(out, *family); !written) return written.failure();
+  return convertReport(*family, paths.front(), out, "family");
 }
 
 Result<Report> compareGraphs(const std::string& a, const std::string& b, const CompareOptions& options) {

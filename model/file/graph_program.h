@@ -22,6 +22,8 @@ Result<Button> readButton(const std::string& path);
 struct ConvertOptions {
   std::string
       state;  ///< which state of a self-locking button goes into a CSV or a project; empty: the only one
+  std::optional<double>
+      speed_mm_per_s;  ///< of a button with graphs at several: written is the button of this one; > 0
   std::optional<double> forceStep_N;  ///< of a CSV of travel over force instead of samples; > 0
   SvgPlotStyle svg;                   ///< width and height > 200 px
 };
@@ -37,6 +39,9 @@ Result<Report> convertGraph(const std::string& in, const std::string& out,
                             const ConvertOptions& options = {});
 /// The mean of units of one button, with their spread; `out` is a .button.json, written whole or not at all.
 Result<Report> averageGraphs(const std::vector<std::string>& units, const std::string& out);
+/// One button of buttons measured at different speeds, one speed each; `out` is a .button.json, written whole or not at all.
+Result<Report> familyOfGraphs(const std::vector<std::string>& paths,
+                              const std::vector<double>& speeds_mm_per_s, const std::string& out);
 Result<Report> compareGraphs(const std::string& a, const std::string& b, const CompareOptions& options = {});
 
 }  // namespace detent

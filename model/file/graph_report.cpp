@@ -9,6 +9,7 @@
 #include "model/file/json_text.h"
 #include "model/key_figures.h"
 #include "model/metrics.h"
+#include "model/speed_family.h"
 
 namespace detent {
 namespace {
@@ -92,6 +93,11 @@ std::string textOf(const StrokeMetrics& stroke, const char* name, std::size_t kn
   return text;
 }
 
+/// The state with the graph of another of its speeds, for its figures.
+ButtonState ofOtherSpeed(const ButtonState& state, const SpeedGraph& other) {
+  return {state.name, other.graph, state.operatingPoint_mm, state.resetPoint_mm, state.damping};
+}
+
 std::string textOf(const ButtonState& state) {
   const StateMetrics m = metricsOf(state);
   std::string text;
@@ -108,6 +114,13 @@ std::string textOf(const ButtonState& state) {
   if (!state.damping.empty())
     text += format("Damping: %zu points, %.4g to %.4g mm\n", state.damping.size(),
                    state.damping.front().displacement_mm, state.damping.back().displacement_mm);
+  if (state.speed_mm_per_s) text += format("The above: at %.6g mm/s\n", *state.speed_mm_per_s);
+  for (const SpeedGraph& other : state.otherSpeeds) {
+    const StateMetrics there = metricsOf(ofOtherSpeed(state, other));
+    text += format("At %.6g mm/s\n", other.speed_mm_per_s) +
+            textOf(there.press, "Press", other.graph.press().knots().size());
+    if (there.release) text += textOf(*there.release, "Release", other.graph.release()->knots().size());
+  }
   return text;
 }
 
@@ -182,6 +195,10 @@ ordered_json jsonOf(const ButtonState& state) {
   out["press"] = jsonOf(m.press, state.graph.press().knots().size());
   if (m.release) out["release"] = jsonOf(*m.release, state.graph.release()->knots().size());
   out["damping_points"] = state.damping.size();
+  if (state.speed_mm_per_s) out["speed_mm_per_s"] = *state.speed_mm_per_s;
+  for (const SpeedGraph& other : state.otherSpeeds)
+    out["other_speeds"].push_back(
+        {{"speed_mm_per_s", other.speed_mm_per_s}, {"figures", figuresJson(ofOtherSpeed(state, other))}});
   return out;
 }
 
@@ -255,15 +272,20 @@ Report checkReport(const Button& button, const std::vector<Warning>& warnings, c
   return report;
 }
 
-Report convertReport(const Button& button, const std::string& inPath, const std::string& outPath) {
+Report convertReport(const Button& button, const std::string& inPath, const std::string& outPath,
+                     const char* command) {
   std::size_t knots = 0;
-  for (const ButtonState& state : button.states())
-    knots += state.graph.press().knots().size() +
-             (state.graph.release() ? state.graph.release()->knots().size() : 0);
+  const auto add = [&](const ForceGraph& graph) {
+    knots += graph.press().knots().size() + (graph.release() ? graph.release()->knots().size() : 0);
+  };
+  for (const ButtonState& state : button.states()) {
+    add(state.graph);
+    for (const SpeedGraph& other : state.otherSpeeds) add(other.graph);
+  }
   Report report;
   report.text = inPath + " -> " + outPath + " (" + count(button.states().size(), "state", "states") + ", " +
                 count(knots, "knot", "knots") + ")\n";
-  ordered_json json = statusOk("convert", inPath);
+  ordered_json json = statusOk(command, inPath);
   json["output"] = outPath;
   json["states"] = button.states().size();
   json["knots"] = knots;

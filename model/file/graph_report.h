@@ -20,7 +20,8 @@ struct Report {
 
 Report showReport(const Button& button, const std::string& path);
 Report checkReport(const Button& button, const std::vector<Warning>& warnings, const std::string& path);
-Report convertReport(const Button& button, const std::string& inPath, const std::string& outPath);
+Report convertReport(const Button& button, const std::string& inPath, const std::string& outPath,
+                     const char* command = "convert");
 Report compareReport(const GraphDistance& distance, const std::string& first, const std::string& second);
 /// Of units (their files, in order) that became the button `out`.
 Report averageReport(const UnitSpread& spread, const std::vector<std::string>& units, const std::string& out);

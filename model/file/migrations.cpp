@@ -10,6 +10,7 @@ const std::vector<Migration>& buttonMigrations() {
       [](nlohmann::json&) {},  // 2 adds provenance.warningCodes, which may be missing
       [](nlohmann::json&) {},  // 3 adds cutout, which may be missing
       [](nlohmann::json&) {},  // 4 adds notes, versions and links, which may be missing
+      [](nlohmann::json&) {},  // 5 adds speed_mm_per_s and otherSpeeds of a state, which may be missing
   };
   return steps;
 }

@@ -251,6 +251,8 @@ Message lossOf(Rule broken) {
       return "the press would begin with a falling force";
     case Rule::dampingOutsideTravel:
       return "damping would lie outside the travel";
+    case Rule::speedsGiveEnergy:
+      return "a release would lie above the press of another speed";
     case Rule::noRelease:
     case Rule::manyKnots:
     case Rule::lowConfidence:

@@ -327,9 +327,38 @@ TEST_CASE("what is wrong with a note, a version or a link is named by its place"
   requireRefusal(document.dump(), "versions[1].name: is the name of another version");
 }
 
+TEST_CASE("graphs at several speeds come back, and only they make a file version 5") {
+  const auto file = readWholeButtonFile(fixtures + "version-5.button.json");
+  INFO((file.ok() ? "" : file.failure().sentence()));
+  REQUIRE(file.ok());
+  CHECK(file->button.name() == "fixture of version 5, kept for ever");
+  REQUIRE(file->button.states().size() == 2);
+  for (const ButtonState& state : file->button.states()) {
+    CHECK(state.speed_mm_per_s == 20.0);
+    REQUIRE(state.otherSpeeds.size() == 2);
+    CHECK(state.otherSpeeds[0].speed_mm_per_s == 5.5);
+    CHECK(state.otherSpeeds[1].speed_mm_per_s == 100);
+  }
+  CHECK(file->button.states()[0].otherSpeeds[1].graph.release()->start_mm() == 2.6);
+  CHECK_FALSE(file->button.states()[1].otherSpeeds[1].graph.release().has_value());
+  const std::string text = jsonFrom(file->button, file->cutout, file->annotations);
+  CHECK(nlohmann::json::parse(text).at("version") == 5);
+  const auto again = buttonFileFromJson(text, "again");
+  REQUIRE(again.ok());
+  CHECK(again->button == file->button);
+  CHECK(nlohmann::json::parse(jsonFrom(file->button)).at("version") == 5);
+
+  // A named version may be the only one that has them.
+  const auto old = readWholeButtonFile(fixtures + "version-4.button.json");
+  Annotations kept = old->annotations;
+  CHECK(nlohmann::json::parse(jsonFrom(old->button, {}, kept)).at("version") == 4);
+  kept.versions[0].states = file->button.states();
+  CHECK(nlohmann::json::parse(jsonFrom(old->button, {}, kept)).at("version") == 5);
+}
+
 TEST_CASE("newer versions are refused, wrong ones named") {
-  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 5"),
-                 "version: is 5, newer than this program reads");
+  requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 6"),
+                 "version: is 6, newer than this program reads");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 18446744073709551615"),
                  "newer than");
   requireRefusal(replaced(fixtureText(), "\"version\": 1", "\"version\": 0"), "versions count from 1");

@@ -117,7 +117,7 @@ class SchemaChecker {
 
 TEST_CASE("what the writer writes obeys the schema, and so does the fixture") {
   SchemaChecker checker(readJson("model/file/button.schema.json"));
-  for (const char* version : {"1", "2", "3", "4"}) {
+  for (const char* version : {"1", "2", "3", "4", "5"}) {
     const json fixture =
         readJson(std::string("tests/model/file/fixtures/version-") + version + ".button.json");
     CHECK(checker.check(fixture) == std::vector<std::string>{});
@@ -132,7 +132,7 @@ TEST_CASE("what the writer writes obeys the schema, and so does the fixture") {
 
 TEST_CASE("the schema names every key the writer writes: reader and schema refuse the same faults") {
   SchemaChecker checker(readJson("model/file/button.schema.json"));
-  const json good = readJson("tests/model/file/fixtures/version-4.button.json");
+  const json good = readJson("tests/model/file/fixtures/version-5.button.json");
   const std::vector<std::string> pointers = {"/format",
                                              "/version",
                                              "/states",
@@ -140,6 +140,9 @@ TEST_CASE("the schema names every key the writer writes: reader and schema refus
                                              "/states/0/press/1/force_N",
                                              "/states/0/press/1/slopeAfter_N_per_mm",
                                              "/states/0/damping/1/damping_Ns_per_mm",
+                                             "/states/0/otherSpeeds/1/speed_mm_per_s",
+                                             "/states/0/otherSpeeds/1/press",
+                                             "/states/1/otherSpeeds/0/press/0/force_N",
                                              "/provenance/xAxis/min",
                                              "/provenance/yAxis/max",
                                              "/cutout/png",
