@@ -32,26 +32,50 @@ Levels fromOnset(const Levels& levels, const ConfusionSettings& settings) {
   return from;
 }
 
-/// Squared difference of two moments in just noticeable steps.
-double stepsBetween(const Levels& a, std::size_t i, const Levels& b, std::size_t k,
+/// A stroke's levels and, channel by channel, what they lie between half a frame to either side of each moment.
+struct Course {
+  Levels at, least, most;
+};
+
+Course courseOf(Levels levels, std::size_t frames) {
+  levels.resize(frames);  // silence behind its end
+  Course course{levels, levels, levels};
+  for (std::size_t i = 1; i < frames; ++i) {
+    for (std::size_t c = 0; c < channelCount; ++c) {
+      const double between = (levels[i - 1][c] + levels[i][c]) / 2;
+      for (const std::size_t k : {i - 1, i}) {
+        course.least[k][c] = std::min(course.least[k][c], between);
+        course.most[k][c] = std::max(course.most[k][c], between);
+      }
+    }
+  }
+  return course;
+}
+
+/// Squared difference of two moments in just noticeable steps, as far as none of the two courses has the other's level within half a
+/// frame: where a frame begins is nothing that is felt (Birchfield & Tomasi, IEEE TPAMI 20(4), 1998).
+double stepsBetween(const Course& a, std::size_t i, const Course& b, std::size_t k,
                     const ConfusionSettings& settings) {
-  static constexpr std::array<double, channelCount> silence{};
-  const auto& x = i < a.size() ? a[i] : silence;
-  const auto& y = k < b.size() ? b[k] : silence;
+  const auto outside = [](double level, double least, double most) {
+    return std::max({0.0, level - most, least - level});
+  };
   double sum = 0;
   for (std::size_t c = 0; c < channelCount; ++c) {
-    const double steps = (x[c] - y[c]) / settings.noticeable_dB[c];
+    const double apart_dB = std::min(outside(a.at[i][c], b.least[k][c], b.most[k][c]),
+                                     outside(b.at[k][c], a.least[i][c], a.most[i][c]));
+    const double steps = apart_dB / settings.noticeable_dB[c];
     sum += steps * steps;
   }
   return sum;
 }
 
 /// Dynamic time warping with a band: the least sum of squared steps over all ways to lay one over the other.
-double warpedDistance(const Levels& a, const Levels& b, const ConfusionSettings& settings) {
+double warpedDistance(const Levels& levelsA, const Levels& levelsB, const ConfusionSettings& settings) {
   constexpr double far = std::numeric_limits<double>::infinity();
-  const std::size_t n = std::max(a.size(), b.size());
+  const std::size_t n = std::max(levelsA.size(), levelsB.size());
   const auto band = static_cast<std::size_t>(settings.alignment_s / frame_s);
   if (n == 0) return 0;
+  const Course a = courseOf(levelsA, n), b = courseOf(levelsB, n);
   std::vector<double> before(n, far), row(n, far);
   for (std::size_t i = 0; i < n; ++i) {
     std::fill(row.begin(), row.end(), far);

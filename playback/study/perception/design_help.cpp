@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "model/edits.h"
@@ -58,24 +57,10 @@ class Search {
     return Suggestion{lever, factor, *std::move(changed), forecast};
   }
 
-  /// The first that is told apart behind `from`, in steps of 2 %, then of a hundredth; `found` is told apart at `to`.
+  /// The first that is told apart behind `from`, by hundredths; `found` is told apart at `to`.
   Suggestion firstBetween(Lever lever, int from, int to, Suggestion found) const {
-    constexpr double step = 0.02;
     const int direction = to > from ? 1 : -1;
-    int last = from;
-    while (last != to) {
-      const int stride = std::max(1, static_cast<int>(std::lround(step * last)));
-      const int next = std::abs(to - last) <= stride ? to : last + direction * stride;
-      const std::optional<Suggestion> tried = attempt(lever, next);
-      if (!tried) break;
-      if (tried->forecast.toldApart()) return firstHundredth(lever, last + direction, next, *tried);
-      last = next;
-    }
-    return found;
-  }
-
-  Suggestion firstHundredth(Lever lever, int from, int to, Suggestion found) const {
-    for (int percent = from; percent != to; percent += to > from ? 1 : -1) {
+    for (int percent = from + direction; percent != to; percent += direction) {
       std::optional<Suggestion> tried = attempt(lever, percent);
       if (!tried) break;
       if (tried->forecast.toldApart()) return *std::move(tried);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-// What a vibration excites in a fingertip: two channels, in steps of 5 ms, in dB above their thresholds.
+// What a vibration excites in a fingertip: two channels, in steps of 1.25 ms, in dB above their thresholds.
 // docs/predicted-confusion.md has the sources of every number.
 
 #include <array>
@@ -14,11 +14,11 @@ namespace detent::playback {
 inline constexpr std::size_t channelCount = 2;
 
 inline constexpr double perceptionRate_Hz = 8000;  ///< of the samples given here
-inline constexpr double frame_s = 0.005;
+inline constexpr double frame_s = 0.00125;
 
 /// Levels over time. Silence and everything below the threshold is 0 dB.
 struct Excitation {
-  /// One row for each 5 ms; [channel], dB above the channel's threshold, >= 0.
+  /// One row for each frame_s; [channel], dB above the channel's threshold, >= 0.
   std::vector<std::array<double, channelCount>> level_dB;
 
   double duration_s() const { return frame_s * static_cast<double>(level_dB.size()); }

@@ -195,7 +195,7 @@ TEST_CASE(
   count({});
   CHECK(below == 0);
   CHECK(above == 0);
-  count({0.75, 2.5});
+  count({0.75, 5});
   CHECK(below == 1);
   CHECK(above == 1);
 }
@@ -228,6 +228,23 @@ TEST_CASE(
   CHECK(spearman(stSim, found) == Approx(printedSpearman("1 − ST-SIM")).margin(asPrinted));
   CHECK(spearman(spqi, found) == Approx(printedSpearman("1 − SPQI")).margin(asPrinted));
   CHECK(spearman(spectral, found) == Approx(printedSpearman("spectral distance")).margin(asPrinted));
+}
+
+TEST_CASE("confusion: a millinewton more moves d' by at most 0.02") {
+  for (const char* name : {"A", "C", "E"}) {
+    const Button button = sample(name);
+    const FeltButton was = felt(button);
+    const double strongest_N = button.states()[0].graph.press().forceRange_N().second;
+    double before = 0;
+    for (int step_mN = 1; step_mN <= 15; ++step_mN) {
+      const Result<Button> stronger = scaleForce(button, 1 + 0.001 * step_mN / strongest_N);
+      REQUIRE(stronger);
+      const double dPrime = predictConfusion(was, felt(*stronger)).dPrime;
+      CHECK(std::fabs(dPrime - before) <= 0.02);
+      before = dPrime;
+    }
+    CHECK(before > 0.03);  // yet they differ
+  }
 }
 
 TEST_CASE("baselines: equal signals are no distance apart, different ones are") {
