@@ -7,9 +7,16 @@
 
 namespace detent::importer {
 
-/// Standard errors of the figures of an imported button's first state, in their units: of the noise of the samples, of the few pieces
-/// of the fit, and of the step between samples at contact points. Empty where the button has no such figure. Not contained: the
+struct FigureErrors {
+  /// What the figures of the few pieces of the fit lack to those of the samples: to be added to them.
+  KeyFigures misses;
+  /// Standard errors of the sums, in the figures' units: of the noise of the samples, of what correcting leaves, of the step between
+  /// samples at contact points and at the end.
+  KeyFigures sigmas;
+};
+
+/// Of an imported log's first state (ImportRequest::curveErrors). Empty where the button has no such figure. Not contained: the
 /// meter's own calibration, and that another unit of the switch differs. Any thread.
-KeyFigures figureErrorsOf(const ImportReport& report);
+FigureErrors figureErrorsOf(const ImportReport& report);
 
 }  // namespace detent::importer

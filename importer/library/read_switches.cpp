@@ -30,7 +30,7 @@ struct ReadState {
   ButtonState state;
   std::string name;
   std::optional<Provenance> provenance;
-  KeyFigures sigmas = {};
+  FigureErrors errors = {};
   bool scaleDoubtful = false;
 };
 
@@ -90,7 +90,7 @@ Result<std::vector<ReadState>> readStates(const std::string& path, Quality quali
     addStates(report->button,
               recorded->size() == 1 ? fileName : fileName + " " + (own.empty() ? std::to_string(i + 1) : own),
               all);
-    if (errors) all.back().sigmas = figureErrorsOf(*report);
+    if (errors) all.back().errors = figureErrorsOf(*report);
     all.back().scaleDoubtful = hasDoubtfulScale(*report);
   }
   return all;
@@ -112,7 +112,9 @@ Result<std::vector<LibrarySwitch>> rowsOf(const std::vector<ReadState>& states, 
     each.source = path;
     each.part = static_cast<int>(all.size()) + 1;
     each.figures = keyFiguresOf(read.state);
-    each.sigmas = read.sigmas;
+    for (std::size_t i = 0; i < keyFigureCount; ++i)
+      if (each.figures.values[i]) *each.figures.values[i] += read.errors.misses.values[i].value_or(0);
+    each.sigmas = read.errors.sigmas;
     each.scaleDoubtful = read.scaleDoubtful;
     each.shape = std::move(*shape);
     all.push_back(std::move(each));

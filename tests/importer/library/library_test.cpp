@@ -248,6 +248,24 @@ TEST_CASE("every figure of a record has an error, and several records of a switc
   }
 }
 
+TEST_CASE("figures are the samples' own, where the few pieces of the fit pass beside them") {
+  const Folder folder;
+  const std::string database = (folder / "l.db").string();
+  folder.write("s/switch.csv", tidyCsv(40, 25));
+  indexed(folder, database);
+  const auto all = found({database, {}, {}, 10});
+  REQUIRE(all.size() == 1);
+  const KeyFigures& figures = all[0].entry.figures;
+  CHECK(*figures[KeyFigure::totalTravel] == Approx(3.8).margin(1e-6));
+  CHECK(*figures[KeyFigure::bottomOutTravel] == Approx(3.6).margin(0.002));
+  CHECK(*all[0].entry.sigmas[KeyFigure::bottomOutTravel] < 0.008);
+  double work_N_mm = 0;
+  for (int i = 0; i < 38000; ++i) work_N_mm += force_gf(1e-4 * (i + 0.5), 40, 25) * 1e-4;
+  work_N_mm *= newtonsPer(ForceUnit::gramForce);
+  CHECK(*figures[KeyFigure::pressWork] == Approx(work_N_mm).margin(3e-4));
+  CHECK(*all[0].entry.sigmas[KeyFigure::pressWork] < 0.005);
+}
+
 TEST_CASE("a tester whose forces lie well off others' is told with each switch") {
   const Folder folder;
   const std::string database = (folder / "l.db").string();
